@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <utility>
 
@@ -14,19 +15,17 @@
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/plan_water_heights.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/resample.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
-#include "compiler/roads/junctions/layers.h"
 #include "compiler/roads/plan.h"
 #include "compiler/roads/width_limits/limit_widths.h"
 #include "compiler/scene/assemble.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/sky/plan.h"
-#include "compiler/source/join_rasters.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/source/read_texts.h"
-#include "compiler/source/spikes_to_voids.h"
 #include "compiler/structures/plan.h"
 #include "compiler/structures/plan_parapet_gaps.h"
 #include "compiler/structures/plan_piers.h"
@@ -54,6 +53,7 @@ std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recip
 }  // namespace
 
 Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_progress) {
+  assert(!spec.map_path.empty() && spec.tile_m > 0 && std::ranges::is_sorted(spec.only));
   StageTimer timer(on_progress);
   Report report;
   scene::Recipes recipes;
@@ -80,8 +80,6 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints, report);
-  // junctions off the ground are counted in the ledger; they have no recipes yet
-  roads::plan_layers(features, report);
   timer.enter("land cover and water");
   recipes.surfaces = ground::plan(features, report);
   recipes.watercourses = ground::plan_streams(features, report);
@@ -149,6 +147,7 @@ struct TileInFlight {
 
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                         const OnProgress& on_progress, const ProcessTile& process, const CollectTile& take) {
+  assert(!ladder_m.empty() && ladder_m.front() > 0 && std::ranges::is_sorted(ladder_m));
   const std::vector<BakeStep> steps = bake_steps(scene.chunks.size(), ladder_m.size());
   std::vector<Report> reports(steps.size());
   std::vector<TileInFlight> in_flight(scene.chunks.size());
@@ -212,27 +211,11 @@ source::LonLatBox lonlat_box_of(const Box2& region, const map::Plane& plane) {
   return box;
 }
 
-/// The samples of all heightmaps inside the window: files of one grid joined, spikes removed, voids filled.
-Result<std::vector<source::Raster>> read_rasters(std::span<const source::RasterSpec> specs,
-                                                 const source::LonLatBox& window, Report& report) {
-  std::vector<source::Raster> rasters;
-  for (const source::RasterSpec& spec : specs) {
-    Result<source::Raster> raster = source::read_raster(spec, &window);
-    if (!raster) return raster.error();
-    rasters.push_back(std::move(*raster));
-  }
-  rasters = source::join_rasters(std::move(rasters));
-  for (source::Raster& raster : rasters) {
-    raster = source::fill_voids(source::spikes_to_voids(std::move(raster), report), report);
-  }
-  return rasters;
-}
-
 /// The heights of the region. Error: heightmaps were given and none covers any of it.
 Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                       std::vector<std::string>& credits, Report& report) {
   const source::LonLatBox window = lonlat_box_of(region, plane);
-  const Result<std::vector<source::Raster>> rasters = read_rasters(spec.rasters, window, report);
+  const Result<std::vector<source::Raster>> rasters = source::read_heightmaps(spec.rasters, &window, report);
   if (!rasters) return rasters.error();
   for (const source::RasterSpec& raster : spec.rasters) credits.push_back(raster.credit);
 
@@ -294,12 +277,16 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                                   double resampling_error_m, const std::vector<std::string>& credits) {
   Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
   if (!sky) return sky.error();
-  scene::Header header{plane.origin(), region, spec.tile_m, spec.seed, resampling_error_m, std::move(*sky), {}, {}};
-  header.snow_line_m = spec.snow_line_m;
-
-  header.sources.push_back(file_name_of(spec.map_path));
+  scene::Header header{.origin = plane.origin(),
+                       .region = region,
+                       .tile_m = spec.tile_m,
+                       .seed = spec.seed,
+                       .resampling_error_m = resampling_error_m,
+                       .sky = std::move(*sky),
+                       .sources = {file_name_of(spec.map_path)},
+                       .attributions = {std::string(kOsmCredit)},
+                       .snow_line_m = spec.snow_line_m};
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));
-  header.attributions.emplace_back(kOsmCredit);
   for (const std::string& credit : credits) {
     const bool is_new = std::ranges::find(header.attributions, credit) == header.attributions.end();
     if (!credit.empty() && is_new) header.attributions.push_back(credit);

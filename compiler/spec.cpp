@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cassert>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/contract/parse.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_raster.h"
 
@@ -15,16 +16,6 @@ namespace citykiln {
 namespace {
 
 using nlohmann::json;
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 Error expected(std::string_view what, std::string_view found) {
   return {"", fmt::format("expected {}, found \"{}\"", what, found)};
@@ -38,16 +29,11 @@ Result<Done> put(Result<T> result, Target& target) {
   return Done{};
 }
 
-Result<bool> parse_switch(std::string_view text) {
-  if (text == "true") return true;
-  if (text == "false") return false;
-  return expected("true or false", text);
-}
-
 // ---- one function for each setting, in the order of the table ----
 
-Result<Done> set_map(CompileSpec& spec, std::string_view text) {
-  spec.map_path = text;
+template <std::string CompileSpec::*kMember>
+Result<Done> set_text(CompileSpec& spec, std::string_view text) {
+  spec.*kMember = text;
   return Done{};
 }
 
@@ -90,13 +76,6 @@ Result<Done> set_tile(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
-Result<Done> set_only(CompileSpec& spec, std::string_view text) { return add_tiles(text, spec.only); }
-
-Result<Done> set_out(CompileSpec& spec, std::string_view text) {
-  spec.outputs.folder = text;
-  return Done{};
-}
-
 Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
   spec.outputs.manifest = spec.outputs.glb = false;
   for (const std::string_view form : split(text, ',')) {
@@ -113,20 +92,12 @@ Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
-Result<Done> set_lods(CompileSpec& spec, std::string_view text) {
-  return put(parse_ladder(text), spec.outputs.ladder_m);
-}
-
 Result<Done> set_world(CompileSpec&, std::string_view text) {
   if (text == "plane") return Done{};
   if (text == "ellipsoid" || text.starts_with("cylinder")) {
     return Error{"", fmt::format("{} is not supported yet; this version supports plane", text)};
   }
   return expected("plane", text);
-}
-
-Result<Done> set_compress(CompileSpec& spec, std::string_view text) {
-  return put(parse_compress(text), spec.outputs.compress);
 }
 
 Result<Done> set_instancing(CompileSpec& spec, std::string_view text) {
@@ -150,32 +121,26 @@ Result<Done> set_time(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_seed(CompileSpec& spec, std::string_view text) {
-  std::uint64_t seed = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (problem != std::errc() || end != text.data() + text.size())
-    return expected("a whole number of at least 0, such as 7", text);
-  spec.seed = seed;
+  const auto seed = number_in<std::uint64_t>(text);
+  if (!seed) return expected("a whole number of at least 0, such as 7", text);
+  spec.seed = *seed;
   return Done{};
 }
 
 Result<Done> set_snow_line(CompileSpec& spec, std::string_view text) {
-  const Result<double> line_m = parse_number(text);
-  if (!line_m) return expected("a height in metres, such as 2800", text);
-  spec.snow_line_m = *line_m;
-  return Done{};
+  spec.snow_line_m = number_in<double>(text);
+  return spec.snow_line_m ? Result<Done>(Done{}) : expected("a height in metres, such as 2800", text);
 }
 
-Result<Done> set_rules(CompileSpec& spec, std::string_view text) {
-  spec.rules_folder = text;
+Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
+  if (text != "true" && text != "false") return expected("true or false", text);
+  spec.is_strict = text == "true";
   return Done{};
 }
-
-Result<Done> set_threads(CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }
-
-Result<Done> set_strict(CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.is_strict); }
 
 constexpr Setting kSettings[] = {
-    {"map", "FILE", "OpenStreetMap extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false, set_map},
+    {"map", "FILE", "OpenStreetMap extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false,
+     set_text<&CompileSpec::map_path>},
     {"dem", "FILE[,key=value...]",
      "heightmap (.hgt, GeoTIFF, ASCII grid, PNG), such as N43E007.hgt or a.png,bounds=7/43/8/44,scale=0.1; keys: "
      "bounds=W/S/E/N, scale=, offset=, encoding=terrarium|mapbox, tile=Z/X/Y, credit=",
@@ -187,14 +152,17 @@ constexpr Setting kSettings[] = {
      "origin of the plane in degrees, such as 7.42,43.73 (default: the area's centre, rounded to 0.01)", false,
      set_origin},
     {"tile", "M", "side of a tile in metres, a multiple of 128 (default: 1024)", false, set_tile},
-    {"only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true, set_only},
-    {"out", "FOLDER", "folder for all outputs; it is created if missing", false, set_out},
+    {"only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true,
+     [](CompileSpec& spec, std::string_view text) { return add_tiles(text, spec.only); }},
+    {"out", "FOLDER", "folder for all outputs; it is created if missing", false,
+     [](CompileSpec& spec, std::string_view text) { return put(Result(std::string(text)), spec.outputs.folder); }},
     {"emit", "kiln,glb", "outputs to write: kiln (manifest), glb (tiles) or both (default: kiln,glb)", false, set_emit},
     {"lods", "M,M,...",
      "levels of detail: largest geometric error of each in metres, finest first (default: 0.02,0.1,0.5,2.5,12.5)",
-     false, set_lods},
+     false, [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.ladder_m); }},
     {"world", "plane", "shape of the world; only plane is supported (default: plane)", false, set_world},
-    {"compress", "none|draco|meshopt", "compression of meshes in .glb files (default: none)", false, set_compress},
+    {"compress", "none|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
+     [](CompileSpec& spec, std::string_view text) { return put(parse_compress(text), spec.outputs.compress); }},
     {"instancing", "ext|nodes",
      "plants and lamps: ext uses EXT_mesh_gpu_instancing, nodes writes a glTF node for each (default: ext)", false,
      set_instancing},
@@ -204,8 +172,10 @@ constexpr Setting kSettings[] = {
     {"seed", "N", "seed of all random choices, a whole number (default: 0)", false, set_seed},
     {"snow-line", "M", "land above this height in metres is covered by snow, such as 2800 (default: no snow)", false,
      set_snow_line},
-    {"rules", "FOLDER", "folder of rule files (.cga) that replace shipped files of the same name", false, set_rules},
-    {"threads", "N", "number of threads; 0 uses all processors (default: 0)", false, set_threads},
+    {"rules", "FOLDER", "folder of rule files (.cga) that replace shipped files of the same name", false,
+     set_text<&CompileSpec::rules_folder>},
+    {"threads", "N", "number of threads; 0 uses all processors (default: 0)", false,
+     [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }},
     {"strict", "", "exit with code 2 if map or height data had to be corrected or left out", false, set_strict},
 };
 
@@ -306,19 +276,13 @@ Result<std::vector<double>> parse_ladder(std::string_view text) {
 }
 
 Result<scene::TileKey> parse_tile(std::string_view text) {
-  const std::size_t gap = text.find('_');
-  scene::TileKey tile;
-  const auto read = [](std::string_view part, std::int32_t& into) {
-    const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), into);
-    return problem == std::errc() && end == part.data() + part.size();
-  };
-  if (gap == std::string_view::npos || !read(text.substr(0, gap), tile.x) || !read(text.substr(gap + 1), tile.y)) {
-    return expected("a tile X_Y, such as 3_-2", text);
-  }
-  return tile;
+  const auto xy = numbers_in<std::int32_t>(text, '_', 2);
+  if (!xy) return expected("a tile X_Y, such as 3_-2", text);
+  return scene::TileKey{(*xy)[0], (*xy)[1]};
 }
 
 Result<Done> add_tiles(std::string_view text, std::vector<scene::TileKey>& tiles) {
+  assert(std::ranges::is_sorted(tiles));
   for (const std::string_view part : split(text, ',')) {
     const Result<scene::TileKey> tile = parse_tile(part);
     if (!tile) return tile.error();
@@ -329,32 +293,21 @@ Result<Done> add_tiles(std::string_view text, std::vector<scene::TileKey>& tiles
 }
 
 Result<double> parse_number(std::string_view text) {
-  double number = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
-    return expected("a number", text);
-  return number;
+  const auto number = number_in<double>(text);
+  return number ? Result(*number) : expected("a number", text);
 }
 
 Result<std::vector<double>> parse_numbers(std::string_view text, std::size_t count) {
-  std::vector<double> numbers;
-  for (const std::string_view part : split(text, ',')) {
-    const Result<double> number = parse_number(part);
-    if (!number) return number.error();
-    numbers.push_back(*number);
-  }
-  if (numbers.size() != count) return expected(fmt::format("{} numbers separated by commas", count), text);
-  return numbers;
+  assert(count > 0);
+  auto numbers = numbers_in<double>(text, ',', count);
+  return numbers ? Result(std::move(*numbers)) : expected(fmt::format("{} numbers separated by commas", count), text);
 }
 
 Result<std::int64_t> parse_whole(std::string_view text, std::int64_t least) {
-  std::int64_t number = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_whole = problem == std::errc() && end == text.data() + text.size();
+  const auto number = number_in<std::int64_t>(text);
   // counts of threads, pixels and paths are ints
-  if (!is_whole || number < least || number > 0x7fffffff)
-    return expected(fmt::format("a whole number of at least {}", least), text);
-  return number;
+  if (number && *number >= least && *number <= 0x7fffffff) return *number;
+  return expected(fmt::format("a whole number of at least {}", least), text);
 }
 
 }  // namespace citykiln

@@ -1,5 +1,6 @@
 #include "compiler/stage_timer.h"
 
+#include <cassert>
 #include <chrono>
 #include <fstream>
 #include <utility>
@@ -28,6 +29,7 @@ void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 }  // namespace
 
 void StageTimer::enter(std::string_view stage) {
+  assert(!stage.empty());
   close();
   stage_ = stage;
   forget_peak();

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "lsystems/rewrite.h"
@@ -11,9 +12,9 @@
 namespace citykiln::lsystems {
 namespace {
 
-constexpr std::uint64_t kMostSymbols = 1u << 27;  // so that places and dice are counted in 32 bits
+constexpr std::uint64_t kMostSymbols = 1u << 27;  // positions times kDrawsPerModule fit 32 bits
 
-// two strings that take turns, and what became of them so far
+// The two string buffers, and the derivation so far.
 struct DerivationState {
   const LSystem& system;
   const DeriveOptions& options;
@@ -25,29 +26,29 @@ struct DerivationState {
     return {options.seed.value_or(system.seed), of_step, pass == 0 ? "pass" : fmt::format("pass {}", pass).c_str()};
   }
 
-  // what the next string may have: the nearer of two limits
-  LimitKind nearer_limit() {
+  // sets next.most to the tighter of two limits, and returns which
+  LimitKind tighter_limit() {
     const std::uint64_t symbols = std::min(options.limits.symbols, kMostSymbols);
     const std::uint64_t left = options.limits.written - std::min(options.limits.written, result.written);
     next.most = std::min(symbols, left);
     return symbols <= left ? LimitKind::kSymbols : LimitKind::kWritten;
   }
 
-  void cut(LimitKind kind, int step) {
+  void stop(LimitKind kind, int step) {
     const Limits& limits = options.limits;
     const std::uint64_t limit = kind == LimitKind::kSymbols   ? std::min(limits.symbols, kMostSymbols)
                                 : kind == LimitKind::kWritten ? limits.written
                                 : kind == LimitKind::kWork    ? limits.work
                                                               : limits.steps;
-    result.cut = LimitExceeded{kind, limit, step};
+    result.limit_exceeded = LimitExceeded{kind, limit, step};
   }
 
-  // false where nothing changed or a limit cut
+  // one pass; returns whether the string changed and no limit was exceeded
   bool apply(Rewriter& rewriter, const char* purpose, int step, int pass) {
-    const LimitKind limit = nearer_limit();
+    const LimitKind limit = tighter_limit();
     const Rewritten became = rewrite(rewriter, now, chance_of(purpose, step, pass), next);
     if (became == Rewritten::kTooLong || became == Rewritten::kTooMuchWork) {
-      cut(became == Rewritten::kTooLong ? limit : LimitKind::kWork, step);
+      stop(became == Rewritten::kTooLong ? limit : LimitKind::kWork, step);
       return false;
     }
     result.written += next.size;
@@ -57,33 +58,33 @@ struct DerivationState {
 
   void decompose(Rewriter& rewriter, int step) {
     if (system.decomposition.rules.empty()) return;
-    for (int pass = 0; pass < system.decomposition.most_depth && !result.cut; ++pass)
+    for (int pass = 0; pass < system.decomposition.most_depth && !result.limit_exceeded; ++pass)
       if (!apply(rewriter, "decomposition", step, pass)) return;
   }
 
   void begin(Rewriter& rewriter) {
     next.most = std::min(options.limits.symbols, kMostSymbols);
     const Draw chance = chance_of("axiom", 0, 0);
-    RandomSource dice{&chance, 0, 0};
-    if (!write_successor(rewriter, system.axiom, nullptr, dice, next)) cut(LimitKind::kSymbols, 0);
+    RandomSource random{&chance, 0, 0};
+    if (!write_successor(rewriter, system.axiom, nullptr, random, next)) stop(LimitKind::kSymbols, 0);
     result.written += next.size;
     std::swap(now, next);
   }
 
-  bool asks() const {
+  bool has_queries() const {
     return std::ranges::any_of(now.kinds(), [&](Kind kind) { return system.kinds[kind].name[0] == '?'; });
   }
 
-  // writes into each ?-module what the environment says where it stands
+  // sets the parameters of queries
   void answer(int step) {
-    if (!system.has_queries || result.cut || !asks()) return;
+    if (!system.has_queries || result.limit_exceeded || !has_queries()) return;
     const ModuleString string{{now.kinds().begin(), now.kinds().end()}, {now.values().begin(), now.values().end()}};
-    // interpretations may move the turtle, and keep the ?-modules and their order
+    // interpretations may move the turtle; they keep the queries and their order
     DeriveOptions rest = options;
     rest.limits.written -= std::min(rest.limits.written, result.written);
     const Derivation seen = interpret(system, string, rest);
     result.written += now.size + seen.written;
-    if (seen.cut) cut(LimitKind::kWritten, step);
+    if (seen.limit_exceeded) stop(LimitKind::kWritten, step);
     const std::vector<double> answers = answers_to(system, seen.string, options.environment);
     std::size_t value = 0, answer = 0;
     for (const Kind kind : now.kinds()) {
@@ -105,6 +106,7 @@ struct DerivationState {
 }  // namespace
 
 Derivation derive(const LSystem& system, const DeriveOptions& options) {
+  assert(system.productions.of_kind.size() == system.kinds.size());
   DerivationState state{system, options, {}, {}, {}};
   Rewriter productions = rewriter_of(system, system.productions, state.result.warnings, options.limits);
   Rewriter decomposition = rewriter_of(system, system.decomposition, state.result.warnings, options.limits);
@@ -112,28 +114,29 @@ Derivation derive(const LSystem& system, const DeriveOptions& options) {
   state.decompose(decomposition, 0);
   state.answer(0);
   const int steps = options.steps.value_or(system.steps);
-  for (int step = 1; step <= steps && !state.result.cut; ++step) {
+  for (int step = 1; step <= steps && !state.result.limit_exceeded; ++step) {
     if (static_cast<std::uint64_t>(step) > options.limits.steps) {
-      state.cut(LimitKind::kSteps, step);
+      state.stop(LimitKind::kSteps, step);
       break;
     }
     state.apply(productions, "production", step, 0);
-    if (state.result.cut) break;
+    if (state.result.limit_exceeded) break;
     state.decompose(decomposition, step);
     state.answer(step);
-    if (!state.result.cut) state.result.steps = step;
+    if (!state.result.limit_exceeded) state.result.steps = step;
   }
   return state.finish();
 }
 
 Derivation interpret(const LSystem& system, const ModuleString& string, const DeriveOptions& options) {
+  assert(std::ranges::all_of(string.kinds, [&](Kind kind) { return kind < system.kinds.size(); }));
   DerivationState state{system, options, {}, {}, {}};
   state.now.room = string;
   state.now.size = string.kinds.size();
   state.now.value_count = string.values.size();
   Rewriter rules = rewriter_of(system, system.interpretation, state.result.warnings, options.limits);
   if (!system.interpretation.rules.empty())
-    for (int pass = 0; pass < system.interpretation.most_depth && !state.result.cut; ++pass)
+    for (int pass = 0; pass < system.interpretation.most_depth && !state.result.limit_exceeded; ++pass)
       if (!state.apply(rules, "interpretation", 0, pass)) break;
   return state.finish();
 }
@@ -144,14 +147,15 @@ std::string warning_line(const LSystem& system, const Warning& warning) {
   return fmt::format("{}:{}:{}: {}{}", system.file, warning.place.line, warning.place.column, warning.message, times);
 }
 
-std::string limit_line(const LSystem& system, const LimitExceeded& cut) {
-  const std::string start = fmt::format("{}: cut at step {}: ", system.file, cut.step);
-  if (cut.kind == LimitKind::kSteps) return start + fmt::format("no more than {} steps are done", cut.limit);
-  if (cut.kind == LimitKind::kWork)
-    return start + fmt::format("more than {} rules and operations would be tried", cut.limit);
-  if (cut.kind == LimitKind::kWritten)
-    return start + fmt::format("more than {} symbols would be written in all", cut.limit);
-  return start + fmt::format("its string would have more than {} symbols", cut.limit);
+std::string limit_line(const LSystem& system, const LimitExceeded& exceeded) {
+  const std::string start = fmt::format("{}: stopped at step {}: ", system.file, exceeded.step);
+  if (exceeded.kind == LimitKind::kSteps)
+    return start + fmt::format("a derivation has at most {} steps", exceeded.limit);
+  if (exceeded.kind == LimitKind::kWork)
+    return start + fmt::format("the derivation would need more than {} rule tests and operations", exceeded.limit);
+  if (exceeded.kind == LimitKind::kWritten)
+    return start + fmt::format("the derivation would write more than {} symbols in total", exceeded.limit);
+  return start + fmt::format("the string would have more than {} symbols", exceeded.limit);
 }
 
 }  // namespace citykiln::lsystems

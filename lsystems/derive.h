@@ -1,7 +1,7 @@
-// From a system to the string of modules that it grows into.
+// Derivation: from an L-system to the string of modules after n steps.
 //
-//   axiom ── step ──► string ── step ──► string …      a step rewrites every module at once, then decomposes what came
-//                                                      of it, then answers the ?-modules; two strings take turns
+//   axiom ── step ──► string ── step ──► string …      a step rewrites all modules in parallel, then decomposes the
+//                                                      result, then answers queries; two buffers alternate
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,23 @@
 
 namespace citykiln::lsystems {
 
-/// Counts, not seconds, so that every machine stops at the same module.
+/// Limits of a derivation: counts, not seconds, so that every machine stops at the same module.
 struct Limits {
-  std::uint64_t symbols = 8'000'000;    ///< Of a string; four times as many numbers. At most 2^27.
-  std::uint64_t written = 400'000'000;  ///< Of all strings of a derivation together.
+  std::uint64_t symbols = 8'000'000;    ///< In a string; four times as many values. Capped at 2^27.
+  std::uint64_t written = 400'000'000;  ///< In all strings of a derivation.
   std::uint64_t steps = 100'000;
-  std::uint64_t work = 4'000'000'000;  ///< Rules tried, and instructions of their conditions and values.
+  std::uint64_t work = 4'000'000'000;  ///< Rules tested, and instructions of their conditions and values.
 };
 
 struct DeriveOptions {
-  std::optional<int> steps = {};           ///< Else as many as the file says.
-  std::optional<std::uint64_t> seed = {};  ///< Else the file's.
-  StableId plant{};                        ///< Whose dice are thrown.
+  std::optional<int> steps = {};           ///< Default: the file's.
+  std::optional<std::uint64_t> seed = {};  ///< Default: the file's.
+  StableId plant{};                        ///< Key of the random numbers.
   Limits limits = {};
   Environment environment = {};
 };
 
-/// Something a rule asked for that cannot be, and what was done instead. Once a place and text.
+/// Something in the text or string without a defined result, and what was done instead. One for each position and text.
 struct Warning {
   TextPosition place;
   std::string message;
@@ -41,39 +41,41 @@ struct Warning {
 
 enum class LimitKind : std::uint8_t { kSymbols, kWritten, kSteps, kWork };
 
-/// A derivation that ended early: its string is the last one that was whole.
+/// The limit that ended a derivation; its string is then the last complete one.
 struct LimitExceeded {
   LimitKind kind = LimitKind::kSymbols;
   std::uint64_t limit = 0;
-  int step = 0;  ///< That was not finished, from 1.
+  int step = 0;  ///< The incomplete step, from 1.
 };
 
 struct Derivation {
   ModuleString string;
-  int steps = 0;              ///< Finished.
-  std::uint64_t written = 0;  ///< Symbols, in all strings together.
+  int steps = 0;              ///< Completed.
+  std::uint64_t written = 0;  ///< Modules in all strings.
   std::vector<Warning> warnings;
-  std::optional<LimitExceeded> cut;
+  std::optional<LimitExceeded> limit_exceeded;
 };
 
-/// Rewrites the axiom as often as asked.
+/// Rewrites the axiom for a number of steps.
 ///
-/// Of a module's rules the first that fits (contexts, then condition) is applied; if it has a probability, it and all
-/// that fit behind it and have one throw dice, by their shares of the sum. A module that no rule fits stays. % takes
-/// the rest of its branch with it one step after it is written.
+/// The first rule of a module that matches (contexts, then condition) is applied. If it has a probability, one of it
+/// and all later matching rules with a probability is drawn, with the probabilities as weights. A module without a
+/// matching rule is copied. % removes the rest of its branch in the step after it is written.
 ///
-/// Guarantees: the same bytes for the same arguments on any machine; dice are drawn by (seed, plant, step, place in the
-/// string); brackets are balanced; every number is finite. Total: a number without a value (1/0) is 0 and a trouble;
-/// limits cut. Cost: O(symbols written), no allocation a module. Memory: two strings; with contexts, 20 bytes a symbol
-/// more.
+/// Guarantees: the same bytes for the same arguments on any machine; random numbers are functions of (seed, plant,
+/// step, position in the string); brackets are balanced; every value is finite. Total: an undefined value (1/0) becomes
+/// 0 and a warning; a limit ends the derivation. Cost: O(modules written), no allocation per module. Memory: two
+/// strings, and 20 bytes a module if rules have contexts.
 Derivation derive(const LSystem& system, const DeriveOptions& options = {});
 
-/// The derivation's string as the turtle reads it: interpretation rules applied, up to their depth.
+/// Applies the interpretation rules up to their depth. Returns the string for the turtle.
+///
+/// @param string  Of derive() with the same system.
 Derivation interpret(const LSystem& system, const ModuleString& string, const DeriveOptions& options = {});
 
 /// "x.lsys:12:5: message (3 times)".
 std::string warning_line(const LSystem& system, const Warning& warning);
-/// "x.lsys: cut at step 9: its string would have more than 8000000 symbols".
-std::string limit_line(const LSystem& system, const LimitExceeded& cut);
+/// "x.lsys: stopped at step 9: the string would have more than 8000000 symbols".
+std::string limit_line(const LSystem& system, const LimitExceeded& exceeded);
 
 }  // namespace citykiln::lsystems

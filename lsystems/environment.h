@@ -1,4 +1,4 @@
-// What a plant may ask about the place where it grows.
+// Functions that answer a plant's queries about its surroundings.
 #pragma once
 
 #include <functional>
@@ -7,11 +7,11 @@
 
 namespace citykiln::lsystems {
 
-/// Points are in the plant's own frame: metres from its foot, z up. Without a function, the ground is flat and all is
-/// in the sun. Answers must depend on nothing but the point; those that are no number count as 0.
+/// Points are relative to the plant's foot, z up, in the file's units. Without a function, the ground is flat and
+/// nothing is shaded. Functions must be pure; NaN and infinity count as 0.
 struct Environment {
   std::function<double(Vec3)> height_above_ground;  ///< ?H(h)
-  std::function<double(Vec3)> shade;                ///< ?S(s): 0 in the sun … 1 in the dark.
+  std::function<double(Vec3)> shade;                ///< ?S(s): from 0, full sun, to 1, dark.
 };
 
 }  // namespace citykiln::lsystems

@@ -1,6 +1,7 @@
 #include "lsystems/evaluate.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -9,38 +10,24 @@
 namespace citykiln::lsystems {
 namespace {
 
-// with the sign of a, as C's %
+// The remainder with the sign of a, as C's %.
 double remainder_of(double a, double b) { return b == 0 ? a / b : std::fmod(a, b); }
 
-// Box and Muller 1958
-double normal(double mean, double deviation, RandomSource& dice) {
-  const double far = std::sqrt(-2 * logarithm(1 - dice.next()));
-  return mean + deviation * far * cosine(360 * dice.next());
+// Box and Muller, "A note on the generation of random normal deviates", 1958.
+double normal(double mean, double deviation, RandomSource& random) {
+  const double far = std::sqrt(-2 * logarithm(1 - random.next()));
+  return mean + deviation * far * cosine(360 * random.next());
 }
 
-double operator_value(Op op, double a, double b) {
+double value_of(Op op, double a, [[maybe_unused]] double b) {
   switch (op) {
 #define OPERATOR(name, priority, text, code) \
   case Op::name:                             \
     return code;
-#define FUNCTION(name, arity, op, code)
-#include "lsystems/operations.inc"
-#undef FUNCTION
-#undef OPERATOR
-    default:
-      return 0;
-  }
-}
-
-double function_value(Op op, double a, [[maybe_unused]] double b) {
-  switch (op) {
-#define OPERATOR(name, priority, text, code)
 #define FUNCTION(name, arity, op, code) \
   case Op::op:                          \
     return code;
 #include "lsystems/operations.inc"
-#undef FUNCTION
-#undef OPERATOR
     default:
       return 0;
   }
@@ -55,8 +42,6 @@ int arity_of(Op op) {
   case Op::op:                          \
     return arity;
 #include "lsystems/operations.inc"
-#undef FUNCTION
-#undef OPERATOR
     case Op::kNormalRandom:
       return 2;
     default:
@@ -64,27 +49,28 @@ int arity_of(Op op) {
   }
 }
 
-double applied(Op op, double a, double b, RandomSource& dice) {
+double applied(Op op, double a, double b, RandomSource& random) {
   switch (op) {
     case Op::kNegative:
       return -a;
     case Op::kNot:
       return a == 0 ? 1 : 0;
     case Op::kRandom:
-      return a * dice.next();
+      return a * random.next();
     case Op::kNormalRandom:
-      return normal(a, b, dice);
+      return normal(a, b, random);
     default:
       break;
   }
-  if (op < Op::kPower) return operator_value(op, a, b);
-  if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<double>::quiet_NaN();
-  return op == Op::kPower ? operator_value(op, a, b) : function_value(op, a, b);
+  // powers and functions are undefined for NaN and infinity
+  if (op >= Op::kPower && !(std::isfinite(a) && std::isfinite(b))) return std::numeric_limits<double>::quiet_NaN();
+  return value_of(op, a, b);
 }
 
 }  // namespace
 
-double run(const Instruction* code, std::uint32_t count, const double* slots, RandomSource& dice) {
+double run(const Instruction* code, std::uint32_t count, const double* slots, RandomSource& random) {
+  assert(count > 0);
   double stack[kStackLimit];
   int top = 0;
   for (const Instruction* at = code; at != code + count; ++at) {
@@ -93,10 +79,10 @@ double run(const Instruction* code, std::uint32_t count, const double* slots, Ra
     } else if (at->op == Op::kSlot) {
       stack[top++] = slots[at->slot];
     } else if (arity_of(at->op) == 1) {
-      stack[top - 1] = applied(at->op, stack[top - 1], 0, dice);
+      stack[top - 1] = applied(at->op, stack[top - 1], 0, random);
     } else {
       --top;
-      stack[top - 1] = applied(at->op, stack[top - 1], stack[top], dice);
+      stack[top - 1] = applied(at->op, stack[top - 1], stack[top], random);
     }
   }
   return stack[0];

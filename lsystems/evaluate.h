@@ -1,4 +1,4 @@
-// Numbers of successors, conditions and probabilities.
+// Evaluation of expressions in successors, conditions and probabilities.
 #pragma once
 
 #include "lsystems/lsystem.h"
@@ -6,14 +6,17 @@
 
 namespace citykiln::lsystems {
 
-/// How many numbers an expression may hold at once; the reader refuses those that need more.
+/// Largest stack of an expression; the reader rejects expressions that need more.
 inline constexpr int kStackLimit = 64;
 
-/// Runs code that the reader made. Only + - * / and the square root, so the same bits on every CPU. What has no value
-/// (1/0, the root of -1) is infinite or no number: the caller decides. Allocates nothing. O(count).
-double run(const Instruction* code, std::uint32_t count, const double* slots, RandomSource& dice);
+/// Evaluates postfix code. Uses only + - * / and the square root, so results have the same bits on every CPU. An
+/// undefined value (1/0, the root of -1) is infinite or NaN. Allocates nothing. O(count).
+///
+/// @param code   `count` instructions, > 0, of read_value().
+/// @param slots  Values of the rule's parameters.
+double run(const Instruction* code, std::uint32_t count, const double* slots, RandomSource& random);
 
-inline double evaluate(const LSystem& system, const Value& value, const double* slots, RandomSource& dice) {
+inline double evaluate(const LSystem& system, const Value& value, const double* slots, RandomSource& random) {
   switch (value.form) {
     case ValueForm::kConstant:
       return value.constant;
@@ -24,7 +27,7 @@ inline double evaluate(const LSystem& system, const Value& value, const double* 
     case ValueForm::kSlotPlus:
       return slots[value.slot] + value.constant;
     default:
-      return run(system.code.data() + value.first, value.count, slots, dice);
+      return run(system.code.data() + value.first, value.count, slots, random);
   }
 }
 

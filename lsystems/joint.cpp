@@ -1,6 +1,7 @@
 #include "lsystems/joint.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "lsystems/joint_stencils.h"
@@ -8,18 +9,18 @@
 namespace citykiln::lsystems {
 namespace {
 
-// between a ring and the box's edge, in radii of the ring; less makes a crease, more a dent
+// Distance between a ring and the box's edge in radii of the ring; less makes a crease, more a dent.
 constexpr double kCollar = 0.7;
-// below this stems run beside each other for so long that they part where there is room
+// Least sine of angles between stems: at smaller ones the joint is as long as room_m allows.
 constexpr double kLeastSine = 0.15;
 
-// where two stems of one node no longer touch, along both
-double parting(const Stem& a, const Stem& b) {
+// The distance from the node at which two stems no longer overlap.
+double separation(const Stem& a, const Stem& b) {
   const double half_sine = length(a.direction - b.direction) / 2;
   return (a.radius + b.radius) * 0.55 / std::max(half_sine, kLeastSine);
 }
 
-// of a side stem: where its axis leaves the tube, along the box's axis and along its own
+// Where a side stem's axis leaves the tube: height along the box's axis, distance along its own.
 struct Leaving {
   double height = 0, distance = 0;
 };
@@ -31,7 +32,7 @@ Leaving leaving(const Stem& stem, Vec3 axis, double radius) {
 }
 
 struct Heights {
-  double low = 0, high = 0;  // of the box, from the node
+  double low = 0, high = 0;  // of the box above the node
   double lower_ring = 0, upper_ring = 0;
 };
 
@@ -43,12 +44,12 @@ Heights heights_of(const Stem& parent, const Stem& upper, std::span<const Stem> 
     const double half = std::min(side.radius, radius) * kCornerScale * std::sqrt(0.5);
     low = std::min(low, middle - half);
     high = std::max(high, middle + half);
-    part = std::max(part, parting(side, upper));
+    part = std::max(part, separation(side, upper));
   }
   Heights heights;
   heights.upper_ring = std::min(std::max(part, high + kCollar * upper.radius), upper.room_m);
   heights.lower_ring = std::clamp(low - kCollar * parent.radius, -parent.room_m, 0.0);
-  // the box keeps inside of its rings, also where there is little room
+  // the box stays between its rings even without room
   const double span = heights.upper_ring - heights.lower_ring;
   heights.low = std::clamp(low, heights.lower_ring + span * 0.2, heights.lower_ring + span * 0.5);
   heights.high = std::clamp(high, heights.lower_ring + span * 0.6, heights.lower_ring + span * 0.85);
@@ -66,19 +67,19 @@ Ring ring_of(const Stem& stem, Vec3 node, double distance, Vec3 first) {
 }
 
 double side_distance(const Stem& stem, const Stem& upper, std::span<const Stem> sides, Vec3 axis, double radius) {
-  double distance = std::max(leaving(stem, axis, radius).distance + kCollar * stem.radius, parting(stem, upper));
+  double distance = std::max(leaving(stem, axis, radius).distance + kCollar * stem.radius, separation(stem, upper));
   for (const Stem& other : sides)
-    if (other.name != stem.name) distance = std::max(distance, parting(stem, other));
+    if (other.name != stem.name) distance = std::max(distance, separation(stem, other));
   return std::min(distance, stem.room_m);
 }
 
-// towards the middle of side k, and from its corner k to the next
+// Directions of the box: its axis, and those towards its sides.
 struct Compass {
   Vec3 axis, x, y;
   Vec3 towards(int side) const { return (side & 1 ? y : x) * (side & 2 ? -1.0 : 1.0); }
 };
 
-// each stem takes the free side that it leans to most
+// Assigns each stem to the free side nearest to its direction.
 std::array<const Stem*, 4> sides_taken(std::span<const Stem> sides, const Compass& compass) {
   std::array<const Stem*, 4> taken{};
   for (const Stem& stem : sides) {
@@ -92,7 +93,7 @@ std::array<const Stem*, 4> sides_taken(std::span<const Stem> sides, const Compas
   return taken;
 }
 
-// below on the ring of a side stem, as its corner lies on the box
+// The direction of the first point on a side stem's ring, towards the lower corner of its side.
 Vec3 first_of_side(Vec3 direction, const Compass& compass, int side) {
   const Vec3 along = compass.axis - direction * dot(direction, compass.axis);
   const Vec3 up = length(along) > 1e-6 ? unit(along) : compass.towards(side) * -dot(direction, compass.axis);
@@ -114,6 +115,7 @@ double extent_of(const Joint& joint) {
 }  // namespace
 
 Joint place_joint(Vec3 node, const Stem& parent, const Stem& upper, std::span<const Stem> sides) {
+  assert(!sides.empty() && sides.size() <= kMostSideStems);
   const Vec3 both = parent.direction + upper.direction;
   const Vec3 axis = length(both) > 1e-3 ? unit(both) : parent.direction;
   const Vec3 x = perpendicular_to(axis, sides[0].direction);

@@ -8,11 +8,10 @@ namespace {
 
 double fraction(double u) { return u - std::floor(u); }
 
-// What a stem has more or less around it above than below a joint it leaves to the side stem at side 0: so it is
-// sheared least opposite of it.
+// The turn at which u is continuous through the joint: opposite to side 0, whose stem takes the difference in periods.
 constexpr double kOpposite = 0.625;
 
-// below and above, which go on from each other where they are opposite
+// Makes the wraps below and above continuous at kOpposite.
 void lay_through(BarkWrap& below, BarkWrap& above) {
   above.at = below.u(kOpposite) - above.per_turn * kOpposite;
   const double whole = kFirst - std::floor(std::min(below.at, above.at));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -18,7 +19,7 @@ namespace {
 
 namespace Far = OpenSubdiv::Far;
 
-// a point as a sum of the cage's points; what OpenSubdiv adds up
+// A point as a weighted sum of cage points, in the form that OpenSubdiv refines.
 struct Row {
   std::array<double, kMostPoints> weights{};
   void Clear(void* = nullptr) { weights.fill(0); }
@@ -30,16 +31,16 @@ struct Row {
 struct Face {
   std::array<int, 4> corners{};
   std::array<Vec2, 4> uvs{};
-  int stem = 0;  // whose uvs they are
+  int stem = 0;  // the stem of the uvs
 };
 
-// level 0: box corners, then four points a ring
+// The cage at level 0: box corners, then four points a ring.
 struct Cage {
   std::vector<Face> faces;
   int points = 8;
 };
 
-// four quads from a face of the box, or a ring's points, to a ring
+// Adds four quads between a face of the box and a ring.
 void add_stem(Cage& cage, const std::array<int, 4>& from, const std::array<int, 4>& to,
               const std::array<Vec2, 5>& from_uv, const std::array<Vec2, 5>& to_uv, int stem = 0) {
   for (int k = 0; k < 4; ++k) {
@@ -95,7 +96,7 @@ std::unique_ptr<Far::TopologyRefiner> refined(const Cage& cage, int level) {
   return refiner;
 }
 
-// where on a ring a vertex lies, if on one
+// A vertex's ring (-1: none) and position on it.
 struct OnRing {
   int stem = -1;
   std::uint32_t index = 0;
@@ -114,7 +115,7 @@ std::vector<OnRing> rings_of(const Far::TopologyRefiner& refiner, int level) {
       if (!here.IsEdgeBoundary(e)) continue;
       const Far::ConstIndexArray ends = here.GetEdgeVertices(e);
       const auto [low, high] = std::minmax(rings[ends[0]].index, rings[ends[1]].index);
-      // the edge that closes the ring joins its last point and its first
+      // the closing edge joins the ring's last and first point
       finer[here.GetEdgeChildVertex(e)] = {rings[ends[0]].stem, high - low == 1 ? 2 * low + 1 : 2 * high + 1};
     }
     rings = std::move(finer);
@@ -125,7 +126,7 @@ std::vector<OnRing> rings_of(const Far::TopologyRefiner& refiner, int level) {
 std::vector<Row> cage_rows(const Cage& cage) {
   std::vector<Row> rows(cage.points);
   for (int i = 0; i < 8; ++i) rows[i].weights[i] = 1;
-  // the four of a ring come behind its eight
+  // a ring's four points follow its eight
   for (int i = 8; i < cage.points; ++i) rows[i].weights[8 + (i - 8) / 4 * kRingPoints + 8 + i % 4] = 1;
   return rows;
 }
@@ -153,7 +154,7 @@ Limits limits_of(const Far::TopologyRefiner& refiner, std::vector<Row> rows) {
   return limits;
 }
 
-// child i of a face has its parent's corner i at its own corner i
+// Refines faces with their uvs. Corner i of child i is corner i of its parent.
 std::vector<Face> faces_at(const Far::TopologyRefiner& refiner, const Cage& cage, int level) {
   std::vector<Face> faces = cage.faces;
   for (int l = 0; l < level; ++l) {
@@ -191,6 +192,7 @@ void add_row(JointStencils& shape, const Row& position, const Row& tangent_1, co
 }  // namespace
 
 JointStencils make_joint_stencils(int sides, unsigned open) {
+  assert(4 <= sides && sides <= 64 && std::has_single_bit(static_cast<unsigned>(sides)) && open < 16);
   const int level = std::bit_width(static_cast<unsigned>(sides)) - 3;
   const Cage cage = make_cage(open);
   const std::unique_ptr<Far::TopologyRefiner> refiner = refined(cage, std::max(level, 1));
@@ -200,7 +202,7 @@ JointStencils make_joint_stencils(int sides, unsigned open) {
   shape.stems = 2 + std::popcount(open);
   shape.starts.push_back(0);
   std::vector<int> row_of(rings.size(), -1);
-  // one corner of a face, in one place and with one uv, is one vertex
+  // corners of one position and uv share a vertex
   std::map<std::tuple<int, int, double, double>, std::uint32_t> vertices;
   const auto vertex_of = [&](int corner, Vec2 uv, int stem) {
     const auto [found, is_new] = vertices.try_emplace({corner, stem, rounded(uv.x), rounded(uv.y)},

@@ -1,4 +1,4 @@
-// What joints of one kind have in common: the topology, and the weights by which the cage's points make the surface.
+// Stencils of joints: for each combination of open sides and level, the mesh topology and the weights of cage points.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace citykiln::lsystems {
 
-/// The cage of a joint is a box whose open faces lead to stems: below to the parent, above to the one that goes on, and
-/// at the sides to the others. Points: the box's lower four corners, its upper four; then for each stem, lower, upper,
-/// sides 0 to 3, eight about its ring, and four farther out, at the same angles as every other one. Side k lies between
-/// corners k and k + 1; first points of rings lie at corner 0, those of side k at its lower corner k.
+/// The cage of a joint is a box with open faces: below towards the parent, above towards the continuing stem, and at
+/// sides 0 to 3 towards others. Its points are the box's lower four corners and upper four; then for each stem (lower,
+/// upper, sides in order) eight around its ring and four farther out at the angles of every other one. Side k lies
+/// between corners k and k + 1. Rings begin at corner 0, that of side k at its lower corner k.
 inline constexpr int kRingPoints = 12;
 inline constexpr int kMostPoints = 8 + 6 * kRingPoints;
 
-/// So far outside of the circle lie a ring's eight points that the limit curve is the circle, within kRoundness radii.
+/// Distance of a ring's eight points from its centre, in radii: the limit curve is then the circle within kRoundness.
 inline constexpr double kRingScale = 1 / 0.9019;
-/// And four points, as on the box, within 0.014 radii.
+/// The same for four points and for the box; within 0.014 radii.
 inline constexpr double kCornerScale = 1 / 0.6574;
 inline constexpr double kRoundness = 0.0006;
 
-/// Between which v the box lies.
+/// Range of v on the box.
 inline constexpr double kBoxLow = 1 / 3.0, kBoxHigh = 2 / 3.0;
 
 struct JointStencils {
@@ -31,26 +31,26 @@ struct JointStencils {
     double position = 0, tangent_1 = 0, tangent_2 = 0;
   };
   struct Vertex {
-    std::int32_t stem = -1;   ///< On this one's ring, or on none.
-    std::uint32_t index = 0;  ///< On the ring, or into `starts`.
-    /// u in turns about the stem that goes on, v from 0 on the lower ring to 1 on the upper; on the sleeve of a side
-    /// stem of its own, v from 0 on the box to 1 on its ring.
+    std::int32_t stem = -1;   ///< The stem on whose ring it lies, or -1.
+    std::uint32_t index = 0;  ///< Position on the ring, or row of `starts`.
+    /// u in turns about the continuing stem, v from 0 on the lower ring to 1 on the upper; on a side stem's sleeve u is
+    /// about the side stem, and v from 0 on the box to 1 on its ring.
     Vec2 uv;
-    int uv_stem = 0;  ///< 0: the stem that goes on; else 2 and more, in the order of rings.
+    int uv_stem = 0;  ///< 0: the continuing stem; else the ring of a side stem, ≥ 2.
   };
   std::vector<Weight> weights;
-  std::vector<std::uint32_t> starts;  ///< Row i is weights starts[i] … starts[i + 1].
+  std::vector<std::uint32_t> starts;  ///< Row i is weights[starts[i]] … weights[starts[i + 1] - 1].
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
   int stems = 2;
 };
 
-/// @param sides  Of its rings: 4, 8, … kMostSides.
-/// @param open   Bit k: a stem leaves from side k.
+/// Computes the stencils with OpenSubdiv: uniform Catmull-Clark refinement of rows of weights in doubles, then limit
+/// masks, so that vertices lie on the limit surface. The points of rings at level 1 are replaced by the eight given
+/// ones, which makes rings round. Tangent weights are rounded to 2^-24, as OpenSubdiv's use cosines of libm. O(sides²).
 ///
-/// By OpenSubdiv's topology and masks: uniform Catmull-Clark of rows of weights in doubles, then its limit masks, so
-/// that vertices lie on the limit surface. The level-1 points on rings are the eight given ones, which makes rings
-/// round. Weights of tangents are rounded to 2^-24, for OpenSubdiv asks libm for cosines there. O(sides²).
+/// @param sides  Of the rings: 4, 8, … kMostSides.
+/// @param open   Bit k: a stem leaves side k.
 JointStencils make_joint_stencils(int sides, unsigned open);
 
 }  // namespace citykiln::lsystems

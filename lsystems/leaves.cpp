@@ -14,7 +14,7 @@ bool is_convex(std::span<const Vec2> ring) {
     if (cross(b - a, c - b) < 0) return false;
     turns_x += (b.x - a.x >= 0) != (c.x - b.x >= 0) ? 1 : 0;
   }
-  // a ring that goes round twice turns left all the same
+  // a ring that winds twice also turns left everywhere
   return turns_x <= 2;
 }
 
@@ -33,7 +33,7 @@ bool is_ear(std::span<const Vec2> ring, const std::vector<std::uint32_t>& left, 
   return true;
 }
 
-// the mean plane, with uv across and along the leaf
+// The mean plane of a polygon, with axes across and along the leaf.
 struct Plane {
   Vec3 normal, across, along;
   Vec2 of(Vec3 p) const { return {dot(p, across), dot(p, along)}; }
@@ -47,7 +47,7 @@ Plane plane_of(std::span<const Vec3> corners) {
   }
   Plane plane;
   plane.normal = unit(area);
-  // a leaf goes from its first corner, by its middle, to its tip
+  // a leaf extends from its first corner through its centre to its tip
   const Vec3 along = unit(middle - plane.normal * dot(plane.normal, middle));
   plane.along = length(along) > 0.5 ? along : unit(cross(plane.normal, {0, 0.6, 0.8}));
   plane.across = cross(plane.along, plane.normal);
@@ -84,7 +84,7 @@ bool add_polygon(std::span<const Vec3> corners, double tolerance_m, std::vector<
   return true;
 }
 
-// a kite: narrow at the stalk, widest below the middle
+// The default surface: a kite, narrow at the stalk, widest below the middle.
 const LeafSurface& card() {
   static const LeafSurface kCard{{{0, 0, 0}, {-0.3, 0.4, 0}, {0, 1, 0}, {0.3, 0.4, 0}},
                                  {{0.5, 0}, {1, 0.4}, {0.5, 1}, {0, 0.4}},

@@ -1,17 +1,17 @@
-// Leaves: polygons and instances as triangles.
+// Triangles of leaves: polygons and instances.
 #pragma once
 
 #include "lsystems/tubes.h"
 
 namespace citykiln::lsystems {
 
-/// Adds a skeleton's polygons and, if asked, instances. Polygons are cut into ears in their mean plane (Newell's);
-/// which way round they go says which side is up. What has no area, or no more extent than the tolerance, is left out.
-/// As in mesh_plant.
+/// Adds a skeleton's polygons and, if options.instances, its instances to out.leaf, as specified by mesh_plant().
+/// Polygons are triangulated by ear clipping in their mean plane (Newell's method); their orientation gives the normal.
+/// Leaves without area or with an extent up to the tolerance are counted in out.left_out.
 void mesh_leaves(const Skeleton& skeleton, const TubeOptions& options, PlantMesh& out);
 
-/// Triangles of a ring, by its points' places: ears, or a fan where no ear is found or the ring is too long. One fewer
-/// than two less than points. Total: rings may cross themselves.
+/// Triangulates a ring: two triangles fewer than points, by ear clipping, or as a fan where no ear is found or the ring
+/// has more than kMostClipped points. Total: rings may intersect themselves.
 std::vector<Triangle> ears_of(std::span<const Vec2> ring);
 
 }  // namespace citykiln::lsystems

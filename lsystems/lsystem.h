@@ -1,4 +1,4 @@
-// An L-system as it is run: modules are numbers, productions and expressions are rows of flat arrays.
+// A compiled L-system: modules are numbers, productions and expressions are rows of flat arrays.
 //
 //   A(l,w) : l > 0.1 -> !(w)F(l)[&(45)A(l*0.6,w)]A(l*0.9,w)       one Rule: predecessor, condition, successor
 //   └pred┘   └cond─┘    └kinds: ! F [ & A ] A ; values: w l 45 l*0.6 w l*0.9 w
@@ -12,20 +12,19 @@
 
 namespace citykiln::lsystems {
 
-/// A character of a file.
+/// A position in a file.
 struct TextPosition {
   std::uint32_t line = 0;    ///< From 1.
   std::uint32_t column = 0;  ///< From 1, in bytes.
 };
 
-/// Into LSystem::kinds. Modules of one name with different numbers of parameters are different kinds, as in the book.
+/// Index into LSystem::kinds. Modules of one name with different numbers of parameters are different kinds.
 using Kind = std::uint16_t;
 
-/// What the turtle does at a module.
+/// The turtle's operation for a module.
 enum class TurtleOp : std::uint8_t {
 #define SYMBOL(name, op, text) op,
 #include "lsystems/turtle_symbols.inc"
-#undef SYMBOL
   kNone,
   kInstance,       ///< ~X
   kQueryPosition,  ///< ?P(x,y,z)
@@ -37,7 +36,7 @@ struct ModuleKind {
   std::string name;  ///< "F", "+", "~L", "?H", "internode".
   std::uint8_t arity = 0;
   TurtleOp op = TurtleOp::kNone;
-  bool ignored = false;  ///< Contexts look past it.
+  bool ignored = false;  ///< Skipped by contexts.
 };
 
 enum class Op : std::uint8_t {
@@ -46,65 +45,63 @@ enum class Op : std::uint8_t {
 #define OPERATOR(name, priority, text, code) name,
 #define FUNCTION(name, arity, op, code) op,
 #include "lsystems/operations.inc"
-#undef FUNCTION
-#undef OPERATOR
   kNegative,
   kNot,
   kRandom,        ///< ran(x)
   kNormalRandom,  ///< nran(mean, deviation)
 };
 
-/// One step of an expression in postfix order.
+/// An instruction of an expression in postfix order.
 struct Instruction {
   Op op = Op::kConstant;
   std::uint16_t slot = 0;  ///< Of kSlot.
   double constant = 0;     ///< Of kConstant.
 };
 
-/// The commonest shapes of a value are spelled out, so that most modules run no code.
+/// Common forms of values are evaluated without code.
 enum class ValueForm : std::uint8_t { kConstant, kSlot, kSlotTimes, kSlotPlus, kCode };
 
-/// A number of a successor, a condition or a probability.
+/// An expression: a parameter of a successor's module, a condition or a probability.
 struct Value {
   ValueForm form = ValueForm::kConstant;
   std::uint16_t slot = 0;
   double constant = 0;
-  std::uint32_t first = 0, count = 0;  ///< Of kCode: into LSystem::code.
+  std::uint32_t first = 0, count = 0;  ///< For kCode: range of LSystem::code.
   TextPosition place;
 };
 
-/// A run of rows in one of LSystem's arrays.
+/// A range of one of LSystem's arrays.
 struct Range {
   std::uint32_t first = 0, count = 0;
 };
 
-/// Modules with their numbers: the axiom, or what a rule makes.
+/// Modules with their parameters: the axiom, or a rule's successor.
 struct Successor {
   Range kinds;             ///< Into LSystem::successor_kinds.
-  Range values;            ///< Into LSystem::values: those of all modules in turn.
-  std::uint32_t code = 0;  ///< Instructions that its values run.
+  Range values;            ///< Into LSystem::values, in the order of the modules.
+  std::uint32_t code = 0;  ///< Number of instructions of its values.
 };
 
 struct Rule {
   TextPosition place;
   Kind predecessor = 0;
-  Range left, right;  ///< Into LSystem::contexts, in the order written. `right` may hold brackets.
+  Range left, right;  ///< Into LSystem::contexts, in the file's order. `right` may contain brackets.
   bool has_condition = false, has_probability = false;
   Value condition, probability;
   Successor successor;
-  /// Slots are given to the left context's parameters, then the predecessor's, then the right context's.
+  /// Slots hold the parameters of the left context, then of the predecessor, then of the right context.
   std::uint16_t predecessor_slot = 0, right_slot = 0, slots = 0;
 };
 
-/// Rules that are tried together: in parallel on a whole string.
+/// Rules that rewrite a string in parallel.
 struct RuleSet {
-  std::vector<Rule> rules;     ///< By predecessor; those of one predecessor in the file's order.
-  std::vector<Range> of_kind;  ///< Into `rules`, one row a kind.
+  std::vector<Rule> rules;     ///< Sorted by predecessor, then in the file's order.
+  std::vector<Range> of_kind;  ///< Into `rules`, for each kind.
   bool has_contexts = false;
-  int most_depth = 1;  ///< How often the set is applied to what it made: decomposition and interpretation.
+  int most_depth = 1;  ///< Passes over its own output; decomposition and interpretation only.
 };
 
-/// A system, read. Plain data; never changes while one derives.
+/// The result of read_lsystem(). Plain data, constant during derivations.
 struct LSystem {
   std::string file;
   std::vector<ModuleKind> kinds;
@@ -115,21 +112,21 @@ struct LSystem {
   Successor axiom;
   TextPosition axiom_place;
   RuleSet productions, decomposition, interpretation;
-  Kind push = 0, pop = 0, cut = 0;  ///< [ ] %, always there.
-  bool has_cuts = false;            ///< Some rule writes %.
+  Kind push = 0, pop = 0, cut = 0;  ///< Kinds of [ ] %, always present.
+  bool has_cuts = false;            ///< Whether a successor contains %.
   bool has_queries = false;
 
-  // what directives say
+  // directives
   int steps = 0;
   std::uint64_t seed = 0;
-  double angle_deg = 90;  ///< Of + - & ^ \ / without a number.
-  double step = 1;        ///< Of F f G without a number.
-  double width = 0.1;     ///< Where the turtle begins.
-  double width_unit = 1;  ///< What a width of 1 is in lengths.
+  double angle_deg = 90;  ///< Default angle of + - & ^ \ /.
+  double step = 1;        ///< Default length of F f G.
+  double width = 0.1;     ///< Initial width.
+  double width_unit = 1;  ///< Length of a width of 1.
   Vec3 tropism;           ///< {0, 0, -1} is gravity.
-  double elasticity = 0;  ///< Radians a segment turns that stands square to the tropism.
-  double height = 0;      ///< The grown plant is scaled to be as high; 0: it stays as it is.
-  std::string bark;       ///< What stems are covered by: a name for whoever draws them; or none.
+  double elasticity = 0;  ///< Radians that a segment perpendicular to the tropism turns.
+  double height = 0;      ///< Height to which the plant is scaled; 0: no scaling.
+  std::string bark;       ///< Name of a bark material for the renderer, or empty.
 };
 
 }  // namespace citykiln::lsystems

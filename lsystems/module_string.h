@@ -1,4 +1,4 @@
-// A string of modules, flat: names in one array, numbers in another.
+// A string of modules in two flat arrays: kinds and parameter values.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace citykiln::lsystems {
 
-/// F(1)[+(30)A(2,3)]: kinds F [ + A ], values 1 30 2 3. Each module takes as many values as its kind's arity.
+/// F(1)[+(30)A(2,3)] has kinds F [ + A ] and values 1 30 2 3: each module has as many values as its kind's arity.
 struct ModuleString {
   std::vector<Kind> kinds;
   std::vector<double> values;
 };
 
-/// As one would write it: "F(1)[+(30)A(2,3)]"; names of more than a letter stand apart.
+/// The string in the file's notation: "F(1)[+(30)A(2,3)]"; spaces separate names of more than one letter.
 std::string text_of(const LSystem& system, const ModuleString& string);
 
 }  // namespace citykiln::lsystems

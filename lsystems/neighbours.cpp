@@ -1,6 +1,7 @@
 #include "lsystems/neighbours.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace citykiln::lsystems {
 namespace {
@@ -47,7 +48,7 @@ void find_right(const LSystem& system, std::span<const Kind> kinds, Neighbours& 
       ahead.axis = i;
       ahead.branch = kNowhere;
     }
-    // a ] ends what one sees from before it
+    // a right context ends at a ]
     to.axis[i] = kinds[i] == system.pop ? kNowhere : ahead.axis;
     to.branch[i] = kinds[i] == system.pop ? kNowhere : ahead.branch;
   }
@@ -65,7 +66,7 @@ struct Match {
     return std::copy_n(values.data() + neighbours.value[at], arity, slots);
   }
 
-  // the end of the pattern's branch that begins at `item`
+  // the ] of the pattern's branch that begins at `item`
   std::size_t closing(std::size_t item) const {
     for (int depth = 0; item < pattern.size(); ++item) {
       if (pattern[item] == system.push) ++depth;
@@ -74,7 +75,7 @@ struct Match {
     return item;
   }
 
-  // a pattern's branch [ … ] against those that begin here; `from` goes behind the one that fits
+  // matches a branch of the pattern with those that begin at `from`, which moves behind the matching one
   bool branch_fits(std::size_t item, std::uint32_t& from, double*& slots) const {
     for (int scanned = 0; scanned < kBranchScan; ++scanned) {
       const std::uint32_t open = neighbours.branch[from];
@@ -89,7 +90,7 @@ struct Match {
     return false;
   }
 
-  // pattern items from `item` to its branch's end, against the string from place `from`
+  // matches the pattern from `item` to the end of its branch with the string from position `from`
   bool fits(std::size_t item, std::uint32_t from, double*& slots) const {
     while (item < pattern.size() && pattern[item] != system.pop) {
       if (pattern[item] == system.push) {
@@ -122,6 +123,7 @@ void find_neighbours(const LSystem& system, std::span<const Kind> kinds, Neighbo
 
 bool contexts_fit(const LSystem& system, const Rule& rule, std::span<const Kind> kinds, std::span<const double> values,
                   const Neighbours& neighbours, std::uint32_t at, double* slots) {
+  assert(at < kinds.size() && neighbours.left.size() == kinds.size());
   const auto pattern = [&](Range range) { return std::span(system.contexts).subspan(range.first, range.count); };
   const Match match{system, pattern(rule.right), kinds, values, neighbours};
   const std::span<const Kind> left = pattern(rule.left);

@@ -1,7 +1,7 @@
-// What stands left and right of a module in a string with branches.
+// Neighbours of modules in a bracketed string, and matching of contexts.
 //
-//      A B [ C D ] E        left of C and of E is B: a branch's first module follows what the branch grows from, and a
-//                           branch is passed over; right of B is E, and the branch [C D] may be matched too
+//      A B [ C D ] E        the left neighbour of C and of E is B: a branch's first module follows the module that the
+//                           branch grows from; the right neighbour of B is E, and [C D] is a branch at B
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,22 @@ namespace citykiln::lsystems {
 
 inline constexpr std::uint32_t kNowhere = ~0u;
 
-/// Of one string; brackets are balanced. Ignored modules are nobody's neighbours.
+/// Neighbours in one string with balanced brackets, or kNowhere. Ignored modules are skipped.
 struct Neighbours {
-  std::vector<std::uint32_t> left;    ///< Of each module.
-  std::vector<std::uint32_t> axis;    ///< Of each place, and the end: the next module there or behind, on this branch.
-  std::vector<std::uint32_t> branch;  ///< Of each place, and the end: the next [ there or behind, before that module.
-  std::vector<std::uint32_t> close;   ///< Of each [.
-  std::vector<std::uint32_t> value;   ///< Of each module: where its numbers begin.
+  std::vector<std::uint32_t> left;    ///< Left neighbour of each module.
+  std::vector<std::uint32_t> axis;    ///< First module at or after each position, on the same branch.
+  std::vector<std::uint32_t> branch;  ///< First [ at or after each position, before that module.
+  std::vector<std::uint32_t> close;   ///< Matching ] of each [.
+  std::vector<std::uint32_t> value;   ///< First value of each module.
 };
 
-/// Fills `neighbours`, whose memory is used again. O(n), no chance.
+/// Fills `neighbours`, reusing its memory. O(n).
 void find_neighbours(const LSystem& system, std::span<const Kind> kinds, Neighbours& neighbours);
 
-/// Whether the rule's contexts stand about module `at`; then `slots` are their numbers and the module's own.
+/// Whether the rule's contexts match at module `at`; if so, fills `slots` with the parameters of contexts and module.
 ///
-/// The left context is a path towards the root. The right context goes along the branch; [ ] in it match any branch
-/// that begins there so, tried in order, at most kBranchScan of them. O(length of the contexts).
+/// The left context is a path towards the root. The right context follows the branch; brackets in it match any branch
+/// that begins there, in order; at most kBranchScan are tried. O(length of the contexts).
 bool contexts_fit(const LSystem& system, const Rule& rule, std::span<const Kind> kinds, std::span<const double> values,
                   const Neighbours& neighbours, std::uint32_t at, double* slots);
 

@@ -1,4 +1,4 @@
-// A plant as triangles: bark and leaves apart, plain data.
+// Triangles of a plant: bark and leaves.
 #pragma once
 
 #include <cstddef>
@@ -8,27 +8,25 @@
 
 namespace citykiln::lsystems {
 
-/// One entry a vertex in the first three; triangles counter-clockwise from outside. TurtleFrame and unit are the
-/// skeleton's.
+/// Positions, normals and uvs of vertices; triangles counter-clockwise from outside. In the skeleton's frame and unit.
 struct PartMesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  ///< Of length 1.
+  std::vector<Vec3> normals;  ///< Unit.
   std::vector<Vec2> uvs;
   std::vector<Triangle> triangles;
 };
 
 struct PlantMesh {
-  /// u around the stem (TubeOptions::bark_m), v in metres along it: where a stem goes on both do, through joints too,
-  /// but for whole pictures. A side stem's begin where it leaves. Closed where vertices in one place count as one.
+  /// Closed if vertices of one position are merged. u runs around the stem (TubeOptions::bark_m), v along it in metres;
+  /// both are continuous along a stem and through joints, except for whole texture periods and where side stems begin.
   PartMesh bark;
-  PartMesh leaf;  ///< u across, v along, 0 … 1. Open: a leaf has two sides and no thickness.
+  PartMesh leaf;  ///< Open surfaces; u across and v along the leaf, from 0 to 1.
 
-  /// From the bark to what it stands for (see mesh_plant), Hausdorff, both ways; without what was left out.
+  /// Hausdorff distance from the bark to the surface that mesh_plant() approximates, without stems left out.
   double error_m = 0;
-  std::size_t joints = 0;  ///< Smooth ones, of three stems and more.
-  std::size_t separate_stems =
-      0;                     ///< Stems that are closed alone: roots, those behind f, and more than four from one place.
-  std::size_t left_out = 0;  ///< Segments, polygons and instances that are thinner or smaller than the tolerance.
+  std::size_t joints = 0;          ///< Smooth joints of three and more stems.
+  std::size_t separate_stems = 0;  ///< Stems closed on their own: roots, stems after f, side stems beyond the fourth.
+  std::size_t left_out = 0;        ///< Segments, polygons and instances below the tolerance.
 };
 
 }  // namespace citykiln::lsystems

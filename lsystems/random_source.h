@@ -1,4 +1,4 @@
-// Chance of one step of a derivation: a pure function of (seed, plant, step, place in the string).
+// Random numbers of a step: pure functions of (seed, plant, step, position in the string).
 #pragma once
 
 #include <cstdint>
@@ -7,17 +7,17 @@
 
 namespace citykiln::lsystems {
 
-/// How many dice one production may throw: those of a module's place are apart from its neighbours'.
+/// Random draws that one production may use; each position in the string has its own.
 inline constexpr std::uint32_t kDrawsPerModule = 16;
 
-/// Those of one module.
+/// The random numbers of one module.
 struct RandomSource {
-  const Draw* draw = nullptr;  ///< Of the step.
-  std::uint32_t place = 0;     ///< Of the module in the string that is rewritten.
-  std::uint32_t thrown = 0;
+  const Draw* draw = nullptr;  ///< The step's.
+  std::uint32_t place = 0;     ///< Position of the module in the string that is rewritten.
+  std::uint32_t drawn = 0;
 
   /// Uniform in [0, 1).
-  double next() { return draw->unit(place * kDrawsPerModule + thrown++); }
+  double next() { return draw->unit(place * kDrawsPerModule + drawn++); }
 };
 
 }  // namespace citykiln::lsystems

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <type_traits>
 
 #include "lsystems/reader.h"
 
@@ -18,11 +19,11 @@ struct Statement {
 
 enum class Section { kProductions, kDecomposition, kInterpretation, kEnd };
 
-// what the statements say before all of them are read
+// What directives set for the whole file.
 struct FileState {
   Section section = Section::kProductions;
   std::set<std::string> ignored;
-  bool only_considered = false;  // `ignored` names what is considered
+  bool only_considered = false;  // `ignored` lists the considered modules
   bool has_axiom = false;
 };
 
@@ -35,9 +36,7 @@ struct Directive {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// ---- from text to statements ----
-
-// /* … */ become spaces, so that places stay what they were
+// Replaces comments by spaces, which keeps positions. Returns where a comment without end begins.
 std::optional<std::size_t> blank_comments(std::string& text) {
   for (std::size_t from = text.find("/*"); from != std::string::npos; from = text.find("/*", from)) {
     const std::size_t to = text.find("*/", from + 2);
@@ -56,8 +55,8 @@ std::string_view without_space(std::string_view line) {
 
 bool begins_directive(std::string_view line);
 
-// a line that begins with space goes on with the statement before it, unless it is one of its own
-bool goes_on(std::string_view line, bool has_arrow) {
+// A line that begins with space continues the previous statement, unless it has an arrow or is a directive.
+bool continues_statement(std::string_view line, bool has_arrow) {
   return is_space(line[0]) && !has_arrow && !begins_directive(line);
 }
 
@@ -69,7 +68,7 @@ std::vector<Statement> statements_of(std::string_view text) {
     const bool is_comment = line.starts_with("//");
     const bool has_arrow = line.find("->") != std::string_view::npos;
     if (!without_space(line).empty() && !is_comment) {
-      if (!statements.empty() && goes_on(line, has_arrow))
+      if (!statements.empty() && continues_statement(line, has_arrow))
         statements.back().end = end;
       else
         statements.push_back({begin, end, has_arrow});
@@ -86,8 +85,6 @@ std::vector<std::size_t> line_starts_of(std::string_view text) {
   return starts;
 }
 
-// ---- directives ----
-
 double read_number_of(Reader& reader, std::string_view what, double least, double most) {
   reader.skip_space();
   const TextPosition place = reader.place();
@@ -98,31 +95,26 @@ double read_number_of(Reader& reader, std::string_view what, double least, doubl
 }
 
 constexpr std::size_t kLongNames = 1000;
-constexpr double kLargest = 1e9;  // of lengths and angles: beyond that a plant's metres have lost their digits
+constexpr double kLargest = 1e9;  // limit of lengths and angles, at which doubles still resolve micrometres
 
-void read_steps(Reader& reader, FileState&) {
-  reader.system.steps = static_cast<int>(read_number_of(reader, "the number of steps", 0, 1e9));
+struct NumberRange {
+  std::string_view what;
+  double least, most;
+};
+constexpr NumberRange kSteps{"the number of steps", 0, 1e9}, kAngle{"an angle in degrees", -kLargest, kLargest},
+    kStep{"a length", -kLargest, kLargest}, kWidth{"a width", 0, kLargest}, kWidthUnit{"a length", 0, kLargest},
+    kHeight{"a height", 0, kLargest}, kSeed{"a seed", 0, 1e15}, kElasticity{"an elasticity", -1e3, 1e3};
+
+template <auto kMember, const NumberRange& kRange>
+void read_member(Reader& reader, FileState&) {
+  auto& member = reader.system.*kMember;
+  member = static_cast<std::remove_reference_t<decltype(member)>>(
+      read_number_of(reader, kRange.what, kRange.least, kRange.most));
 }
-void read_angle(Reader& reader, FileState&) {
-  reader.system.angle_deg = read_number_of(reader, "an angle in degrees", -kLargest, kLargest);
-}
-void read_step(Reader& reader, FileState&) {
-  reader.system.step = read_number_of(reader, "a length", -kLargest, kLargest);
-}
-void read_width(Reader& reader, FileState&) { reader.system.width = read_number_of(reader, "a width", 0, kLargest); }
-void read_width_unit(Reader& reader, FileState&) {
-  reader.system.width_unit = read_number_of(reader, "a length", 0, kLargest);
-}
-void read_height(Reader& reader, FileState&) { reader.system.height = read_number_of(reader, "a height", 0, kLargest); }
-void read_seed(Reader& reader, FileState&) {
-  reader.system.seed = static_cast<std::uint64_t>(read_number_of(reader, "a seed", 0, 1e15));
-}
+
 void read_bark(Reader& reader, FileState&) {
   reader.system.bark = take_name(reader);
   if (reader.system.bark.empty()) reader.fail_expected("the bark's name");
-}
-void read_elasticity(Reader& reader, FileState&) {
-  reader.system.elasticity = read_number_of(reader, "an elasticity", -1e3, 1e3);
 }
 
 void read_tropism(Reader& reader, FileState&) {
@@ -140,11 +132,11 @@ void read_axiom(Reader& reader, FileState& state) {
   state.has_axiom = true;
   reader.system.axiom_place = reader.place();
   reader.may_draw = true;
-  reader.dice = 0;
+  reader.draws = 0;
   reader.system.axiom = read_successor(reader);
   reader.may_draw = false;
-  // the axiom's dice are a module's at place 0
-  if (reader.dice > 16) reader.fail(reader.system.axiom_place, "an axiom throws at most 16 dice");
+  // the axiom's draws are those of position 0
+  if (reader.draws > 16) reader.fail(reader.system.axiom_place, "an axiom has at most 16 random draws");
 }
 
 void read_define(Reader& reader, FileState&) {
@@ -207,19 +199,19 @@ constexpr Directive kDirectives[] = {
     {"axiom", read_axiom},
     {"omega", read_axiom},
     {"\u03c9", read_axiom},
-    {"n", read_steps},
-    {"derivation length", read_steps},
-    {"delta", read_angle},
-    {"\u03b4", read_angle},
-    {"angle", read_angle},
-    {"step", read_step},
-    {"width unit", read_width_unit},
-    {"width", read_width},
-    {"height", read_height},
+    {"n", read_member<&LSystem::steps, kSteps>},
+    {"derivation length", read_member<&LSystem::steps, kSteps>},
+    {"delta", read_member<&LSystem::angle_deg, kAngle>},
+    {"\u03b4", read_member<&LSystem::angle_deg, kAngle>},
+    {"angle", read_member<&LSystem::angle_deg, kAngle>},
+    {"step", read_member<&LSystem::step, kStep>},
+    {"width unit", read_member<&LSystem::width_unit, kWidthUnit>},
+    {"width", read_member<&LSystem::width, kWidth>},
+    {"height", read_member<&LSystem::height, kHeight>},
     {"bark", read_bark},
-    {"seed", read_seed},
+    {"seed", read_member<&LSystem::seed, kSeed>},
     {"tropism", read_tropism},
-    {"elasticity", read_elasticity},
+    {"elasticity", read_member<&LSystem::elasticity, kElasticity>},
     {"maximum depth", read_depth},
     {"production", begin_section<Section::kProductions>},
     {"decomposition", begin_section<Section::kDecomposition>},
@@ -228,7 +220,7 @@ constexpr Directive kDirectives[] = {
     {"endlsystem", begin_section<Section::kEnd>},
 };
 
-// the directive whose name stands at the line's beginning, as a word of its own
+// The directive whose name is the line's first word, or null.
 const Directive* directive_of(std::string_view line) {
   for (const Directive& directive : kDirectives) {
     if (!line.starts_with(directive.name)) continue;
@@ -242,7 +234,7 @@ bool begins_directive(std::string_view line) {
   line = without_space(line);
   const Directive* directive = directive_of(line);
   if (directive == nullptr) return false;
-  // a single letter may be a module that a production's successor goes on with
+  // a single letter may be a module of a continued successor
   const std::string_view rest = without_space(line.substr(directive->name.size()));
   return line[0] == '#' || rest.empty() || rest[0] == ':' || rest[0] == '=' || directive->name == "module";
 }
@@ -256,7 +248,7 @@ void read_directive(Reader& reader, FileState& state) {
   const std::string_view line = reader.text.substr(reader.at, reader.end - reader.at);
   const Directive* directive = directive_of(line);
   if (directive == nullptr) return reader.fail_expected("a production with '->', or a directive");
-  // where // rolls no turtle it begins a comment
+  // // begins a comment except among modules, where it rolls twice
   if (!has_modules(*directive)) reader.end = reader.at + std::min(line.find("//"), line.size());
   reader.at += directive->name.size();
   if (!reader.accept(":")) reader.accept("=");
@@ -264,8 +256,6 @@ void read_directive(Reader& reader, FileState& state) {
   reader.skip_space();
   if (!reader.failed && !reader.done()) reader.fail_expected("the end of the line");
 }
-
-// ---- all together ----
 
 RuleSet& set_of(LSystem& system, Section section) {
   if (section == Section::kDecomposition) return system.decomposition;
@@ -295,7 +285,7 @@ void note_ignored(LSystem& system, const FileState& state) {
   for (ModuleKind& kind : system.kinds) kind.ignored = state.ignored.contains(kind.name) != state.only_considered;
 }
 
-// a context of what contexts look past would never fit
+// A context of ignored modules would never match.
 void refuse_ignored_contexts(Reader& reader) {
   const LSystem& system = reader.system;
   for (const Rule& rule : system.productions.rules)

@@ -1,4 +1,4 @@
-// From the text of a .lsys file to a system that can be derived.
+// Reads .lsys files.
 #pragma once
 
 #include <map>
@@ -10,19 +10,20 @@
 
 namespace citykiln::lsystems {
 
-/// Reads the notation of "The Algorithmic Beauty of Plants" (lsystems/README.md).
+/// Compiles a text in the notation of lsystems/README.md.
 ///
 /// @param file   For messages.
-/// @param given  Take the place of #define's values of these names: height, age …; others are not looked at.
-/// Guarantees: brackets [ ] of the axiom and of every successor are balanced, so they are in every string derived.
-/// Errors: the first place where the text can go on in no way, and what was expected there, in one line; texts beyond
-/// kTextLimit. Method: recursive descent, no deeper than kNestingLimit. O(n log n).
+/// @param given  Values that replace those of #define; other names are ignored.
+///
+/// Guarantees: brackets are balanced in the axiom, in every successor, and so in every derived string.
+/// Errors: the first position where the text is invalid, and what was expected there; a text longer than kTextLimit.
+/// Method: recursive descent to a depth of kNestingLimit. O(n log n).
 Result<LSystem> read_lsystem(std::string_view text, std::string_view file,
                              const std::map<std::string, double, std::less<>>& given = {});
 
-inline constexpr std::size_t kTextLimit = 4u << 20;  ///< Bytes: a thousand times our largest.
-inline constexpr int kNestingLimit = 64;             ///< Parentheses in each other.
+inline constexpr std::size_t kTextLimit = 4u << 20;  ///< Bytes; a thousand times the largest shipped file.
+inline constexpr int kNestingLimit = 64;             ///< Nested parentheses.
 inline constexpr std::size_t kArityLimit = 16;       ///< Parameters of a module.
-inline constexpr int kDepthLimit = 64;               ///< `maximum depth` of decomposition and interpretation.
+inline constexpr int kDepthLimit = 64;               ///< Of `maximum depth`.
 
 }  // namespace citykiln::lsystems

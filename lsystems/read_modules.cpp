@@ -1,4 +1,4 @@
-// Modules and productions.
+// Reads modules and productions.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -21,7 +21,6 @@ struct SymbolRow {
 constexpr SymbolRow kSymbols[] = {
 #define SYMBOL(name, op, text) {name, TurtleOp::op},
 #include "lsystems/turtle_symbols.inc"
-#undef SYMBOL
     {"?P", TurtleOp::kQueryPosition},
     {"?H", TurtleOp::kQueryHeight},
     {"?S", TurtleOp::kQueryShade},
@@ -50,7 +49,7 @@ std::string take_long_name(Reader& reader) {
   return {};
 }
 
-// ~ and @ and ? have the name of what they place, tell or ask
+// A name with prefix ~, @ or ?.
 std::string take_prefixed(Reader& reader) {
   std::string name(1, reader.text[reader.at++]);
   const std::string rest = take_long_name(reader);
@@ -62,7 +61,7 @@ std::string take_prefixed(Reader& reader) {
   return name + reader.text[reader.at++];
 }
 
-// ( a, b, … ) right behind a module's name
+// Reads ( a, b, … ) directly after a module's name. Returns the number of items.
 template <typename ReadOne>
 std::size_t read_list(Reader& reader, ReadOne read_one) {
   if (reader.peek() != '(') return 0;
@@ -77,24 +76,24 @@ std::size_t read_list(Reader& reader, ReadOne read_one) {
   return count;
 }
 
-// an open bracket's place, to name it when nothing closes it
+// Positions of open brackets, for errors.
 struct Brackets {
   std::vector<TextPosition> open;
 
   void take(Reader& reader, const std::string& name, TextPosition place) {
     if (name == "[") open.push_back(place);
     if (name != "]") return;
-    if (open.empty()) return reader.fail(place, "this ']' closes no '['");
+    if (open.empty()) return reader.fail(place, "']' without '['");
     open.pop_back();
   }
   void close(Reader& reader) const {
-    if (!open.empty()) reader.fail(open.back(), "nothing closes this '['");
+    if (!open.empty()) reader.fail(open.back(), "'[' without ']'");
   }
 };
 
-// a word of three small letters or more that no `module` declares, between here and the line's end
+// Whether a word of three lower-case letters that no `module` declares follows on the line.
 bool has_prose(const Reader& reader) {
-  // no further than a comment's first words, so that many // cost no more
+  // 100 bytes suffice for a comment's first words, and bound the cost of many //
   const std::size_t line = std::min({reader.text.find('\n', reader.at), reader.end, reader.at + 100});
   for (std::size_t at = reader.at; at < line; ++at) {
     std::size_t to = at;
@@ -108,10 +107,10 @@ bool has_prose(const Reader& reader) {
   return false;
 }
 
-// who means a comment would get letters as modules, and never know
+// Rejects a // comment among modules: its letters would silently become modules.
 void refuse_comment(Reader& reader, TextPosition place) {
   if (!reader.starts_with("// ") || !has_prose(reader)) return;
-  reader.fail(place, "// is two modules here: comments among modules are /* */");
+  reader.fail(place, "// is two modules here: use /* */ for comments among modules");
 }
 
 void check_arity(Reader& reader, const std::string& name, std::size_t arity, TextPosition place) {
@@ -123,7 +122,7 @@ void check_arity(Reader& reader, const std::string& name, std::size_t arity, Tex
   if (op_of(name) == TurtleOp::kTropism && arity != 4)
     reader.fail(place, fmt::format("expected 4 parameters of '@T', found {}", arity));
   if (name[0] == '?' && answers == 0) reader.fail(place, fmt::format("there is no query '{}', only ?P ?H ?S", name));
-  if (name[0] == '?' && !reader.may_query) reader.fail(place, "an interpretation asks nothing: no ?-modules here");
+  if (name[0] == '?' && !reader.may_query) reader.fail(place, "interpretation rules have no queries");
 }
 
 std::string take_parameter(Reader& reader) {
@@ -134,7 +133,7 @@ std::string take_parameter(Reader& reader) {
   return name;
 }
 
-// p1: in front of a production
+// Skips a production's label, as p1:
 void skip_label(Reader& reader) {
   reader.skip_space();
   std::size_t digits = reader.peek() == 'p' ? 1 : 0;
@@ -163,13 +162,13 @@ void read_predecessor(Reader& reader, Rule& rule, TextPosition place, const std:
     reader.fail(place, fmt::format("'{}' cannot be rewritten", system.kinds[rule.predecessor].name));
 }
 
-// left < predecessor > right
+// Reads left < predecessor > right.
 void read_left_side(Reader& reader, Rule& rule, bool contexts_allowed) {
   reader.skip_space();
   TextPosition place = reader.place();
   std::vector<Kind> pattern = read_pattern(reader);
   if (reader.accept("<")) {
-    if (!contexts_allowed) return reader.fail(place, "these rules look at no context");
+    if (!contexts_allowed) return reader.fail(place, "these rules have no contexts");
     for (const Kind kind : pattern)
       if (is_unary(reader.system.kinds[kind].name))
         return reader.fail(place, "a left context is a path: no brackets and no %");
@@ -184,11 +183,11 @@ void read_left_side(Reader& reader, Rule& rule, bool contexts_allowed) {
   reader.skip_space();
   place = reader.place();
   if (reader.failed || !reader.accept(">")) return;
-  if (!contexts_allowed) return reader.fail(place, "these rules look at no context");
+  if (!contexts_allowed) return reader.fail(place, "these rules have no contexts");
   rule.right = appended(reader.system.contexts, read_pattern(reader));
 }
 
-// : condition, where * is always
+// Reads : condition; * is none.
 void read_condition(Reader& reader, Rule& rule) {
   if (reader.failed || !reader.accept(":") || reader.accept("*")) return;
   rule.condition = read_value(reader);
@@ -290,7 +289,7 @@ std::vector<Kind> read_pattern(Reader& reader) {
 
 void read_rule(Reader& reader, RuleSet& set, bool contexts_allowed) {
   reader.slots.clear();
-  reader.dice = 1;  // one chooses between rules
+  reader.draws = 1;  // draw 0 chooses between rules
   reader.may_draw = true;
   skip_label(reader);
   reader.skip_space();
@@ -300,8 +299,8 @@ void read_rule(Reader& reader, RuleSet& set, bool contexts_allowed) {
   read_condition(reader, rule);
   if (!reader.failed && take_arrow(reader)) read_successor_part(reader, rule);
   rule.slots = static_cast<std::uint16_t>(reader.slots.size());
-  if (reader.dice > static_cast<int>(kDrawsPerModule))
-    reader.fail(rule.place, fmt::format("a production throws at most {} dice", kDrawsPerModule - 1));
+  if (reader.draws > static_cast<int>(kDrawsPerModule))
+    reader.fail(rule.place, fmt::format("a production has at most {} random draws", kDrawsPerModule - 1));
   set.has_contexts |= rule.left.count + rule.right.count > 0;
   set.rules.push_back(rule);
   reader.slots.clear();

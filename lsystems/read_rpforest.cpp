@@ -1,5 +1,5 @@
-// The format is that of https://github.com/bratek20/RPForest (configs/, assets/); what the systems do follows the book,
-// where RPForest's turtle adds up angles instead of turning.
+// The formats are those of https://github.com/bratek20/RPForest (configs/, assets/). Interpretation follows the book;
+// RPForest's own turtle adds up angles instead of rotating.
 #include "lsystems/read_rpforest.h"
 
 #include <fmt/core.h>
@@ -25,7 +25,7 @@ struct Production {
   std::string from, to;
 };
 
-// all that a file of any of the three kinds may say
+// The entries of a file of any of the three formats.
 struct Config {
   std::string file;
   std::map<std::string, double, std::less<>> numbers;
@@ -43,7 +43,7 @@ Form form_of(std::string_view file) {
   return file.ends_with(".family") ? Form::kFamily : Form::kLsys;
 }
 
-// where a file says nothing RPForest takes these; what has no default must be said
+// RPForest's defaults.
 std::map<std::string, double, std::less<>> defaults_of(Form form) {
   std::map<std::string, double, std::less<>> values{{"Height", 0}, {"ConeBasePoints", 3}, {"InitRadius", 0.3}};
   if (form == Form::kLsys) values.insert({{"TurnAngle", 0}, {"PitchAngle", 0}, {"RollAngle", 0}});
@@ -87,7 +87,7 @@ double number_of(Config& config, const Word& word) {
   return number;
 }
 
-// a name is spelled with a capital or, in the oldest files, without
+// A name with a capital; the oldest files write small letters.
 std::string spelled(std::string name) {
   if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
   return name == "Angle" ? "TurnAngle" : name;
@@ -100,7 +100,7 @@ void take_production(Config& config, const Word& from, const Word& arrow, const 
   config.productions.push_back({from.text, to.text});
 }
 
-// the name at `at` and its values; how many words that was
+// Reads the entry at `at`. Returns its number of words.
 std::size_t take_entry(Config& config, Form form, const std::vector<Word>& words, std::size_t at) {
   const std::string name = spelled(words[at].text);
   const bool is_text = name == "Material" || (form == Form::kLsys && name == "Axiom");
@@ -109,7 +109,9 @@ std::size_t take_entry(Config& config, Form form, const std::vector<Word>& words
   const bool known = is_text || is_production || defaults_of(form).contains(name) ||
                      std::find(needed.begin(), needed.end(), name) != needed.end();
   if (!known)
-    return fail(config, words[at], fmt::format("RPForest knows no '{}' here", words[at].text.substr(0, 40))), 1;
+    return fail(config, words[at],
+                fmt::format("'{}' is no RPForest entry of this format", words[at].text.substr(0, 40))),
+           1;
   const std::size_t values = is_production ? 3 : 1;
   if (at + values >= words.size())
     return fail(config, words[at], fmt::format("expected a value of '{}', found the end of the file", name)), 1;
@@ -119,7 +121,7 @@ std::size_t take_entry(Config& config, Form form, const std::vector<Word>& words
   return 1 + values;
 }
 
-// the oldest form: N, angle, height, axiom, then productions, without names
+// Reads the oldest form: N, angle, height, axiom, then productions, without names.
 void take_unnamed(Config& config, const std::vector<Word>& words) {
   if (words.size() < 4) return fail(config, words[0], "expected N, angle, height and axiom");
   config.numbers["N"] = number_of(config, words[0]);
@@ -149,7 +151,7 @@ Config config_of(std::string_view text, std::string_view file, Form form) {
   return config;
 }
 
-// our directive, where it says something
+// A directive of our notation; none for 0.
 std::string directive(std::string_view name, double value) {
   return value == 0 ? "" : fmt::format("{}: {}\n", name, value);
 }
@@ -159,7 +161,7 @@ std::string lsys_text(const Config& config) {
   text += directive("height", config.number("Height")) + fmt::format("width: {}\n", 2 * config.number("InitRadius"));
   text += "axiom: " + config.axiom + "\n";
   for (const Production& production : config.productions) text += production.from + " -> " + production.to + "\n";
-  // angles of their own for turning, pitching and rolling
+  // our notation has one angle, RPForest's three
   const double turn = config.number("TurnAngle"), pitch = config.number("PitchAngle"),
                roll = config.number("RollAngle");
   text +=
@@ -184,7 +186,7 @@ std::string honda_text(const Config& config) {
   return text;
 }
 
-// its first step makes the polygon
+// RPForest's first step makes the polygon.
 std::string family_text(const Config& config) {
   std::string text = fmt::format("n: {}\n", config.number("N")) + directive("height", config.number("Height"));
   text += defines(config, {"Delta", "LA", "RA", "LB", "RB", "PD"});
@@ -203,7 +205,7 @@ bool is_rpforest(std::string_view text, std::string_view file) {
   static constexpr const char* kNames[] = {"N",          "TurnAngle",      "PitchAngle", "RollAngle", "Angle", "Height",
                                            "InitRadius", "ConeBasePoints", "Material",   "Axiom",     "Prod"};
   const bool is_named = std::find(std::begin(kNames), std::end(kNames), words[0].text) != std::end(kNames);
-  // ours says `n: 5` where RPForest says `N 5`, and no statement of ours begins with a number but one with an arrow
+  // our `n: 5` is RPForest's `N 5`; of our statements, only productions begin with a number
   const bool is_numbers = words.size() > 1 && is_digit(words[0].text[0]) && is_digit(words[1].text[0]);
   return words.size() > 1 && (is_numbers || (is_named && words[1].text != ":" && words[1].text != "="));
 }
@@ -222,8 +224,8 @@ Result<LSystem> read_rpforest(std::string_view text, std::string_view file) {
   const Result<std::string> ours = rpforest_to_lsystem_text(text, file);
   if (!ours) return ours.error();
   Result<LSystem> system = read_lsystem(*ours, file);
-  // places would be those of a text that nobody has seen
-  if (!system) return Error{std::string(file), "put into our notation, it reads " + to_string(system.error())};
+  // positions refer to the translation
+  if (!system) return Error{std::string(file), "translated to our notation: " + to_string(system.error())};
   return system;
 }
 

@@ -1,5 +1,5 @@
-// Expressions: operator precedence by climbing, code in postfix order at the end of LSystem::code. What is constant is
-// computed at once, so the commonest values end as one of ValueForm's short forms.
+// Reads expressions by precedence climbing, as postfix code at the end of LSystem::code. Constants are folded, so that
+// common values end as one of ValueForm's short forms.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -27,18 +27,12 @@ struct FunctionRow {
 
 constexpr OperatorRow kOperators[] = {
 #define OPERATOR(name, priority, text, code) {text, priority, Op::name},
-#define FUNCTION(name, arity, op, code)
 #include "lsystems/operations.inc"
-#undef FUNCTION
-#undef OPERATOR
 };
 
 constexpr FunctionRow kFunctions[] = {
-#define OPERATOR(name, priority, text, code)
 #define FUNCTION(name, arity, op, code) {name, arity, Op::op},
 #include "lsystems/operations.inc"
-#undef FUNCTION
-#undef OPERATOR
     {"ran", 1, Op::kRandom},
     {"nran", 2, Op::kNormalRandom},
 };
@@ -47,15 +41,15 @@ void read_binary(Reader& reader, int priority);
 
 void emit(Reader& reader, Instruction instruction) { reader.system.code.push_back(instruction); }
 
-// puts one constant in the place of `arity` constants and the operation on them
+// Appends an operation; folds it if its `arity` operands are constants.
 void emit_applied(Reader& reader, Op op, int arity) {
   auto& code = reader.system.code;
   emit(reader, {op, 0, 0});
   if (op == Op::kRandom || op == Op::kNormalRandom || static_cast<int>(code.size()) < arity + 1) return;
   const auto first = code.end() - arity - 1;
   if (!std::all_of(first, code.end() - 1, [](const Instruction& i) { return i.op == Op::kConstant; })) return;
-  RandomSource none;
-  const double value = run(&*first, static_cast<std::uint32_t>(arity + 1), nullptr, none);
+  RandomSource unused;
+  const double value = run(&*first, static_cast<std::uint32_t>(arity + 1), nullptr, unused);
   code.erase(first, code.end());
   emit(reader, {Op::kConstant, 0, value});
 }
@@ -83,9 +77,9 @@ void read_call(Reader& reader, const std::string& name, TextPosition place) {
   const auto* function = std::find_if(std::begin(kFunctions), std::end(kFunctions),
                                       [&](const FunctionRow& row) { return row.name == name; });
   if (function == std::end(kFunctions)) return reader.fail(place, fmt::format("there is no function '{}'", name));
-  const bool throws = function->op == Op::kRandom || function->op == Op::kNormalRandom;
-  if (throws && !reader.may_draw) return reader.fail(place, "no dice are thrown here: expected a value that is known");
-  reader.dice += throws ? function->arity : 0;
+  const bool is_random = function->op == Op::kRandom || function->op == Op::kNormalRandom;
+  if (is_random && !reader.may_draw) return reader.fail(place, "expected a constant, found a random draw");
+  reader.draws += is_random ? function->arity : 0;
   read_arguments(reader, *function);
   emit_applied(reader, function->op, function->arity);
 }
@@ -98,7 +92,7 @@ void read_named(Reader& reader) {
   if (slot != reader.slots.end())
     return emit(reader, {Op::kSlot, static_cast<std::uint16_t>(slot - reader.slots.begin()), 0});
   const auto constant = reader.constants.find(name);
-  if (constant == reader.constants.end()) return reader.fail(place, fmt::format("nothing defines '{}'", name));
+  if (constant == reader.constants.end()) return reader.fail(place, fmt::format("'{}' is not defined", name));
   emit(reader, {Op::kConstant, 0, constant->second});
 }
 
@@ -111,7 +105,7 @@ void read_primary(Reader& reader) {
   reader.expect(")", "that closes the parenthesis");
 }
 
-// a sign binds less than a power: -2^2 is -4
+// Powers bind more than signs: -2^2 is -4.
 void read_signed(Reader& reader) {
   reader.skip_space();
   if (!at_arrow(reader) && reader.accept("-")) {
@@ -125,7 +119,7 @@ void read_signed(Reader& reader) {
   }
 }
 
-// the row of the operator that stands here, or none; longer spellings first
+// The operator with the longest spelling that is next, or null.
 const OperatorRow* operator_here(const Reader& reader, std::string_view& spelled) {
   const OperatorRow* best = nullptr;
   for (const OperatorRow& row : kOperators) {
@@ -149,14 +143,14 @@ void read_binary(Reader& reader, int priority) {
     const OperatorRow* row = operator_here(reader, spelled);
     if (row == nullptr || row->priority < priority || at_arrow(reader)) break;
     reader.at += spelled.size();
-    // powers bind to the right, all others to the left
+    // powers associate to the right, other operators to the left
     read_binary(reader, row->op == Op::kPower ? row->priority : row->priority + 1);
     emit_applied(reader, row->op, 2);
   }
   --reader.depth;
 }
 
-// how many numbers the code holds at once
+// The stack size that the code needs.
 int most_held(const Instruction* code, std::uint32_t count) {
   int held = 0, most = 0;
   for (const Instruction* at = code; at != code + count; ++at) {
@@ -185,7 +179,7 @@ bool take_short_form(Value& value, const Instruction* code) {
   return true;
 }
 
-// gives code back where a short form does
+// Replaces the code by a short form if there is one.
 Value with_form(Reader& reader, Value value) {
   auto& code = reader.system.code;
   const Instruction* first = code.data() + value.first;
@@ -217,7 +211,7 @@ Value read_value(Reader& reader) {
     reader.fail(value.place, fmt::format("needs more than {} numbers at once", kStackLimit));
   value = with_form(reader, value);
   if (value.form == ValueForm::kConstant && !std::isfinite(value.constant))
-    reader.fail(value.place, "expected a number; what is divided or computed here has none");
+    reader.fail(value.place, "expected a number; this constant has no value");
   return value;
 }
 
@@ -228,7 +222,7 @@ double read_constant(Reader& reader, std::string_view what) {
   const Value value = read_value(reader);
   reader.may_draw = could_draw;
   if (!reader.failed && value.form != ValueForm::kConstant)
-    reader.fail(place, fmt::format("expected {}, a number that is known when the file is read", what));
+    reader.fail(place, fmt::format("expected {}, a constant number", what));
   return value.constant;
 }
 

@@ -7,7 +7,7 @@
 namespace citykiln::lsystems {
 namespace {
 
-// the rest of a word, or one sign; bytes beyond ASCII go together
+// The next word, sign or UTF-8 character, for errors.
 std::string found_text(const Reader& reader) {
   if (reader.done()) return "the end of the line";
   std::size_t to = reader.at + 1;

@@ -1,5 +1,5 @@
-// The state of a reading: where it stands, its first error, and the system so far. After an error it stands at the end
-// of the text, so that everything under way returns.
+// State of the .lsys reader: position, first error, and the system so far. An error moves the position to the end, so
+// that all functions in progress return.
 #pragma once
 
 #include <map>
@@ -18,35 +18,35 @@ namespace citykiln::lsystems {
 std::string position_name(std::string_view file, TextPosition place);
 
 struct Reader {
-  std::string_view text;  ///< Comments are blank already.
+  std::string_view text;  ///< Comments are replaced by spaces.
   std::string file;
-  std::size_t at = 0, end = 0;  ///< Of the statement that is read: nothing looks beyond `end`.
+  std::size_t at = 0, end = 0;  ///< Position, and end of the current statement.
   std::vector<std::size_t> line_starts;
   std::optional<Error> failed;
 
   LSystem system;
   std::map<std::pair<std::string, int>, Kind> kind_of;
   std::map<std::string, double, std::less<>> constants;  ///< Of #define.
-  std::map<std::string, double, std::less<>> given;      ///< By the caller: take the place of constants.
+  std::map<std::string, double, std::less<>> given;      ///< The caller's, which replace constants.
   std::vector<std::string> long_names;                   ///< Of `module`, longest first.
-  std::vector<std::string> slots;                        ///< Parameters of the rule that is read.
-  int depth = 0;                                         ///< Parentheses in each other.
-  int dice = 0;                                          ///< Thrown by the rule that is read.
-  bool may_draw = false;                                 ///< RandomSource.
-  bool may_query = true;                                 ///< ?-modules: not in interpretations.
+  std::vector<std::string> slots;                        ///< Parameters of the current rule.
+  int depth = 0;                                         ///< Of nested parentheses.
+  int draws = 0;                                         ///< Random draws of the current rule.
+  bool may_draw = false;                                 ///< Whether random draws are allowed.
+  bool may_query = true;                                 ///< Whether queries are allowed: not in interpretations.
 
   char peek(std::size_t ahead = 0) const { return at + ahead < end ? text[at + ahead] : '\0'; }
   bool starts_with(std::string_view word) const { return text.substr(at, end - at).substr(0, word.size()) == word; }
   bool done() const { return at >= end; }
   void skip_space();
-  /// Takes the word if it is next, after space.
+  /// Skips space, and the word if it is next. Returns whether it was.
   bool accept(std::string_view word);
-  /// Takes the word, or fails with "expected `word` `why`, found …".
+  /// Skips the word, or fails with "expected 'word' why, found …".
   bool expect(std::string_view word, std::string_view why);
 
   TextPosition place() const { return position_at(at); }
   TextPosition position_at(std::size_t byte) const;
-  /// Notes the first error, here: "expected `what`, found …".
+  /// Fails here with "expected what, found …". The first error is kept.
   void fail_expected(std::string_view what);
   void fail(TextPosition where, std::string message);
 };
@@ -55,26 +55,26 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 inline bool is_name_letter(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
-/// The name that stands here ("" for none), after space.
+/// Skips space and a name, and returns it; "" if there is none.
 std::string take_name(Reader& reader);
-/// True at -> or -->.
+/// Whether -> or --> is next.
 bool at_arrow(const Reader& reader);
 
-/// An expression, up to where it cannot go on. Parameters of the rule, constants, numbers and functions.
+/// Reads an expression of parameters, constants, numbers and functions.
 Value read_value(Reader& reader);
-/// An expression whose value is known when the file is read.
+/// Reads a constant expression.
 double read_constant(Reader& reader, std::string_view what);
 
-/// Modules with numbers, up to where no module begins.
+/// Reads modules with parameter expressions, up to where no module begins.
 Successor read_successor(Reader& reader);
-/// Modules with names for their parameters, which become slots.
+/// Reads modules with parameter names, which become slots.
 std::vector<Kind> read_pattern(Reader& reader);
-/// A module's name ("" where none begins).
+/// Skips space and a module's name, and returns it; "" if there is none.
 std::string take_module_name(Reader& reader);
-/// The kind of a name and number of parameters, a new one if need be.
+/// The kind of a name and arity; adds it if it is new.
 Kind kind_named(Reader& reader, const std::string& name, std::size_t arity);
 
-/// A production, with its arrow somewhere in the statement; goes into `set`.
+/// Reads a production and appends it to `set`.
 void read_rule(Reader& reader, RuleSet& set, bool contexts_allowed);
 
 }  // namespace citykiln::lsystems

@@ -9,7 +9,7 @@
 namespace citykiln::lsystems {
 namespace {
 
-// a place in the string that is rewritten
+// A position in the string that is rewritten.
 struct Spot {
   std::size_t at = 0, value = 0;
 };
@@ -19,17 +19,17 @@ struct Step {
   const ModuleBuffer& in;
   const Draw& chance;
   ModuleBuffer& out;
-  RandomSource dice;
-  const double* slots = nullptr;  // of the rule that was tried last
+  RandomSource random;
+  const double* slots = nullptr;  // of the rule that was tested last
 
   void spend(std::uint64_t work) { rewriter.work_left -= std::min(work, rewriter.work_left); }
 
-  // contexts and condition; afterwards `slots` and `dice` are the rule's
+  // tests contexts and condition; afterwards `slots` and `random` are the rule's
   bool fits(const Rule& rule, Spot spot) {
     spend(1 + rule.left.count + rule.right.count + rule.condition.count + rule.probability.count);
     slots = in.room.values.data() + spot.value;
-    // die 0 chooses between rules
-    dice = {&chance, static_cast<std::uint32_t>(spot.at), 1};
+    // draw 0 chooses between rules
+    random = {&chance, static_cast<std::uint32_t>(spot.at), 1};
     if (rule.left.count + rule.right.count > 0) {
       if (!contexts_fit(rewriter.system, rule, in.kinds(), in.values(), rewriter.neighbours,
                         static_cast<std::uint32_t>(spot.at), rewriter.slots.data()))
@@ -37,17 +37,17 @@ struct Step {
       slots = rewriter.slots.data();
     }
     if (!rule.has_condition) return true;
-    const double truth = evaluate(rewriter.system, rule.condition, slots, dice);
+    const double truth = evaluate(rewriter.system, rule.condition, slots, random);
     return truth != 0 && !std::isnan(truth);
   }
 
   double weight(const Rule& rule) {
-    const double share = evaluate(rewriter.system, rule.probability, slots, dice);
+    const double share = evaluate(rewriter.system, rule.probability, slots, random);
     return share > 0 && std::isfinite(share) ? share : 0;
   }
 
-  // of the rules with a probability that fit, from `first` on
-  const Rule* thrown(const Rule* first, const Rule* end, Spot spot) {
+  // draws one of the matching rules with a probability, from `first` on
+  const Rule* drawn(const Rule* first, const Rule* end, Spot spot) {
     double sum = 0;
     for (const Rule* rule = first; rule != end; ++rule)
       if (rule->has_probability && fits(*rule, spot)) sum += weight(*rule);
@@ -61,7 +61,7 @@ struct Step {
       if (left < share) return rule;
       left -= share;
     }
-    // rounding may leave a little behind the last one; slots are its own only if it is tried again
+    // rounding may leave a rest after the last rule; testing it again restores its slots
     if (last != nullptr) fits(*last, spot), weight(*last);
     return last;
   }
@@ -70,12 +70,12 @@ struct Step {
     const Rule* end = rewriter.set.rules.data() + rules.first + rules.count;
     for (const Rule* rule = end - rules.count; rule != end; ++rule) {
       if (!fits(*rule, spot)) continue;
-      return rule->has_probability ? thrown(rule, end, spot) : rule;
+      return rule->has_probability ? drawn(rule, end, spot) : rule;
     }
     return nullptr;
   }
 
-  // the ] that ends the branch, or the string's end
+  // the ] of the branch, or the end of the string
   Spot branch_end(Spot spot) const {
     const LSystem& system = rewriter.system;
     const auto kinds = in.kinds();
@@ -101,7 +101,7 @@ Rewritten Step::run() {
   const std::uint8_t* plain = rewriter.plain.data();
   const Kind* kinds = in.room.kinds.data();
   bool changed = false;
-  // what stays is copied in runs, from `kept` to where a rule is applied
+  // modules without a rule are copied in runs, from `kept` to the next application
   Spot kept, spot;
   while (spot.at < in.size) {
     const Kind kind = kinds[spot.at];
@@ -117,7 +117,7 @@ Rewritten Step::run() {
     if (cuts || rule != nullptr) {
       if (!copy(kept, spot)) return Rewritten::kTooLong;
       if (rule != nullptr) spend(rule->successor.code);
-      if (!cuts && !write_successor(rewriter, rule->successor, slots, dice, out)) return Rewritten::kTooLong;
+      if (!cuts && !write_successor(rewriter, rule->successor, slots, random, out)) return Rewritten::kTooLong;
       kept = next;
       changed = true;
     }
@@ -138,7 +138,7 @@ void add_warning(std::vector<Warning>& warnings, TextPosition place, const char*
   } else if (warnings.size() < kMostWarnings) {
     warnings.push_back({place, message, 1});
   } else if (warnings.size() == kMostWarnings) {
-    warnings.push_back({{}, "more troubles, elsewhere", 1});
+    warnings.push_back({{}, "more warnings", 1});
   } else {
     ++warnings.back().times;
   }
@@ -149,12 +149,12 @@ Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Warn
   rewriter.slots.resize((2 * kArityLimit + 1) * kArityLimit);
   for (const ModuleKind& kind : system.kinds) rewriter.plain.push_back(kind.arity);
   for (const Rule& rule : set.rules) rewriter.plain[rule.predecessor] = kActive;
-  // decomposition and interpretation leave % to the next step, and to the turtle
+  // decomposition and interpretation keep %, for the next step and the turtle
   if (&set == &system.productions) rewriter.plain[system.cut] = kActive;
   return rewriter;
 }
 
-bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, RandomSource& dice,
+bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, RandomSource& random,
                      ModuleBuffer& out) {
   const LSystem& system = rewriter.system;
   if (!out.make_room(successor.kinds.count, successor.values.count)) return false;
@@ -162,7 +162,7 @@ bool write_successor(Rewriter& rewriter, const Successor& successor, const doubl
   const Value* value = system.values.data() + successor.values.first;
   double* to = out.room.values.data() + out.value_count;
   for (std::uint32_t i = 0; i < successor.values.count; ++i) {
-    to[i] = evaluate(system, value[i], slots, dice);
+    to[i] = evaluate(system, value[i], slots, random);
     if (std::isfinite(to[i])) continue;
     to[i] = 0;
     add_warning(rewriter.warnings, value[i].place, "no number comes of this: 0 stands for it");

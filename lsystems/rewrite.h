@@ -1,4 +1,4 @@
-// One step: every module of a string at once.
+// Parallel rewriting of a string by a rule set.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace citykiln::lsystems {
 
-/// What rewriting keeps from step to step.
+/// State that is kept between passes.
 struct Rewriter {
   const LSystem& system;
   const RuleSet& set;
   std::vector<Warning>& warnings;
   Neighbours neighbours;
-  std::vector<double> slots;        ///< Of a rule with contexts.
-  std::vector<std::uint8_t> plain;  ///< Of each kind: its arity, or kActive where a rule or % may want it.
-  std::uint64_t work_left = 0;      ///< Limits::work, counted down.
+  std::vector<double> slots;        ///< Parameters of a rule with contexts.
+  std::vector<std::uint8_t> plain;  ///< For each kind: its arity, or kActive if rules or % rewrite it.
+  std::uint64_t work_left = 0;      ///< Remaining Limits::work.
 };
 
 inline constexpr std::uint8_t kActive = 0xff;
@@ -27,16 +27,16 @@ Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Warn
 
 enum class Rewritten : std::uint8_t { kSame, kChanged, kTooLong, kTooMuchWork };
 
-/// Writes into `out`, up to out.most symbols; then it is kTooLong and `out` is of no use. So it is where work_left is
-/// used up.
-/// @param chance  Of this step.
+/// Rewrites `in` into `out`. Returns kTooLong if the result exceeds out.most symbols, and kTooMuchWork if work_left
+/// reaches 0; `out` is then incomplete.
+/// @param chance  The random numbers of this pass.
 Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const Draw& chance, ModuleBuffer& out);
 
-/// Writes a successor: the axiom.
-bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, RandomSource& dice,
+/// Appends a successor. Returns whether it fits.
+bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, RandomSource& random,
                      ModuleBuffer& out);
 
-/// Counts a trouble; at most kMostWarnings different ones, the others together without place.
+/// Counts a warning. At most kMostWarnings different ones are kept; the rest is counted as one without position.
 void add_warning(std::vector<Warning>& warnings, TextPosition place, const char* message);
 inline constexpr std::size_t kMostWarnings = 100;
 

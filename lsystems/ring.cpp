@@ -13,15 +13,15 @@ Circle make_circle() {
 }
 
 Vec3 perpendicular_to(Vec3 axis, Vec3 v) {
-  const Vec3 square = v - axis * dot(axis, v);
-  if (length(square) > 1e-9 * length(v)) return unit(square);
+  const Vec3 perpendicular = v - axis * dot(axis, v);
+  if (length(perpendicular) > 1e-9 * length(v)) return unit(perpendicular);
   const Vec3 other = std::abs(axis.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   return unit(other - axis * dot(axis, other));
 }
 
 Vec3 parallel_transported(Vec3 x, Vec3 from, Vec3 to) {
   const double cosine = dot(from, to);
-  // half a turn has no shortest way
+  // half a turn has no unique shortest rotation
   if (cosine < -0.999) return perpendicular_to(to, x);
   return perpendicular_to(to, x - (from + to) * (dot(x, to) / (1 + cosine)));
 }

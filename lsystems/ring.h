@@ -1,4 +1,4 @@
-// A circle in space: what tubes and joints are welded by.
+// Rings: circles in space that tubes and joints share.
 #pragma once
 
 #include <array>
@@ -9,19 +9,20 @@
 namespace citykiln::lsystems {
 
 struct Ring {
-  Vec3 at, axis{0, 0, 1};  ///< The axis points away from the root.
-  Vec3 x{1, 0, 0};         ///< Where the first point lies; square to the axis, of length 1.
+  Vec3 at, axis{0, 0, 1};  ///< Axis: unit, away from the root.
+  Vec3 x{1, 0, 0};         ///< Direction of the first point; unit, perpendicular to the axis.
   double radius = 0;
-  double along_m = 0;  ///< From the root.
-  double slope = 0;    ///< How much a metre it narrows; for normals.
+  double along_m = 0;  ///< Distance from the root along the stems.
+  double slope = 0;    ///< Decrease of the radius a metre, for normals.
   int sides = 4;       ///< 4, 8, … kMostSides.
 };
 
-/// Cosine and sine of the kMostSides-th parts of a turn.
+/// Cosine and sine of multiples of 1 / kMostSides turns.
 using Circle = std::array<Vec2, kMostSides>;
 Circle make_circle();
 
-/// From the axis, of length 1, counter-clockwise about it.
+/// The unit direction from the axis at a turn, counter-clockwise about it.
+/// @param y  axis × x.
 inline Vec3 outward(const Ring& ring, Vec3 y, Vec2 turn) { return ring.x * turn.x + y * turn.y; }
 inline Vec3 point_on(const Ring& ring, Vec3 outward) { return ring.at + outward * ring.radius; }
 inline Vec3 normal_on(const Ring& ring, Vec3 outward) {
@@ -29,16 +30,16 @@ inline Vec3 normal_on(const Ring& ring, Vec3 outward) {
   return (outward + ring.axis * ring.slope) * scale;
 }
 
-/// v, made square to an axis of length 1, of length 1; some such direction where v is along the axis.
+/// The unit component of v perpendicular to a unit axis; any perpendicular if v is parallel to the axis.
 Vec3 perpendicular_to(Vec3 axis, Vec3 v);
 
-/// x, square to `from`, turned with it to `to` the shortest way.
+/// x, perpendicular to `from`, after the shortest rotation from `from` to `to`.
 Vec3 parallel_transported(Vec3 x, Vec3 from, Vec3 to);
 
-/// How far the chords of a circle lie inside of it, in radii.
+/// Depth of a chord's midpoint inside the circle, in radii.
 double sagitta(int sides);
 
-/// The fewest sides whose sagitta is at most `tolerance_m`; at most kMostSides.
+/// The fewest sides, 4, 8, … kMostSides, whose sagitta is within the tolerance; else kMostSides.
 int sides_of(double radius, double tolerance_m);
 
 }  // namespace citykiln::lsystems

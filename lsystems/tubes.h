@@ -1,9 +1,9 @@
-// From string to shape: a skeleton becomes round tubes, and where stems part, smooth joints.
+// Meshes a skeleton: stems as round tubes, with smooth joints where they branch.
 //
 //      |   | / /      joint: a box, a ring on each stem, quads between; its
-//      |   |/ /       Catmull-Clark limit surface (joint_shape.h)
+//      |   |/ /       Catmull-Clark limit surface (joint_stencils.h)
 //      o---o /
-//      | [] o         tube: circles, welded to the joints' rings
+//      | [] o         tube: circles that share the joints' rings
 //      o---o
 //      |   |
 #pragma once
@@ -15,40 +15,40 @@
 
 namespace citykiln::lsystems {
 
-/// What stands where ~ names it; x along left, y along heading, z along up, in sizes of the instance.
+/// The surface of an instance: x along left, y along heading, z along up, in units of Instance::size.
 struct LeafSurface {
   std::vector<Vec3> positions;
-  std::vector<Vec2> uvs;  ///< As many.
+  std::vector<Vec2> uvs;  ///< As many as positions.
   std::vector<Triangle> triangles;
 };
 
 struct TubeOptions {
-  double tolerance_m = 0.02;  ///< ≥ 0; sides and levels end at kMostSides.
-  double flare = 0.6;         ///< How much wider than the trunk its foot is, in radii; 0 for a straight one.
-  /// By Instance::kind; kinds beyond its end, and empty surfaces, become cards: a kite of four corners.
+  double tolerance_m = 0.02;  ///< ≥ 0; sides are at most kMostSides.
+  double flare = 0.6;         ///< Widening of the trunk's foot in radii; 0: none.
+  /// Indexed by Instance::kind. A kind without a surface is drawn as a kite of four corners.
   std::span<const LeafSurface> surfaces;
-  bool instances = true;  ///< Else they are left to who places prototypes.
-  /// The side of the picture of the bark, which repeats: u then counts metres on it, a whole number of pictures around
-  /// each stem, as many as fit its mean girth; at least one. 0: one of a side of 1, so that u counts turns. From 1 on.
+  bool instances = true;  ///< Whether instances are meshed.
+  /// Period of the bark texture. u counts metres of the texture, with a whole number of periods around each stem, at
+  /// least one, as many as fit its mean girth. 0: one period of 1, so that u counts turns. u begins at one period.
   double bark_m = 0;
 };
 
 inline constexpr int kMostSides = 64;
 
-/// The surface that it stands for, whatever the tolerance: between two circles the lines that join equal angles; at
-/// joints the limit surface of a cage that depends on the skeleton alone; flat discs at the ends.
+/// Meshes a skeleton.
 ///
-/// Stems whose diameter is at most the tolerance go with all that they bear, if that is no thicker; leaves, if their
-/// extent is no larger. A joint takes the stem it grows from, the one that goes on, and at most four others.
+/// The mesh approximates a surface that does not depend on the tolerance: between two circles the lines that join equal
+/// angles, at joints the limit surface of a cage, flat discs at the ends. Stems with a diameter up to the tolerance
+/// that carry nothing thicker, and leaves with an extent up to it, are left out. A joint has the arriving stem, the
+/// continuing one and at most kMostSideStems others.
 ///
-/// Guarantees: the bark is closed and oriented (each edge is passed as often one way as the other); error_m bounds the
-/// distance to the surface above, and is at most the tolerance but for more sides than kMostSides and sharp bends;
-/// triangles do not grow with the tolerance; the same bytes on every machine; everything is finite. Not promised: that
-/// stems do not pass through each other. Total: lengths and radii of 0, coincident stems, turns of 180°; no segments
-/// give no triangles. O(n), n = segments and corners; polygons of c corners, not convex, cost c³ at worst, and beyond
-/// kMostClipped corners are fans.
+/// Guarantees: the bark is closed and oriented (each edge is used as often in one direction as in the other); error_m
+/// bounds the distance to the surface, and is at most the tolerance except for sharp bends and where kMostSides are too
+/// few; a coarser tolerance never has more triangles; the same bytes on every machine; everything is finite. Stems may
+/// intersect each other. Total: lengths and radii of 0, coincident stems, turns of 180°; no segments give no triangles.
+/// Cost: O(segments and corners); a concave polygon of c corners costs c³ at worst, beyond kMostClipped corners O(c).
 PlantMesh mesh_plant(const Skeleton& skeleton, const TubeOptions& options = {});
-/// The same into what held another plant, whose memory is used again: new pages cost as much as the triangles on them.
+/// The same, reusing the memory of `mesh`: mapping new pages costs as much as filling them.
 void mesh_plant(const Skeleton& skeleton, const TubeOptions& options, PlantMesh& mesh);
 
 inline constexpr std::size_t kMostClipped = 256;

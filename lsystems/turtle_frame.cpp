@@ -8,10 +8,10 @@ namespace citykiln::lsystems {
 namespace {
 
 constexpr double kTau = 6.283185307179586476925286766559;
-// sine of the angle to the vertical below which left has no level direction of its own
+// Sine of the angle to the vertical below which the heading has no horizontal left.
 constexpr double kVertical = 1e-9;
 
-// Rodrigues: v about the axis, of length 1
+// Rodrigues' rotation of v about a unit axis.
 Vec3 rotated(Vec3 v, Vec3 axis, Vec2 turn) {
   return v * turn.x + cross(axis, v) * turn.y + axis * (dot(axis, v) * (1 - turn.x));
 }

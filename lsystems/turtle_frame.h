@@ -1,11 +1,12 @@
-// How a turtle turns. Only + - * / and the square root, so the same bits on every CPU.
+// Rotations of the turtle. Only + - * / and the square root are used, so results have the same bits on every CPU.
 #pragma once
 
 #include "lsystems/skeleton.h"
 
 namespace citykiln::lsystems {
 
-/// Each turns two of the three directions; the third stays bit for bit. `turn` is {cosine, sine}.
+/// Each rotates two of the three directions and leaves the third unchanged.
+/// @param turn  {cosine, sine} of the angle.
 inline void turn_left(TurtleFrame& frame, Vec2 turn) {
   const Vec3 heading = frame.heading;
   frame.heading = heading * turn.x + frame.left * turn.y;
@@ -22,13 +23,13 @@ inline void roll_left(TurtleFrame& frame, Vec2 turn) {
   frame.up = frame.up * turn.x + left * turn.y;
 }
 
-/// Rolls until left is level; a vertical heading stays as it is.
+/// Rolls until left is horizontal; does nothing if the heading is vertical.
 void level(TurtleFrame& frame);
 
-/// Turns the heading towards `pull` by elasticity · |heading × pull| radians, at most half a turn.
+/// Tropism: turns the heading towards `pull` by elasticity · |heading × pull| radians, at most half a turn.
 void bend(TurtleFrame& frame, Vec3 pull, double elasticity);
 
-/// Puts directions square again that many turns have worn.
+/// Restores orthonormal directions after rounding of many rotations.
 void orthonormalise(TurtleFrame& frame);
 
 }  // namespace citykiln::lsystems

@@ -74,7 +74,7 @@ BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, Til
   report.append(level.cell_report);
   bake_ground(baking, level, std::move(structures));
   bake_stairs(baking, common.stairs);
-  bake_buildings(baking, level, threads, report);
+  bake_buildings(baking, level, prototypes.rulebook(), threads, report);
   bake_each(
       baking, bands_of(baking), "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
       [&](const auto& b) { return props::generate(b, common.graded, tolerance_m); });
@@ -110,7 +110,7 @@ std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::
                                       std::span<const double> ladder_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes) {
   PreparedTile prepared{header, chunk, levels_of(header, chunk, ladder_m, threads), cache_or_own(header, prototypes)};
-  generate_textured_buildings(header, chunk, prepared.levels, threads);
+  generate_textured_buildings(header, chunk, prepared.prototypes->rulebook(), prepared.levels, threads);
   return std::make_shared<PreparedTile>(std::move(prepared));
 }
 

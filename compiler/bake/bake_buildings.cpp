@@ -9,19 +9,18 @@
 namespace citykiln::bake {
 namespace {
 
-// BuildingMeshes at several tolerances, with a report each. Rules are read once; houses are worked on side by side and
-// told in order. What `holds` denies is left empty.
+// Buildings at several tolerances, with one report per tolerance. Buildings that `holds` rejects are left empty.
 std::vector<BuildingMeshes> generate_buildings(const scene::Header& header, const scene::Chunk& chunk,
+                                               const buildings::Rulebook& rulebook,
                                                std::span<const double> tolerances_m, int threads,
                                                std::span<Report> reports,
                                                const std::function<bool(const buildings::Building&)>& holds) {
   const std::vector<buildings::Building>& all = chunk.buildings;
-  const buildings::SceneContext setting{header.seed, sky::is_night(header.sky)};
-  const buildings::Rulebook rulebook = buildings::parse_rulebook(buildings::styles_of(all), header.rules);
+  const buildings::SceneContext context{header.seed, sky::is_night(header.sky)};
   std::vector<std::vector<Report>> told(all.size(), std::vector<Report>(tolerances_m.size()));
   std::vector<BuildingMeshes> by_house = for_each_slot<BuildingMeshes>(all.size(), threads, [&](std::size_t i) {
     if (!holds(all[i])) return BuildingMeshes(tolerances_m.size());
-    return buildings::generate(all[i], rulebook, setting, tolerances_m, told[i]);
+    return buildings::generate(all[i], rulebook, context, tolerances_m, told[i]);
   });
   std::vector<BuildingMeshes> by_level(tolerances_m.size());
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -50,8 +49,8 @@ void put_on_atlas(Baking& baking, BuildingMeshes& houses) {
 
 }  // namespace
 
-void generate_textured_buildings(const scene::Header& header, const scene::Chunk& chunk, std::span<TileLevel> levels,
-                                 int threads) {
+void generate_textured_buildings(const scene::Header& header, const scene::Chunk& chunk,
+                                 const buildings::Rulebook& rulebook, std::span<TileLevel> levels, int threads) {
   std::vector<TileLevel*> textured_faces;
   std::vector<double> tolerances_m;
   for (TileLevel& level : levels)
@@ -60,18 +59,20 @@ void generate_textured_buildings(const scene::Header& header, const scene::Chunk
   if (textured_faces.empty()) return;
   std::vector<Report> reports(textured_faces.size());
   std::vector<BuildingMeshes> houses =
-      generate_buildings(header, chunk, tolerances_m, threads, reports, [](const auto&) { return true; });
+      generate_buildings(header, chunk, rulebook, tolerances_m, threads, reports, [](const auto&) { return true; });
   for (std::size_t i = 0; i < textured_faces.size(); ++i)
     textured_faces[i]->houses = std::move(houses[i]), textured_faces[i]->building_report = std::move(reports[i]);
 }
 
-void bake_buildings(Baking& baking, TileLevel& level, int threads, Report& report) {
+void bake_buildings(Baking& baking, TileLevel& level, const buildings::Rulebook& rulebook, int threads,
+                    Report& report) {
   const std::vector<buildings::Building>& all = baking.chunk.buildings;
   if (!level.houses)
-    level.houses = std::move(generate_buildings(baking.header, baking.chunk, std::span(&baking.tolerance_m, 1), threads,
-                                                std::span(&level.building_report, 1),
-                                                [&](const auto& b) { return baking.holds(bounds_of(b)); })
-                                 .front());
+    level.houses =
+        std::move(generate_buildings(baking.header, baking.chunk, rulebook, std::span(&baking.tolerance_m, 1), threads,
+                                     std::span(&level.building_report, 1),
+                                     [&](const auto& b) { return baking.holds(bounds_of(b)); })
+                      .front());
   report.append(level.building_report);
   put_on_atlas(baking, *level.houses);
   bake_each(

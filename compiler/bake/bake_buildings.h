@@ -9,10 +9,11 @@
 namespace citykiln::bake {
 
 /// The houses of those levels that show facades as pictures. The others' are made when they are fired.
-void generate_textured_buildings(const scene::Header& header, const scene::Chunk& chunk, std::span<TileLevel> levels,
-                                 int threads);
+/// @param rulebook  Parsed from the header's rules.
+void generate_textured_buildings(const scene::Header& header, const scene::Chunk& chunk,
+                                 const buildings::Rulebook& rulebook, std::span<TileLevel> levels, int threads);
 
 /// Account "bake/building".
-void bake_buildings(Baking& baking, TileLevel& level, int threads, Report& report);
+void bake_buildings(Baking& baking, TileLevel& level, const buildings::Rulebook& rulebook, int threads, Report& report);
 
 }  // namespace citykiln::bake

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/buildings/rulebook.h"
 #include "compiler/materials/texture_cache.h"
 #include "compiler/plants/prototypes/grown_plant_cache.h"
 #include "compiler/plants/prototypes/prototype_mesh.h"
@@ -29,12 +30,17 @@ struct BakedPrototype {
 class PrototypeCache {
  public:
   explicit PrototypeCache(const scene::Header& header)
-      : grown_plants_(header.species, month_of(header)), textures_(header.seed) {}
+      : grown_plants_(header.species, month_of(header)),
+        textures_(header.seed),
+        rulebook_(buildings::parse_rulebook(header.rules)) {}
 
   /// Of a plant of no more than `height_m`, within the tolerance. As long as the grove is there.
   const BakedPrototype& shape(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
   const materials::TextureCache& textures() const { return textures_; }
+
+  /// The header's rules, parsed.
+  const buildings::Rulebook& rulebook() const { return rulebook_; }
 
  private:
   using Key = std::tuple<plants::Prototype, double, double>;
@@ -47,6 +53,7 @@ class PrototypeCache {
 
   plants::GrownPlantCache grown_plants_;
   materials::TextureCache textures_;
+  buildings::Rulebook rulebook_;
   mutable std::mutex mutex_;
   mutable std::map<Key, Slot> slots_;
 };

@@ -1,4 +1,4 @@
-// What a building is made of, and its colours.
+// Materials and tints of buildings.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ struct BuildingMaterials {
   materials::Material wall{}, roof{};
 };
 
-/// Materials as tagged, else by class, height and the roof's form (dress.inc; glass above kGlassTower_m). Where a
-/// tagged colour is brighter than the material can be tinted, a lighter one takes its place; glass stays glass. Drawn
-/// from the footprint's id alone, since a recipe knows no seed. O(vertices).
-BuildingMaterials building_materials(const map::Footprint& footprint, roofs::Form form);
-
-/// Towers higher than this are glass where nothing is tagged.
+/// Buildings without tagged material and higher than this have glass facades.
 inline constexpr double kGlassTower_m = 60;
 
-/// The tints of a building. Tagged colours as paint of that colour, muted as weather does; others a brightness within
-/// the material's variation, and for plaster one of the hues of old towns.
+/// Returns the materials of a footprint: as tagged, otherwise by class, height and roof form (building_materials.inc).
+/// A tagged colour that the material cannot be tinted to selects a lighter material; glass stays glass. Random draws
+/// depend on the footprint's id alone, since a recipe has no seed. O(vertices).
+BuildingMaterials building_materials(const map::Footprint& footprint, roofs::Form form);
+
+/// Returns the tint of the walls or of the roof: towards the tagged colour, otherwise a random brightness within the
+/// material's variation, and for plaster one of 16 hues.
 materials::Tint wall_tint(const Building& building, std::uint64_t seed);
 materials::Tint roof_tint(const Building& building, std::uint64_t seed);
 

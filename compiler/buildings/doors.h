@@ -1,4 +1,4 @@
-// Doors where a map tells of them: entrances, else house numbers, on a wall or close by it.
+// Doors at mapped entrances, or at house numbers where no entrance is mapped.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,25 @@
 
 namespace citykiln::buildings {
 
-/// Entrances and addresses, by place.
+/// Mapped entrances and addresses, with a spatial index.
 struct MappedDoors {
   std::vector<Vec2> at;
-  std::vector<bool> is_entrance;  ///< Else an address.
+  std::vector<bool> is_entrance;  ///< Otherwise an address.
   BoxGrid grid;
 };
 
 MappedDoors index_doors(std::span<const map::PointFeature> points);
 
-/// Of each edge of the outer ring, FacadeEdge::doors. A door is in the wall nearest to what tells of it, no farther
-/// than 1.5 m, and not in walls that are too short for one. Where any entrance is, addresses do not count. O(edges
-/// times points near).
-std::vector<std::uint16_t> mapped_doors_by_edge(const Polygon& footprint, const MappedDoors& told);
+/// Returns FacadeEdge::doors for each edge of the outer ring. A door lies in the edge nearest to its point, at most 1.5
+/// m away, among edges long enough for one. Addresses count only if the building has no entrance. O(edges · points
+/// near).
+std::vector<std::uint16_t> mapped_doors_by_edge(const Polygon& footprint, const MappedDoors& doors);
 
-/// Where the doors of a building are, plane metres, on its walls, at least kMinDoorToCorner_m from their ends.
+/// Returns the positions of a building's doors on its walls, plane metres, at least kMinDoorToCorner_m from the ends of
+/// the edge.
 std::vector<Vec2> door_positions(const Building& building);
 
-/// Half a door's tile.
+/// Half the width of the facade tile that contains a door.
 inline constexpr double kMinDoorToCorner_m = 1.25;
 
 }  // namespace citykiln::buildings

@@ -1,4 +1,4 @@
-// What a level leaves out of a facade, as pictures on the faces that it keeps: a high house baked on a low one.
+// Baked facade textures: the details that a coarse level omits, rendered onto the faces that it keeps.
 #pragma once
 
 #include <vector>
@@ -9,37 +9,38 @@
 
 namespace citykiln::buildings {
 
-/// A face and its picture. The mesh has uvs: metres on the picture, from its first texel's corner.
+/// A face with its texture. Texture coordinates of the mesh are metres from the corner of the first texel.
 struct TexturedFace {
   impostor::Picture picture;
   materials::MaterialMesh mesh;
 };
 
 struct FacadeMeshes {
-  std::vector<materials::MaterialMesh> meshes;  ///< What one material and tint is enough for: one mesh each, in order.
-  std::vector<TexturedFace> textured_faces;     ///< In the terminals' order.
-  double error_m = 0;  ///< How far rails are from what the terminals that they stand for stand for.
+  std::vector<materials::MaterialMesh> meshes;  ///< Faces of uniform colour: one mesh per material and tint, sorted.
+  std::vector<TexturedFace> textured_faces;     ///< In the order of the terminals.
+  double error_m = 0;  ///< Largest distance between a railing's two rails and the terminal they replace.
 };
 
-/// The terminals' faces as terminal_meshes() makes them, dressed as what stands before and behind them looks.
+/// Returns the terminals' faces with the appearance of a more detailed model of the same building.
 ///
-/// @param looks    The same building, finer.
-/// @param tolerance_m  Of the derivation: no error here is larger.
-/// @param texel_m  Of pictures; of how far the finer one may stand behind a face, and before it up to 2 m: farther
-///                 before a wall of a court stands the other wing.
+/// @param texel_m      Texel size of the textures. Details up to this far behind a face, and up to min(texel_m, 2 m) in
+///                     front of it, are rendered; farther in front may stand another wing.
+/// @param tolerance_m  Of the derivation; FacadeMeshes::error_m does not exceed it.
 ///
-/// A face on which all is of one material and tint takes them, and a roof where nearly all is; where nothing shines,
-/// what is smaller than kMinTexels, or a texel wide, takes the mean colour, as paint on what most of it is made
-/// of; the rest have pictures, with slopes where texels are under 2 m. Faces before which nothing stands, or with more
-/// than kMaxTexelsPerFace, look as the terminal does. Of a rectangle that is mostly holes, as a railing, two rails are
-/// left, as large as what is there, where that is within the tolerance. The same bytes on every CPU. Total. Cost:
-/// imprint()'s, a face.
-FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& looks, double texel_m,
+/// A face becomes
+/// - two rails along its longer sides, if it is a rectangle that the detailed model covers to less than half (a
+///   railing) and this stays within the tolerance;
+/// - a mesh of one material, if one covers all of it (95 % of a roof);
+/// - a mesh of the mean colour, if it has fewer than kMinTexels texels or is one texel wide, and emits no light;
+/// - else a textured face, with normals if texels are smaller than 2 m.
+/// Faces with nothing in front of them and faces of more than kMaxTexelsPerFace texels keep the terminal's material.
+/// The same bytes on every CPU. Total. Cost: one impostor::render() per face.
+FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& detailed, double texel_m,
                              double tolerance_m, OsmId feature);
 
-/// From here on a picture says more than its mean does.
+/// Smaller faces get the mean colour.
 inline constexpr std::uint32_t kMinTexels = 9;
-/// A face of 300 by 400 m at half a metre; larger ones are roofs of halls.
+/// A face of 300 by 400 m at 0.5 m; larger ones are roofs of halls.
 inline constexpr std::uint32_t kMaxTexelsPerFace = 1u << 19;
 
 }  // namespace citykiln::buildings

@@ -1,7 +1,7 @@
 #include "compiler/buildings/generate.h"
 
 #include <algorithm>
-#include <optional>
+#include <cassert>
 #include <utility>
 
 #include "compiler/buildings/building_materials.h"
@@ -18,21 +18,35 @@ namespace {
 
 using materials::MaterialMesh;
 
-// What pictures show is as fine as this, whatever the level, so that levels share it: windows keep reveals and frames,
-// railings their bars.
-constexpr double kLooks_m = 0.05;
+// Tolerance of the model that facade textures are rendered from, which all levels share: windows keep reveals and
+// frames, railings their bars.
+constexpr double kDetailedModel_m = 0.05;
 
-// Roofs are whole to this.
-constexpr double kWhole_m = 0.02;
+// At this tolerance a roof has all its planes.
+constexpr double kWholeRoof_m = 0.02;
 
-// A tower of a hundred floors with a balcony at every window asks for half a million shapes.
-constexpr std::uint64_t kMostShapes = 4'000'000, kMostSteps = 400'000'000;
+// A tower of a hundred floors with a balcony at every window takes half a million shapes.
+constexpr std::uint64_t kMaxShapes = 4'000'000, kMaxSteps = 400'000'000;
 
-MaterialMesh wall_mesh(const Building& building, std::uint64_t seed) {
-  return {{}, building.wall, wall_tint(building, seed), building.id.osm};
+// One building at one tolerance.
+struct Level {
+  const Building& building;
+  const grammars::Program* rules;  // null: none
+  SceneContext context;
+  double tolerance_m;
+  const impostor::Model* detailed;  // null: no facade textures
+};
+
+void add_mesh(MaterialMesh&& mesh, std::vector<MaterialMesh>& meshes) {
+  if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
 }
 
-// Roof planes and eaves, and gables, which are wall.
+MaterialMesh wall_mesh(const Level& level) {
+  const Building& building = level.building;
+  return {{}, building.wall, wall_tint(building, level.context.seed), building.id.osm};
+}
+
+// Roof planes and eaves; gables have the wall's material.
 void add_roof(const Building& building, const roofs::Roof& roof, Mesh& wall, Mesh& top) {
   for (Mesh* mesh : {&wall, &top}) {
     const auto first = static_cast<std::uint32_t>(mesh->positions.size());
@@ -45,154 +59,148 @@ void add_roof(const Building& building, const roofs::Roof& roof, Mesh& wall, Mes
   }
 }
 
-void expand_plain(const Building& building, const MassModel& mass, std::uint64_t seed, GeneratedBuilding& generated) {
-  MaterialMesh wall = wall_mesh(building, seed);
-  MaterialMesh top{{}, building.roof, roof_tint(building, seed), building.id.osm};
+void add_mass_model(const Level& level, const MassModel& mass, std::vector<MaterialMesh>& meshes) {
+  const Building& building = level.building;
+  MaterialMesh wall = wall_mesh(level);
+  MaterialMesh top{{}, building.roof, roof_tint(building, level.context.seed), building.id.osm};
   for (const grammars::Face& face : mass.walls) add_face(face, wall.mesh);
   add_roof(building, mass.roof, wall.mesh, top.mesh);
-  for (MaterialMesh* mesh : {&wall, &top})
-    if (!mesh->mesh.triangles.empty()) generated.meshes.push_back(std::move(*mesh));
+  add_mesh(std::move(wall), meshes);
+  add_mesh(std::move(top), meshes);
 }
 
-// Of the wall's own stuff; under walls that rules colour, of stone.
-void add_foundation(const Building& building, const MassModel& mass, bool has_rules, std::uint64_t seed,
-                    GeneratedBuilding& generated) {
-  MaterialMesh mesh = wall_mesh(building, seed);
-  if (has_rules) mesh.material = materials::Material::kStone, mesh.tint = materials::kNoTint;
+// Rules choose the colour of walls, so under them the foundation is stone.
+void add_foundation(const Level& level, const MassModel& mass, std::vector<MaterialMesh>& meshes) {
+  MaterialMesh mesh = wall_mesh(level);
+  if (level.rules) mesh.material = materials::Material::kStone, mesh.tint = materials::kNoTint;
   for (const grammars::Face& face : mass.foundation) add_face(face, mesh);
-  if (!mesh.mesh.triangles.empty()) generated.meshes.push_back(std::move(mesh));
+  add_mesh(std::move(mesh), meshes);
 }
 
-std::uint64_t times_of(const grammars::Derivation& derivation) {
-  std::uint64_t times = 0;
-  for (const grammars::Warning& warning : derivation.warnings) times += warning.times;
-  for (const grammars::LimitHit& limit : derivation.limits) times += limit.times;
-  return times;
+std::uint64_t error_count(const grammars::Derivation& derivation) {
+  std::uint64_t count = 0;
+  for (const grammars::Warning& warning : derivation.warnings) count += warning.times;
+  for (const grammars::LimitHit& limit : derivation.limits) count += limit.times;
+  return count;
 }
 
-grammars::Derivation derive_on(const Building& building, const MassModel& mass, const grammars::Program& program,
-                               SceneContext setting, double tolerance_m, bool keep_appearances) {
+grammars::Derivation derive(const Level& level, const MassModel& mass, double tolerance_m) {
   grammars::DeriveOptions options;
-  options.attributes = rule_attributes_of(building, mass.roof.form);
-  options.attributes["night"] = setting.is_night;
-  std::vector<Vec2> doors = door_positions(building);
+  options.attributes = rule_attributes_of(level.building, mass.roof.form);
+  options.attributes["night"] = level.context.is_night;
+  std::vector<Vec2> doors = door_positions(level.building);
   options.attributes["entrances"] = static_cast<double>(doors.size());
   if (!doors.empty()) options.occlusion = grammars::entrances_at(std::move(doors));
-  options.seed = setting.seed;
+  options.seed = level.context.seed;
   options.tolerance_m = tolerance_m;
   options.keep_start = true, options.ids = false;
-  // where pictures show what is left out, looks are theirs; what moves little is known ahead
-  options.keep_appearances = keep_appearances, options.prune_early = true;
-  // roofs that rules put up are whole on every level: what a level leaves out of them the derivation certifies
+  // facade textures show what a level omits; without them the faces it keeps have to have its mean colours
+  options.keep_appearances = level.detailed == nullptr, options.prune_early = true;
+  // roofs made by rules have all planes at every tolerance: the derivation certifies what it omits of them
   options.roofs = grammars::form_roofs(kQuantum_m);
-  options.limits.shapes = kMostShapes, options.limits.steps = kMostSteps;
-  return grammars::derive(program, shape_of(building, mass), options);
+  options.limits.shapes = kMaxShapes, options.limits.steps = kMaxSteps;
+  return grammars::derive(*level.rules, shape_of(level.building, mass), options);
 }
 
-// Half of it. Rules are told the roof's form and build on its planes, so it keeps its form under them.
-double roof_tolerance_m(const Building& building, bool has_rules, double tolerance_m) {
-  const double rise_m = building.roof_shape.height_m;
-  return has_rules && rise_m > 0 ? std::min(tolerance_m / 2, rise_m * 0.99) : tolerance_m / 2;
+// Half of the tolerance is the roof's. Rules read the roof's form and build on its planes, so with rules the roof is
+// never simplified to a flat one.
+double roof_tolerance_m(const Level& level, double tolerance_m) {
+  const double rise_m = level.building.roof_shape.height_m;
+  return level.rules && rise_m > 0 ? std::min(tolerance_m / 2, rise_m * 0.99) : tolerance_m / 2;
 }
 
-// One level, and what all those that show it as pictures share.
-struct LevelOf {
-  double tolerance_m;
-  const impostor::Model* looks;
-};
+MassModel mass_model(const Level& level, double tolerance_m, Report& report) {
+  return mass_model_of(level.building, roof_tolerance_m(level, tolerance_m), report);
+}
 
-// A mass under rules, and what the level leaves out at most of what they put on its roof.
-struct Dressable {
+// A mass model that rules are applied to, and a bound of what they omit on its roof.
+struct RuledMass {
   MassModel mass;
-  double left_out_m = 0;
+  double omitted_m = 0;
 };
 
-// On a roof whose eaves or knees a level does not see rules may find no room for a chimney, which is left out all the
-// same. Where both together are more than the tolerance the roof is whole.
-Dressable dressable_of(const Building& building, const grammars::Program& program, SceneContext setting, LevelOf level,
-                       Report& report) {
-  Dressable simple{mass_model_of(building, roof_tolerance_m(building, true, level.tolerance_m), report)};
-  if (simple.mass.roof.error_m == 0) return simple;
-  Report told_already;
-  Dressable whole{mass_model_of(building, roof_tolerance_m(building, true, kWhole_m), told_already)};
-  simple.left_out_m =
-      derive_on(building, whole.mass, program, setting, level.tolerance_m, level.looks == nullptr).error_m;
-  return simple.left_out_m + simple.mass.roof.error_m > level.tolerance_m ? whole : simple;
+// On a simplified roof rules may find no room for a chimney, and the derivation cannot count it as omitted. The error
+// is therefore taken from a derivation on the whole roof. If that and the roof's own error exceed the tolerance, the
+// roof stays whole.
+RuledMass ruled_mass(const Level& level, Report& report) {
+  RuledMass simplified{mass_model(level, level.tolerance_m, report)};
+  if (!level.rules || simplified.mass.roof.error_m == 0) return simplified;
+  Report repeated;
+  RuledMass whole{mass_model(level, kWholeRoof_m, repeated)};
+  simplified.omitted_m = derive(level, whole.mass, level.tolerance_m).error_m;
+  return simplified.omitted_m + simplified.mass.roof.error_m > level.tolerance_m ? whole : simplified;
 }
 
-// What the rules make of a building at its full looks.
-impostor::Model looks_of(const Building& building, const grammars::Program& program, SceneContext setting) {
-  Report told_elsewhere;
-  const MassModel mass = mass_model_of(building, roof_tolerance_m(building, true, kLooks_m), told_elsewhere);
-  return impostor::model_of(terminal_meshes(
-      derive_on(building, mass, program, setting, kLooks_m - mass.roof.error_m, true), building.id.osm));
+// The model that facade textures are rendered from.
+impostor::Model detailed_model(Level level) {
+  level.tolerance_m = kDetailedModel_m, level.detailed = nullptr;
+  Report repeated;
+  const MassModel mass = mass_model(level, kDetailedModel_m, repeated);
+  return impostor::model_of(
+      terminal_meshes(derive(level, mass, kDetailedModel_m - mass.roof.error_m), level.building.id.osm));
 }
 
-void expand_by_rules(const Building& building, const Dressable& dressable, const grammars::Program& program,
-                     SceneContext setting, LevelOf level, GeneratedBuilding& generated, Report& report) {
-  const MassModel& mass = dressable.mass;
-  // what the roof has left of the tolerance is for rules
-  const double tolerance_m = level.tolerance_m - mass.roof.error_m;
-  const grammars::Derivation derivation =
-      derive_on(building, mass, program, setting, tolerance_m, level.looks == nullptr);
-  const std::uint64_t times = times_of(derivation);
-  if (times > 0) report.add(Code::kRuleErrors, building.id.osm, static_cast<double>(times));
+void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& generated, Report& report) {
+  const OsmId feature = level.building.id.osm;
+  // rules may use what the roof leaves of the tolerance
+  const double tolerance_m = level.tolerance_m - ruled.mass.roof.error_m;
+  const grammars::Derivation derivation = derive(level, ruled.mass, tolerance_m);
+  if (const std::uint64_t errors = error_count(derivation); errors > 0)
+    report.add(Code::kRuleErrors, feature, static_cast<double>(errors));
   FacadeMeshes faces;
-  if (level.looks != nullptr)
-    faces = texture_facades(derivation, *level.looks, level.tolerance_m, tolerance_m, building.id.osm);
+  if (level.detailed)
+    faces = texture_facades(derivation, *level.detailed, level.tolerance_m, tolerance_m, feature);
   else
-    faces.meshes = terminal_meshes(derivation, building.id.osm);
-  generated.error_m += std::max({derivation.error_m, dressable.left_out_m, faces.error_m});
+    faces.meshes = terminal_meshes(derivation, feature);
+  generated.error_m += std::max({derivation.error_m, ruled.omitted_m, faces.error_m});
   for (MaterialMesh& mesh : faces.meshes) generated.meshes.push_back(std::move(mesh));
   generated.textured_faces = std::move(faces.textured_faces);
 }
 
-// A building no higher than the tolerance, with all that rules put on its roof, is dropped: the ground is that near.
-GeneratedBuilding without_what_is_low(const Building& building, double tolerance_m, GeneratedBuilding generated) {
-  if (building.top_m - building.bottom_m >= tolerance_m) return generated;
+// Drops a building that, roof structures included, is lower than the tolerance: the ground is that near.
+GeneratedBuilding drop_if_low(const Level& level, GeneratedBuilding generated) {
+  const Building& building = level.building;
+  if (building.top_m - building.bottom_m >= level.tolerance_m) return generated;
   double top_m = building.top_m;
-  for (const MaterialMesh& dressed : generated.meshes)
-    for (const Vec3 p : dressed.mesh.positions) top_m = std::max(top_m, p.z);
-  for (const TexturedFace& textured_faces : generated.textured_faces)
-    for (const Vec3 p : textured_faces.mesh.mesh.positions) top_m = std::max(top_m, p.z);
+  for (const MaterialMesh& mesh : generated.meshes)
+    for (const Vec3 p : mesh.mesh.positions) top_m = std::max(top_m, p.z);
+  for (const TexturedFace& face : generated.textured_faces)
+    for (const Vec3 p : face.mesh.mesh.positions) top_m = std::max(top_m, p.z);
   const double error_m = top_m - building.bottom_m + generated.error_m;
-  return error_m < tolerance_m ? GeneratedBuilding{{}, error_m} : std::move(generated);
+  return error_m < level.tolerance_m ? GeneratedBuilding{{}, error_m} : std::move(generated);
 }
 
-GeneratedBuilding expand_level(const Building& building, const Rulebook& rulebook, SceneContext setting, LevelOf level,
-                               Report& report) {
-  const auto program = rulebook.find(building.style);
-  const bool has_rules = program != rulebook.end();
-  const Dressable dressable =
-      has_rules ? dressable_of(building, program->second, setting, level, report)
-                : Dressable{mass_model_of(building, roof_tolerance_m(building, false, level.tolerance_m), report)};
-  GeneratedBuilding generated{{}, dressable.mass.roof.error_m};
-  add_foundation(building, dressable.mass, has_rules, setting.seed, generated);
-  if (has_rules) {
-    expand_by_rules(building, dressable, program->second, setting, level, generated, report);
-  } else {
-    expand_plain(building, dressable.mass, setting.seed, generated);
-  }
-  return without_what_is_low(building, level.tolerance_m, std::move(generated));
+GeneratedBuilding generate(const Level& level, Report& report) {
+  const RuledMass ruled = ruled_mass(level, report);
+  GeneratedBuilding generated{{}, ruled.mass.roof.error_m};
+  add_foundation(level, ruled.mass, generated.meshes);
+  if (level.rules)
+    add_ruled(level, ruled, generated, report);
+  else
+    add_mass_model(level, ruled.mass, generated.meshes);
+  return drop_if_low(level, std::move(generated));
 }
 
 }  // namespace
 
-GeneratedBuilding generate(const Building& building, const Rulebook& rulebook, SceneContext setting, double tolerance_m,
+GeneratedBuilding generate(const Building& building, const Rulebook& rulebook, SceneContext context, double tolerance_m,
                            Report& report) {
-  return std::move(generate(building, rulebook, setting, std::span(&tolerance_m, 1), std::span(&report, 1)).front());
+  return std::move(generate(building, rulebook, context, std::span(&tolerance_m, 1), std::span(&report, 1)).front());
 }
 
-std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook& rulebook, SceneContext setting,
+std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook& rulebook, SceneContext context,
                                         std::span<const double> tolerances_m, std::span<Report> reports) {
-  const auto program = rulebook.find(building.style);
-  std::optional<impostor::Model> looks;
+  assert(reports.size() == tolerances_m.size());
+  const auto found = rulebook.find(building.style);
+  Level level{building, found != rulebook.end() ? &found->second : nullptr, context, 0, nullptr};
+  std::optional<impostor::Model> detailed;
   std::vector<GeneratedBuilding> levels;
   for (std::size_t i = 0; i < tolerances_m.size(); ++i) {
-    const bool is_imprinted = program != rulebook.end() && has_detail(Detail::kFacadeTextures, tolerances_m[i]);
-    if (is_imprinted && !looks) looks = looks_of(building, program->second, setting);
-    const LevelOf level{tolerances_m[i], is_imprinted ? &*looks : nullptr};
-    levels.push_back(expand_level(building, rulebook, setting, level, reports[i]));
+    assert(tolerances_m[i] > 0);
+    const bool has_textures = level.rules && has_detail(Detail::kFacadeTextures, tolerances_m[i]);
+    if (has_textures && !detailed) detailed = detailed_model(level);
+    level.tolerance_m = tolerances_m[i], level.detailed = has_textures ? &*detailed : nullptr;
+    levels.push_back(generate(level, reports[i]));
   }
   return levels;
 }

@@ -1,4 +1,4 @@
-// From a footprint, heights, a roof and a style to a house.
+// Generates the meshes of a building from its recipe and the rules of its style.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,29 @@ namespace citykiln::buildings {
 
 struct GeneratedBuilding {
   std::vector<materials::MaterialMesh> meshes;
-  double error_m = 0;  ///< Between this and the building at tolerance 0: Hausdorff, both ways, of what can be seen.
-  std::vector<TexturedFace> textured_faces{};  ///< With Detail::kFacadeTextures: the faces that show pictures.
+  double error_m = 0;  ///< Hausdorff distance, both ways, of visible surfaces to the building at tolerance 0.
+  std::vector<TexturedFace> textured_faces{};  ///< Faces with a baked texture, if the level has kFacadeTextures.
 };
 
-/// What is the same for all houses of a scene.
+/// Parameters that all buildings of a scene share.
 struct SceneContext {
   std::uint64_t seed = 0;
-  bool is_night = false;  ///< Then rules light some windows.
+  bool is_night = false;  ///< Sets the rules' attribute `night`: some windows are lit.
 };
 
-/// The mass (mass.h), worked on by the style's rules as far as the tolerance sees; where it sees nothing of them, or
-/// there are none, the bare mass. A building lower than the tolerance, chimneys and all, is dropped, with its height as
-/// error.
+/// Generates a building at one tolerance.
 ///
-/// Tints, and all chance of the rules, are drawn from (seed, id), by night the same as by day. Roofs that fell back to
-/// flat, and rules that asked for what cannot be, are diagnosed. Cost: the derivation's.
-GeneratedBuilding generate(const Building& building, const Rulebook& rulebook, SceneContext setting, double tolerance_m,
+/// The rules of the building's style refine its mass model (mass_model.h) down to the tolerance. Without rules for the
+/// style the result is the mass model itself. A building lower than the tolerance, roof structures included, has no
+/// mesh and its height as error. Tints and random draws of rules depend on the seed and the id, not on is_night. Flat
+/// roofs in place of others (kRoofFallback) and rule errors (kRuleErrors) are diagnosed. tolerance_m > 0. Cost: that of
+/// the derivation.
+GeneratedBuilding generate(const Building& building, const Rulebook& rulebook, SceneContext context, double tolerance_m,
                            Report& report);
 
-/// The same at several tolerances, in their order: what pictures are made of is derived once. One report a tolerance.
-std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook& rulebook, SceneContext setting,
+/// Generates a building at several tolerances, in their order. The detailed model that facade textures are rendered
+/// from is derived once. One report per tolerance.
+std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook& rulebook, SceneContext context,
                                         std::span<const double> tolerances_m, std::span<Report> reports);
 
 }  // namespace citykiln::buildings

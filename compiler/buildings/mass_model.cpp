@@ -1,8 +1,8 @@
 #include "compiler/buildings/mass_model.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
-#include <optional>
 #include <set>
 #include <span>
 
@@ -17,21 +17,24 @@ namespace {
 using grammars::Face;
 using grammars::FaceTag;
 
-// Lower strips of wall are not worth a face of their own.
-constexpr double kLeastWall_m = 0.25;
+// Lower or shorter strips of wall do not become faces of their own.
+constexpr double kMinWall_m = 0.25;
 
-// A straight wall of the roof's plan, with the footprint's edges that it runs along.
+// A straight stretch of the eaves in plan.
 struct Run {
-  std::vector<Vec2> points;          // two, and those between them where a ridge or valley ends over the wall
-  std::vector<std::uint32_t> edges;  // of the outer ring; none along a hole
+  std::vector<Vec2> points;          // both ends, and between them where a ridge or valley of the roof ends
+  std::vector<std::uint32_t> edges;  // the edges of the outer ring along it; none along a hole
   Vec2 from() const { return points.front(); }
   Vec2 to() const { return points.back(); }
+  Vec2 along() const { return unit(to() - from()); }
   double length_m() const { return distance(from(), to()); }
 };
 
-// Corners by place. Those of holes, which no edge of the outer ring starts at, count up from its size.
-std::map<Vec2, std::uint32_t> corners_of(const Polygon& footprint) {
-  std::map<Vec2, std::uint32_t> corners;
+// Vertices of the footprint by position. Those of holes are numbered after those of the outer ring.
+using Corners = std::map<Vec2, std::uint32_t>;
+
+Corners corners_of(const Polygon& footprint) {
+  Corners corners;
   std::uint32_t count = 0;
   for (const Vec2 p : footprint.outer) corners.try_emplace(p, count++);
   for (const Ring& hole : footprint.holes)
@@ -40,47 +43,40 @@ std::map<Vec2, std::uint32_t> corners_of(const Polygon& footprint) {
 }
 
 bool is_straight(Vec2 a, Vec2 b, Vec2 c) {
-  const Vec2 way = c - a;
-  return std::abs(cross(way, b - a)) <= kQuantum_m * length(way) && dot(b - a, way) > 0;
+  const Vec2 along = c - a;
+  return std::abs(cross(along, b - a)) <= kQuantum_m * length(along) && dot(b - a, along) > 0;
 }
 
-// Edges of the outer ring from one of its corners to another.
-std::vector<std::uint32_t> edges_between(std::uint32_t from, std::uint32_t to, std::size_t count) {
+// The edges of the outer ring along a run; none if they would go round most of the ring.
+std::vector<std::uint32_t> edges_of(const Run& run, std::size_t count, const Corners& corners) {
+  const auto from = corners.find(run.from()), to = corners.find(run.to());
+  if (from == corners.end() || to == corners.end() || std::max(from->second, to->second) >= count) return {};
   std::vector<std::uint32_t> edges;
-  for (std::uint32_t i = from; i != to; i = (i + 1) % static_cast<std::uint32_t>(count)) edges.push_back(i);
-  return edges;
+  for (std::uint32_t i = from->second; i != to->second; i = (i + 1) % static_cast<std::uint32_t>(count))
+    edges.push_back(i);
+  return edges.size() < count / 2 + 1 ? edges : std::vector<std::uint32_t>{};
 }
 
-// A ring of the eaves, cut at its corners.
-std::vector<Run> runs_of(const std::vector<Vec2>& ring, const Ring& outer,
-                         const std::map<Vec2, std::uint32_t>& corners) {
-  const std::size_t n = ring.size();
-  std::vector<Run> runs;
+// Adds the runs of one ring of the eaves, which bends or has a corner of the footprint at their ends.
+void add_runs(const std::vector<Vec2>& ring, std::size_t outer_count, const Corners& corners, std::vector<Run>& runs) {
+  const std::size_t n = ring.size(), first_run = runs.size();
   std::size_t first = 0;
   while (first < n && is_straight(ring[(first + n - 1) % n], ring[first], ring[(first + 1) % n]) &&
          !corners.contains(ring[first]))
     ++first;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 a = ring[(first + i) % n], b = ring[(first + i + 1) % n];
-    const bool goes_on = !runs.empty() && !corners.contains(a) && is_straight(runs.back().from(), a, b);
-    if (goes_on)
+    if (runs.size() > first_run && !corners.contains(a) && is_straight(runs.back().from(), a, b))
       runs.back().points.push_back(b);
     else
       runs.push_back({{a, b}, {}});
   }
-  for (Run& run : runs) {
-    const auto from = corners.find(run.from()), to = corners.find(run.to());
-    if (from == corners.end() || to == corners.end()) continue;
-    if (std::max(from->second, to->second) >= outer.size()) continue;
-    std::vector<std::uint32_t> edges = edges_between(from->second, to->second, outer.size());
-    if (edges.size() < outer.size() / 2 + 1) run.edges = std::move(edges);
-  }
-  return runs;
+  for (std::size_t i = first_run; i < runs.size(); ++i) runs[i].edges = edges_of(runs[i], outer_count, corners);
 }
 
-// The rings of the eaves in the footprint's order, each from its first corner on: a wall keeps its number, and so its
-// dice, whatever is done about the roof.
-std::vector<std::vector<Vec2>> eaves_in_order(const roofs::Roof& roof, const std::map<Vec2, std::uint32_t>& corners) {
+// The rings of the eaves in the order of the footprint's rings, each from its first corner on. Walls then have the same
+// numbers, and rules the same random draws, for every roof.
+std::vector<std::vector<Vec2>> eaves_in_order(const roofs::Roof& roof, const Corners& corners) {
   const auto number_of = [&](Vec2 p) {
     const auto corner = corners.find(p);
     return corner == corners.end() ? ~0u : corner->second;
@@ -96,31 +92,11 @@ std::vector<std::vector<Vec2>> eaves_in_order(const roofs::Roof& roof, const std
 }
 
 std::vector<Run> runs_of(const Building& building, const roofs::Roof& roof) {
-  const std::map<Vec2, std::uint32_t> corners = corners_of(building.footprint);
+  const Corners corners = corners_of(building.footprint);
   std::vector<Run> runs;
   for (const std::vector<Vec2>& ring : eaves_in_order(roof, corners))
-    for (Run& run : runs_of(ring, building.footprint.outer, corners)) runs.push_back(std::move(run));
+    add_runs(ring, building.footprint.outer.size(), corners, runs);
   return runs;
-}
-
-// The part of a run between two distances along it, from one height up to another. What ends over it does so at the
-// eaves: below them walls are straight, so that what lies under them meets them corner to corner.
-Face wall_face(const Run& run, double from_m, double to_m, double low_m, double high_m, double eaves_m) {
-  const Vec2 along = unit(run.to() - run.from());
-  const double length_m = run.length_m();
-  const auto place = [&](double at_m) {
-    return at_m <= 0 ? run.from() : at_m >= length_m ? run.to() : run.from() + along * at_m;
-  };
-  const Vec2 a = place(from_m), b = place(to_m);
-  Face face;
-  face.tag = FaceTag::kSide;
-  face.outer = {at_height(a, low_m), at_height(b, low_m), at_height(b, high_m)};
-  for (std::size_t i = run.points.size() - 1; high_m == eaves_m && i-- > 1;) {
-    const double at_m = dot(along, run.points[i] - run.from());
-    if (at_m > from_m && at_m < to_m) face.outer.push_back(at_height(run.points[i], high_m));
-  }
-  face.outer.push_back(at_height(a, high_m));
-  return face;
 }
 
 // A party wall, in distances along a run.
@@ -130,125 +106,131 @@ struct Stretch {
 };
 
 std::vector<Stretch> stretches_on(const Run& run, const Building& building) {
-  const Vec2 along = unit(run.to() - run.from());
   const Ring& ring = building.footprint.outer;
   std::vector<Stretch> stretches;
   for (const PartyWall& wall : building.party_walls) {
-    if (std::find(run.edges.begin(), run.edges.end(), wall.edge) == run.edges.end()) continue;
+    if (std::ranges::find(run.edges, wall.edge) == run.edges.end()) continue;
     const Vec2 corner = ring[wall.edge], next = ring[(wall.edge + 1) % ring.size()];
-    const double start_m = dot(along, corner - run.from()), end_m = start_m + distance(corner, next);
-    const auto near = [&](double at_m) {
-      return at_m < kLeastWall_m ? 0 : at_m > run.length_m() - kLeastWall_m ? run.length_m() : at_m;
+    const double start_m = dot(run.along(), corner - run.from()), end_m = start_m + distance(corner, next);
+    const auto snapped_to_ends = [&](double at_m) {
+      return at_m < kMinWall_m ? 0 : at_m > run.length_m() - kMinWall_m ? run.length_m() : at_m;
     };
-    const double from_m = near(start_m + wall.from_m), to_m = near(std::min(end_m, start_m + wall.to_m));
+    const double from_m = snapped_to_ends(start_m + wall.from_m);
+    const double to_m = snapped_to_ends(std::min(end_m, start_m + wall.to_m));
     if (from_m < to_m) stretches.push_back({from_m, to_m, &wall});
   }
-  std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.from_m < b.from_m; });
+  std::ranges::sort(stretches, {}, &Stretch::from_m);
   return stretches;
 }
 
-// What is known of a wall from the recipe.
-FacadeEdge front_of(const Run& run, const Building& building) {
-  FacadeEdge front;
-  for (const std::uint32_t edge : run.edges) {
-    if (edge >= building.fronts.size()) continue;
-    front.faces_street |= building.fronts[edge].faces_street;
-    front.buried_storeys = std::max(front.buried_storeys, building.fronts[edge].buried_storeys);
-  }
-  return front;
-}
-
-// How walls are made.
-struct Walling {
+// Adds the walls and the foundation along one run.
+struct WallBuilder {
   const Building& building;
-  double eaves_m;
-  bool hides;  // what a neighbour hides is left out
+  const Run& run;
+  bool hides_party_walls;
   MassModel& mass;
+  double eaves = eaves_m(building);
+  double low_m = 0;  // where walls begin: above the buried storeys
+  bool faces_street = false;
+
+  void merge_edge_attributes() {
+    std::uint8_t buried = 0;
+    for (const std::uint32_t edge : run.edges) {
+      if (edge >= building.facade_edges.size()) continue;
+      faces_street |= building.facade_edges[edge].faces_street;
+      buried = std::max(buried, building.facade_edges[edge].buried_storeys);
+    }
+    low_m = snapped(std::min(eaves, building.floor_m + buried * storey_m(building)));
+  }
+
+  // The face between two distances along the run and two heights. Points between the run's ends are added at the eaves
+  // alone, so that lower walls match those below them vertex to vertex.
+  Face face(double from_m, double to_m, double bottom_m, double top_m) const {
+    const auto at = [&](double at_m) {
+      return at_m <= 0 ? run.from() : at_m >= run.length_m() ? run.to() : run.from() + run.along() * at_m;
+    };
+    const Vec2 a = at(from_m), b = at(to_m);
+    Face face;
+    face.tag = FaceTag::kSide;
+    face.outer = {at_height(a, bottom_m), at_height(b, bottom_m), at_height(b, top_m)};
+    for (std::size_t i = run.points.size() - 1; top_m == eaves && i-- > 1;) {
+      const double at_m = dot(run.along(), run.points[i] - run.from());
+      if (at_m > from_m && at_m < to_m) face.outer.push_back(at_height(run.points[i], top_m));
+    }
+    face.outer.push_back(at_height(a, top_m));
+    return face;
+  }
+
+  void add_wall(const Stretch& stretch, double bottom_m, double top_m, FaceTag tag, bool is_street) {
+    Face wall = face(stretch.from_m, stretch.to_m, bottom_m, top_m);
+    wall.tag = tag, wall.street = is_street;
+    mass.walls.push_back(std::move(wall));
+  }
+
+  // The wall against a neighbour, and the blind or ordinary wall above it.
+  void add_party_wall(const Stretch& stretch) {
+    double top_m = std::clamp(stretch.wall->top_m, low_m, eaves);
+    if (top_m > eaves - kMinWall_m) top_m = eaves;
+    const bool is_kept = !stretch.wall->is_hidden || !hides_party_walls;
+    if (is_kept && top_m > low_m) add_wall(stretch, low_m, top_m, FaceTag::kInside, false);
+    const FaceTag above = stretch.wall->has_windows_above ? FaceTag::kSide : FaceTag::kInside;
+    if (top_m < eaves) add_wall(stretch, top_m, eaves, above, faces_street);
+  }
+
+  void build() {
+    merge_edge_attributes();
+    if (low_m > building.bottom_m) mass.foundation.push_back(face(0, run.length_m(), building.bottom_m, low_m));
+    if (low_m >= eaves) return;
+    double from_m = 0;
+    for (const Stretch& stretch : stretches_on(run, building)) {
+      if (stretch.from_m > from_m)
+        add_wall({from_m, stretch.from_m, nullptr}, low_m, eaves, FaceTag::kSide, faces_street);
+      add_party_wall(stretch);
+      from_m = stretch.to_m;
+    }
+    if (from_m < run.length_m())
+      add_wall({from_m, run.length_m(), nullptr}, low_m, eaves, FaceTag::kSide, faces_street);
+  }
 };
 
-void add_wall(const Walling& walling, Face face, FaceTag tag, bool faces_street) {
-  face.tag = tag, face.street = faces_street;
-  walling.mass.walls.push_back(std::move(face));
+// Positions where a ridge or valley ends between the ends of a run.
+std::set<Vec2> points_between_ends(std::span<const Run> runs) {
+  std::set<Vec2> points;
+  for (const Run& run : runs) points.insert(run.points.begin() + 1, run.points.end() - 1);
+  return points;
 }
 
-// Above what the neighbour hides a fire wall, or a wall like others.
-void add_party_wall(const Walling& walling, const Run& run, const Stretch& stretch, double low_m, bool faces_street) {
-  const double top_m = std::clamp(stretch.wall->top_m, low_m, walling.eaves_m);
-  const double over_m = top_m > walling.eaves_m - kLeastWall_m ? walling.eaves_m : top_m;
-  if ((!stretch.wall->is_hidden || !walling.hides) && over_m > low_m)
-    add_wall(walling, wall_face(run, stretch.from_m, stretch.to_m, low_m, over_m, walling.eaves_m), FaceTag::kInside,
-             false);
-  if (over_m >= walling.eaves_m) return;
-  const FaceTag tag = stretch.wall->has_windows_above ? FaceTag::kSide : FaceTag::kInside;
-  add_wall(walling, wall_face(run, stretch.from_m, stretch.to_m, over_m, walling.eaves_m, walling.eaves_m), tag,
-           faces_street);
-}
-
-void add_walls(const Walling& walling, const Run& run) {
-  const Building& building = walling.building;
-  const FacadeEdge front = front_of(run, building);
-  const double low_m = snapped(std::min(walling.eaves_m, building.floor_m + front.buried_storeys * storey_m(building)));
-  if (low_m > building.bottom_m) {
-    walling.mass.foundation.push_back(wall_face(run, 0, run.length_m(), building.bottom_m, low_m, walling.eaves_m));
-  }
-  if (low_m >= walling.eaves_m) return;
-  double from_m = 0;
-  for (const Stretch& stretch : stretches_on(run, building)) {
-    if (stretch.from_m > from_m)
-      add_wall(walling, wall_face(run, from_m, stretch.from_m, low_m, walling.eaves_m, walling.eaves_m), FaceTag::kSide,
-               front.faces_street);
-    add_party_wall(walling, run, stretch, low_m, front.faces_street);
-    from_m = stretch.to_m;
-  }
-  if (from_m < run.length_m())
-    add_wall(walling, wall_face(run, from_m, run.length_m(), low_m, walling.eaves_m, walling.eaves_m), FaceTag::kSide,
-             front.faces_street);
-}
-
-// Places along walls where something ends over them.
-std::set<Vec2> between_ends(std::span<const Run> runs) {
-  std::set<Vec2> places;
-  for (const Run& run : runs) places.insert(run.points.begin() + 1, run.points.end() - 1);
-  return places;
-}
-
-// As straight as the walls above it.
-void straighten(grammars::Ring3& ring, const std::set<Vec2>& between) {
-  grammars::Ring3 kept;
-  for (const Vec3 p : ring)
-    if (!between.contains(in_plan(p))) kept.push_back(p);
-  ring = std::move(kept);
-}
-
+// The underside of the roof, moved down to close a lifted building, without the points that its walls do not have.
 void add_underside(const Building& building, std::span<const Run> runs, MassModel& mass) {
-  const std::set<Vec2> between = between_ends(runs);
+  const std::set<Vec2> between = points_between_ends(runs);
+  const auto remove_between = [&](grammars::Ring3& ring) {
+    std::erase_if(ring, [&](Vec3 p) { return between.contains(in_plan(p)); });
+  };
   for (Face& face : grammars::faces_of(mass.roof)) {
     if (face.tag != FaceTag::kBottom) continue;
-    straighten(face.outer, between);
-    for (grammars::Ring3& hole : face.holes) straighten(hole, between);
+    remove_between(face.outer);
+    std::ranges::for_each(face.holes, remove_between);
     each_vertex(face, [&](Vec3& p) { p.z += building.bottom_m; });
     mass.foundation.push_back(std::move(face));
   }
 }
 
-double length_of(const Face& wall) { return length(wall.outer[1] - wall.outer[0]); }
-
-// Along the longest wall at a street, or the longest.
+// The direction of the longest wall that faces a street, or of the longest wall.
 Vec3 front_axis(const MassModel& mass) {
-  const Face* best = nullptr;
-  for (const Face& wall : mass.walls)
-    if (!best || std::pair(wall.street, length_of(wall)) > std::pair(best->street, length_of(*best))) best = &wall;
-  return best ? unit(best->outer[1] - best->outer[0]) : Vec3{1, 0, 0};
+  const auto rank = [](const Face& wall) { return std::pair(wall.street, length(wall.outer[1] - wall.outer[0])); };
+  const auto front = std::ranges::max_element(mass.walls, {}, rank);
+  return front != mass.walls.end() ? unit(front->outer[1] - front->outer[0]) : Vec3{1, 0, 0};
 }
 
 }  // namespace
 
 MassModel mass_model_of(const Building& building, double tolerance_m, Report& report) {
+  assert(tolerance_m > 0);
   MassModel mass;
   mass.roof = roofs::generate_roof(building.footprint, building.roof_shape, tolerance_m, building.id.osm, report);
-  const Walling walling{building, eaves_m(building), has_detail(Detail::kPartyWallOpenings, tolerance_m), mass};
   const std::vector<Run> runs = runs_of(building, mass.roof);
-  for (const Run& run : runs) add_walls(walling, run);
+  for (const Run& run : runs)
+    WallBuilder{building, run, has_detail(Detail::kPartyWallOpenings, tolerance_m), mass}.build();
   if (!building.stands_on_ground) add_underside(building, runs, mass);
   return mass;
 }

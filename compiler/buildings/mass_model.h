@@ -1,10 +1,11 @@
-// The volume of a building: walls, roof and foundations, before any rule has worked on them.
+// Mass model of a building: the closed volume of walls, roof and foundation that style rules refine. The term is that
+// of Müller et al., "Procedural Modeling of Buildings", SIGGRAPH 2006.
 //
-//        /\          roof     over the eaves, by generate_roof()
+//        /\          roof        above the eaves, by generate_roof()
 //       /__\ _ _ _ _ eaves
-//       |  |         walls    one face an edge, from the floor or from over the buried storeys, without what a
-//       |__|_ _ _ _  floor    neighbour hides
-//       |  |         foundations, down to the bottom
+//       |  |         walls       one face per edge, from the floor or the top of the buried storeys, without what a
+//       |__|_ _ _ _  floor       neighbour hides
+//       |  |         foundation  down to bottom_m
 #pragma once
 
 #include <vector>
@@ -17,20 +18,22 @@
 namespace citykiln::buildings {
 
 struct MassModel {
-  roofs::Roof roof;  ///< Heights over the eaves.
-  /// Up to the eaves, in the order of the footprint's edges, whatever the roof. kSide; kInside where a neighbour stands
-  /// before it.
+  roofs::Roof roof;  ///< Heights are relative to the eaves.
+  /// Walls up to the eaves, in the order of the footprint's edges for every roof form. Tagged kSide, party walls
+  /// kInside.
   std::vector<grammars::Face> walls;
-  std::vector<grammars::Face> foundation;  ///< Below the walls; the underside of what hangs in the air.
+  std::vector<grammars::Face> foundation;  ///< Below the walls; the underside of lifted buildings.
 };
 
-/// Guarantees: walls without party walls, foundation, roof and floor close, corner to corner where no storey is buried,
-/// and with them what stands is open at the bottom alone. Roofs that fall back to flat are diagnosed kRoofFallback.
-/// roof.error_m <= tolerance_m. Total.
+/// Returns the mass model of a building; roof.error_m <= tolerance_m.
+///
+/// Guarantees: walls with party walls, foundation, roof and floor form a closed surface, vertex to vertex if no storey
+/// is buried; buildings on the ground are open at the bottom. Party walls in one plane with the neighbour's are left
+/// out with Detail::kPartyWallOpenings. Roofs replaced by flat ones are diagnosed kRoofFallback. Total.
 MassModel mass_model_of(const Building& building, double tolerance_m, Report& report);
 
-/// What rules start with: walls (kSide, kInside), gables (kVertical), roof planes (kTop), rims and undersides of eaves
-/// (kBorder). The scope's x runs along the longest wall at a street, z up.
+/// Returns the start shape for the rules: walls (kSide, kInside), gables (kVertical), roof planes (kTop), rims and
+/// undersides of eaves (kBorder). The scope's x axis follows the longest wall that faces a street, z points up.
 grammars::Shape shape_of(const Building& building, const MassModel& mass);
 
 }  // namespace citykiln::buildings

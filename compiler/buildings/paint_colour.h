@@ -1,4 +1,4 @@
-// Colours on materials: as paint of that colour, muted as weather does.
+// Colours as tints of materials.
 #pragma once
 
 #include <array>
@@ -9,20 +9,21 @@
 
 namespace citykiln::buildings {
 
-/// LinearRgb reflectance, 0 … 1.
+/// Linear reflectance, 0 … 1.
 using LinearRgb = std::array<double, 3>;
 
-/// Paint reflects between 4 and 76 percent, and has lost some of its colour to sun and dust.
+/// Returns the reflectance of weathered paint of a colour: between 4 and 76 percent, with saturation reduced by 15
+/// percent.
 LinearRgb paint_reflectance(const map::Srgb& colour);
 
-/// The first material that can be tinted to the paint, since tints only darken; the last, which has to be the lightest,
-/// where none can. Glass stays glass: what comes first is taken if it is that.
+/// Returns the first material that can be tinted to the paint; tints only darken. If none can, the last one, which has
+/// to be the lightest. Glass in the first place is always chosen. @param choice  Not empty.
 materials::Material tintable_material(const LinearRgb& paint, std::initializer_list<materials::Material> choice);
 
-/// Shares of the base colour, each 0 … 1; what is beyond is cut off.
+/// Returns a tint of these shares of the base colour, clamped to 0 … 1.
 materials::Tint tint_of(const LinearRgb& share);
 
-/// The tint that gives the material this colour, as far as it can be tinted to it.
+/// Returns the tint that brings the material as close to the paint as darkening can.
 materials::Tint tint_towards(materials::Material material, const LinearRgb& paint);
 
 }  // namespace citykiln::buildings

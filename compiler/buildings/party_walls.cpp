@@ -1,6 +1,8 @@
 #include "compiler/buildings/party_walls.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <optional>
 #include <tuple>
 
@@ -10,10 +12,10 @@
 namespace citykiln::buildings {
 namespace {
 
-// Shorter stretches are a corner that touches.
-constexpr double kShortest_m = 0.25;
+// Shorter overlaps are corners that touch.
+constexpr double kMinLength_m = 0.25;
 constexpr double kBucket_m = 32;
-// Walls that run within some degrees of each other.
+// Cosine of the smallest angle between opposite walls: 3.6 degrees short of 180.
 constexpr double kOpposite = -0.998;
 
 struct Edge {
@@ -21,13 +23,6 @@ struct Edge {
   bool is_outer;
   Vec2 from, to;
 };
-
-Box2 box_of(const Edge& edge) {
-  Box2 box;
-  box.grow(edge.from);
-  box.grow(edge.to);
-  return box;
-}
 
 void add_edges(std::vector<Edge>& edges, std::uint32_t footprint, const Ring& ring, bool is_outer) {
   for (std::uint32_t i = 0; i < ring.size(); ++i)
@@ -44,20 +39,24 @@ std::vector<Edge> edges_of(std::span<const map::Footprint> footprints) {
   return edges;
 }
 
-// Where `other` runs along `wall`, the other way.
+// The part of `wall` along which `other` runs in the opposite direction.
 std::optional<SharedWall> shared(const Edge& wall, const Edge& other) {
+  assert(wall.footprint != other.footprint);
   const double length_m = distance(wall.from, wall.to);
-  if (length_m < kShortest_m) return std::nullopt;
+  if (length_m < kMinLength_m) return std::nullopt;
   const Vec2 along = (wall.to - wall.from) * (1 / length_m), against = unit(other.to - other.from);
   if (dot(along, against) > kOpposite) return std::nullopt;
   const double from_m = std::max(0.0, dot(along, other.to - wall.from));
   const double to_m = std::min(length_m, dot(along, other.from - wall.from));
-  if (to_m - from_m < kShortest_m) return std::nullopt;
-  // how far the other's line is off at both ends of the stretch
-  const auto off_m = [&](double at_m) { return std::abs(cross(against, wall.from + along * at_m - other.from)); };
-  const double most_m = std::max(off_m(from_m), off_m(to_m));
-  if (most_m > kTouching_m) return std::nullopt;
-  return SharedWall{wall.edge, snapped(from_m), snapped(to_m), other.footprint, most_m <= kCoplanar_m};
+  if (to_m - from_m < kMinLength_m) return std::nullopt;
+  const auto gap_m = [&](double at_m) { return std::abs(cross(against, wall.from + along * at_m - other.from)); };
+  const double largest_gap_m = std::max(gap_m(from_m), gap_m(to_m));
+  if (largest_gap_m > kTouching_m) return std::nullopt;
+  return SharedWall{.edge = wall.edge,
+                    .from_m = snapped(from_m),
+                    .to_m = snapped(to_m),
+                    .neighbour = other.footprint,
+                    .is_coplanar = largest_gap_m <= kCoplanar_m};
 }
 
 }  // namespace
@@ -65,7 +64,7 @@ std::optional<SharedWall> shared(const Edge& wall, const Edge& other) {
 std::vector<std::vector<SharedWall>> shared_walls(std::span<const map::Footprint> footprints) {
   const std::vector<Edge> edges = edges_of(footprints);
   std::vector<Box2> boxes;
-  for (const Edge& edge : edges) boxes.push_back(box_of(edge).widened(kTouching_m));
+  for (const Edge& edge : edges) boxes.push_back(box_of(std::array{edge.from, edge.to}).widened(kTouching_m));
   const BoxGrid grid = grid_of(boxes, kBucket_m);
   std::vector<std::vector<SharedWall>> all(footprints.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -76,9 +75,8 @@ std::vector<std::vector<SharedWall>> shared_walls(std::span<const map::Footprint
     }
   }
   for (std::vector<SharedWall>& walls : all)
-    std::sort(walls.begin(), walls.end(), [&](const SharedWall& a, const SharedWall& b) {
-      return std::tie(a.edge, a.from_m, a.to_m, footprints[a.neighbour].id) <
-             std::tie(b.edge, b.from_m, b.to_m, footprints[b.neighbour].id);
+    std::ranges::sort(walls, {}, [&](const SharedWall& wall) {
+      return std::tuple(wall.edge, wall.from_m, wall.to_m, footprints[wall.neighbour].id);
     });
   return all;
 }

@@ -1,4 +1,4 @@
-// Where buildings stand wall to wall.
+// Party walls: where footprints are adjacent.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,20 @@
 
 namespace citykiln::buildings {
 
-/// A stretch of a footprint's outer ring along which another footprint's ring runs the other way.
+/// A part of an edge of a footprint's outer ring along which another footprint's ring runs in the opposite direction.
 struct SharedWall {
-  std::uint32_t edge = 0;       ///< Of the outer ring.
-  double from_m = 0, to_m = 0;  ///< Along it; from_m < to_m. Snapped, the ends exact where corners are shared.
-  std::uint32_t neighbour = 0;  ///< A footprint's number.
-  bool is_coplanar = false;     ///< Within kCoplanar_m; else within kTouching_m.
+  std::uint32_t edge = 0;       ///< Index into the outer ring.
+  double from_m = 0, to_m = 0;  ///< Distances along the edge, from_m < to_m. Snapped; exact at shared corners.
+  std::uint32_t neighbour = 0;  ///< Index of the other footprint.
+  bool is_coplanar = false;     ///< Within kCoplanar_m; otherwise within kTouching_m.
 };
 
-/// Nearer walls touch; between nearer ones nobody sees.
+/// Largest distances between walls that touch, and between walls in one plane (two steps of the map's 2^-7 m grid).
 inline constexpr double kTouching_m = 0.06, kCoplanar_m = 0x1.8p-7;
 
-/// Of each footprint, by its number: sorted by edge, from_m, neighbour. Outlines that parts replace count as absent.
-/// The same whatever the order of footprints, but for the numbers. O(edges log edges) for footprints that lie apart.
+/// Returns the shared walls of each footprint, sorted by edge, from_m and the neighbour's id. Outlines with parts are
+/// ignored. Apart from indices the result does not depend on the order of the footprints. O(edges log edges) for
+/// footprints that do not overlap.
 std::vector<std::vector<SharedWall>> shared_walls(std::span<const map::Footprint> footprints);
 
 }  // namespace citykiln::buildings

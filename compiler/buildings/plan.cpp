@@ -7,54 +7,51 @@
 
 #include "compiler/buildings/building_materials.h"
 #include "compiler/buildings/doors.h"
-#include "compiler/buildings/outline_index.h"
 #include "compiler/buildings/party_walls.h"
 #include "compiler/buildings/plan_roof.h"
 #include "compiler/buildings/street_sides.h"
 #include "compiler/buildings/style.h"
 #include "compiler/buildings/vertical_support.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/geometry/triangulate.h"
 #include "compiler/map/building_classes.h"
+#include "compiler/map/part_outlines.h"
 
 namespace citykiln::buildings {
 namespace {
 
-// A building shows at least this much wall over its highest corner: a low storey. Less is a slip of the heightmap, not
-// a building.
-constexpr double kLeastRise_m = 2;
+// A low storey. Less wall above the highest ground is an error of the heightmap, not a building.
+constexpr double kMinWall_m = 2;
 
-// How deep walls reach under the lowest corner: the ground may dip between two corners, and coarse levels lie a little
-// lower.
+// The ground may dip between two height samples, and coarse levels of the ground lie a little lower.
 constexpr double kFoundation_m = 3;
 
-// Along the walls the ground is looked at this often: banks beside roads are a few metres wide.
-constexpr double kWallStep_m = 4;
+// Spacing of height samples along walls: embankments beside roads are a few metres wide.
+constexpr double kSampleSpacing_m = 4;
 
-// Storeys lower or higher than these were not counted well.
-constexpr double kLowStorey_m = 2.1, kHighStorey_m = 7;
+// Storey heights outside this range mean that building:levels is wrong.
+constexpr double kMinStorey_m = 2.1, kMaxStorey_m = 7;
 
-// A storey with no more than this share of it in the ground keeps its windows there.
-constexpr double kBuriedShare = 0.3;
+// A storey with no more than this share of its height below the ground has windows.
+constexpr double kMaxBuriedShare = 0.3;
 
 struct GroundRange {
   double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -std::numeric_limits<double>::infinity();
-  void grow(double low_m, double high_m) {
-    lowest_m = std::min(lowest_m, low_m), highest_m = std::max(highest_m, high_m);
+  void grow(const GroundRange& other) {
+    lowest_m = std::min(lowest_m, other.lowest_m), highest_m = std::max(highest_m, other.highest_m);
   }
 };
 
 GroundRange ground_along(Vec2 from, Vec2 to, const ground::GradedTerrain& ground) {
   GroundRange range;
-  const double steps = std::max(1.0, std::ceil(distance(from, to) / kWallStep_m));
+  const double steps = std::max(1.0, std::ceil(distance(from, to) / kSampleSpacing_m));
   for (double i = 0; i <= steps; ++i) {
-    const double z = land_m(ground, from + (to - from) * (i / steps));
-    range.grow(z, z);
+    const double z_m = land_m(ground, from + (to - from) * (i / steps));
+    range.grow({z_m, z_m});
   }
   return range;
 }
 
-// Of each wall of the outer ring.
+// One range per edge of the outer ring.
 std::vector<GroundRange> ground_along_walls(const Polygon& polygon, const ground::GradedTerrain& ground) {
   std::vector<GroundRange> ranges;
   for (std::size_t i = 0; i < polygon.outer.size(); ++i)
@@ -64,198 +61,202 @@ std::vector<GroundRange> ground_along_walls(const Polygon& polygon, const ground
 
 GroundRange all_of(const std::vector<GroundRange>& ranges) {
   GroundRange all;
-  for (const GroundRange& range : ranges) all.grow(range.lowest_m, range.highest_m);
+  for (const GroundRange& range : ranges) all.grow(range);
   return all;
 }
 
-// A point well inside: the middle of the largest triangle.
-Vec2 inner_point(const Polygon& polygon) {
-  const PlaneTriangles t = triangulate(polygon);
-  double largest = 0;
-  Vec2 middle = polygon.outer.front();
-  for (const auto& [ia, ib, ic] : t.triangles) {
-    const Vec2 a = t.points[ia], b = t.points[ib], c = t.points[ic];
-    if (cross(b - a, c - a) <= largest) continue;
-    largest = cross(b - a, c - a);
-    middle = (a + b + c) * (1 / 3.0);
-  }
-  return middle;
-}
-
-// The height that a footprint's heights count from.
-double base_of(const map::Footprint& footprint, const GroundRange& under, const OutlineIndex& outlines,
-               const ground::GradedTerrain& ground) {
-  if (!footprint.is_part) return under.lowest_m;
-  const map::Footprint* outline = outline_at(outlines, inner_point(footprint.polygon));
-  return outline == nullptr ? under.lowest_m : all_of(ground_along_walls(outline->polygon, ground)).lowest_m;
-}
-
-// What all buildings are planned from.
+// Indexes of the whole map that all buildings are planned from.
 struct Site {
   const ground::GradedTerrain& ground;
-  const OutlineIndex outlines;
+  const std::vector<map::Footprint> footprints;
+  const std::vector<std::uint32_t> outlines;
+  const std::vector<std::vector<SharedWall>> shared_walls;
   const Streets streets;
   const MappedDoors doors;
-  const std::vector<std::vector<SharedWall>> shared;
 };
 
-double lift_of(const map::Footprint& footprint, Report& report) {
+// The height that a footprint's heights are measured from.
+double base_m(std::size_t i, const GroundRange& under, const Site& site) {
+  const std::uint32_t outline = site.outlines[i];
+  if (outline == map::kNoOutline) return under.lowest_m;
+  return all_of(ground_along_walls(site.footprints[outline].polygon, site.ground)).lowest_m;
+}
+
+double min_height_m(const map::Footprint& footprint, Report& report) {
   if (footprint.min_height_m <= 0) return 0;
   if (footprint.min_height_m < footprint.height_m) return footprint.min_height_m;
   report.add(Code::kMinHeightNotBelowHeight, footprint.id.osm, footprint.min_height_m - footprint.height_m);
   return 0;
 }
 
-// Where the building ends at the top: raised out of a slope that would bury its walls.
-double top_of(const map::Footprint& footprint, double base_m, double roof_m, const GroundRange& ground,
-              Report& report) {
-  const double over_m = footprint.has_roof_in_height ? 0 : roof_m;
-  const double top_m = snapped(base_m + footprint.height_m + over_m);
-  const double least_m = snapped(ground.highest_m + kLeastRise_m + roof_m);
+double top_m(const map::Footprint& footprint, double base_m, double roof_m, const GroundRange& ground, Report& report) {
+  const double top_m = snapped(base_m + footprint.height_m + (footprint.has_roof_in_height ? 0 : roof_m));
+  const double least_m = snapped(ground.highest_m + kMinWall_m + roof_m);
   if (top_m >= least_m || footprint.min_height_m > 0) return top_m;
   report.add(Code::kHeightRaised, footprint.id.osm, least_m - top_m);
   return least_m;
 }
 
-// Outward from the longest wall at a street.
-std::optional<Vec2> street_of(const map::Footprint& footprint, const std::vector<bool>& sides) {
-  std::optional<Vec2> street;
+// The longest of those edges that `is_candidate`, or nothing.
+template <typename IsCandidate>
+std::optional<std::size_t> longest_edge(const Ring& ring, IsCandidate is_candidate) {
+  std::optional<std::size_t> longest;
   double longest_m = 0;
-  const Ring& ring = footprint.polygon.outer;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 along = ring[(i + 1) % ring.size()] - ring[i];
-    if (!sides[i] || length(along) <= longest_m) continue;
-    longest_m = length(along);
-    street = unit(left_of(along)) * -1;
+    const double length_m = distance(ring[i], ring[(i + 1) % ring.size()]);
+    if (!is_candidate(i) || length_m <= longest_m) continue;
+    longest = i, longest_m = length_m;
   }
-  return street;
+  return longest;
+}
+
+// The outward normal of the longest wall that faces a street.
+std::optional<Vec2> street_normal(const Ring& ring, const std::vector<bool>& sides) {
+  const auto edge = longest_edge(ring, [&](std::size_t i) { return sides[i]; });
+  if (!edge) return std::nullopt;
+  return unit(left_of(ring[(*edge + 1) % ring.size()] - ring[*edge])) * -1;
 }
 
 std::uint8_t levels_of(const map::Footprint& footprint, double wall_m) {
   const double storey_m = map::values_of(static_cast<map::BuildingClass>(footprint.building_class)).level_m;
-  const double lifted = footprint.min_height_m / storey_m;
-  const double told = std::floor(footprint.levels - lifted + 0.5);
-  const bool is_likely = told >= 1 && wall_m >= told * kLowStorey_m && wall_m <= told * kHighStorey_m;
-  const double levels = footprint.levels > 0 && is_likely ? told : std::floor(wall_m / storey_m + 0.5);
+  const double tagged = std::floor(footprint.levels - footprint.min_height_m / storey_m + 0.5);
+  const bool is_plausible = tagged >= 1 && wall_m >= tagged * kMinStorey_m && wall_m <= tagged * kMaxStorey_m;
+  const double levels = footprint.levels > 0 && is_plausible ? tagged : std::floor(wall_m / storey_m + 0.5);
   return static_cast<std::uint8_t>(std::clamp(levels, 1.0, 250.0));
 }
 
 std::uint8_t buried_storeys(const Building& building, const GroundRange& ground) {
-  const double storeys = (ground.highest_m - building.floor_m) / storey_m(building) - kBuriedShare;
+  if (!building.stands_on_ground) return 0;
+  const double storeys = (ground.highest_m - building.floor_m) / storey_m(building) - kMaxBuriedShare;
   return static_cast<std::uint8_t>(std::clamp(std::ceil(storeys), 0.0, static_cast<double>(building.levels)));
 }
 
-std::size_t longest_edge(const Ring& ring) {
-  std::size_t longest = 0;
-  const auto length_of = [&](std::size_t i) { return distance(ring[i], ring[(i + 1) % ring.size()]); };
-  for (std::size_t i = 1; i < ring.size(); ++i)
-    if (length_of(i) > length_of(longest)) longest = i;
-  return longest;
-}
-
-// Doors are told of, or lie towards streets. A building without either has its door in its longest wall.
-std::vector<FacadeEdge> fronts_of(const Building& building, std::vector<bool> sides,
-                                  const std::vector<std::uint16_t>& doors, const std::vector<GroundRange>& ground) {
-  for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = sides[i] || doors[i] != 0;
-  if (std::find(sides.begin(), sides.end(), true) == sides.end()) sides[longest_edge(building.footprint.outer)] = true;
-  std::vector<FacadeEdge> fronts;
+// An edge with a mapped door counts as facing a street. A building without either has its door in its longest edge.
+std::vector<FacadeEdge> facade_edges_of(const Building& building, const std::vector<bool>& sides,
+                                        const std::vector<std::uint16_t>& doors,
+                                        const std::vector<GroundRange>& ground) {
+  std::vector<FacadeEdge> edges;
   for (std::size_t i = 0; i < sides.size(); ++i)
-    fronts.push_back(
-        {sides[i], building.stands_on_ground ? buried_storeys(building, ground[i]) : std::uint8_t{0}, doors[i]});
-  return fronts;
+    edges.push_back({sides[i] || doors[i] != 0, buried_storeys(building, ground[i]), doors[i]});
+  if (std::ranges::none_of(edges, &FacadeEdge::faces_street)) {
+    const auto longest = longest_edge(building.footprint.outer, [](std::size_t) { return true; });
+    edges[longest.value_or(0)].faces_street = true;
+  }
+  return edges;
 }
 
-Building build(const map::Footprint& footprint, const Site& site, const std::vector<SharedWall>& shared,
-               Report& report) {
+Building plan_building(std::size_t i, const Site& site, Report& report) {
+  const map::Footprint& footprint = site.footprints[i];
   const std::vector<GroundRange> walls = ground_along_walls(footprint.polygon, site.ground);
   const GroundRange under = all_of(walls);
-  const double base_m = base_of(footprint, under, site.outlines, site.ground), lift_m = lift_of(footprint, report);
+  const double from_m = base_m(i, under, site), lift_m = min_height_m(footprint, report);
   const std::vector<bool> sides = street_sides(footprint.polygon, site.streets);
-  const roofs::RoofShape roof = plan_roof(footprint, {!shared.empty(), street_of(footprint, sides)});
-  const BuildingMaterials dress = building_materials(footprint, roof.form);
-  Building building{footprint.id,          footprint.polygon,     0,   0, 0, lift_m == 0, dress.wall, dress.roof,
-                    footprint.wall_colour, footprint.roof_colour, roof};
-  building.top_m = top_of(footprint, base_m, building.roof_shape.height_m, under, report);
-  building.floor_m = snapped(base_m + lift_m);
-  building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(base_m, under.lowest_m) - kFoundation_m);
-  building.roof_shape.height_m = std::min(building.roof_shape.height_m, building.top_m - building.floor_m);
-  building.building_class = footprint.building_class;
+  const roofs::RoofShape roof =
+      plan_roof(footprint, {!site.shared_walls[i].empty(), street_normal(footprint.polygon.outer, sides)});
+  const BuildingMaterials materials = building_materials(footprint, roof.form);
+  Building building{.id = footprint.id,
+                    .footprint = footprint.polygon,
+                    .floor_m = snapped(from_m + lift_m),
+                    .top_m = top_m(footprint, from_m, roof.height_m, under, report),
+                    .stands_on_ground = lift_m == 0,
+                    .wall = materials.wall,
+                    .roof = materials.roof,
+                    .wall_colour = footprint.wall_colour,
+                    .roof_colour = footprint.roof_colour,
+                    .roof_shape = roof,
+                    .building_class = footprint.building_class,
+                    .year = footprint.year,
+                    .has_shop = footprint.has_shop};
+  building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(from_m, under.lowest_m) - kFoundation_m);
+  building.roof_shape.height_m = std::min(roof.height_m, building.top_m - building.floor_m);
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
-  building.year = footprint.year;
-  building.has_shop = footprint.has_shop;
-  building.fronts = fronts_of(building, sides, mapped_doors_by_edge(footprint.polygon, site.doors), walls);
+  building.facade_edges = facade_edges_of(building, sides, mapped_doors_by_edge(footprint.polygon, site.doors), walls);
   return building;
 }
 
-// Of neighbours along one stretch the one that hides most; they do not overlap.
+// Adds a party wall where it does not overlap the last one. Of two along the same stretch the higher one counts.
 void add_party_wall(std::vector<PartyWall>& walls, PartyWall wall) {
   if (!walls.empty() && walls.back().edge == wall.edge && wall.from_m < walls.back().to_m) {
-    if (wall.to_m <= walls.back().to_m) {
-      if (wall.from_m == walls.back().from_m && wall.to_m == walls.back().to_m && wall.top_m > walls.back().top_m)
-        walls.back() = wall;
+    PartyWall& last = walls.back();
+    if (wall.to_m <= last.to_m) {
+      if (wall.from_m == last.from_m && wall.to_m == last.to_m && wall.top_m > last.top_m) last = wall;
       return;
     }
-    wall.from_m = walls.back().to_m;
+    wall.from_m = last.to_m;
   }
   walls.push_back(wall);
 }
 
-// @param built  By the footprint's number; nothing of what was not built.
-std::vector<PartyWall> party_walls_of(const map::Footprint& footprint, const Building& building,
-                                      const std::vector<SharedWall>& shared, const std::vector<map::Footprint>& all,
-                                      const std::vector<std::optional<Building>>& built) {
+// @param planned  By footprint; nothing for footprints that do not become buildings.
+std::vector<PartyWall> party_walls_of(std::size_t i, const Site& site,
+                                      const std::vector<std::optional<Building>>& planned) {
+  const Building& building = *planned[i];
   std::vector<PartyWall> walls;
-  for (const SharedWall& wall : shared) {
-    const std::optional<Building>& other = built[wall.neighbour];
+  for (const SharedWall& wall : site.shared_walls[i]) {
+    const std::optional<Building>& other = planned[wall.neighbour];
     if (!other || other->bottom_m > building.floor_m || eaves_m(*other) <= building.floor_m) continue;
-    const bool is_one_building = footprint.is_part && all[wall.neighbour].is_part;
-    add_party_wall(walls, {wall.edge, wall.from_m, wall.to_m, eaves_m(*other), wall.is_coplanar, is_one_building});
+    add_party_wall(walls, {.edge = wall.edge,
+                           .from_m = wall.from_m,
+                           .to_m = wall.to_m,
+                           .top_m = eaves_m(*other),
+                           .is_hidden = wall.is_coplanar,
+                           .has_windows_above = site.footprints[i].is_part && site.footprints[wall.neighbour].is_part});
   }
   return walls;
 }
 
-// Walls of what nothing holds up go down to the ground.
 std::vector<map::Footprint> extended_to_ground(std::vector<map::Footprint> footprints,
+                                               std::span<const std::vector<SharedWall>> shared,
                                                std::span<const map::Track> tracks, Report& report) {
-  const std::vector<bool> held = find_supported(footprints, tracks);
+  const std::vector<bool> supported = find_supported(footprints, shared, tracks);
   for (std::size_t i = 0; i < footprints.size(); ++i) {
-    if (held[i]) continue;
+    if (supported[i]) continue;
     report.add(Code::kUnsupportedBuilding, footprints[i].id.osm, footprints[i].min_height_m);
     footprints[i].min_height_m = 0;
   }
   return footprints;
 }
 
+Site site_of(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
+  std::vector<std::vector<SharedWall>> shared = shared_walls(features.footprints);
+  return {.ground = ground,
+          .footprints = extended_to_ground(features.footprints, shared, features.tracks, report),
+          .outlines = map::part_outlines(features.footprints),
+          .shared_walls = std::move(shared),
+          .streets = index_streets(features.tracks),
+          .doors = index_doors(features.points)};
+}
+
 }  // namespace
 
 std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
-  const std::vector<map::Footprint> footprints = extended_to_ground(features.footprints, features.tracks, report);
-  const Site site{ground, index_outlines(footprints), index_streets(features.tracks), index_doors(features.points),
-                  shared_walls(footprints)};
-  std::vector<std::optional<Building>> built(footprints.size());
+  const Site site = site_of(features, ground, report);
+  std::vector<std::optional<Building>> planned(site.footprints.size());
   Account account;
-  for (std::size_t i = 0; i < footprints.size(); ++i) {
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    const map::Footprint& footprint = site.footprints[i];
     ++account.in;
-    if (footprints[i].polygon.outer.size() < 3) {
-      report.drop(account, Code::kDegenerateRing, footprints[i].id.osm);
-    } else if (footprints[i].has_parts) {
+    if (footprint.polygon.outer.size() < 3) {
+      report.drop(account, Code::kDegenerateRing, footprint.id.osm);
+    } else if (footprint.has_parts) {
       ++account.merged;
-      report.add(Code::kOutlineReplacedByParts, footprints[i].id.osm);
+      report.add(Code::kOutlineReplacedByParts, footprint.id.osm);
     } else {
       ++account.out;
-      built[i] = build(footprints[i], site, site.shared[i], report);
+      planned[i] = plan_building(i, site, report);
     }
   }
   report.account("buildings", "footprint") = account;
-  for (std::size_t i = 0; i < footprints.size(); ++i)
-    if (built[i]) built[i]->party_walls = party_walls_of(footprints[i], *built[i], site.shared[i], footprints, built);
+  // these depend on the neighbours' heights, styles on party walls
+  for (std::size_t i = 0; i < planned.size(); ++i)
+    if (planned[i]) planned[i]->party_walls = party_walls_of(i, site, planned);
   std::vector<Building> buildings;
-  for (std::size_t i = 0; i < footprints.size(); ++i) {
-    if (!built[i]) continue;
-    built[i]->style = style_of(footprints[i], *built[i]);
-    buildings.push_back(std::move(*built[i]));
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    if (!planned[i]) continue;
+    planned[i]->style = style_of(site.footprints[i], *planned[i]);
+    buildings.push_back(std::move(*planned[i]));
   }
-  std::sort(buildings.begin(), buildings.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  std::ranges::sort(buildings, {}, &Building::id);
   return buildings;
 }
 

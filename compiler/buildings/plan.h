@@ -1,4 +1,4 @@
-// Stage 6: which buildings stand, how deep and how high.
+// Plans buildings: decides which footprints become buildings, their heights, materials, styles and facade attributes.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,14 @@
 
 namespace citykiln::buildings {
 
-/// Footprints become buildings, sorted by id. Heights count from the lowest ground along the footprint's walls, parts
-/// from that of their outline where one contains them; a building that would not rise at least kLeastRise_m above its
-/// highest ground is raised (kHeightRaised). Walls reach kFoundation_m below the lowest ground. Outlines replaced by
-/// their parts count as merged. Ledger "buildings/footprint". Total.
+/// Returns one building per footprint, sorted by id. Outlines that are replaced by their parts (has_parts) count as
+/// merged in the ledger "buildings/footprint".
+///
+/// Heights are measured from the lowest ground along the walls; heights of a part from the lowest ground along the
+/// outline it belongs to (map/part_outlines.h). A building on the ground whose eaves are less than kMinWall_m above its
+/// highest ground is raised (kHeightRaised). Walls extend kFoundation_m below the lowest ground. Buildings that
+/// min_height lifts, but that nothing supports (vertical_support.h), are extended to the ground (kUnsupportedBuilding).
+/// The result does not depend on the order of the footprints. Total.
 std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report);
 
 }  // namespace citykiln::buildings

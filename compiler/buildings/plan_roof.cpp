@@ -1,6 +1,7 @@
 #include "compiler/buildings/plan_roof.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/snap.h"
@@ -13,22 +14,29 @@ namespace {
 using map::BuildingClass;
 using roofs::Form;
 
-constexpr double kSmall_m2 = 350, kSmall_m = 20;
-// Wider halls have flat roofs, and hall roofs are low.
-constexpr double kHall_m2 = 4000, kHallPitch_deg = 9;
-constexpr double kLeastShed_m2 = 9;
-// What a roof that nobody told the height of leaves of a told height: half, and room to stand.
-constexpr double kMostShare = 0.5, kLeastWall_m = 2.25;
-constexpr double kLeastRise_m = 0.25;
-constexpr double kEaves_m = 0.375;
+// Untagged footprints up to this size and height have pitched roofs.
+constexpr double kMaxSmall_m2 = 350, kMaxSmall_m = 20;
+// Larger halls have flat roofs.
+constexpr double kMaxGabledHall_m2 = 4000, kHallPitch_deg = 9;
+// Smaller sheds have flat roofs.
+constexpr double kMinGabledShed_m2 = 9;
+// Where only the building's height is tagged, the roof has at most half of it and leaves walls of this height.
+constexpr double kMaxRoofShare = 0.5, kMinWall_m = 2.25;
+// Lower roofs are flat.
+constexpr double kMinRise_m = 0.25;
+constexpr double kOverhang_m = 0.375;
+
+bool is_small(const map::Footprint& footprint) {
+  return footprint.height_m <= kMaxSmall_m && area_m2(footprint.polygon) <= kMaxSmall_m2;
+}
 
 Form house_roof(const map::Footprint& footprint, bool is_attached) {
   if (is_attached) return Form::kGabled;
-  const std::uint32_t dice = Draw(0, stable_id(footprint.id), "roof").below(100, 0);
-  return dice < 62 ? Form::kGabled : dice < 92 ? Form::kHipped : Form::kHalfHipped;
+  const std::uint32_t percent = Draw(0, stable_id(footprint.id), "roof").below(100, 0);
+  return percent < 62 ? Form::kGabled : percent < 92 ? Form::kHipped : Form::kHalfHipped;
 }
 
-Form untold_form(const map::Footprint& footprint, bool is_attached) {
+Form untagged_form(const map::Footprint& footprint, bool is_attached) {
   if (footprint.is_part) return Form::kFlat;
   const double area = area_m2(footprint.polygon);
   switch (static_cast<BuildingClass>(footprint.building_class)) {
@@ -38,9 +46,9 @@ Form untold_form(const map::Footprint& footprint, bool is_attached) {
     case BuildingClass::kOffice:
       return Form::kFlat;
     case BuildingClass::kHut:
-      return area < kLeastShed_m2 || is_attached ? Form::kFlat : Form::kGabled;
+      return area < kMinGabledShed_m2 || is_attached ? Form::kFlat : Form::kGabled;
     case BuildingClass::kHall:
-      return area < kHall_m2 ? Form::kGabled : Form::kFlat;
+      return area < kMaxGabledHall_m2 ? Form::kGabled : Form::kFlat;
     case BuildingClass::kBarn:
     case BuildingClass::kChurch:
     case BuildingClass::kGreenhouse:
@@ -52,39 +60,35 @@ Form untold_form(const map::Footprint& footprint, bool is_attached) {
   }
 }
 
-// How high the roof is at most.
-double room_m(const map::Footprint& footprint, bool is_told) {
+double max_rise_m(const map::Footprint& footprint, bool is_height_tagged) {
   if (!footprint.has_roof_in_height) return 1000;
   const double body_m = footprint.height_m - footprint.min_height_m;
-  return is_told ? body_m : std::min(kMostShare * body_m, body_m - kLeastWall_m);
+  return is_height_tagged ? body_m : std::min(kMaxRoofShare * body_m, body_m - kMinWall_m);
 }
 
-bool stands_out(const map::Footprint& footprint, Form form) {
+bool has_overhang(const map::Footprint& footprint, Form form) {
   return (form == Form::kGabled || form == Form::kHipped || form == Form::kHalfHipped) && !footprint.is_part &&
          is_small(footprint);
 }
 
 }  // namespace
 
-bool is_small(const map::Footprint& footprint) {
-  return footprint.height_m <= kSmall_m && area_m2(footprint.polygon) <= kSmall_m2;
-}
-
-roofs::RoofShape plan_roof(const map::Footprint& footprint, const RoofContext& place) {
+roofs::RoofShape plan_roof(const map::Footprint& footprint, const RoofContext& context) {
+  assert(footprint.polygon.outer.size() >= 3);
   roofs::RoofShape roof = footprint.roof;
-  const bool is_height_told = roof.height_m > 0;
+  const bool is_height_tagged = roof.height_m > 0;
   if (!footprint.has_roof_shape) {
-    roof.form = is_height_told ? Form::kGabled : untold_form(footprint, place.is_attached);
-    if (!roof.direction && place.is_attached && roof.form == Form::kGabled) roof.direction = place.street;
+    roof.form = is_height_tagged ? Form::kGabled : untagged_form(footprint, context.is_attached);
+    if (!roof.direction && context.is_attached && roof.form == Form::kGabled) roof.direction = context.street;
     const bool is_hall = footprint.building_class == static_cast<std::uint8_t>(BuildingClass::kHall);
     if (is_hall && roof.angle_deg == 0) roof.angle_deg = kHallPitch_deg;
   }
   const double rise_m = roofs::expected_rise_m(footprint.polygon, roof);
-  roof.height_m = snapped(std::min(rise_m, room_m(footprint, is_height_told)));
-  if (roof.form == Form::kFlat || roof.height_m < kLeastRise_m) return {};
+  roof.height_m = snapped(std::min(rise_m, max_rise_m(footprint, is_height_tagged)));
+  if (roof.form == Form::kFlat || roof.height_m < kMinRise_m) return {};
   roof.angle_deg = roof.levels = 0;
   if (roof.direction) roof.direction = snapped(*roof.direction);
-  if (!place.is_attached && stands_out(footprint, roof.form)) roof.overhang_m = kEaves_m;
+  if (!context.is_attached && has_overhang(footprint, roof.form)) roof.overhang_m = kOverhang_m;
   return roof;
 }
 

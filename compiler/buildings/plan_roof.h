@@ -1,4 +1,4 @@
-// Which roof a building has, and how high.
+// Plans roofs: form, rise, direction and overhang.
 #pragma once
 
 #include <optional>
@@ -7,21 +7,19 @@
 
 namespace citykiln::buildings {
 
-/// What a roof is decided from, besides tags.
+/// What a roof depends on apart from the footprint's tags.
 struct RoofContext {
-  bool is_attached = false;    ///< Walls are shared with a neighbour.
-  std::optional<Vec2> street;  ///< Outward from the longest wall at a street.
+  bool is_attached = false;    ///< The building shares walls with a neighbour.
+  std::optional<Vec2> street;  ///< Outward normal of the longest wall that faces a street.
 };
 
-/// Form as tagged; of untagged ones by class and size: houses have gables and hips, halls low gables, blocks flat
-/// roofs; parts are flat.
+/// Returns the roof of a footprint.
 ///
-/// height_m is decided, snapped, > 0 unless flat: as told, else by pitch (roofs::expected_rise_m); where the building's
-/// height includes it, no more than that leaves of it. Attached houses have their eaves towards the street. Eaves stand
-/// out where nobody stands near. Drawn from the footprint's id alone. O(n²) in the footprint's corners.
-roofs::RoofShape plan_roof(const map::Footprint& footprint, const RoofContext& place);
-
-/// Small buildings have tiles and pitched roofs, where nothing is tagged.
-bool is_small(const map::Footprint& footprint);
+/// The form is as tagged; otherwise by class and size: houses have gabled and hipped roofs, halls low gables, large
+/// buildings and parts flat roofs. height_m is as tagged, otherwise by pitch (roofs::expected_rise_m), at most what the
+/// building's height leaves if that includes the roof; snapped, > 0 unless flat. Ridges of attached houses run along
+/// the street. Detached small buildings have overhanging eaves. Random draws depend on the footprint's id alone. O(n²)
+/// in the footprint's vertices.
+roofs::RoofShape plan_roof(const map::Footprint& footprint, const RoofContext& context);
 
 }  // namespace citykiln::buildings

@@ -1,4 +1,4 @@
-// A building: a footprint between two heights, a roof over it, and the style of its walls.
+// Building recipe: a footprint extruded between two heights, with a roof and a facade style.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace citykiln::buildings {
 
-/// Rows of styles.inc: the rules by which walls become facades. The order is part of the manifest's format: add at the
-/// end.
+/// Facade styles: one row of styles.inc each, with the rule file that generates the facade. The order is part of the
+/// manifest format: append only.
 enum class Style : std::uint8_t {
 #define STYLE(name, rules) name,
 #include "compiler/buildings/styles.inc"
@@ -22,50 +22,51 @@ enum class Style : std::uint8_t {
   kCount
 };
 
+/// Door positions are stored in this many equal parts of an edge.
 inline constexpr std::uint32_t kDoorSlots = 16;
 
-/// What lies before the wall over an edge of the outer ring, from its vertex to the next.
+/// Attributes of one edge of the outer ring, from its vertex to the next.
 struct FacadeEdge {
   bool faces_street = false;
-  std::uint8_t buried_storeys = 0;  ///< Counted from the floor: the ground along the wall is so high.
-  /// Where doors are told to be: bit i says in the i-th of kDoorSlots equal parts of the edge.
-  std::uint16_t doors = 0;
+  std::uint8_t buried_storeys = 0;  ///< Storeys, counted from the floor, that lie below the ground along the edge.
+  std::uint16_t doors = 0;          ///< Bit i: a door in the i-th of kDoorSlots equal parts of the edge.
   bool operator==(const FacadeEdge&) const = default;
 };
 
-/// A stretch of a wall that another building stands against.
+/// A part of an edge along which another building is adjacent.
 struct PartyWall {
-  std::uint32_t edge = 0;       ///< Of the outer ring.
-  double from_m = 0, to_m = 0;  ///< Along it. from_m < to_m. Snapped.
-  double top_m = 0;             ///< Up to where the other wall goes; it begins no higher than this building. Snapped.
-  bool is_hidden = false;       ///< The two are one plane: nothing can be seen between them.
-  bool has_windows_above = false;  ///< Both are parts of one building.
+  std::uint32_t edge = 0;       ///< Index into the outer ring.
+  double from_m = 0, to_m = 0;  ///< Distances along the edge, from_m < to_m. Snapped.
+  double top_m = 0;             ///< Eaves of the neighbour, whose walls begin no higher than this building's. Snapped.
+  bool is_hidden = false;       ///< Both walls lie in one plane, so neither is visible.
+  bool has_windows_above = false;  ///< Both buildings are parts of one building.
   bool operator==(const PartyWall&) const = default;
 };
 
 struct Building {
   ObjectId id;
-  Polygon footprint;             ///< Plane metres, snapped. Where stands_on_ground, a surface of class kBuilding too.
-  double bottom_m = 0;           ///< Lower end of the walls: under the lowest ground for what stands on it. Snapped.
-  double floor_m = 0;            ///< From where storeys count. bottom_m <= floor_m <= eaves. Snapped.
-  double top_m = 0;              ///< Of the highest point. > bottom_m. Snapped.
-  bool stands_on_ground = true;  ///< False where min_height lifts it.
+  Polygon footprint;             ///< Plane metres, snapped.
+  double bottom_m = 0;           ///< Lower end of the walls; below the lowest ground if stands_on_ground. Snapped.
+  double floor_m = 0;            ///< Where storeys are counted from. bottom_m <= floor_m <= eaves. Snapped.
+  double top_m = 0;              ///< Highest point of the roof. > bottom_m. Snapped.
+  bool stands_on_ground = true;  ///< False if min_height lifts it off the ground.
   materials::Material wall{}, roof{};
-  std::optional<map::Srgb> wall_colour, roof_colour;  ///< As tagged; else the material's, varied by the seed.
-  /// Its height is decided: 0 where flat, else to the top from the eaves, where walls end. Direction and lengths are
-  /// snapped; neither angle nor levels.
+  std::optional<map::Srgb> wall_colour, roof_colour;  ///< As tagged; otherwise the material's, varied by the seed.
+  /// height_m is the rise from the eaves to top_m, 0 for flat roofs; angle and levels are not set. Snapped.
   roofs::RoofShape roof_shape;
   Style style{};
   std::uint8_t building_class = 0;  ///< A map::BuildingClass.
   std::uint8_t levels = 1;          ///< Storeys between floor and eaves, at least 1.
-  std::uint16_t year = 0;           ///< 0: nobody says.
+  std::uint16_t year = 0;           ///< Year of construction; 0 if unknown.
   bool has_shop = false;
-  std::vector<FacadeEdge> fronts{};      ///< One an edge of the outer ring; none where nothing is to be said of any.
-  std::vector<PartyWall> party_walls{};  ///< Sorted by edge, then from_m; of one edge they do not overlap.
+  std::vector<FacadeEdge> facade_edges{};  ///< One per edge of the outer ring, or empty.
+  std::vector<PartyWall> party_walls{};    ///< Sorted by edge, then from_m. No two overlap.
   bool operator==(const Building&) const = default;
 };
 
+/// Height of the eaves, plane metres.
 inline double eaves_m(const Building& building) { return building.top_m - building.roof_shape.height_m; }
+/// Height of one storey.
 inline double storey_m(const Building& building) { return (eaves_m(building) - building.floor_m) / building.levels; }
 
 }  // namespace citykiln::buildings

@@ -11,8 +11,8 @@ std::string hex_of(const std::optional<map::Srgb>& colour) {
   return colour ? fmt::format("#{:02x}{:02x}{:02x}", (*colour)[0], (*colour)[1], (*colour)[2]) : "";
 }
 
-// "RoofTile" is "roof_tile" in rules.
-std::string small_letters(std::string_view camel) {
+// "RoofTile" becomes "roof_tile".
+std::string snake_case(std::string_view camel) {
   std::string name;
   for (const char c : camel) {
     const bool is_capital = c >= 'A' && c <= 'Z';
@@ -22,10 +22,10 @@ std::string small_letters(std::string_view camel) {
   return name;
 }
 
-std::string name_of(materials::Material material) { return small_letters(materials::values_of(material).name); }
+std::string name_of(materials::Material material) { return snake_case(materials::values_of(material).name); }
 
 std::string name_of_class(std::uint8_t building_class) {
-  return small_letters(map::values_of(static_cast<map::BuildingClass>(building_class)).name);
+  return snake_case(map::values_of(static_cast<map::BuildingClass>(building_class)).name);
 }
 
 }  // namespace

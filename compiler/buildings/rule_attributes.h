@@ -1,4 +1,4 @@
-// What rules are told of a building: the attributes that grammars/rules/README.md lists.
+// Attributes of a building that rules can read, as listed in grammars/rules/README.md.
 #pragma once
 
 #include <map>
@@ -9,8 +9,7 @@
 
 namespace citykiln::buildings {
 
-/// All but `night` and `entrances`: building, height, levels, shop, attached, year, wall_colour, wall_material,
-/// roof_colour, roof_material, roof. Colours that nobody told are "".
+/// Returns all attributes but `night` and `entrances`, which the caller adds. Untagged colours are "".
 std::map<std::string, grammars::Value> rule_attributes_of(const Building& building, roofs::Form roof);
 
 }  // namespace citykiln::buildings

@@ -11,8 +11,7 @@ namespace {
 
 Result<grammars::Program> program_of(Style style, std::span<const RuleText> texts) {
   const auto load = [&](const std::string& file) -> Result<std::string> {
-    const auto found =
-        std::find_if(texts.begin(), texts.end(), [&](const RuleText& rule) { return rule.name == file; });
+    const auto found = std::ranges::find(texts, file, &RuleText::name);
     if (found == texts.end()) return Error{file, "there is no such rule file"};
     return found->text;
   };
@@ -34,13 +33,14 @@ Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span
   std::vector<RuleText> texts;
   for (const RuleText& rule : available)
     if (names.contains(rule.name)) texts.push_back(rule);
-  std::sort(texts.begin(), texts.end(), [](const RuleText& a, const RuleText& b) { return a.name < b.name; });
+  std::ranges::sort(texts, {}, &RuleText::name);
   return texts;
 }
 
-Rulebook parse_rulebook(std::span<const Style> styles, std::span<const RuleText> texts) {
+Rulebook parse_rulebook(std::span<const RuleText> texts) {
   Rulebook rulebook;
-  for (const Style style : styles) {
+  for (int i = 0; i < static_cast<int>(Style::kCount); ++i) {
+    const auto style = static_cast<Style>(i);
     if (!has_rules(style)) continue;
     if (Result<grammars::Program> program = program_of(style, texts)) rulebook.emplace(style, std::move(*program));
   }

@@ -1,4 +1,4 @@
-// The rule files that buildings are made by.
+// Rule files of the building styles, as text and parsed.
 #pragma once
 
 #include <map>
@@ -12,27 +12,27 @@
 
 namespace citykiln::buildings {
 
-/// A rule file as it is written into the manifest.
+/// A rule file as the manifest stores it.
 struct RuleText {
   std::string name;  ///< As imports name it: "old_town_house.cga", "parts/window.cga".
   std::string text;
   bool operator==(const RuleText&) const = default;
 };
 
-/// What citykiln ships: grammars/rules, built in. Sorted by name.
+/// Returns the rule files of grammars/rules, which are compiled into the program. Sorted by name.
 std::span<const RuleText> shipped_rules();
 
-/// The texts that these styles need, with all that they import, sorted by name. The first rule that cannot be read is
-/// the error: one line, with file, line and column.
+/// Returns the rule files that the styles need, imports included, sorted by name. The error names the first rule that
+/// does not parse, with file, line and column.
 Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span<const RuleText> available);
 
-/// Programs by style; kPlain has none.
+/// Parsed rules by style; kPlain has none.
 using Rulebook = std::map<Style, grammars::Program>;
 
-/// Those of the styles whose rules can be read. Cost: the texts' length.
-Rulebook parse_rulebook(std::span<const Style> styles, std::span<const RuleText> texts);
+/// Parses the rules of every style whose files are there and parse. Cost: linear in the texts' length.
+Rulebook parse_rulebook(std::span<const RuleText> texts);
 
-/// The styles of some buildings, sorted, each once.
+/// Returns the styles of some buildings, sorted and unique.
 std::vector<Style> styles_of(std::span<const Building> buildings);
 
 }  // namespace citykiln::buildings

@@ -1,4 +1,4 @@
-# Writes grammars/rules as a C++ table: cmake -DRULES=<folder> -DOUT=<file> -P shipped_rules.cmake
+# Writes the files of grammars/rules as a C++ table: cmake -DRULES=<folder> -DOUT=<file> -P shipped_rules.cmake
 file(GLOB_RECURSE files RELATIVE ${RULES} ${RULES}/*.cga)
 list(SORT files COMPARE STRING)
 set(rows "")

@@ -1,4 +1,4 @@
-// Which walls look at a street.
+// Walls that face a street.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace citykiln::buildings {
 
-/// The axes of all streets on the ground, by place. What one drives or walks along between houses; no rails, no paths.
+/// The axis segments of all streets on the ground, with a spatial index. Rails and paths are not streets.
 struct Streets {
   struct Segment {
     Vec2 from, to;
@@ -21,8 +21,8 @@ struct Streets {
 
 Streets index_streets(std::span<const map::Track> tracks);
 
-/// For each edge of the outer ring whether a street lies before it: beyond the wall, no farther than a front garden and
-/// an angle of 45 degrees. O(segments near).
+/// Returns for each edge of the outer ring whether a kerb lies within 14 m (pavement and front garden) and 45 degrees
+/// of the edge's outward normal. O(segments near).
 std::vector<bool> street_sides(const Polygon& footprint, const Streets& streets);
 
 }  // namespace citykiln::buildings

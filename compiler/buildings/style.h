@@ -1,4 +1,4 @@
-// By which rules a building's walls become facades.
+// Facade style of a building.
 #pragma once
 
 #include <string_view>
@@ -7,10 +7,10 @@
 
 namespace citykiln::buildings {
 
-/// By class, age, size, and whether it is attached to others; kPlain for what is too small, or stands on nothing.
+/// Returns the style by class, year, size and party walls; kPlain for walls too small for a window.
 Style style_of(const map::Footprint& footprint, const Building& building);
 
-/// "old_town_house": the rule file's name without its ending; "" of kPlain.
+/// Returns the rule file of a style without extension ("old_town_house"); "" for kPlain.
 std::string_view rule_file_of(Style style);
 
 }  // namespace citykiln::buildings

@@ -1,4 +1,4 @@
-// What a rule made, dressed: names and colours of looks become materials and tints, faces become triangles.
+// Meshes of a derivation: terminals' faces are triangulated and grouped by material and tint.
 #pragma once
 
 #include <vector>
@@ -8,32 +8,27 @@
 
 namespace citykiln::buildings {
 
-/// What surfaces are made of that look so, and how they are tinted.
-struct SurfaceMaterial {
-  materials::Material material{};
-  materials::Tint tint = materials::kNoTint;
-  auto operator<=>(const SurfaceMaterial&) const = default;
-};
+/// Returns the material and tint of a terminal's appearance. O(rows).
+///
+/// material.name is the name of a material in snake case ("roof_tile"); unknown names are plaster. The colour becomes a
+/// tint (paint_colour.h), on kPaint where the material is too dark for it; white, the default, leaves the material
+/// untinted. Glass stays glass.
+materials::SurfaceMaterial surface_material_of(const grammars::Appearance& appearance);
 
-/// material.name is a row of the material table in small letters ("roof_tile"); another name is plaster. A colour is
-/// paint over it (painted.h), or where the material is too dark for it, kPaint; white, which nothing has set, leaves
-/// the material its own. Glass is tinted as far as it can be. O(rows).
-SurfaceMaterial surface_material_of(const grammars::Appearance& look);
-
-/// Adds a face's triangles, with its own points. Faces without area add nothing.
+/// Adds the triangles of a face. Faces without area add nothing.
 void add_face(const grammars::Face& face, Mesh& mesh);
 
-/// The terminals' faces as meshes, one a material and tint, in that order.
-///
-/// Guarantees: flat triangles, counter-clockwise from outside; of a face that does not cross itself the triangles'
-/// points are its points, bit for bit, and their area is the face's. What has a texture has places on it (uvs): along a
-/// face's foot and up it, so that faces of one plane show one picture. The same bytes for the same derivation. Total:
-/// faces without area add nothing; assets, and the terminals' own texture frames, are left out. O(n log n); faces
-/// without holes that turn left at all corners but one, O(n).
-std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature);
+/// Adds the triangles of a face, with texture coordinates if the material has a texture. All faces of one mesh have to
+/// be added by the same overload.
+void add_face(const grammars::Face& face, materials::MaterialMesh& mesh);
 
-/// Adds a face as terminal_meshes() does: with places on the material's texture, if it has one. Then all of the mesh
-/// has to be added so.
-void add_face(const grammars::Face& face, materials::MaterialMesh& dressed);
+/// Returns the terminals' faces as one mesh per material and tint, sorted by these.
+///
+/// Guarantees: triangles are planar and counter-clockwise seen from outside. The vertices of a simple face are its
+/// points, bit for bit, and its triangles have its area. Texture coordinates run along the lower edge of a face and up
+/// it, so that coplanar faces continue the texture. Deterministic. Total: faces without area add nothing; assets and
+/// the terminals' own texture frames are ignored. O(n) for faces without holes and with at most one reflex corner, else
+/// O(n log n).
+std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature);
 
 }  // namespace citykiln::buildings

@@ -1,21 +1,23 @@
-// Whether something holds up what min_height lifts off the ground. Where the storeys below are not mapped, or a clip
-// has taken them away, whole blocks would hover.
+// Vertical support of buildings that min_height lifts off the ground. Where the storeys below are not mapped, or lie
+// outside the extract, such buildings would float.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "compiler/buildings/party_walls.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::buildings {
 
-/// A footprint is held up by what lies under some of it and reaches up to it; or, if it is no larger than a bridge
-/// between houses or a bay, by any wall that it is joined to. Over roads and paths everything may hover: passages and
-/// halls on columns are mapped so, and so may roofs, and what is higher up than a base. Outlines that parts replace
-/// hold nothing.
+/// Returns for each footprint whether it is supported, or may float.
 ///
-/// One a footprint; true for those on the ground. Looked at in 16 by 16 places of each. O(n) for footprints that lie
-/// apart.
-std::vector<bool> find_supported(std::span<const map::Footprint> footprints, std::span<const map::Track> tracks);
+/// Supported: footprints on the ground; those with another footprint below that reaches up to them within one storey,
+/// at 2 % of 16 by 16 sample points at least; bays and bridges (under 150 m²) that share a wall with a footprint of
+/// their height. May float: footprints over a road or path (passages, halls on columns), roofs, and whatever begins
+/// more than 12 m up. Outlines with parts support nothing. O(n) for footprints that do not overlap.
+/// @param shared  shared_walls(footprints).
+std::vector<bool> find_supported(std::span<const map::Footprint> footprints,
+                                 std::span<const std::vector<SharedWall>> shared, std::span<const map::Track> tracks);
 
 }  // namespace citykiln::buildings

@@ -41,11 +41,11 @@ struct ChartRequest {
   std::string folder;
   source::LonLatBox bbox;  ///< Of the terrain chart, if has_bbox; else all of the heightmap.
   bool has_bbox = false;
-  std::vector<std::string> rasters;  ///< Heightmaps in the syntax of --dem; the terrain chart uses the first.
-  std::vector<std::string> maps;     ///< Of all charts except plane, terrain, plant and lsystem.
-  std::optional<Vec3> eye;           ///< Viewer of the view chart; else 100 m above the middle of the map.
-  double lat_deg = 42.5;             ///< Origin of the plane chart.
-  double cell_m = 1024;              ///< Of the terrain chart.
+  std::vector<source::RasterSpec> rasters;  ///< The terrain chart uses the first.
+  std::vector<std::string> maps;            ///< Of all charts except plane, terrain, plant and lsystem.
+  std::optional<Vec3> eye;                  ///< Viewer of the view chart; else 100 m above the middle of the map.
+  double lat_deg = 42.5;                    ///< Origin of the plane chart.
+  double cell_m = 1024;                     ///< Of the terrain chart.
   int threads = 0;
 };
 

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "compiler/bake/bake.h"
 #include "compiler/charts/chart.h"
+#include "compiler/charts/picture_difference.h"
+#include "compiler/charts/stopwatch.h"
 #include "compiler/map/locate.h"
 #include "exporters/gltf/glb.h"
 #include "preview/preview.h"
@@ -83,8 +84,8 @@ struct Wall {
 Wall front_of(const buildings::Building& building) {
   const Ring& ring = building.footprint.outer;
   std::size_t front = 0;
-  for (std::size_t i = 0; i < building.fronts.size(); ++i)
-    if (building.fronts[i].faces_street && !building.fronts[front].faces_street) front = i;
+  for (std::size_t i = 0; i < building.facade_edges.size(); ++i)
+    if (building.facade_edges[i].faces_street && !building.facade_edges[front].faces_street) front = i;
   const Vec2 from = ring[front], to = ring[(front + 1) % ring.size()], along = unit(to - from);
   return {(from + to) * 0.5, along, left_of(along) * -1};
 }
@@ -115,14 +116,6 @@ preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, const p
   return preview::render(std::span(&tile, 1), sky, camera, options);
 }
 
-/// Mean absolute difference over pixels and channels; 1 is the difference between black and white. Values over 1 count
-/// as 1.
-double difference(const preview::Image& a, const preview::Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(std::min(a.rgb[i], 1.f) - std::min(b.rgb[i], 1.f));
-  return sum / static_cast<double>(a.rgb.size());
-}
-
 struct Costs {
   double triangles = 0, bytes = 0, ms = 0, error = 0, error_by_low_sun = 0, noise = 0, error_at_100_m = 0,
          noise_at_100_m = 0;
@@ -138,12 +131,12 @@ double triangles_of(const bake::BakedTile& tile) {
 void add_costs(const House& house, double tolerance_m, int threads, Costs& costs) {
   House empty = house;
   empty.chunk.buildings.clear();
-  const auto clock = [] { return std::chrono::steady_clock::now(); };
-  const auto start = clock();
+  const Stopwatch of_bare;
   const bake::BakedTile bare = baked(empty, tolerance_m, threads);
-  const auto middle = clock();
+  const double bare_s = of_bare.seconds();
+  const Stopwatch of_tile;
   const bake::BakedTile tile = baked(house, tolerance_m, threads);
-  costs.ms += std::chrono::duration<double, std::milli>((clock() - middle) - (middle - start)).count();
+  costs.ms += 1000 * (of_tile.seconds() - bare_s);
   costs.triangles += triangles_of(tile) - triangles_of(bare);
   const auto bytes = [&](const bake::BakedTile& t) {
     return static_cast<double>(encode_glb(t, house.header, exporters::Instancing::kExtension).size());

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "compiler/charts/chart.h"
 #include "compiler/charts/read_roads.h"
+#include "compiler/charts/stopwatch.h"
 #include "compiler/geometry/exact_union.h"
 #include "compiler/geometry/overlay.h"
 #include "compiler/geometry/ring_crossing.h"
@@ -108,10 +108,10 @@ Result<std::vector<Chart>> chart_junctions(const ChartRequest& request) {
     invalid.series.push_back({method.name, {}});
     time.series.push_back({method.name, {}});
     for (const double step_m : kSteps_m) {
-      const auto begin = std::chrono::steady_clock::now();
+      const Stopwatch watch;
       std::vector<std::vector<Polygon>> outlines;
       for (const Case& one : cases) outlines.push_back(method.outline(one, step_m));
-      const double us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+      const double us = watch.microseconds();
       const auto wrong = std::ranges::count_if(outlines, [&](const auto& o) { return !is_valid(o, step_m); });
       invalid.series.back().points.emplace_back(step_m,
                                                 100.0 * static_cast<double>(wrong) / static_cast<double>(cases.size()));

@@ -1,10 +1,11 @@
 // Speed of L-system derivation and meshing, for Honda's tree (figure 2.6 a of "The Algorithmic Beauty of Plants").
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/charts/chart.h"
+#include "compiler/charts/stopwatch.h"
 #include "lsystems/read_lsystem.h"
 #include "lsystems/tubes.h"
 #include "lsystems/turtle.h"
@@ -26,9 +27,9 @@ template <typename Work>
 double fastest_s(Work work) {
   double fastest = 1e300;
   for (int run = 0; run < kRuns; ++run) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     work();
-    fastest = std::min(fastest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    fastest = std::min(fastest, watch.seconds());
   }
   return fastest;
 }

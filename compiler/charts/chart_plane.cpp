@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 
 #include <GeographicLib/Geodesic.hpp>
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "compiler/charts/chart.h"
+#include "compiler/charts/stopwatch.h"
 #include "compiler/map/plane.h"
 
 namespace citykiln::charts {
@@ -83,13 +84,12 @@ Distortion distortion_at_distance(map::LonLat origin, double distance_m, const P
 double time_us(map::LonLat origin, const Project& project) {
   constexpr int kPoints = 200'000;
   double sum = 0;
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   for (int i = 0; i < kPoints; ++i) {
     const Vec2 p = project({origin.lon_deg + (i % 447) * 1e-3, origin.lat_deg + (i / 447) * 1e-3});
     sum += p.x + p.y;
   }
-  const double microseconds =
-      std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  const double microseconds = watch.microseconds();
   // uses the sum, so that the loop is not optimised away
   return std::isfinite(sum) ? microseconds / kPoints : 0;
 }

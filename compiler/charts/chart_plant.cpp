@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/charts/chart.h"
+#include "compiler/charts/picture_difference.h"
+#include "compiler/charts/stopwatch.h"
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/sky/plan.h"
@@ -110,12 +111,6 @@ preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, double 
   return preview::render(std::span(&tile, 1), sky, camera, options);
 }
 
-double difference(const preview::Image& a, const preview::Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(std::min(a.rgb[i], 1.f) - std::min(b.rgb[i], 1.f));
-  return sum / static_cast<double>(a.rgb.size());
-}
-
 /// The mean signed difference of brightness.
 double lighter(const preview::Image& a, const preview::Image& b) {
   double sum = 0;
@@ -144,10 +139,10 @@ void add_costs(const bake::PrototypeCache& prototypes, const scene::Header& head
   double triangles = 0, bytes = 0, us = 0;
   for (const Species species : kTrees) {
     prototypes.shape({species, 0}, 1000, 999);  // derives the prototype before the clock starts
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const bake::BakedPrototype& shape =
         prototypes.shape({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
-    us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    us += watch.microseconds();
     for (const bake::Primitive& p : shape.primitives) triangles += static_cast<double>(p.triangles.size());
     const auto size = [&](const bake::BakedTile& tile) {
       return static_cast<double>(encode_glb(tile, header, exporters::Instancing::kExtension).size());

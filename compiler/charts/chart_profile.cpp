@@ -11,7 +11,9 @@
 #include "compiler/ground/profiles/profile_knots.h"
 #include "compiler/ground/water/plan_water_heights.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/resample.h"
 #include "compiler/roads/plan.h"
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
 
@@ -29,26 +31,13 @@ struct ProfileInputs {
   ground::Waters waters;
 };
 
-Result<std::vector<source::Raster>> read_rasters(const std::vector<std::string>& texts) {
-  std::vector<source::Raster> rasters;
-  Report ignored;
-  for (const std::string& text : texts) {
-    const Result<source::RasterSpec> spec = source::parse_raster_spec(text);
-    if (!spec) return spec.error();
-    Result<source::Raster> raster = source::read_raster(*spec, nullptr);
-    if (!raster) return raster.error();
-    rasters.push_back(source::fill_voids(std::move(*raster), ignored));
-  }
-  return rasters;
-}
-
 Result<ProfileInputs> read_profile_inputs(const ChartRequest& request) {
   if (request.maps.empty() || request.rasters.empty())
     return Error{"chart profile", "needs a map and a heightmap (--map FILE --dem FILE)"};
   Report ignored;
   const Result<source::OsmData> osm = source::read_osm(request.maps.front(), request.threads, ignored);
   if (!osm) return osm.error();
-  const Result<std::vector<source::Raster>> rasters = read_rasters(request.rasters);
+  const Result<std::vector<source::Raster>> rasters = source::read_heightmaps(request.rasters, nullptr, ignored);
   if (!rasters) return rasters.error();
   const source::LonLatBox box = map::choose_box(*osm, {});
   const map::Plane plane(map::default_origin(box));

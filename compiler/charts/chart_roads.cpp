@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -36,7 +37,7 @@ double seconds_once(const std::vector<Road>& part, int threads) {
   Report ignored;
   const std::clock_t begin = std::clock();
   const std::vector<roads::Junction> junctions = roads::plan_junctions(part, ignored);
-  const auto outlines = roads::outline(junctions, part, threads);
+  const auto outlines = roads::outline_junctions(junctions, part, threads);
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
@@ -90,6 +91,7 @@ void add_series(Series series, const std::string& path, Chart& chart) {
 }  // namespace
 
 double exponent_of(const Series& series) {
+  assert(std::ranges::all_of(series.points, [](const auto& p) { return p.first > 0 && p.second > 0; }));
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const auto& [at, value] : series.points) {
     const double u = std::log(at), v = std::log(value);

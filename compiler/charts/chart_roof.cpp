@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <functional>
 
 #include "compiler/charts/chart.h"
+#include "compiler/charts/stopwatch.h"
 #include "grammars/roofs/generate_roof.h"
 
 namespace citykiln::charts {
@@ -79,9 +79,9 @@ struct Outcome {
 Outcome outcome_of(const Method& method, Form form, const std::vector<Polygon>& footprints) {
   roofs::RoofShape shape;
   shape.form = form;
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const auto failed = std::ranges::count_if(footprints, [&](const Polygon& f) { return !method.roof(f, shape); });
-  const double us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  const double us = watch.microseconds();
   const auto count = static_cast<double>(footprints.size());
   return {100 * static_cast<double>(failed) / count, us / count};
 }

@@ -4,7 +4,6 @@
 
 #include "compiler/charts/chart.h"
 #include "compiler/pipeline.h"
-#include "compiler/source/read_raster.h"
 
 namespace citykiln::charts {
 
@@ -14,11 +13,7 @@ Result<scene::Scene> compile_first_map(const ChartRequest& request) {
   CompileSpec spec;
   spec.map_path = request.maps.front();
   spec.threads = request.threads;
-  for (const std::string& text : request.rasters) {
-    Result<source::RasterSpec> raster = source::parse_raster_spec(text);
-    if (!raster) return raster.error();
-    spec.rasters.push_back(std::move(*raster));
-  }
+  spec.rasters = request.rasters;
   Result<CompileResult> compiled = compile(spec, [](std::string_view, double) {});
   if (!compiled) return compiled.error();
   return std::move(compiled->scene);

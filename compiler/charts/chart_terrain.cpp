@@ -2,14 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "compiler/charts/chart.h"
+#include "compiler/charts/stopwatch.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/generate.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/resample.h"
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 
 namespace citykiln::charts {
@@ -76,17 +78,16 @@ std::vector<Box2> cells_of(const Box2& region, double cell_m) {
 
 Result<Terrain> read_terrain(const ChartRequest& request) {
   if (request.rasters.empty()) return Error{"chart terrain", "needs a heightmap (--dem FILE)"};
-  const Result<source::RasterSpec> spec = source::parse_raster_spec(request.rasters.front());
-  if (!spec) return spec.error();
-  Result<source::Raster> raster = source::read_raster(*spec, nullptr);
+  const source::RasterSpec& spec = request.rasters.front();
+  Result<source::Raster> raster = source::read_raster(spec, nullptr);
   if (!raster) return raster.error();
 
-  const Result<source::LonLatBox> box = box_of(request, *spec, *raster);
+  const Result<source::LonLatBox> box = box_of(request, spec, *raster);
   if (!box) return box.error();
   map::Plane plane(map::default_origin(*box));
   const Box2 region = whole_cells_in(*box, plane, request.cell_m);
   if (region.is_empty())
-    return Error{spec->path,
+    return Error{spec.path,
                  fmt::format("does not contain a whole cell of {} m; choose a smaller --cell", request.cell_m)};
 
   Report ignored;
@@ -102,14 +103,14 @@ struct Measure {
 };
 
 Measure mesh(const Terrain& terrain, double tolerance_m, int threads) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const std::vector<Measure> cells = for_each_slot<Measure>(terrain.cells.size(), threads, [&](std::size_t i) {
     Report ignored;
     const ground::GroundMesh cell = ground::generate_cell({}, terrain.ground, terrain.cells[i], tolerance_m, ignored);
     return Measure{static_cast<double>(cell.mesh.triangles.size()), cell.error_m, 0};
   });
   Measure all;
-  all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  all.seconds = watch.seconds();
   for (const Measure& cell : cells) {
     all.triangles += cell.triangles;
     all.error_m = std::max(all.error_m, cell.error_m);
@@ -209,7 +210,7 @@ Result<std::vector<Chart>> chart_terrain(const ChartRequest& request) {
     triangles.series.front().points.emplace_back(measure.triangles, measure.error_m);
     seconds.series.front().points.emplace_back(measure.seconds, measure.error_m);
   }
-  for (const ReferenceMesher& peer : peers_on(request.rasters.front())) {
+  for (const ReferenceMesher& peer : peers_on(request.rasters.front().path)) {
     triangles.series.push_back({peer.name, {{peer.triangles, peer.error_m}}, true});
     seconds.series.push_back({peer.name, {{peer.seconds, peer.error_m}}, true});
   }

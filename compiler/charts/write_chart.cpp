@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cassert>
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
@@ -69,6 +70,7 @@ Result<Done> draw(const Chart& chart, const std::string& svg_path) {
 }  // namespace
 
 Result<Done> write_chart(const Chart& chart, const std::string& folder) {
+  assert(!chart.name.empty());
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   const std::string path = folder + "/" + chart.name;

@@ -149,14 +149,6 @@ Result<Exit> run(const Request& request, const Console& console) {
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
 
-Result<Done> parse_tolerance(const std::string& text, std::optional<double>& tolerance_m) {
-  const Result<double> number = parse_number(text);
-  if (!number || *number <= 0)
-    return Error{"--tolerance", fmt::format("expected metres above 0, such as 0.1, found \"{}\"", text)};
-  tolerance_m = *number;
-  return Done{};
-}
-
 /// The settings that have the same meaning as for compile.
 void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
@@ -181,7 +173,7 @@ Verb bake_verb() {
       {"manifest", "SCENE.kiln", "manifest to bake, such as out/scene.kiln", false, store_text(request->manifest_path)},
       {"--tolerance", "M",
        "largest geometric error in metres of one .glb file, such as 0.1; with --eye the smallest (default there: 0.02)",
-       false, [request](const std::string& text) { return parse_tolerance(text, request->tolerance_m); }},
+       false, store_number(request->tolerance_m, {})},
       {"-o,--out", "FILE.glb|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
        store_text(request->out_path)},
       {"--eye", "X,Y,Z",
@@ -190,11 +182,11 @@ Verb bake_verb() {
       {"--eye-lonlat", "LON,LAT,HEIGHT", "the same in degrees and metres, such as 7.42,43.73,150", false,
        store_point(request->eye_lonlat)},
       {"--pixel-error", "PIXELS", "with --eye: largest error on the picture in pixels (default: 1)", false,
-       [request = request.get()](const std::string& text) { return parse_positive(text, request->pixel_error); }},
+       store_number(request->pixel_error, {})},
       {"--size", "WxH", "with --eye: size of the picture in pixels (default: 1280x720)", false,
-       [request = request.get()](const std::string& text) { return parse_size(text, request->size); }},
+       store_size(request->size)},
       {"--fov", "DEG", "with --eye: vertical field of view in degrees (default: 45)", false,
-       [request = request.get()](const std::string& text) { return parse_fov(text, request->fov_deg); }},
+       store_number(request->fov_deg, kFieldsOfView_deg)},
   };
   add_settings(verb, *request);
   verb.run = [request](const Console& console) { return run(*request, console); };

@@ -10,6 +10,7 @@
 
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
+#include "compiler/source/read_raster.h"
 #include "compiler/spec.h"
 
 namespace citykiln::commands {
@@ -53,19 +54,18 @@ Result<Exit> run(const charts::ChartRequest& request, const Console& console) {
   return Exit::kDone;
 }
 
+Result<Done> parse_raster(const std::string& text, charts::ChartRequest& request) {
+  const Result<source::RasterSpec> raster = source::parse_raster_spec(text);
+  if (!raster) return raster.error();
+  request.rasters.push_back(*raster);
+  return Done{};
+}
+
 Result<Done> parse_bbox(const std::string& text, charts::ChartRequest& request) {
   const Result<std::vector<double>> n = parse_numbers(text, 4);
   if (!n) return n.error();
   request.bbox = {(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
   request.has_bbox = true;
-  return Done{};
-}
-
-Result<Done> parse_number_in(const std::string& text, double least, double most, double& number) {
-  const Result<double> given = parse_number(text);
-  if (!given || *given < least || *given > most)
-    return Error{"", fmt::format("expected a number from {} to {}, found \"{}\"", least, most, text)};
-  number = *given;
   return Done{};
 }
 
@@ -79,13 +79,13 @@ Verb chart_verb() {
       {"--map", "FILE...", "maps for all charts except plane, terrain, plant and lsystem", true,
        append_text(request->maps)},
       {"--dem", "FILE[,key=value...]", "heightmap for terrain, ground, view, profile and facade", true,
-       append_text(request->rasters)},
+       [request = request.get()](const std::string& t) { return parse_raster(t, *request); }},
       {"--bbox", "W,S,E,N", "terrain: part of the heightmap in degrees (default: all of it)", false,
        [request = request.get()](const std::string& t) { return parse_bbox(t, *request); }},
       {"--cell", "M", "terrain: side of the meshed cells in metres (default: 1024)", false,
-       [request = request.get()](const std::string& t) { return parse_number_in(t, 128, 65536, request->cell_m); }},
+       store_number(request->cell_m, {128, 65536, true})},
       {"--lat", "DEG", "plane: latitude of the origin in degrees (default: 42.5)", false,
-       [request = request.get()](const std::string& t) { return parse_number_in(t, -80, 80, request->lat_deg); }},
+       store_number(request->lat_deg, {-80, 80, true})},
       {"--eye", "X,Y,Z", "view: place of the viewer in plane metres (default: 100 m above the middle of the map)",
        false, store_point(request->eye)},
       threads_option(request->threads),

@@ -20,15 +20,18 @@ namespace {
 // The largest height difference that counts as none.
 constexpr double kNoJump_m = 0.01;
 
-Result<verify::LoadedRun> open_subject(const std::string& folder) {
+Result<verify::LoadedRun> open_run(const std::string& folder) {
   Result<verify::RunRecord> record = verify::read_report(folder);
   if (!record) return record.error();
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
   if (!scene) return scene.error();
   verify::NonGroundObjects non_ground = verify::find_non_ground_objects(*scene);
-  verify::LoadedRun loaded{folder, std::move(*record), std::move(*scene), std::move(non_ground), nullptr};
-  loaded.prototypes = std::make_shared<const bake::PrototypeCache>(loaded.scene.header);
-  return loaded;
+  auto prototypes = std::make_shared<const bake::PrototypeCache>(scene->header);
+  return verify::LoadedRun{.folder = folder,
+                           .record = std::move(*record),
+                           .scene = std::move(*scene),
+                           .non_ground = std::move(non_ground),
+                           .prototypes = std::move(prototypes)};
 }
 
 // Checks that need the manifest only.
@@ -106,7 +109,7 @@ struct Request {
 Result<Exit> run(const Request& request, const Console& console) {
   if (request.folder.empty())
     return Error{"", "no folder is given; expected the output folder of compile, such as out"};
-  const Result<verify::LoadedRun> loaded = open_subject(request.folder);
+  const Result<verify::LoadedRun> loaded = open_run(request.folder);
   if (!loaded) return loaded.error();
   verify::CheckResults recipes;
   recipes.ledger.tests = 1, recipes.ledger.failures = loaded->record.unbalanced;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cassert>
 #include <new>
 
 namespace citykiln::commands {
@@ -60,6 +61,7 @@ int run(const CLI::App& command, const Verb& verb, const Console& console) {
 }  // namespace
 
 int run(std::span<const Verb> verbs, int argc, const char* const* argv) {
+  assert(!verbs.empty() && argc > 0);
   CLI::App app("citykiln compiles OpenStreetMap extracts and heightmaps to 3D city tiles", "citykiln");
   app.set_version_flag("--version", kVersion);
   app.require_subcommand(1);

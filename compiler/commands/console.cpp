@@ -31,7 +31,7 @@ class ProgressBar {
     const Clock::time_point now = Clock::now();
     if (now - begin_ < kProgressDelay || (is_drawn_ && now - drawn_ < kRedrawInterval)) return;
     const int filled = static_cast<int>(share * kBarWidth);
-    fmt::print(stderr, "\r{:<10} [{:#<{}}{:.<{}}] {:3.0f} %\x1b[K", stage, "", filled, "", kBarWidth - filled,
+    fmt::print(stderr, "\r{:<22} [{:#<{}}{:.<{}}] {:3.0f} %\x1b[K", stage, "", filled, "", kBarWidth - filled,
                share * 100);
     std::fflush(stderr);
     is_drawn_ = true;

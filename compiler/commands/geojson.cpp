@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +17,7 @@ namespace {
 
 std::string class_of(map::LandCoverClass surface) { return std::string(map::values_of(surface).name); }
 
-std::vector<Ring> rings_of(const Polygon& polygon) {
+std::vector<Ring> copy_rings(const Polygon& polygon) {
   std::vector<Ring> rings = {polygon.outer};
   rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
   return rings;
@@ -33,7 +35,7 @@ Layer roads_of(const map::Features& features) {
 Layer areas_of(const map::Features& features) {
   Layer layer;
   for (const map::AreaFeature& area : features.areas) {
-    layer.push_back({area.id, class_of(area.surface), GeometryKind::kPolygon, rings_of(area.polygon)});
+    layer.push_back({area.id, class_of(area.surface), GeometryKind::kPolygon, copy_rings(area.polygon)});
   }
   return layer;
 }
@@ -44,7 +46,7 @@ Layer buildings_of(const map::Features& features) {
     layer.push_back({building.id,
                      building.is_part ? "Part" : "Building",
                      GeometryKind::kPolygon,
-                     rings_of(building.polygon),
+                     copy_rings(building.polygon),
                      {},
                      0,
                      building.min_height_m,
@@ -63,10 +65,6 @@ Layer plants_of(const map::Features& features) {
   return layer;
 }
 
-std::string name_of(map::Passage passage) {
-  return passage == map::Passage::kBridge ? "bridge" : passage == map::Passage::kTunnel ? "tunnel" : "";
-}
-
 // The place of a network: its tile if it is a piece, its layer, and its passage if it is off the ground.
 struct Network {
   std::string tile;
@@ -77,13 +75,13 @@ struct Network {
 // Adds junction outlines in the order of the junctions, with the ids of their main roads.
 void add_junctions(std::span<const roads::Junction> junctions, std::span<const roads::Road> roads,
                    const Network& network, Layer& layer) {
-  const auto outlines = roads::outline(junctions, roads, 0);
+  const auto outlines = roads::outline_junctions(junctions, roads, 0);
   const auto arms = roads::arms_of(junctions, roads);
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     const roads::Road& main = roads::main_road(roads, arms[j]);
     for (const Polygon& polygon : outlines[j])
-      layer.push_back({main.id, class_of(main.surface), GeometryKind::kPolygon, rings_of(polygon), network.tile, 0, 0,
-                       0, network.layer, name_of(network.passage)});
+      layer.push_back({main.id, class_of(main.surface), GeometryKind::kPolygon, copy_rings(polygon), network.tile, 0, 0,
+                       0, network.layer, passage_name(network.passage)});
   }
 }
 
@@ -97,8 +95,6 @@ Layer junctions_of(const map::Features& features) {
   return layer;
 }
 
-std::string name_of(scene::TileKey tile) { return fmt::format("{}_{}", tile.x, tile.y); }
-
 Layer roads_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
@@ -107,7 +103,7 @@ Layer roads_of(const scene::Scene& scene) {
                        class_of(road.surface),
                        GeometryKind::kLine,
                        {road.axis},
-                       name_of(chunk.tile),
+                       to_string(chunk.tile),
                        roads::width_m(road)});
     }
   }
@@ -118,7 +114,7 @@ Layer roads_of(const scene::Scene& scene) {
 Layer junctions_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks)
-    add_junctions(scene::anchored_junctions(scene.header, chunk), chunk.roads, {name_of(chunk.tile)}, layer);
+    add_junctions(scene::anchored_junctions(scene.header, chunk), chunk.roads, {to_string(chunk.tile)}, layer);
   return layer;
 }
 
@@ -131,7 +127,7 @@ Layer areas_of(const scene::Scene& scene) {
       for (const Ring& ring : surface.rings) {
         const char* hole = signed_area_m2(ring) < 0 ? "Hole" : "";
         layer.push_back(
-            {surface.id, class_of(surface.surface) + hole, GeometryKind::kPolygon, {ring}, name_of(chunk.tile)});
+            {surface.id, class_of(surface.surface) + hole, GeometryKind::kPolygon, {ring}, to_string(chunk.tile)});
       }
     }
   }
@@ -143,7 +139,7 @@ Layer buildings_of(const scene::Scene& scene) {
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const buildings::Building& building : chunk.buildings) {
       layer.push_back({building.id, building.stands_on_ground ? "Building" : "Raised", GeometryKind::kPolygon,
-                       rings_of(building.footprint), name_of(chunk.tile), 0, building.bottom_m,
+                       copy_rings(building.footprint), to_string(chunk.tile), 0, building.bottom_m,
                        building.top_m - building.bottom_m});
     }
   }
@@ -160,7 +156,7 @@ Layer plants_of(const scene::Scene& scene) {
                        plants::name_of(tree.species_mix),
                        GeometryKind::kPoint,
                        {{tree.at}},
-                       name_of(chunk.tile),
+                       to_string(chunk.tile),
                        0,
                        0,
                        tree.height_m});
@@ -228,10 +224,15 @@ void write_properties(std::string& out, const LayerFeature& feature) {
 
 }  // namespace
 
+std::string passage_name(map::Passage passage) {
+  return passage == map::Passage::kBridge ? "bridge" : passage == map::Passage::kTunnel ? "tunnel" : "";
+}
+
 Result<Layer> layer_of(const map::Features& features, const std::string& name) { return layer_named(features, name); }
 Result<Layer> layer_of(const scene::Scene& scene, const std::string& name) { return layer_named(scene, name); }
 
 std::string geojson_of(const Layer& layer, const map::Plane& plane, const std::vector<std::string>& attributions) {
+  assert(std::ranges::none_of(layer, [](const LayerFeature& f) { return f.parts.empty(); }));
   std::string out =
       R"({"type":"FeatureCollection","attribution":)" + nlohmann::json(attributions).dump() + ",\"features\":[";
   for (std::size_t i = 0; i < layer.size(); ++i) {

@@ -35,6 +35,9 @@ using Layer = std::vector<LayerFeature>;
 Result<Layer> layer_of(const map::Features& features, const std::string& name);
 Result<Layer> layer_of(const scene::Scene& scene, const std::string& name);
 
+/// "bridge", "tunnel", or "" for the ground.
+std::string passage_name(map::Passage passage);
+
 /// A FeatureCollection (RFC 7946) with coordinates to 1e-8 degrees. Deterministic.
 std::string geojson_of(const Layer& layer, const map::Plane& plane, const std::vector<std::string>& attributions);
 

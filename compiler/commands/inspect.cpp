@@ -3,10 +3,12 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "compiler/commands/geojson.h"
 #include "compiler/commands/verb.h"
 #include "compiler/map/locate.h"
+#include "compiler/roads/junctions/layers.h"
 #include "compiler/source/read_osm.h"
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"
@@ -79,7 +81,7 @@ Json describe(const bake::BakedTile& tile) {
 
 Json box_of(const source::LonLatBox& box) { return {box.west, box.south, box.east, box.north}; }
 
-Json describe(const source::OsmData& osm, const Report& report) {
+Json describe(const source::OsmData& osm, std::span<const roads::RoadLayer> off_ground, const Report& report) {
   Json json = {{"form", "map"},
                {"tagged_nodes", osm.nodes.size()},
                {"ways", osm.ways.size()},
@@ -87,6 +89,12 @@ Json describe(const source::OsmData& osm, const Report& report) {
                {"relations", osm.relations.size()},
                {"node_box_deg", box_of(osm.node_box)}};
   if (osm.header_box) json["header_box_deg"] = box_of(*osm.header_box);
+  json["road_layers_off_ground"] = Json::array();
+  for (const roads::RoadLayer& layer : off_ground)
+    json["road_layers_off_ground"].push_back({{"layer", layer.layer},
+                                              {"passage", passage_name(layer.passage)},
+                                              {"roads", layer.roads.size()},
+                                              {"junctions", layer.junctions.size()}});
   json["diagnoses"] = Json::object();
   for (const auto& [code, count] : report.counts()) json["diagnoses"][std::string(name_of(code))] = count;
   return json;
@@ -134,15 +142,16 @@ Result<Json> inspect_map(const Request& request) {
   Report report;
   const Result<source::OsmData> osm = source::read_osm(request.path, 0, report);
   if (!osm) return osm.error();
+  const source::LonLatBox box = map::choose_box(*osm, {});
+  const map::Plane plane(map::default_origin(box));
+  const map::Features features = map::locate(*osm, plane, box, {}, report);
   if (!request.layer.empty()) {
-    const source::LonLatBox box = map::choose_box(*osm, {});
-    const map::Plane plane(map::default_origin(box));
-    const map::Features features = map::locate(*osm, plane, box, {}, report);
     const Result<Done> done =
         write_layer(request, layer_of(features, request.layer), plane, {"© OpenStreetMap contributors"});
     if (!done) return done.error();
   }
-  return describe(*osm, report);
+  const std::vector<roads::RoadLayer> off_ground = roads::plan_layers(features, report);
+  return describe(*osm, off_ground, report);
 }
 
 Result<Exit> run(const Request& request, const Console& console) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "compiler/materials/material.h"
 
@@ -102,6 +103,7 @@ double finest_texel_m(std::span<const Atlas> atlases) {
 }  // namespace
 
 JoinedFacadeAtlases join_facade_atlases(std::span<const Atlas* const> atlases) {
+  assert(std::ranges::none_of(atlases, [](const Atlas* atlas) { return atlas == nullptr; }));
   std::vector<Atlas> all;
   for (const Atlas* atlas : atlases) all.push_back(*atlas);
   JoinedFacadeAtlases joined{{}, std::vector<JoinedFacadeAtlases::Place>(all.size())};

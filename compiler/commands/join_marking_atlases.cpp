@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -151,6 +152,7 @@ bool have_one_texel(std::span<const TextureImage* const> sheets) {
 }  // namespace
 
 Result<JoinedMarkingAtlases> join_marking_atlases(std::span<const TextureImage* const> sheets) {
+  assert(std::ranges::none_of(sheets, [](const TextureImage* sheet) { return sheet == nullptr; }));
   // equal atlases are stored once, so they may fit without resampling
   if (have_one_texel(sheets)) {
     Result<JoinedMarkingAtlases> joined = side_by_side(sheets);

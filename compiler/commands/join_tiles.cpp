@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <set>
@@ -113,6 +114,7 @@ void add_textures(bake::BakedTile& joined, std::span<const bake::BakedTile> tile
 }  // namespace
 
 Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
+  assert(!tiles.empty());
   bake::BakedTile joined{tiles.front().tile, lowest_origin(tiles), tiles.front().tolerance_m, 0, {}, {}, {}};
   std::set<OsmId> features;
   for (const bake::BakedTile& tile : tiles) features.insert(tile.features.begin(), tile.features.end());

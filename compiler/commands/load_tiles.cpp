@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
 
 #include "compiler/pipeline.h"
@@ -79,6 +80,7 @@ Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_prog
 }  // namespace
 
 Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progress) {
+  assert(request.tolerance_m > 0 && std::ranges::is_sorted(request.only));
   if (request.paths.empty())
     return Error{"", "no input is given; expected a manifest, a folder of a run, or .glb files"};
   const std::string& first = request.paths.front();

@@ -26,13 +26,6 @@ struct Request {
   preview::Options options;
 };
 
-Result<Done> parse_level(const std::string& text, std::size_t& level) {
-  const Result<std::int64_t> whole = parse_whole(text, 0);
-  if (!whole) return whole.error();
-  level = static_cast<std::size_t>(*whole);
-  return Done{};
-}
-
 Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded) {
   const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, loaded.header);
   const Result<std::optional<Vec3>> look_at = point_of(request.look_at, request.look_lonlat, loaded.header);
@@ -84,9 +77,9 @@ std::vector<Option> tile_options(LoadRequest& load) {
       {"inputs", "SCENE.kiln|OUT|FILE.glb...", "what to render: a manifest, a run's folder, or .glb files", true,
        append_text(load.paths)},
       {"--tolerance", "M", "tolerance in metres at which a manifest is baked (default: 0.1)", false,
-       [&](const std::string& t) { return parse_positive(t, load.tolerance_m); }},
+       store_number(load.tolerance_m, {})},
       {"--level", "N", "level of detail of a folder's tiles, 0 is the finest (default: 0)", false,
-       [&](const std::string& t) { return parse_level(t, load.level); }},
+       store_whole(load.level, 0)},
       {"--only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true,
        [&](const std::string& t) { return add_tiles(t, load.only); }},
       threads_option(load.threads),
@@ -105,20 +98,19 @@ std::vector<Option> camera_options(Request& request) {
       {"--look-lonlat", "LON,LAT,HEIGHT", "place in the middle of the picture in degrees and metres", false,
        store_point(request.look_lonlat)},
       {"--fov", "DEG", "vertical field of view in degrees (default: 45)", false,
-       [&](const std::string& t) { return parse_fov(t, request.fov_deg); }},
+       store_number(request.fov_deg, kFieldsOfView_deg)},
   };
 }
 
 std::vector<Option> picture_options(Request& request) {
   return {
-      {"--size", "WxH", "size in pixels (default: 1280x720)", false,
-       [&](const std::string& t) { return parse_size(t, request.size); }},
+      {"--size", "WxH", "size in pixels (default: 1280x720)", false, store_size(request.size)},
       {"--spp", "N", "light paths for each pixel; more give less noise (default: 64)", false,
        store_whole(request.options.samples, 1)},
       {"--bounces", "N", "reflections of each light path (default: 3)", false, store_whole(request.options.bounces, 0)},
       {"--exposure", "X",
        "factor on the brightness; the adaptation of eyes to the dark is added by itself (default: 1)", false,
-       [&](const std::string& t) { return parse_positive(t, request.options.exposure); }},
+       store_number(request.options.exposure, {})},
       {"--time", "ISO",
        "date and time of the sky in UTC, such as 2026-12-21T22:00 (default: the scene's); a manifest gets lit windows "
        "by "

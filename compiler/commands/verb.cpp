@@ -1,31 +1,48 @@
 #include "compiler/commands/verb.h"
 
-#include "compiler/spec.h"
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace citykiln::commands {
+namespace {
 
-std::function<Result<Done>(const std::string&)> store_text(std::string& text) {
+std::string text_of(NumberRange range) {
+  if (range.is_closed) return fmt::format("from {} to {}", range.low, range.high);
+  const std::string low = fmt::format("above {}", range.low);
+  return std::isinf(range.high) ? low : fmt::format("{} and below {}", low, range.high);
+}
+
+template <typename Number>
+Take store_in(Number& number, NumberRange range) {
+  return [&number, range](const std::string& text) -> Result<Done> {
+    const Result<double> given = parse_number(text);
+    const bool is_inside = given && (range.is_closed ? *given >= range.low && *given <= range.high
+                                                     : *given > range.low && *given < range.high);
+    if (!is_inside) return Error{"", fmt::format("expected a number {}, found \"{}\"", text_of(range), text)};
+    number = *given;
+    return Done{};
+  };
+}
+
+}  // namespace
+
+Take store_text(std::string& text) {
   return [&text](const std::string& given) -> Result<Done> {
     text = given;
     return Done{};
   };
 }
 
-std::function<Result<Done>(const std::string&)> append_text(std::vector<std::string>& texts) {
+Take append_text(std::vector<std::string>& texts) {
   return [&texts](const std::string& given) -> Result<Done> {
     texts.push_back(given);
     return Done{};
   };
 }
 
-std::function<Result<Done>(const std::string&)> store_whole(int& number, int least) {
-  return [&number, least](const std::string& text) -> Result<Done> {
-    const Result<std::int64_t> whole = parse_whole(text, least);
-    if (!whole) return whole.error();
-    number = static_cast<int>(*whole);
-    return Done{};
-  };
-}
+Take store_number(double& number, NumberRange range) { return store_in(number, range); }
+Take store_number(std::optional<double>& number, NumberRange range) { return store_in(number, range); }
 
 Option threads_option(int& threads) {
   return {"--threads", "N", "number of threads; 0 uses all processors (default: 0)", false, store_whole(threads, 0)};

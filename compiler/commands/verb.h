@@ -3,16 +3,22 @@
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compiler/commands/console.h"
 #include "compiler/contract/result.h"
+#include "compiler/spec.h"
 
 namespace citykiln::commands {
 
 /// The program's exit codes. kFailed belongs to an Error.
 enum class Exit : int { kDone = 0, kFailed = 1, kStrictViolation = 2 };
+
+/// Takes the text of an option's value.
+using Take = std::function<Result<Done>(const std::string& text)>;
 
 /// One option of a verb.
 struct Option {
@@ -20,7 +26,7 @@ struct Option {
   std::string value;  ///< Name of the value in the help, "FILE"; empty for a switch, which passes "true".
   std::string help;
   bool repeats = false;
-  std::function<Result<Done>(const std::string& text)> take;  ///< Called for each value, in the order of the table.
+  Take take;  ///< Called for each value, in the order of the table.
 };
 
 struct Verb {
@@ -36,12 +42,29 @@ Verb inspect_verb();
 Verb check_verb();
 Verb chart_verb();
 
-/// Returns a `take` function that stores the text. The reference must outlive the option; so in all functions below.
-std::function<Result<Done>(const std::string&)> store_text(std::string& text);
-/// Stores an integer of at least `least`.
-std::function<Result<Done>(const std::string&)> store_whole(int& number, int least);
+/// The numbers above `low` and below `high`; both are included if the range is closed.
+struct NumberRange {
+  double low = 0, high = std::numeric_limits<double>::infinity();
+  bool is_closed = false;
+};
+
+/// Stores the text. The reference must outlive the option, here and in the functions below.
+Take store_text(std::string& text);
 /// Appends the text to a list.
-std::function<Result<Done>(const std::string&)> append_text(std::vector<std::string>& texts);
+Take append_text(std::vector<std::string>& texts);
+/// Stores a number of the range.
+Take store_number(double& number, NumberRange range);
+Take store_number(std::optional<double>& number, NumberRange range);
+/// Stores an integer of at least `least`.
+template <typename Whole>
+Take store_whole(Whole& number, int least) {
+  return [&number, least](const std::string& text) -> Result<Done> {
+    const Result<std::int64_t> whole = parse_whole(text, least);
+    if (!whole) return whole.error();
+    number = static_cast<Whole>(*whole);
+    return Done{};
+  };
+}
 
 /// The option --threads, the same for all verbs.
 Option threads_option(int& threads);

@@ -2,16 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "compiler/contract/parse.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/plane.h"
 #include "compiler/spec.h"
 
 namespace citykiln::commands {
 
-std::function<Result<Done>(const std::string&)> store_point(std::optional<Vec3>& point) {
+Take store_point(std::optional<Vec3>& point) {
   return [&point](const std::string& text) -> Result<Done> {
     const Result<std::vector<double>> n = parse_numbers(text, 3);
     if (!n) return n.error();
@@ -20,31 +22,16 @@ std::function<Result<Done>(const std::string&)> store_point(std::optional<Vec3>&
   };
 }
 
-Result<Done> parse_size(const std::string& text, PictureSize& size) {
-  const std::size_t cross = text.find('x');
-  const Result<std::int64_t> width = parse_whole(text.substr(0, cross), 1);
-  const Result<std::int64_t> height = parse_whole(cross == std::string::npos ? "" : text.substr(cross + 1), 1);
-  // a limit on memory
-  if (!width || !height || *width > 32768 || *height > 32768) {
-    return Error{"", fmt::format("expected a size in pixels such as 1280x720, at most 32768 each, found \"{}\"", text)};
-  }
-  size = {static_cast<int>(*width), static_cast<int>(*height)};
-  return Done{};
-}
-
-Result<Done> parse_fov(const std::string& text, std::optional<double>& fov_deg) {
-  const Result<double> given = parse_number(text);
-  if (!given || *given <= 0 || *given >= 180)
-    return Error{"", fmt::format("expected degrees between 0 and 180, such as 45, found \"{}\"", text)};
-  fov_deg = *given;
-  return Done{};
-}
-
-Result<Done> parse_positive(const std::string& text, double& number) {
-  const Result<double> given = parse_number(text);
-  if (!given || *given <= 0) return Error{"", fmt::format("expected a number above 0, found \"{}\"", text)};
-  number = *given;
-  return Done{};
+Take store_size(PictureSize& size) {
+  return [&size](const std::string& text) -> Result<Done> {
+    constexpr int kMax_px = 32768;  // a limit on memory
+    const auto sides = numbers_in<int>(text, 'x', 2);
+    if (!sides || std::ranges::min(*sides) < 1 || std::ranges::max(*sides) > kMax_px)
+      return Error{
+          "", fmt::format("expected a size in pixels such as 1280x720, at most {} each, found \"{}\"", kMax_px, text)};
+    size = {(*sides)[0], (*sides)[1]};
+    return Done{};
+  };
 }
 
 Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const std::optional<Vec3>& lonlat,

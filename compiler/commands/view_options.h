@@ -1,10 +1,9 @@
 // Parsers of the viewer options that preview, bake and chart have in common.
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <string>
 
+#include "compiler/commands/verb.h"
 #include "compiler/contract/result.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/scene/scene.h"
@@ -17,15 +16,13 @@ struct PictureSize {
 };
 
 /// Stores three numbers: "X,Y,Z" in plane metres or "LON,LAT,HEIGHT" in degrees and metres.
-std::function<Result<Done>(const std::string&)> store_point(std::optional<Vec3>& point);
+Take store_point(std::optional<Vec3>& point);
 
-/// Parses "1280x720".
-Result<Done> parse_size(const std::string& text, PictureSize& size);
+/// Stores "1280x720".
+Take store_size(PictureSize& size);
 
-/// Parses degrees between 0 and 180, exclusive.
-Result<Done> parse_fov(const std::string& text, std::optional<double>& fov_deg);
-
-Result<Done> parse_positive(const std::string& text, double& number);
+/// Degrees of a field of view.
+inline constexpr NumberRange kFieldsOfView_deg{0, 180};
 
 /// The point in plane metres, given in the plane or by longitude and latitude; empty if not given. Error: longitude and
 /// latitude without a header, which defines the plane.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "compiler/pipeline.h"
@@ -30,8 +32,13 @@ ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene
                              verify::compression_of(outputs.compress), threads);
   const verify::WrittenFile file{exporters::glb_name(tile.tile, level), encoded.glb.size()};
   return {std::move(encoded.glb),
-          {file, tile.tile, level, tile.tolerance_m, encoded.error_m, exporters::triangles_of(tile),
-           exporters::instances_of(tile)}};
+          {.file = file,
+           .tile = tile.tile,
+           .level = level,
+           .tolerance_m = tile.tolerance_m,
+           .error_m = encoded.error_m,
+           .triangles = exporters::triangles_of(tile),
+           .instances = exporters::instances_of(tile)}};
 }
 
 Result<std::vector<verify::WrittenTile>> write_glbs(const scene::Scene& scene, const Outputs& outputs, int threads,
@@ -60,6 +67,7 @@ Result<std::vector<verify::WrittenTile>> write_glbs(const scene::Scene& scene, c
 Result<verify::WrittenFiles> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
                                            exporters::OutputFolder& folder, Report& report,
                                            const OnProgress& on_progress) {
+  assert(std::ranges::is_sorted(outputs.ladder_m));
   verify::WrittenFiles written;
   if (outputs.manifest) {
     on_progress("write", 0);

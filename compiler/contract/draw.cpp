@@ -2,6 +2,8 @@
 // SC 2011, section 4.3.
 #include "compiler/contract/draw.h"
 
+#include <cassert>
+
 namespace citykiln {
 namespace {
 
@@ -30,6 +32,7 @@ Counter philox4x32_10(Counter counter, Key key) {
 }
 
 Draw::Draw(std::uint64_t seed, StableId object, const char* purpose) {
+  assert(purpose != nullptr && *purpose != '\0');
   const auto id = static_cast<std::uint64_t>(stable_id(object, purpose, 0));
   key_ = {low(seed), high(seed)};
   object_ = {low(id), high(id)};
@@ -40,6 +43,7 @@ double Draw::unit(std::uint32_t index) const {
 }
 
 std::uint32_t Draw::below(std::uint32_t count, std::uint32_t index) const {
+  assert(count > 0);
   const std::uint32_t bits = philox4x32_10({index, 0, object_[0], object_[1]}, key_)[0];
   return static_cast<std::uint32_t>(std::uint64_t{bits} * count >> 32);
 }

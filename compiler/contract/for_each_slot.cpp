@@ -6,6 +6,7 @@
 #include <tbb/task_group.h>
 
 #include <atomic>
+#include <cassert>
 
 namespace citykiln {
 
@@ -17,6 +18,7 @@ bool fits_current_arena(int threads) { return threads <= 0 || threads >= tbb::th
 }  // namespace
 
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  assert(threads >= 0);
   if (fits_current_arena(threads)) return tbb::parallel_for(std::size_t{0}, count, work);
   tbb::task_arena arena(threads);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
@@ -24,6 +26,7 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
 
 void for_each_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& make,
                        const std::function<bool(std::size_t)>& take) {
+  assert(threads >= 0);
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   std::size_t begun = 0;
   std::atomic<bool> goes_on = true;
@@ -48,6 +51,7 @@ void for_each_in_order(std::size_t count, int threads, const std::function<void(
 }
 
 void run_concurrently(int threads, const std::function<void()>& work, const std::function<void()>& background) {
+  assert(threads >= 0);
   if (threads > 0) return work(), background();
   tbb::task_arena idle(tbb::task_arena::automatic, 1, tbb::task_arena::priority::low);
   tbb::task_group group;

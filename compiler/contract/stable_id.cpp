@@ -1,5 +1,7 @@
 #include "compiler/contract/stable_id.h"
 
+#include <cassert>
+
 namespace citykiln {
 namespace {
 
@@ -25,6 +27,7 @@ StableId stable_id(ObjectId object) {
 }
 
 StableId stable_id(StableId parent, const char* role, std::uint64_t ordinal) {
+  assert(role != nullptr && *role != '\0');
   auto hash = static_cast<std::uint64_t>(parent);
   for (const char* c = role; *c != '\0'; ++c) hash = mix(hash ^ static_cast<unsigned char>(*c));
   return StableId{mix(hash ^ mix(ordinal))};

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <tuple>
 
 #include "compiler/contract/tolerance.h"
+#include "compiler/geometry/bucket_grid.h"
 
 namespace citykiln {
 namespace {
@@ -111,6 +113,7 @@ struct Buckets {
   }
   Int column(Int x) const { return std::clamp<Int>((x - cell.min.x) / side, 0, count - 1); }
   Int row(Int y) const { return std::clamp<Int>((y - cell.min.y) / side, 0, count - 1); }
+  std::size_t size() const { return static_cast<std::size_t>(count * count); }
   std::size_t index(Int c, Int r) const { return static_cast<std::size_t>(r * count + c); }
 
   // Calls visit(bucket) for every bucket that the segment, widened by one grid step, may touch.
@@ -135,27 +138,6 @@ struct Buckets {
     }
   }
 };
-
-// Item indices sorted by bucket, in one flat vector.
-struct Bucketed {
-  std::vector<std::uint32_t> starts, things;
-  std::span<const std::uint32_t> of(std::size_t bucket) const {
-    return std::span(things).subspan(starts[bucket], starts[bucket + 1] - starts[bucket]);
-  }
-};
-
-// `each(visit)` must call visit(bucket, item) in the same order each time it is called.
-template <typename Each>
-Bucketed sort_into(const Buckets& buckets, Each each) {
-  Bucketed sorted;
-  sorted.starts.assign(static_cast<std::size_t>(buckets.count * buckets.count) + 1, 0);
-  each([&](std::size_t bucket, std::uint32_t) { ++sorted.starts[bucket + 1]; });
-  for (std::size_t i = 1; i < sorted.starts.size(); ++i) sorted.starts[i] += sorted.starts[i - 1];
-  sorted.things.resize(sorted.starts.back());
-  std::vector<std::uint32_t> next(sorted.starts.begin(), sorted.starts.end() - 1);
-  each([&](std::size_t bucket, std::uint32_t thing) { sorted.things[next[bucket]++] = thing; });
-  return sorted;
-}
 
 GridBox grid_box(const Box2& cell) { return {grid_point(cell.min), grid_point(cell.max)}; }
 
@@ -184,12 +166,12 @@ std::vector<GridPoint> hot_points(std::span<const OwnedSegment> segments, std::s
   for (const GridPoint p : points) add(p);
   for (const OwnedSegment& s : segments) add(s.a), add(s.b);
   const Buckets buckets(cell, segments.size());
-  const Bucketed sorted = sort_into(buckets, [&](auto visit) {
+  const BucketItems sorted = sort_into_buckets(buckets.size(), [&](auto visit) {
     for (std::uint32_t i = 0; i < segments.size(); ++i)
       buckets.for_each_along(segments[i], [&](std::size_t bucket) { visit(bucket, i); });
   });
   for (std::size_t bucket = 0; bucket + 1 < sorted.starts.size(); ++bucket) {
-    const auto here = sorted.of(bucket);
+    const auto here = sorted.in(bucket);
     for (std::size_t i = 0; i < here.size(); ++i)
       for (std::size_t j = i + 1; j < here.size(); ++j)
         if (const auto p = rounded_crossing(segments[here[i]], segments[here[j]])) add(*p);
@@ -209,7 +191,7 @@ struct Piece {
 std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::span<const GridPoint> hot,
                                 const GridBox& cell) {
   const Buckets buckets(cell, hot.size());
-  const Bucketed sorted = sort_into(buckets, [&](auto visit) {
+  const BucketItems sorted = sort_into_buckets(buckets.size(), [&](auto visit) {
     for (std::uint32_t i = 0; i < hot.size(); ++i)
       visit(buckets.index(buckets.column(hot[i].x), buckets.row(hot[i].y)), i);
   });
@@ -218,7 +200,7 @@ std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::spa
   for (const OwnedSegment& s : segments) {
     passed.clear();
     buckets.for_each_along(s, [&](std::size_t bucket) {
-      for (const std::uint32_t p : sorted.of(bucket))
+      for (const std::uint32_t p : sorted.in(bucket))
         if (passes(s, hot[p])) passed.push_back(p);
     });
     // the squares are disjoint and the segment is straight, so sorting their centres along it is exact
@@ -276,6 +258,9 @@ void drop_unused(Arrangement& arrangement) {
 }  // namespace
 
 Arrangement arrange(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const Box2& cell) {
+  assert(!cell.is_empty());
+  assert(cell.min.x == std::floor(cell.min.x) && cell.min.y == std::floor(cell.min.y));
+  assert(cell.max.x == std::floor(cell.max.x) && cell.max.y == std::floor(cell.max.y));
   const GridBox box = grid_box(cell);
   std::vector<OwnedSegment> near = touching(segments, box);
   for (const OwnedSegment& side : border_of(box)) near.push_back(side);

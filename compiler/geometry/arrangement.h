@@ -5,6 +5,7 @@
 //       /\           point is bent through it                                          •  •
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -25,11 +26,17 @@ struct GridPoint {
 
 /// Exact for snapped points.
 inline GridPoint grid_point(Vec2 p) {
+  assert(std::abs(p.x) < 0x1p19 && std::abs(p.y) < 0x1p19);
   return {static_cast<std::int64_t>(std::floor(p.x / kQuantum_m + 0.5)),
           static_cast<std::int64_t>(std::floor(p.y / kQuantum_m + 0.5))};
 }
 inline Vec2 plane_point(GridPoint p) {
   return {static_cast<double>(p.x) * kQuantum_m, static_cast<double>(p.y) * kQuantum_m};
+}
+
+/// Twice the signed area of the triangle a, b, c: positive for a left turn. Exact on the grid.
+inline std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 /// A piece of a closed ring. From a to b, `owner` lies to the left, `winding` times.

@@ -20,6 +20,8 @@ struct Box2 {
   double height() const { return max.y - min.y; }
   Vec2 centre() const { return (min + max) * 0.5; }
   bool contains(Vec2 p) const { return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y; }
+  /// Without the eastern and northern side, so that each place lies in one of neighbouring boxes.
+  bool contains_half_open(Vec2 p) const { return min.x <= p.x && p.x < max.x && min.y <= p.y && p.y < max.y; }
   bool touches(const Box2& o) const {
     return min.x <= o.max.x && o.min.x <= max.x && min.y <= o.max.y && o.min.y <= max.y;
   }

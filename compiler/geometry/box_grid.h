@@ -6,19 +6,17 @@
 #include <span>
 #include <vector>
 
-#include "compiler/geometry/box.h"
+#include "compiler/geometry/bucket_grid.h"
 
 namespace citykiln {
 
 struct BoxGrid {
   Box2 box;
-  double bucket_m = 0;
-  int columns = 0, rows = 0;
-  std::vector<std::uint32_t> starts;   ///< columns * rows + 1 offsets into numbers.
-  std::vector<std::uint32_t> numbers;  ///< Indices of boxes, ascending in each bucket.
+  BucketGrid buckets;
+  BucketItems numbers;  ///< Indices of boxes, ascending in each bucket.
 };
 
-/// Sorts boxes into buckets. Cost: linear in boxes and the buckets that they touch.
+/// Sorts boxes, none of them empty, into buckets. bucket_m > 0. Cost: linear in boxes and the buckets that they touch.
 BoxGrid grid_of(std::span<const Box2> boxes, double bucket_m);
 
 /// Like the above; leaves a box out of touched buckets for which `is_in(index, bucket)` is false.

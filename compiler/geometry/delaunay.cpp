@@ -5,6 +5,9 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
+#include <cassert>
+
 #include "compiler/geometry/constrain_edge.h"
 
 namespace citykiln {
@@ -79,6 +82,8 @@ struct Delaunay::Triangulation {
 
 Delaunay::Delaunay(std::span<const GridPoint> vertices, std::span<const std::pair<std::uint32_t, std::uint32_t>> edges)
     : triangulation_(std::make_unique<Triangulation>()) {
+  assert(std::ranges::all_of(
+      edges, [&](auto e) { return std::max(e.first, e.second) < vertices.size() && e.first != e.second; }));
   Triangulation& t = *triangulation_;
   t.vertices.assign(vertices.begin(), vertices.end());
   std::vector<std::pair<Cdt::Point, std::uint32_t>> points;
@@ -99,6 +104,7 @@ const std::vector<GridPoint>& Delaunay::vertices() const { return triangulation_
 const std::vector<DelaunayFace>& Delaunay::faces() const { return triangulation_->faces; }
 
 std::uint32_t Delaunay::face_to_split(GridPoint p, std::uint32_t near) const {
+  assert(near < triangulation_->handles.size());
   const Triangulation& t = *triangulation_;
   Cdt::Locate_type where;
   int corner = 0;
@@ -109,6 +115,7 @@ std::uint32_t Delaunay::face_to_split(GridPoint p, std::uint32_t near) const {
 }
 
 std::span<const std::uint32_t> Delaunay::insert(GridPoint p, std::uint32_t face) {
+  assert(face < triangulation_->handles.size());
   Triangulation& t = *triangulation_;
   const Cdt::Vertex_handle vertex = t.cdt.insert(cgal_point(p), t.handles[face]);
   vertex->info() = static_cast<std::uint32_t>(t.vertices.size());
@@ -118,6 +125,8 @@ std::span<const std::uint32_t> Delaunay::insert(GridPoint p, std::uint32_t face)
 }
 
 std::span<const std::uint32_t> Delaunay::flip(std::uint32_t face, int i) {
+  assert(face < faces().size() && i >= 0 && i < 3);
+  assert(!faces()[face].is_constrained[i] && faces()[face].neighbours[i] != kNoFace);
   Triangulation& t = *triangulation_;
   const Cdt::Face_handle one = t.handles[face], other = one->neighbor(i);
   t.cdt.flip(t.handles[face], i);

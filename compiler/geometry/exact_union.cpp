@@ -3,6 +3,8 @@
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <cassert>
+
 #include "compiler/geometry/snap.h"
 
 namespace citykiln {
@@ -21,6 +23,7 @@ Ring rounded(const CgalPolygon& polygon, double step_m) {
 }  // namespace
 
 std::vector<Polygon> exact_union(std::span<const Ring> rings, double step_m) {
+  assert(step_m > 0);
   CGAL::Polygon_set_2<Kernel> all;
   for (const Ring& ring : rings) {
     CgalPolygon polygon;

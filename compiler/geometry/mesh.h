@@ -18,4 +18,10 @@ struct Mesh {
   std::vector<Triangle> triangles;
 };
 
+/// Adds two triangles for the quadrilateral a, b, c, d, split from a to c.
+inline void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  mesh.triangles.push_back({a, b, c});
+  mesh.triangles.push_back({a, c, d});
+}
+
 }  // namespace citykiln

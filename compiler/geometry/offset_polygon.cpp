@@ -1,6 +1,7 @@
 #include "compiler/geometry/offset_polygon.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -13,12 +14,6 @@ namespace citykiln {
 namespace {
 
 constexpr double kParallel = 1e-9;  // sine of the angle below which two edges count as parallel
-
-std::vector<const Ring*> rings_of(const Polygon& polygon) {
-  std::vector<const Ring*> rings = {&polygon.outer};
-  for (const Ring& hole : polygon.holes) rings.push_back(&hole);
-  return rings;
-}
 
 Vec2 direction_of_edge(const Ring& ring, std::size_t i) { return unit(ring[(i + 1) % ring.size()] - ring[i]); }
 
@@ -199,6 +194,12 @@ OffsetPolygon outset_by_strips(const Polygon& polygon, std::span<const double> d
   return offset;
 }
 
+[[maybe_unused]] bool is_depth_per_edge(const Polygon& polygon, std::span<const double> depth_m) {
+  std::size_t edges = 0;
+  for (const Ring* ring : rings_of(polygon)) edges += ring->size();
+  return depth_m.size() == edges && std::ranges::all_of(depth_m, [](double depth) { return depth >= 0; });
+}
+
 /// A polygon without zero-length edges and their depths; `from` maps its edges back to the input's.
 struct Cleaned {
   Polygon polygon;
@@ -232,6 +233,7 @@ OffsetPolygon bands_put_back(OffsetPolygon offset, const Cleaned& clean, std::si
 }  // namespace
 
 OffsetPolygon inset(const Polygon& polygon, std::span<const double> depth_m) {
+  assert(is_depth_per_edge(polygon, depth_m));
   const Cleaned clean = cleaned(polygon, depth_m);
   if (clean.polygon.outer.size() < 3) return {{}, std::vector<std::vector<Polygon>>(depth_m.size()), false};
   auto offset = offset_by_corners(clean.polygon, clean.depth_m);
@@ -240,6 +242,7 @@ OffsetPolygon inset(const Polygon& polygon, std::span<const double> depth_m) {
 }
 
 OffsetPolygon outset(const Polygon& polygon, std::span<const double> depth_m) {
+  assert(is_depth_per_edge(polygon, depth_m));
   Cleaned clean = cleaned(polygon, depth_m);
   if (clean.polygon.outer.size() < 3) return {{}, std::vector<std::vector<Polygon>>(depth_m.size()), false};
   for (double& d_m : clean.depth_m) d_m = -d_m;

@@ -1,6 +1,7 @@
 #include "compiler/geometry/overlay.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <tuple>
 
@@ -13,10 +14,6 @@ constexpr std::uint32_t kNobody = 0xffffffffu;
 struct Sides {
   std::uint32_t left = kNobody, right = kNobody;
 };
-
-std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 // The winding number of a point for each owner.
 class Windings {
@@ -219,6 +216,7 @@ Box2 box_about(std::span<const OwnedSegment> segments) {
 }  // namespace
 
 std::vector<std::vector<Polygon>> overlay(std::span<const OwnedSegment> segments, std::uint32_t owner_count) {
+  assert(std::ranges::all_of(segments, [&](const OwnedSegment& s) { return s.owner < owner_count; }));
   std::vector<std::vector<Polygon>> owned(owner_count);
   if (segments.empty()) return owned;
   const Arrangement arrangement = arrange(segments, {}, box_about(segments));

@@ -1,7 +1,10 @@
 #include "compiler/geometry/point_buckets.h"
 
+#include <cassert>
 #include <cmath>
 #include <utility>
+
+#include "compiler/geometry/bucket_grid.h"
 
 namespace citykiln {
 namespace {
@@ -36,6 +39,7 @@ void look_at_ring(Nearest& nearest, const PointBuckets& buckets, std::span<const
 }  // namespace
 
 PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, GridPoint max) {
+  assert(min.x <= max.x && min.y <= max.y);
   PointBuckets buckets;
   buckets.min = min;
   const double width = static_cast<double>(std::max<std::int64_t>(max.x - min.x, 1));
@@ -48,15 +52,12 @@ PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, Gri
   buckets.columns = (max.x - min.x) / buckets.side + 1;
   buckets.rows = (max.y - min.y) / buckets.side + 1;
   const auto index = [&](GridPoint p) { return buckets.index(buckets.column(p.x), buckets.row(p.y)); };
-  buckets.ends.assign(static_cast<std::size_t>(buckets.columns * buckets.rows), 0);
-  for (const GridPoint p : points) ++buckets.ends[index(p)];
-  std::uint32_t before = 0;
-  for (std::uint32_t& end : buckets.ends) {
-    buckets.starts.push_back(before);
-    before += std::exchange(end, before);
-  }
-  buckets.members.resize(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) buckets.members[buckets.ends[index(points[i])]++] = i;
+  BucketItems sorted = sort_into_buckets(static_cast<std::size_t>(buckets.columns * buckets.rows), [&](auto visit) {
+    for (std::uint32_t i = 0; i < points.size(); ++i) visit(index(points[i]), i);
+  });
+  buckets.starts.assign(sorted.starts.begin(), sorted.starts.end() - 1);
+  buckets.ends.assign(sorted.starts.begin() + 1, sorted.starts.end());
+  buckets.members = std::move(sorted.items);
   return buckets;
 }
 
@@ -71,6 +72,7 @@ void remove_point(PointBuckets& buckets, std::uint32_t index, GridPoint place) {
 }
 
 std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p) {
+  assert(!buckets.members.empty());
   Nearest nearest;
   const std::int64_t rings = std::max(buckets.columns, buckets.rows);
   for (std::int64_t ring = 0; ring <= rings; ++ring) {

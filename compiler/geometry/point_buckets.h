@@ -11,11 +11,6 @@
 
 namespace citykiln {
 
-/// Twice the signed area of the triangle a, b, c: positive for a left turn. Exact on the grid.
-inline std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /// Holds about two points per bucket if they are evenly spread. Refers to points by index.
 struct PointBuckets {
   GridPoint min;

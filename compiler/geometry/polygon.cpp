@@ -16,6 +16,12 @@ unsigned outside(Vec2 p, const Box2& box) {
 
 }  // namespace
 
+std::vector<const Ring*> rings_of(const Polygon& polygon) {
+  std::vector<const Ring*> rings = {&polygon.outer};
+  for (const Ring& hole : polygon.holes) rings.push_back(&hole);
+  return rings;
+}
+
 double signed_area_m2(std::span<const Vec2> ring) {
   if (ring.size() < 3) return 0;
   // relative to the first point, to keep digits far from the origin

@@ -19,6 +19,9 @@ struct Polygon {
   bool operator==(const Polygon&) const = default;
 };
 
+/// The outer ring, then the holes. Refers to the polygon.
+std::vector<const Ring*> rings_of(const Polygon& polygon);
+
 /// Square metres; positive if the ring runs counter-clockwise. O(n).
 double signed_area_m2(std::span<const Vec2> ring);
 /// Outer minus holes, square metres.

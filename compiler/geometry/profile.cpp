@@ -1,10 +1,12 @@
 #include "compiler/geometry/profile.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace citykiln {
 
 Knot knot_at(std::span<const Knot> profile, double at_m) {
+  assert(!profile.empty());
   const auto after = std::ranges::lower_bound(profile, at_m, {}, &Knot::at_m);
   if (after == profile.begin()) return {at_m, profile.front().z_m, profile.front().tilt};
   if (after == profile.end()) return {at_m, profile.back().z_m, profile.back().tilt};
@@ -14,6 +16,7 @@ Knot knot_at(std::span<const Knot> profile, double at_m) {
 }
 
 std::span<const Knot> between(std::span<const Knot> profile, double from_m, double to_m) {
+  assert(from_m <= to_m);
   auto first = std::ranges::lower_bound(profile, from_m, {}, &Knot::at_m);
   auto last = std::ranges::upper_bound(profile, to_m, {}, &Knot::at_m);
   if (first != profile.begin()) --first;

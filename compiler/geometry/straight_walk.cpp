@@ -1,5 +1,6 @@
 #include "compiler/geometry/straight_walk.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "compiler/contract/tolerance.h"
@@ -138,10 +139,12 @@ std::vector<std::uint32_t> first_faces(const Delaunay& triangulation) {
 }
 
 StraightWalk walk_from_vertex(const TriangulationView& ground, std::uint32_t vertex, FinePoint to) {
+  assert(vertex < ground.vertices.size() && ground.first_faces.size() == ground.vertices.size());
   return {ground, fine_point(ground.vertices[vertex]), to, ground.first_faces[vertex], vertex};
 }
 
 StraightWalk walk_from_face(const TriangulationView& ground, std::uint32_t face, FinePoint from, FinePoint to) {
+  assert(face < ground.faces.size());
   StraightWalk walk{ground, from, to, face, kNoVertex};
   for (const std::uint32_t v : ground.faces[face].vertices)
     if (place(walk, v) == from) walk.vertex = v;

@@ -1,5 +1,7 @@
 #include "compiler/geometry/trig.h"
 
+#include <cassert>
+
 namespace citykiln {
 namespace {
 
@@ -23,6 +25,7 @@ double small_cosine(double x) {
 }  // namespace
 
 Vec2 direction_of(double turns) {
+  assert(std::isfinite(turns));
   // the nearest quarter turn, and the remainder of at most an eighth of a turn
   const double fraction = turns - std::floor(turns);
   const double quarter = std::floor(fraction * 4 + 0.5);

@@ -20,6 +20,8 @@ inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 inline double distance(Vec2 a, Vec2 b) { return length(b - a); }
+/// Positive where a, b, c turn left.
+inline double twice_area(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 /// a turned left by a right angle.
 inline Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 /// a scaled to length 1; {0, 0} stays.

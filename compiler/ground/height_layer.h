@@ -24,7 +24,9 @@ inline constexpr auto kHeightLayers = static_cast<std::size_t>(HeightLayer::kCou
 /// Plane heights in metres at one place, one per layer.
 using Heights = std::array<double, kHeightLayers>;
 
-inline double of(const Heights& heights, HeightLayer layer) { return heights[static_cast<std::size_t>(layer)]; }
+inline double layer_height_m(const Heights& heights, HeightLayer layer) {
+  return heights[static_cast<std::size_t>(layer)];
+}
 
 /// Returns the layer of a polygon. Areas of a road's class (squares, car parks) have no profile and lie on the land. So
 /// do paths, unless they have a profile.
@@ -40,8 +42,8 @@ struct FaceHeight {
 };
 FaceHeight face_height_of(const LandCoverPolygon& surface);
 
-inline double of(const Heights& heights, const FaceHeight& face) {
-  return face.level_m ? *face.level_m : of(heights, face.layer);
+inline double layer_height_m(const Heights& heights, const FaceHeight& face) {
+  return face.level_m ? *face.level_m : layer_height_m(heights, face.layer);
 }
 
 }  // namespace citykiln::ground

@@ -1,10 +1,13 @@
 #include "compiler/impostor/atlas.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "compiler/materials/material.h"
+#include "compiler/materials/paint.h"
 
 namespace citykiln::impostor {
 namespace {
@@ -15,13 +18,13 @@ struct Place {
   std::uint32_t column = 0, row = 0;  // of the frame
 };
 
-// Frames side by side: where each begins, and how large the sheet is.
+// Where the frame of each picture begins, and the size of the atlas.
 struct Shelves {
   std::vector<Place> places;
   std::uint32_t columns = 0, rows = 0;
 };
 
-// The picture, a texel each side, and one more where that is odd.
+// The size of a frame: one texel on each side, and one more to make it even.
 std::uint32_t framed(std::uint32_t texels) { return (texels + 3) / 2 * 2; }
 
 std::uint64_t area_of(std::span<const Picture> pictures) {
@@ -30,7 +33,7 @@ std::uint64_t area_of(std::span<const Picture> pictures) {
   return area;
 }
 
-// Even, no less than the widest frame, and about as wide as the sheet will be high.
+// An even width of at least the widest frame, so that the atlas is approximately square.
 std::uint32_t width_of(std::span<const Picture> pictures) {
   std::uint32_t widest = 2;
   for (const Picture& p : pictures) widest = std::max(widest, framed(p.columns));
@@ -38,7 +41,7 @@ std::uint32_t width_of(std::span<const Picture> pictures) {
   return std::max(widest, (square + 3) / 4 * 4);
 }
 
-// The tallest first; of those the order does not matter to anyone but the eye that looks for a house.
+// Pictures of equal height stay in their order.
 Shelves shelve(std::span<const Picture> pictures) {
   std::vector<std::size_t> order(pictures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -66,7 +69,7 @@ TextureImage::Texel srgb_of(const std::array<std::uint16_t, 3>& linear) {
   return srgb;
 }
 
-// Of a surface that leans so: along rows, up columns, outwards.
+// The unit normal of a slope: components along rows, up columns and outwards.
 TextureImage::Texel normal_of(const std::array<std::int16_t, 2>& slope) {
   const Vec3 normal = unit(Vec3{-slope[0] * kSlopeUnit, slope[1] * kSlopeUnit, 1});
   const auto byte = [](double part) { return static_cast<std::uint8_t>((part + 1) / 2 * 255 + 0.5); };
@@ -76,7 +79,6 @@ TextureImage::Texel normal_of(const std::array<std::int16_t, 2>& slope) {
 void draw(const Picture& picture, Place place, Atlas& atlas) {
   for (std::uint32_t y = 0; y < framed(picture.rows); ++y)
     for (std::uint32_t x = 0; x < framed(picture.columns); ++x) {
-      // the frame repeats what is nearest
       const std::size_t row = std::clamp(y, 1u, picture.rows) - 1, column = std::clamp(x, 1u, picture.columns) - 1;
       const Texel& texel = picture.texels[row * picture.columns + column];
       const std::size_t at = std::size_t{place.row + y} * atlas.colour.columns + place.column + x;
@@ -87,32 +89,21 @@ void draw(const Picture& picture, Place place, Atlas& atlas) {
     }
 }
 
-TextureImage blank(double texel_m, const Shelves& shelves, TextureImage::Texel texel) {
-  return {texel_m, shelves.columns, shelves.rows,
-          std::vector<TextureImage::Texel>(std::size_t{shelves.columns} * shelves.rows, texel)};
-}
-
-// Pictures, each once, and which of them each one asked for is.
+// The distinct pictures, and the index among them of every picture.
 struct Unique {
   std::vector<Picture> pictures;
   std::vector<std::size_t> number;
 };
 
 Unique unique_of(std::span<const Picture> pictures) {
-  std::vector<std::size_t> order(pictures.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-    const auto compared = pictures[a] <=> pictures[b];
-    return compared != 0 ? compared < 0 : a < b;
-  });
-  // numbered as they first come, so that what is a house's stays together
-  std::vector<std::size_t> first(pictures.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && pictures[order[i]] == pictures[order[i - 1]] ? first[order[i - 1]] : order[i];
-  Unique unique{{}, std::vector<std::size_t>(pictures.size())};
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    unique.number[i] = first[i] == i ? unique.pictures.size() : unique.number[first[i]];
-    if (first[i] == i) unique.pictures.push_back(pictures[i]);
+  const auto is_less = [](const Picture* a, const Picture* b) { return *a < *b; };
+  std::map<const Picture*, std::size_t, decltype(is_less)> numbers(is_less);
+  // numbered by first occurrence: the pictures of a building stay together
+  Unique unique;
+  for (const Picture& picture : pictures) {
+    const auto [place, is_new] = numbers.try_emplace(&picture, unique.pictures.size());
+    if (is_new) unique.pictures.push_back(picture);
+    unique.number.push_back(place->second);
   }
   return unique;
 }
@@ -122,9 +113,7 @@ bool any_texel(std::span<const Picture> pictures, Is is) {
   return std::ranges::any_of(pictures, [&](const Picture& p) { return std::ranges::any_of(p.texels, is); });
 }
 
-bool shines(const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; }
-
-bool leans(const Texel& texel) { return texel.slope != std::array<std::int16_t, 2>{}; }
+bool has_slope(const Texel& texel) { return texel.slope != std::array<std::int16_t, 2>{}; }
 
 bool are_single(std::span<const Picture> pictures) {
   return std::ranges::all_of(pictures, [](const Picture& p) { return p.columns == 1 && p.rows == 1; });
@@ -134,6 +123,7 @@ bool are_single(std::span<const Picture> pictures) {
 
 AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m) {
   AtlasLayout layout;
+  assert(texel_m > 0 && std::ranges::none_of(pictures, [](const Picture& p) { return p.texels.empty(); }));
   if (pictures.empty()) return layout;
   Unique unique = unique_of(pictures);
   Shelves shelves = shelve(unique.pictures);
@@ -142,9 +132,12 @@ AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m) {
     texel_m *= 2;
     shelves = shelve(unique.pictures);
   }
-  layout.atlas = {blank(texel_m, shelves, {}), blank(texel_m, shelves, {255, 255, 0}), {}, {}};
-  if (any_texel(unique.pictures, shines)) layout.atlas.emission = blank(texel_m, shelves, {});
-  if (any_texel(unique.pictures, leans)) layout.atlas.normal = blank(texel_m, shelves, normal_of({}));
+  const auto blank = [&](TextureImage::Texel texel) {
+    return materials::blank_image(texel_m, shelves.columns, shelves.rows, texel);
+  };
+  layout.atlas = {.colour = blank({}), .surface = blank({255, 255, 0}), .emission = {}, .normal = {}};
+  if (any_texel(unique.pictures, [](const Texel& texel) { return emits(texel); })) layout.atlas.emission = blank({});
+  if (any_texel(unique.pictures, has_slope)) layout.atlas.normal = blank(normal_of({}));
   for (std::size_t i = 0; i < unique.pictures.size(); ++i) draw(unique.pictures[i], shelves.places[i], layout.atlas);
   for (const std::size_t number : unique.number) {
     const Place& place = shelves.places[number];

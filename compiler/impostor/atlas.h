@@ -1,9 +1,8 @@
-// An atlas: pictures side by side on one sheet, for all that a tile shows of imprints.
+// Texture atlas: the facade pictures of a tile, packed side by side.
 //
-//     +---------+------+---+      each picture in a frame of one texel or two, its outermost texels repeated; frames
-//     | +-----+ | +--+ |...|      begin at even texels and are an even number of them wide: so no texel of the next
-//     | |  1  | | |2 | |   |      coarser mip level belongs to two pictures
-//     | +-----+ | +--+ |   |
+//     +---------+------+---+      each picture has a frame of one or two texels that repeats its outermost texels;
+//     | +-----+ | +--+ |...|      frames begin at even texels and have even widths, so that no texel of the next
+//     coarser | |  1  | | |2 | |   |      mip level mixes two pictures | +-----+ | +--+ |   |
 //     +---------+------+---+
 #pragma once
 
@@ -16,34 +15,33 @@
 
 namespace citykiln::impostor {
 
-/// The budget of a tile, all of its frames counted: 3 bytes of colour and 3 of what else it is like, each, are 25 MB
-/// before they are packed; by night, and with normals, half as much again. On a graphics card, with mip levels, 45 MB.
+/// Budget of a tile, frames included: 25 MB of colour and surface before compression, half as much again with emission
+/// and normals; 45 MB of graphics memory with mip levels.
 inline constexpr std::uint64_t kMaxAtlasTexels = std::uint64_t{1} << 22;
 
-/// Sheets of the same texels, which do not repeat; or none.
+/// Images of one size that do not repeat; all empty if there is no atlas.
 struct Atlas {
   materials::TextureImage colour;    ///< sRGB reflectance.
-  materials::TextureImage surface;   ///< Linear: 255 (nothing is hidden), roughness, metalness; as glTF has them.
-  materials::TextureImage emission;  ///< sRGB, of materials::kEmission_cd_m2; no texels where nothing shines.
-  materials::TextureImage normal;    ///< As materials::Texture::normal; no texels where nothing leans.
+  materials::TextureImage surface;   ///< Linear, as in glTF: occlusion (always 255), roughness, metalness.
+  materials::TextureImage emission;  ///< sRGB, 255 = materials::kEmission_cd_m2; empty if nothing emits light.
+  materials::TextureImage normal;    ///< As materials::Texture::normal; empty if no texel has a slope.
   bool operator==(const Atlas&) const = default;
 };
 
 struct AtlasLayout {
   Atlas atlas;
-  std::vector<Vec2> at_m;  ///< Of each picture's u = v = 0 on the sheets.
+  std::vector<Vec2> at_m;  ///< For each picture the position of its u = v = 0 in the images.
 };
 
-/// Puts pictures on an atlas.
+/// Packs pictures into an atlas.
 ///
-/// @param pictures  With texels. Those that are equal are on it once.
-/// @param texel_m   Of all. Where the budget would not hold it is doubled, and doubled again, and pictures are halved.
+/// @param pictures  Each with at least one texel. Equal ones share a place.
+/// @param texel_m   Texel size of all pictures, > 0. Doubled, and pictures halved, until the budget holds.
 ///
-/// Method: shelves, the tallest pictures first; the atlas is about as wide as high.
-/// Guarantees: frames do not overlap; the budget holds where pictures of one texel do, or the coarsest possible is
-/// taken; at the texel asked for every texel of a picture is on the sheets, rounded to 8 bits once; from there to the
-/// next mip level none is mixed with another picture's. The same bytes on every CPU; equal pictures share a place.
-/// O(n log n) and texels.
+/// Method: shelf packing by decreasing height into an approximately square atlas.
+/// Guarantees: frames do not overlap. The budget holds unless pictures of one texel each exceed it. At the size asked
+/// for, every texel of a picture is in the images, rounded to 8 bits once, and is not mixed with another picture in the
+/// next mip level. The same bytes on every CPU. O(n log n + texels).
 AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m);
 
 }  // namespace citykiln::impostor

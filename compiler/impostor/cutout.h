@@ -1,5 +1,4 @@
-// A cutout: pictures side by side that are not everywhere. Leaves, and trees seen from afar, are cut out of flat cards
-// by them.
+// Cutouts: pictures with opacity, packed side by side, for alpha-tested cards (leaves, distant trees).
 #pragma once
 
 #include <cstdint>
@@ -12,28 +11,27 @@
 
 namespace citykiln::impostor {
 
-/// What is less opaque than this is not there.
+/// Texels of lower opacity are discarded.
 inline constexpr std::uint8_t kAlphaCutoff = 128;
 
-/// Colours, and how much of each texel there is. It does not repeat.
+/// Images that do not repeat.
 struct Cutout {
   materials::TextureImage colour{};     ///< sRGB reflectance.
-  std::vector<std::uint8_t> opacity{};  ///< One a texel.
-  /// As materials::Texture::normal; texels of a size of their own. Or none.
-  materials::TextureImage normal{};
+  std::vector<std::uint8_t> opacity{};  ///< One per texel of `colour`.
+  materials::TextureImage normal{};     ///< As materials::Texture::normal, with a texel size of its own; may be empty.
   bool operator==(const Cutout&) const = default;
 };
 
 struct CutoutLayout {
   Cutout cutout;
-  std::vector<Vec2> at_m;  ///< Of each picture's u = v = 0.
+  std::vector<Vec2> at_m;  ///< For each picture the position of its u = v = 0.
 };
 
-/// Puts pictures on a cutout as lay_out_atlas() does on an atlas; without normals.
+/// Packs pictures as lay_out_atlas() does, without normals.
 ///
-/// Guarantees: of each picture as many texels are at least kAlphaCutoff opaque as its samples cover, to one in a count
-/// of samples; what is beside a picture is not opaque; what is not there has the colour of what is, so that smoothing
-/// brings no dark rim. O(n log n) and texels.
+/// Guarantees: as many texels of a picture reach kAlphaCutoff as its samples cover, to one step of the sample counts;
+/// frames are transparent; transparent texels have the mean colour, so that filtering adds no dark fringe. O(n log n +
+/// texels).
 CutoutLayout lay_out_cutout(std::vector<Picture> pictures, double texel_m);
 
 }  // namespace citykiln::impostor

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -11,61 +12,58 @@ namespace citykiln::impostor {
 namespace {
 
 using materials::MaterialMesh;
+using materials::SurfaceMaterial;
 
-// Steps of the grid on which corners lie, a sample.
+// Vertices are rounded to this many steps per sample.
 constexpr std::int64_t kSteps = 16;
-// What lies farther off would overflow products of two edges.
-constexpr double kFarthest = static_cast<double>(kSteps * kSamplesPerSide) * (1 << 20);
+// Farther vertices would overflow products of two edges.
+constexpr double kMaxSteps = static_cast<double>(kSteps * kSamplesPerSide) * (1 << 20);
 
 struct Point {
   std::int64_t x = 0, y = 0;
 };
 
-// What a coat shows.
-struct Show {
-  std::array<std::uint16_t, 3> light{}, emission{};
-  std::uint8_t roughness = 0, metalness = 0;
-};
-
-Show show_of(const Appearance& appearance) {
-  const materials::MaterialValues& values = values_of(appearance.material);
+// A sample is drawn with its surface's index alone and looked up here once at the end.
+Texel texel_of(const SurfaceMaterial& surface) {
+  const materials::MaterialValues& values = values_of(surface.material);
   const auto byte = [](float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); };
   const auto word = [](double share) { return static_cast<std::uint16_t>(std::clamp(share, 0.0, 1.0) * 65535 + 0.5); };
-  const auto emission = emission_of(appearance.material);
-  Show show{{}, {}, byte(values.roughness), byte(values.metallic)};
-  for (std::size_t c = 0; c < show.light.size(); ++c) {
-    show.light[c] = word(static_cast<double>(values.base_colour[c]) * appearance.tint[c] / 255);
-    show.emission[c] = word(static_cast<double>(emission[c]));
+  const auto emission = emission_of(surface.material);
+  Texel texel{.roughness = byte(values.roughness), .metalness = byte(values.metallic), .shown = 1};
+  for (std::size_t c = 0; c < texel.light.size(); ++c) {
+    texel.light[c] = word(static_cast<double>(values.base_colour[c]) * surface.tint[c] / 255);
+    texel.emission[c] = word(static_cast<double>(emission[c]));
   }
-  return show;
+  return texel;
 }
 
-// What is foremost at a sample.
+// The nearest surface at a sample.
 struct Sample {
   static constexpr std::uint32_t kNothing = 0xffffffffu;
-  std::int32_t depth = 0;  // quanta behind the rectangle
-  std::uint32_t appearance = kNothing;
+  std::int32_t depth = 0;  // behind the rectangle, in kQuantum_m
+  std::uint32_t surface = kNothing;
 };
 
-// A view while it is being filled.
+// The z-buffer of a view.
 struct Canvas {
   const View& view;
   Vec3 out = cross(view.v, view.u);
   std::int64_t columns = std::int64_t{view.columns} * kSamplesPerSide, rows = std::int64_t{view.rows} * kSamplesPerSide;
   std::vector<Sample> samples = std::vector<Sample>(static_cast<std::size_t>(columns * rows));
 
-  double along(Vec3 axis, Vec3 p) const {
+  double steps_along(Vec3 axis, Vec3 p) const {
     return dot(p - view.corner, axis) * (static_cast<double>(kSteps * kSamplesPerSide) / view.texel_m);
   }
   std::optional<Point> point_of(Vec3 p) const {
-    const double x = along(view.u, p), y = along(view.v, p);
-    if (!(std::abs(x) <= kFarthest && std::abs(y) <= kFarthest)) return std::nullopt;
+    const double x = steps_along(view.u, p), y = steps_along(view.v, p);
+    if (!(std::abs(x) <= kMaxSteps && std::abs(y) <= kMaxSteps)) return std::nullopt;
     return Point{static_cast<std::int64_t>(std::floor(x + 0.5)), static_cast<std::int64_t>(std::floor(y + 0.5))};
   }
   double behind_m(Vec3 p) const { return dot(view.corner - p, out); }
+  const Sample& at(std::int64_t x, std::int64_t y) const { return samples[static_cast<std::size_t>(y * columns + x)]; }
 };
 
-bool meet(const Box3& a, const Box3& b) {
+bool overlap(const Box3& a, const Box3& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
          a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
@@ -73,71 +71,69 @@ bool meet(const Box3& a, const Box3& b) {
 Vec3 lower(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 higher(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-Box3 about(const Box3& box, Vec3 p) { return {lower(box.low, p), higher(box.high, p)}; }
-Box3 about(const Box3& a, const Box3& b) { return about(about(a, b.low), b.high); }
+Box3 united(const Box3& box, Vec3 p) { return {lower(box.low, p), higher(box.high, p)}; }
+Box3 united(const Box3& a, const Box3& b) { return united(united(a, b.low), b.high); }
 
-// The box of all that a view can see.
-Box3 reach_of(const Canvas& canvas) {
+Box3 view_box(const Canvas& canvas) {
   const View& view = canvas.view;
-  Box3 reach{view.corner, view.corner};
+  Box3 box{view.corner, view.corner};
   for (const double u : {0.0, view.columns * view.texel_m})
     for (const double v : {0.0, view.rows * view.texel_m})
       for (const double out : {view.before_m, -view.behind_m})
-        reach = about(reach, view.corner + view.u * u + view.v * v + canvas.out * out);
-  return reach;
+        box = united(box, view.corner + view.u * u + view.v * v + canvas.out * out);
+  return box;
 }
 
-// Twice the area of a, b, p: positive where p lies to the right of the edge, as rows go down.
+// Twice the area of the triangle a, b, p: positive if p lies to the right of the edge in image coordinates (rows down).
 std::int64_t edge(Point a, Point b, Point p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
 
-// Of an edge that two triangles share, one has it so and one the other way round.
+// Fill rule: of two triangles that share an edge, one owns the samples on it.
 bool owns(Point a, Point b) { return a.y != b.y ? a.y > b.y : a.x < b.x; }
 
-// Corners in the order in which their edges are positive inside.
-struct Flat {
+// A triangle in image coordinates. Edge functions are positive inside.
+struct Projected {
   std::array<Point, 3> at;
   std::array<double, 3> behind_m;
 };
 
-std::optional<Flat> flat_of(const Canvas& canvas, const ModelTriangle& facet) {
-  const auto a = canvas.point_of(facet.a), b = canvas.point_of(facet.b), c = canvas.point_of(facet.c);
-  // what goes counter-clockwise in space goes clockwise where v runs down
+std::optional<Projected> project(const Canvas& canvas, const ModelTriangle& t) {
+  const auto a = canvas.point_of(t.a), b = canvas.point_of(t.b), c = canvas.point_of(t.c);
+  // counter-clockwise in space is clockwise in the image, where v points down
   if (!a || !b || !c || edge(*a, *c, *b) <= 0) return std::nullopt;
-  return Flat{{*a, *c, *b}, {canvas.behind_m(facet.a), canvas.behind_m(facet.c), canvas.behind_m(facet.b)}};
+  return Projected{{*a, *c, *b}, {canvas.behind_m(t.a), canvas.behind_m(t.c), canvas.behind_m(t.b)}};
 }
 
-// The samples whose middles lie between two places, ends among them.
-struct Span {
+// The samples whose centres lie between two coordinates, inclusive.
+struct SampleRange {
   std::int64_t first, end;
   std::size_t size() const { return static_cast<std::size_t>(end - first); }
 };
-Span span_of(std::int64_t low, std::int64_t high, std::int64_t count) {
+SampleRange samples_between(std::int64_t low, std::int64_t high, std::int64_t count) {
   constexpr std::int64_t kHalf = kSteps / 2;
-  // shifts round down, also what is negative
+  // an arithmetic shift rounds down for negative values too
   const auto steps_down = [](std::int64_t v) { return v >> std::countr_zero(static_cast<std::uint64_t>(kSteps)); };
   const auto clamped = [&](std::int64_t v) { return std::clamp<std::int64_t>(v, 0, count); };
   return {clamped(steps_down(low - kHalf + kSteps - 1)), clamped(steps_down(high - kHalf) + 1)};
 }
 
-// The triangle along a row of samples: the three edges' areas, and how far behind the rectangle it is.
+// Edge functions and depth of a triangle at one sample, with their increments to the next sample and row.
 struct Scan {
-  std::array<std::int64_t, 3> inside{}, along{}, down{};  ///< Not negative inside; and from one sample to the next.
+  std::array<std::int64_t, 3> inside{}, along{}, down{};
   double behind_m = 0, along_m = 0, down_m = 0;
 
   bool is_inside() const { return (inside[0] | inside[1] | inside[2]) >= 0; }
-  void move(const std::array<std::int64_t, 3>& way) {
-    for (std::size_t i = 0; i < 3; ++i) inside[i] += way[i];
+  void move(const std::array<std::int64_t, 3>& increment) {
+    for (std::size_t i = 0; i < 3; ++i) inside[i] += increment[i];
   }
 };
 
-// At the middle of a sample.
-Scan scan_from(const Flat& flat, std::int64_t column, std::int64_t row) {
+Scan scan_from(const Projected& triangle, std::int64_t column, std::int64_t row) {
   const Point p{column * kSteps + kSteps / 2, row * kSteps + kSteps / 2};
-  const double area = static_cast<double>(edge(flat.at[0], flat.at[1], flat.at[2]));
+  const double area = static_cast<double>(edge(triangle.at[0], triangle.at[1], triangle.at[2]));
   Scan scan;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point a = flat.at[(i + 1) % 3], b = flat.at[(i + 2) % 3];
-    const double share_m = flat.behind_m[i] / area;
+    const Point a = triangle.at[(i + 1) % 3], b = triangle.at[(i + 2) % 3];
+    const double share_m = triangle.behind_m[i] / area;
     const std::int64_t weight = edge(a, b, p);
     scan.inside[i] = owns(a, b) ? weight : weight - 1;
     scan.along[i] = (a.y - b.y) * kSteps, scan.down[i] = (b.x - a.x) * kSteps;
@@ -148,86 +144,88 @@ Scan scan_from(const Flat& flat, std::int64_t column, std::int64_t row) {
   return scan;
 }
 
-void put(const View& view, double behind_m, std::uint32_t appearance, Sample& sample) {
+void draw_sample(const View& view, double behind_m, std::uint32_t surface, Sample& sample) {
   if (!(behind_m >= -view.before_m && behind_m <= view.behind_m)) return;
   const auto depth = static_cast<std::int32_t>(std::floor(behind_m / kQuantum_m + 0.5));
-  const bool is_foremost = sample.appearance == Sample::kNothing || depth < sample.depth ||
-                           (depth == sample.depth && appearance < sample.appearance);
-  if (is_foremost) sample = {depth, appearance};
+  const bool is_nearest =
+      sample.surface == Sample::kNothing || depth < sample.depth || (depth == sample.depth && surface < sample.surface);
+  if (is_nearest) sample = {depth, surface};
 }
 
-// What is convex is left once. @param samples  As many as the scan may meet.
-void draw_row(const View& view, Scan scan, std::span<Sample> samples, std::uint32_t appearance) {
-  bool entered = false;
+// A triangle is convex: the row ends where the scan leaves it.
+void draw_row(const View& view, Scan scan, std::span<Sample> samples, std::uint32_t surface) {
+  bool has_entered = false;
   for (std::size_t i = 0; i < samples.size(); ++i, scan.move(scan.along)) {
-    if (!scan.is_inside() && entered) return;
+    if (!scan.is_inside() && has_entered) return;
     if (!scan.is_inside()) continue;
-    entered = true;
-    put(view, scan.behind_m + static_cast<double>(i) * scan.along_m, appearance, samples[i]);
+    has_entered = true;
+    draw_sample(view, scan.behind_m + static_cast<double>(i) * scan.along_m, surface, samples[i]);
   }
 }
 
-// Beyond the depth that the view shows; not where rounding may decide.
+// Depths within a rounding error of the range are left to draw_sample().
 bool is_out_of_depth(const Canvas& canvas, double least_m, double most_m) {
   return most_m < -canvas.view.before_m - kQuantum_m || least_m > canvas.view.behind_m + kQuantum_m;
 }
 
-bool is_out_of_depth(const Canvas& canvas, const ModelTriangle& facet) {
-  const auto [low, high] = std::minmax({canvas.behind_m(facet.a), canvas.behind_m(facet.b), canvas.behind_m(facet.c)});
+bool is_out_of_depth(const Canvas& canvas, const ModelTriangle& t) {
+  const auto [low, high] = std::minmax({canvas.behind_m(t.a), canvas.behind_m(t.b), canvas.behind_m(t.c)});
   return is_out_of_depth(canvas, low, high);
 }
 
 bool is_out_of_depth(const Canvas& canvas, const Box3& box) {
   const double middle_m = canvas.behind_m((box.low + box.high) * 0.5);
   const Vec3 half = (box.high - box.low) * 0.5, out = canvas.out;
-  const double reach_m = std::abs(out.x) * half.x + std::abs(out.y) * half.y + std::abs(out.z) * half.z;
-  return is_out_of_depth(canvas, middle_m - reach_m, middle_m + reach_m);
+  const double extent_m = std::abs(out.x) * half.x + std::abs(out.y) * half.y + std::abs(out.z) * half.z;
+  return is_out_of_depth(canvas, middle_m - extent_m, middle_m + extent_m);
 }
 
-void draw(Canvas& canvas, const ModelTriangle& facet) {
-  if (is_out_of_depth(canvas, facet)) return;
-  const std::optional<Flat> flat = flat_of(canvas, facet);
-  if (!flat) return;
-  const auto& [a, b, c] = flat->at;
-  const Span across = span_of(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), canvas.columns);
-  const Span down = span_of(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), canvas.rows);
-  Scan scan = scan_from(*flat, across.first, down.first);
+void draw(Canvas& canvas, const ModelTriangle& triangle) {
+  if (is_out_of_depth(canvas, triangle)) return;
+  const std::optional<Projected> projected = project(canvas, triangle);
+  if (!projected) return;
+  const auto& [a, b, c] = projected->at;
+  const SampleRange across = samples_between(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), canvas.columns);
+  const SampleRange down = samples_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), canvas.rows);
+  Scan scan = scan_from(*projected, across.first, down.first);
   const double first_m = scan.behind_m;
   for (std::int64_t row = down.first; row < down.end; ++row, scan.move(scan.down)) {
     scan.behind_m = first_m + static_cast<double>(row - down.first) * scan.down_m;
     const auto at = static_cast<std::size_t>(row * canvas.columns + across.first);
-    draw_row(canvas.view, scan, std::span(canvas.samples).subspan(at, across.size()), facet.appearance);
+    draw_row(canvas.view, scan, std::span(canvas.samples).subspan(at, across.size()), triangle.surface);
   }
 }
 
-// What of a shape a view shows, of coats that `is_asked_for`.
-template <typename Asked>
-Canvas drawn(const Model& shape, const View& view, Asked is_asked_for) {
+// Draws the triangles of those surfaces that `is_drawn`.
+template <typename IsDrawn>
+Canvas drawn(const Model& model, const View& view, IsDrawn is_drawn) {
   Canvas canvas{view};
-  const Box3 reach = reach_of(canvas);
-  for (std::size_t block = 0; block < shape.blocks.size(); ++block) {
-    if (!meet(reach, shape.blocks[block]) || is_out_of_depth(canvas, shape.blocks[block])) continue;
-    const std::size_t first = block * kTrianglesPerBlock,
-                      end = std::min(first + kTrianglesPerBlock, shape.facets.size());
+  const Box3 visible = view_box(canvas);
+  for (std::size_t block = 0; block < model.blocks.size(); ++block) {
+    if (!overlap(visible, model.blocks[block]) || is_out_of_depth(canvas, model.blocks[block])) continue;
+    const std::size_t first = block * kTrianglesPerBlock;
+    const std::size_t end = std::min(first + kTrianglesPerBlock, model.triangles.size());
     for (std::size_t i = first; i < end; ++i)
-      if (is_asked_for(shape.facets[i].appearance) && meet(reach, shape.facets[i].box)) draw(canvas, shape.facets[i]);
+      if (is_drawn(model.triangles[i].surface) && overlap(visible, model.triangles[i].box))
+        draw(canvas, model.triangles[i]);
   }
   return canvas;
 }
 
-// How far the shape comes forward from one sample to the next, in quanta; nothing where either shows nothing.
+// The rise towards the viewer from one sample to the next; 0 if either is not covered.
 std::int64_t rise(const Sample& from, const Sample& to) {
-  if (from.appearance == Sample::kNothing || to.appearance == Sample::kNothing) return 0;
+  if (from.surface == Sample::kNothing || to.surface == Sample::kNothing) return 0;
   return std::int64_t{from.depth} - to.depth;
 }
 
-// Twice the rise through a texel along a line of samples. What is on a border lies halfway between two samples, so half
-// of what they rise is this texel's. @param first  The texel's first on the line, which has `count`.
+// Twice the rise through a texel along a line of `count` samples, of which `first` is the texel's first. The texel's
+// borders lie between two samples, so it has half of the rise there.
 template <typename At>
-std::int64_t rise_through(std::int64_t first, std::int64_t count, At at) {
+std::int64_t twice_rise(std::int64_t first, std::int64_t count, At at) {
+  const std::int64_t begin = std::max<std::int64_t>(first, 1),
+                     last = std::min<std::int64_t>(first + kSamplesPerSide, count - 1);
   std::int64_t twice = 0;
-  for (std::int64_t i = std::max<std::int64_t>(first, 1);
-       i <= std::min<std::int64_t>(first + kSamplesPerSide, count - 1); ++i)
+  for (std::int64_t i = begin; i <= last; ++i)
     twice += rise(at(i - 1), at(i)) * (i == first || i == first + kSamplesPerSide ? 1 : 2);
   return twice;
 }
@@ -237,132 +235,117 @@ std::int16_t slope_of(std::int64_t twice_rise, double texel_m) {
   return static_cast<std::int16_t>(std::clamp(std::floor(std::abs(slope) + 0.5), 0.0, 32767.0) * (slope < 0 ? -1 : 1));
 }
 
-// Along rows and down columns.
 std::array<std::int16_t, 2> slopes_of(const Canvas& canvas, std::int64_t column, std::int64_t row) {
-  const auto at = [&](std::int64_t x, std::int64_t y) -> const Sample& {
-    return canvas.samples[static_cast<std::size_t>(y * canvas.columns + x)];
-  };
   const std::int64_t left = column * kSamplesPerSide, top = row * kSamplesPerSide;
   std::int64_t along = 0, down = 0;
   for (std::int64_t i = 0; i < kSamplesPerSide; ++i) {
-    along += rise_through(left, canvas.columns, [&](std::int64_t x) -> const Sample& { return at(x, top + i); });
-    down += rise_through(top, canvas.rows, [&](std::int64_t y) -> const Sample& { return at(left + i, y); });
+    along += twice_rise(left, canvas.columns, [&](std::int64_t x) -> const Sample& { return canvas.at(x, top + i); });
+    down += twice_rise(top, canvas.rows, [&](std::int64_t y) -> const Sample& { return canvas.at(left + i, y); });
   }
   return {slope_of(along, canvas.view.texel_m), slope_of(down, canvas.view.texel_m)};
 }
 
-bool shines(const Show& show) { return show.emission != decltype(show.emission){}; }
-
-// All that a view shows, and what of it shines, with nothing else before it; empty where nothing does.
-struct Seen {
+// The z-buffers of all surfaces, and of those that emit light; the latter is empty if none do.
+struct Buffers {
   Canvas all;
-  std::vector<Sample> lamps{};
+  std::vector<Sample> sources{};
 };
 
-// What shines at a sample that shows `front`.
-std::array<std::uint16_t, 3> emission_at(const Seen& seen, std::span<const Show> shows, std::size_t at) {
-  const Sample& front = seen.all.samples[at];
-  if (seen.lamps.empty() || seen.lamps[at].appearance == Sample::kNothing) return shows[front.appearance].emission;
-  constexpr auto kAside = static_cast<std::int32_t>(kMinOccluderGap_m / kQuantum_m);
-  const Sample& lamp = seen.lamps[at];
-  return shows[lamp.depth - front.depth > kAside ? lamp.appearance : front.appearance].emission;
+// The emission at a covered sample: that of a light source behind its surface, if it is visible past it.
+std::array<std::uint16_t, 3> emission_at(const Buffers& buffers, std::span<const Texel> surfaces, std::size_t at) {
+  const Sample& front = buffers.all.samples[at];
+  if (buffers.sources.empty() || buffers.sources[at].surface == Sample::kNothing)
+    return surfaces[front.surface].emission;
+  constexpr auto kGap = static_cast<std::int32_t>(kMinOccluderGap_m / kQuantum_m);
+  const Sample& source = buffers.sources[at];
+  return surfaces[source.depth - front.depth > kGap ? source.surface : front.surface].emission;
 }
 
-// Samples in a row that show the same, as one texel.
-struct Alike {
-  Texel texel{};
-  std::uint32_t appearance = Sample::kNothing;
-
-  bool takes(std::uint32_t other, const std::array<std::uint16_t, 3>& emission) {
-    const bool is_same = texel.shown > 0 && appearance == other && texel.emission == emission;
-    texel.shown = static_cast<std::uint8_t>(texel.shown + is_same);
-    return is_same;
-  }
-};
-
-// The mean of a texel's samples. Most texels show one coat, and that is theirs.
-Texel texel_of(const Seen& seen, std::span<const Show> shows, std::size_t column, std::size_t row) {
-  const Canvas& canvas = seen.all;
+// The mean of a texel's samples. Runs of equal samples are counted instead of summed: most texels are one run.
+Texel texel_at(const Buffers& buffers, std::span<const Texel> surfaces, std::size_t column, std::size_t row) {
+  const Canvas& canvas = buffers.all;
   TexelSum sum;
-  Alike alike;
+  Texel run;
+  std::uint32_t run_surface = Sample::kNothing;
   for (std::size_t y = row * kSamplesPerSide; y < (row + 1) * kSamplesPerSide; ++y)
     for (std::size_t x = column * kSamplesPerSide; x < (column + 1) * kSamplesPerSide; ++x) {
       const std::size_t at = y * static_cast<std::size_t>(canvas.columns) + x;
-      const std::uint32_t appearance = canvas.samples[at].appearance;
-      if (appearance == Sample::kNothing) continue;
-      const auto emission = emission_at(seen, shows, at);
-      if (alike.takes(appearance, emission)) continue;
-      sum.add(alike.texel);
-      alike = {{shows[appearance].light, shows[appearance].roughness, shows[appearance].metalness, 1, emission},
-               appearance};
+      const std::uint32_t surface = canvas.samples[at].surface;
+      if (surface == Sample::kNothing) continue;
+      const auto emission = emission_at(buffers, surfaces, at);
+      if (surface == run_surface && emission == run.emission) {
+        ++run.shown;
+        continue;
+      }
+      sum.add(run);
+      run = surfaces[surface], run.emission = emission, run_surface = surface;
     }
-  if (alike.texel.shown == kSamplesPerTexel) return alike.texel;
-  sum.add(alike.texel);
+  if (run.shown == kSamplesPerTexel) return run;
+  sum.add(run);
   return sum.mean(1);
 }
 
-Picture picture_of(const Seen& seen, std::span<const Show> shows) {
-  const Canvas& canvas = seen.all;
-  Picture picture{canvas.view.columns, canvas.view.rows, {}};
+Picture picture_of(const Buffers& buffers, std::span<const Texel> surfaces) {
+  const View& view = buffers.all.view;
+  Picture picture{view.columns, view.rows, {}};
   picture.texels.reserve(std::size_t{picture.columns} * picture.rows);
   for (std::size_t row = 0; row < picture.rows; ++row)
-    for (std::size_t column = 0; column < picture.columns; ++column)
-      picture.texels.push_back(texel_of(seen, shows, column, row));
-  if (!canvas.view.has_slopes) return picture;
-  for (std::size_t i = 0; i < picture.texels.size(); ++i)
-    if (picture.texels[i].shown > 0)
-      picture.texels[i].slope = slopes_of(canvas, static_cast<std::int64_t>(i % picture.columns),
-                                          static_cast<std::int64_t>(i / picture.columns));
+    for (std::size_t column = 0; column < picture.columns; ++column) {
+      Texel& texel = picture.texels.emplace_back(texel_at(buffers, surfaces, column, row));
+      if (view.has_slopes && texel.shown > 0)
+        texel.slope = slopes_of(buffers.all, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row));
+    }
   return picture;
 }
 
-void count_coats(const Canvas& canvas, const Model& shape, Impostor& impostor) {
-  std::vector<std::uint64_t> counts(shape.appearances.size());
-  std::uint64_t all = 0;
+void find_dominant(const Canvas& canvas, const Model& model, Impostor& impostor) {
+  std::vector<std::uint64_t> counts(model.surfaces.size());
+  std::uint64_t covered = 0;
   for (const Sample& sample : canvas.samples)
-    if (sample.appearance != Sample::kNothing) ++counts[sample.appearance], ++all;
-  if (all == 0) return;
+    if (sample.surface != Sample::kNothing) ++counts[sample.surface], ++covered;
+  if (covered == 0) return;
   const auto most = std::ranges::max_element(counts);
-  impostor.dominant = shape.appearances[static_cast<std::size_t>(most - counts.begin())];
-  impostor.dominant_share = static_cast<double>(*most) / static_cast<double>(all);
+  impostor.dominant = model.surfaces[static_cast<std::size_t>(most - counts.begin())];
+  impostor.dominant_share = static_cast<double>(*most) / static_cast<double>(covered);
 }
 
-Appearance coat_of(const MaterialMesh& mesh) {
+SurfaceMaterial surface_of(const MaterialMesh& mesh) {
   return {mesh.material, mesh.tints.empty() ? mesh.tint : mesh.tints.front()};
 }
 
 }  // namespace
 
 Model model_of(std::span<const MaterialMesh> meshes) {
-  Model shape;
-  for (const MaterialMesh& mesh : meshes) shape.appearances.push_back(coat_of(mesh));
-  std::ranges::sort(shape.appearances);
-  shape.appearances.erase(std::unique(shape.appearances.begin(), shape.appearances.end()), shape.appearances.end());
+  Model model;
+  for (const MaterialMesh& mesh : meshes) model.surfaces.push_back(surface_of(mesh));
+  std::ranges::sort(model.surfaces);
+  model.surfaces.erase(std::unique(model.surfaces.begin(), model.surfaces.end()), model.surfaces.end());
   for (const MaterialMesh& mesh : meshes) {
-    const auto appearance = static_cast<std::uint32_t>(std::ranges::lower_bound(shape.appearances, coat_of(mesh)) -
-                                                       shape.appearances.begin());
+    const auto surface =
+        static_cast<std::uint32_t>(std::ranges::lower_bound(model.surfaces, surface_of(mesh)) - model.surfaces.begin());
     for (const Triangle& t : mesh.mesh.triangles) {
       const Vec3 a = mesh.mesh.positions[t[0]], b = mesh.mesh.positions[t[1]], c = mesh.mesh.positions[t[2]];
-      shape.facets.push_back({a, b, c, about(about({a, a}, b), c), appearance});
+      model.triangles.push_back({.a = a, .b = b, .c = c, .box = united(united({a, a}, b), c), .surface = surface});
     }
   }
-  for (std::size_t i = 0; i < shape.facets.size(); ++i) {
-    if (i % kTrianglesPerBlock == 0) shape.blocks.push_back(shape.facets[i].box);
-    shape.blocks.back() = about(shape.blocks.back(), shape.facets[i].box);
+  for (std::size_t i = 0; i < model.triangles.size(); ++i) {
+    if (i % kTrianglesPerBlock == 0) model.blocks.push_back(model.triangles[i].box);
+    model.blocks.back() = united(model.blocks.back(), model.triangles[i].box);
   }
-  return shape;
+  return model;
 }
 
-Impostor render(const Model& shape, const View& view) {
-  std::vector<Show> shows;
-  for (const Appearance& appearance : shape.appearances) shows.push_back(show_of(appearance));
-  Seen seen{drawn(shape, view, [](std::uint32_t) { return true; })};
+Impostor render(const Model& model, const View& view) {
+  assert(view.texel_m > 0 && view.columns > 0 && view.rows > 0);
+  std::vector<Texel> surfaces;
+  for (const SurfaceMaterial& surface : model.surfaces) surfaces.push_back(texel_of(surface));
+  Buffers buffers{drawn(model, view, [](std::uint32_t) { return true; })};
   View rooms = view;
   rooms.behind_m = std::min(view.behind_m, kMaxRoomDepth_m);
-  if (std::ranges::any_of(shows, shines))
-    seen.lamps = drawn(shape, rooms, [&](std::uint32_t appearance) { return shines(shows[appearance]); }).samples;
-  Impostor impostor{picture_of(seen, shows), {}, 0};
-  count_coats(seen.all, shape, impostor);
+  if (std::ranges::any_of(surfaces, [](const Texel& surface) { return emits(surface); }))
+    buffers.sources = drawn(model, rooms, [&](std::uint32_t s) { return emits(surfaces[s]); }).samples;
+  Impostor impostor{picture_of(buffers, surfaces), {}, 0};
+  find_dominant(buffers.all, model, impostor);
   return impostor;
 }
 

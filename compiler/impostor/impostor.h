@@ -1,13 +1,13 @@
-// A shape seen straight on, as a picture: what a flat face shows of the geometry that it stands for.
+// Impostors: orthographic pictures of a model, baked as textures for flat faces (facades, tree cards) that stand for
+// it.
 //
-//      the shape       the face          1. all of the shape that lies within a depth of the face, and turns to where
-//     _                  |               the face turns, is put into the face's plane
-//    |_  <- a sill       |  <- looks     2. of what lies at one place the foremost is seen
-//     _|                 |     this way  3. a texel is the mean of its samples
-//    |_                  |                 4. its slope is what the shape comes forward between the texel's borders
+//      model           face            1. triangles within the view's depth that face the viewer are projected onto the
+//     _                  |                face's plane
+//    |_  <- a sill       |  <- view    2. each sample shows the nearest surface
+//     _|                 |             3. a texel is the mean of its samples
+//    |_                  |             4. its slope is the rise of the model between the texel's borders
 #pragma once
 
-#include <compare>
 #include <span>
 #include <vector>
 
@@ -17,69 +17,61 @@
 
 namespace citykiln::impostor {
 
-/// What a surface is made of, and its tint.
-struct Appearance {
-  materials::Material material{};
-  materials::Tint tint = materials::kNoTint;
-  auto operator<=>(const Appearance&) const = default;
-};
-
 struct Box3 {
   Vec3 low, high;
 };
 
-/// A triangle of a shape, with the box about it.
+/// A triangle with its bounding box and an index into Model::surfaces.
 struct ModelTriangle {
   Vec3 a, b, c;
   Box3 box;
-  std::uint32_t appearance = 0;
+  std::uint32_t surface = 0;
 };
 
-/// What follows each other in a mesh lies near each other: what a block's box rules out is not looked at.
+/// Consecutive triangles of a mesh are close to each other, so that a block of them is culled by one box.
 inline constexpr std::size_t kTrianglesPerBlock = 32;
 
-/// A shape, made ready to be looked at from many sides.
+/// A model prepared for rendering.
 struct Model {
-  std::vector<ModelTriangle> facets;
-  std::vector<Box3>
-      blocks;  ///< About each kTrianglesPerBlock facets that follow each other; of the last, about the rest.
-  std::vector<Appearance> appearances;  ///< Rising, each once.
+  std::vector<ModelTriangle> triangles;
+  std::vector<Box3> blocks;  ///< The box of each kTrianglesPerBlock consecutive triangles; the last may have fewer.
+  std::vector<materials::SurfaceMaterial> surfaces;  ///< Sorted, unique.
 };
 
-/// Tints by vertex, textures and normals are left out: of a mesh with `tints` the first counts. O(n log n).
+/// Returns the model of some meshes. Textures and normals are ignored; a mesh with tints per vertex has the first of
+/// them. O(n log n).
 Model model_of(std::span<const materials::MaterialMesh> meshes);
 
-/// From where a shape is looked at: a rectangle in its frame, metres.
+/// An orthographic view: a rectangle in space, metres, seen from the side that cross(v, u) points to.
 struct View {
   Vec3 corner;  ///< Where u = v = 0.
-  Vec3 u, v;    ///< Unit, at right angles: along rows and along columns of texels. It is seen from cross(v, u).
+  Vec3 u, v;    ///< Orthonormal: along rows of texels, and down columns.
   double texel_m = 1;
   std::uint32_t columns = 1, rows = 1;
-  double before_m = 0, behind_m = 0;  ///< How far before the rectangle, and behind it, what is seen may lie.
-  bool has_slopes = false;            ///< Else those of texels are 0.
+  double before_m = 0, behind_m = 0;  ///< Depth range in front of the rectangle and behind it.
+  bool has_slopes = false;            ///< Whether texels get slopes.
 };
 
-/// Frames and bars stand nearer to what shines behind them, and hide it. Farther behind the rectangle than rooms are
-/// deep shine other walls' rooms.
+/// Light sources are visible past occluders at least kMinOccluderGap_m in front of them: balconies, but not window
+/// frames, which are nearer. Sources more than kMaxRoomDepth_m behind the rectangle belong to rooms behind other walls.
 inline constexpr double kMinOccluderGap_m = 0.375, kMaxRoomDepth_m = 0.5;
 
 struct Impostor {
   Picture picture;
-  Appearance dominant{};      ///< That most samples show; of several the first. Of nothing: Appearance{}.
-  double dominant_share = 0;  ///< Of the samples that show something, those that show it.
+  materials::SurfaceMaterial dominant{};  ///< Of most covered samples, the first of several; default if none are.
+  double dominant_share = 0;              ///< Its share of the covered samples.
 };
 
-/// The picture of a shape.
+/// Renders a model. texel_m, columns and rows > 0.
 ///
-/// Method: a z-buffer of 4 × 4 samples a texel (Catmull 1974), by edge functions of whole numbers (Pineda, "A Parallel
-/// Algorithm for Polygon Rasterization", SIGGRAPH 1988): corners on a grid of a 64th of a texel.
-/// Guarantees: the same bytes on every CPU, and for triangles in any order: of what lies equally far to 2^-10 m the
-/// least coat is seen. Of two triangles with a common edge, exactly one shows at a sample on it. What is turned away,
-/// or lies beyond the depth, is not seen. Triangles with a corner farther than 2^20 texels off are left out, and what
-/// is not finite. What shines, and lies no more than kMaxRoomDepth_m behind the rectangle, does so past what stands
-/// more than kMinOccluderGap_m before it: a balcony hides its window from straight ahead alone. Slopes are of all that
-/// the shape rises between a texel's borders, steps as well as what leans: of texels that are all shown the mean is the
-/// slope of all they cover. Cost: O(blocks), a few nanoseconds each that lies elsewhere; O(samples).
-Impostor render(const Model& shape, const View& view);
+/// Method: a z-buffer of 4 × 4 samples per texel (Catmull 1974) with integer edge functions (Pineda, "A Parallel
+/// Algorithm for Polygon Rasterization", SIGGRAPH 1988) on a grid of a 64th of a texel.
+/// Guarantees: the same bytes on every CPU and for every order of triangles; of surfaces at the same depth, to 2^-10 m,
+/// the lowest index is visible. Triangles with a common edge cover each sample on it once. Back faces and surfaces
+/// outside the depth range are not visible. Triangles with a vertex more than 2^20 texels away, or not finite, are
+/// ignored. Emission of surfaces up to kMaxRoomDepth_m behind the rectangle is visible past occluders that are
+/// kMinOccluderGap_m or more in front of it. Slopes include steps: their mean over covered texels is the rise over all
+/// of them. Cost: O(blocks + triangles in view + samples).
+Impostor render(const Model& model, const View& view);
 
 }  // namespace citykiln::impostor

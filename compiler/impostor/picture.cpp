@@ -1,6 +1,7 @@
 #include "compiler/impostor/picture.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 
 namespace citykiln::impostor {
@@ -37,6 +38,7 @@ Texel mean(const Picture& picture) {
 }
 
 Picture halved(const Picture& picture) {
+  assert(picture.texels.size() == std::size_t{picture.columns} * picture.rows);
   Picture half{(picture.columns + 1) / 2, (picture.rows + 1) / 2, {}};
   for (std::size_t row = 0; row < half.rows; ++row)
     for (std::size_t column = 0; column < half.columns; ++column) {

@@ -1,5 +1,4 @@
-// A small picture of a surface: what each of its texels sends back of the light and sends out itself, how smooth it is,
-// and which way it leans.
+// Pictures: for each texel the reflectance, emission, roughness, metalness and slope of a surface.
 #pragma once
 
 #include <array>
@@ -8,21 +7,23 @@
 
 namespace citykiln::impostor {
 
-/// Samples a texel has each way, and in all.
+/// Samples per texel, along each side and in all.
 inline constexpr std::uint32_t kSamplesPerSide = 4, kSamplesPerTexel = kSamplesPerSide * kSamplesPerSide;
 
-/// Of slopes: a 4096th of a metre a metre, so that they reach from -8 to 8.
+/// Unit of slopes, so that 16 bits reach from -8 to 8.
 inline constexpr double kSlopeUnit = 0x1p-12;
 
-/// The mean of what its samples show; those that show nothing do not count.
+/// The mean of a texel's covered samples.
 struct Texel {
   std::array<std::uint16_t, 3> light{};  ///< Linear reflectance, 65535 = 1.
   std::uint8_t roughness = 0, metalness = 0;
-  std::uint8_t shown = 0;  ///< How many samples show something: 0 … kSamplesPerTexel. 0: the rest is 0.
+  std::uint8_t shown = 0;  ///< Number of covered samples, 0 … kSamplesPerTexel. If 0, all values are 0.
   std::array<std::uint16_t, 3> emission{};  ///< Linear, 65535 = materials::kEmission_cd_m2.
-  std::array<std::int16_t, 2> slope{};      ///< How far it comes forward along rows and down columns, in kSlopeUnit.
+  std::array<std::int16_t, 2> slope{};      ///< Rise towards the viewer along rows and down columns, in kSlopeUnit.
   auto operator<=>(const Texel&) const = default;
 };
+
+inline bool emits(const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; }
 
 struct Picture {
   std::uint32_t columns = 0, rows = 0;
@@ -30,11 +31,11 @@ struct Picture {
   auto operator<=>(const Picture&) const = default;
 };
 
-/// Sums texels up, each as often as samples of it show something.
+/// A sum of texels, weighted by their covered samples.
 class TexelSum {
  public:
   void add(const Texel& texel);
-  /// Rounded once; nothing is shown where nothing is. `shown` is the mean over so many texels, rounded up.
+  /// Returns the mean, rounded once; Texel{} if nothing is covered. `shown` is the mean over `texels`, rounded up.
   Texel mean(std::uint64_t texels) const;
 
  private:
@@ -43,13 +44,13 @@ class TexelSum {
   std::uint64_t roughness_ = 0, metalness_ = 0, shown_ = 0;
 };
 
-/// The mean of all that is shown; nothing is shown where nothing is. O(texels).
+/// Returns the mean of all covered samples; Texel{} if there are none. O(texels).
 Texel mean(const Picture& picture);
 
-/// Half as many texels each way, rounded up: each the mean of the four it covers. O(texels).
+/// Returns the picture at half the resolution, rounded up: each texel is the mean of the four it covers. O(texels).
 Picture halved(const Picture& picture);
 
-/// Texels that show nothing take the mean of the picture: what lies there is not seen but for smoothing. O(texels).
+/// Fills texels without covered samples with the mean of the picture, for texture filtering. O(texels).
 void fill_gaps(Picture& picture);
 
 }  // namespace citykiln::impostor

@@ -1,5 +1,9 @@
 #include "compiler/map/building_classes.h"
 
+#include <cassert>
+
+#include "compiler/map/tag_values.h"
+
 namespace citykiln::map {
 namespace {
 
@@ -22,12 +26,14 @@ constexpr ValueRow kValues[] = {
 
 }  // namespace
 
-const BuildingValues& values_of(BuildingClass building) { return kTable[static_cast<std::size_t>(building)]; }
+const BuildingValues& values_of(BuildingClass building) {
+  assert(building < BuildingClass::kCount);
+  return kTable[static_cast<std::size_t>(building)];
+}
 
 BuildingClass building_class_of(std::string_view value) {
-  for (const ValueRow& row : kValues)
-    if (row.value == value) return row.building;
-  return BuildingClass::kPlain;
+  const ValueRow* row = row_with(kValues, value);
+  return row != nullptr ? row->building : BuildingClass::kPlain;
 }
 
 }  // namespace citykiln::map

@@ -1,4 +1,4 @@
-// What a building is for, as far as its looks go.
+// Building classes: a building's use, as far as its appearance depends on it.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ enum class BuildingClass : std::uint8_t {
 
 struct BuildingValues {
   std::string_view name;
-  double height_m;  ///< Where neither height nor levels are tagged; 0: by the footprint's area.
+  double height_m;  ///< The default height; 0: by the footprint's area.
   double level_m;   ///< Height of a storey.
 };
 
 const BuildingValues& values_of(BuildingClass building);
 
-/// The class of a value of building=* or building:part=*; kPlain where no row knows it.
+/// Returns the class of a value of building=* or building:part=*, kPlain for unknown values.
 BuildingClass building_class_of(std::string_view value);
 
 }  // namespace citykiln::map

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <span>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/building_classes.h"
@@ -14,63 +13,42 @@ namespace {
 
 using materials::Material;
 
-// The steps of monuments are parts a few decimetres high.
+// Minimum height: parts of monuments are a few decimetres high.
 constexpr double kLowest_m = 0.1, kHighest_m = 1000, kMostLevels = 250;
 
 struct MaterialRow {
   std::string_view value;
   Material material;
 };
-constexpr MaterialRow kWalls[] = {{"brick", Material::kBrick},
-                                  {"bricks", Material::kBrick},
-                                  {"concrete", Material::kConcrete},
-                                  {"stone", Material::kStone},
-                                  {"sandstone", Material::kStone},
-                                  {"limestone", Material::kStone},
-                                  {"granite", Material::kStone},
-                                  {"wood", Material::kTimber},
-                                  {"timber_framing", Material::kPlaster},
-                                  {"plaster", Material::kPlaster},
-                                  {"cement_block", Material::kConcrete},
-                                  {"glass", Material::kGlassFacade},
-                                  {"mirror", Material::kGlassFacade},
-                                  {"metal", Material::kMetalCladding},
-                                  {"steel", Material::kMetalCladding},
-                                  {"metal_plates", Material::kMetalCladding}};
+constexpr MaterialRow kWalls[] = {
+#define WALL(value, material) {value, Material::material},
+#include "compiler/map/building_materials.inc"
+#undef WALL
+};
 constexpr MaterialRow kRoofs[] = {
-    {"roof_tiles", Material::kRoofTile}, {"tile", Material::kRoofTile},     {"tiles", Material::kRoofTile},
-    {"slate", Material::kSlate},         {"metal", Material::kMetalRoof},   {"copper", Material::kMetalRoof},
-    {"zinc", Material::kMetalRoof},      {"concrete", Material::kFlatRoof}, {"tar_paper", Material::kFlatRoof},
-    {"gravel", Material::kFlatRoof},     {"eternit", Material::kSlate},     {"grass", Material::kGrass},
-    {"glass", Material::kGlassFacade}};
+#define ROOF(value, material) {value, Material::material},
+#include "compiler/map/building_materials.inc"
+#undef ROOF
+};
 
-std::optional<Material> material_of(std::string_view value, std::span<const MaterialRow> rows) {
-  for (const MaterialRow& row : rows)
-    if (row.value == value) return row.material;
-  return std::nullopt;
+template <std::size_t n>
+std::optional<Material> material_of(std::string_view value, const MaterialRow (&rows)[n]) {
+  const MaterialRow* row = row_with(rows, value);
+  return row != nullptr ? std::optional(row->material) : std::nullopt;
 }
 
-// The first of the two keys that is tagged.
+// The colour of the first key that is tagged.
 std::optional<Srgb> tagged_colour(const ReadContext& context, OsmId id, source::Range tags, std::string_view british,
                                   std::string_view american) {
-  std::string_view text = context.tag(tags, british);
-  if (text.empty()) text = context.tag(tags, american);
-  if (text.empty()) return std::nullopt;
-  const auto colour = colour_of(text);
-  if (!colour) context.report.add(Code::kBadTagValue, id);
-  return colour;
+  const std::string_view text = context.tag(tags, british);
+  return parsed_tag(context, id, text.empty() ? context.tag(tags, american) : text, colour_of);
 }
 
-std::optional<double> tagged_number(const ReadContext& context, OsmId id, source::Range tags, std::string_view key) {
-  const std::string_view text = context.tag(tags, key);
-  if (text.empty()) return std::nullopt;
-  const auto number = number_of(text);
-  if (number && *number >= 0 && *number <= kMostLevels) return number;
-  context.report.add(Code::kBadTagValue, id);
-  return std::nullopt;
+std::optional<double> tagged_levels(const ReadContext& context, OsmId id, source::Range tags, std::string_view key) {
+  return number_within(context, id, context.tag(tags, key), 0, kMostLevels);
 }
 
-// Untagged: sheds are low, houses have two storeys and a roof, town blocks four to five.
+// Default heights by area: sheds, houses of two storeys with a roof, town blocks of four to five storeys.
 double height_by_area_m(double area_m2) {
   return area_m2 < 25 ? 2.8 : area_m2 < 70 ? 4.5 : area_m2 < 220 ? 7.5 : area_m2 < 700 ? 11 : 13;
 }
@@ -83,22 +61,22 @@ std::optional<double> tagged_height_m(const ReadContext& context, OsmId id, sour
 double untagged_height_m(const ReadContext& context, OsmId id, const Footprint& footprint, double level_m,
                          double class_height_m, double area_m2) {
   if (footprint.levels > 0) return std::max(1.0, footprint.levels * level_m);
-  if (footprint.roof.height_m > 0) return 1;  // little but a roof
+  if (footprint.roof.height_m > 0) return 1;  // mostly roof
   context.report.add(Code::kNoBuildingHeight, id);
   return class_height_m > 0 ? class_height_m : height_by_area_m(area_m2);
 }
 
 double min_height_m_of(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
   if (const auto height_m = tagged_length_m(context, id, tags, "min_height", 0, kHighest_m)) return *height_m;
-  return level_m * tagged_number(context, id, tags, "building:min_level").value_or(0);
+  return level_m * tagged_levels(context, id, tags, "building:min_level").value_or(0);
 }
 
 void read_heights(const ReadContext& context, OsmId id, source::Range tags, const BuildingValues& values,
                   double area_m2, Footprint& footprint) {
   const auto height_m = tagged_height_m(context, id, tags);
-  footprint.levels = tagged_number(context, id, tags, "building:levels").value_or(0);
+  footprint.levels = tagged_levels(context, id, tags, "building:levels").value_or(0);
   footprint.has_roof_in_height = height_m.has_value();
-  // compared as they will be stored
+  // compared as stored
   footprint.height_m = snapped(
       height_m ? *height_m : untagged_height_m(context, id, footprint, values.level_m, values.height_m, area_m2));
   footprint.min_height_m = snapped(min_height_m_of(context, id, tags, values.level_m));
@@ -107,17 +85,9 @@ void read_heights(const ReadContext& context, OsmId id, source::Range tags, cons
   footprint.min_height_m = 0;
 }
 
-// Where something is sold or served: a ground floor with wide panes.
+// Amenities with a ground floor of wide windows, like shops.
 constexpr std::string_view kServing[] = {"restaurant", "cafe", "bar",      "pub",        "fast_food",
                                          "ice_cream",  "bank", "pharmacy", "marketplace"};
-
-std::uint16_t tagged_year(const ReadContext& context, OsmId id, source::Range tags) {
-  const std::string_view text = context.tag(tags, "start_date");
-  if (text.empty()) return 0;
-  const auto year = year_of(text);
-  if (!year) context.report.add(Code::kBadTagValue, id);
-  return year.value_or(0);
-}
 
 }  // namespace
 
@@ -127,19 +97,20 @@ bool is_shop(const ReadContext& context, source::Range tags) {
   return is_served || (says_yes(shop) && shop != "vacant");
 }
 
-Footprint described(const ReadContext& context, OsmId id, source::Range tags, std::string_view value, double area_m2) {
+Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range tags, std::string_view value,
+                             double area_m2) {
   Footprint footprint;
   const BuildingClass building = building_class_of(value);
   const BuildingValues& values = values_of(building);
   footprint.building_class = static_cast<std::uint8_t>(building);
   const TaggedRoof roof = tagged_roof(context, id, tags, values.level_m);
-  footprint.has_roof_shape = roof.is_told, footprint.roof = roof.shape;
+  footprint.has_roof_shape = roof.has_shape, footprint.roof = roof.shape;
   read_heights(context, id, tags, values, area_m2, footprint);
   footprint.wall_colour = tagged_colour(context, id, tags, "building:colour", "building:color");
   footprint.roof_colour = tagged_colour(context, id, tags, "roof:colour", "roof:color");
   footprint.wall_material = material_of(context.tag(tags, "building:material"), kWalls);
   footprint.roof_material = material_of(context.tag(tags, "roof:material"), kRoofs);
-  footprint.year = tagged_year(context, id, tags);
+  footprint.year = parsed_tag(context, id, context.tag(tags, "start_date"), year_of).value_or(0);
   footprint.has_shop = is_shop(context, tags);
   return footprint;
 }

@@ -1,4 +1,4 @@
-// What tags say of a building: its heights, its roof, what it is made of.
+// Reads a building's tags: heights, roof, materials.
 #pragma once
 
 #include <string_view>
@@ -7,13 +7,15 @@
 
 namespace citykiln::map {
 
-/// A footprint without its place: what is said once for all polygons of an element.
+/// Returns a footprint without its polygon: all that is common to the polygons of an element.
 ///
-/// Heights by height, else building:levels, else the class of `value` (of building=* or building:part=*), else the
-/// area; roofs by roof:*; what cannot be read is diagnosed kBadTagValue, heights that nobody tells kNoBuildingHeight.
-Footprint described(const ReadContext& context, OsmId id, source::Range tags, std::string_view value, double area_m2);
+/// Heights come from height, else building:levels, else the class of `value` (of building=* or building:part=*), else
+/// the area; roofs from roof:*. Diagnosed: kBadTagValue for unreadable values, kNoBuildingHeight where neither height
+/// nor levels are tagged.
+Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range tags, std::string_view value,
+                             double area_m2);
 
-/// True where tags say that something is sold or served: shop=*, amenity=restaurant and the like.
+/// True where something is sold or served: shop=*, amenity=restaurant and similar.
 bool is_shop(const ReadContext& context, source::Range tags);
 
 }  // namespace citykiln::map

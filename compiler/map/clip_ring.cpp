@@ -1,12 +1,14 @@
 #include "compiler/map/clip_ring.h"
 
+#include <cassert>
+
 #include "compiler/geometry/snap.h"
 #include "compiler/map/plane.h"
 
 namespace citykiln::map {
 namespace {
 
-// One side of a box: the coordinate `axis` is kept at or above a limit, or at or below it.
+// One side of a box: limits the coordinate `axis` from below or from above.
 struct Side {
   double Vec2::*axis;
   double Vec2::*other;
@@ -30,7 +32,7 @@ Ring on_one_side(std::span<const Vec2> ring, const Side& side) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
     if (side.holds(a)) push(a);
-    // from the lower end, so that an edge walked the other way is cut in the same place
+    // from the lower end, so that the reversed edge is cut at the same point
     if (side.holds(a) != side.holds(b)) push(a < b ? side.crossing(a, b) : side.crossing(b, a));
   }
   if (kept.size() > 1 && kept.front() == kept.back()) kept.pop_back();
@@ -40,6 +42,7 @@ Ring on_one_side(std::span<const Vec2> ring, const Side& side) {
 }  // namespace
 
 Ring clip_ring(std::span<const Vec2> ring, const Box2& box) {
+  assert(!box.is_empty());
   Ring kept(ring.begin(), ring.end());
   for (const Side& side : {Side{&Vec2::x, &Vec2::y, box.min.x, true}, Side{&Vec2::x, &Vec2::y, box.max.x, false},
                            Side{&Vec2::y, &Vec2::x, box.min.y, true}, Side{&Vec2::y, &Vec2::x, box.max.y, false}})

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <map>
 #include <optional>
 
@@ -11,7 +12,7 @@
 namespace citykiln::map {
 namespace {
 
-// Ways joined end to start, as far as they go.
+// Coastlines joined end to start, as far as possible.
 struct Chain {
   OsmId first_way, last_way;
   Polyline axis;
@@ -45,7 +46,7 @@ std::vector<Chain> join(std::vector<CoastWay> ways) {
     }
     chains.push_back(std::move(chain));
   };
-  // open chains begin where no way ends; what is left after them are rings
+  // open chains start where no way ends; what remains are rings
   for (std::size_t i = 0; i < ways.size(); ++i)
     if (!used[i] && ends.count(ways[i].first_node) == 0) follow(i);
   for (std::size_t i = 0; i < ways.size(); ++i)
@@ -53,7 +54,7 @@ std::vector<Chain> join(std::vector<CoastWay> ways) {
   return chains;
 }
 
-// Where along the box's sides a point lies, clockwise from the south-west corner, 0 to 4.
+// The position of a point along the box's sides, clockwise from the south-west corner, 0 to 4.
 double place_on_sides(const Box2& box, Vec2 p) {
   if (p.x == box.min.x) return (p.y - box.min.y) / box.height();
   if (p.y == box.max.y) return 1 + (p.x - box.min.x) / box.width();
@@ -74,7 +75,7 @@ Vec2 nearest_on_sides(const Box2& box, Vec2 p) {
   return least == south ? Vec2{p.x, box.min.y} : Vec2{p.x, box.max.y};
 }
 
-// The part of a segment inside the box (Liang, Barsky 1984), its new ends snapped on to the sides they lie on.
+// The part of a segment inside the box (Liang, Barsky 1984), with new ends snapped onto the sides.
 std::optional<std::array<Vec2, 2>> clipped(Vec2 a, Vec2 b, const Box2& box) {
   double from = 0, to = 1;
   const Vec2 d = b - a;
@@ -98,13 +99,13 @@ std::optional<std::array<Vec2, 2>> clipped(Vec2 a, Vec2 b, const Box2& box) {
   return std::array{from > 0 ? on_side(from) : a, to < 1 ? on_side(to) : b};
 }
 
-// A run of coast inside the box that begins and ends on its sides.
+// A part of the coast inside the box that begins and ends on its sides.
 struct Piece {
   Polyline axis;
   double entry = 0, exit = 0;
 };
 
-// Cuts an open line into its runs inside the box.
+// Cuts an open line into its parts inside the box.
 std::vector<Polyline> runs_inside(const Polyline& axis, const Box2& box) {
   std::vector<Polyline> runs;
   bool continues = false;
@@ -121,7 +122,7 @@ std::vector<Polyline> runs_inside(const Polyline& axis, const Box2& box) {
   return runs;
 }
 
-// A ring opened at a point outside the box, if it has one, so that its runs begin and end on the sides.
+// A ring opened at a point outside the box, so that its parts begin and end on the sides.
 Polyline opened(const Ring& ring, const Box2& box) {
   const auto outside = std::find_if(ring.begin(), ring.end(), [&](Vec2 p) { return !box.contains(p); });
   Polyline line(outside, ring.end());
@@ -134,7 +135,7 @@ bool is_on_sides(const Box2& box, Vec2 p) {
   return p.x == box.min.x || p.x == box.max.x || p.y == box.min.y || p.y == box.max.y;
 }
 
-// Leads a loose end on in the direction the coast has had lately, to the side of the box that lies there.
+// Extends a loose end to the box's side in the direction of its last 400 m.
 Vec2 led_on(const Polyline& from_end, const Box2& box) {
   constexpr double kLately_m = 400;
   const Vec2 end = from_end.front();
@@ -164,8 +165,8 @@ void lead_out(Polyline& run, const Chain& chain, const Box2& box, Sea& sea) {
   }
 }
 
-// Follows pieces, and the sides clockwise from each exit to the next entry, until each ring closes. Water lies inside,
-// on the right: clockwise rings.
+// Connects the parts into rings: from each exit clockwise along the sides to the next entry. Water lies on the right,
+// so the rings are clockwise.
 std::vector<Ring> close_along_sides(const std::vector<Piece>& pieces, const Box2& box) {
   std::vector<bool> used(pieces.size(), false);
   const auto next_entry = [&](double exit) {
@@ -198,7 +199,7 @@ void add_islands(Sea& sea, std::vector<Ring>&& islands, const Box2& box) {
   if (sea.polygons.empty() && !islands.empty())
     sea.polygons.push_back({{box.min, corner(box, 3), box.max, corner(box, 1)}, {}});
   for (Ring& island : islands) {
-    // a hole runs clockwise
+    // holes are clockwise
     std::reverse(island.begin(), island.end());
     for (Polygon& polygon : sea.polygons)
       if (winding_number(polygon.outer, island.front()) != 0) {
@@ -211,6 +212,7 @@ void add_islands(Sea& sea, std::vector<Ring>&& islands, const Box2& box) {
 }  // namespace
 
 Sea close_sea(std::vector<CoastWay> ways, const Box2& box) {
+  assert(box.width() > 0 && box.height() > 0);
   Sea sea;
   std::vector<Piece> pieces;
   std::vector<Ring> islands;

@@ -22,7 +22,7 @@ constexpr Corner kCorners[] = {
 };
 constexpr std::size_t kRingCount = static_cast<std::size_t>(std::count(std::begin(kCorners), std::end(kCorners), kEnd));
 
-// Corners first … last - 1 of kCorners, and the box around them.
+// A ring: the corners [first, last) of kCorners, and their box.
 struct Border {
   std::size_t first = 0, last = 0;
   Corner low{32767, 32767}, high{-32767, -32767};
@@ -48,7 +48,7 @@ bool is_in_box(const Border& border, double lon, double lat) {
   return lon >= border.low.lon && lon <= border.high.lon && lat >= border.low.lat && lat <= border.high.lat;
 }
 
-// A ray to the east crosses the side from a to b.
+// True where a ray to the east crosses the side from a to b.
 bool is_west_of(Corner a, Corner b, double lon, double lat) {
   if ((a.lat > lat) == (b.lat > lat)) return false;
   return lon < a.lon + (lat - a.lat) * (b.lon - a.lon) / (b.lat - a.lat);
@@ -65,9 +65,9 @@ bool is_within(const Border& border, double lon, double lat) {
 }  // namespace
 
 DrivingSide driving_side_at(LonLat place) {
-  // rings reach from -180 to 180: the antimeridian is their western rim
+  // rings cover -180 to 180; the antimeridian is their western border
   const double lon = (place.lon_deg < 180 ? place.lon_deg : place.lon_deg - 360) * 100, lat = place.lat_deg * 100;
-  // rings within rings are islands of those who drive on the right
+  // a ring within a ring is an island that drives on the right
   bool is_left = false;
   for (const Border& border : kBorders)
     if (is_in_box(border, lon, lat)) is_left ^= is_within(border, lon, lat);

@@ -1,13 +1,13 @@
-// On which side of the road a place drives.
+// The side of the road that traffic drives on at a place.
 #pragma once
 
-#include "compiler/map/lanes/lanes.h"
+#include "compiler/map/cross_section.h"
 #include "compiler/map/plane.h"
 
 namespace citykiln::map {
 
-/// The side of the lands in driving_side.inc, else right. Borders on land are right to 10 km, near the towns of its
-/// test to 1 km; at sea they lie anywhere between the coasts. Total: places that are none drive on the right. O(rings).
+/// Returns the side by the rings of driving_side.inc, else right. Land borders are right to 10 km, and to 1 km near the
+/// towns of its test; at sea they lie anywhere between the coasts. Total: invalid places drive on the right. O(rings).
 ///
 /// Source: borders of Natural Earth 4.1, 1:10 million (public domain), simplified.
 DrivingSide driving_side_at(LonLat place);

@@ -1,24 +1,25 @@
-// One reader a kind of feature; locate() calls them in turn. Each keeps its own account in the ledger, "map/<kind>".
+// One reader a kind of feature, called by locate(). Each keeps its own account "map/<kind>" in the ledger.
 #pragma once
 
 #include <vector>
 
+#include "compiler/map/cross_section.h"
 #include "compiler/map/features.h"
-#include "compiler/map/lanes/lanes.h"
 #include "compiler/map/read_context.h"
 
 namespace citykiln::map {
 
-/// By track_rules.inc, lanes.h and track_points.h. Without a side each way drives as its first node's place does.
+/// By track_rules.inc, lanes.h and track_points.h. Without `side`, each way drives on the side of its first node's
+/// place.
 std::vector<Track> locate_tracks(const ReadContext& context, std::optional<DrivingSide> side);
 std::vector<Footprint> locate_footprints(const ReadContext& context);  ///< building=*, building:part=*.
-std::vector<AreaFeature> locate_areas(const ReadContext& context);     ///< By area_rules.inc; without the sea.
+std::vector<AreaFeature> locate_areas(const ReadContext& context);     ///< By area_rules.inc, without the sea.
 std::vector<AreaFeature> locate_sea(
     const ReadContext& context);  ///< natural=coastline, closed along the region. Ledger "map/coastline".
 std::vector<Waterway> locate_waterways(const ReadContext& context);     ///< waterway=* lines.
 std::vector<Barrier> locate_barriers(const ReadContext& context);       ///< barrier=* lines.
-std::vector<PointFeature> locate_points(const ReadContext& context);    ///< Trees, lamps and the like.
+std::vector<PointFeature> locate_points(const ReadContext& context);    ///< Trees, lamps and similar.
 std::vector<TreeRow> locate_tree_rows(const ReadContext& context);      ///< natural=tree_row lines.
-std::vector<PowerLine> locate_power_lines(const ReadContext& context);  ///< power=line, minor_line above the ground.
+std::vector<PowerLine> locate_power_lines(const ReadContext& context);  ///< power=line and minor_line above the ground.
 
 }  // namespace citykiln::map

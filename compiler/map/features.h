@@ -1,4 +1,4 @@
-// The map in the plane: every OSM element that citykiln draws, once, with its tags already read into numbers.
+// The map in the plane: every OSM element in use, once, with its tags read into numbers.
 #pragma once
 
 #include <array>
@@ -9,38 +9,41 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
+#include "compiler/map/cross_section.h"
 #include "compiler/map/heightfield.h"
 #include "compiler/map/land_cover_class.h"
-#include "compiler/map/lanes/lanes.h"
 #include "compiler/map/plant_kind.h"
 #include "compiler/materials/material.h"
 #include "grammars/roofs/roof_shape.h"
 
 namespace citykiln::map {
 
-/// A colour as tags give it, sRGB.
+/// The side of the ground's cells: the region and every tile are made of whole cells.
+inline constexpr double kCell_m = 128;
+
+/// A tagged colour, sRGB.
 using Srgb = std::array<std::uint8_t, 3>;
 
 enum class Passage : std::uint8_t { kGround, kBridge, kTunnel };
 
-/// What a node says about the ways through it.
+/// What a node of a way marks.
 enum class TrackPointKind : std::uint8_t {
-  kZebra,          ///< A crossing striped along the road.
-  kCrossing,       ///< Marked otherwise, with signals, or nobody says how.
-  kSignals,        ///< Of the road's own traffic.
+  kZebra,          ///< A crossing with stripes along the road.
+  kCrossing,       ///< Marked otherwise, with signals, or unspecified.
+  kSignals,        ///< For the road's own traffic.
   kStop,           ///< A stop sign.
-  kGiveWay,        ///< A sign to give way.
-  kLevelCrossing,  ///< Rails and a road or path; on the tracks of both.
-  kTurningCircle,  ///< Room to turn, round or with an island.
+  kGiveWay,        ///< A give-way sign.
+  kLevelCrossing,  ///< Rails crossing a road or path; on the tracks of both.
+  kTurningCircle,  ///< A turning circle, with or without an island.
   kMiniRoundabout,
   kCount
 };
 
-/// A node of a track with something to say.
+/// A node of a track that marks something.
 struct TrackPoint {
-  std::uint32_t vertex = 0;  ///< Of the track's axis.
+  std::uint32_t vertex = 0;  ///< Index into the track's axis.
   TrackPointKind kind{};
-  std::int8_t facing = 0;  ///< For those who go along the way 1, against it -1, both or untold 0.
+  std::int8_t facing = 0;  ///< 1 for traffic along the way, -1 against it, 0 for both or unknown.
   auto operator<=>(const TrackPoint&) const = default;
 };
 
@@ -48,44 +51,44 @@ struct TrackPoint {
 struct Track {
   ObjectId id;
   Polyline axis;                       ///< Plane metres, snapped, no repeated neighbours, at least two points.
-  std::vector<std::int64_t> node_ids;  ///< OSM node of each axis point.
+  std::vector<std::int64_t> node_ids;  ///< The OSM node of each axis point.
   LandCoverClass surface{};
   std::int8_t layer = 0;
   Passage passage = Passage::kGround;
   bool is_oneway = false, is_lit = false, is_rail = false;
   bool is_roundabout = false;      ///< junction=roundabout or circular.
   bool is_link = false;            ///< A ramp or slip road: highway=*_link.
-  std::vector<TrackPoint> points;  ///< Sorted. Those of a closed axis at its first vertex, once.
-  CrossSection section;            ///< As the tags tell it.
+  std::vector<TrackPoint> points;  ///< Sorted. A closed axis has them at its first vertex, once.
+  CrossSection section;            ///< By its tags.
   DrivingSide side{};              ///< Of its traffic.
   TreeSides trees{};               ///< Left and right along the axis.
 };
 
-/// A building's outline, or a part of one.
+/// A building's outline or a part of one.
 struct Footprint {
   ObjectId id;
   Polygon polygon;
   bool is_part = false;
-  bool has_parts = false;           ///< An outline that building:parts replace: not drawn.
-  double height_m = 0;              ///< Above the ground; tags, else levels, else class. > min_height_m.
-  bool has_roof_in_height = false;  ///< Of the highest point, as height=* tells it; else the roof comes on top.
+  bool has_parts = false;           ///< An outline replaced by its building:parts: not drawn.
+  double height_m = 0;              ///< Above the ground, by tags, levels or class. > min_height_m.
+  bool has_roof_in_height = false;  ///< True where height_m includes the roof (height=*); else the roof comes on top.
   double min_height_m = 0;
-  double levels = 0;            ///< Storeys below the roof, from the ground up; 0: nobody says.
-  bool has_roof_shape = false;  ///< Whether the roof's form is.
-  roofs::RoofShape roof;        ///< As far as it is told; levels as height, no overhang.
+  double levels = 0;            ///< Storeys below the roof, counted from the ground; 0: unknown.
+  bool has_roof_shape = false;  ///< Whether roof:shape is tagged.
+  roofs::RoofShape roof;        ///< As far as tagged; levels as height, without overhang.
   std::optional<Srgb> wall_colour, roof_colour;
   std::optional<materials::Material> wall_material, roof_material;
-  std::uint8_t building_class = 0;  ///< A BuildingClass of building_classes.h.
-  std::uint16_t year = 0;           ///< In which it was begun; 0: nobody says.
+  std::uint8_t building_class = 0;  ///< A BuildingClass.
+  std::uint16_t year = 0;           ///< The start of its construction; 0: unknown.
   bool has_shop = false;            ///< Something is sold or served in it.
 };
 
-/// A piece of land or water with one class.
+/// A polygon of land or water with one class.
 struct AreaFeature {
   ObjectId id;
   Polygon polygon;  ///< Trimmed to what is near the region.
   LandCoverClass surface{};
-  double area_m2 = 0;  ///< Of the whole.
+  double area_m2 = 0;  ///< Of the whole polygon, before trimming.
   PlantTags plant_tags{};
 };
 
@@ -108,7 +111,7 @@ struct Barrier {
 };
 
 enum class PointKind : std::uint8_t {
-  kTree,  ///< Or a shrub.
+  kTree,  ///< A tree or shrub.
   kStreetLamp,
   kBench,
   kBollard,
@@ -119,8 +122,8 @@ enum class PointKind : std::uint8_t {
   kMast,
   kChimney,
   kFlagpole,
-  kShop,      ///< Or another place where one is served.
-  kEntrance,  ///< Of a building.
+  kShop,      ///< A shop, or another place where something is served.
+  kEntrance,  ///< A building's entrance.
   kAddress    ///< A house number.
 };
 
@@ -128,32 +131,32 @@ struct PointFeature {
   ObjectId id;
   Vec2 at;
   PointKind kind{};
-  double height_m = 0;     ///< 0: not tagged.
+  double height_m = 0;     ///< 0: untagged.
   PlantTags plant_tags{};  ///< Trees and shrubs.
 };
 
-/// Trees in a line.
+/// A line of trees.
 struct TreeRow {
   ObjectId id;
   Polyline axis;
-  double height_m = 0;   ///< 0: not tagged.
-  double spacing_m = 0;  ///< Likewise.
+  double height_m = 0;   ///< 0: untagged.
+  double spacing_m = 0;  ///< 0: untagged.
   PlantTags plant_tags{};
 };
 
-/// A line above the ground, below which no tall trees are let grow.
+/// A power line, below which tall trees are cleared.
 struct PowerLine {
   ObjectId id;
   Polyline axis;
-  double corridor_m = 0;  ///< How wide the lane is in which none stand.
+  double corridor_m = 0;  ///< The width of the cleared corridor.
 };
 
-/// Everything citykiln draws, each vector sorted by id, all coordinates snapped to 2^-10 m.
+/// All features, each vector sorted by id, all coordinates snapped to kMapStep_m.
 struct Features {
-  Box2 region;  ///< What is compiled: whole cells of 128 m around the box asked for.
+  Box2 region;  ///< The compiled region: the cells of 128 m that contain the requested box.
   std::vector<Track> tracks;
   std::vector<Footprint> footprints;
-  std::vector<AreaFeature> areas;  ///< Sea included, closed along the region.
+  std::vector<AreaFeature> areas;  ///< Includes the sea, closed along the region.
   std::vector<Waterway> waterways;
   std::vector<Barrier> barriers;
   std::vector<PointFeature> points;

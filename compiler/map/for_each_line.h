@@ -1,5 +1,4 @@
-// The walk that tracks, waterways and barriers share: every way of a kind, its row in the kind's table, its line, what
-// is dropped and why.
+// The loop that tracks, waterways and barriers share: reads each way of a kind, its row in a table, and its line.
 #pragma once
 
 #include "compiler/map/feature_readers.h"
@@ -7,16 +6,9 @@
 
 namespace citykiln::map {
 
-/// The row whose `value` is the word; null where there is none.
-template <typename Row, std::size_t n>
-const Row* row_with(const Row (&rows)[n], std::string_view value) {
-  for (const Row& row : rows)
-    if (row.value == value) return &row;
-  return nullptr;
-}
-
-/// Calls make(way, *row, LocatedLine&&) for every way that is_of_kind and that has a row and a length near the region.
-/// Areas with the same tags are left to locate_areas. Keeps the account "map/<account_name>". O(ways).
+/// Calls make(way, *row, LocatedLine&&) for every way that is_of_kind, has a row, has a length and is near the region.
+/// Ways tagged area=yes are left to locate_areas(). Keeps the account "map/<account_name>" and diagnoses what is
+/// dropped. O(ways).
 template <typename IsOfKind, typename RowOf, typename Make>
 void for_each_line(const ReadContext& context, const char* account_name, IsOfKind is_of_kind, RowOf row_of, Make make) {
   Account account;

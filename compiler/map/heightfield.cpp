@@ -1,12 +1,13 @@
 #include "compiler/map/heightfield.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::map {
 namespace {
 
-// Between which two of the lines start + i · step a value lies, and where between them, 0 to 1.
+// The cell of the grid lines start + i · step that holds a value, and the position in it, 0 to 1.
 struct Between {
   int first;
   double share;
@@ -15,7 +16,7 @@ struct Between {
 Between between_lines(double value, double start, double step, int count) {
   const double inside = std::clamp(value, start, start + (count - 1) * step);
   int i = std::min(static_cast<int>((inside - start) / step), count - 2);
-  // the quotient is rounded, the lines are exact
+  // the quotient is rounded, the grid lines are exact
   if (inside < start + i * step)
     --i;
   else if (i < count - 2 && inside >= start + (i + 1) * step)
@@ -23,7 +24,7 @@ Between between_lines(double value, double start, double step, int count) {
   return {i, (inside - (start + i * step)) / step};
 }
 
-// Of the surface at a vertex, by centred differences (one-sided on the rim).
+// The surface's gradient normal at a vertex by central differences, one-sided on the border.
 Vec3 slope_normal(const Heightfield& field, int i, int j) {
   const int west = std::max(i - 1, 0), east = std::min(i + 1, field.columns - 1);
   const int south = std::max(j - 1, 0), north = std::min(j + 1, field.rows - 1);
@@ -37,6 +38,7 @@ Vec3 slope_normal(const Heightfield& field, int i, int j) {
 }  // namespace
 
 CellPosition cell_at(const Heightfield& field, Vec2 p) {
+  assert(field.columns >= 2 && field.rows >= 2);
   const Between x = between_lines(p.x, field.min.x, field.step_m.x, field.columns);
   const Between y = between_lines(p.y, field.min.y, field.step_m.y, field.rows);
   return {x.first, y.first, x.share, y.share};
@@ -65,7 +67,9 @@ Vec3 normal_at(const Heightfield& field, Vec2 p) {
 }
 
 Heightfield window_of(const Heightfield& field, const Box2& box) {
-  // one vertex more than normals ask for on every side
+  assert(field.columns >= 2 && field.rows >= 2);
+  assert(!box.is_empty());
+  // one vertex more than normals need on every side
   const auto first = [](double low, double start, double step, int count) {
     return std::clamp(static_cast<int>(std::floor((low - start) / step)) - 1, 0, count - 2);
   };
@@ -76,7 +80,12 @@ Heightfield window_of(const Heightfield& field, const Box2& box) {
   const int i0 = first(box.min.x, min.x, step.x, field.columns), j0 = first(box.min.y, min.y, step.y, field.rows);
   const int i1 = std::max(i0 + 1, last(box.max.x, min.x, step.x, field.columns));
   const int j1 = std::max(j0 + 1, last(box.max.y, min.y, step.y, field.rows));
-  Heightfield window{field.vertex(i0, j0), step, i1 - i0 + 1, j1 - j0 + 1, {}, field.resampling_error_m};
+  Heightfield window{.min = field.vertex(i0, j0),
+                     .step_m = step,
+                     .columns = i1 - i0 + 1,
+                     .rows = j1 - j0 + 1,
+                     .heights = {},
+                     .resampling_error_m = field.resampling_error_m};
   for (int j = j0; j <= j1; ++j) {
     const auto row = field.heights.begin() + static_cast<std::ptrdiff_t>(j) * field.columns;
     window.heights.insert(window.heights.end(), row + i0, row + i1 + 1);

@@ -1,5 +1,6 @@
 #include "compiler/map/land_cover_class.h"
 
+#include <cassert>
 #include <cstddef>
 
 namespace citykiln::map {
@@ -16,6 +17,9 @@ constexpr LandCoverValues kTable[] = {
 
 }  // namespace
 
-const LandCoverValues& values_of(LandCoverClass surface) { return kTable[static_cast<std::size_t>(surface)]; }
+const LandCoverValues& values_of(LandCoverClass surface) {
+  assert(surface < LandCoverClass::kCount);
+  return kTable[static_cast<std::size_t>(surface)];
+}
 
 }  // namespace citykiln::map

@@ -1,4 +1,4 @@
-// What the ground is covered with. Every face of the ground has exactly one class.
+// Land cover classes: every face of the ground has exactly one.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace citykiln::map {
 
-/// Rows of surface_classes.inc. The order is part of the manifest's format: add at the end.
+/// Rows of land_cover_classes.inc. Their order is part of the manifest's format: add at the end.
 enum class LandCoverClass : std::uint8_t {
 #define LAND_COVER(name, group, priority, material) name,
 #include "compiler/map/land_cover_classes.inc"
@@ -16,7 +16,7 @@ enum class LandCoverClass : std::uint8_t {
   kCount
 };
 
-/// The groups of WORKS.md E and the ones that roads and buildings add.
+/// Groups of classes: land uses, and what roads and buildings add.
 enum class LandCoverGroup : std::uint8_t {
   kUnknown,
   kForest,
@@ -41,7 +41,7 @@ struct LandCoverValues {
   std::string_view name;  ///< "ConiferousForest".
   LandCoverGroup group;
   std::uint8_t
-      priority;  ///< Where surfaces overlap the higher one wins; among equals the smaller area, then the lower id.
+      priority;  ///< Where polygons overlap the higher one wins; among equals the smaller area, then the lower id.
   materials::Material material;
 };
 

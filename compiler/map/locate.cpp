@@ -1,6 +1,7 @@
 #include "compiler/map/locate.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/map/feature_readers.h"
@@ -10,8 +11,8 @@ namespace {
 
 using source::LonLatBox;
 
-// A file without a box of its own takes that of its roads and buildings but for the outermost two in a hundred: long
-// relations drag in far nodes.
+// A file without a box takes that of its roads or buildings, without the outermost 2 %: long relations drag in far
+// nodes.
 constexpr double kLeftOutShare = 0.02;
 
 struct Coordinates {
@@ -40,13 +41,13 @@ LonLatBox middle_of(Coordinates places) {
           quantile_deg(places.lat, 1 - cut)};
 }
 
-// Enough buildings to tell where the extract is.
+// The number of nodes that is enough to locate the extract.
 constexpr std::size_t kEnoughPoints = 400;
 
 double to_cell_down(double v) { return std::floor(v / kCell_m) * kCell_m; }
 double to_cell_up(double v) { return std::ceil(v / kCell_m) * kCell_m; }
 
-// The box's sides are not straight in the plane: points along them count too.
+// The sides of the box are curves in the plane, so points along them are included.
 Box2 region_of(const Plane& plane, const LonLatBox& box) {
   constexpr int kSteps = 8;
   Box2 around;
@@ -62,11 +63,6 @@ Box2 region_of(const Plane& plane, const LonLatBox& box) {
   if (region.width() == 0) region.max.x += kCell_m;
   if (region.height() == 0) region.max.y += kCell_m;
   return region;
-}
-
-template <typename Feature>
-void sort_by_id(std::vector<Feature>& features) {
-  std::sort(features.begin(), features.end(), [](const Feature& a, const Feature& b) { return a.id < b.id; });
 }
 
 }  // namespace
@@ -88,6 +84,7 @@ LonLat default_origin(const LonLatBox& box) {
 
 Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox& box, const Options& options,
                 Report& report) {
+  assert(box.west <= box.east && box.south <= box.north);
   const ReadContext context{osm, plane, region_of(plane, box), report};
   Features features;
   features.region = context.region;
@@ -100,14 +97,11 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.points = locate_points(context);
   features.tree_rows = locate_tree_rows(context);
   features.power_lines = locate_power_lines(context);
-  sort_by_id(features.tracks);
-  sort_by_id(features.footprints);
-  sort_by_id(features.areas);
-  sort_by_id(features.waterways);
-  sort_by_id(features.barriers);
-  sort_by_id(features.points);
-  sort_by_id(features.tree_rows);
-  sort_by_id(features.power_lines);
+  const auto sort_by_id = [](auto&... kinds) {
+    (std::ranges::sort(kinds, {}, [](const auto& f) { return f.id; }), ...);
+  };
+  sort_by_id(features.tracks, features.footprints, features.areas, features.waterways, features.barriers,
+             features.points, features.tree_rows, features.power_lines);
   return features;
 }
 

@@ -35,7 +35,7 @@ bool carries_land_key(const ReadContext& context, source::Range tags) {
   return false;
 }
 
-// A closed way with a line's meaning (a road, a hedge, a stream) is an area only where it says so.
+// True for closed ways that are lines by their tags (a road, a hedge, a coast) unless area=yes.
 bool is_line(const ReadContext& context, source::Range tags, OsmType type) {
   if (type == OsmType::kRelation || says_yes(context.tag(tags, "area"))) return false;
   const bool road = !context.tag(tags, "highway").empty() && context.tag(tags, "highway") != "platform";
@@ -43,7 +43,7 @@ bool is_line(const ReadContext& context, source::Range tags, OsmType type) {
   return road || hedge || context.tag(tags, "natural") == "coastline";
 }
 
-// Leaves tell what a forest is.
+// A forest's class by its leaf type.
 LandCoverClass with_leaves(LandCoverClass surface, LeafType leaves) {
   if (surface != LandCoverClass::kForest) return surface;
   if (leaves == LeafType::kBroad) return LandCoverClass::kBroadLeavedForest;
@@ -51,7 +51,7 @@ LandCoverClass with_leaves(LandCoverClass surface, LeafType leaves) {
   return leaves == LeafType::kMixed ? LandCoverClass::kMixedForest : surface;
 }
 
-// What further tags tell about a class.
+// The class after further tags.
 LandCoverClass refined(const ReadContext& context, source::Range tags, LandCoverClass surface,
                        const PlantTags& plant_tags) {
   const std::string_view wetland = context.tag(tags, "wetland"), water = context.tag(tags, "water"),
@@ -65,7 +65,7 @@ LandCoverClass refined(const ReadContext& context, source::Range tags, LandCover
   return with_leaves(surface, plant_tags.leaves);
 }
 
-// Where plants are grown or grow wild.
+// The plant tags of areas where plants grow.
 PlantTags growth_on(const ReadContext& context, const source::Area& area, LandCoverClass surface) {
   const LandCoverGroup group = values_of(surface).group;
   const bool is_green = group == LandCoverGroup::kForest || group == LandCoverGroup::kFarm ||
@@ -98,24 +98,17 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);
-    const PlantTags plant_tags = growth_on(context, area, row->surface);
-    account.split += polygons.size();
-    if (polygons.empty())
-      context.report.drop(account, Code::kDegenerateRing, area.from);
-    else
-      --account.split;
-    for (const LocatedPolygon& polygon : polygons) {
-      if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.region)) {
-        context.report.drop(account, Code::kOutsideBounds, area.from);
-        continue;
-      }
-      ++account.out;
-      areas.push_back({{area.from, polygon.part},
-                       polygon.polygon,
-                       refined(context, area.tags, row->surface, plant_tags),
-                       polygon.area_m2,
-                       plant_tags});
-    }
+    PlantTags plant_tags = growth_on(context, area, row->surface);
+    const LandCoverClass surface = refined(context, area.tags, row->surface, plant_tags);
+    // a forest's class states its leaf type
+    if (surface != row->surface && row->surface == LandCoverClass::kForest) plant_tags.leaves = LeafType::kUnknown;
+    for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
+      areas.push_back({.id = {area.from, polygon.part},
+                       .polygon = polygon.polygon,
+                       .surface = surface,
+                       .area_m2 = polygon.area_m2,
+                       .plant_tags = plant_tags});
+    });
   }
   context.report.account("map", "area") = account;
   return areas;

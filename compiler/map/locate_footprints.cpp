@@ -1,53 +1,21 @@
-#include <algorithm>
-
 #include "compiler/map/building_tags.h"
 #include "compiler/map/feature_readers.h"
+#include "compiler/map/part_outlines.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
 namespace {
 
-// Parts replace an outline that they cover by more than this: a lone roof terrace mapped as a part does not.
+// Parts replace an outline if they cover more than this share of it: a single roof terrace mapped as a part does not.
 constexpr double kCoveringShare = 0.6;
 
-Vec2 inner_point(const Polygon& polygon) {
-  // the middle of the longest ear's diagonal would do too; a vertex drawn a little inside is enough to tell parts from
-  // neighbours
-  const Vec2 centre = box_of(polygon.outer).centre();
-  if (contains(polygon, centre)) return centre;
-  for (std::size_t i = 0; i < polygon.outer.size(); ++i) {
-    const Vec2 a = polygon.outer[i], b = polygon.outer[(i + 1) % polygon.outer.size()];
-    const Vec2 p = (a + b) * 0.5 + unit(left_of(b - a)) * 0.05;
-    if (contains(polygon, p)) return p;
-  }
-  return polygon.outer.front();
-}
-
 void mark_outlines(std::vector<Footprint>& footprints) {
-  std::vector<std::size_t> outlines;
+  const std::vector<std::uint32_t> outlines = part_outlines(footprints);
+  std::vector<double> covered_m2(footprints.size(), 0);
   for (std::size_t i = 0; i < footprints.size(); ++i)
-    if (!footprints[i].is_part) outlines.push_back(i);
-  const auto west = [&](std::size_t i) { return box_of(footprints[i].polygon.outer).min.x; };
-  std::sort(outlines.begin(), outlines.end(), [&](auto a, auto b) { return west(a) < west(b); });
-  std::vector<double> edges, covered(footprints.size(), 0);
-  double widest = 0;
-  for (const std::size_t i : outlines) {
-    edges.push_back(west(i));
-    widest = std::max(widest, box_of(footprints[i].polygon.outer).width());
-  }
-  for (const Footprint& part : footprints) {
-    if (!part.is_part) continue;
-    const Vec2 p = inner_point(part.polygon);
-    const auto end = std::upper_bound(edges.begin(), edges.end(), p.x);
-    const auto begin = std::lower_bound(edges.begin(), edges.end(), p.x - widest);
-    for (auto edge = begin; edge != end; ++edge) {
-      const std::size_t i = outlines[static_cast<std::size_t>(edge - edges.begin())];
-      if (box_of(footprints[i].polygon.outer).contains(p) && contains(footprints[i].polygon, p))
-        covered[i] += area_m2(part.polygon);
-    }
-  }
-  for (const std::size_t i : outlines)
-    footprints[i].has_parts = covered[i] > kCoveringShare * area_m2(footprints[i].polygon);
+    if (outlines[i] != kNoOutline) covered_m2[outlines[i]] += area_m2(footprints[i].polygon);
+  for (std::size_t i = 0; i < footprints.size(); ++i)
+    footprints[i].has_parts = covered_m2[i] > kCoveringShare * area_m2(footprints[i].polygon);
 }
 
 }  // namespace
@@ -64,24 +32,16 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);
-    if (polygons.empty()) {
-      context.report.drop(account, Code::kDegenerateRing, area.from);
-      continue;
-    }
-    account.split += polygons.size() - 1;
     const bool is_part = says_yes(part) && !says_yes(outline);
-    Footprint footprint = described(context, area.from, area.tags, is_part ? part : outline, polygons.front().area_m2);
+    Footprint footprint;
+    if (!polygons.empty())
+      footprint = read_building_tags(context, area.from, area.tags, is_part ? part : outline, polygons.front().area_m2);
     footprint.is_part = is_part;
-    for (const LocatedPolygon& polygon : polygons) {
-      if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.region)) {
-        context.report.drop(account, Code::kOutsideBounds, area.from);
-        continue;
-      }
-      ++account.out;
+    for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
       footprint.id = {area.from, polygon.part};
       footprint.polygon = polygon.polygon;
       footprints.push_back(footprint);
-    }
+    });
   }
   context.report.account("map", "footprint") = account;
   mark_outlines(footprints);

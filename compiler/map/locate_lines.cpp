@@ -12,44 +12,38 @@ struct WaterwayRow {
   std::string_view value;
   double width_m;
 };
-constexpr WaterwayRow kWaterways[] = {{"river", 12},   {"canal", 10},        {"stream", 2}, {"ditch", 1.25},
-                                      {"drain", 1.25}, {"tidal_channel", 6}, {"brook", 2}};
+constexpr WaterwayRow kWaterways[] = {
+#define WATERWAY(value, width_m) {value, width_m},
+#include "compiler/map/line_rules.inc"
+#undef WATERWAY
+};
 
 struct BarrierRow {
   std::string_view value;
   BarrierKind kind;
   double height_m, width_m;
 };
-constexpr BarrierRow kBarriers[] = {{"wall", BarrierKind::kWall, 1.8, 0.25},
-                                    {"fence", BarrierKind::kFence, 1.2, 0.0625},
-                                    {"hedge", BarrierKind::kHedge, 1.5, 0.75},
-                                    {"retaining_wall", BarrierKind::kRetainingWall, 1.5, 0.375},
-                                    {"guard_rail", BarrierKind::kGuardRail, 0.75, 0.125},
-                                    {"city_wall", BarrierKind::kCityWall, 7, 2},
-                                    {"handrail", BarrierKind::kGuardRail, 1, 0.0625}};
+constexpr BarrierRow kBarriers[] = {
+#define BARRIER(value, kind, height_m, width_m) {value, BarrierKind::kind, height_m, width_m},
+#include "compiler/map/line_rules.inc"
+#undef BARRIER
+};
 
 struct PointRow {
   std::string_view key, value;
   PointKind kind;
 };
-constexpr PointRow kPoints[] = {{"natural", "tree", PointKind::kTree},
-                                {"natural", "shrub", PointKind::kTree},
-                                {"highway", "street_lamp", PointKind::kStreetLamp},
-                                {"amenity", "bench", PointKind::kBench},
-                                {"barrier", "bollard", PointKind::kBollard},
-                                {"amenity", "post_box", PointKind::kPost},
-                                {"amenity", "fountain", PointKind::kFountain},
-                                {"emergency", "fire_hydrant", PointKind::kHydrant},
-                                {"amenity", "waste_basket", PointKind::kWasteBasket},
-                                {"man_made", "mast", PointKind::kMast},
-                                {"man_made", "chimney", PointKind::kChimney},
-                                {"man_made", "flagpole", PointKind::kFlagpole}};
+constexpr PointRow kPoints[] = {
+#define POINT(key, value, kind) {key, value, PointKind::kind},
+#include "compiler/map/line_rules.inc"
+#undef POINT
+};
 
 constexpr PointRow kShop{"shop", "", PointKind::kShop};
 constexpr PointRow kEntrance{"entrance", "", PointKind::kEntrance};
 constexpr PointRow kAddress{"addr:housenumber", "", PointKind::kAddress};
 
-// Ways that carry a key, by a table of its values.
+// Calls make() for ways with a key, by a table of its values.
 template <typename Row, std::size_t n, typename Make>
 void for_each_with_key(const ReadContext& context, std::string_view key, const Row (&rows)[n], Make make) {
   const auto value = [&](const source::Way& way) { return context.tag(way.tags, key); };
@@ -68,7 +62,7 @@ const PointRow* point_row(const ReadContext& context, source::Range tags) {
 
 constexpr double kTallest_m = 400;
 
-// What a tree or shrub is; a shrub is no tree, whatever it is called.
+// The plant tags of a tree or shrub; natural=shrub wins over names of trees.
 PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
   PlantTags plant_tags = read_plant_tags(context, id, tags);
   if (context.tag(tags, "natural") == "shrub") plant_tags.kind = PlantKind::kBush;
@@ -79,7 +73,8 @@ struct PowerRow {
   std::string_view value;
   double corridor_m;
 };
-// Pylons carry wires some 8 m out, which swing; poles of minor lines hardly more than a metre.
+// Width of the corridor by value of power=*: pylons hold wires some 8 m out that swing, poles of minor lines little
+// more than 1 m.
 constexpr PowerRow kPowerLines[] = {{"line", 24}, {"minor_line", 8}};
 
 }  // namespace
@@ -91,11 +86,11 @@ std::vector<Waterway> locate_waterways(const ReadContext& context) {
                       const OsmId id{OsmType::kWay, way.id};
                       const auto tagged = tagged_length_m(context, id, way.tags, "width", 0.2, 500);
                       const double width = std::max(kQuantum_m, snapped(tagged.value_or(row.width_m)));
-                      waterways.push_back({{id, 0},
-                                           std::move(line.axis),
-                                           width,
-                                           tagged_layer(context, id, way.tags),
-                                           tagged_passage(context, way.tags)});
+                      waterways.push_back({.id = {id, 0},
+                                           .axis = std::move(line.axis),
+                                           .width_m = width,
+                                           .layer = tagged_layer(context, id, way.tags),
+                                           .passage = tagged_passage(context, way.tags)});
                     });
   return waterways;
 }
@@ -107,7 +102,11 @@ std::vector<Barrier> locate_barriers(const ReadContext& context) {
                       const OsmId id{OsmType::kWay, way.id};
                       const auto tagged = tagged_length_m(context, id, way.tags, "height", 0.1, 50);
                       const double height = snapped(tagged.value_or(row.height_m));
-                      barriers.push_back({{id, 0}, std::move(line.axis), row.kind, height, row.width_m});
+                      barriers.push_back({.id = {id, 0},
+                                          .axis = std::move(line.axis),
+                                          .kind = row.kind,
+                                          .height_m = height,
+                                          .width_m = row.width_m});
                     });
   return barriers;
 }
@@ -129,7 +128,7 @@ std::vector<PointFeature> locate_points(const ReadContext& context) {
     const double height = row->kind == PointKind::kTree
                               ? tagged_plant_height_m(context, id, node.tags)
                               : tagged_length_m(context, id, node.tags, "height", 0.1, kTallest_m).value_or(0);
-    points.push_back({{id, 0}, at, row->kind, snapped(height)});
+    points.push_back({.id = {id, 0}, .at = at, .kind = row->kind, .height_m = snapped(height)});
     if (row->kind == PointKind::kTree) points.back().plant_tags = growth_of(context, id, node.tags);
   }
   context.report.account("map", "point") = account;

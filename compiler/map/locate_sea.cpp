@@ -6,7 +6,7 @@
 namespace citykiln::map {
 namespace {
 
-// The sea is closed along a box this much wider than the region, so that its sides are never seen.
+// The sea is closed along a box this much wider than the region, which puts its sides out of sight.
 constexpr double kBeyond_m = 256;
 
 }  // namespace
@@ -27,7 +27,7 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
     ways.push_back({id, std::move(line.axis), nodes.front().id, nodes.back().id});
     ++account.merged;
   }
-  // all sea is one object's: that of the lowest coastline, its polygons numbered from west to east
+  // the sea is one object with the id of its lowest coastline; its polygons are numbered from west to east
   OsmId first;
   for (const CoastWay& way : ways)
     if (first.type == OsmType::kNone || way.id < first) first = way.id;
@@ -38,8 +38,10 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
   std::vector<AreaFeature> areas;
   for (Polygon& polygon : sea.polygons) {
     const double area = area_m2(polygon);
-    areas.push_back(
-        {{first, static_cast<std::uint32_t>(areas.size())}, std::move(polygon), LandCoverClass::kSea, area});
+    areas.push_back({.id = {first, static_cast<std::uint32_t>(areas.size())},
+                     .polygon = std::move(polygon),
+                     .surface = LandCoverClass::kSea,
+                     .area_m2 = area});
   }
   account.split = account.out = areas.size();
   context.report.account("map", "coastline") = account;

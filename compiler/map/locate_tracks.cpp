@@ -28,7 +28,7 @@ bool is_unpaved(std::string_view surface) {
   return false;
 }
 
-// What the surface=* tag makes of a class.
+// The class after surface=*.
 LandCoverClass surfaced(LandCoverClass surface, std::string_view tagged) {
   if (surface == LandCoverClass::kPavedFootPath && is_unpaved(tagged)) return LandCoverClass::kFootPath;
   if (surface == LandCoverClass::kServiceRoad && is_unpaved(tagged)) return LandCoverClass::kUnpavedRoad;

@@ -11,9 +11,9 @@
 namespace citykiln::map {
 namespace {
 
-// Of a step. Must be more than the double's whole error, so that beyond it every CPU is on the true side: that error
-// reaches 4.2e-9 m (5.4e-7 step, measured up to 78° N against long double; with and without FMA results differ by up
-// to 1.9e-9 m).
+// Share of a step. Larger than the whole error of the double computation, so that beyond it every CPU rounds to the
+// same side. That error is at most 4.2e-9 m or 5.4e-7 step, measured up to 78° N against long double; results with and
+// without FMA differ by up to 1.9e-9 m.
 constexpr double kNearTie = 1e-5;
 
 bool is_near_tie(double v) {
@@ -21,7 +21,7 @@ bool is_near_tie(double v) {
   return std::abs(steps - std::round(steps)) < kNearTie;
 }
 
-// Where the series still gives a place, far beyond where it is good: nodes at 0, 0 by mistake must not become infinite.
+// The longitude up to which the series still gives finite results: nodes at 0, 0 by mistake must not become infinite.
 constexpr double kMostAway_deg = 80;
 
 LonLat within_reach(LonLat origin, LonLat place) {
@@ -43,7 +43,8 @@ struct Plane::Projection {
   double northing_m = 0;  // of the origin
 
   explicit Projection(LonLat o) : origin(o) {
-    // by the precise way, rounded, so that it is the same on every CPU: minus the equator's distance to the origin
+    // computed in long double and rounded, so that it is the same on every CPU: minus the distance from the origin to
+    // the equator
     northing_m = -static_cast<double>(precise_forward(o, {o.lon_deg, 0}).y);
   }
 };
@@ -72,7 +73,7 @@ LonLat Plane::backward(Vec2 p) const {
 Vec2 Plane::snapped_forward(source::Location place) const {
   const Vec2 p = forward({place.lon_deg(), place.lat_deg()});
   if (!is_near_tie(p.x) && !is_near_tie(p.y)) return snapped_to(kMapStep_m, p);
-  // degrees as the same doubles that the fast way sees
+  // from the same doubles as the fast computation
   const LonLat degrees = within_reach(projection_->origin, {place.lon_deg(), place.lat_deg()});
   const PrecisePoint precise = precise_forward(projection_->origin, {degrees.lon_deg, degrees.lat_deg});
   return {is_near_tie(p.x) ? precisely_snapped(precise.x) : snapped_to(kMapStep_m, p.x),

@@ -8,8 +8,7 @@
 
 namespace citykiln::map {
 
-/// Places of the map lie on multiples of this, which is finer than OSM's own grid (1e-7 degrees, 11 mm): finer steps
-/// would only store noise.
+/// The grid of map positions. Finer than OSM's own grid of 1e-7 degrees or 11 mm: more digits would store noise.
 inline constexpr double kMapStep_m = 0x1p-7;
 
 struct LonLat {
@@ -17,9 +16,9 @@ struct LonLat {
   bool operator==(const LonLat&) const = default;
 };
 
-/// The projection of a job. GeographicLib's series form (Karney 2011), 0.28 µs a point; error under 5 nm. Scale error
-/// at the rim: about x²/2R², under 8 ppm within 25 km of the origin's meridian. Total: places more than 80° of
-/// longitude away come to lie as far as those at 80°.
+/// The projection of a job. Method: GeographicLib's series (Karney 2011), 0.28 µs a point, error under 5 nm. The scale
+/// error at distance x from the origin's meridian is x²/2R², under 8 ppm within 25 km. Total: longitudes more than 80°
+/// away are clamped.
 class Plane {
  public:
   explicit Plane(LonLat origin);
@@ -30,8 +29,8 @@ class Plane {
   LonLat origin() const;
   Vec2 forward(LonLat place) const;  ///< Not snapped.
   LonLat backward(Vec2 p) const;
-  /// forward, snapped to kMapStep_m; points within 1e-5 step of a tie are computed again in higher precision, so that
-  /// every CPU agrees.
+  /// Returns forward(), snapped to kMapStep_m. Points within 1e-5 step of a tie are computed again in higher precision,
+  /// so that every CPU agrees.
   Vec2 snapped_forward(source::Location place) const;
 
  private:

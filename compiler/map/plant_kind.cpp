@@ -6,21 +6,20 @@
 namespace citykiln::map {
 namespace {
 
-struct Taxon {
+struct Taxa {
   PlantKind kind;
-  std::string_view names;  // by spaces
+  std::string_view names;  // separated by spaces
 };
 
-constexpr Taxon kTaxa[] = {
-#define TAXON(kind, names) {PlantKind::kind, names},
-#include "compiler/map/taxa.inc"
-#undef TAXON
+constexpr Taxa kTaxa[] = {
+#define TAXA(name, words) {PlantKind::name, words},
+#include "lsystems/species/species.inc"
 };
 
-// Shorter ends of words tell nothing: "esche" is in "kirsche" but for a letter.
+// Minimum length of a word's ending that names a plant: "esche" ends "kirsche" except for a letter.
 constexpr std::size_t kLeastEnd = 5;
 
-// The next of the words that spaces part, taken off the text.
+// Takes the next word, up to a space, off the text.
 std::string_view take_word(std::string_view& text) {
   const std::size_t end = std::min(text.find(' '), text.size());
   const std::string_view word = text.substr(0, end);
@@ -28,7 +27,7 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-// Lower case, and a space for what is not a letter. Of UTF-8 the capitals of Latin-1 are known.
+// The text in lower case with a space for each other character. Of UTF-8, capitals of Latin-1 are converted.
 std::string lowered(std::string_view text) {
   std::string lower;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -43,18 +42,19 @@ std::string lowered(std::string_view text) {
   return lower;
 }
 
-template <typename Fits>
-PlantKind first_kind(Fits fits) {
-  for (const Taxon& taxon : kTaxa)
-    for (std::string_view names = taxon.names; !names.empty();)
-      if (fits(take_word(names))) return taxon.kind;
-  return PlantKind::kUnknown;
+// The kind of the longest name that the word ends with, of at least `least` bytes.
+PlantKind kind_of_ending(std::string_view word, std::size_t least) {
+  PlantKind kind = PlantKind::kUnknown;
+  for (const Taxa& taxa : kTaxa)
+    for (std::string_view names = taxa.names; !names.empty();)
+      if (const std::string_view name = take_word(names); name.size() >= least && word.ends_with(name))
+        kind = taxa.kind, least = name.size() + 1;
+  return kind;
 }
 
 PlantKind kind_of_word(std::string_view word) {
-  const PlantKind whole = first_kind([&](std::string_view name) { return word == name; });
-  if (whole != PlantKind::kUnknown || word.size() <= kLeastEnd) return whole;
-  return first_kind([&](std::string_view name) { return name.size() >= kLeastEnd && word.ends_with(name); });
+  const PlantKind whole = kind_of_ending(word, word.size());
+  return whole == PlantKind::kUnknown && word.size() > kLeastEnd ? kind_of_ending(word, kLeastEnd) : whole;
 }
 
 }  // namespace

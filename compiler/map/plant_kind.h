@@ -1,4 +1,4 @@
-// What grows somewhere, as far as tags tell.
+// Kinds of plants, and what tags say about a plant.
 #pragma once
 
 #include <cstdint>
@@ -6,30 +6,12 @@
 
 namespace citykiln::map {
 
-/// Plants that look alike. Genera that are not among them are told as the one they look like (taxa.inc).
+/// The species that tags name: kUnknown, then one enumerator for each block of species.inc, in its order. Genera
+/// without a species of their own map to the one that looks most similar.
 enum class PlantKind : std::uint8_t {
   kUnknown,
-  kFruitTree,
-  kBeech,
-  kBirch,
-  kBush,
-  kCypress,
-  kFir,
-  kLime,
-  kMaple,
-  kOak,
-  kPalm,
-  kPine,
-  kPlane,
-  kPoplar,
-  kSpruce,
-  kWillow,
-  kVine,
-  kGrass,
-  kGrain,
-  kMaize,
-  kFern,
-  kHonda  ///< Of no genus: Honda's trees, as RPForest's scenes have them.
+#define SPECIES(name, ...) name,
+#include "lsystems/species/species.inc"
 };
 
 enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };
@@ -37,17 +19,17 @@ enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };
 struct PlantTags {
   PlantKind kind{};
   LeafType leaves{};
-  double crown_m = 0;      ///< Across; 0: nobody says.
-  double girth_m = 0;      ///< About the trunk at breast height; 0: nobody says.
-  std::uint16_t year = 0;  ///< In which it was planted; 0: nobody says.
+  double crown_m = 0;      ///< Crown diameter; 0: unknown.
+  double girth_m = 0;      ///< Trunk circumference at breast height; 0: unknown.
+  std::uint16_t year = 0;  ///< Year of planting; 0: unknown.
   bool operator==(const PlantTags&) const = default;
 };
 
-/// On which sides of a street trees stand.
+/// The sides of a street with trees.
 enum class TreeSides : std::uint8_t { kNone, kLeft, kRight, kBoth };
 
-/// The kind that the first known word of a text names, in Latin, English, German, French, Spanish or Catalan, in any
-/// case; German compounds by their end ("Winterlinde"). kUnknown where it knows none. O(words · taxa).
+/// Returns the kind that the first known word of a text names, in Latin, English, German, French, Spanish or Catalan,
+/// in any case. German compounds match by their ending ("Winterlinde"). kUnknown without a known word. O(words · taxa).
 PlantKind kind_named(std::string_view text);
 
 }  // namespace citykiln::map

@@ -5,7 +5,7 @@
 namespace citykiln::map {
 namespace {
 
-// The most exact first; names in a language where the Latin one tells nothing.
+// Most specific first; names in other languages apply where the Latin one gives nothing.
 constexpr std::string_view kTaxonKeys[] = {"genus",      "species",  "taxon",      "genus:de", "species:de",
                                            "taxon:de",   "genus:en", "species:en", "taxon:en", "genus:fr",
                                            "species:fr", "genus:es", "species:es", "genus:ca", "species:ca",
@@ -34,7 +34,7 @@ LeafType tagged_leaves(const ReadContext& context, source::Range tags) {
   return LeafType::kUnknown;
 }
 
-// In metres; larger numbers without a unit are centimetres.
+// In metres; numbers above half the maximum are centimetres.
 double girth_m_of(const ReadContext& context, OsmId id, source::Range tags) {
   const double girth_m = tagged_length_m(context, id, tags, "circumference", 0.05, 1000).value_or(0);
   return girth_m > kThickest_m / 2 ? girth_m / 100 : girth_m;
@@ -58,7 +58,7 @@ double tagged_plant_height_m(const ReadContext& context, OsmId id, source::Range
 TreeSides tree_sides_of(std::string_view tree_lined) {
   if (tree_lined == "left") return TreeSides::kLeft;
   if (tree_lined == "right") return TreeSides::kRight;
-  // trees that are mapped apart are there already
+  // "separate" is not here: those trees are mapped
   const bool is_both = tree_lined == "both" || tree_lined == "yes" || tree_lined == "avenue";
   return is_both ? TreeSides::kBoth : TreeSides::kNone;
 }

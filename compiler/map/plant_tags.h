@@ -1,4 +1,4 @@
-// What tags say of plants: their kind, their leaves, their size.
+// Reads tags of plants: kind, leaf type, size.
 #pragma once
 
 #include "compiler/map/plant_kind.h"
@@ -6,14 +6,14 @@
 
 namespace citykiln::map {
 
-/// By genus, species, taxon, trees, crop and produce, in the languages of taxa.inc; leaves by leaf_type, leaf_cycle and
-/// the older wood=* and type=*; else by the kind. Sizes that cannot be read are diagnosed kBadTagValue.
+/// By genus, species, taxon, trees, crop and produce, by the taxa of lsystems/species/species.inc; leaves by leaf_type,
+/// leaf_cycle and the older wood=* and type=*; else by the kind. Sizes that cannot be read are diagnosed kBadTagValue.
 PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range tags);
 
-/// height, est_height; 0 where nobody says. Metres.
+/// Returns height or est_height in metres; 0: untagged.
 double tagged_plant_height_m(const ReadContext& context, OsmId id, source::Range tags);
 
-/// tree_lined=*.
+/// Returns the sides named by tree_lined=*.
 TreeSides tree_sides_of(std::string_view tree_lined);
 
 }  // namespace citykiln::map

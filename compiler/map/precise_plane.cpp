@@ -1,6 +1,7 @@
 // Karney, "Transverse Mercator with an accuracy of a few nanometers", J. Geodesy 85, 2011: equations 7 to 14 and 35.
 #include "compiler/map/precise_plane.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::map {
@@ -51,9 +52,10 @@ PrecisePoint precise_forward(LonLat origin, PreciseLonLat place) {
 }
 
 PreciseLonLat precise_backward(LonLat origin, Vec2 p, LonLat near) {
+  assert(std::abs(near.lat_deg) <= 90);
   PreciseLonLat place{near.lon_deg, near.lat_deg};
-  // each step leaves a hundredth of the error or less: the sphere's metres a degree are within half a percent, the
-  // meridians' convergence is small
+  // each step reduces the error to a hundredth or less: the spherical metres per degree are within half a percent, and
+  // the convergence of the meridians is small
   for (int i = 0; i < 12; ++i) {
     const PrecisePoint here = precise_forward(origin, place);
     place.lat_deg += (p.y - here.y) / (kA_m * kDegree);

@@ -1,5 +1,5 @@
-// The plane's projection in x87 long double, whose results are the same on every x86-64 CPU: for what lies so near to a
-// tie of rounding that the last bit of a double would decide. Ten times slower than Plane.
+// The plane's projection in x87 long double, with the same results on every x86-64 CPU. Used for values so near to a
+// tie that the last bit of a double would decide the rounding. Ten times slower than Plane.
 #pragma once
 
 #include "compiler/map/plane.h"
@@ -13,10 +13,11 @@ struct PrecisePoint {
   long double x = 0, y = 0;
 };
 
-/// Karney 2011, Krüger's series to sixth order; from the origin.
+/// Returns the position of a place, from the origin. Method: Karney 2011, Krüger's series to sixth order.
 PrecisePoint precise_forward(LonLat origin, PreciseLonLat place);
-/// The inverse by correction: forward(result) is within 1e-12 m of p. @param near  A place within a metre, e.g.
-/// Plane::backward.
+/// Returns the place at p, by correction steps: forward(result) is within 1e-12 m of p.
+///
+/// @param near  A place within a metre, such as Plane::backward(p).
 PreciseLonLat precise_backward(LonLat origin, Vec2 p, LonLat near);
 
 }  // namespace citykiln::map

@@ -1,7 +1,7 @@
 #include "compiler/map/read_context.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cassert>
 
 #include "compiler/map/clip_ring.h"
 #include "compiler/map/tag_values.h"
@@ -9,11 +9,10 @@
 namespace citykiln::map {
 namespace {
 
-// Rings that reach far out of the region (a lake, a national park) keep their vertices within this of it.
+// Rings much larger than the region (a lake, a national park) keep their vertices within this distance.
 constexpr double kKeptAround_m = 256;
-// And nothing reaches farther than this: a lake's edge that leads across half a continent is cut, a line's stray node
-// is brought near. Longer than any segment of a real line, and small beside the 524 km within which ground/ counts
-// exactly.
+// Maximum distance of anything from the region: rings are clipped there, stray nodes of lines are moved there. Longer
+// than any real segment, and well within the 524 km in which ground/ computes exactly.
 constexpr double kFarthest_m = 65536;
 
 Ring located_ring(const ReadContext& context, const source::AreaRing& ring) {
@@ -73,30 +72,32 @@ std::vector<LocatedPolygon> located(const ReadContext& context, const source::Ar
   return polygons;
 }
 
+std::optional<double> number_within(const ReadContext& context, OsmId id, std::string_view text, double least,
+                                    double most) {
+  return parsed_tag(context, id, text, [&](std::string_view value) {
+    const auto number = number_of(value);
+    return number && *number >= least && *number <= most ? number : std::nullopt;
+  });
+}
+
 std::optional<double> tagged_length_m(const ReadContext& context, OsmId id, source::Range tags, std::string_view key,
                                       double least_m, double most_m) {
-  const std::string_view text = context.tag(tags, key);
-  if (text.empty()) return std::nullopt;
-  const auto length = length_m_of(text);
-  if (length && *length >= least_m && *length <= most_m) return length;
-  context.report.add(Code::kBadTagValue, id);
-  return std::nullopt;
+  assert(least_m <= most_m);
+  return parsed_tag(context, id, context.tag(tags, key), [&](std::string_view text) {
+    const auto length = length_m_of(text);
+    return length && *length >= least_m && *length <= most_m ? length : std::nullopt;
+  });
 }
 
 std::int8_t tagged_layer(const ReadContext& context, OsmId id, source::Range tags) {
-  const std::string_view text = context.tag(tags, "layer");
-  if (text.empty()) return 0;
-  const auto layer = number_of(text);
-  if (layer && std::abs(*layer) <= 10) return static_cast<std::int8_t>(*layer);
-  context.report.add(Code::kBadTagValue, id);
-  return 0;
+  return static_cast<std::int8_t>(number_within(context, id, context.tag(tags, "layer"), -10, 10).value_or(0));
 }
 
 Passage tagged_passage(const ReadContext& context, source::Range tags) {
   const std::string_view tunnel = context.tag(tags, "tunnel");
   const bool is_inside = says_yes(context.tag(tags, "indoor")) || context.tag(tags, "location") == "underground" ||
                          context.tag(tags, "highway") == "corridor";
-  // a passage through a building runs on the ground below it
+  // a passage through a building is on the ground
   if ((says_yes(tunnel) && tunnel != "building_passage") || is_inside) return Passage::kTunnel;
   return says_yes(context.tag(tags, "bridge")) ? Passage::kBridge : Passage::kGround;
 }

@@ -1,5 +1,4 @@
-// An element's tags and nodes, seen from the plane: what the readers of tracks, footprints, areas and points have in
-// common.
+// What all feature readers need: an element's tags, and its nodes in the plane.
 #pragma once
 
 #include <optional>
@@ -13,7 +12,7 @@
 
 namespace citykiln::map {
 
-/// The extract, and where its elements come to lie.
+/// The extract, the plane it is located in, and the report.
 struct ReadContext {
   const source::OsmData& osm;
   const Plane& plane;
@@ -23,16 +22,16 @@ struct ReadContext {
   std::string_view tag(source::Range tags, std::string_view key) const { return osm.value_of(tags, key); }
 };
 
-/// A line of the plane and the nodes it was made from: snapped, without repeated neighbours.
+/// A way in the plane: snapped, without repeated neighbours.
 struct LocatedLine {
   Polyline axis;
-  std::vector<std::int64_t> node_ids;   ///< Of each point.
+  std::vector<std::int64_t> node_ids;   ///< The OSM node of each point.
   std::vector<std::uint32_t> vertices;  ///< The point of each node of the way.
 };
 LocatedLine located(const ReadContext& context, const source::Way& way);
 
-/// The polygons of an area, each with the number of its part: snapped, without repeats, oriented, trimmed to what is
-/// near the region. What lost its area is gone.
+/// The polygons of an area with the numbers of their parts: snapped, without repeats, oriented, trimmed to what is near
+/// the region. Polygons without area are left out.
 struct LocatedPolygon {
   std::uint32_t part = 0;
   Polygon polygon;
@@ -40,18 +39,48 @@ struct LocatedPolygon {
 };
 std::vector<LocatedPolygon> located(const ReadContext& context, const source::Area& area);
 
-/// A length from a tag: nothing where it is absent; diagnosed kBadTagValue where it cannot be read or lies outside
-/// least … most.
+/// Calls visit(polygon) for each polygon near the region. The account gets the others as dropped, kOutsideBounds, and
+/// an area without polygons as dropped, kDegenerateRing.
+template <typename Visit>
+void for_each_near_polygon(const ReadContext& context, OsmId id, const std::vector<LocatedPolygon>& polygons,
+                           Account& account, Visit visit) {
+  if (polygons.empty()) return context.report.drop(account, Code::kDegenerateRing, id);
+  account.split += polygons.size() - 1;
+  for (const LocatedPolygon& polygon : polygons) {
+    if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.region)) {
+      context.report.drop(account, Code::kOutsideBounds, id);
+      continue;
+    }
+    ++account.out;
+    visit(polygon);
+  }
+}
+
+/// Returns parse(text), an optional, or nothing for an empty text. Diagnosed: kBadTagValue where parse returns nothing.
+template <typename Parse>
+auto parsed_tag(const ReadContext& context, OsmId id, std::string_view text, Parse parse) -> decltype(parse(text)) {
+  if (text.empty()) return std::nullopt;
+  auto parsed = parse(text);
+  if (!parsed) context.report.add(Code::kBadTagValue, id);
+  return parsed;
+}
+
+/// Returns a number from least to most, or nothing where the text is empty. Diagnosed: kBadTagValue.
+std::optional<double> number_within(const ReadContext& context, OsmId id, std::string_view text, double least,
+                                    double most);
+
+/// Returns a length from a tag, or nothing where it is absent. Diagnosed: kBadTagValue where it is unreadable or
+/// outside least … most.
 std::optional<double> tagged_length_m(const ReadContext& context, OsmId id, source::Range tags, std::string_view key,
                                       double least_m, double most_m);
 
-/// layer=*, between -10 and 10; 0 where absent.
+/// Returns layer=*, between -10 and 10; 0 where absent.
 std::int8_t tagged_layer(const ReadContext& context, OsmId id, source::Range tags);
 
-/// Bridge, tunnel or neither.
+/// Returns bridge, tunnel or ground by tags.
 Passage tagged_passage(const ReadContext& context, source::Range tags);
 
-/// The box of a line or polygon touches the region.
+/// True where the box of a line touches the region.
 bool is_near(const ReadContext& context, const Polyline& line);
 
 }  // namespace citykiln::map

@@ -1,13 +1,17 @@
+#include "compiler/map/resample.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/locate.h"
+#include "compiler/map/features.h"
 #include "compiler/map/precise_plane.h"
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 
 namespace citykiln::map {
@@ -15,13 +19,13 @@ namespace {
 
 using source::Raster;
 
-// Finer steps than 1 m model no more than noise; coarser ones than a cell leave it no vertex.
+// Steps under 1 m resolve only noise; steps above a cell would leave a cell without vertices.
 constexpr double kFinestStep_m = 1, kCoarsestStep_m = kCell_m;
-// Of a grain. Places are off by 1.6e-9 m at most (measured against long double), so on a slope of 100 to 1 a height is
-// by a hundred thousandth of a quantum.
+// Share of a grain. Positions are off by at most 1.6e-9 m (measured against long double), so on a slope of 100 to 1 a
+// height is off by a hundred thousandth of a quantum.
 constexpr double kNearTie = 1e-5;
 
-// What is neither a void nor a height: no number, or beyond what quanta in 32 bits hold with room to subtract.
+// Values beyond this are no heights: they would overflow differences of 32-bit quanta.
 constexpr double kMostHeight_m = 0x1p20;
 
 template <typename Real>
@@ -29,7 +33,7 @@ bool is_height(Real height_m) {
   return std::abs(height_m) <= kMostHeight_m;
 }
 
-// The largest step that is not above a spacing.
+// The largest step not above a spacing.
 double step_below(double spacing_m) {
   return std::floor(std::clamp(spacing_m, kFinestStep_m, kCoarsestStep_m) / kStepUnit_m) * kStepUnit_m;
 }
@@ -41,22 +45,22 @@ Vec2 step_for(std::span<const Raster> rasters) {
   return {step_below(finest_m.x), step_below(finest_m.y)};
 }
 
-// Over the region and one step beyond on every side; `anchor` is one of the grid's places, maybe far away.
+// A field over the region and one step beyond on every side. @param anchor  A vertex of the grid, possibly far away.
 Heightfield empty_field(const Box2& region, Vec2 step_m, Vec2 anchor) {
   const auto before = [](double v, double step) { return std::floor(v / step) - 1; };
   const auto beyond = [](double v, double step) { return std::ceil(v / step) + 1; };
   const Vec2 low = region.min - anchor, high = region.max - anchor;
   const double west = before(low.x, step_m.x), south = before(low.y, step_m.y);
-  Heightfield field{anchor + Vec2{west * step_m.x, south * step_m.y}, step_m, 0, 0, {}, 0};
+  Heightfield field{.min = anchor + Vec2{west * step_m.x, south * step_m.y}, .step_m = step_m, .heights = {}};
   field.columns = static_cast<int>(beyond(high.x, step_m.x) - west) + 1;
   field.rows = static_cast<int>(beyond(high.y, step_m.y) - south) + 1;
   return field;
 }
 
-// A raster ready to be asked: grid coordinates from places, and back.
+// Bilinear heights of a raster at places.
 struct Sampler {
   const Raster& raster;
-  source::ToRasterSystem to_system;  // empty: longitude and latitude themselves
+  source::ToRasterSystem to_system;  // empty: longitude and latitude
   double determinant;
 
   explicit Sampler(const Raster& r, source::ToRasterSystem t)
@@ -83,7 +87,7 @@ struct Sampler {
     return {(u * g[5] - v * g[2]) / determinant, (v * g[1] - u * g[4]) / determinant};
   }
 
-  // The bilinear height at a place, nothing outside the samples.
+  // The height at a place, or nothing outside the samples.
   template <typename Real>
   std::optional<Real> height_m(Real lon_deg, Real lat_deg) const {
     const InGrid<Real> at = in_grid<Real>(lon_deg, lat_deg);
@@ -92,7 +96,7 @@ struct Sampler {
 
   template <typename Real>
   std::optional<Real> bilinear(Real column, Real row) const {
-    // half a sample beyond the outermost still belongs to them
+    // half a sample around the outermost belongs to them
     if (!(column >= -0.5 && row >= -0.5 && column <= raster.columns - 0.5 && row <= raster.rows - 0.5))
       return std::nullopt;
     column = std::clamp<Real>(column, 0, raster.columns - 1), row = std::clamp<Real>(row, 0, raster.rows - 1);
@@ -108,8 +112,8 @@ struct Sampler {
   }
 };
 
-// A sample next to the region's middle, to a step's unit: the grid lies on samples there, and nearly so for kilometres
-// around. Between samples it would cut off summits.
+// A sample near the region's middle, to kStepUnit_m. Vertices lie on samples there, and nearly so for kilometres
+// around: vertices between samples would cut off summits.
 Vec2 anchor_of(std::span<const Sampler> samplers, const Plane& plane, const Box2& region) {
   const LonLat place = plane.backward(region.centre());
   const auto covers = [&](const Sampler& s) { return s.height_m<double>(place.lon_deg, place.lat_deg).has_value(); };
@@ -129,13 +133,13 @@ std::optional<Real> first_height_m(std::span<const Sampler> samplers, Real lon_d
   return std::nullopt;
 }
 
-// Heights are whole multiples of so many quanta: a 512th of the step, so that no slope is off by more than 0.2 % and
-// coarse fields, which are off by metres themselves, take few bytes.
+// The number of quanta of which heights are multiples: a 512th of the step, so that no slope is off by more than 0.2 %.
+// Coarse fields have errors of metres anyway and take fewer bytes.
 std::int32_t grain_for(double step_m) {
   return std::max(1, static_cast<std::int32_t>(step_m / 512 / kHeightQuantum_m));
 }
 
-// In quanta; recomputed in long double where the last bits of a double would decide.
+// The height in quanta, or nothing outside all rasters. Near a tie it is computed again in long double.
 std::optional<std::int32_t> quantised_height(std::span<const Sampler> samplers, const Plane& plane, Vec2 p,
                                              std::int32_t grain) {
   const double grain_m = grain * kHeightQuantum_m;
@@ -149,46 +153,9 @@ std::optional<std::int32_t> quantised_height(std::span<const Sampler> samplers, 
   return static_cast<std::int32_t>(floorl(exact.value_or(*height) / grain_m + 0.5L)) * grain;
 }
 
-// Places without height take that of the nearest row neighbour, then of the nearest row: total, and in a fixed order.
-std::size_t fill_missing(Heightfield& field, const std::vector<bool>& known) {
-  const auto index = [&](int i, int j) { return static_cast<std::size_t>(j) * field.columns + i; };
-  std::size_t missing = 0;
-  std::vector<bool> row_known(field.rows, false);
-  for (int j = 0; j < field.rows; ++j)
-    for (int i = 0; i < field.columns; ++i) {
-      if (known[index(i, j)]) continue;
-      ++missing;
-      for (int d = 1; d < field.columns; ++d) {
-        const int west = i - d, east = i + d;
-        if (west >= 0 && known[index(west, j)]) {
-          field.heights[index(i, j)] = field.heights[index(west, j)];
-          break;
-        }
-        if (east < field.columns && known[index(east, j)]) {
-          field.heights[index(i, j)] = field.heights[index(east, j)];
-          break;
-        }
-      }
-    }
-  for (int j = 0; j < field.rows; ++j)
-    row_known[j] = std::find(known.begin() + index(0, j), known.begin() + index(0, j) + field.columns, true) !=
-                   known.begin() + index(0, j) + field.columns;
-  for (int j = 0; j < field.rows; ++j) {
-    if (row_known[j]) continue;
-    for (int d = 1; d < field.rows; ++d) {
-      const int from = j - d >= 0 && row_known[j - d] ? j - d : j + d < field.rows && row_known[j + d] ? j + d : -1;
-      if (from < 0) continue;
-      std::copy_n(field.heights.begin() + static_cast<std::ptrdiff_t>(index(0, from)), field.columns,
-                  field.heights.begin() + static_cast<std::ptrdiff_t>(index(0, j)));
-      break;
-    }
-  }
-  return missing;
-}
-
-// The largest vertical distance of a raster's own samples inside the field to the field.
+// The largest vertical distance from the raster's samples to the field.
 double resampling_error_m(const Heightfield& field, const Raster& raster, const Plane& plane) {
-  if (!raster.system_wkt.empty()) return 0;  // stated for rasters in degrees, whose samples can be placed exactly
+  if (!raster.system_wkt.empty()) return 0;  // only samples in degrees can be placed exactly
   double largest = 0;
   const Box2 box = field.box();
   for (int r = 0; r < raster.rows; ++r)
@@ -198,7 +165,7 @@ double resampling_error_m(const Heightfield& field, const Raster& raster, const 
       if (box.contains(p) && is_height(raster.at(c, r)))
         largest = std::max(largest, std::abs(height_m_at(field, p) - raster.at(c, r)));
     }
-  // upwards to the next quantum: a figure to state, not to compute with
+  // rounded up to the next quantum: reported, not computed with
   return std::ceil(largest / kHeightQuantum_m) * kHeightQuantum_m;
 }
 
@@ -216,6 +183,7 @@ Error covers_nothing(std::span<const Raster> rasters, const Plane& plane, const 
 }  // namespace
 
 Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane, const Box2& region, Report& report) {
+  assert(!region.is_empty());
   std::vector<Sampler> samplers;
   for (const Raster& raster : rasters) {
     auto to_system = source::to_system_of(raster);
@@ -234,7 +202,7 @@ Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane
       if (height) field.heights[at] = *height, known[at] = true;
     }
   if (std::find(known.begin(), known.end(), true) == known.end()) return covers_nothing(rasters, plane, region);
-  const std::size_t missing = fill_missing(field, known);
+  const std::size_t missing = source::fill_uncovered(field.heights, known, field.columns);
   if (missing > 0) report.add(Code::kNoHeight, {}, static_cast<double>(missing) / static_cast<double>(known.size()));
   for (const Raster& raster : rasters)
     field.resampling_error_m = std::max(field.resampling_error_m, resampling_error_m(field, raster, plane));

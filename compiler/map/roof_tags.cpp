@@ -1,5 +1,8 @@
 #include "compiler/map/roof_tags.h"
 
+#include <algorithm>
+#include <cassert>
+#include <iterator>
 #include <optional>
 
 #include "compiler/geometry/trig.h"
@@ -10,50 +13,39 @@ namespace {
 
 constexpr double kHighest_m = 1000, kSteepest_deg = 85, kMostLevels = 50;
 
-// Values of roof:shape that ask for nothing that could be built, or for what each mapper means otherwise.
-constexpr std::string_view kUntold[] = {"yes", "no", "many", "unknown", "other"};
+// Values of roof:shape without a definite shape.
+constexpr std::string_view kIndefinite[] = {"yes", "no", "many", "unknown", "other"};
 
-std::optional<double> number_within(const ReadContext& context, OsmId id, source::Range tags, std::string_view key,
+std::optional<double> tagged_number(const ReadContext& context, OsmId id, source::Range tags, std::string_view key,
                                     double most) {
   const std::string_view text = context.tag(tags, key);
-  if (text.empty()) return std::nullopt;
-  const auto number = number_of(text.substr(0, text.find("\xc2\xb0")));
-  if (number && *number >= 0 && *number <= most) return number;
-  context.report.add(Code::kBadTagValue, id);
-  return std::nullopt;
+  return number_within(context, id, text.substr(0, text.find("\xc2\xb0")), 0, most);
 }
 
 std::optional<Vec2> tagged_direction(const ReadContext& context, OsmId id, source::Range tags) {
-  const std::string_view text = context.tag(tags, "roof:direction");
-  if (text.empty()) return std::nullopt;
-  const auto bearing_deg = bearing_deg_of(text);
-  if (bearing_deg) return direction_of((90 - *bearing_deg) / 360);
-  context.report.add(Code::kBadTagValue, id);
-  return std::nullopt;
+  const auto bearing_deg = parsed_tag(context, id, context.tag(tags, "roof:direction"), bearing_deg_of);
+  return bearing_deg ? std::optional(direction_of((90 - *bearing_deg) / 360)) : std::nullopt;
 }
 
 std::optional<roofs::Form> tagged_form(const ReadContext& context, OsmId id, source::Range tags) {
   const std::string_view text = context.tag(tags, "roof:shape");
-  for (const std::string_view untold : kUntold)
-    if (text == untold) return std::nullopt;
-  if (text.empty()) return std::nullopt;
-  const auto form = roofs::form_named(text);
-  if (!form) context.report.add(Code::kBadTagValue, id);
-  return form;
+  if (std::ranges::find(kIndefinite, text) != std::end(kIndefinite)) return std::nullopt;
+  return parsed_tag(context, id, text, roofs::form_named);
 }
 
 double tagged_height_m(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
   if (const auto height_m = tagged_length_m(context, id, tags, "roof:height", 0, kHighest_m)) return *height_m;
-  return level_m * number_within(context, id, tags, "roof:levels", kMostLevels).value_or(0);
+  return level_m * tagged_number(context, id, tags, "roof:levels", kMostLevels).value_or(0);
 }
 
 }  // namespace
 
 TaggedRoof tagged_roof(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
+  assert(level_m > 0);
   const auto form = tagged_form(context, id, tags);
   TaggedRoof roof{form.has_value(), {form.value_or(roofs::Form::kFlat)}};
   roof.shape.height_m = tagged_height_m(context, id, tags, level_m);
-  roof.shape.angle_deg = number_within(context, id, tags, "roof:angle", kSteepest_deg).value_or(0);
+  roof.shape.angle_deg = tagged_number(context, id, tags, "roof:angle", kSteepest_deg).value_or(0);
   roof.shape.direction = tagged_direction(context, id, tags);
   roof.shape.is_ridge_across = context.tag(tags, "roof:orientation") == "across";
   return roof;

@@ -1,4 +1,4 @@
-// roof:* as Simple 3D Buildings has them.
+// Reads roof:* tags as in Simple 3D Buildings.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 namespace citykiln::map {
 
 struct TaggedRoof {
-  bool is_told = false;  ///< Whether the form is.
+  bool has_shape = false;  ///< Whether roof:shape is tagged.
   roofs::RoofShape shape;
 };
 
-/// roof:shape, height, else levels at level_m each, angle, direction, orientation. A shape that no table knows, or a
-/// number that cannot be read, is diagnosed kBadTagValue and left out.
+/// Returns the roof by roof:shape, height (else levels at level_m each), angle, direction and orientation. Diagnosed:
+/// kBadTagValue for unknown shapes and unreadable numbers, which are left out.
 TaggedRoof tagged_roof(const ReadContext& context, OsmId id, source::Range tags, double level_m);
 
 }  // namespace citykiln::map

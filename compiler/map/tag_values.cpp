@@ -13,21 +13,10 @@ struct Colour {
 };
 
 constexpr Colour kColours[] = {
-    {"white", {255, 255, 255}},       {"black", {20, 20, 20}},         {"grey", {128, 128, 128}},
-    {"gray", {128, 128, 128}},        {"silver", {192, 192, 192}},     {"lightgrey", {211, 211, 211}},
-    {"lightgray", {211, 211, 211}},   {"darkgrey", {100, 100, 100}},   {"darkgray", {100, 100, 100}},
-    {"dimgray", {105, 105, 105}},     {"red", {178, 50, 40}},          {"darkred", {139, 0, 0}},
-    {"maroon", {128, 30, 20}},        {"brown", {130, 80, 50}},        {"saddlebrown", {139, 69, 19}},
-    {"sienna", {160, 82, 45}},        {"chocolate", {170, 100, 50}},   {"tan", {210, 180, 140}},
-    {"beige", {232, 222, 196}},       {"ivory", {255, 255, 240}},      {"cream", {245, 235, 205}},
-    {"yellow", {235, 205, 90}},       {"gold", {212, 175, 55}},        {"orange", {220, 140, 60}},
-    {"salmon", {240, 150, 130}},      {"pink", {240, 190, 185}},       {"green", {80, 130, 80}},
-    {"darkgreen", {30, 80, 40}},      {"lightgreen", {160, 210, 150}}, {"olive", {128, 128, 60}},
-    {"blue", {70, 100, 160}},         {"lightblue", {173, 206, 226}},  {"navy", {30, 40, 90}},
-    {"purple", {110, 60, 120}},       {"turquoise", {90, 180, 170}},   {"wheat", {245, 222, 179}},
-    {"peru", {205, 133, 63}},         {"firebrick", {160, 50, 40}},    {"slategray", {112, 128, 144}},
-    {"lightyellow", {250, 245, 205}}, {"sandybrown", {225, 165, 100}}, {"linen", {250, 240, 230}},
-    {"khaki", {215, 205, 140}}};
+#define COLOUR(name, red, green, blue) {name, {red, green, blue}},
+#include "compiler/map/colours.inc"
+#undef COLOUR
+};
 
 std::string_view trimmed(std::string_view text) {
   text = text.substr(0, text.find(';'));
@@ -36,7 +25,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// A number at the front of the text, which then begins behind it.
+// Takes a number off the front of the text.
 std::optional<double> take_number(std::string_view& text) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   std::string digits(text.substr(0, text.find_first_not_of("0123456789.,-+")));
@@ -65,7 +54,7 @@ std::optional<Srgb> hex_colour(std::string_view digits) {
   return Srgb{*r, *g, *b};
 }
 
-// "south-west" → "SW"; letters alone are initials already.
+// "south-west" becomes "SW"; texts of up to three letters are initials already.
 std::string initials_of(std::string_view value) {
   std::string wind;
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };

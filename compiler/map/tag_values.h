@@ -1,6 +1,7 @@
-// Tags as numbers: lengths, counts, colours. A value that cannot be read is nothing, and the caller diagnoses it.
+// Tag values as numbers: lengths, counts, colours. Unreadable values give nothing; the caller diagnoses them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -9,19 +10,27 @@
 
 namespace citykiln::map {
 
-/// "12", "12.5 m", "12,5", "40 ft", "5'10\"", "0.3 km" in metres; of "2;3" the first. Nothing for what is not a finite
-/// number or not below 10 km.
+/// Returns "12", "12.5 m", "12,5", "40 ft", "5'10\"", "0.3 km" in metres; the first of "2;3". Nothing for what is no
+/// finite number below 10 km.
 std::optional<double> length_m_of(std::string_view value);
-/// A number without a unit; of "2;3" the first.
+/// Returns a number without a unit; the first of "2;3".
 std::optional<double> number_of(std::string_view value);
-/// "#rgb", "#rrggbb" or one of the colours of CSS that OSM uses.
+/// Returns "#rgb", "#rrggbb" or a CSS colour name used in OSM.
 std::optional<Srgb> colour_of(std::string_view value);
-/// "225", "SW", "south-west" as degrees clockwise of north, 0 to below 360.
+/// Returns "225", "SW", "south-west" as degrees clockwise of north, 0 to below 360.
 std::optional<double> bearing_deg_of(std::string_view value);
-/// "1898", "1898-05-01", "~1900", "before 1850", "C19", "late C18", "1920s" as a year, the middle of what is meant;
-/// nothing for what names none between 1 and 2999.
+/// Returns the year of "1898", "1898-05-01", "~1900", "before 1850", "C19", "late C18", "1920s": the middle of the
+/// period. Nothing outside 1 to 2999.
 std::optional<std::uint16_t> year_of(std::string_view value);
-/// "yes", "1", "true" and every value but "no", "0", "false" and "".
+/// True for every value except "no", "0", "false" and "".
 bool says_yes(std::string_view value);
+
+/// Returns the row whose `value` is the word, or null.
+template <typename Row, std::size_t n>
+const Row* row_with(const Row (&rows)[n], std::string_view value) {
+  for (const Row& row : rows)
+    if (row.value == value) return &row;
+  return nullptr;
+}
 
 }  // namespace citykiln::map

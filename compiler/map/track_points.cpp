@@ -1,6 +1,7 @@
 #include "compiler/map/track_points.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <string_view>
 
@@ -11,18 +12,13 @@ struct MarkRow {
   std::string_view key, value;
   TrackPointKind kind;
 };
-constexpr MarkRow kMarks[] = {{"highway", "traffic_signals", TrackPointKind::kSignals},
-                              {"highway", "stop", TrackPointKind::kStop},
-                              {"highway", "give_way", TrackPointKind::kGiveWay},
-                              {"railway", "level_crossing", TrackPointKind::kLevelCrossing},
-                              {"railway", "crossing", TrackPointKind::kLevelCrossing},
-                              {"railway", "tram_level_crossing", TrackPointKind::kLevelCrossing},
-                              {"railway", "tram_crossing", TrackPointKind::kLevelCrossing},
-                              {"highway", "turning_circle", TrackPointKind::kTurningCircle},
-                              {"highway", "turning_loop", TrackPointKind::kTurningCircle},
-                              {"highway", "mini_roundabout", TrackPointKind::kMiniRoundabout}};
+constexpr MarkRow kMarks[] = {
+#define TRACK_POINT(key, value, kind) {key, value, TrackPointKind::kind},
+#include "compiler/map/line_rules.inc"
+#undef TRACK_POINT
+};
 
-// crossing:markings=zebra:double, ladder:skewed and the like are read by their first word
+// The first word of crossing:markings decides: zebra:double, ladder:skewed.
 bool is_striped(std::string_view markings) {
   const std::string_view word = markings.substr(0, markings.find(':'));
   return word == "zebra" || word == "ladder";
@@ -39,7 +35,7 @@ std::optional<TrackPointKind> crossing_kind(const ReadContext& context, source::
   return crossing == "uncontrolled" ? TrackPointKind::kZebra : TrackPointKind::kCrossing;
 }
 
-// Signals of a road may hold its crossing too, on one node.
+// A node with traffic signals may also be tagged as a crossing.
 std::optional<TrackPointKind> crossing_of(const ReadContext& context, source::Range tags) {
   const std::string_view highway = context.tag(tags, "highway");
   const bool is_beside_signals = highway == "traffic_signals" && !context.tag(tags, "crossing").empty();
@@ -71,6 +67,7 @@ std::vector<NodeMark> node_marks(const ReadContext& context) {
 
 std::vector<TrackPoint> points_of(const ReadContext& context, const source::Way& way, const LocatedLine& line,
                                   const std::vector<NodeMark>& marks) {
+  assert(line.vertices.size() == context.osm.nodes_of(way).size());
   std::vector<TrackPoint> points;
   const auto nodes = context.osm.nodes_of(way);
   const bool is_closed = nodes.size() > 2 && nodes.front().id == nodes.back().id;

@@ -1,4 +1,4 @@
-// What the nodes of roads and rails say: crossings, signals, signs, turning circles, level crossings.
+// Reads the nodes of roads and rails: crossings, signals, signs, turning circles, level crossings.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace citykiln::map {
 
-/// A node that says something; one that says several things is several marks.
+/// A mark of a node; a node may have several.
 struct NodeMark {
   std::int64_t node_id = 0;
   TrackPointKind kind{};
@@ -17,15 +17,17 @@ struct NodeMark {
   auto operator<=>(const NodeMark&) const = default;
 };
 
-/// All marks of the extract, sorted. What crossing=*, crossing_ref=* and crossing:markings=* say of a crossing: nothing
-/// painted (unmarked, informal, no) is no mark; zebra, ladder and uncontrolled are a zebra; everything else, known or
-/// not, is kCrossing. Not diagnosed. O(tags of nodes + n log n marks).
+/// Returns all marks of the extract, sorted.
+///
+/// Crossings by crossing=*, crossing_ref=* and crossing:markings=*: without paint (unmarked, informal, no) there is no
+/// mark; zebra, ladder and uncontrolled are kZebra; all other values are kCrossing. Not diagnosed. O(tags of nodes + n
+/// log n marks).
 ///
 /// Source: wiki.openstreetmap.org, Tag:highway=crossing, Key:crossing, Key:crossing:markings, Key:direction.
 std::vector<NodeMark> node_marks(const ReadContext& context);
 
-/// The marks on a way, sorted, each once: at the vertex its node came to lie at, also where several nodes share one.
-/// The last vertex of a closed way says nothing that the first does not. O(nodes of the way × log marks).
+/// Returns the marks on a way, sorted, without duplicates, at the vertices of their nodes. The last vertex of a closed
+/// way repeats the first and has none. O(nodes of the way × log marks).
 std::vector<TrackPoint> points_of(const ReadContext& context, const source::Way& way, const LocatedLine& line,
                                   const std::vector<NodeMark>& marks);
 

@@ -10,8 +10,8 @@ namespace citykiln::map {
 struct TrackRow {
   std::string_view key, value;
   LandCoverClass surface;
-  double width_m;  ///< Of one lane; of the whole where it is not counted by lanes.
-  int lanes;       ///< Where none are tagged; 0: not counted by lanes.
+  double width_m;  ///< Of one lane; of the whole where lanes are not counted.
+  int lanes;       ///< The default number; 0: lanes are not counted.
 };
 
 inline constexpr TrackRow kTracks[] = {
@@ -20,7 +20,7 @@ inline constexpr TrackRow kTracks[] = {
 #undef TRACK
 };
 
-/// The first row that the tags fulfil, or null. @param tag  From a key to its value, "" where absent.
+/// Returns the first row that the tags match, or null. @param tag  From a key to its value, "" where absent.
 template <typename Tag>
 const TrackRow* track_row(Tag tag) {
   for (const TrackRow& row : kTracks)

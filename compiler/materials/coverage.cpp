@@ -1,5 +1,5 @@
-// Every edge leaves, in each texel it passes, the signed area between itself and the texel's right side, and in the
-// next texel the rest of its height: a running sum along the row is then the covered share.
+// Each edge adds to every texel it crosses the signed area between itself and the texel's right side, and to the next
+// texel the rest of its height in that row. The running sum along a row is then the covered share.
 #include "compiler/materials/coverage.h"
 
 #include <algorithm>
@@ -30,7 +30,8 @@ Ring in_texels(const Ring& ring_m, double texel_m) {
   return ring;
 }
 
-// Sutherland and Hodgman: the part with side * x >= side * at. Signed areas stay right where it falls into pieces.
+// The part with side * x >= side * at (Sutherland, Hodgman 1974). If it falls into pieces, the edges that connect them
+// cancel out in signed areas.
 Ring clipped(const Ring& ring, double at, double side) {
   Ring kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -42,10 +43,10 @@ Ring clipped(const Ring& ring, double at, double side) {
   return kept;
 }
 
-// Signed areas of a sheet's rows, before they are summed along each row.
+// Signed areas by texel, before the running sums.
 struct Accumulator {
   double first_column, first_row;
-  std::uint32_t columns, rows;  // one column more than the window: what lies right of it ends there
+  std::uint32_t columns, rows;  // with two more columns than the window, see coverage_of()
   std::vector<double> area;
 
   double* row(double at) {
@@ -54,7 +55,7 @@ struct Accumulator {
   }
 };
 
-// An edge within one row.
+// Adds an edge that lies within one row.
 void add_in_row(Vec2 a, Vec2 b, double* areas, Accumulator& sum) {
   const double step = b.x >= a.x ? 1 : -1;
   const double slope = b.x == a.x ? 0 : (b.y - a.y) / (b.x - a.x);

@@ -1,4 +1,4 @@
-// How much of each texel a polygon covers.
+// Area coverage of texels by a polygon.
 #pragma once
 
 #include <cstdint>
@@ -8,29 +8,28 @@
 
 namespace citykiln::materials {
 
-/// Texels [first, end) of a sheet's row: what a polygon may touch.
+/// The columns [first, end) of an image that a polygon may affect.
 struct ColumnRange {
   std::uint32_t first = 0, end = 0;
 };
 
-/// A window of texels: columns as asked for, rows from `first_row` on, all of them in 0 … rows - 1 of the sheet after
-/// wrapping.
+/// A window of texels. Rows are counted from first_row and wrap around at the end of the image.
 struct Coverage {
   std::uint32_t first_column = 0, columns = 0;
   std::uint32_t first_row = 0, rows = 0;
   std::vector<double> share;  ///< 0 … 1, row by row: share[r * columns + c].
 };
 
-/// The share of each texel's area that lies in the ring: the box filter, exact but for rounding.
+/// Returns the share of each texel's area that lies in a ring: a box filter, exact except for rounding.
 ///
-/// @param ring_m   TextureImage metres, simple, either way round.
+/// @param ring_m   Image metres, simple, of either orientation.
 /// @param texel_m  > 0.
-/// @param rows     Of the sheet. Rows are counted modulo this: what leaves at the end comes in at the start.
+/// @param rows     Rows of the image, > 0; it repeats along v.
 ///
-/// Guarantees: for a ring inside the columns and shorter than the sheet the shares sum to the ring's area in texels, to
-/// 1e-9 of the ring's box. Total: a ring with a coordinate that is not finite or beyond 2^30 texels covers nothing,
-/// where one runs round more than once, or comes over itself by wrapping, the share is 1. O(texels of its box).
-/// Source: signed areas per edge, as in the anti-aliasing rasters of LibArt and FreeType.
+/// Guarantees: for a ring inside the columns and shorter than the image the shares sum to the ring's area in texels, to
+/// 1e-9 of the ring's box. Total: a ring with a coordinate that is not finite or beyond 2^30 texels covers nothing;
+/// shares above 1, of rings that overlap themselves, are 1. O(texels of its box).
+/// Source: signed areas per edge, as in the anti-aliasing rasterisers of LibArt and FreeType.
 Coverage coverage_of(const Ring& ring_m, double texel_m, std::uint32_t rows, ColumnRange columns);
 
 }  // namespace citykiln::materials

@@ -1,6 +1,7 @@
 #include "compiler/materials/material.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 
 namespace citykiln::materials {
@@ -21,8 +22,8 @@ constexpr auto kEmissions = [] {
   return emissions;
 }();
 
+// c^2.4 as c² · (c^(1/5))², with the fifth root by Newton's method: only + − × ÷, for the same bytes on every CPU.
 float computed_linear(int value) {
-  // c^2.4 by c^2 · c^0.4, the fifth root by Newton: only + − × ÷, so that every CPU agrees
   const double c = value / 255.0;
   if (c <= 0.04045) return static_cast<float>(c / 12.92);
   const double base = (c + 0.055) / 1.055;
@@ -43,7 +44,7 @@ const LinearTable& linear_table() {
   return table;
 }
 
-// "RoofTile" and "roof_tile".
+// Compares "RoofTile" with "roof_tile".
 bool is_same_name(std::string_view camel, std::string_view snake) {
   std::size_t at = 0;
   for (const char c : camel) {
@@ -63,9 +64,15 @@ std::optional<Material> material_named(std::string_view name) {
   return {};
 }
 
-const MaterialValues& values_of(Material material) { return kTable[static_cast<std::size_t>(material)]; }
+const MaterialValues& values_of(Material material) {
+  assert(material < Material::kCount);
+  return kTable[static_cast<std::size_t>(material)];
+}
 
-std::array<float, 3> emission_of(Material material) { return kEmissions[static_cast<std::size_t>(material)]; }
+std::array<float, 3> emission_of(Material material) {
+  assert(material < Material::kCount);
+  return kEmissions[static_cast<std::size_t>(material)];
+}
 
 float linear_of_srgb(std::uint8_t value) { return linear_table()[value]; }
 

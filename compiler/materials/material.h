@@ -1,4 +1,4 @@
-// What surfaces are made of: physically based values, one row a material.
+// Materials of surfaces, with physically based values.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace citykiln::materials {
 
-/// Rows of the table in material_table.inc. The order is part of the manifest's format: add at the end.
+/// Rows of material_table.inc. The order is part of the manifest format: append only.
 enum class Material : std::uint8_t {
 #define MATERIAL(name, r, g, b, roughness, metallic, variation) name,
 #include "compiler/materials/material_table.inc"
@@ -27,23 +27,30 @@ struct MaterialValues {
 
 const MaterialValues& values_of(Material material);
 
-/// What an emission of 1 stands for: a lit room's ceiling.
+/// The luminance of an emission of 1: that of a lit room's ceiling.
 inline constexpr double kEmission_cd_m2 = 100;
 
-/// Light that a surface sends out by itself: linear RGB, 0…1 of kEmission_cd_m2; of most none.
+/// Emitted light (emission_table.inc): linear RGB, 0…1 of kEmission_cd_m2; 0 for most materials.
 std::array<float, 3> emission_of(Material material);
 inline bool emits(Material material) { return emission_of(material) != std::array<float, 3>{}; }
 
-/// By its name in rules and settings: "roof_tile" is kRoofTile. Nothing where no row has it. O(rows).
+/// Returns the material of a name in snake case, as in rules: kRoofTile for "roof_tile". O(rows).
 std::optional<Material> material_named(std::string_view name);
 
 /// A colour that multiplies the base colour: linear, 255 = 1. Written as COLOR_0.
 using Tint = std::array<std::uint8_t, 4>;
 inline constexpr Tint kNoTint = {255, 255, 255, 255};
 
-/// sRGB 0…255 to linear reflectance 0…1 by table (no libm, same bytes on every CPU).
+/// A material and its tint.
+struct SurfaceMaterial {
+  Material material{};
+  Tint tint = kNoTint;
+  auto operator<=>(const SurfaceMaterial&) const = default;
+};
+
+/// Converts sRGB 0…255 to linear reflectance 0…1 by a table: no libm, so the same bytes on every CPU.
 float linear_of_srgb(std::uint8_t value);
-/// The sRGB value whose linear reflectance is nearest; what is beyond 0…1 becomes 0 or 255. Inverse of linear_of_srgb.
+/// Returns the sRGB value of the nearest linear reflectance, clamped to 0…1. Inverse of linear_of_srgb().
 std::uint8_t srgb_of_linear(double reflectance);
 
 }  // namespace citykiln::materials

@@ -1,4 +1,4 @@
-// A mesh, what it is made of, and whose it is: what every expand door hands out.
+// A mesh with its material and the feature it belongs to: what generate() functions return.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace citykiln::materials {
 
-/// What says how much light each place sends back; tints multiply it.
+/// Where the colour of a surface comes from; tints multiply it.
 enum class ColourSource : std::uint8_t {
-  kByMaterial,      ///< One colour, or a texture that repeats (texture.h).
-  kByMarkingAtlas,  ///< The tile's sheet (sheet.h).
-  kByAtlas,  ///< The tile's atlas of imprints (compiler/impostor/atlas.h), which says roughness and metalness too.
-  kByCutout  ///< The prototype's own picture (compiler/impostor/cutout.h), which also says where there is nothing.
+  kByMaterial,      ///< The material's colour, or its texture (texture.h), which repeats.
+  kByMarkingAtlas,  ///< The tile's marking atlas (roads/markings).
+  kByAtlas,         ///< The tile's facade atlas (impostor/atlas.h), which has roughness and metalness too.
+  kByCutout         ///< The prototype's cutout (impostor/cutout.h), which has opacity too.
 };
 
 struct MaterialMesh {
   Mesh mesh;
   Material material{};
   Tint tint = kNoTint;
-  OsmId feature;  ///< The OSM element it stands for; type kNone where there is none.
-  /// Metres, one a position, or empty. On the sheet: x across it from its left edge, y along it. On the atlas and on
-  /// cutouts: x along rows, y along columns. Elsewhere where the material's texture is shown: across and along a road;
-  /// east and north, or a field's rows, on land.
+  OsmId feature;  ///< The OSM element; type kNone if there is none.
+  /// Texture coordinates, metres, one per position; or empty. For the marking atlas: x across from its left edge, y
+  /// along. For facade atlases and cutouts: x along rows, y down columns. For textures of materials: across and along
+  /// on roads; east and north, or along a field's rows, on land. Not empty unless colour_source is kByMaterial.
   std::vector<Vec2> uvs{};
-  std::vector<Tint> tints{};                               ///< One a position, instead of `tint`; or empty.
-  ColourSource colour_source = ColourSource::kByMaterial;  ///< If by a picture it has uvs.
+  std::vector<Tint> tints{};  ///< One per position, instead of `tint`; or empty.
+  ColourSource colour_source = ColourSource::kByMaterial;
 };
 
 }  // namespace citykiln::materials

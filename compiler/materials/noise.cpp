@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/contract/draw.h"
@@ -9,19 +10,19 @@
 namespace citykiln::materials {
 namespace {
 
-// 128 bits of chance for a place of a lattice.
+// 128 random bits for a lattice point.
 std::array<std::uint32_t, 4> bits_at(std::uint32_t x, std::uint32_t y, std::uint32_t use, std::uint64_t key) {
   return philox4x32_10({x, y, use, 0}, {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)});
 }
 
 double unit(std::uint32_t bits) { return bits * 0x1p-32; }
 
-// 6t^5 - 15t^4 + 10t^3: neither slope nor curvature jumps.
+// 6t^5 - 15t^4 + 10t^3: continuous slope and curvature.
 double faded(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
 double mixed(double a, double b, double share) { return a + (b - a) * share; }
 
-// A texel's middle along one side: the lattice's place before it, the one after, and how far between.
+// The centre of a texel along one side: lattice points before and after it, and its position between them.
 struct Step {
   std::uint32_t before, after;
   double within, share;
@@ -41,6 +42,7 @@ std::vector<Step> steps(std::uint32_t side_px, std::uint32_t waves) {
 }  // namespace
 
 Field gradient_noise(std::uint32_t side_px, WaveCounts waves, std::uint64_t key) {
+  assert(side_px > 0 && waves.across > 0 && waves.along > 0);
   std::vector<Vec2> slopes(static_cast<std::size_t>(waves.across) * waves.along);
   for (std::uint32_t y = 0; y < waves.along; ++y)
     for (std::uint32_t x = 0; x < waves.across; ++x) {
@@ -77,6 +79,7 @@ Field layered_noise(std::uint32_t side_px, WaveCounts first, int octaves, double
 }
 
 Cells cells(std::uint32_t side_px, std::uint32_t across, std::uint64_t key) {
+  assert(side_px > 0 && across > 0);
   struct Stone {
     Vec2 at;
     float chance;
@@ -111,6 +114,7 @@ Cells cells(std::uint32_t side_px, std::uint32_t across, std::uint64_t key) {
 
 double noise_at(Vec2 place_m, double wave_m, std::uint64_t key) {
   constexpr double kFarthest = 1 << 30;
+  assert(wave_m > 0);
   const Vec2 at = place_m * (1 / wave_m);
   if (!(std::abs(at.x) < kFarthest && std::abs(at.y) < kFarthest)) return 0;
   const double x0 = std::floor(at.x), y0 = std::floor(at.y);

@@ -1,4 +1,4 @@
-// Noise: smooth chance over a square that repeats, and over the plane.
+// Noise: smooth pseudorandom functions on a square that repeats, and on the plane.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace citykiln::materials {
 
-/// Values of a square that repeats both ways, row by row; texel (0, 0) is its corner.
+/// Values on a square that repeats both ways, row by row; texel (0, 0) is its corner.
 struct Field {
   std::uint32_t side_px = 0;
   std::vector<float> values;
@@ -21,33 +21,33 @@ struct Field {
   }
 };
 
-/// Waves across a square, each way: 8 and 2 are waves four times as long along v as across u.
+/// Number of lattice cells across a square and along it: {8, 2} stretches the noise along v.
 struct WaveCounts {
   std::uint32_t across = 1, along = 1;
 };
 
-/// Gradient noise, about -0.7 … 0.7, mean near 0, and no wave longer than a side divided by `waves`.
+/// Returns gradient noise, about -0.7 … 0.7, with mean near 0 and no wavelength above a side divided by `waves` (> 0).
 ///
-/// Guarantees: repeats without a seam; a function of (side_px, waves, key) alone; only + − × ÷. O(texels).
-/// Source: Perlin, "Improving Noise", SIGGRAPH 2002, on a lattice that wraps.
+/// Guarantees: repeats without a seam; a function of its arguments alone; only + − × ÷. O(texels).
+/// Source: Perlin, "Improving Noise", SIGGRAPH 2002, on a lattice that wraps around.
 Field gradient_noise(std::uint32_t side_px, WaveCounts waves, std::uint64_t key);
 
-/// `octaves` of it, each of twice as many waves and `gain` times as high as the one before; those that texels cannot
-/// show are left out.
+/// Returns a sum of octaves of gradient noise: each has twice the waves and `gain` times the amplitude of the one
+/// before. Octaves with wavelengths below two texels are left out.
 Field layered_noise(std::uint32_t side_px, WaveCounts first, int octaves, double gain, std::uint64_t key);
 
-/// Stones: the square in irregular cells.
+/// Cellular noise: a square split into irregular cells.
 struct Cells {
-  Field chance;   ///< 0 … 1, the same all over a cell.
-  Field to_edge;  ///< 0 on the edges, rising inwards, about 1 in the middle.
+  Field chance;   ///< 0 … 1, constant in each cell.
+  Field to_edge;  ///< 0 at the edges, rising inwards, about 1 in the middle.
 };
 
-/// Cells about `across` × `across` points, one in each square of a grid (Worley, "A Cellular Texture Basis Function",
-/// SIGGRAPH 1996). Guarantees as above.
+/// Returns cells around `across` × `across` points, one in each square of a grid. Guarantees as for gradient_noise().
+/// Source: Worley, "A Cellular Texture Basis Function", SIGGRAPH 1996.
 Cells cells(std::uint32_t side_px, std::uint32_t across, std::uint64_t key);
 
-/// Value noise of the plane, -1 … 1, waves of about `wave_m`: a function of place, key and wave alone, so that whatever
-/// tile asks is told the same. Total: a place that is not finite, or beyond 2^30 waves, is told 0. O(1).
+/// Returns value noise of the plane, -1 … 1, with wavelengths of about wave_m (> 0): a function of its arguments alone,
+/// so that all tiles get the same value at a place. Total: 0 where the place is not finite or beyond 2^30 waves. O(1).
 double noise_at(Vec2 place_m, double wave_m, std::uint64_t key);
 
 }  // namespace citykiln::materials

@@ -1,6 +1,7 @@
 #include "compiler/materials/paint.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/materials/material.h"
 
@@ -22,13 +23,14 @@ TextureImage blank_image(double texel_m, std::uint32_t columns, std::uint32_t ro
   return {texel_m, columns, rows, std::vector<TextureImage::Texel>(static_cast<std::size_t>(columns) * rows, colour)};
 }
 
-void paint(TextureImage& sheet, ColumnRange columns, const Ring& ring_m, TextureImage::Texel colour) {
-  columns.end = std::min(columns.end, sheet.columns);
-  const Coverage cover = coverage_of(ring_m, sheet.texel_m, sheet.rows, columns);
+void paint(TextureImage& image, ColumnRange columns, const Ring& ring_m, TextureImage::Texel colour) {
+  assert(image.texel_m > 0 && image.texels.size() == std::size_t{image.columns} * image.rows);
+  columns.end = std::min(columns.end, image.columns);
+  const Coverage cover = coverage_of(ring_m, image.texel_m, image.rows, columns);
   for (std::size_t r = 0; r < cover.rows; ++r) {
-    const std::size_t row = (cover.first_row + r) % sheet.rows;
+    const std::size_t row = (cover.first_row + r) % image.rows;
     for (std::size_t c = 0; c < cover.columns; ++c) {
-      TextureImage::Texel& texel = sheet.texels[row * sheet.columns + cover.first_column + c];
+      TextureImage::Texel& texel = image.texels[row * image.columns + cover.first_column + c];
       texel = mixed(texel, colour, cover.share[r * cover.columns + c]);
     }
   }

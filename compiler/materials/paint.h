@@ -1,4 +1,4 @@
-// Paint on a sheet.
+// Painting polygons on texture images.
 #pragma once
 
 #include "compiler/materials/coverage.h"
@@ -6,17 +6,17 @@
 
 namespace citykiln::materials {
 
-/// A sheet of one colour.
+/// Returns an image of one colour.
 TextureImage blank_image(double texel_m, std::uint32_t columns, std::uint32_t rows, TextureImage::Texel colour);
 
-/// Paints a polygon over what is there.
+/// Paints a polygon over an image.
 ///
-/// @param columns  Paint stops at their sides, so that strips do not bleed into each other; beyond the sheet it is cut.
-/// @param ring_m   TextureImage metres, simple, either way round. Along v the sheet wraps.
+/// @param columns  The columns that may change; beyond the image it is clipped.
+/// @param ring_m   Image metres, simple, of either orientation. Along v the image wraps around.
 ///
-/// Guarantees: a texel becomes the mix, in linear light, of what it was and the colour, by the share of it that the
-/// ring covers (coverage.h): a line thinner than a texel becomes faint, not lost. Later paint lies over earlier. Only
-/// + − × ÷: the same bytes on every CPU. Bad input as in coverage.h. O(texels of the ring's box).
-void paint(TextureImage& sheet, ColumnRange columns, const Ring& ring_m, TextureImage::Texel colour);
+/// Guarantees: a texel becomes the mix, in linear light, of its colour and the new one by the share that the ring
+/// covers (coverage.h), so that lines thinner than a texel become faint instead of vanishing. Only + − × ÷: the same
+/// bytes on every CPU. Bad input as for coverage_of(). O(texels of the ring's box).
+void paint(TextureImage& image, ColumnRange columns, const Ring& ring_m, TextureImage::Texel colour);
 
 }  // namespace citykiln::materials

@@ -14,9 +14,9 @@ namespace {
 using Rgb = std::array<double, 3>;
 
 constexpr int kColours = 16;
-// Steps of a slope either way: 15 by 15 normals fit a palette.
-constexpr int kSlopeSteps = 7, kMirroredSlopeSteps = 100;
-constexpr std::uint32_t kFewest_px = 16, kMostNormals_px = 128;
+// Quantisation of slopes in each direction: 15 by 15 normals fit a palette of 256. Water needs finer steps.
+constexpr int kSlopeSteps = 7, kWaterSlopeSteps = 100;
+constexpr std::uint32_t kMinSide_px = 16, kMaxNormalsSide_px = 128;
 
 struct Row {
   Material material;
@@ -38,15 +38,15 @@ const Row* row_of(Material material) {
   return row == std::end(kTable) ? nullptr : &*row;
 }
 
-// The most texels a side, a power of two, that are as large as the tolerance.
+// The largest number of texels per side, a power of two, that are at least as large as the tolerance; else 0.
 std::uint32_t texels_at(const Row& row, std::uint32_t most_px, double tolerance_m) {
   const double least_m = is_bark(row.pattern) ? tolerance_m / kBarkTexelsPerTolerance : tolerance_m;
   std::uint32_t px = std::min(row.side_px, most_px);
-  while (px >= kFewest_px && row.side_m / px < least_m) px /= 2;
-  return px >= kFewest_px ? px : 0;
+  while (px >= kMinSide_px && row.side_m / px < least_m) px /= 2;
+  return px >= kMinSide_px ? px : 0;
 }
 
-// Dark to light. Lighter than the material by 3 %, for what rounding takes away.
+// Colours from dark to light.
 std::array<Rgb, kColours> palette_of(const Row& row) {
   std::array<Rgb, kColours> palette;
   const auto& base = values_of(row.material).base_colour;
@@ -62,23 +62,24 @@ std::size_t colour_at(float tone) {
   return static_cast<std::size_t>(std::clamp((tone + 1) / 2 * kColours, 0.0f, kColours - 1.0f));
 }
 
-TextureImage coloured(const Row& row, const Field& tone) {
+TextureImage colour_image(const Row& row, const Field& tone) {
   std::array<Rgb, kColours> palette = palette_of(row);
   Rgb mean{};
   for (const float t : tone.values)
     for (std::size_t c = 0; c < 3; ++c) mean[c] += palette[colour_at(t)][c] / static_cast<double>(tone.values.size());
   const auto& base = values_of(row.material).base_colour;
   std::array<TextureImage::Texel, kColours> texels;
+  // 3 % lighter than the material, so that colour_factor() stays below 1 after rounding
   for (std::size_t i = 0; i < kColours; ++i)
     for (std::size_t c = 0; c < 3; ++c) texels[i][c] = srgb_of_linear(palette[i][c] * 1.03 * base[c] / mean[c]);
-  TextureImage sheet{row.side_m / tone.side_px, tone.side_px, tone.side_px, {}};
-  sheet.texels.reserve(tone.values.size());
-  for (const float t : tone.values) sheet.texels.push_back(texels[colour_at(t)]);
-  return sheet;
+  TextureImage image{row.side_m / tone.side_px, tone.side_px, tone.side_px, {}};
+  image.texels.reserve(tone.values.size());
+  for (const float t : tone.values) image.texels.push_back(texels[colour_at(t)]);
+  return image;
 }
 
-// The steps of a slope, of which `most` are 1.
-double stepped(double slope, double most, int steps) {
+// Quantises a slope, clamped to ±most.
+double quantised(double slope, double most, int steps) {
   return std::floor(std::clamp(slope / most, -1.0, 1.0) * steps + 0.5) / steps * most;
 }
 
@@ -88,7 +89,7 @@ TextureImage::Texel texel_of(double slope_u, double slope_v) {
   return {byte(-slope_u * out), byte(slope_v * out), byte(out)};
 }
 
-TextureImage shaped(const Row& row, const Field& relief) {
+TextureImage normal_image(const Row& row, const Field& relief) {
   const std::uint32_t px = relief.side_px;
   const double texel_m = row.side_m / px;
   const auto slope = [&](float after, float before) { return (after - before) * row.relief_m / (2 * texel_m); };
@@ -101,15 +102,15 @@ TextureImage shaped(const Row& row, const Field& relief) {
   double squares = 0;
   for (std::uint32_t r = 0; r < px; ++r)
     for (std::uint32_t c = 0; c < px; ++c) squares += slope_u(c, r) * slope_u(c, r) + slope_v(c, r) * slope_v(c, r);
-  // steeper ones than so many deviations are rare
+  // slopes above 2.2 standard deviations are rare
   const double most = 2.2 * std::sqrt(squares / (2.0 * px * px));
-  const int steps = row.pattern == TexturePattern::kWaves ? kMirroredSlopeSteps : kSlopeSteps;
-  TextureImage sheet{texel_m, px, px, {}};
-  sheet.texels.reserve(relief.values.size());
+  const int steps = row.pattern == TexturePattern::kWaves ? kWaterSlopeSteps : kSlopeSteps;
+  TextureImage image{texel_m, px, px, {}};
+  image.texels.reserve(relief.values.size());
   for (std::uint32_t r = 0; r < px; ++r)
     for (std::uint32_t c = 0; c < px; ++c)
-      sheet.texels.push_back(texel_of(stepped(slope_u(c, r), most, steps), stepped(slope_v(c, r), most, steps)));
-  return sheet;
+      image.texels.push_back(texel_of(quantised(slope_u(c, r), most, steps), quantised(slope_v(c, r), most, steps)));
+  return image;
 }
 
 std::uint64_t key_of(Material material, std::uint64_t seed) {
@@ -121,8 +122,8 @@ std::uint64_t key_of(Material material, std::uint64_t seed) {
 }  // namespace
 
 double side_m(const Texture& texture) {
-  const TextureImage& sheet = texture.colour.texels.empty() ? texture.normal : texture.colour;
-  return sheet.columns * sheet.texel_m;
+  const TextureImage& image = texture.colour.texels.empty() ? texture.normal : texture.colour;
+  return image.columns * image.texel_m;
 }
 
 bool has_texture(Material material, double tolerance_m) {
@@ -147,10 +148,11 @@ Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
   const PatternFields tones = generate_pattern(row.pattern, row.side_px, key_of(material, seed));
   Texture texture{material, {}, {}};
   if (row.contrast > 0)
-    texture.colour = coloured(row, downsampled(tones.tone, texels_at(row, row.side_px, tolerance_m)));
-  const bool is_shaped =
+    texture.colour = colour_image(row, downsampled(tones.tone, texels_at(row, row.side_px, tolerance_m)));
+  const bool has_normals =
       row.relief_m > 0 && (has_detail(Detail::kGroundNormals, tolerance_m) || row.pattern == TexturePattern::kWaves);
-  if (is_shaped) texture.normal = shaped(row, downsampled(tones.relief, texels_at(row, kMostNormals_px, tolerance_m)));
+  if (has_normals)
+    texture.normal = normal_image(row, downsampled(tones.relief, texels_at(row, kMaxNormalsSide_px, tolerance_m)));
   return texture;
 }
 

@@ -10,7 +10,7 @@ std::vector<Texture> TextureCache::textures_of(std::span<const Material> materia
 }
 
 const Texture& TextureCache::texture(Material material, double tolerance_m) const {
-  // nodes of a map stay where they are
+  // references to map elements stay valid when others are inserted
   Slot& slot = [&]() -> Slot& {
     const std::lock_guard lock(mutex_);
     return slots_[{material, tolerance_m}];

@@ -1,4 +1,4 @@
-// Textures, each drawn once, however many tiles show it.
+// Cache of textures, each generated once for all tiles.
 #pragma once
 
 #include <map>
@@ -11,13 +11,12 @@
 
 namespace citykiln::materials {
 
-/// From any thread. Logically const: a texture is a function of the seed and what is asked for. Memory: what has been
-/// asked for, about a megabyte each at most.
+/// Thread-safe. A texture is a function of the seed and the arguments. Memory: up to 1 MB per texture asked for.
 class TextureCache {
  public:
   explicit TextureCache(std::uint64_t seed) : seed_(seed) {}
 
-  /// As textures_of() makes them.
+  /// Returns the textures of those materials that have one. @param materials  Sorted, unique.
   std::vector<Texture> textures_of(std::span<const Material> materials, double tolerance_m) const;
 
  private:

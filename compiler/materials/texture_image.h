@@ -1,9 +1,8 @@
-// A trim sheet: strips of surface side by side, as a texture that repeats along its length. Road markings are drawn
-// into one; a tile has at most one.
+// Texture images with a texel size in metres: road markings, facade atlases, cutouts, textures of materials.
 //
-//     columns of texels ->  u, metres across
+//     columns of texels ->  u, metres
 //     +------+--------+----+
-//     |  |   | |    | |    |   v, metres along, repeats
+//     |  |   | |    | |    |   v, metres; marking atlases repeat along v
 //     |      | |  | | |    |   |
 //     |  |   | |    | |    |   v
 //     +------+--------+----+
@@ -15,14 +14,14 @@
 
 namespace citykiln::materials {
 
-/// What graphics cards take, across and along; and in all, so that no sheet fills a memory.
+/// Largest size that graphics cards support, and a limit for memory.
 inline constexpr std::uint32_t kMaxImageSide_px = 16384;
 inline constexpr std::uint64_t kMaxImageTexels = std::uint64_t{1} << 26;
 
 struct TextureImage {
-  using Texel = std::array<std::uint8_t, 3>;  ///< sRGB reflectance.
+  using Texel = std::array<std::uint8_t, 3>;  ///< sRGB reflectance, unless the user of the image says otherwise.
 
-  double texel_m = 0;                   ///< Size of a texel, both ways. > 0 where there are texels.
+  double texel_m = 0;                   ///< Size of a texel, both ways. > 0 if there are texels.
   std::uint32_t columns = 0, rows = 0;  ///< At most kMaxImageSide_px, and kMaxImageTexels together.
   std::vector<Texel> texels;            ///< Row by row; texel (0, 0) covers u and v from 0 to texel_m.
   bool operator==(const TextureImage&) const = default;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include "compiler/geometry/trig.h"
 
@@ -11,8 +13,8 @@ namespace {
 
 Field flat(std::uint32_t side_px) { return {side_px, std::vector<float>(static_cast<std::size_t>(side_px) * side_px)}; }
 
-// The field with its mean at 0 and so many standard deviations at 1; what is flat stays flat.
-Field levelled(Field field, double deviations) {
+// Normalises a field: mean 0, and `deviations` standard deviations are 1. Constant fields become 0.
+Field normalised(Field field, double deviations) {
   double sum = 0, squares = 0;
   for (const float v : field.values) sum += v;
   const double mean = sum / static_cast<double>(field.values.size());
@@ -28,8 +30,8 @@ Field within_one(Field field) {
   return field;
 }
 
-// The mean of a row of values that comes round, over `width` of them, odd. All sums grow together, each from its first
-// value to its last.
+// Box filter of odd width over a row that wraps around. All sums grow at once, each from its first value to its last:
+// this vectorises with a fixed order of additions.
 void blur_row(std::vector<double>& row, std::uint32_t width) {
   const std::size_t count = row.size(), half = width / 2;
   std::vector<double> round(count + width - 1);
@@ -40,7 +42,7 @@ void blur_row(std::vector<double>& row, std::uint32_t width) {
   for (double& sum : row) sum /= width;
 }
 
-// Means over squares, twice, so that their corners do not show.
+// Two box filters in each direction, an approximately isotropic blur.
 Field blurred(const Field& field, std::uint32_t width) {
   Field out = field;
   std::vector<double> line(field.side_px);
@@ -54,17 +56,17 @@ Field blurred(const Field& field, std::uint32_t width) {
   return out;
 }
 
-// What is wider than a tenth of the side would show from afar how it repeats: little of it is left.
+// Attenuates features wider than a tenth of the side: they would make the repetition visible from afar.
 Field fine(const Field& field) {
-  constexpr float kLeft = 0.15f;
+  constexpr float kKeptShare = 0.15f;
   Field out = field;
   const Field wide = blurred(field, std::max(3u, field.side_px / 10 | 1u));
-  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] -= (1 - kLeft) * wide.values[i];
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] -= (1 - kKeptShare) * wide.values[i];
   return out;
 }
 
 PatternFields tones(const Field& tone, const Field& relief) {
-  return {within_one(levelled(tone, 2)), levelled(relief, 1)};
+  return {within_one(normalised(tone, 2)), normalised(relief, 1)};
 }
 PatternFields fine_tones(const Field& both) { return tones(fine(both), both); }
 
@@ -90,7 +92,7 @@ PatternFields tufts(std::uint32_t px, std::uint64_t key) {
   }));
 }
 
-// Sixteen a side: half a metre apart on 8 m.
+// 16 rows per side: 0.5 m apart on 8 m.
 PatternFields rows(std::uint32_t px, std::uint64_t key) {
   constexpr double kRows = 16;
   const Field clods = fine(layered_noise(px, {32, 16}, 3, 1.1, key)), sway = gradient_noise(px, {4, 2}, key + 10);
@@ -127,7 +129,7 @@ PatternFields stones(std::uint32_t px, std::uint64_t key) {
   }));
 }
 
-// Ridges where noise passes through 0 (Musgrave, in Ebert et al., "Texturing and Modeling", 2003), broken by joints.
+// Ridged noise (Musgrave, in Ebert et al., "Texturing and Modeling", 2003), broken by the edges of cells.
 PatternFields crags(std::uint32_t px, std::uint64_t key) {
   Field ridges = flat(px);
   double height = 1;
@@ -143,7 +145,7 @@ PatternFields crags(std::uint32_t px, std::uint64_t key) {
   return fine_tones(relief);
 }
 
-// How far inside its joint a place of a brick wall is, 0 … 1, and the brick's chance.
+// A place on a brick wall: 0 in the joint to 1 inside the brick; and a random number of the brick.
 struct Brick {
   double inside, chance;
 };
@@ -177,8 +179,7 @@ PatternFields bricks(std::uint32_t px, std::uint32_t across, std::uint32_t along
       relief);
 }
 
-// Trains of waves that come round whole, most of them from one side; the shorter the lower (water.cpp has the sea's
-// spectrum; here its lengths are those that fit).
+// A sum of plane waves with whole numbers of periods per side, mostly of similar direction; shorter waves are lower.
 PatternFields waves(std::uint32_t px, std::uint64_t) {
   struct Train {
     int across, along;
@@ -200,10 +201,10 @@ PatternFields waves(std::uint32_t px, std::uint64_t) {
       height += t.height * direction_of((c + 0.5) / px * t.across + (r + 0.5) / px * t.along + t.phase).x;
     return height;
   });
-  return {flat(px), levelled(relief, 1)};
+  return {flat(px), normalised(relief, 1)};
 }
 
-// Of noise, how far from where it passes through 0, up to `width`: 0 … 1.
+// |noise| / width, at most 1: a valley around the zeros of the noise.
 double off_zero(double noise, double width) { return std::min(1.0, std::abs(noise) / width); }
 
 PatternFields furrows(std::uint32_t px, std::uint64_t key) {
@@ -221,7 +222,7 @@ PatternFields streaks(std::uint32_t px, std::uint64_t key) {
   return fine_tones(combined(px, [&](auto c, auto r) { return across.at(c, r) + 0.7 * detail.at(c, r); }));
 }
 
-// Steps from 0 to 1 where a value passes through `at`.
+// A ramp from 0 to 1 of a width around `at`.
 double step(double value, double at, double width) { return std::clamp((value - at) / width + 0.5, 0.0, 1.0); }
 
 PatternFields lenticels(std::uint32_t px, std::uint64_t key) {
@@ -233,7 +234,7 @@ PatternFields lenticels(std::uint32_t px, std::uint64_t key) {
   }));
 }
 
-// Twice side by side: twice as high as wide.
+// Cells repeated twice across, so that they are twice as high as wide.
 PatternFields plates(std::uint32_t px, std::uint64_t key) {
   const Cells large = cells(px, 7, key);
   const Field sway = gradient_noise(px, {9, 7}, key + 1), detail = layered_noise(px, {14, 30}, 3, 0.9, key + 10);
@@ -266,53 +267,40 @@ PatternFields scars(std::uint32_t px, std::uint64_t key) {
   }));
 }
 
+using Generator = PatternFields (*)(std::uint32_t side_px, std::uint64_t key);
+
+// In the order of TexturePattern.
+constexpr Generator kGenerators[] = {
+    blades,
+    tufts,
+    rows,
+    litter,
+    mottled,
+    grains,
+    stones,
+    crags,
+    slabs,
+    [](std::uint32_t px, std::uint64_t key) { return bricks(px, 7, 12, 0.12, key); },  // kMasonry
+    [](std::uint32_t px, std::uint64_t key) { return bricks(px, 8, 20, 0.25, key); },  // kBricks
+    [](std::uint32_t px, std::uint64_t key) { return bricks(px, 9, 6, 0.16, key); },   // kTiles
+    waves,
+    furrows,
+    streaks,
+    lenticels,
+    plates,
+    flakes,
+    scars};
+static_assert(std::size(kGenerators) == static_cast<std::size_t>(TexturePattern::kScars) + 1);
+
 }  // namespace
 
 PatternFields generate_pattern(TexturePattern pattern, std::uint32_t side_px, std::uint64_t key) {
-  switch (pattern) {
-    case TexturePattern::kBlades:
-      return blades(side_px, key);
-    case TexturePattern::kTufts:
-      return tufts(side_px, key);
-    case TexturePattern::kRows:
-      return rows(side_px, key);
-    case TexturePattern::kLitter:
-      return litter(side_px, key);
-    case TexturePattern::kMottled:
-      return mottled(side_px, key);
-    case TexturePattern::kGrains:
-      return grains(side_px, key);
-    case TexturePattern::kStones:
-      return stones(side_px, key);
-    case TexturePattern::kCrags:
-      return crags(side_px, key);
-    case TexturePattern::kSlabs:
-      return slabs(side_px, key);
-    case TexturePattern::kMasonry:
-      return bricks(side_px, 7, 12, 0.12, key);
-    case TexturePattern::kBricks:
-      return bricks(side_px, 8, 20, 0.25, key);
-    case TexturePattern::kTiles:
-      return bricks(side_px, 9, 6, 0.16, key);
-    case TexturePattern::kWaves:
-      return waves(side_px, key);
-    case TexturePattern::kFurrows:
-      return furrows(side_px, key);
-    case TexturePattern::kStreaks:
-      return streaks(side_px, key);
-    case TexturePattern::kLenticels:
-      return lenticels(side_px, key);
-    case TexturePattern::kPlates:
-      return plates(side_px, key);
-    case TexturePattern::kFlakes:
-      return flakes(side_px, key);
-    case TexturePattern::kScars:
-      return scars(side_px, key);
-  }
-  return {flat(side_px), flat(side_px)};
+  assert(side_px > 0);
+  return kGenerators[static_cast<std::size_t>(pattern)](side_px, key);
 }
 
 Field downsampled(const Field& field, std::uint32_t side_px) {
+  assert(side_px > 0 && field.side_px % side_px == 0);
   const std::uint32_t block = field.side_px / side_px;
   if (block <= 1) return field;
   return combined(side_px, [&](auto column, auto row) {

@@ -1,4 +1,4 @@
-// What ground and walls look like from a step away, as light and dark and high and low, without colour.
+// Procedural patterns of textures: brightness and relief, without colour.
 #pragma once
 
 #include "compiler/materials/noise.h"
@@ -8,39 +8,41 @@ namespace citykiln::materials {
 enum class TexturePattern : std::uint8_t {
   kBlades,   ///< Short grass.
   kTufts,    ///< Long grass, shrubs.
-  kRows,     ///< Drilled or ploughed, along v.
+  kRows,     ///< Drilled or ploughed fields, rows along v.
   kLitter,   ///< Leaves and twigs.
   kMottled,  ///< Trodden earth.
   kGrains,   ///< Sand, asphalt, concrete.
   kStones,   ///< Gravel to scree.
   kCrags,    ///< Rock.
-  kSlabs,    ///< Paving, half a metre square on 4 m.
+  kSlabs,    ///< Paving slabs of 0.5 m, on a side of 4 m.
   kMasonry,  ///< Courses of stone along u.
-  kBricks,   ///< Courses of bricks along u, a decimetre each on 2 m.
-  kTiles,    ///< Rows of roof tiles along u, a third of a metre each on 2 m.
-  kWaves,    ///< Of water; tone is flat.
+  kBricks,   ///< Courses of bricks along u, 0.1 m high on a side of 2 m.
+  kTiles,    ///< Rows of roof tiles along u, 1/3 m high on a side of 2 m.
+  kWaves,    ///< Water; brightness is constant.
   // bark, v along the stem
-  kFurrows,    ///< Ridges along it that part and meet again: oak.
-  kStreaks,    ///< Hardly any, across: beech.
+  kFurrows,    ///< Ridges along the stem that part and join: oak.
+  kStreaks,    ///< Faint, across: beech.
   kLenticels,  ///< Dark dashes across, and scars: birch.
-  kPlates,     ///< Of some decimetres: pine.
-  kFlakes,     ///< Patches of what has come off at several times: plane.
-  kScars       ///< Rings of leaves that were, a sixteenth apart: palm.
+  kPlates,     ///< Plates of some decimetres: pine.
+  kFlakes,     ///< Patches of bark shed at different times: plane.
+  kScars       ///< Rings of leaf scars, a sixteenth of the side apart: palm.
 };
 
 struct PatternFields {
-  Field tone;    ///< Mean 0, two standard deviations 1 (all 0 where there is nothing to see), within -1 … 1.
-  Field relief;  ///< Height, mean 0, standard deviation 1.
+  Field tone;    ///< Brightness: mean 0, two standard deviations are 1, clamped to -1 … 1; or all 0.
+  Field relief;  ///< Height: mean 0, standard deviation 1.
 };
 
 inline bool is_bark(TexturePattern pattern) { return pattern >= TexturePattern::kFurrows; }
 
-/// Guarantees: repeats without a seam; nothing in it is longer than half a side, so that repeating does not show from
-/// afar; a function of the arguments alone. O(texels).
+/// Returns the fields of a pattern, side_px > 0.
+///
+/// Guarantees: repeats without a seam; features are shorter than half a side, so that the repetition is not visible
+/// from afar; a function of the arguments alone. O(texels).
 PatternFields generate_pattern(TexturePattern pattern, std::uint32_t side_px, std::uint64_t key);
 
-/// The field at fewer texels, of which each is the mean of those it takes the place of. @param side_px  Divides its
-/// own.
+/// Returns the field at a lower resolution: each value is the mean of those it replaces. @param side_px  Divides that
+/// of the field.
 Field downsampled(const Field& field, std::uint32_t side_px);
 
 }  // namespace citykiln::materials

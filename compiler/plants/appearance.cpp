@@ -5,19 +5,6 @@
 namespace citykiln::plants {
 namespace {
 
-using Thousandths = std::array<int, 3>;
-
-struct Row {
-  Species species;
-  Thousandths leaf, bark;
-};
-
-constexpr Row kRows[] = {
-#define COLOURS(species, lr, lg, lb, br, bg, bb) {Species::species, {lr, lg, lb}, {br, bg, bb}},
-#include "compiler/plants/species_colours.inc"
-#undef COLOURS
-};
-
 materials::Tint tint_of(materials::Material material, const Thousandths& reflectance) {
   const auto& base = values_of(material).base_colour;
   materials::Tint tint = materials::kNoTint;
@@ -27,7 +14,7 @@ materials::Tint tint_of(materials::Material material, const Thousandths& reflect
   return tint;
 }
 
-// Twigs are brown, however light the trunk is.
+// Twigs are brown even where the trunk is light.
 constexpr Thousandths kLightestTwig = {135, 105, 88};
 
 Thousandths twig_of(const Thousandths& bark) {
@@ -36,11 +23,12 @@ Thousandths twig_of(const Thousandths& bark) {
   return twig;
 }
 
-Thousandths mixed(const Thousandths& summer, const SeasonState& state) {
+// A summer colour mixed with the colours of young and turned leaves.
+Thousandths mixed(const Thousandths& summer, const SpeciesValues& species, const SeasonState& state) {
   Thousandths leaf;
   for (std::size_t c = 0; c < 3; ++c)
-    leaf[c] = static_cast<int>(summer[c] + state.young * (state.young_leaf[c] - summer[c]) +
-                               state.turned * (state.turned_leaf[c] - summer[c]));
+    leaf[c] = static_cast<int>(summer[c] + state.young * (species.young_leaf[c] - summer[c]) +
+                               state.turned * (species.turned_leaf[c] - summer[c]));
   return leaf;
 }
 
@@ -48,17 +36,23 @@ Thousandths mixed(const Thousandths& summer, const SeasonState& state) {
 
 Appearance appearance_of(Prototype prototype, Month month) {
   using materials::Material;
-  const bool is_needle = values_of(prototype.species).leaves == LeafForm::kNeedle;
-  const Material leaf = is_needle ? Material::kNeedleLeaf : Material::kBroadLeaf;
-  const auto row = std::ranges::find(kRows, prototype.species, &Row::species);
-  if (row == std::end(kRows)) return {leaf, materials::kNoTint, materials::kNoTint};
+  const SpeciesValues& species = values_of(prototype.species);
+  const Material leaf = species.leaf_form == LeafForm::kNeedle ? Material::kNeedleLeaf : Material::kBroadLeaf;
   const SeasonState state = season_state_of(prototype, month);
-  // stalks are as their blades
-  const bool is_blade = values_of(prototype.species).leaves == LeafForm::kBlade;
-  const materials::Tint bark = tint_of(Material::kBark, is_blade ? mixed(row->bark, state) : row->bark);
+  // stalks of grasses have the colour of their blades
+  const bool is_blade = species.leaf_form == LeafForm::kBlade;
+  const materials::Tint bark = tint_of(Material::kBark, is_blade ? mixed(species.bark, species, state) : species.bark);
   if (state.leaf_share == 0)
-    return {Material::kBark, tint_of(Material::kBark, twig_of(row->bark)), bark, 0, state.height_share};
-  return {leaf, tint_of(leaf, mixed(row->leaf, state)), bark, state.leaf_share, state.height_share};
+    return {.leaf_material = Material::kBark,
+            .leaf = tint_of(Material::kBark, twig_of(species.bark)),
+            .bark = bark,
+            .leaf_share = 0,
+            .height_share = state.height_share};
+  return {.leaf_material = leaf,
+          .leaf = tint_of(leaf, mixed(species.leaf, species, state)),
+          .bark = bark,
+          .leaf_share = state.leaf_share,
+          .height_share = state.height_share};
 }
 
 }  // namespace citykiln::plants

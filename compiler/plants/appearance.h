@@ -1,4 +1,4 @@
-// What species are coloured, and how the season changes it.
+// The colours of a species in a month, as tints of leaf and bark materials.
 #pragma once
 
 #include "compiler/materials/material.h"
@@ -7,12 +7,11 @@
 namespace citykiln::plants {
 
 struct Appearance {
-  materials::Material leaf_material{};      ///< Of bare twigs, bark.
-  materials::Tint leaf{}, bark{};           ///< Of leaf_material and of bark, whatever kind that is.
-  double leaf_share = 1, height_share = 1;  ///< As in season.h.
+  materials::Material leaf_material{};      ///< kBark where leaf_share is 0: leaf cards then show twigs.
+  materials::Tint leaf{}, bark{};           ///< Tints of leaf_material and of any bark material.
+  double leaf_share = 1, height_share = 1;  ///< Of SeasonState.
 };
 
-/// species_looks.inc, as tints, and what years.inc makes of it.
 Appearance appearance_of(Prototype prototype, Month month = kMidsummer);
 
 }  // namespace citykiln::plants

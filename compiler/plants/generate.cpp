@@ -1,15 +1,21 @@
 #include "compiler/plants/generate.h"
 
-#include "compiler/plants/placing/placing.h"
-
 namespace citykiln::plants {
 
-PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& land, Report& report) {
+PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report) {
+  assert(!context.box.is_empty());
   PlacedPlants placed;
-  const std::vector<Obstacle> single = place_trees(placed, recipes.trees, land, report);
-  const std::vector<Obstacle> trees = place_rows(placed, recipes.rows, single, land);
-  place_woods(placed, recipes.woods, trees, recipes.corridors, land);
-  place_plantings(placed, recipes.plantings, trees, land);
+  const std::vector<Obstacle> single = place_trees(placed, recipes.trees, context, report);
+  const std::vector<Obstacle> trees = place_rows(placed, recipes.rows, single, context);
+  place_woods(placed, recipes.woods, trees, recipes.corridors, context);
+  place_plantings(placed, recipes.plantings, trees, context);
+  return placed;
+}
+
+PlacedPlants generate_blades(std::span<const Planting> plantings, const PlacingContext& context) {
+  assert(!context.box.is_empty());
+  PlacedPlants placed;
+  place_blades(placed, plantings, kMostBladesPerKm2, context);
   return placed;
 }
 

@@ -1,33 +1,11 @@
-// From recipes of plants to where each one stands.
+// Generates plants: from recipes to placements of prototypes in a box.
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <span>
-#include <vector>
-
-#include "compiler/contract/report.h"
-#include "compiler/geometry/placement.h"
-#include "compiler/ground/cover/land_cover_index.h"
-#include "compiler/ground/grading/graded_terrain.h"
-#include "compiler/plants/recipe.h"
+#include "compiler/plants/placing/placing.h"
 
 namespace citykiln::plants {
 
-/// A trunk's least distance to roads, paths, rails, water and buildings, and to what else lies on top of land (priority
-/// 50 and more), in woods and plantings.
-inline constexpr double kTrunkClearance_m = 1.25;
-
-/// Where plants stand, by shape; scale is the height in metres.
-using PlacedPlants = std::map<Prototype, std::vector<Placement>>;
-
-/// How far outside the box surfaces must be known for a wood's trees to be decided (a named reach, DESIGN section 8.4).
-inline constexpr double kInfluenceRadius_m = 48;
-
-/// The tallest that a tree can be drawn, metres: whatever the map says.
-inline constexpr double kTallestPlant_m = 40;
-
-/// What stands in a tile and kObstacleInfluence_m around it.
+/// The recipes of a tile and of kObstacleInfluence_m around it.
 struct PlantRecipes {
   std::span<const Tree> trees;
   std::span<const Wood> woods;
@@ -36,42 +14,22 @@ struct PlantRecipes {
   std::span<const PowerLineCorridor> corridors;
 };
 
-/// Where it stands.
-struct PlacingContext {
-  const ground::LandCoverIndex& surfaces;  ///< Covers the box widened by kInfluenceRadius_m.
-  const ground::GradedTerrain& ground;     ///< Carved in the box; its terrain covers as much as the surfaces.
-  Box2 box;                                ///< What is in it is placed; half-open.
-  std::uint64_t seed = 0;
-  double latitude_deg = 0;  ///< Shifts belts of altitude.
-};
-
-/// The plants that stand in the box, but for blades. Trees of woods keep apart on the terrain, and stand on the carved
-/// ground.
+/// Returns the plants in the box, without blades. Distances between trees of woods are measured on the terrain; all
+/// plants stand on the graded terrain.
 ///
-/// Guarantees: no trunk of a wood or planting within kTrunkClearance_m of a road, building or water; trees of all woods
-/// at even distances (blue_noise.h), clear of mapped trees, rows and lanes; a plant depends on nothing beyond
-/// kInfluenceRadius_m. Single trees up to 2 m inside of a carriageway's edge stand half a metre beside it, diagnosed
-/// kTreeMoved; those deeper in, on a building or water are dropped, diagnosed kTreeOnRoad; those of rows are left out.
+/// Guarantees: no trunk of a wood or planting is within kTrunkClearance_m of a road, building or water; trees of woods
+/// are blue noise (blue_noise.h), clear of mapped trees, rows and corridors; a plant depends on nothing beyond
+/// kInfluenceRadius_m. A single tree up to 2 m inside a carriageway moves to half a metre beside it (kTreeMoved); one
+/// deeper inside, on a building or on water is dropped (kTreeOnRoad). Trees of rows are left out there.
 /// Ledger "bake/tree" for single trees. O(n log n).
-PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& land, Report& report);
+PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report);
 
-/// Grass, reed and corn: at tolerances with Detail::kGrassBlades, one plant for a tuft. Beyond, the ground's texture
-/// stands for them, and no error is stated.
-
-/// At most so many of them stand on a square kilometre; where recipes ask for more, some of all are left out.
+/// Blades are grass, reed and corn, a plant for each tuft. Only tolerances with Detail::kGrassBlades show them; coarser
+/// levels have them in the ground's texture, without a stated error. Where recipes ask for more than this limit, a
+/// share of all is drawn.
 inline constexpr double kMostBladesPerKm2 = 200'000;
 
-/// Those that stand in the box. O(plants asked for).
-PlacedPlants generate_blades(std::span<const Planting> plantings, const PlacingContext& land);
-
-/// A hedge as mapped.
-struct HedgeLine {
-  const Polyline& axis;
-  double height_m = 0;
-  OsmId feature;
-};
-
-/// The pieces in the box of a row along the axis, each as long as high, on whatever is there. O(length).
-void add_hedge(const HedgeLine& hedge, const PlacingContext& land, PlacedPlants& placed);
+/// Returns the blades in the box. O(plants asked for).
+PlacedPlants generate_blades(std::span<const Planting> plantings, const PlacingContext& context);
 
 }  // namespace citykiln::plants

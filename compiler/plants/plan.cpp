@@ -22,7 +22,6 @@ constexpr WoodRow kWoods[] = {
 #define WOOD(surface, community, trees_per_ha, height_m) \
   {LandCoverClass::surface, PlantCommunity::community, trees_per_ha, height_m},
 #include "compiler/plants/wood_defaults.inc"
-#undef WOOD
 };
 
 struct PlantingRow {
@@ -34,22 +33,21 @@ constexpr PlantingRow kPlantings[] = {
 #define PLANTING(surface, species, row_spacing_m, plant_spacing_m, height_m) \
   {LandCoverClass::surface, Species::species, row_spacing_m, plant_spacing_m, height_m},
 #include "compiler/plants/planting_defaults.inc"
-#undef PLANTING
 };
 
-// What fields grow where they tell it.
+// Crops of farmland whose tags name them.
 constexpr PlantingRow kCrops[] = {{LandCoverClass::kFarmland, Species::kWheat, 0.5, 0.375, 0.875},
                                   {LandCoverClass::kFarmland, Species::kMaize, 0.75, 0.375, 2.25},
                                   {LandCoverClass::kFarmland, Species::kGrass, 1, 1, 0.375}};
 
-// Trunks of an avenue stand so far behind the kerb.
+// Distance of an avenue's trunks from the kerb.
 constexpr double kBehindKerb_m = 1;
 
 double in_eighths(double v) { return std::floor(v * 8 + 0.5) / 8; }
 
-// As told, else by what else is told; a crown tells as much of trees whose kind nobody knows, taken for the commonest.
-double height_m_of(double told_m, SpeciesMix species_mix, const map::PlantTags& plant_tags) {
-  if (told_m > 0) return told_m;
+// The tagged height, else from other tagged sizes; a tree of unknown species is sized as the most common one.
+double height_m_of(double tagged_m, SpeciesMix species_mix, const map::PlantTags& plant_tags) {
+  if (tagged_m > 0) return tagged_m;
   return height_from_tags_m(is_single_species(species_mix) ? single_species(species_mix) : Species::kLime, plant_tags);
 }
 
@@ -60,16 +58,19 @@ std::vector<Tree> plan_trees(const map::Features& features, Report& report) {
     if (point.kind != map::PointKind::kTree) continue;
     ++account.in, ++account.out;
     const SpeciesMix species_mix = species_mix_for(point.plant_tags, species_mix_of(PlantCommunity::kTownTrees));
-    trees.push_back({point.id, point.at, height_m_of(point.height_m, species_mix, point.plant_tags), species_mix});
+    trees.push_back({.id = point.id,
+                     .at = point.at,
+                     .height_m = height_m_of(point.height_m, species_mix, point.plant_tags),
+                     .species_mix = species_mix});
   }
   report.account("plants", "tree") = account;
   return trees;
 }
 
-const map::PlantTags& growth_of(const map::Features& features, const ground::LandCoverPolygon& surface) {
-  static constexpr map::PlantTags kNothingTold;
+const map::PlantTags& tags_of(const map::Features& features, const ground::LandCoverPolygon& surface) {
+  static constexpr map::PlantTags kNoTags;
   const auto found = std::ranges::lower_bound(features.areas, surface.id, {}, &map::AreaFeature::id);
-  return found != features.areas.end() && found->id == surface.id ? found->plant_tags : kNothingTold;
+  return found != features.areas.end() && found->id == surface.id ? found->plant_tags : kNoTags;
 }
 
 std::vector<Wood> plan_woods(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces) {
@@ -77,25 +78,31 @@ std::vector<Wood> plan_woods(const map::Features& features, std::span<const grou
   for (const ground::LandCoverPolygon& surface : surfaces)
     for (const WoodRow& row : kWoods)
       if (row.surface == surface.surface)
-        woods.push_back({surface.id, species_mix_for(growth_of(features, surface), species_mix_of(row.community)),
-                         row.trees_per_ha, row.height_m});
+        woods.push_back({.surface = surface.id,
+                         .species_mix = species_mix_for(tags_of(features, surface), species_mix_of(row.community)),
+                         .trees_per_ha = row.trees_per_ha,
+                         .height_m = row.height_m});
   return woods;
 }
 
-// Orchards and nurseries grow what they tell, at distances for its crowns.
+// Orchards and plant nurseries have the tagged species, spaced by its crown width.
 Planting planting_on(const ground::LandCoverPolygon& surface, const PlantingRow& row, const map::PlantTags& plant_tags,
                      const map::Heightfield& terrain) {
   const SpeciesMix usual = species_mix_of(row.species);
-  Planting planting{surface.id,          usual,       row_heading(surface, terrain), row.row_spacing_m,
-                    row.plant_spacing_m, row.height_m};
-  const SpeciesMix told = species_mix_for(plant_tags, usual);
-  const bool is_told = plant_tags.kind != map::PlantKind::kUnknown && told != usual;
-  if (!is_told || (row.surface != LandCoverClass::kOrchard && row.surface != LandCoverClass::kPlantNursery))
+  Planting planting{.surface = surface.id,
+                    .species_mix = usual,
+                    .heading = row_heading(surface, terrain),
+                    .row_spacing_m = row.row_spacing_m,
+                    .plant_spacing_m = row.plant_spacing_m,
+                    .height_m = row.height_m};
+  const SpeciesMix tagged = species_mix_for(plant_tags, usual);
+  const bool is_tagged = plant_tags.kind != map::PlantKind::kUnknown && tagged != usual;
+  if (!is_tagged || (row.surface != LandCoverClass::kOrchard && row.surface != LandCoverClass::kPlantNursery))
     return planting;
-  const Species species = single_species(planting.species_mix = told);
+  const Species species = single_species(planting.species_mix = tagged);
   planting.height_m = in_eighths(default_height_m(species));
   planting.row_spacing_m = planting.plant_spacing_m =
-      std::max(in_eighths(planting.height_m * crown_share(species)), kLeastPlantSpacing_m);
+      std::max(in_eighths(planting.height_m * values_of(species).crown_share), kLeastPlantSpacing_m);
   return planting;
 }
 
@@ -103,7 +110,7 @@ std::vector<Planting> plan_plantings(const map::Features& features, std::span<co
                                      const map::Heightfield& terrain) {
   std::vector<Planting> plantings;
   for (const ground::LandCoverPolygon& surface : surfaces) {
-    const map::PlantTags& plant_tags = growth_of(features, surface);
+    const map::PlantTags& plant_tags = tags_of(features, surface);
     for (const PlantingRow& row : kPlantings)
       if (row.surface == surface.surface) plantings.push_back(planting_on(surface, row, plant_tags, terrain));
     for (const PlantingRow& row : kCrops)
@@ -114,8 +121,8 @@ std::vector<Planting> plan_plantings(const map::Features& features, std::span<co
   return plantings;
 }
 
-// The line so far to the left of another, with its bends mitred.
-Polyline beside(const Polyline& axis, double left_m) {
+// A line offset to the left, with mitred bends.
+Polyline offset_left(const Polyline& axis, double left_m) {
   constexpr double kLeastCosine = 0.5;
   Polyline line;
   for (std::size_t i = 0; i < axis.size(); ++i) {
@@ -129,13 +136,15 @@ Polyline beside(const Polyline& axis, double left_m) {
   return line;
 }
 
-// Left ones are named apart from those on the right.
+// Rows on the left have even part numbers, those on the right odd ones.
 void add_avenue(const roads::Road& road, map::TreeSides sides, std::vector<TreeRow>& rows) {
   const std::uint32_t part = 2 * road.id.part;
   const auto add = [&](double left_m, std::uint32_t number) {
-    Polyline line = beside(road.axis, left_m);
+    Polyline line = offset_left(road.axis, left_m);
     if (line.size() >= 2)
-      rows.push_back({{road.id.osm, part + number}, std::move(line), species_mix_of(PlantCommunity::kTownTrees), 0, 0});
+      rows.push_back({.id = {road.id.osm, part + number},
+                      .axis = std::move(line),
+                      .species_mix = species_mix_of(PlantCommunity::kTownTrees)});
   };
   if (sides != map::TreeSides::kRight) add(roads::left_m(road) + kBehindKerb_m, 0);
   if (sides != map::TreeSides::kLeft) add(-roads::right_m(road) - kBehindKerb_m, 1);
@@ -156,8 +165,11 @@ std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const ro
   for (const map::TreeRow& row : features.tree_rows) {
     ++account.in, ++account.out;
     const SpeciesMix species_mix = species_mix_for(row.plant_tags, species_mix_of(PlantCommunity::kTownTrees));
-    rows.push_back({row.id, row.axis, species_mix, in_eighths(height_m_of(row.height_m, species_mix, row.plant_tags)),
-                    in_eighths(row.spacing_m)});
+    rows.push_back({.id = row.id,
+                    .axis = row.axis,
+                    .species_mix = species_mix,
+                    .height_m = in_eighths(height_m_of(row.height_m, species_mix, row.plant_tags)),
+                    .spacing_m = in_eighths(row.spacing_m)});
   }
   report.account("plants", "row") = account;
   add_avenues(features, roads, rows);
@@ -168,11 +180,13 @@ std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const ro
 
 Plants plan(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
             std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report) {
-  Plants plants{plan_trees(features, report),
-                plan_woods(features, surfaces),
-                plan_plantings(features, surfaces, terrain),
-                plan_rows(features, roads, report),
-                {}};
+  assert(std::ranges::is_sorted(features.areas, {}, &map::AreaFeature::id));
+  assert(std::ranges::is_sorted(features.tracks, {}, &map::Track::id));
+  Plants plants{.trees = plan_trees(features, report),
+                .woods = plan_woods(features, surfaces),
+                .plantings = plan_plantings(features, surfaces, terrain),
+                .rows = plan_rows(features, roads, report),
+                .corridors = {}};
   for (const map::PowerLine& line : features.power_lines)
     plants.corridors.push_back({line.id, line.axis, in_eighths(line.corridor_m)});
   std::ranges::stable_sort(plants.trees, {}, &Tree::id);

@@ -1,4 +1,4 @@
-// Stage 7: what plants the map tells of, and where they grow unasked.
+// Plans plants: from tags and land cover to recipes.
 #pragma once
 
 #include <span>
@@ -17,12 +17,15 @@ struct Plants {
   std::vector<Wood> woods;                   ///< Sorted by surface.
   std::vector<Planting> plantings;           ///< Sorted by surface.
   std::vector<TreeRow> rows;                 ///< Sorted by id.
-  std::vector<PowerLineCorridor> corridors;  ///< Sorted by id.
+  std::vector<PowerLineCorridor> corridors;  ///< In the order of features.power_lines.
 };
 
-/// Single trees and rows as tagged, and along streets that tell they are lined with trees; a wood (woods_of.inc) or
-/// rows (plantings_of.inc, crops) for every surface whose class or tags say so. Ledger "plants/tree", "plants/row".
-/// Total. O(n log n).
+/// Returns the mapped trees, tree rows and corridors of power lines, rows beside streets with tree_lined, and for each
+/// polygon whose class or tags ask for it a wood (wood_defaults.inc) or a planting (planting_defaults.inc, crops).
+///
+/// @param features  Areas and tracks sorted by id.
+///
+/// Total. Ledgers "plants/tree", "plants/row". O(n log n).
 Plants plan(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
             std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report);
 

@@ -1,4 +1,4 @@
-// How large plants get: what their prototypes' one scale, the height, is made from.
+// Plant heights from tags and by species. The height is the only scale of a prototype.
 #pragma once
 
 #include "compiler/map/plant_kind.h"
@@ -6,14 +6,11 @@
 
 namespace citykiln::plants {
 
-/// A crown's width as a share of the plant's height.
-double crown_share(Species species);
-
-/// How high a plant of a species is as its tags tell: by its crown's width, else by its girth, else by the year it was
-/// planted in; 0 where none is told. At most as tall as the species is drawn. Metres, in eighths.
+/// Height from tags: from the crown's width, else from the trunk's girth, else from the year of planting; 0 without any
+/// of these. At most the species' tallest_m. Metres, rounded down to eighths.
 double height_from_tags_m(Species species, const map::PlantTags& plant_tags);
 
-/// How high a plant of a species mostly is where it stands alone and nobody says.
+/// Usual height of a free-standing plant without a tagged size.
 double default_height_m(Species species);
 
 }  // namespace citykiln::plants

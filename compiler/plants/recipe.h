@@ -1,4 +1,5 @@
-// Plants: single trees and rows as mapped; woods and what is grown in rows as a surface and a stock, never as plants.
+// Recipes of plants: single trees and tree rows with their places; woods and plantings as a density on a land-cover
+// polygon.
 #pragma once
 
 #include <cstdint>
@@ -13,32 +14,32 @@ namespace citykiln::plants {
 struct Tree {
   ObjectId id;
   Vec2 at;              ///< Plane metres, snapped.
-  double height_m = 0;  ///< As told, or drawn from the seed when 0.
+  double height_m = 0;  ///< 0: drawn from the seed.
   SpeciesMix species_mix{};
   bool operator==(const Tree&) const = default;
 };
 
-/// What may be asked of a wood.
+/// Range of Wood::trees_per_ha.
 inline constexpr double kLeastTreesPerHa = 1, kMostTreesPerHa = 300;
 
-/// A wood: trees at even distances on the surface of the same id, wherever nothing else covers it.
+/// A wood: trees in blue noise on the polygon of the same id, where no other polygon covers it.
 struct Wood {
   ObjectId surface;  ///< A ground::LandCoverPolygon of the same chunk.
   SpeciesMix species_mix{};
-  std::uint16_t trees_per_ha = 0;  ///< Trees a hectare of ground, not of map; kLeastTreesPerHa to kMostTreesPerHa.
-  double height_m = 0;             ///< Of its trees where they grow best, mean; in eighths.
+  std::uint16_t trees_per_ha = 0;  ///< Trees a hectare of ground, not of projected area.
+  double height_m = 0;             ///< Mean height of tall species in the valley; in eighths.
   bool operator==(const Wood&) const = default;
 };
 
-/// Nothing stands closer in rows.
+/// Least Planting::row_spacing_m and plant_spacing_m.
 inline constexpr double kLeastPlantSpacing_m = 0.25;
 
-/// What is grown in straight rows on a surface: fruit trees, vines, hedges, corn.
+/// Plants in straight rows on a polygon: fruit trees, vines, hedges, corn.
 struct Planting {
   ObjectId surface;
   SpeciesMix species_mix{};
   std::uint8_t heading = 0;                       ///< Of the rows: 256ths of half a turn, counter-clockwise of east.
-  double row_spacing_m = 0, plant_spacing_m = 0;  ///< From row to row, and from plant to plant along one; in eighths.
+  double row_spacing_m = 0, plant_spacing_m = 0;  ///< Between rows, and along a row; in eighths.
   double height_m = 0;                            ///< Mean; in eighths.
   bool operator==(const Planting&) const = default;
 };
@@ -48,12 +49,12 @@ struct TreeRow {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped, at least two points.
   SpeciesMix species_mix{};
-  double height_m = 0;   ///< Mean; drawn from the seed when 0; in eighths.
-  double spacing_m = 0;  ///< At most, in eighths; by the crowns when 0.
+  double height_m = 0;   ///< Mean; 0: drawn from the seed; in eighths.
+  double spacing_m = 0;  ///< Largest spacing, in eighths; 0: by the crowns' width.
   bool operator==(const TreeRow&) const = default;
 };
 
-/// A lane below a power line, in which no wood stands.
+/// A strip below a power line without trees of woods.
 struct PowerLineCorridor {
   ObjectId id;
   Polyline axis;
@@ -61,7 +62,7 @@ struct PowerLineCorridor {
   bool operator==(const PowerLineCorridor&) const = default;
 };
 
-/// Trees, rows and lanes matter to woods this far off: they are known so far about a tile.
+/// Influence radius of trees, rows and corridors on woods: a chunk holds those up to this distance from its tile.
 inline constexpr double kObstacleInfluence_m = 16;
 
 }  // namespace citykiln::plants

@@ -8,45 +8,32 @@ namespace {
 
 constexpr double kTropic_deg = 23.4;
 
-using Thousandths = std::array<int, 3>;
-
-struct PhaseRow {
+struct StateRow {
   char letter;
   SeasonState state;
 };
 
-struct YearRow {
-  Species species;
-  std::string_view months;
-  Thousandths young, turned;
-};
+// What the letters of SpeciesValues::months stand for.
+constexpr StateRow kStates[] = {{'.', {0, 0, 0, 1}},     // bare
+                                {'y', {0.75, 1, 0, 1}},  // young leaves
+                                {'s', {1, 0, 0, 1}},     // summer, the colours of species.inc
+                                {'t', {1, 0, 0.75, 1}},  // turning, by variant
+                                {'d', {1, 0, 1, 1}},     // turned, or dead and standing
+                                {'l', {0.35, 0, 1, 1}},  // the last leaves
+                                {'g', {1, 1, 0, 0.15}},  // sown
+                                {'m', {1, 1, 0, 0.6}},   // half grown
+                                {'h', {1, 0, 1, 0.2}},   // stubble
+                                {'-', {0, 0, 0, 0}}};    // bare field
 
-constexpr PhaseRow kPhases[] = {
-#define PHASE(letter, leaf_share, young, turned, height_share) \
-  {letter, {leaf_share, young, turned, height_share, {}, {}}},
-#define YEAR(species, months, yr, yg, yb, tr, tg, tb)
-#include "compiler/plants/phenology.inc"
-#undef YEAR
-#undef PHASE
-};
-
-constexpr YearRow kYears[] = {
-#define PHASE(letter, leaf_share, young, turned, height_share)
-#define YEAR(species, months, yr, yg, yb, tr, tg, tb) {Species::species, months, {yr, yg, yb}, {tr, tg, tb}},
-#include "compiler/plants/phenology.inc"
-#undef YEAR
-#undef PHASE
-};
-
-constexpr bool is_phase(char letter) {
-  return std::ranges::any_of(kPhases, [&](const PhaseRow& row) { return row.letter == letter; });
+constexpr bool is_state(char letter) {
+  return std::ranges::any_of(kStates, [&](const StateRow& row) { return row.letter == letter; });
 }
-static_assert(std::ranges::all_of(kYears, [](const YearRow& year) {
-  return year.months.size() == 12 && year.months[5] == 's' && std::ranges::all_of(year.months, is_phase);
+static_assert(std::ranges::all_of(kSpecies, [](const SpeciesValues& species) {
+  return species.months.size() == 12 && species.months[5] == 's' && std::ranges::all_of(species.months, is_state);
 }));
 
-// How far each variant is ahead of the mean where leaves turn; the first two, which are all that some levels have, as
-// much ahead as behind.
+// How far each variant's turned share is ahead of the mean. The first two, which are all that some levels use, average
+// to 0.
 constexpr std::array<double, kVariants> kAhead = {-0.25, 0.25, 0.1, -0.4, 0.2, -0.1, 0.25, -0.05};
 
 int digit(std::string_view text, std::size_t at) {
@@ -62,13 +49,11 @@ Month month_for(std::string_view time, double latitude_deg) {
 }
 
 SeasonState season_state_of(Prototype prototype, Month month) {
-  const auto year = std::ranges::find(kYears, prototype.species, &YearRow::species);
-  if (year == std::end(kYears)) return {};
-  const char letter = year->months[(static_cast<std::size_t>(month) + 11) % 12];
-  SeasonState state = std::ranges::find(kPhases, letter, &PhaseRow::letter)->state;
-  state.young_leaf = year->young, state.turned_leaf = year->turned;
+  assert(prototype.variant < kVariants && Month{1} <= month && month <= Month{12});
+  const char letter = values_of(prototype.species).months[static_cast<std::size_t>(month) - 1];
+  SeasonState state = std::ranges::find(kStates, letter, &StateRow::letter)->state;
   if (state.turned > 0 && state.turned < 1)
-    state.turned = std::clamp(state.turned + kAhead[prototype.variant % kVariants], 0.0, 1.0);
+    state.turned = std::clamp(state.turned + kAhead[prototype.variant], 0.0, 1.0);
   return state;
 }
 

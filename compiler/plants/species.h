@@ -1,6 +1,8 @@
-// The species that plants are of: a row of species.inc each, and a file of lsystems/species.
+// Plant species: the rows of lsystems/species/species.inc, and prototypes, the distinct plants of each.
 #pragma once
 
+#include <array>
+#include <cassert>
 #include <compare>
 #include <cstdint>
 #include <string_view>
@@ -8,30 +10,46 @@
 namespace citykiln::plants {
 
 enum class Species : std::uint8_t {
-#define SPECIES(name, file, leaves, height_m, tallest_m) name,
-#include "compiler/plants/species.inc"
-#undef SPECIES
+#define SPECIES(name, ...) name,
+#include "lsystems/species/species.inc"
   kCount
 };
 
 enum class LeafForm : std::uint8_t { kBroad, kNeedle, kPalm, kBlade };
 
+/// Linear reflectance of red, green and blue in thousandths.
+using Thousandths = std::array<int, 3>;
+
+/// A row of species.inc, which describes the columns.
 struct SpeciesValues {
-  std::string_view file;  ///< Without ".lsys".
-  LeafForm leaves{};
-  double height_m = 0;   ///< That the file grows it to.
-  double tallest_m = 0;  ///< None is drawn taller.
+  std::string_view file;
+  LeafForm leaf_form{};
+  double height_m = 0, tallest_m = 0, crown_share = 0;
+  Thousandths leaf{}, bark{};
+  std::string_view months;
+  Thousandths young_leaf{}, turned_leaf{};
 };
 
-const SpeciesValues& values_of(Species species);
+inline constexpr SpeciesValues kSpecies[] = {
+#define RGB(red, green, blue) \
+  { red, green, blue }
+#define SPECIES(name, file, leaf_form, ...) {file, LeafForm::leaf_form, __VA_ARGS__},
+#include "lsystems/species/species.inc"
+#undef RGB
+};
 
-/// How many plants of a species differ from each other.
+constexpr const SpeciesValues& values_of(Species species) {
+  assert(species < Species::kCount);
+  return kSpecies[static_cast<std::size_t>(species)];
+}
+
+/// Number of different plants of one species.
 inline constexpr int kVariants = 8;
 
-/// A shape that many plants share.
+/// One plant of a species. Trees that share a prototype are instances of one mesh.
 struct Prototype {
   Species species{};
-  std::uint8_t variant = 0;  ///< Below kVariants.
+  std::uint8_t variant = 0;  ///< < kVariants.
   auto operator<=>(const Prototype&) const = default;
 };
 

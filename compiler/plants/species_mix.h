@@ -1,4 +1,5 @@
-// What plants are drawn from: one species, or a mix that altitude, slope and water decide (mixes.inc).
+// Species mixes: a recipe names one species or a plant community, from which habitat and chance draw each plant's
+// species.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +13,14 @@
 
 namespace citykiln::plants {
 
-/// Rows of mixes.inc. The order is part of the manifest's format: add at the end.
+/// Communities of plant_communities.inc. Their order is part of the manifest's format: add at the end.
 enum class PlantCommunity : std::uint8_t {
 #define COMMUNITY(community) community,
-#define MEMBER(community, species, share, from_m, to_m, shade, wet)
 #include "compiler/plants/plant_communities.inc"
-#undef MEMBER
-#undef COMMUNITY
   kCount
 };
 
-/// A species' number, or kFirstCommunity more than a mix's.
+/// A species' number, or kFirstCommunity plus a community's.
 enum class SpeciesMix : std::uint8_t {};
 inline constexpr std::uint8_t kFirstCommunity = 128;
 
@@ -33,35 +31,41 @@ constexpr SpeciesMix species_mix_of(PlantCommunity community) {
 constexpr bool is_single_species(SpeciesMix species_mix) {
   return static_cast<std::uint8_t>(species_mix) < kFirstCommunity;
 }
-constexpr Species single_species(SpeciesMix species_mix) { return static_cast<Species>(species_mix); }
-/// Whether there is such a species or mix.
+/// @param species_mix  is_single_species().
+constexpr Species single_species(SpeciesMix species_mix) {
+  assert(is_single_species(species_mix));
+  return static_cast<Species>(species_mix);
+}
+/// Whether a number read from a manifest is a SpeciesMix.
 bool is_species_mix(std::uint64_t number);
 
-/// "oak", "AnyWood".
+/// The species' file or the community's enumerator without k: "oak", "AnyWood".
 std::string name_of(SpeciesMix species_mix);
 
-/// All species that it may be drawn as, sorted.
+/// All species that may be drawn, sorted.
 std::vector<Species> species_in(SpeciesMix species_mix);
 
-/// What tags tell: the species that looks most like the kind, else a mix by the leaves, else `untold`.
-SpeciesMix species_mix_for(const map::PlantTags& plant_tags, SpeciesMix untold);
+/// The species that the tags name, else the community of the tagged leaf type, else `otherwise`.
+SpeciesMix species_mix_for(const map::PlantTags& plant_tags, SpeciesMix otherwise);
 
-/// A place as plants feel it.
+/// Growing conditions at a place.
 struct Habitat {
-  double belt_m = 0;         ///< Altitude of the same climate at 42.5 degrees of latitude.
-  double shade = 0;          ///< From -1 on a steep slope that looks at the noon sun to 1 on one that looks away.
+  double belt_m = 0;         ///< Altitude of the same climate at 42.5° of latitude.
+  double shade = 0;          ///< From -1 on a steep slope towards the noon sun to 1 on one away from it.
   bool is_by_water = false;  ///< Within a few metres of a lake or river.
-  Vec2 at;                   ///< Species stand in groups.
+  Vec2 at;                   ///< Plane metres: species stand in groups.
 };
 
-/// The habitat on ground of a height and a normal.
+/// @param normal  Unit normal of the ground.
 Habitat habitat_at(double latitude_deg, Vec2 at, double height_m, Vec3 normal, bool is_by_water);
 
-/// The species of one plant: the stock's, or drawn from the mix. Where none of a mix can grow, the one whose belt is
-/// nearest. Total.
+/// Draws the species of one plant: members of a community are weighted by share, belt, slope, water and groups. Where
+/// no member's belt reaches, the member with the nearest belt.
+///
+/// @param chance  Uniform in [0, 1).
 Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double chance);
 
-/// How tall trees grow there, as a share of what they do in the valley: less towards the tree line.
+/// Height of trees as a share of their height in the valley; it falls towards the tree line.
 double height_factor(const Habitat& habitat);
 
 }  // namespace citykiln::plants

@@ -19,7 +19,7 @@ std::vector<SpeciesText> species_texts_for(const Plants& plants, bool has_hedges
       for (const Species species : species_in(recipe.species_mix)) drawn.insert(species);
   };
   add_all(plants.trees), add_all(plants.woods), add_all(plants.plantings), add_all(plants.rows);
-  // at the rims of forests
+  // woods have bushes at their edges
   if (!plants.woods.empty()) drawn.insert(Species::kBush);
   if (has_hedges) drawn.insert(Species::kHedge);
   std::vector<SpeciesText> texts;

@@ -1,4 +1,4 @@
-// The files that plants grow from.
+// The L-system files of species: those shipped, and those that a scene needs.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@
 
 namespace citykiln::plants {
 
-/// A species' file as it is written into the manifest.
+/// A species' .lsys file as stored in the manifest.
 struct SpeciesText {
   std::string name;  ///< SpeciesValues::file.
   std::string text;
   bool operator==(const SpeciesText&) const = default;
 };
 
-/// What citykiln ships: lsystems/species, built in. Sorted by name.
+/// The files of lsystems/species, compiled in. Sorted by name.
 std::span<const SpeciesText> shipped_species();
 
-/// The files of all that may be drawn in a scene, sorted by name.
+/// The files of all species that a scene may draw, sorted by name.
 std::vector<SpeciesText> species_texts_for(const Plants& plants, bool has_hedges);
 
 }  // namespace citykiln::plants

@@ -9,14 +9,14 @@
 namespace citykiln::props {
 namespace {
 
-// Parallel lines, on which a function of the place takes the values start, start + step … (count of them).
-struct Family {
+// Parallel grid lines: level sets of a linear function for the values start, start + step, … (count of them).
+struct GridLines {
   double start, step;
   int count;
 };
 
-// Appends where, between 0 and 1, a value that runs evenly from `from` to `to` passes one of the family's.
-void add_passages(double from, double to, const Family& lines, std::vector<double>& shares) {
+// Adds the shares of a segment at which the function, `from` at its begin and `to` at its end, has a grid line's value.
+void add_crossings(double from, double to, const GridLines& lines, std::vector<double>& shares) {
   if (from == to) return;
   const double low = std::min(from, to), high = std::max(from, to);
   const double first = std::max(0.0, std::ceil((low - lines.start) / lines.step));
@@ -24,27 +24,26 @@ void add_passages(double from, double to, const Family& lines, std::vector<doubl
     shares.push_back((lines.start + i * lines.step - from) / (to - from));
 }
 
-// Where the segment crosses columns, rows and diagonals of the field, sorted.
-std::vector<double> crossings(Vec2 a, Vec2 b, const map::Heightfield& field) {
-  std::vector<double> shares;
-  add_passages(a.x, b.x, {field.min.x, field.step_m.x, field.columns}, shares);
-  add_passages(a.y, b.y, {field.min.y, field.step_m.y, field.rows}, shares);
-  // diagonals from south-west to north-east: a cross product with one is constant on each, least in the north-west
-  const auto beside = [&](Vec2 p) { return cross(p, field.step_m); };
-  const Family diagonals{beside(field.vertex(0, field.rows - 1)), field.step_m.x * field.step_m.y,
-                         field.columns + field.rows - 1};
-  add_passages(beside(a), beside(b), diagonals, shares);
-  std::sort(shares.begin(), shares.end());
-  return shares;
+// Adds where the segment crosses columns, rows and diagonals of the terrain's grid.
+void add_grid_crossings(Vec2 a, Vec2 b, const map::Heightfield& field, std::vector<double>& shares) {
+  add_crossings(a.x, b.x, {field.min.x, field.step_m.x, field.columns}, shares);
+  add_crossings(a.y, b.y, {field.min.y, field.step_m.y, field.rows}, shares);
+  // the cross product with the diagonal from south-west to north-east is constant on each diagonal, and least in the
+  // north-west
+  const auto diagonal = [&](Vec2 p) { return cross(p, field.step_m); };
+  const GridLines diagonals{diagonal(field.vertex(0, field.rows - 1)), field.step_m.x * field.step_m.y,
+                            field.columns + field.rows - 1};
+  add_crossings(diagonal(a), diagonal(b), diagonals, shares);
 }
 
-// Cuts and banks are a few metres wide.
-constexpr double kCarvedStep_m = 2;
+// Cuttings and embankments are a few metres wide.
+constexpr double kGradingStep_m = 2;
 
 std::vector<double> bends(Vec2 a, Vec2 b, const ground::GradedTerrain& ground) {
-  std::vector<double> shares = crossings(a, b, ground.terrain);
+  std::vector<double> shares;
+  add_grid_crossings(a, b, ground.terrain, shares);
   const bool has_grading = ground::has_grading(ground, box_of(std::array{a, b}));
-  const double steps = has_grading ? std::ceil(distance(a, b) / kCarvedStep_m) : 1;
+  const double steps = has_grading ? std::ceil(distance(a, b) / kGradingStep_m) : 1;
   for (double i = 1; i < steps; ++i) shares.push_back(i / steps);
   std::sort(shares.begin(), shares.end());
   return shares;

@@ -1,4 +1,4 @@
-// A line in plan laid onto the ground.
+// Drapes polylines over the ground.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,11 @@
 
 namespace citykiln::props {
 
-/// The polyline on the graded terrain, with a point wherever it crosses an edge of the terrain's grid, and every two
-/// metres where the ground is carved.
+/// Returns a polyline on the graded ground, with added points where it crosses an edge of the terrain's grid, and every
+/// 2 m where the ground is graded.
 ///
-/// Guarantees: begins and ends where the polyline does; keeps its points; no two neighbours in one place in plan;
-/// snapped, so off the ground by no more than 2^-10 m times one and the steepness. Outside the field no points are
-/// added. O(length / step).
+/// Guarantees: all points of the polyline are kept; neighbours differ in plan; snapped, so at most 2^-10 m times (1 +
+/// slope) off the ground. Outside of the terrain no points are added. O(length / step).
 std::vector<Vec3> drape_line(const Polyline& line, const ground::GradedTerrain& ground);
 
 }  // namespace citykiln::props

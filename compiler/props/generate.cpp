@@ -1,6 +1,7 @@
 #include "compiler/props/generate.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "compiler/geometry/snap.h"
@@ -13,10 +14,10 @@ using map::BarrierKind;
 using materials::Material;
 using materials::MaterialMesh;
 
-// The band's foot reaches below the ground, which a coarse level may lower.
+// Depth below the ground, which coarse levels may lower.
 constexpr double kFoot_m = 0.5;
-// A mitre is at most this many times the half width; sharper bends are cut off.
-constexpr double kLongestMitre = 2;
+// A mitre is at most this many times as long as half the width; sharper bends are bevelled.
+constexpr double kMaxMitre = 2;
 
 Material material_of(BarrierKind kind) {
   switch (kind) {
@@ -33,8 +34,7 @@ Material material_of(BarrierKind kind) {
   }
 }
 
-// The way from the axis to the left side at a point, for half a width of 1: square to it, mitred between two pieces;
-// around the end of a closed one too.
+// The vector from the axis to the left side at a point, for half a width of 1, mitred between two segments.
 Vec2 side_at(const std::vector<Vec3>& axis, std::size_t i, bool is_closed) {
   const std::size_t last = axis.size() - 1;
   const auto direction = [&](std::size_t a) { return unit(in_plan(axis[a + 1] - axis[a])); };
@@ -46,10 +46,10 @@ Vec2 side_at(const std::vector<Vec3>& axis, std::size_t i, bool is_closed) {
                                            : last - 1);
   const Vec2 middle = unit(before + after);
   if (middle == Vec2{}) return left_of(before);
-  return left_of(middle) * std::min(1 / std::max(dot(middle, before), 1e-9), kLongestMitre);
+  return left_of(middle) * std::min(1 / std::max(dot(middle, before), 1e-9), kMaxMitre);
 }
 
-// Four corners a point: left foot, left top, right top, right foot.
+// Adds four vertices: left foot, left top, right top, right foot.
 void add_profile(Mesh& mesh, Vec3 at, Vec2 side, double height_m) {
   const Vec2 left = snapped(in_plan(at) + side), right = snapped(in_plan(at) - side);
   const double foot = snapped(at.z - kFoot_m), top = snapped(at.z + height_m);
@@ -57,14 +57,10 @@ void add_profile(Mesh& mesh, Vec3 at, Vec2 side, double height_m) {
     mesh.positions.push_back(corner);
 }
 
-void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  mesh.triangles.push_back({a, b, c});
-  mesh.triangles.push_back({a, c, d});
-}
-
 }  // namespace
 
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m) {
+  assert(tolerance_m > 0);
   if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
   const std::vector<Vec3> axis = drape_line(barrier.axis, ground);
   if (axis.size() < 2) return {};
@@ -84,7 +80,8 @@ GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& grou
 
 Placement place(const StreetLamp& lamp, const ground::GradedTerrain& ground) {
   const Vec3 foot = at_height(lamp.at, snapped(land_m(ground, lamp.at)));
-  return {foot, lamp.facing.x, lamp.facing.y, lamp.height_m, lamp.feature};
+  return {
+      .at = foot, .cos_yaw = lamp.facing.x, .sin_yaw = lamp.facing.y, .scale = lamp.height_m, .feature = lamp.feature};
 }
 
 }  // namespace citykiln::props

@@ -1,4 +1,4 @@
-// From lines and points to walls, hedges and lamps.
+// Generates barriers and street lamps.
 #pragma once
 
 #include <span>
@@ -17,16 +17,16 @@ struct GeneratedProp {
   double error_m = 0;
 };
 
-/// A wall, fence or hedge as a band that follows the ground, split where the field bends. Dropped, with its height as
-/// error, where it is lower than the tolerance.
+/// Generates a wall, fence or hedge: a rectangular profile swept along its axis, which is draped over the ground. If it
+/// is not higher than the tolerance it has no mesh and its height as error.
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m);
 
-/// A lamp 1 m tall: its foot at the origin, its arm a fifth as long along +x; scale is the height. Every part is
-/// closed; at most 80 triangles. Cut so that a lamp of `height_m` is within the tolerance, by the error stated; empty
-/// where the lamp itself is lower than the tolerance.
+/// Generates a lamp of 1 m height, to be scaled by height_m: its foot at the origin, its arm 0.21 m long along +x.
+/// Every part is closed; at most 80 triangles. Scaled, the error is within the tolerance. If the lamp is not higher
+/// than the tolerance it has no mesh and its height as error. height_m > 0.
 GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m);
 
-/// On the ground, turned so that +x points where the lamp faces.
+/// Places a lamp on the ground, with +x in the direction it faces.
 Placement place(const StreetLamp& lamp, const ground::GradedTerrain& ground);
 
 }  // namespace citykiln::props

@@ -1,4 +1,6 @@
+// Street lamps as meshes: lamp_mesh() of generate.h.
 #include <array>
+#include <cassert>
 #include <utility>
 
 #include "compiler/geometry/snap.h"
@@ -11,19 +13,19 @@ namespace {
 using materials::Material;
 using materials::MaterialMesh;
 
-// A cross-section, counter-clockwise seen from the end of what is made of it.
+// A cross-section, counter-clockwise seen from its last neighbour.
 using Section = std::vector<Vec3>;
 
-// Largest deviation of a cut from the full shape, both ways, for a lamp 1 m tall: bounds that lamp_mesh_test.cpp
-// proves, rounded up. 0 is full.
+// Errors of the three levels of detail of a lamp of 1 m, finest first: Hausdorff distances to the first, both ways,
+// measured by lamp_mesh_test.cpp and rounded up.
 using Details = std::array<double, 3>;
 constexpr Details kPostTopErrors = {0, 0.0105, 0.023}, kArmErrors = {0, 0.0065, 0.025};
 
-// Feet reach below the ground, which a slope or a coarse level may lower.
+// Depth below the ground, which slopes and coarse levels may lower.
 constexpr double kFoot_m = -0.03;
 
-// A closed skin through cross-sections of as many points each.
-void add_skin(Mesh& mesh, const std::vector<Section>& sections) {
+// Adds the closed surface through cross-sections of equal size.
+void add_loft(Mesh& mesh, const std::vector<Section>& sections) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const auto n = static_cast<std::uint32_t>(sections.front().size());
   for (const Section& section : sections)
@@ -41,8 +43,8 @@ void add_skin(Mesh& mesh, const std::vector<Section>& sections) {
   }
 }
 
-// Round about the z axis; a corner lies towards +x.
-Section level(int sides, double z_m, double radius_m) {
+// A horizontal regular polygon around the z axis, with a vertex towards +x.
+Section polygon(int sides, double z_m, double radius_m) {
   Section section;
   for (int i = 0; i < sides; ++i)
     section.push_back(at_height(direction_of(static_cast<double>(i) / sides) * radius_m, z_m));
@@ -50,23 +52,23 @@ Section level(int sides, double z_m, double radius_m) {
 }
 
 void add_tube(Mesh& mesh, int sides, double bottom_m, double top_m, double bottom_radius_m, double top_radius_m) {
-  add_skin(mesh, {level(sides, bottom_m, bottom_radius_m), level(sides, top_m, top_radius_m)});
+  add_loft(mesh, {polygon(sides, bottom_m, bottom_radius_m), polygon(sides, top_m, top_radius_m)});
 }
 
-// Upright, square to x.
-Section upright(double x_m, double low_m, double high_m, double half_width_m) {
+// A vertical rectangle, square to the x axis.
+Section rectangle(double x_m, double low_m, double high_m, double half_width_m) {
   return {{x_m, -half_width_m, low_m},
           {x_m, half_width_m, low_m},
           {x_m, half_width_m, high_m},
           {x_m, -half_width_m, high_m}};
 }
 
-// The same with an edge below.
-Section edged(double x_m, double low_m, double high_m, double half_width_m) {
+// A vertical triangle with its vertex below, square to the x axis.
+Section triangle(double x_m, double low_m, double high_m, double half_width_m) {
   return {{x_m, 0, low_m}, {x_m, half_width_m, high_m}, {x_m, -half_width_m, high_m}};
 }
 
-// The part with the door at the foot is wider.
+// The lower part, with the access door, is wider.
 void add_pole(Mesh& mesh, int detail, double top_m) {
   if (detail == 0) {
     add_tube(mesh, 5, kFoot_m, 0.125, 0.0105, 0.0105);
@@ -84,21 +86,23 @@ void add_lantern(Mesh& metal, Mesh& glass, int detail) {
 }
 
 void add_arm(Mesh& metal, Mesh& glass, int detail) {
-  if (detail == 2) return add_skin(metal, {edged(0, 0.94, 0.965, 0.005), edged(0.21, 0.982, 1, 0.014)});
+  if (detail == 2) return add_loft(metal, {triangle(0, 0.94, 0.965, 0.005), triangle(0.21, 0.982, 1, 0.014)});
   if (detail == 1) {
-    add_skin(metal, {edged(0, 0.94, 0.948, 0.004), edged(0.03, 0.972, 0.98, 0.004), edged(0.13, 0.986, 0.994, 0.004)});
-    add_skin(metal, {upright(0.12, 0.98, 1, 0.012), upright(0.21, 0.98, 0.994, 0.014)});
+    add_loft(metal, {triangle(0, 0.94, 0.948, 0.004), triangle(0.03, 0.972, 0.98, 0.004),
+                     triangle(0.13, 0.986, 0.994, 0.004)});
+    add_loft(metal, {rectangle(0.12, 0.98, 1, 0.012), rectangle(0.21, 0.98, 0.994, 0.014)});
     return;
   }
-  add_skin(metal,
-           {upright(0, 0.94, 0.947, 0.0035), upright(0.03, 0.972, 0.979, 0.0035), upright(0.13, 0.987, 0.994, 0.0035)});
-  add_skin(metal, {upright(0.12, 0.984, 1, 0.011), upright(0.21, 0.984, 0.994, 0.015)});
-  add_skin(glass, {upright(0.14, 0.98, 0.986, 0.009), upright(0.205, 0.98, 0.986, 0.013)});
+  add_loft(metal, {rectangle(0, 0.94, 0.947, 0.0035), rectangle(0.03, 0.972, 0.979, 0.0035),
+                   rectangle(0.13, 0.987, 0.994, 0.0035)});
+  add_loft(metal, {rectangle(0.12, 0.984, 1, 0.011), rectangle(0.21, 0.984, 0.994, 0.015)});
+  add_loft(glass, {rectangle(0.14, 0.98, 0.986, 0.009), rectangle(0.205, 0.98, 0.986, 0.013)});
 }
 
 }  // namespace
 
 GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m) {
+  assert(height_m > 0 && tolerance_m >= 0);
   if (height_m <= tolerance_m) return {{}, height_m};
   const bool has_arm = kind == LampKind::kArm;
   const Details& errors = has_arm ? kArmErrors : kPostTopErrors;

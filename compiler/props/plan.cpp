@@ -3,17 +3,28 @@
 #include <algorithm>
 
 namespace citykiln::props {
+namespace {
+
+// Trees are planned by plants/, doors by buildings/.
+bool is_of_other_room(map::PointKind kind) {
+  return kind == map::PointKind::kTree || kind == map::PointKind::kEntrance || kind == map::PointKind::kAddress;
+}
+
+}  // namespace
 
 Props plan(const map::Features& features, Report& report) {
   Props props;
   Account barriers, points;
   for (const map::Barrier& barrier : features.barriers) {
     ++barriers.in, ++barriers.out;
-    props.barriers.push_back({barrier.id, barrier.axis, barrier.kind, barrier.height_m, barrier.width_m});
+    props.barriers.push_back({.id = barrier.id,
+                              .axis = barrier.axis,
+                              .kind = barrier.kind,
+                              .height_m = barrier.height_m,
+                              .width_m = barrier.width_m});
   }
   for (const map::PointFeature& point : features.points) {
-    if (point.kind == map::PointKind::kTree) continue;                                                // plants/
-    if (point.kind == map::PointKind::kEntrance || point.kind == map::PointKind::kAddress) continue;  // buildings/
+    if (is_of_other_room(point.kind)) continue;
     ++points.in;
     if (point.kind != map::PointKind::kStreetLamp) {
       report.drop(points, Code::kNotModelled, point.id.osm);
@@ -22,8 +33,8 @@ Props plan(const map::Features& features, Report& report) {
     ++points.out;
     props.lamps.push_back({point.id, point.at, point.height_m});
   }
-  std::sort(props.barriers.begin(), props.barriers.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
-  std::sort(props.lamps.begin(), props.lamps.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  std::ranges::sort(props.barriers, {}, &Barrier::id);
+  std::ranges::sort(props.lamps, {}, &Lamp::id);
   report.account("props", "barrier") = barriers;
   report.account("props", "point") = points;
   return props;

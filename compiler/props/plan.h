@@ -1,4 +1,4 @@
-// Stage 8: barriers and lamps.
+// Plans props: barriers and mapped lamps.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,8 @@ struct Props {
 
 bool has_hedges(const Props& props);
 
-/// Ledger "props/barrier", "props/point" (points that are not yet modelled are dropped with a code). Total.
+/// Returns the props of a map. Ledger "props/barrier", "props/point"; dropped: kNotModelled, for kinds of points that
+/// have no model. Total.
 Props plan(const map::Features& features, Report& report);
 
 }  // namespace citykiln::props

@@ -1,4 +1,4 @@
-// Small things that stand along streets and land: barriers, lamps.
+// Prop recipes: barriers and mapped lamps.
 #pragma once
 
 #include "compiler/contract/stable_id.h"
@@ -18,7 +18,7 @@ struct Barrier {
 struct Lamp {
   ObjectId id;
   Vec2 at;
-  double height_m = 0;  ///< 0: nobody told, so as lamps of its street are.
+  double height_m = 0;  ///< 0 if not tagged: that of the lamps of its street.
   bool operator==(const Lamp&) const = default;
 };
 

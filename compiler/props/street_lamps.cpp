@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::props {
@@ -14,13 +15,13 @@ using map::LandCoverGroup;
 using roads::Road;
 
 constexpr double kBehindKerb_m = 0.5, kBeyondEdge_m = 0.75;
-// Wider carriageways than a lamp of middling height lights from one side.
-constexpr double kWide_m = 9;
-// A street's lamps light what is beside it as far as this: the path along it needs none of its own.
+// Wider carriageways are lit from both sides.
+constexpr double kMaxOneSided_m = 9;
+// Paths this near to the edge of a lit street need no lamps of their own.
 constexpr double kBesideStreet_m = 6;
-// A lamp farther from every street than this lights something else.
-constexpr double kFacingReach_m = 12;
-constexpr Lighting kElsewhere = {0, 6, LampKind::kPostTop};
+// Mapped lamps farther from all roads do not face any.
+constexpr double kMaxFacing_m = 12;
+constexpr Lighting kWithoutRoad = {.spacing_m = 0, .height_m = 6, .kind = LampKind::kPostTop};
 
 LandCoverGroup group_of(LandCoverClass surface) { return map::values_of(surface).group; }
 bool is_path(const Road& road) { return group_of(road.surface) == LandCoverGroup::kPath; }
@@ -32,13 +33,13 @@ enum class Side : std::uint8_t { kLeft, kRight };
 
 Side lit_side(const Road& road, std::int64_t number) {
   const bool drives_left = road.side == map::DrivingSide::kLeft;
-  if (width_m(road) > kWide_m) return drives_left == (number % 2 == 0) ? Side::kLeft : Side::kRight;
+  if (width_m(road) > kMaxOneSided_m) return drives_left == (number % 2 == 0) ? Side::kLeft : Side::kRight;
   const bool left = raised_left_m(road) > 0, right = raised_right_m(road) > 0;
   if (left != right) return left ? Side::kLeft : Side::kRight;
   return drives_left ? Side::kLeft : Side::kRight;
 }
 
-// What is raised on one side, from the kerb outward.
+// The raised lanes of one side, from the kerb outwards.
 std::vector<map::Lane> raised_lanes(const Road& road, Side side) {
   std::vector<map::Lane> lanes = road.section.lanes;
   if (side == Side::kRight) std::ranges::reverse(lanes);
@@ -47,7 +48,7 @@ std::vector<map::Lane> raised_lanes(const Road& road, Side side) {
   return lanes;
 }
 
-// From the axis to the foot of a lamp on that side: a raised cycle track is kept free.
+// The distance from the axis to the foot of a lamp.
 double offset_m(const Road& road, Side side) {
   double edge_m = side == Side::kLeft ? left_m(road) : right_m(road);
   for (const map::Lane& lane : raised_lanes(road, side)) {
@@ -61,7 +62,7 @@ bool stands_in(const Box2& box, Vec2 p) {
   return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
 }
 
-// A straight piece of a road: `length_m` is what start_along_m counts it as.
+// A straight piece of a road. length_m is snapped, as in the road's start_along_m.
 struct Piece {
   Vec2 a, b;
   double start_along_m, length_m;
@@ -72,10 +73,14 @@ StreetLamp lamp_on(const Road& road, const Piece& piece, const Lighting& lightin
   const Side side = lit_side(road, number);
   const Vec2 left = left_of(unit(piece.b - piece.a)), out = side == Side::kLeft ? left : left * -1.0;
   const Vec2 on_axis = piece.a + (piece.b - piece.a) * (along_m / piece.length_m);
-  return {snapped(on_axis + out * offset_m(road, side)), out * -1.0, lighting.height_m, lighting.kind, road.id.osm};
+  return {.at = snapped(on_axis + out * offset_m(road, side)),
+          .facing = out * -1.0,
+          .height_m = lighting.height_m,
+          .kind = lighting.kind,
+          .feature = road.id.osm};
 }
 
-// The numbers of the lamps whose places along the way lie in [from_m, to_m).
+// The numbers of the lamps at distances in [from_m, to_m) along the way.
 struct Numbers {
   std::int64_t first, end;
 };
@@ -86,75 +91,71 @@ Numbers numbers_between(double from_m, double to_m, double spacing_m) {
   return {number(from_m), number(to_m)};
 }
 
-// What of the piece may have lamps in the box: as far from the foot of its centre as its corners are.
-Numbers numbers_near(const Piece& piece, const Lighting& lighting, const Box2& reach) {
-  const double foot_m = dot(reach.centre() - piece.a, unit(piece.b - piece.a));
-  const double around_m = length(reach.max - reach.min) / 2 + 1;
+// The lamps of a piece that may be in a box: those within its circumradius of the projection of its centre.
+Numbers numbers_near(const Piece& piece, const Lighting& lighting, const Box2& box) {
+  const double foot_m = dot(box.centre() - piece.a, unit(piece.b - piece.a));
+  const double around_m = length(box.max - box.min) / 2 + 1;
   const double from_m = std::max(0.0, foot_m - around_m), to_m = std::min(piece.length_m, foot_m + around_m);
   return numbers_between(piece.start_along_m + from_m, piece.start_along_m + to_m, lighting.spacing_m);
 }
 
 void add_lamps(std::vector<StreetLamp>& lamps, const Road& road, const Piece& piece, const Box2& box,
-               const Box2& reach) {
+               const Box2& widened) {
   const Lighting lighting = lighting_of(road.surface);
-  if (piece.length_m <= 0 || !box_of(std::array{piece.a, piece.b}).touches(reach)) return;
-  const Numbers numbers = numbers_near(piece, lighting, reach);
+  if (piece.length_m <= 0 || !box_of(std::array{piece.a, piece.b}).touches(widened)) return;
+  const Numbers numbers = numbers_near(piece, lighting, widened);
   for (std::int64_t number = numbers.first; number < numbers.end; ++number)
     if (const StreetLamp lamp = lamp_on(road, piece, lighting, number); stands_in(box, lamp.at)) lamps.push_back(lamp);
 }
 
-// A road that matters to what is nearer to its axis than `reach_m`, and the box where that may be.
-struct Reaching {
+// A road with an influence radius around its axis, and the box of that area.
+struct RoadArea {
   const Road* road;
-  double reach_m;
+  double radius_m;
   Box2 box;
 };
 
-Reaching reaching(const Road& road, double reach_m) { return {&road, reach_m, box_of(road.axis).widened(reach_m)}; }
+RoadArea area_around(const Road& road, double radius_m) {
+  return {&road, radius_m, box_of(road.axis).widened(radius_m)};
+}
 
-// Whose lamps light paths beside them.
-std::vector<Reaching> lit_streets(std::span<const Road> roads) {
-  std::vector<Reaching> streets;
+// The streets whose lamps light paths beside them.
+std::vector<RoadArea> lit_streets(std::span<const Road> roads) {
+  std::vector<RoadArea> streets;
   for (const Road& road : roads)
     if (road.is_lit && is_street(road))
-      streets.push_back(reaching(road, std::max(left_m(road), right_m(road)) + kBesideStreet_m));
+      streets.push_back(area_around(road, std::max(left_m(road), right_m(road)) + kBesideStreet_m));
   return streets;
 }
 
-// What lamps may face.
-template <typename Wanted>
-std::vector<Reaching> faced(std::span<const Road> roads, Wanted is_wanted) {
-  std::vector<Reaching> wanted;
+// The roads of a kind that mapped lamps may face.
+template <typename IsKind>
+std::vector<RoadArea> faced_roads(std::span<const Road> roads, IsKind is_kind) {
+  std::vector<RoadArea> faced;
   for (const Road& road : roads)
-    if (is_wanted(road)) wanted.push_back(reaching(road, kFacingReach_m));
-  return wanted;
-}
-
-Vec2 nearest_on(Vec2 a, Vec2 b, Vec2 p) {
-  const Vec2 along = b - a;
-  const double square = dot(along, along);
-  return square > 0 ? a + along * std::clamp(dot(p - a, along) / square, 0.0, 1.0) : a;
+    if (is_kind(road)) faced.push_back(area_around(road, kMaxFacing_m));
+  return faced;
 }
 
 Vec2 nearest_on(const Polyline& axis, Vec2 p) {
   Vec2 nearest = axis.front();
   for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-    if (const Vec2 q = nearest_on(axis[i], axis[i + 1], p); distance(p, q) < distance(p, nearest)) nearest = q;
+    if (const Vec2 q = nearest_point(axis[i], axis[i + 1], p); distance(p, q) < distance(p, nearest)) nearest = q;
   return nearest;
 }
 
-bool is_beside(std::span<const Reaching> streets, Vec2 p) {
-  return std::ranges::any_of(streets, [&](const Reaching& street) {
-    return street.box.contains(p) && distance(p, nearest_on(street.road->axis, p)) < street.reach_m;
+bool is_beside(std::span<const RoadArea> streets, Vec2 p) {
+  return std::ranges::any_of(streets, [&](const RoadArea& street) {
+    return street.box.contains(p) && distance(p, nearest_on(street.road->axis, p)) < street.radius_m;
   });
 }
 
-bool is_near(std::span<const Lamp> lamps, Vec2 p, double reach_m) {
-  return std::ranges::any_of(lamps, [&](const Lamp& lamp) { return distance(lamp.at, p) < reach_m; });
+bool is_near(std::span<const Lamp> lamps, Vec2 p, double radius_m) {
+  return std::ranges::any_of(lamps, [&](const Lamp& lamp) { return distance(lamp.at, p) < radius_m; });
 }
 
-// Foot paths may be a street's pavement, mapped for itself.
-bool bears_lamps(LandCoverClass surface) {
+// Foot paths may be the pavements of a street that are mapped separately.
+bool may_have_lamps(LandCoverClass surface) {
   switch (group_of(surface)) {
     case LandCoverGroup::kRoad:
     case LandCoverGroup::kRail:
@@ -168,35 +169,38 @@ bool bears_lamps(LandCoverClass surface) {
   }
 }
 
-bool has_room(const ground::LandCoverIndex& map, Vec2 p) {
-  const std::uint32_t top = ground::land_cover_at(map, p);
-  return top == ground::kNoLandCover || bears_lamps(map.surfaces[top].surface);
+bool has_room(const ground::LandCoverIndex& index, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(index, p);
+  return top == ground::kNoLandCover || may_have_lamps(index.surfaces[top].surface);
 }
 
-// What a mapped lamp lights.
-struct Lit {
+// The road that a mapped lamp faces, and the nearest point of its axis.
+struct FacedRoad {
   const Road* road = nullptr;
   Vec2 at;
 };
 
-Lit nearest_road(std::span<const Reaching> roads, Vec2 p) {
-  Lit lit;
-  double nearest_m = kFacingReach_m;
-  for (const Reaching& near : roads) {
+FacedRoad nearest_road(std::span<const RoadArea> roads, Vec2 p) {
+  FacedRoad faced;
+  double nearest_m = kMaxFacing_m;
+  for (const RoadArea& near : roads) {
     if (!near.box.contains(p)) continue;
     const Vec2 at = nearest_on(near.road->axis, p);
     if (distance(p, at) >= nearest_m) continue;
     nearest_m = distance(p, at);
-    lit = {near.road, at};
+    faced = {near.road, at};
   }
-  return lit;
+  return faced;
 }
 
-StreetLamp standing(const Lamp& lamp, const Lit& lit) {
-  const Lighting lighting = lit.road ? lighting_of(lit.road->surface) : kElsewhere;
-  const Vec2 towards = lit.road ? unit(lit.at - lamp.at) : Vec2{};
-  return {lamp.at, towards == Vec2{} ? Vec2{1, 0} : towards, lamp.height_m > 0 ? lamp.height_m : lighting.height_m,
-          lighting.kind, lamp.id.osm};
+StreetLamp street_lamp(const Lamp& lamp, const FacedRoad& faced) {
+  const Lighting lighting = faced.road ? lighting_of(faced.road->surface) : kWithoutRoad;
+  const Vec2 towards = faced.road ? unit(faced.at - lamp.at) : Vec2{};
+  return {.at = lamp.at,
+          .facing = towards == Vec2{} ? Vec2{1, 0} : towards,
+          .height_m = lamp.height_m > 0 ? lamp.height_m : lighting.height_m,
+          .kind = lighting.kind,
+          .feature = lamp.id.osm};
 }
 
 }  // namespace
@@ -214,33 +218,32 @@ Lighting lighting_of(LandCoverClass surface) {
     case LandCoverClass::kRunway:
       return {};
     default:
-      break;
+      return group_of(surface) == LandCoverGroup::kRoad   ? Lighting{25, 6, LampKind::kPostTop}
+             : group_of(surface) == LandCoverGroup::kPath ? Lighting{20, 4, LampKind::kPostTop}
+                                                          : Lighting{};
   }
-  if (group_of(surface) == LandCoverGroup::kRoad) return {25, 6, LampKind::kPostTop};
-  if (group_of(surface) == LandCoverGroup::kPath) return {20, 4, LampKind::kPostTop};
-  return {};
 }
 
 std::vector<StreetLamp> lamps_along(const Road& road, const Box2& box) {
   std::vector<StreetLamp> lamps;
   if (!road.is_lit || lighting_of(road.surface).spacing_m == 0) return lamps;
-  const Box2 reach = box.widened(max_offset_m(road) + kBeyondEdge_m);
+  const Box2 widened = box.widened(max_offset_m(road) + kBeyondEdge_m);
   double start_along_m = road.start_along_m;
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
     const double length_m = snapped(distance(road.axis[i], road.axis[i + 1]));
-    add_lamps(lamps, road, {road.axis[i], road.axis[i + 1], start_along_m, length_m}, box, reach);
+    add_lamps(lamps, road, {road.axis[i], road.axis[i + 1], start_along_m, length_m}, box, widened);
     start_along_m += length_m;
   }
   return lamps;
 }
 
 std::vector<StreetLamp> lamps_of_streets(std::span<const Road> roads, std::span<const Lamp> mapped,
-                                         const ground::LandCoverIndex& surfaces, const Box2& box) {
-  const std::vector<Reaching> streets = lit_streets(roads);
+                                         const ground::LandCoverIndex& index, const Box2& box) {
+  const std::vector<RoadArea> streets = lit_streets(roads);
   std::vector<StreetLamp> lamps;
   for (const Road& road : roads)
     for (const StreetLamp& lamp : lamps_along(road, box)) {
-      if (!has_room(surfaces, lamp.at) || is_near(mapped, lamp.at, lighting_of(road.surface).spacing_m)) continue;
+      if (!has_room(index, lamp.at) || is_near(mapped, lamp.at, lighting_of(road.surface).spacing_m)) continue;
       if (is_path(road) && is_beside(streets, lamp.at)) continue;
       lamps.push_back(lamp);
     }
@@ -248,13 +251,13 @@ std::vector<StreetLamp> lamps_of_streets(std::span<const Road> roads, std::span<
 }
 
 std::vector<StreetLamp> mapped_lamps(std::span<const Lamp> lamps, std::span<const Road> roads) {
-  const auto streets = faced(roads, is_street), paths = faced(roads, is_path);
-  std::vector<StreetLamp> standing_lamps;
+  const auto streets = faced_roads(roads, is_street), paths = faced_roads(roads, is_path);
+  std::vector<StreetLamp> street_lamps;
   for (const Lamp& lamp : lamps) {
-    const Lit street = nearest_road(streets, lamp.at);
-    standing_lamps.push_back(standing(lamp, street.road ? street : nearest_road(paths, lamp.at)));
+    const FacedRoad street = nearest_road(streets, lamp.at);
+    street_lamps.push_back(street_lamp(lamp, street.road ? street : nearest_road(paths, lamp.at)));
   }
-  return standing_lamps;
+  return street_lamps;
 }
 
 }  // namespace citykiln::props

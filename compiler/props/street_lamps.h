@@ -1,12 +1,11 @@
-// Street lamps in plan: where they stand that nobody mapped, along streets that are told to be lit, and which way those
-// face that somebody did.
+// Street lamps in plan: derived along lit streets, and the direction of mapped ones.
 //
-//     ___o_________________o___    a lamp half a spacing from the way's start, then one every spacing
-//     =======|=====|=====|=====>   the way; its carriageway is wide: lamps stand on either side in turn
-//     ______________o__________    feet behind the kerbs, arms square to the way and over the carriageway
+//     ___o_________________o___    the first lamp half a spacing from the way's start, then one every spacing
+//     =======|=====|=====|=====>   the way; along wide carriageways lamps alternate between the sides
+//     ______________o__________    feet behind the kerbs, arms square to the way, over the carriageway
 //
-// Source: EN 13201-2 asks for light on the road by its class, not for distances; what is built to meet it stands 3 to 5
-// times its mounting height apart, on one side of a road that is no wider than about that height, else staggered.
+// Source: EN 13201-2 requires illuminance by road class. Lamps built to meet it stand 3 to 5 times their mounting
+// height apart, on one side of roads up to about that width, otherwise staggered.
 #pragma once
 
 #include <cstdint>
@@ -22,52 +21,52 @@ namespace citykiln::props {
 
 enum class LampKind : std::uint8_t {
   kPostTop,  ///< A lantern on a post: paths and quiet streets.
-  kArm,      ///< A head that an arm holds over the road.
+  kArm,      ///< A head on an arm over the road.
   kCount
 };
 
-/// How streets of a class are lit.
+/// How roads of a class are lit.
 struct Lighting {
-  double spacing_m = 0;  ///< 0: not by street lamps (rails, runways).
+  double spacing_m = 0;  ///< 0: no street lamps (rails, runways).
   double height_m = 0;
   LampKind kind{};
 };
 Lighting lighting_of(map::LandCoverClass surface);
 
-/// A lamp that stands somewhere.
+/// A lamp with its position.
 struct StreetLamp {
   Vec2 at;      ///< Its foot, plane metres, snapped.
-  Vec2 facing;  ///< Where its arm points, length 1.
+  Vec2 facing;  ///< Direction of its arm, length 1.
   double height_m = 0;
   LampKind kind{};
-  OsmId feature;  ///< The lamp as mapped, or the way it lights.
+  OsmId feature;  ///< The mapped lamp, or the way it lights.
   bool operator==(const StreetLamp&) const = default;
 };
 
-/// The lamps of a lit road that stand in the box (its lower sides included, its upper ones not), whatever else is
-/// there. None where the road is not lit.
+/// Returns the lamps of a road that stand in a box (lower sides inclusive, upper sides exclusive), whatever else is
+/// there. None if the road is not lit.
 ///
-/// On carriageways wider than 9 m they alternate; else they stand on the side that has a pavement, where both or none
-/// have on that of the traffic. 0.5 m behind the kerb and any raised cycle track, or in the middle of a narrower
-/// pavement; where there is none, 0.75 m beyond the edge.
+/// On carriageways wider than 9 m they alternate between the sides; otherwise they stand on the side with a pavement,
+/// or if both or neither have one on the side of traffic. Their distance from the kerb and any raised cycle track is
+/// 0.5 m, or half of a narrower pavement; without pavement they stand 0.75 m beyond the edge.
 ///
-/// Guarantees: runs that a way was trimmed to have together the lamps of the way, to the bit; boxes that share no
-/// points share no lamps. Total. O(points + lamps in the box).
+/// Guarantees: the stretches of a trimmed way have the lamps of the whole way, bit for bit; disjoint boxes share no
+/// lamps. Total. O(points + lamps in the box).
 std::vector<StreetLamp> lamps_along(const roads::Road& road, const Box2& box);
 
-/// The lamps along all lit roads that find a place in the box: not on a carriageway, parked cars, rails, water, steps,
-/// a track or cycle path, nor in a building; not within one spacing of a mapped lamp, which tells that the street's
-/// lamps are mapped; and along a path not where a lit street lights it. In the order of the roads.
+/// Returns the lamps along all lit roads that have room in a box: not on carriageways, parking lanes, rails, water,
+/// steps, tracks or cycle paths, nor in buildings; not within one spacing of a mapped lamp, where the street's lamps
+/// are assumed to be mapped; and along paths not beside a lit street. In the order of the roads.
 ///
-/// @param mapped    Where lamps are mapped.
-/// @param surfaces  Must cover the box.
+/// @param mapped  Mapped lamps.
+/// @param index   Land cover of the box.
 /// Total. O(segments + lamps * (roads + mapped)).
 std::vector<StreetLamp> lamps_of_streets(std::span<const roads::Road> roads, std::span<const Lamp> mapped,
-                                         const ground::LandCoverIndex& surfaces, const Box2& box);
+                                         const ground::LandCoverIndex& index, const Box2& box);
 
-/// Mapped lamps as they stand: each faces the nearest place on the axis of a street within 12 m, where there is none of
-/// a path, where there is none +x; of equally near ones that of the first road. That road says the kind, and the height
-/// where none is told; without one it is a post 6 m high. Total. O(segments + lamps * roads).
+/// Returns mapped lamps with their direction, kind and height: each faces the nearest point on the axis of a street
+/// within 12 m, else of a path, else +x; among equally near roads that of the first one. That road determines the kind,
+/// and the height if it is not tagged; without a road it is a post of 6 m. Total. O(segments + lamps * roads).
 std::vector<StreetLamp> mapped_lamps(std::span<const Lamp> lamps, std::span<const roads::Road> roads);
 
 }  // namespace citykiln::props

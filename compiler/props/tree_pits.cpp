@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::props {
@@ -19,13 +21,13 @@ constexpr std::array kSides_m = {1.5, 1.25, 1.0, 0.75};
 
 constexpr double kSoil_m = 0.03, kEdging_m = 0.08, kEdgingWidth_m = 0.1, kFoot_m = 0.1;
 
-// A pit farther from every road than this lies in a court or a square.
-constexpr double kRoadReach_m = 20;
+// Pits farther from all roads lie in courts or squares.
+constexpr double kMaxRoad_m = 20;
 
 constexpr double kBucket_m = 32;
 
-// The ground between the corners strays from them by no more than this: soil lies over it everywhere.
-constexpr double kEven_m = 0.02;
+// Largest distance of the ground from the plane of the corners: less than the height of the soil.
+constexpr double kMaxUnevenness_m = 0.02;
 
 using Corners = std::array<Vec2, 4>;
 
@@ -40,8 +42,8 @@ bool is_on_paving(const ground::LandCoverIndex& surfaces, Vec2 p) {
   return top != ground::kNoLandCover && is_paving(surfaces.surfaces[top].surface);
 }
 
-// Nothing in a map is so narrow that it passes between corners and middles of sides.
-bool has_paving_about(const ground::LandCoverIndex& surfaces, const TreePit& pit) {
+// Corners and middles of the sides are tested: no land cover is narrow enough to lie between them.
+bool has_paving_around(const ground::LandCoverIndex& surfaces, const TreePit& pit) {
   const Corners corners = corners_of(pit, pit.side_m);
   for (std::size_t i = 0; i < 4; ++i)
     if (!is_on_paving(surfaces, corners[i]) || !is_on_paving(surfaces, (corners[i] + corners[(i + 1) % 4]) * 0.5))
@@ -53,7 +55,7 @@ struct Segment {
   Vec2 a, b;
 };
 
-// Axes of streets and paths by place.
+// Axes of streets and paths, with a spatial index.
 struct Axes {
   std::vector<Segment> segments;
   BoxGrid grid;
@@ -67,32 +69,26 @@ Axes axes_of(std::span<const roads::Road> roads) {
     if (group != LandCoverGroup::kRoad && group != LandCoverGroup::kPath) continue;
     for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
       axes.segments.push_back({road.axis[i], road.axis[i + 1]});
-      boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}).widened(kRoadReach_m));
+      boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}).widened(kMaxRoad_m));
     }
   }
   axes.grid = grid_of(boxes, kBucket_m);
   return axes;
 }
 
-double distance_m(const Segment& s, Vec2 p) {
-  const Vec2 along = s.b - s.a;
-  const double square = dot(along, along);
-  const double share = square > 0 ? std::clamp(dot(p - s.a, along) / square, 0.0, 1.0) : 0;
-  return distance(p, s.a + along * share);
-}
-
-Vec2 along_at(const Axes& axes, Vec2 p) {
+Vec2 direction_at(const Axes& axes, Vec2 p) {
   Vec2 along{1, 0};
-  double nearest_m = kRoadReach_m;
+  double nearest_m = kMaxRoad_m;
   for (const std::uint32_t i : boxes_about(axes.grid, p)) {
-    const double away_m = distance_m(axes.segments[i], p);
-    if (away_m >= nearest_m || axes.segments[i].a == axes.segments[i].b) continue;
-    nearest_m = away_m, along = unit(axes.segments[i].b - axes.segments[i].a);
+    const auto [a, b] = axes.segments[i];
+    const double distance_m = distance(p, nearest_point(a, b, p));
+    if (distance_m >= nearest_m || a == b) continue;
+    nearest_m = distance_m, along = unit(b - a);
   }
   return along;
 }
 
-// Not one that another's pit may touch.
+// Whether pits of the largest size at p and at all others near would not touch.
 bool is_apart(std::span<const TreePit> pits, std::span<const std::uint32_t> of_tree, const BoxGrid& near, Vec2 p) {
   return std::ranges::none_of(boxes_about(near, p), [&](std::uint32_t tree) {
     return of_tree[tree] < pits.size() && distance(pits[of_tree[tree]].at, p) < 1.5 * kSides_m[0];
@@ -103,25 +99,22 @@ Vec3 on_ground(const ground::GradedTerrain& ground, Vec2 p, double up_m) {
   return snapped(at_height(p, land_m(ground, p) + up_m));
 }
 
-// Steep or bent paving has steps and walls, no pits.
+// Steep or uneven paving has steps and walls instead of pits.
 bool is_even(const TreePit& pit, const ground::GradedTerrain& ground) {
-  constexpr double kSteepest = 0.25;
+  constexpr double kMaxSlope = 0.25;
   const Corners c = corners_of(pit, pit.side_m);
   std::array<double, 4> z_m;
   for (std::size_t i = 0; i < 4; ++i) z_m[i] = land_m(ground, c[i]);
   const auto [least_m, most_m] = std::ranges::minmax(z_m);
-  if (most_m - least_m > kSteepest * pit.side_m) return false;
-  const auto strays = [&](Vec2 p, double straight_m) { return std::abs(land_m(ground, p) - straight_m) > kEven_m; };
+  if (most_m - least_m > kMaxSlope * pit.side_m) return false;
+  const auto is_off = [&](Vec2 p, double straight_m) {
+    return std::abs(land_m(ground, p) - straight_m) > kMaxUnevenness_m;
+  };
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t next = (i + 1) % 4;
-    if (strays((c[i] + c[next]) * 0.5, (z_m[i] + z_m[next]) / 2)) return false;
+    if (is_off((c[i] + c[next]) * 0.5, (z_m[i] + z_m[next]) / 2)) return false;
   }
-  return !strays(pit.at, (z_m[0] + z_m[2]) / 2) && !strays(pit.at, (z_m[1] + z_m[3]) / 2);
-}
-
-void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  mesh.triangles.push_back({a, b, c});
-  mesh.triangles.push_back({a, c, d});
+  return !is_off(pit.at, (z_m[0] + z_m[2]) / 2) && !is_off(pit.at, (z_m[1] + z_m[3]) / 2);
 }
 
 MaterialMesh soil_of(const TreePit& pit, const ground::GradedTerrain& ground, double side_m) {
@@ -131,7 +124,7 @@ MaterialMesh soil_of(const TreePit& pit, const ground::GradedTerrain& ground, do
   return soil;
 }
 
-// Its outside, its top and its inside.
+// The outer side, the top and the inner side of the edging.
 MaterialMesh edging_of(const TreePit& pit, const ground::GradedTerrain& ground) {
   MaterialMesh edging{{}, Material::kStone, materials::kNoTint, pit.feature};
   const double inner_m = pit.side_m - 2 * kEdgingWidth_m;
@@ -149,24 +142,14 @@ MaterialMesh edging_of(const TreePit& pit, const ground::GradedTerrain& ground) 
 }  // namespace
 
 bool is_paving(LandCoverClass surface) {
-  switch (surface) {
-    case LandCoverClass::kPavement:
-    case LandCoverClass::kSquare:
-    case LandCoverClass::kPlatform:
-    case LandCoverClass::kParking:
-    case LandCoverClass::kParkingLane:
-    case LandCoverClass::kTrafficIsland:
-    case LandCoverClass::kIsland:
-    case LandCoverClass::kPavedFootPath:
-    case LandCoverClass::kPedestrianStreet:
-      return true;
-    default:
-      return false;
-  }
+  using enum map::LandCoverClass;
+  constexpr std::array kPaving = {kPavement,      kSquare, kPlatform,      kParking,         kParkingLane,
+                                  kTrafficIsland, kIsland, kPavedFootPath, kPedestrianStreet};
+  return std::ranges::find(kPaving, surface) != kPaving.end();
 }
 
 std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const roads::Road> roads,
-                               const ground::LandCoverIndex& surfaces) {
+                               const ground::LandCoverIndex& index) {
   std::vector<Box2> boxes;
   for (const Placement& tree : trees)
     boxes.push_back(Box2{in_plan(tree.at), in_plan(tree.at)}.widened(2 * kSides_m[0]));
@@ -176,11 +159,11 @@ std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const
   std::vector<std::uint32_t> of_tree(trees.size(), ground::kNoLandCover);
   for (std::size_t t = 0; t < trees.size(); ++t) {
     const Vec2 at = in_plan(trees[t].at);
-    if (!is_on_paving(surfaces, at) || !is_apart(pits, of_tree, near, at)) continue;
-    TreePit pit{at, along_at(axes, at), 0, trees[t].feature};
+    if (!is_on_paving(index, at) || !is_apart(pits, of_tree, near, at)) continue;
+    TreePit pit{at, direction_at(axes, at), 0, trees[t].feature};
     const auto fits = std::ranges::find_if(kSides_m, [&](double side_m) {
       pit.side_m = side_m;
-      return has_paving_about(surfaces, pit);
+      return has_paving_around(index, pit);
     });
     if (fits == kSides_m.end()) continue;
     of_tree[t] = static_cast<std::uint32_t>(pits.size());
@@ -190,6 +173,7 @@ std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const
 }
 
 GeneratedProp generate(const TreePit& pit, const ground::GradedTerrain& ground, double tolerance_m) {
+  assert(tolerance_m > 0);
   if (!is_even(pit, ground)) return {};
   if (!has_detail(Detail::kTreePits, tolerance_m)) return {{}, kEdging_m};
   if (tolerance_m >= kEdging_m) return {{soil_of(pit, ground, pit.side_m)}, kEdging_m - kSoil_m};

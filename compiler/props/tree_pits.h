@@ -1,10 +1,10 @@
-// Pits of trees that stand in paving: a square of soil with an edging of stone, along the street or path.
+// Tree pits: squares of soil with a stone edging around trees in paving, aligned to the street or path.
 //
 //     ::::::::::::::::    paving
 //     ::::+------+::::
-//     ::::|  o   |::::    soil about the trunk, 3 cm above the paving; the edging, 8 cm
+//     ::::|  o   |::::    soil 3 cm above the paving, edging 8 cm
 //     ::::+------+::::
-//     ================    kerb: a pit is as small as keeps it off the carriageway
+//     ================    kerb: pits are small enough to stay off the carriageway
 #pragma once
 
 #include <span>
@@ -18,28 +18,28 @@
 namespace citykiln::props {
 
 struct TreePit {
-  Vec2 at;            ///< Of its tree, plane metres.
-  Vec2 along;         ///< Of two of its sides, length 1.
-  double side_m = 0;  ///< With the edging.
-  OsmId feature;      ///< The tree's.
+  Vec2 at;            ///< The tree, plane metres.
+  Vec2 along;         ///< Direction of two of its sides, length 1.
+  double side_m = 0;  ///< Including the edging.
+  OsmId feature;      ///< The tree.
   bool operator==(const TreePit&) const = default;
 };
 
-/// Is it paving that trees stand in: pavements, squares, parking, pedestrian streets, but no carriageway?
+/// Whether trees in this land cover have pits: pavements, squares, parking, pedestrian streets; no carriageways.
 bool is_paving(map::LandCoverClass surface);
 
-/// The pits of those trees that have paving about them, in their order: along the nearest road or path within 20 m, or
-/// else east; as large as paving allows, from 1.5 m down to 0.75 m. A tree without so much has none, nor has one that
-/// stands in another's pit.
+/// Returns the pits of trees in paving, in their order: aligned to the nearest road or path within 20 m, else to the x
+/// axis; the largest side of 1.5, 1.25, 1 and 0.75 m that paving allows. Trees without room, or in the pit of an
+/// earlier tree, have none.
 ///
-/// @param surfaces  Must cover the trees and a metre about them.
+/// @param index  Land cover of the trees and 1 m around them.
 /// O(trees · roads near).
 std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const roads::Road> roads,
-                               const ground::LandCoverIndex& surfaces);
+                               const ground::LandCoverIndex& index);
 
-/// On the ground at its corners; nothing where that is steep, or bent between them by over 2 cm. Where the edging is
-/// lower than the tolerance, soil alone; without Detail::kTreePits nothing. Error: the edging's height above what is
-/// left.
+/// Generates a tree pit on the ground. Nothing if the ground is steep, or more than 2 cm off the plane of its corners.
+/// Soil alone if the edging is lower than the tolerance; nothing without Detail::kTreePits. The error is the height of
+/// the edging above what is left.
 GeneratedProp generate(const TreePit& pit, const ground::GradedTerrain& ground, double tolerance_m);
 
 }  // namespace citykiln::props

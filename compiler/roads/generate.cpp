@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
@@ -9,28 +10,17 @@
 namespace citykiln::roads {
 namespace {
 
-// cos and sin of k · 22.5° as literals, so that every CPU agrees
+// Directions of a quarter circle; cos and sin of k · 22.5° as literals, so that every CPU agrees.
 constexpr double kC1 = 0.9238795325112867, kC2 = 0.7071067811865476, kC3 = 0.3826834323650898;
-constexpr std::array<Vec2, 16> kCircle = {{{1, 0},
-                                           {kC1, kC3},
-                                           {kC2, kC2},
-                                           {kC3, kC1},
-                                           {0, 1},
-                                           {-kC3, kC1},
-                                           {-kC2, kC2},
-                                           {-kC1, kC3},
-                                           {-1, 0},
-                                           {-kC1, -kC3},
-                                           {-kC2, -kC2},
-                                           {-kC3, -kC1},
-                                           {0, -1},
-                                           {kC3, -kC1},
-                                           {kC2, -kC2},
-                                           {kC1, -kC3}}};
+constexpr std::array<Vec2, 4> kQuarter = {{{1, 0}, {kC1, kC3}, {kC2, kC2}, {kC3, kC1}}};
 
 Ring disk(Vec2 centre, double radius_m) {
   Ring ring;
-  for (const Vec2 direction : kCircle) ring.push_back(snapped(centre + direction * radius_m));
+  for (int quarter = 0; quarter < 4; ++quarter)
+    for (Vec2 direction : kQuarter) {
+      for (int turn = 0; turn < quarter; ++turn) direction = left_of(direction);
+      ring.push_back(snapped(centre + direction * radius_m));
+    }
   return ring;
 }
 
@@ -100,8 +90,8 @@ std::vector<Ring> stroke_along(const Polyline& axis, const Stations& stations, c
   const auto join = [&](const Station& end, Vec2 before, Vec2 after) {
     if (is_joint(before, after)) push_if_area(rings, mitre(end.at, before, after, end.halves));
   };
-  if (ends.from) join(stations.front().front(), unit(axis.front() - *ends.from), direction(0));
-  if (ends.to) join(stations.back().back(), direction(axis.size() - 2), unit(*ends.to - axis.back()));
+  if (ends.before) join(stations.front().front(), unit(axis.front() - *ends.before), direction(0));
+  if (ends.after) join(stations.back().back(), direction(axis.size() - 2), unit(*ends.after - axis.back()));
   return rings;
 }
 
@@ -124,14 +114,16 @@ Stations stations_along(const Road& road, HalvesAt halves_at) {
 }  // namespace
 
 std::vector<Ring> stroke(const Strip& strip, const StripEnds& ends) {
+  assert(strip.axis.size() >= 2);
   std::vector<Ring> rings = stroke_along(strip.axis, stations_of(strip.axis, {strip.left_m, strip.right_m}), ends);
-  if (!ends.are_round) return rings;
+  if (!ends.has_round_ends) return rings;
   for (const Vec2 end : {strip.axis.front(), strip.axis.back()})
     push_if_area(rings, disk(end, (strip.left_m + strip.right_m) / 2));
   return rings;
 }
 
 std::vector<Ring> stroke_carriageway(const Road& road, const StripEnds& ends) {
+  assert(road.axis.size() >= 2);
   if (road.width_limits.is_empty()) return stroke(carriageway_of(road), ends);
   const auto kerbs = [&](double along_m) {
     const RoadEdges edges = road_edges_at(road, along_m);
@@ -141,6 +133,7 @@ std::vector<Ring> stroke_carriageway(const Road& road, const StripEnds& ends) {
 }
 
 std::vector<Ring> stroke_pavements(const Road& road, const StripEnds& ends) {
+  assert(road.axis.size() >= 2);
   const double left = paved_left_m(road), right = paved_right_m(road);
   if (left == 0 && right == 0) return {};
   // verges outside the pavement are narrowed first, so the pavement keeps its width while they give way

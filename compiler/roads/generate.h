@@ -10,10 +10,15 @@ namespace citykiln::roads {
 
 /// How a strip ends: square, round, or joined by a mitre to the strip that continues there.
 struct StripEnds {
-  bool are_round = false;
-  std::optional<Vec2> from,
-      to;  ///< The neighbouring strips' next points: before the first point of the axis, after its last.
+  bool has_round_ends = false;
+  std::optional<Vec2> before, after;  ///< The adjacent points of the strips that continue at either end.
 };
+
+/// The mitre of a bend: what an offset of one metre to the left adds to its point. The offset lines of both segments
+/// meet there. @param before, after  Unit directions less than half a turn apart.
+inline Vec2 mitre_of(Vec2 before, Vec2 after) {
+  return (left_of(before) + left_of(after)) * (1 / (1 + dot(before, after)));
+}
 
 /// Returns the strip as overlapping counter-clockwise rings, snapped to 2^-10 m: one quad a segment, a wedge or a disk
 /// at each bend, and the ends asked for. The strip is their union (sum of winding numbers not zero). Total. Disks are

@@ -1,9 +1,8 @@
 #include "compiler/roads/network.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-
-#include "compiler/roads/junctions/circular_nodes.h"
 
 namespace citykiln::roads {
 namespace {
@@ -27,11 +26,6 @@ std::vector<Passing> passings_of(std::span<const Road> roads) {
   return passings;
 }
 
-void add_arms(std::span<const Road> roads, std::uint32_t road, std::uint32_t vertex, std::vector<Arm>& arms) {
-  if (vertex > 0) arms.push_back({road, vertex, -1});
-  if (vertex + 1 < roads[road].axis.size()) arms.push_back({road, vertex, 1});
-}
-
 // Calls visit(vertex, arms) for each position at which roads of one family have a vertex.
 template <typename Visit>
 void for_each_place(std::span<const Road> roads, Visit visit) {
@@ -41,7 +35,7 @@ void for_each_place(std::span<const Road> roads, Visit visit) {
     arms.clear();
     const Passing& here = passings[i];
     for (; i < passings.size() && passings[i].at == here.at && passings[i].family == here.family; ++i)
-      add_arms(roads, passings[i].road, passings[i].vertex, arms);
+      append_arms(roads, passings[i].road, passings[i].vertex, arms);
     visit(here, arms);
   }
 }
@@ -60,8 +54,20 @@ bool go_on(std::span<const Road> roads, const Arm& a, const Arm& b) {
   if (a.road == b.road) return true;
   constexpr double kSameWidth_m = 0.25;
   const auto is_same = [](double p_m, double q_m) { return std::abs(p_m - q_m) < kSameWidth_m; };
-  return is_same(left_of(roads, a), right_of(roads, b)) && is_same(right_of(roads, a), left_of(roads, b)) &&
+  return is_same(arm_left_m(roads, a), arm_right_m(roads, b)) && is_same(arm_right_m(roads, a), arm_left_m(roads, b)) &&
          dot(direction(roads, a), direction(roads, b)) < 0;
+}
+
+double least_radius_m(map::TrackPointKind kind) {
+  using map::TrackPointKind;
+  return kind == TrackPointKind::kTurningCircle ? 6 : kind == TrackPointKind::kMiniRoundabout ? 5 : 0;
+}
+
+double tagged_radius_m(const Road& road, std::uint32_t vertex) {
+  double radius_m = 0;
+  for (const map::TrackPoint& point : road.points)
+    if (point.vertex == vertex) radius_m = std::max(radius_m, least_radius_m(point.kind));
+  return radius_m;
 }
 
 bool is_node(std::span<const Road> roads, const std::vector<Arm>& arms, Family family) {
@@ -82,11 +88,28 @@ Family family_of(map::LandCoverClass surface) {
                                           : Family::kOther;
 }
 
-double left_of(std::span<const Road> roads, const Arm& arm) {
+double disk_radius_m(std::span<const Road> roads, std::span<const Arm> arms) {
+  constexpr double kMargin_m = 1.5, kLargest_m = 12;
+  double tagged_m = 0, half_m = 0;
+  for (const Arm& arm : arms) {
+    tagged_m = std::max(tagged_m, tagged_radius_m(roads[arm.road], arm.vertex));
+    half_m = std::max({half_m, arm_left_m(roads, arm), arm_right_m(roads, arm)});
+  }
+  return tagged_m == 0 ? 0 : std::min(kLargest_m, std::max(tagged_m, half_m + kMargin_m));
+}
+
+bool is_through_street(const Road& road) {
+  return family_of(road.surface) == Family::kStreet &&
+         priority_of(road) >= map::values_of(map::LandCoverClass::kResidentialRoad).priority;
+}
+
+double arm_left_m(std::span<const Road> roads, const Arm& arm) {
+  assert(arm.road < roads.size());
   return arm.step > 0 ? left_m(roads[arm.road]) : right_m(roads[arm.road]);
 }
 
-double right_of(std::span<const Road> roads, const Arm& arm) {
+double arm_right_m(std::span<const Road> roads, const Arm& arm) {
+  assert(arm.road < roads.size());
   return arm.step > 0 ? right_m(roads[arm.road]) : left_m(roads[arm.road]);
 }
 
@@ -106,8 +129,8 @@ std::vector<StripEnds> ends_of(std::span<const Road> roads) {
     for (const auto& [arm, other] : {std::pair(arms[0], arms[1]), std::pair(arms[1], arms[0])}) {
       const Polyline& axis = roads[arm.road].axis;
       const Vec2 beyond = second_point(roads, other);
-      if (arm.vertex == 0 && arm.step > 0) ends[arm.road].from = beyond;
-      if (arm.vertex + 1 == axis.size() && arm.step < 0) ends[arm.road].to = beyond;
+      if (arm.vertex == 0 && arm.step > 0) ends[arm.road].before = beyond;
+      if (arm.vertex + 1 == axis.size() && arm.step < 0) ends[arm.road].after = beyond;
     }
   });
   return ends;
@@ -122,22 +145,23 @@ std::vector<Joint> joints_of(std::span<const Road> roads) {
   return joints;
 }
 
-std::vector<Arm> arms_at(std::span<const Road> roads, std::span<const Vec2> places, Family family) {
-  std::vector<std::vector<Arm>> by_place(places.size());
-  for (std::uint32_t road = 0; road < roads.size(); ++road) {
-    if (family_of(roads[road].surface) != family) continue;
-    for (std::uint32_t vertex = 0; vertex < roads[road].axis.size(); ++vertex) {
-      const auto place = std::ranges::lower_bound(places, roads[road].axis[vertex]);
-      if (place == places.end() || *place != roads[road].axis[vertex]) continue;
-      add_arms(roads, road, vertex, by_place[static_cast<std::size_t>(place - places.begin())]);
-    }
-  }
-  std::vector<Arm> arms;
-  for (const std::vector<Arm>& here : by_place) arms.insert(arms.end(), here.begin(), here.end());
-  return arms;
+void append_arms(std::span<const Road> roads, std::uint32_t road, std::uint32_t vertex, std::vector<Arm>& arms) {
+  assert(road < roads.size() && vertex < roads[road].axis.size());
+  if (vertex > 0) arms.push_back({road, vertex, -1});
+  if (vertex + 1 < roads[road].axis.size()) arms.push_back({road, vertex, 1});
 }
 
-Polyline walk(std::span<const Road> roads, const Arm& arm, double length_m) {
+bool has_signals(std::span<const Road> roads, std::span<const Arm> arms) {
+  return std::ranges::any_of(arms, [&](const Arm& arm) {
+    return std::ranges::any_of(roads[arm.road].points, [&](const map::TrackPoint& p) {
+      return p.vertex == arm.vertex && p.kind == map::TrackPointKind::kSignals;
+    });
+  });
+}
+
+Polyline arm_axis(std::span<const Road> roads, const Arm& arm, double length_m) {
+  assert(arm.road < roads.size() && arm.vertex < roads[arm.road].axis.size());
+  assert(length_m > 0);
   const Polyline& axis = roads[arm.road].axis;
   Polyline path = {axis[arm.vertex]};
   double left_m = length_m;

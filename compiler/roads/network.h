@@ -16,6 +16,9 @@ namespace citykiln::roads {
 enum class Family : std::uint8_t { kStreet, kPath, kOther };
 Family family_of(map::LandCoverClass surface);
 
+/// True for streets of residential or higher class: no driveways, car parks or tracks.
+bool is_through_street(const Road& road);
+
 /// A road leaving a node, from axis[vertex] towards axis[vertex + step].
 struct Arm {
   std::uint32_t road = 0, vertex = 0;
@@ -29,6 +32,11 @@ struct Node {
   Family family{};
   std::vector<Arm> arms;  ///< Sorted.
 };
+
+/// Returns the radius of the disk about the node that these arms leave, by the track points of their roads: 5 m for a
+/// mini roundabout, 6 m for a turning circle, and at least 1.5 m more than half the widest arm, but at most 12 m. 0:
+/// not circular. O(arms).
+double disk_radius_m(std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Returns all nodes with at least three arms, with two that do not continue into each other (another width, or a turn
 /// of more than a right angle), or that are circular.
@@ -49,15 +57,17 @@ struct Joint {
 std::vector<Joint> joints_of(std::span<const Road> roads);
 
 /// The distance from an arm's axis to its kerbs, as seen leaving the node.
-double left_of(std::span<const Road> roads, const Arm& arm);
-double right_of(std::span<const Road> roads, const Arm& arm);
+double arm_left_m(std::span<const Road> roads, const Arm& arm);
+double arm_right_m(std::span<const Road> roads, const Arm& arm);
 
-/// Returns the arms of a family that leave each of the nodes, node by node. @param nodes  Positions, sorted. O(n log
-/// m).
-std::vector<Arm> arms_at(std::span<const Road> roads, std::span<const Vec2> places, Family family);
+/// Appends the arms that leave a vertex of a road: two, or one at its ends.
+void append_arms(std::span<const Road> roads, std::uint32_t road, std::uint32_t vertex, std::vector<Arm>& arms);
+
+/// True where one of the arms' roads has traffic signals at the arms' node.
+bool has_signals(std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Returns the first part of an arm's axis, at most `length_m` long. The last point may be interpolated and is not
 /// snapped. At least two points where length_m > 0.
-Polyline walk(std::span<const Road> roads, const Arm& arm, double length_m);
+Polyline arm_axis(std::span<const Road> roads, const Arm& arm, double length_m);
 
 }  // namespace citykiln::roads

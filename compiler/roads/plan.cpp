@@ -3,17 +3,16 @@
 namespace citykiln::roads {
 
 Road road_of(const map::Track& track) {
-  return {track.id,
-          track.axis,
-          track.surface,
-          track.section,
-          track.side,
-          track.is_lit,
-          track.is_link,
-          track.is_roundabout,
-          0,
-          track.points,
-          {}};
+  return {.id = track.id,
+          .axis = track.axis,
+          .surface = track.surface,
+          .section = track.section,
+          .side = track.side,
+          .is_lit = track.is_lit,
+          .is_link = track.is_link,
+          .is_roundabout = track.is_roundabout,
+          .points = track.points,
+          .width_limits = {}};
 }
 
 std::vector<Road> plan(const map::Features& features, Report& report) {

@@ -1,47 +1,43 @@
 #include "compiler/roads/recipe.h"
 
 #include <algorithm>
+#include <cassert>
+#include <ranges>
 
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::roads {
 namespace {
 
-// @param lanes  From an outer edge inwards.
-double raised_before_kerb_m(const std::vector<map::Lane>& lanes) {
+// The width of the outermost raised lanes of a kind. @param lanes  From an outer edge inwards.
+template <typename Lanes, typename IsOutside>
+double outer_width_m(Lanes&& lanes, IsOutside is_outside) {
   double width = 0;
   for (const map::Lane& lane : lanes) {
-    if (!lane.is_raised) break;
+    if (!lane.is_raised || !is_outside(lane)) break;
     width += lane.width_m;
   }
   return width;
 }
 
-double verges_before_pavement_m(const std::vector<map::Lane>& lanes) {
-  double width = 0;
-  for (const map::Lane& lane : lanes) {
-    if (!lane.is_raised || lane.kind != map::LaneKind::kVerge) break;
-    width += lane.width_m;
-  }
-  return width;
-}
+bool is_any(const map::Lane&) { return true; }
+bool is_verge(const map::Lane& lane) { return lane.kind == map::LaneKind::kVerge; }
 
-std::vector<map::Lane> from_the_right(const Road& road) {
-  return {road.section.lanes.rbegin(), road.section.lanes.rend()};
-}
+auto from_the_right(const Road& road) { return std::views::reverse(road.section.lanes); }
 
 }  // namespace
 
 double left_m(const Road& road) { return road.section.axis_offset_m; }
 double right_m(const Road& road) { return map::carriageway_width_m(road.section) - road.section.axis_offset_m; }
 
-double raised_left_m(const Road& road) { return raised_before_kerb_m(road.section.lanes); }
-double raised_right_m(const Road& road) { return raised_before_kerb_m(from_the_right(road)); }
+double raised_left_m(const Road& road) { return outer_width_m(road.section.lanes, is_any); }
+double raised_right_m(const Road& road) { return outer_width_m(from_the_right(road), is_any); }
 
-double paved_left_m(const Road& road) { return raised_left_m(road) - verges_before_pavement_m(road.section.lanes); }
-double paved_right_m(const Road& road) { return raised_right_m(road) - verges_before_pavement_m(from_the_right(road)); }
+double paved_left_m(const Road& road) { return raised_left_m(road) - outer_width_m(road.section.lanes, is_verge); }
+double paved_right_m(const Road& road) { return raised_right_m(road) - outer_width_m(from_the_right(road), is_verge); }
 
 std::vector<double> distances_along(const Polyline& axis, double start_along_m) {
+  assert(!axis.empty());
   std::vector<double> along = {start_along_m};
   for (std::size_t i = 0; i + 1 < axis.size(); ++i)
     along.push_back(along.back() + snapped(distance(axis[i], axis[i + 1])));
@@ -55,6 +51,8 @@ double max_offset_m(const Road& road) {
   return 1.5 * std::max(left_m(road) + raised_left_m(road), right_m(road) + raised_right_m(road));
 }
 
-Strip carriageway_of(const Road& road) { return {road.id, road.axis, road.surface, left_m(road), right_m(road)}; }
+Strip carriageway_of(const Road& road) {
+  return {.id = road.id, .axis = road.axis, .surface = road.surface, .left_m = left_m(road), .right_m = right_m(road)};
+}
 
 }  // namespace citykiln::roads

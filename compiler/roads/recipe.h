@@ -7,9 +7,9 @@
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
 #include "compiler/geometry/profile.h"
+#include "compiler/map/cross_section.h"
 #include "compiler/map/features.h"
 #include "compiler/map/land_cover_class.h"
-#include "compiler/map/lanes/lanes.h"
 
 namespace citykiln::roads {
 
@@ -21,24 +21,22 @@ struct Strip {
   double left_m = 0, right_m = 0;  ///< From the axis to the edges, seen along it; multiples of 2^-10, their sum > 0.
   Profile profile{};               ///< Heights along the axis, by distance from the start of the whole way.
   double start_along_m = 0;        ///< Of the whole way, before the first point of the axis; a multiple of 2^-10.
-  double reach_m = 0;  ///< Rivers with an area: the greatest distance from the axis at which the profile gives heights;
-                       ///< a multiple of 16. 0 for all others.
+  double reach_m = 0;              ///< Rivers with an area: the greatest distance from the axis at which the profile
+                                   ///< gives heights; a multiple of 16. 0 for all others.
   bool operator==(const Strip&) const = default;
 };
 
 /// A point of one side where a building limits how far out the road's edge may lie.
 struct WidthLimit {
-  double at_m = 0;    ///< Distance along the whole way; a multiple of 1/4 m.
-  double half_m = 0;  ///< From the middle of the carriageway to the outer edge, at most; a multiple of 1/32 m, > 0.
-  bool is_wall =
-      false;  ///< The limit runs straight from the previous point; else it opens between the two by at most kTaper.
+  double at_m = 0;       ///< Distance along the whole way; a multiple of 1/4 m.
+  double half_m = 0;     ///< From the middle of the carriageway to the outer edge, at most; a multiple of 1/32 m, > 0.
+  bool is_wall = false;  ///< The limit runs straight from the previous point; else it opens by kTaper in between.
   bool operator==(const WidthLimit&) const = default;
 };
 
 /// The width limits of a road's two sides; mostly empty. narrowed_section.h applies them to lanes.
 struct WidthLimits {
-  std::vector<WidthLimit> left,
-      right;  ///< Each sorted by at_m, without duplicates; no limit exceeds what its neighbours allow there.
+  std::vector<WidthLimit> left, right;  ///< Each sorted by at_m; no limit exceeds what its neighbours allow.
   bool is_empty() const { return left.empty() && right.empty(); }
   bool operator==(const WidthLimits&) const = default;
 };
@@ -77,6 +75,9 @@ double paved_right_m(const Road& road);
 std::vector<double> distances_along(const Road& road);
 /// The same for any axis. @param start_along_m  Length of the way before the axis begins.
 std::vector<double> distances_along(const Polyline& axis, double start_along_m);
+
+/// The priority of the road's class.
+inline int priority_of(const Road& road) { return map::values_of(road.surface).priority; }
 
 /// No point of the road, pavements included, lies farther from its axis than this, not even the tip of a mitre.
 double max_offset_m(const Road& road);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace citykiln::roads {
 namespace {
@@ -56,7 +57,7 @@ Polyline part_of(const Polyline& axis, Run run) {
 }
 
 // Keeps the limits along the run and the nearest one on either side: limits in between depend on both.
-std::vector<WidthLimit> pinches_between(const std::vector<WidthLimit>& width_limits, double from_m, double to_m) {
+std::vector<WidthLimit> limits_between(const std::vector<WidthLimit>& width_limits, double from_m, double to_m) {
   auto first = std::ranges::lower_bound(width_limits, from_m, {}, &WidthLimit::at_m);
   auto last = std::ranges::upper_bound(width_limits, to_m, {}, &WidthLimit::at_m);
   if (first != width_limits.begin()) --first;
@@ -66,33 +67,31 @@ std::vector<WidthLimit> pinches_between(const std::vector<WidthLimit>& width_lim
   return kept;
 }
 
-Road part_of(const Road& road, Run run) {
-  const std::vector<double> along = distances_along(road);
-  Road part = road;
-  part.axis = part_of(road.axis, run);
+// The run of a road or strip, without what roads have besides. @param along  distances_along() of the whole.
+template <typename Way>
+Way part_of(const Way& whole, const std::vector<double>& along, Run run) {
+  Way part = whole;
+  part.axis = part_of(whole.axis, run);
   part.start_along_m = along[run.first];
-  part.width_limits = {pinches_between(road.width_limits.left, along[run.first], along[run.last]),
-                       pinches_between(road.width_limits.right, along[run.first], along[run.last])};
-  const auto knots = between(road.profile, along[run.first], along[run.last]);
+  const auto knots = between(whole.profile, along[run.first], along[run.last]);
   part.profile.assign(knots.begin(), knots.end());
-  std::erase_if(part.points, [&](const map::TrackPoint& p) { return p.vertex < run.first || p.vertex > run.last; });
-  for (map::TrackPoint& p : part.points) p.vertex -= static_cast<std::uint32_t>(run.first);
   return part;
 }
 
-Strip part_of(const Strip& strip, Run run) {
-  const std::vector<double> along = distances_along(strip.axis, strip.start_along_m);
-  Strip part = strip;
-  part.axis = part_of(strip.axis, run);
-  part.start_along_m = along[run.first];
-  const auto knots = between(strip.profile, along[run.first], along[run.last]);
-  part.profile.assign(knots.begin(), knots.end());
+Road part_of(const Road& road, Run run) {
+  const std::vector<double> along = distances_along(road);
+  Road part = part_of(road, along, run);
+  part.width_limits = {limits_between(road.width_limits.left, along[run.first], along[run.last]),
+                       limits_between(road.width_limits.right, along[run.first], along[run.last])};
+  std::erase_if(part.points, [&](const map::TrackPoint& p) { return p.vertex < run.first || p.vertex > run.last; });
+  for (map::TrackPoint& p : part.points) p.vertex -= static_cast<std::uint32_t>(run.first);
   return part;
 }
 
 }  // namespace
 
 std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m) {
+  assert(road.axis.size() >= 2 && halo_m >= 0);
   // ground cells read one metre beyond their border
   const Box2 near = box.widened(max_offset_m(road) + 1);
   std::vector<Road> parts;
@@ -102,10 +101,10 @@ std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m) {
 }
 
 std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box, double halo_m) {
+  assert(strip.axis.size() >= 2 && halo_m >= 0);
   std::vector<Strip> parts;
-  for (const Run run : runs_near(strip.axis, box.widened(strip.left_m + strip.right_m + strip.reach_m + halo_m))) {
-    parts.push_back(part_of(strip, run));
-  }
+  for (const Run run : runs_near(strip.axis, box.widened(strip.left_m + strip.right_m + strip.reach_m + halo_m)))
+    parts.push_back(part_of(strip, distances_along(strip.axis, strip.start_along_m), run));
   return parts;
 }
 

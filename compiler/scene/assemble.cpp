@@ -158,7 +158,7 @@ bool covers_tile(const ground::LandCoverPolygon& surface, const Box2& tile) {
 
 // A junction whose arms the chunk's roads can tell.
 bool has_all_arms(const roads::Junction& junction, const Box2& tile) {
-  const Box2 walked = citykiln::box_of(junction.places).widened(roads::kJunctionRadius_m),
+  const Box2 walked = citykiln::box_of(junction.nodes).widened(roads::kJunctionRadius_m),
              known = tile.widened(kRoadHalo_m);
   return known.contains(walked.min) && known.contains(walked.max);
 }

@@ -36,7 +36,7 @@ bool is_anchored(const Header& header, TileKey tile, Vec2 anchor) {
 std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk) {
   std::vector<roads::Junction> anchored;
   for (const roads::Junction& junction : chunk.junctions) {
-    const Vec2 at = junction.places.front();
+    const Vec2 at = junction.nodes.front();
     if (std::floor(at.x / header.tile_m) == chunk.tile.x && std::floor(at.y / header.tile_m) == chunk.tile.y)
       anchored.push_back(junction);
   }

@@ -1,5 +1,6 @@
-// The Astronomical Almanac, section C, "low-precision formulas for the Sun's coordinates"; sidereal time from its
-// section B.
+// Sun position: The Astronomical Almanac, section C, "low-precision formulas for the Sun's coordinates" (mean anomaly,
+// equation of the centre, ecliptic longitude, obliquity), and mean sidereal time from section B. Then rotations from
+// the ecliptic to the equator and to the horizon of the place.
 #include "compiler/sky/plan.h"
 
 #include <chrono>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double kUnixEpoch = 2440587.5, kJ2000 = 2451545.0;  // Julian dates
 
-// Where nothing is said: an afternoon in which shadows are long enough to see and nothing lies in the dark.
+// Default time: shadows are visible and short.
 constexpr double kDefaultSolarHour = 15;
 
 // Two digits at `at`, or nothing.
@@ -45,7 +46,7 @@ std::optional<double> parse_days(const std::string& time) {
   return static_cast<double>(days) + (*hour * 3600.0 + *minute * 60.0 + seconds) / 86400 + kUnixEpoch - kJ2000;
 }
 
-// On the day, by clocks of Greenwich, when the mean sun stands at kDefaultSolarHour over the place.
+// Midsummer day, at the UTC of mean solar time kDefaultSolarHour at the place.
 std::string default_time(map::LonLat place) {
   const int minutes = static_cast<int>(std::floor((kDefaultSolarHour - place.lon_deg / 15) * 60 + 0.5));
   const int of_day = (minutes % 1440 + 1440) % 1440;
@@ -54,28 +55,29 @@ std::string default_time(map::LonLat place) {
   return text;
 }
 
-// In turns, so that no libm is asked: its last bit differs between CPUs.
+// Not by libm, whose last bit differs between CPUs.
 Vec2 direction_of_deg(double deg) { return direction_of(deg / 360); }
 
-// `v` as an observer sees it whose x axis is turned by `turn` about z.
-Vec2 seen_turned(Vec2 v, Vec2 turn) { return {v.x * turn.x + v.y * turn.y, v.y * turn.x - v.x * turn.y}; }
+// `v` in a frame that is rotated by the angle of the unit vector `turn`.
+Vec2 rotated_frame(Vec2 v, Vec2 turn) { return {v.x * turn.x + v.y * turn.y, v.y * turn.x - v.x * turn.y}; }
 
-// Unit vector to the sun from a place: east, north, up. Airless.
+// Unit vector to the sun: east, north, up; without refraction.
 Vec3 to_sun(map::LonLat place, double days) {
   const double anomaly_deg = 357.529 + 0.98560028 * days;
   const double centre_deg = 1.915 * direction_of_deg(anomaly_deg).y + 0.020 * direction_of_deg(2 * anomaly_deg).y;
   const Vec2 ecliptic = direction_of_deg(280.459 + 0.98564736 * days + centre_deg);
   const Vec2 obliquity = direction_of_deg(23.439 - 0.00000036 * days);
-  const double to_pole = obliquity.y * ecliptic.y;
+  const double sin_declination = obliquity.y * ecliptic.y;
   const double sidereal_deg = 15 * (18.697374558 + 24.06570982441908 * days);
-  // x to the meridian, y to the east
+  // equatorial plane: x towards the meridian, y to the east
   const Vec2 level =
-      seen_turned({ecliptic.x, obliquity.x * ecliptic.y}, direction_of_deg(sidereal_deg + place.lon_deg));
+      rotated_frame({ecliptic.x, obliquity.x * ecliptic.y}, direction_of_deg(sidereal_deg + place.lon_deg));
   const Vec2 latitude = direction_of_deg(place.lat_deg);
-  return {level.y, latitude.x * to_pole - latitude.y * level.x, latitude.y * to_pole + latitude.x * level.x};
+  return {level.y, latitude.x * sin_declination - latitude.y * level.x,
+          latitude.y * sin_declination + latitude.x * level.x};
 }
 
-// Six digits are enough, and take less room.
+// Six digits keep the manifest small.
 double quantised(double v) { return std::floor(v * 0x1p20 + 0.5) * 0x1p-20; }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Stage 9: the sun at a place and a time.
+// Plans the sky: the position of the sun at a place and a time.
 #pragma once
 
 #include <string>
@@ -9,9 +9,12 @@
 
 namespace citykiln::sky {
 
-/// @param time  "2026-06-21T15:00" (or with seconds, or a final Z), UTC. "" is 15:00 solar time at midsummer of the
-/// place's hemisphere. Sun by the low-precision formulas of the Astronomical Almanac (0.01° between 1950 and 2050).
-/// Errors: a time that does not parse.
+/// Returns the sky at a place and a time.
+///
+/// @param time  "2026-06-21T15:00" (seconds and a final Z are optional), UTC. "" is 15:00 solar time on midsummer day
+///              of the place's hemisphere.
+/// Method: low-precision formulas of the Astronomical Almanac, 0.01° between 1950 and 2050; no atmospheric refraction.
+/// Error: a time that does not parse.
 Result<Sky> plan(map::LonLat place, const std::string& time);
 
 }  // namespace citykiln::sky

@@ -8,7 +8,7 @@
 namespace citykiln::sky {
 namespace {
 
-// Illuminance of the sun above the air, klx, and the solid angle that it comes from.
+// Illuminance of the sun outside of the atmosphere, klx, and the solid angle of its disk.
 constexpr double kSolar_klx = 128;
 constexpr double kSolidAngle_sr = std::numbers::pi * kSunRadius_rad * kSunRadius_rad;
 
@@ -26,12 +26,13 @@ double ozone(double nm) {
   return kOzone[i] + (kOzone[i + 1] - kOzone[i]) * (place - static_cast<double>(i));
 }
 
-// A bell that is wider on one side.
+// A Gaussian with different widths below and above its mean.
 double bell(double nm, double middle, double below, double above) {
   const double t = (nm - middle) / (nm < middle ? below : above);
   return std::exp(-0.5 * t * t);
 }
 
+// CIE 1931 colour matching functions as sums of Gaussians (Wyman et al. 2013).
 Rgb matching(double nm) {
   return {
       1.056 * bell(nm, 599.8, 37.9, 31.0) + 0.362 * bell(nm, 442.0, 16.0, 26.7) - 0.065 * bell(nm, 501.1, 20.4, 26.2),
@@ -39,16 +40,18 @@ Rgb matching(double nm) {
       1.217 * bell(nm, 437.0, 11.8, 36.0) + 0.681 * bell(nm, 459.0, 26.0, 13.8)};
 }
 
+// Planck's law, relative.
 double black_body(double nm) {
   constexpr double kSecondConstant_nm = 1.438777e7, kSun_K = 5778;
   return 1e15 / (nm * nm * nm * nm * nm * (std::exp(kSecondConstant_nm / (nm * kSun_K)) - 1));
 }
 
+// Preetham et al. 1999, appendix 1: Rayleigh scattering, Ångström's aerosol extinction, ozone.
 double transmittance(double nm, double air_mass, double turbidity) {
   const double um = nm / 1000;
   const double rayleigh = 0.008735 * std::pow(um, -4.08);
-  const double haze = std::max(0.0, 0.04608 * turbidity - 0.04586) * std::pow(um, -1.3);
-  return std::exp(-air_mass * (rayleigh + haze + ozone(nm) * kOzoneLayer_cm));
+  const double aerosols = std::max(0.0, 0.04608 * turbidity - 0.04586) * std::pow(um, -1.3);
+  return std::exp(-air_mass * (rayleigh + aerosols + ozone(nm) * kOzoneLayer_cm));
 }
 
 }  // namespace
@@ -61,6 +64,7 @@ Rgb rgb_of_xyz(const Rgb& c) {
 Rgb sun_luminance_kcd_m2(double cos_zenith, double turbidity) {
   if (cos_zenith <= -0.005) return {0, 0, 0};
   const double zenith_deg = std::acos(std::clamp(cos_zenith, 0.0, 1.0)) * 180 / std::numbers::pi;
+  // relative optical air mass (Kasten 1965)
   const double air_mass = 1 / (std::max(cos_zenith, 0.0) + 0.15 * std::pow(93.885 - zenith_deg, -1.253));
   Rgb xyz{};
   double outside_y = 0;

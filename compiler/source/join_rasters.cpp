@@ -1,6 +1,7 @@
 #include "compiler/source/join_rasters.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -125,6 +126,7 @@ std::size_t end_of_run(const std::vector<Raster>& rasters, std::size_t first) {
 }  // namespace
 
 std::vector<Raster> join_rasters(std::vector<Raster> rasters) {
+  assert(std::ranges::all_of(rasters, &Raster::has_all_samples));
   for (std::size_t first = 0; first < rasters.size(); first = end_of_run(rasters, first)) {
     while (join_one(rasters, first, end_of_run(rasters, first))) {
     }

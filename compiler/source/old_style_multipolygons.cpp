@@ -3,6 +3,7 @@
 #include "compiler/source/old_style_multipolygons.h"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <string_view>
 
@@ -89,6 +90,9 @@ void merge(OsmData& data, Area& area, const Relation& relation, std::set<std::in
 }  // namespace
 
 void merge_old_style_multipolygons(OsmData& data, Report& report) {
+  assert(std::ranges::is_sorted(data.areas, {}, &Area::from));
+  assert(std::ranges::is_sorted(data.ways, {}, &Way::id));
+  assert(std::ranges::is_sorted(data.relations, {}, &Relation::id));
   std::set<std::int64_t> merged_ways;
   for (Area& area : data.areas) {
     if (area.from.type != OsmType::kRelation) continue;

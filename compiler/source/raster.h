@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,7 +36,11 @@ struct Raster {
   std::string system_wkt;  ///< Empty: longitude and latitude on WGS84 in degrees.
   Vec2 spacing_m;          ///< Distance of samples east and north at the centre (spacing_m_of).
 
-  float at(int column, int row) const { return heights_m[static_cast<std::size_t>(row) * columns + column]; }
+  bool has_all_samples() const { return heights_m.size() == static_cast<std::size_t>(columns) * rows; }
+  float at(int column, int row) const {
+    assert(column >= 0 && column < columns && row >= 0 && row < rows);
+    return heights_m[static_cast<std::size_t>(row) * columns + column];
+  }
 };
 
 }  // namespace citykiln::source

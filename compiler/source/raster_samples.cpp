@@ -4,6 +4,7 @@
 
 #include <gdal_priv.h>
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -81,6 +82,8 @@ Result<std::vector<float>> read_coloured(GDALDataset& dataset, const PixelWindow
 }  // namespace
 
 Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec) {
+  assert(window.column >= 0 && window.column + window.columns <= dataset.GetRasterXSize());
+  assert(window.row >= 0 && window.row + window.rows <= dataset.GetRasterYSize());
   const int bands = dataset.GetRasterCount();
   GDALRasterBand& first = *dataset.GetRasterBand(1);
   if (spec.encoding.empty()) {

@@ -1,51 +1,20 @@
 #include <fmt/core.h>
 
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "compiler/contract/parse.h"
 #include "compiler/source/read_raster.h"
 
 namespace citykiln::source {
 namespace {
 
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> pieces;
-  for (;;) {
-    const std::size_t end = text.find(at);
-    pieces.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return pieces;
-    text.remove_prefix(end + 1);
-  }
-}
-
-template <typename Number>
-std::optional<Number> parse_number(std::string_view text) {
-  Number number{};
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-// `count` numbers separated by slashes
-template <typename Number>
-std::optional<std::vector<Number>> parse_numbers(std::string_view text, std::size_t count) {
-  std::vector<Number> numbers;
-  for (const std::string_view piece : split(text, '/')) {
-    const std::optional<Number> number = parse_number<Number>(piece);
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-  }
-  if (numbers.size() != count) return std::nullopt;
-  return numbers;
-}
-
 // What a setter expected, if the value does not parse; else empty.
 using ParseError = std::optional<std::string_view>;
 
 ParseError set_bounds(std::string_view value, RasterSpec& spec) {
-  const auto edges = parse_numbers<double>(value, 4);
+  const auto edges = numbers_in<double>(value, '/', 4);
   if (!edges) return "W/S/E/N in degrees";
   const LonLatBox box{(*edges)[0], (*edges)[1], (*edges)[2], (*edges)[3]};
   if (!(box.west < box.east && box.south < box.north && box.south >= -90 && box.north <= 90)) {
@@ -57,7 +26,7 @@ ParseError set_bounds(std::string_view value, RasterSpec& spec) {
 
 ParseError set_tile(std::string_view value, RasterSpec& spec) {
   constexpr int kDeepestZoom = 30;
-  const auto zxy = parse_numbers<int>(value, 3);
+  const auto zxy = numbers_in<int>(value, '/', 3);
   if (!zxy) return "Z/X/Y as whole numbers";
   const int z = (*zxy)[0], x = (*zxy)[1], y = (*zxy)[2];
   if (z < 0 || z > kDeepestZoom || x < 0 || y < 0 || x >= 1 << z || y >= 1 << z) return "Z/X/Y with X and Y below 2^Z";
@@ -66,7 +35,7 @@ ParseError set_tile(std::string_view value, RasterSpec& spec) {
 }
 
 ParseError set_number(std::string_view value, double& number) {
-  const std::optional<double> parsed = parse_number<double>(value);
+  const std::optional<double> parsed = number_in<double>(value);
   if (!parsed) return "a number";
   number = *parsed;
   return std::nullopt;

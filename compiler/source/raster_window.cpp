@@ -1,6 +1,7 @@
 #include "compiler/source/raster_window.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -33,6 +34,8 @@ std::pair<int, int> clamp(Bounds bounds, int size) {
 }  // namespace
 
 Result<PixelWindow> window_of(const Raster& raster, const LonLatBox& box) {
+  assert(raster.columns > 0 && raster.rows > 0);
+  assert(box.west <= box.east && box.south <= box.north);
   const Result<ToRasterSystem> to_system = to_system_of(raster);
   if (!to_system) return to_system.error();
   const std::array<double, 6>& a = raster.from_grid;

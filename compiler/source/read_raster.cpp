@@ -13,10 +13,13 @@
 #include <memory>
 #include <optional>
 
+#include "compiler/source/fill_gaps.h"
+#include "compiler/source/join_rasters.h"
 #include "compiler/source/quiet_gdal.h"
 #include "compiler/source/raster_samples.h"
 #include "compiler/source/raster_system.h"
 #include "compiler/source/raster_window.h"
+#include "compiler/source/spikes_to_voids.h"
 
 namespace citykiln::source {
 namespace {
@@ -176,6 +179,19 @@ Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window) {
   } catch (const std::exception&) {
     return Error{spec.path, "not enough memory to hold the heightmap"};
   }
+}
+
+Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window,
+                                            Report& report) {
+  std::vector<Raster> rasters;
+  for (const RasterSpec& spec : specs) {
+    Result<Raster> raster = read_raster(spec, window);
+    if (!raster) return raster.error();
+    rasters.push_back(std::move(*raster));
+  }
+  rasters = join_rasters(std::move(rasters));
+  for (Raster& raster : rasters) raster = fill_voids(spikes_to_voids(std::move(raster), report), report);
+  return rasters;
 }
 
 }  // namespace citykiln::source

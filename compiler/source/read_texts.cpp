@@ -1,6 +1,7 @@
 #include "compiler/source/read_texts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,6 +11,7 @@ namespace citykiln::source {
 namespace fs = std::filesystem;
 
 Result<std::vector<TextFile>> read_texts(const std::string& folder, std::string_view ending) {
+  assert(ending.starts_with('.'));
   std::error_code problem;
   std::vector<TextFile> files;
   fs::recursive_directory_iterator entries(folder, problem);

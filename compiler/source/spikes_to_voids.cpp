@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -30,10 +31,10 @@ static_assert(kRounds * 5 <= kSpikeInfluence);
 constexpr std::array<int, 10> kShapes = {0b0001, 0b0011, 0b0101, 0b1001, 0b0110,
                                          0b0111, 0b1011, 0b1101, 0b1110, 0b1111};
 
-struct Way {
+struct Step {
   int east = 0, south = 0;
 };
-constexpr std::array<Way, 4> kLines = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+constexpr std::array<Step, 4> kLines = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
 
 struct Block {
   int column = 0, row = 0;  // the anchor
@@ -64,13 +65,13 @@ struct Ahead {
   float first_m = kVoid, second_m = kVoid;
   bool is_next = true;  // no void lies before the nearer sample
 
-  double straight_on_m() const { return first_m + (static_cast<double>(first_m) - second_m) * steps; }
+  double extrapolated_m() const { return first_m + (static_cast<double>(first_m) - second_m) * steps; }
 };
 
-Ahead look_ahead(const Raster& raster, const Block& block, int column, int row, Way way) {
+Ahead look_ahead(const Raster& raster, const Block& block, int column, int row, Step step) {
   Ahead ahead;
-  while (block.holds(column + ahead.steps * way.east, row + ahead.steps * way.south)) ++ahead.steps;
-  const auto at = [&](int steps) { return height_m(raster, column + steps * way.east, row + steps * way.south); };
+  while (block.holds(column + ahead.steps * step.east, row + ahead.steps * step.south)) ++ahead.steps;
+  const auto at = [&](int steps) { return height_m(raster, column + steps * step.east, row + steps * step.south); };
   ahead.is_next = !std::isnan(at(ahead.steps));
   if (!ahead.is_next) ++ahead.steps;
   ahead.first_m = at(ahead.steps);
@@ -86,28 +87,28 @@ struct Excess {
   double largest_m() const { return std::max(above_m, below_m); }
 };
 
-void foretell(double own_m, double foretold_m, Excess& excess) {
-  if (std::isnan(foretold_m)) return;
-  excess.above_m = std::min(excess.above_m, own_m - foretold_m);
-  excess.below_m = std::min(excess.below_m, foretold_m - own_m);
+void add_prediction(double own_m, double predicted_m, Excess& excess) {
+  if (std::isnan(predicted_m)) return;
+  excess.above_m = std::min(excess.above_m, own_m - predicted_m);
+  excess.below_m = std::min(excess.below_m, predicted_m - own_m);
 }
 
 // Adds the predictions along one line through the sample.
-void foretell_along(const Raster& raster, const Block& block, int column, int row, Way way, Excess& excess) {
+void add_predictions_along(const Raster& raster, const Block& block, int column, int row, Step step, Excess& excess) {
   const double own_m = raster.at(column, row);
-  const Ahead on = look_ahead(raster, block, column, row, way);
-  const Ahead back = look_ahead(raster, block, column, row, {-way.east, -way.south});
-  const double weighed_m = static_cast<double>(on.first_m) * back.steps + static_cast<double>(back.first_m) * on.steps;
-  foretell(own_m, weighed_m / (on.steps + back.steps), excess);
-  foretell(own_m, on.straight_on_m(), excess);
-  foretell(own_m, back.straight_on_m(), excess);
+  const Ahead on = look_ahead(raster, block, column, row, step);
+  const Ahead back = look_ahead(raster, block, column, row, {-step.east, -step.south});
+  const double weighted_m = static_cast<double>(on.first_m) * back.steps + static_cast<double>(back.first_m) * on.steps;
+  add_prediction(own_m, weighted_m / (on.steps + back.steps), excess);
+  add_prediction(own_m, on.extrapolated_m(), excess);
+  add_prediction(own_m, back.extrapolated_m(), excess);
   excess.known += on.is_next + back.is_next;
 }
 
 Excess excess_of(const Raster& raster, const Block& block, int column, int row, double floor_m) {
   Excess excess;
-  for (const Way way : kLines) {
-    foretell_along(raster, block, column, row, way, excess);
+  for (const Step step : kLines) {
+    add_predictions_along(raster, block, column, row, step, excess);
     // the first line rejects nearly all samples
     if (excess.largest_m() < floor_m) break;
   }
@@ -152,7 +153,7 @@ struct Spike {
 };
 
 // The samples of the block if all of them stand out to the same side; else none.
-std::vector<Spike> standing_out(const Raster& raster, const Block& block, double floor_m) {
+std::vector<Spike> outliers_in(const Raster& raster, const Block& block, double floor_m) {
   std::vector<Spike> spikes;
   int above = 0;
   for (int i = 0; i < 4; ++i) {
@@ -169,7 +170,7 @@ std::vector<Spike> standing_out(const Raster& raster, const Block& block, double
 }
 
 void find_at(const Raster& raster, const Block& block, std::vector<Spike>& found) {
-  const std::vector<Spike> spikes = standing_out(raster, block, least_m(raster, block.width()));
+  const std::vector<Spike> spikes = outliers_in(raster, block, least_m(raster, block.width()));
   if (spikes.empty()) return;
   const std::optional<double> bend_m = median_bend_m(raster, block);
   const auto is_small = [&](const Spike& spike) { return spike.size_m <= kBends * *bend_m; };
@@ -178,11 +179,11 @@ void find_at(const Raster& raster, const Block& block, std::vector<Spike>& found
 }
 
 // A quick test that rejects nearly all samples: does the sample stand out of its row, whichever neighbour is with it?
-bool leaves_its_row(const Raster& raster, int column, int row) {
+bool stands_out_of_row(const Raster& raster, int column, int row) {
   if (std::isnan(raster.at(column, row))) return false;
   const auto stands_out = [&](const Block& block) {
     Excess excess;
-    foretell_along(raster, block, column, row, kLines[0], excess);
+    add_predictions_along(raster, block, column, row, kLines[0], excess);
     return excess.largest_m() >= least_m(raster, block.width());
   };
   return stands_out({column, row, 0b0001}) || stands_out({column, row, 0b0011}) ||
@@ -194,9 +195,9 @@ std::vector<Spike> find_spikes(const Raster& raster) {
   std::vector<Spike> found;
   for (int row = 0; row < raster.rows; ++row) {
     for (int column = 0; column < raster.columns; ++column) {
-      if (!leaves_its_row(raster, column, row)) continue;
+      if (!stands_out_of_row(raster, column, row)) continue;
       // every block that contains the sample
-      for (const Way back : {Way{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+      for (const Step back : {Step{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
         for (const int shape : kShapes) {
           const Block block{column - back.east, row - back.south, shape};
           if (block.holds(column, row)) find_at(raster, block, found);
@@ -213,6 +214,7 @@ std::vector<Spike> find_spikes(const Raster& raster) {
 }  // namespace
 
 Raster spikes_to_voids(Raster raster, Report& report) {
+  assert(raster.has_all_samples());
   for (int round = 0; round < kRounds; ++round) {
     // all are found before any is removed, so the result does not depend on the order
     const std::vector<Spike> spikes = find_spikes(raster);

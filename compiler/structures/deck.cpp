@@ -13,10 +13,10 @@ namespace {
 using materials::MaterialMesh;
 using roads::LaneStrip;
 
-// Slabs are at their full thickness from this share of the half width inwards.
-constexpr double kFullThickness = 0.65;
-// Where a deck's edge lies on another deck it stays below that one's road.
-constexpr double kOpenRise_m = -0.03125;
+// Slabs have their full thickness within this share of the half width.
+constexpr double kFullThicknessShare = 0.65;
+// In a parapet gap the edge stays below the road of the other deck.
+constexpr double kGapRise_m = -0.03125;
 
 bool is_open(const std::vector<ParapetGap>& openings, double at_m) {
   return std::ranges::any_of(openings, [&](const ParapetGap& o) { return o.from_m < at_m && at_m < o.to_m; });
@@ -26,7 +26,7 @@ bool is_raised(const LaneStrip& strip) {
   return strip.lanes.empty() ? strip.surface == map::LandCoverClass::kKerb : strip.lanes.front().is_raised;
 }
 
-// Of each strip, above the road's edges: carriageways lie a kerb below what is raised beside them.
+// The rise of each strip above the road's edges: carriageways are a kerb lower than raised strips.
 std::vector<double> rises_of(const Span& bridge, const std::vector<LaneStrip>& strips, bool has_kerbs) {
   const bool is_low = has_kerbs && (roads::raised_left_m(bridge) > 0 || roads::raised_right_m(bridge) > 0);
   std::vector<double> rises;
@@ -41,7 +41,7 @@ roads::MarkingLayout marking_layout_of(const Span& bridge, const LaneStrip& stri
   return layout;
 }
 
-// u across from the strip's left edge, v along.
+// u runs across from the strip's left edge, v along the axis.
 std::vector<Vec2> uvs_of(std::span<const Rib> ribs, double width_m) {
   std::vector<Vec2> uvs;
   for (const Rib& rib : ribs) uvs.insert(uvs.end(), {Vec2{0, rib.along_m}, Vec2{width_m, rib.along_m}});
@@ -63,7 +63,7 @@ void add_strip(const Span& bridge, std::span<const Rib> ribs, const LaneStrip& s
   generated.meshes.push_back(std::move(dressed));
 }
 
-// The top of the road from left to right, kerbs' faces and all.
+// The top of the road from left to right, two corners per strip.
 Section top_of(const std::vector<LaneStrip>& strips, const std::vector<double>& rises) {
   Section top;
   for (std::size_t i = 0; i < strips.size(); ++i) {
@@ -73,13 +73,13 @@ Section top_of(const std::vector<LaneStrip>& strips, const std::vector<double>& 
   return top;
 }
 
-// All of the slab but its top, from the top's right end round below to its left end.
+// The section of the slab without its top, from the road's right end to its left end.
 Section below_of(const DeckDimensions& shape, double left_top, double right_top) {
   const double out_left = shape.left_m + kParapet_m, out_right = -shape.right_m - kParapet_m;
   Section below = {{-shape.right_m, right_top}, {out_right, right_top}, {out_right, -shape.edge_m}};
   if (shape.thickness_m > shape.edge_m) {
-    below.push_back({-shape.right_m * kFullThickness, -shape.thickness_m});
-    below.push_back({shape.left_m * kFullThickness, -shape.thickness_m});
+    below.push_back({-shape.right_m * kFullThicknessShare, -shape.thickness_m});
+    below.push_back({shape.left_m * kFullThicknessShare, -shape.thickness_m});
   }
   for (const Corner c : {Corner{out_left, -shape.edge_m}, Corner{out_left, left_top}, Corner{shape.left_m, left_top}})
     below.push_back(c);
@@ -152,7 +152,7 @@ void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckDimension
   const Section top = add_road(bridge, ribs, detail.has_kerbs, lane_tolerance_m, generated);
   if (!detail.has_slab) return;
   for (const EdgeRun& run : edge_runs(bridge, ribs)) {
-    const auto edge = [&](bool is_open) { return !detail.has_parapets ? 0 : is_open ? kOpenRise_m : shape.parapet_m; };
+    const auto edge = [&](bool is_open) { return !detail.has_parapets ? 0 : is_open ? kGapRise_m : shape.parapet_m; };
     const Section below = below_of(shape, edge(run.is_left_open), edge(run.is_right_open));
     generated.meshes.push_back(
         {slab_of(run.ribs, top, below), materials::Material::kConcrete, materials::kNoTint, bridge.id.osm});

@@ -1,24 +1,25 @@
 #include "compiler/structures/deck_dimensions.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace citykiln::structures {
 namespace {
 
-// Spans of 20 times their thickness are usual for slabs and beams; thinner ones sound hollow, thicker ones are built as
-// something else.
-constexpr double kSlenderness = 20, kThinnest_m = 0.4, kThickest_m = 2;
-// Cantilevers thin out to this.
+// Bays of 20 times the thickness are usual for slabs and beams; longer bays are built otherwise.
+constexpr double kSlenderness = 20, kMinThickness_m = 0.4, kMaxThickness_m = 2;
+// Thickness at the edge of a cantilever.
 constexpr double kEdge_m = 0.45;
-// Parapets of roads (EN 1317: 0.8 to 1.2 m); what holds the ballast or the feet of a railing; railings (EN 1176).
+// Heights of parapets of roads (EN 1317: 0.8 to 1.2 m), ballast retainers, upstands under railings, railings (EN 1176).
 constexpr double kRoadParapet_m = 1, kBallastWall_m = 0.35, kUpstand_m = 0.125, kRailing_m = 1.125;
 
 }  // namespace
 
-DeckDimensions deck_dimensions(const roads::Road& road, double between_m) {
-  DeckDimensions shape{roads::left_m(road) + roads::raised_left_m(road),
-                       roads::right_m(road) + roads::raised_right_m(road)};
-  shape.thickness_m = std::clamp(between_m / kSlenderness, kThinnest_m, kThickest_m);
+DeckDimensions deck_dimensions(const roads::Road& road, double bay_m) {
+  assert(bay_m >= 0);
+  DeckDimensions shape{.left_m = roads::left_m(road) + roads::raised_left_m(road),
+                       .right_m = roads::right_m(road) + roads::raised_right_m(road),
+                       .thickness_m = std::clamp(bay_m / kSlenderness, kMinThickness_m, kMaxThickness_m)};
   shape.edge_m = std::min(kEdge_m, shape.thickness_m);
   const map::LandCoverGroup group = map::values_of(road.surface).group;
   if (group == map::LandCoverGroup::kRoad) {
@@ -31,6 +32,7 @@ DeckDimensions deck_dimensions(const roads::Road& road, double between_m) {
 }
 
 double longest_bay_m(const Span& span) {
+  assert(!span.axis.empty() && std::ranges::is_sorted(span.piers, {}, &Pier::at_m));
   const std::vector<double> along = roads::distances_along(span);
   double longest_m = 0, last_m = along.front();
   for (const Pier& pier : span.piers) {

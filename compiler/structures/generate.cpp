@@ -1,6 +1,7 @@
 #include "compiler/structures/generate.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/grading/road_influence.h"
@@ -11,10 +12,10 @@
 namespace citykiln::structures {
 namespace {
 
-// What the tolerance is spent on: ribs left out and parts left out add up.
+// Shares of the tolerance: errors of omitted ribs and of omitted parts add up.
 constexpr double kRibShare = 0.25, kPartShare = 0.75;
 
-// A part that is left out moves the surface by so much.
+// Decides which parts are omitted, and keeps the largest error.
 struct Budget {
   double tolerance_m;
   double error_m = 0;
@@ -33,7 +34,7 @@ void add_concrete(Mesh&& mesh, const Span& bridge, GeneratedStructure& generated
 void add_railings(const Span& bridge, std::span<const Rib> ribs, const DeckDimensions& shape, Budget& budget,
                   GeneratedStructure& generated) {
   if (shape.railing_m == 0) return;
-  // from the road up: what it stands on may be left out too
+  // its error is measured from the road, since the parapet under it may be omitted too
   const RailingDetail detail = railing_detail(shape.railing_m, budget.tolerance_m);
   budget.error_m = std::max(budget.error_m, detail.error_m);
   Mesh mesh;
@@ -48,13 +49,11 @@ void add_railings(const Span& bridge, std::span<const Rib> ribs, const DeckDimen
         {std::move(mesh), materials::Material::kPaintedMetal, materials::kNoTint, bridge.id.osm});
 }
 
-bool is_on_ground(const SpanEnd& end) { return end.kind == EndKind::kGround || end.kind == EndKind::kBesideRoad; }
-
 void add_supports(const Span& bridge, std::span<const Rib> ribs, const DeckDimensions& shape, Budget& budget,
                   GeneratedStructure& generated) {
   Mesh mesh;
   for (const Pier& pier : bridge.piers)
-    // between deck and ground no place is farther from one of them than half the way
+    // the middle of an omitted pier is half its height away from deck and ground
     if (budget.keeps((rib_at(ribs, pier.at_m).z_m - pier.foot_m) / 2)) add_pier(ribs, shape, pier, mesh);
   const bool has_abutments = budget.keeps(kAbutment_m);
   if (has_abutments && is_on_ground(bridge.from)) add_abutment(ribs, shape, true, mesh);
@@ -74,6 +73,7 @@ DeckDetail detail_of(const DeckDimensions& shape, double tolerance_m, Budget& bu
 }  // namespace
 
 GeneratedStructure generate(const Span& bridge, double tolerance_m) {
+  assert(tolerance_m > 0);
   GeneratedStructure generated;
   const std::vector<Rib> all = ribs_of(bridge);
   if (all.empty()) return generated;

@@ -1,4 +1,4 @@
-// From a span to a bridge: a deck, what stands on its edges, and what it stands on.
+// Generates bridges: deck, parapets and railings, piers and abutments.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace citykiln::structures {
 
-/// A mesh whose surface is marked: its uvs are the pattern's, u across and v along.
+/// A mesh with road markings. Texture coordinates are those of the layout: u across, v along.
 struct MarkedMesh {
   materials::MaterialMesh mesh;
   roads::MarkingLayout layout;
@@ -18,16 +18,16 @@ struct MarkedMesh {
 struct GeneratedStructure {
   std::vector<materials::MaterialMesh> meshes;
   std::vector<MarkedMesh> marked;
-  double error_m = 0;  ///< How far what is left out moves the surface.
+  double error_m = 0;  ///< Largest distance by which omitted parts move the surface.
 };
 
-/// The bridge at a tolerance.
+/// Generates a bridge at a tolerance, > 0.
 ///
-/// The deck is the span's road from edge to edge with its pavements and kerbs, between parapets or railings, on a slab;
-/// at its end on the ground the slab lies on an abutment; piers carry it. Deck and slab together are closed, and so is
-/// every other part. Where two spans meet in a joint their edges are the same points. Parts are left out from largest
-/// tolerance on, the deck itself never; each says how far that moves the surface. Total: a span of which nothing is
-/// left gives no mesh. O(points + knots + length) but for the thinning of ribs.
+/// The deck is the road with pavements and kerbs, between parapets or railings, on a slab that rests on piers and, at
+/// ends on the ground, on abutments. Deck and slab together are closed, and so is every other part. Spans that meet in
+/// a joint have the same vertices there. Parts whose omission moves the surface by less than the tolerance are left
+/// out, the deck itself never. Total: a span without length has no mesh. O(points + knots + length), plus the
+/// simplification of ribs.
 GeneratedStructure generate(const Span& bridge, double tolerance_m);
 
 }  // namespace citykiln::structures

@@ -1,6 +1,7 @@
 #include "compiler/structures/loft.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/triangulate.h"
@@ -8,14 +9,9 @@
 namespace citykiln::structures {
 namespace {
 
-void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  mesh.triangles.push_back({a, b, c});
-  mesh.triangles.push_back({a, c, d});
-}
-
 std::uint32_t first_of_next(const Mesh& mesh) { return static_cast<std::uint32_t>(mesh.positions.size()); }
 
-// A convex ring, seen from above; upside down where it is a floor.
+// A convex ring at one height.
 void add_fan(std::span<const Vec2> base, double z_m, bool looks_up, Mesh& mesh) {
   const std::uint32_t first = first_of_next(mesh);
   for (const Vec2 p : base) mesh.positions.push_back(snapped(at_height(p, z_m)));
@@ -42,7 +38,7 @@ void add_cap(const Rib& rib, const Section& section, bool is_begin, Mesh& mesh) 
   const PlaneTriangles cap = triangulate(polygon);
   const std::uint32_t first = first_of_next(mesh);
   for (const Vec2 p : cap.points) mesh.positions.push_back(point_on(rib, p.x, p.y));
-  // who looks along the axis sees the left on the left, where in the plane of (left, rise) it is on the right
+  // the plane of (left, rise) is mirrored for a viewer who looks along the axis
   for (const auto& [a, b, c] : cap.triangles)
     mesh.triangles.push_back(is_begin ? Triangle{first + a, first + c, first + b}
                                       : Triangle{first + a, first + b, first + c});
@@ -56,16 +52,22 @@ void add_tube(std::span<const Rib> ribs, const Section& section, Mesh& mesh) {
 }
 
 Rib rib_at(std::span<const Rib> ribs, double along_m) {
+  assert(!ribs.empty());
   const auto next = std::ranges::upper_bound(ribs, along_m, {}, &Rib::along_m);
   if (next == ribs.begin()) return ribs.front();
   if (next == ribs.end()) return ribs.back();
   const Rib &a = next[-1], &b = *next;
   const double t = (along_m - a.along_m) / (b.along_m - a.along_m);
   const auto mix = [&](auto from, auto to) { return from + (to - from) * t; };
-  return {mix(a.at, b.at), mix(a.out, b.out), mix(a.z_m, b.z_m), mix(a.tilt, b.tilt), along_m};
+  return {.at = mix(a.at, b.at),
+          .out = mix(a.out, b.out),
+          .z_m = mix(a.z_m, b.z_m),
+          .tilt = mix(a.tilt, b.tilt),
+          .along_m = along_m};
 }
 
 void add_box(std::span<const Vec2> base, double from_m, double to_m, Mesh& mesh) {
+  assert(base.size() >= 3 && from_m <= to_m);
   for (std::size_t i = 0; i < base.size(); ++i) {
     const Vec2 a = base[i], b = base[(i + 1) % base.size()];
     const std::uint32_t first = first_of_next(mesh);

@@ -1,6 +1,6 @@
-// Lofts: a cross-section drawn along ribs.
+// Lofts: cross-sections swept along ribs.
 //
-//     1---2          a section's corners, clockwise as seen along the axis: its faces then look outwards
+//     1---2          a section's corners run clockwise seen along the axis, so that faces point outwards
 //     |   3----4
 //     0--------5
 #pragma once
@@ -13,25 +13,28 @@
 
 namespace citykiln::structures {
 
+/// A point of a cross-section: to the left of the axis, and above the road.
 struct Corner {
-  double left_m = 0, rise_m = 0;  ///< From the axis, and above its road.
+  double left_m = 0, rise_m = 0;
   bool operator==(const Corner&) const = default;
 };
 using Section = std::vector<Corner>;
 
-/// The band between two corners. Seen along the axis it looks to the left of the way from a to b. Two vertices a rib.
+/// Adds the surface between two corners. Seen along the axis it faces left of the direction from a to b. Two vertices
+/// per rib.
 void add_band(std::span<const Rib> ribs, Corner a, Corner b, Mesh& mesh);
 
-/// What closes a section, a simple ring, at a rib: seen from before the begin, or from behind the end.
+/// Adds the end face of a section, a simple ring: facing backwards at the begin, forwards at the end.
 void add_cap(const Rib& rib, const Section& section, bool is_begin, Mesh& mesh);
 
-/// A closed tube: all bands and both caps.
+/// Adds a closed tube: all bands of a section and both caps.
 void add_tube(std::span<const Rib> ribs, const Section& section, Mesh& mesh);
 
-/// The rib at a place between two others, straight between them; the first or the last beyond these.
+/// Returns the rib at a distance, linear between its neighbours; the first or the last one beyond these. @param ribs
+/// Not empty.
 Rib rib_at(std::span<const Rib> ribs, double along_m);
 
-/// A box: its base, counter-clockwise as seen from above, from one height up to another. Closed.
+/// Adds a closed prism over a convex base, counter-clockwise seen from above. from_m <= to_m.
 void add_box(std::span<const Vec2> base, double from_m, double to_m, Mesh& mesh);
 
 }  // namespace citykiln::structures

@@ -1,6 +1,7 @@
 #include "compiler/structures/plan.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/roads/plan.h"
 #include "compiler/structures/span_ends.h"
@@ -10,10 +11,10 @@ namespace citykiln::structures {
 namespace {
 
 Span span_of(const map::Track& track, const Profile& profile, const SpanEnds& ends) {
-  Span span{roads::road_of(track), ends.from, ends.to, {}, {}, {}, false};
+  Span span{roads::road_of(track), ends.from, ends.to, {}, {}, {}};
   span.profile = profile;
   span.layer = track.layer;
-  // what nodes say of crossings and signals is of the ground
+  // crossings and signals are tagged for roads on the ground
   span.points.clear();
   return span;
 }
@@ -33,6 +34,7 @@ Structures plan(const map::Features& features, std::span<const Profile> off_grou
   std::size_t next = 0;
   for (const map::Track& track : features.tracks) {
     if (track.passage == map::Passage::kGround) continue;
+    assert(next < off_ground.size());
     Span span = span_of(track, off_ground[next], ends[next]);
     ++next;
     const bool is_bridge = track.passage == map::Passage::kBridge;

@@ -1,4 +1,4 @@
-// Stage 5: what leaves the ground, on the heights that ground/ has decided.
+// Plans bridges and tunnels on the heights that ground/ has decided.
 #pragma once
 
 #include <span>
@@ -14,14 +14,17 @@ namespace citykiln::structures {
 
 struct Structures {
   std::vector<Span> bridges;  ///< Sorted by id.
-  std::vector<Span> tunnels;  ///< Sorted by id; those not bored are in the manifest, but not meshed.
+  std::vector<Span> tunnels;  ///< Sorted by id; those that are not is_bored have no mesh.
 };
 
-/// @param off_ground  Profiles::off_ground of ground/plan_profiles.h: one a track that leaves the ground, in order.
+/// Returns the spans of all tracks off the ground, with profiles and ends (span_ends.h), without parapet gaps and
+/// piers.
 ///
-/// A span is its track, with its profile and its ends (span_ends.h), still without piers (plan_piers.h). Where the
-/// profile is empty it lies at 0. Tunnels that do not lie under the land (bore.h) are not bored, and diagnosed
-/// kTunnelNotMeshed. Ledger "structures/bridge", "structures/tunnel". Total. O(n log n) for the sorting.
+/// @param off_ground  Profiles::off_ground: one profile for each track off the ground, in their order. An empty one
+///                    puts the span at height 0.
+///
+/// Tunnels that do not lie under the terrain (is_underground()) are diagnosed kTunnelNotMeshed. Ledger
+/// "structures/bridge", "structures/tunnel". Total. O(n log n).
 Structures plan(const map::Features& features, std::span<const Profile> off_ground, const map::Heightfield& heights,
                 Report& report);
 

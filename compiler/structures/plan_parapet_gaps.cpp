@@ -1,57 +1,30 @@
 #include "compiler/structures/plan_parapet_gaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "compiler/geometry/box_grid.h"
-#include "compiler/structures/deck_dimensions.h"
+#include "compiler/structures/deck_index.h"
 
 namespace citykiln::structures {
 namespace {
 
-constexpr double kStep_m = 0.25, kBucket_m = 64;
-// Parapets side by side both stand.
-constexpr double kBeside_m = 0.125;
-// A gap of less between two openings is no use for a parapet, and so short an opening no use for a road.
-constexpr double kShortest_m = 1.5;
+// Spacing of samples along an edge.
+constexpr double kStep_m = 0.25;
+// Adjacent decks keep their parapets: an edge has to lie this far inside the other deck.
+constexpr double kMinOverlap_m = 0.125;
+// Gaps with a shorter parapet between them are merged.
+constexpr double kMinParapet_m = 1.5;
 
-struct Piece {
-  std::uint32_t bridge = 0;
-  Rib from, to;
-  double left_m = 0, right_m = 0;
-};
-
-struct Decks {
-  std::vector<Piece> pieces;
-  BoxGrid near;
-};
-
-Decks decks_of(const std::vector<Span>& bridges) {
-  Decks decks;
-  std::vector<Box2> boxes;
-  for (std::uint32_t b = 0; b < bridges.size(); ++b) {
-    const std::vector<Rib> ribs = ribs_of(bridges[b]);
-    const DeckDimensions shape = deck_dimensions(bridges[b], 0);
-    for (std::size_t i = 0; i + 1 < ribs.size(); ++i) {
-      decks.pieces.push_back({b, ribs[i], ribs[i + 1], shape.left_m, shape.right_m});
-      boxes.push_back(box_of(std::array{ribs[i].at, ribs[i + 1].at}).widened(std::max(shape.left_m, shape.right_m)));
-    }
-  }
-  decks.near = grid_of(boxes, kBucket_m);
-  return decks;
-}
-
-bool is_on_deck(const Decks& decks, std::uint32_t own, Vec3 p) {
-  for (const std::uint32_t i : boxes_about(decks.near, in_plan(p))) {
-    const Piece& piece = decks.pieces[i];
+bool is_on_deck(const DeckIndex& decks, std::uint32_t own, Vec3 p) {
+  for (const std::uint32_t i : boxes_about(decks.grid, in_plan(p))) {
+    const DeckPiece& piece = decks.pieces[i];
     if (piece.bridge == own) continue;
     const Vec2 along = piece.to.at - piece.from.at;
     const double long_m = length(along);
     if (long_m == 0) continue;
     const double at_m = dot(in_plan(p) - piece.from.at, along) / long_m;
     const double aside_m = cross(along, in_plan(p) - piece.from.at) / long_m;
-    if (at_m < 0 || at_m > long_m || aside_m > piece.left_m - kBeside_m || aside_m < kBeside_m - piece.right_m)
+    if (at_m < 0 || at_m > long_m || aside_m > piece.left_m - kMinOverlap_m || aside_m < kMinOverlap_m - piece.right_m)
       continue;
     const double z_m = piece.from.z_m + (piece.to.z_m - piece.from.z_m) * (at_m / long_m);
     if (std::abs(z_m - p.z) < kSameSurface_m) return true;
@@ -59,32 +32,32 @@ bool is_on_deck(const Decks& decks, std::uint32_t own, Vec3 p) {
   return false;
 }
 
-void add_opening(std::vector<ParapetGap>& openings, ParapetGap opening) {
-  if (!openings.empty() && opening.from_m - openings.back().to_m < kShortest_m)
-    openings.back().to_m = opening.to_m;
+void add_gap(std::vector<ParapetGap>& gaps, ParapetGap gap) {
+  if (!gaps.empty() && gap.from_m - gaps.back().to_m < kMinParapet_m)
+    gaps.back().to_m = gap.to_m;
   else
-    openings.push_back(opening);
+    gaps.push_back(gap);
 }
 
-std::vector<ParapetGap> openings_of(const Decks& decks, std::uint32_t own, std::span<const Rib> ribs, double edge_m) {
-  std::vector<ParapetGap> openings;
+std::vector<ParapetGap> gaps_of(const DeckIndex& decks, std::uint32_t own, std::span<const Rib> ribs, double edge_m) {
+  std::vector<ParapetGap> gaps;
   const double first_m = std::ceil(ribs.front().along_m / kStep_m) * kStep_m, last_m = ribs.back().along_m;
   for (double at_m = first_m; at_m <= last_m; at_m += kStep_m)
     if (is_on_deck(decks, own, point_on(rib_at(ribs, at_m), edge_m, 0)))
-      add_opening(openings, {std::max(0.0, at_m - kStep_m), at_m + kStep_m});
-  return openings;
+      add_gap(gaps, {std::max(0.0, at_m - kStep_m), at_m + kStep_m});
+  return gaps;
 }
 
 }  // namespace
 
 std::vector<Span> find_parapet_gaps(std::vector<Span> bridges) {
-  const Decks decks = decks_of(bridges);
+  const DeckIndex decks = index_decks(bridges, 0);
   for (std::uint32_t b = 0; b < bridges.size(); ++b) {
     const std::vector<Rib> ribs = ribs_of(bridges[b]);
     if (ribs.empty()) continue;
     const DeckDimensions shape = deck_dimensions(bridges[b], 0);
-    bridges[b].left_gaps = openings_of(decks, b, ribs, shape.left_m + kParapet_m / 2);
-    bridges[b].right_gaps = openings_of(decks, b, ribs, -shape.right_m - kParapet_m / 2);
+    bridges[b].left_gaps = gaps_of(decks, b, ribs, shape.left_m + kParapet_m / 2);
+    bridges[b].right_gaps = gaps_of(decks, b, ribs, -shape.right_m - kParapet_m / 2);
   }
   return bridges;
 }

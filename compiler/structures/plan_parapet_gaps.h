@@ -1,7 +1,7 @@
-// Where decks run into each other, their parapets stop.
+// Parapet gaps: where a deck's edge lies on another deck, it has no parapet.
 //
 //     =====|            |=====
-//          |   open     |          both lie within the other's edges, at about the same height
+//          |    gap     |          each edge lies within the other deck, at about the same height
 //     =====+____________+=====
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace citykiln::structures {
 
-/// Decks whose roads differ by less in height are one surface.
+/// Decks whose roads differ by less in height form one surface.
 inline constexpr double kSameSurface_m = 0.6;
 
-/// The bridges with their openings: wherever the parapet on one of a deck's edges would stand on another deck, looked
-/// at every quarter of a metre. Does not depend on the order of bridges. O(length · decks near).
+/// Returns the bridges with their parapet gaps, sampled every 0.25 m. The result does not depend on the order of the
+/// bridges. O(length · decks near).
 std::vector<Span> find_parapet_gaps(std::vector<Span> bridges);
 
 }  // namespace citykiln::structures

@@ -1,89 +1,67 @@
 #include "compiler/structures/plan_piers.h"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/plan.h"
+#include "compiler/structures/deck_index.h"
 #include "compiler/structures/supports.h"
 
 namespace citykiln::structures {
 namespace {
 
-// Bridges up to the first length have no piers; others are shared out into bays between the other two.
-constexpr double kUnsupported_m = 30, kShortBay_m = 20, kLongBay_m = 40;
-// Supports nearer to each other than this are one.
-constexpr double kApart_m = 12;
-// How far along the axis a free place is looked for, in which steps.
+// Bridges up to this length have no piers; longer ones have bays between the other two lengths.
+constexpr double kMaxUnsupported_m = 30, kMinBay_m = 20, kMaxBay_m = 40;
+// Piers are at least this far from each other, also from those of joined bridges.
+constexpr double kMinSpacing_m = 12;
+// Distance along the axis, and step, of the search for a free position.
 constexpr double kSearch_m = 12, kStep_m = 1;
-// Of what has to lie between a deck's top and the ground, and how deep a pier goes.
-constexpr double kLowest_m = 2, kDeep_m = 0.5, kDeepInWater_m = 2;
-// Over deeper valleys bridges hang or are arches: no pier is higher.
-constexpr double kHighest_m = 60;
-constexpr double kReach_m = 4;  // no foot keeps farther away
-constexpr double kSee_m = 64, kBucket_m = 128, kFootStep_m = 0.25;
-// Priorities of surface classes: water and all above, paths and all above.
+// Least height of a deck above the ground, and depth of piers below ground and water.
+constexpr double kMinHeight_m = 2, kDepth_m = 0.5, kDepthInWater_m = 2;
+// Bridges over deeper valleys are suspended or arched.
+constexpr double kMaxHeight_m = 60;
+constexpr double kMaxClear_m = 4;  // at least the largest keep_clear_m()
+constexpr double kVisible_m = 64, kBucket_m = 128, kFootStep_m = 0.25;
+// Priorities of land cover classes: water and all above, paths and all above.
 constexpr int kWaterPriority = 50, kPathPriority = 70;
 
 double quarters(double v) { return std::floor(v * 4 + 0.5) / 4; }
-
-Box2 box_of_surface(const ground::LandCoverPolygon& surface) {
-  Box2 box;
-  for (const Ring& ring : surface.rings)
-    for (const Vec2 p : ring) box.grow(p);
-  return box;
-}
-
-// A straight piece of a deck as seen from above it.
-struct DeckPiece {
-  std::uint32_t bridge = 0;
-  Rib from, to;
-  double half_m = 0;
-};
 
 struct Placed {
   Vec2 at;
   double z_m = 0;
 };
 
-// What is in the way, all over the map.
+// Obstacles of the whole map.
 struct Site {
   const ground::GradedTerrain& graded;
-  std::vector<const ground::LandCoverPolygon*> standing;  // what somebody would miss
-  BoxGrid near_standing, near_decks;
-  std::vector<DeckPiece> decks;
+  std::vector<const ground::LandCoverPolygon*> obstacles;
+  BoxGrid near_obstacles;
+  DeckIndex decks;
 };
 
 Site site_of(std::span<const Span> bridges, const ground::GradedTerrain& graded,
-             std::span<const ground::LandCoverPolygon> standing) {
-  Site site{graded, {}, {}, {}, {}};
+             std::span<const ground::LandCoverPolygon> obstacles) {
+  Site site{graded, {}, {}, index_decks(bridges, kParapet_m + kMaxClear_m)};
   std::vector<Box2> boxes;
-  for (const ground::LandCoverPolygon& s : standing) {
-    const Box2 box = box_of_surface(s);
-    if (box.is_empty() || map::values_of(s.surface).priority < kWaterPriority) continue;
-    site.standing.push_back(&s);
+  for (const ground::LandCoverPolygon& obstacle : obstacles) {
+    Box2 box;
+    for (const Ring& ring : obstacle.rings)
+      for (const Vec2 p : ring) box.grow(p);
+    if (box.is_empty() || map::values_of(obstacle.surface).priority < kWaterPriority) continue;
+    site.obstacles.push_back(&obstacle);
     boxes.push_back(box);
   }
-  site.near_standing = grid_of(boxes, kBucket_m);
-  boxes.clear();
-  for (std::uint32_t b = 0; b < bridges.size(); ++b) {
-    const std::vector<Rib> ribs = ribs_of(bridges[b]);
-    const DeckDimensions shape = deck_dimensions(bridges[b], kShortBay_m);
-    const double half_m = std::max(shape.left_m, shape.right_m) + kParapet_m;
-    for (std::size_t i = 0; i + 1 < ribs.size(); ++i) {
-      site.decks.push_back({b, ribs[i], ribs[i + 1], half_m});
-      boxes.push_back(box_of(std::array{ribs[i].at, ribs[i + 1].at}).widened(half_m + kReach_m));
-    }
-  }
-  site.near_decks = grid_of(boxes, kBucket_m);
+  site.near_obstacles = grid_of(boxes, kBucket_m);
   return site;
 }
 
-// A bridge while its piers are placed.
+// State while the piers of one bridge are placed.
 struct Placing {
   const Site& site;
   std::uint32_t number;
@@ -94,7 +72,7 @@ struct Placing {
   std::vector<ground::LandCoverPolygon> near;
   ground::LandCoverIndex map;
 
-  // The middle and both ends of a foot, and two between.
+  // Five points along a foot, from end to end.
   std::vector<Vec2> foot_at(const Rib& rib) const {
     const PierFoot foot = foot_of(shape);
     const Vec2 left = unit(rib.out), middle = rib.at + left * ((shape.left_m - shape.right_m) / 2);
@@ -102,20 +80,20 @@ struct Placing {
     for (int i = -2; i <= 2; ++i) places.push_back(middle + left * (foot.half_across_m * i / 2));
     return places;
   }
-  // The widest gap between the places of a foot is half of that wide.
+  // Around each of its points, the clearance that covers the foot between them.
   double keep_clear_m() const {
     const PierFoot foot = foot_of(shape);
     return kPierClear_m + length(Vec2{foot.half_across_m / 4, foot.half_along_m});
   }
   bool pierces_deck(Vec2 p, double z_m) const {
-    for (const std::uint32_t i : boxes_about(site.near_decks, p)) {
-      const DeckPiece& deck = site.decks[i];
+    for (const std::uint32_t i : boxes_about(site.decks.grid, p)) {
+      const DeckPiece& deck = site.decks.pieces[i];
       if (deck.bridge == number) continue;
-      const Vec2 along = deck.to.at - deck.from.at;
-      const double length2 = dot(along, along);
-      const double t = length2 > 0 ? std::clamp(dot(p - deck.from.at, along) / length2, 0.0, 1.0) : 0;
-      const double deck_m = deck.from.z_m + (deck.to.z_m - deck.from.z_m) * t;
-      if (deck_m < z_m - 1 && distance(p, deck.from.at + along * t) < deck.half_m + keep_clear_m()) return true;
+      const double share = nearest_share(deck.from.at, deck.to.at, p);
+      const double deck_m = deck.from.z_m + (deck.to.z_m - deck.from.z_m) * share;
+      const Vec2 nearest = deck.from.at + (deck.to.at - deck.from.at) * share;
+      if (deck_m < z_m - 1 && distance(p, nearest) < std::max(deck.left_m, deck.right_m) + kParapet_m + keep_clear_m())
+        return true;
     }
     return false;
   }
@@ -137,30 +115,31 @@ struct Placing {
     double lowest_m = rib.z_m;
     for (const Vec2 p : foot_at(rib)) {
       const ground::Heights heights = ground::heights_at(site.graded, p);
-      const double land_m = of(heights, ground::HeightLayer::kLand), water_m = of(heights, ground::HeightLayer::kWater);
-      lowest_m = std::min(lowest_m, water_m < land_m ? water_m - kDeepInWater_m : land_m - kDeep_m);
+      const double land_m = layer_height_m(heights, ground::HeightLayer::kLand),
+                   water_m = layer_height_m(heights, ground::HeightLayer::kWater);
+      lowest_m = std::min(lowest_m, water_m < land_m ? water_m - kDepthInWater_m : land_m - kDepth_m);
     }
     return std::floor(lowest_m / kFootStep_m) * kFootStep_m;
   }
 };
 
 Placing placing_of(const Site& site, std::uint32_t number, const Span& bridge) {
-  const double bay_m = std::clamp(roads::distances_along(bridge).back(), kShortBay_m, kLongBay_m);
+  const double bay_m = std::clamp(roads::distances_along(bridge).back(), kMinBay_m, kMaxBay_m);
   Placing placing{site, number, bridge, ribs_of(bridge), deck_dimensions(bridge, bay_m), {}, {}, {}};
-  placing.box = box_of(bridge.axis).widened(kSee_m);
-  for (const std::uint32_t i : boxes_about(site.near_standing, placing.box)) {
-    ground::LandCoverPolygon trimmed = ground::trimmed_to(*site.standing[i], placing.box.widened(1));
+  placing.box = box_of(bridge.axis).widened(kVisible_m);
+  for (const std::uint32_t i : boxes_about(site.near_obstacles, placing.box)) {
+    ground::LandCoverPolygon trimmed = ground::trimmed_to(*site.obstacles[i], placing.box.widened(1));
     if (!trimmed.rings.empty()) placing.near.push_back(std::move(trimmed));
   }
   if (!placing.near.empty()) placing.map = ground::index_land_cover(placing.near, placing.box);
   return placing;
 }
 
-// Even shares of the bridge, and where it goes on into another one.
-std::vector<double> wanted_places(const Span& bridge, std::span<const Rib> ribs) {
+// Evenly spaced positions, and the joints of the bridge.
+std::vector<double> target_positions(const Span& bridge, std::span<const Rib> ribs) {
   const double from_m = ribs.front().along_m, long_m = ribs.back().along_m - from_m;
-  const double bay_m = std::clamp(long_m / 3, kShortBay_m, kLongBay_m);
-  const int bays = long_m <= kUnsupported_m ? 1 : static_cast<int>(std::ceil(long_m / bay_m));
+  const double bay_m = std::clamp(long_m / 3, kMinBay_m, kMaxBay_m);
+  const int bays = long_m <= kMaxUnsupported_m ? 1 : static_cast<int>(std::ceil(long_m / bay_m));
   std::vector<double> places;
   if (bridge.from.kind == EndKind::kJoint) places.push_back(from_m);
   for (int i = 1; i < bays; ++i) places.push_back(from_m + long_m * i / bays);
@@ -169,12 +148,12 @@ std::vector<double> wanted_places(const Span& bridge, std::span<const Rib> ribs)
 }
 
 bool is_taken(std::span<const Placed> placed, Vec2 at, double z_m) {
-  return std::ranges::any_of(
-      placed, [&](const Placed& p) { return distance(p.at, at) < kApart_m && std::abs(p.z_m - z_m) < kLowest_m; });
+  return std::ranges::any_of(placed, [&](const Placed& p) {
+    return distance(p.at, at) < kMinSpacing_m && std::abs(p.z_m - z_m) < kMinHeight_m;
+  });
 }
 
-// Returns what became of the wanted place.
-enum class Outcome { kStands, kTaken, kLow, kNoPlace };
+enum class Outcome { kPlaced, kTaken, kTooLow, kNoPlace };
 Outcome place_one(const Placing& placing, double wanted_m, std::vector<Placed>& placed, Span& bridge) {
   const Rib wanted = rib_at(placing.ribs, wanted_m);
   if (is_taken(placed, wanted.at, wanted.z_m)) return Outcome::kTaken;
@@ -184,18 +163,18 @@ Outcome place_one(const Placing& placing, double wanted_m, std::vector<Placed>& 
   const Rib rib = rib_at(placing.ribs, quarters(*found));
   if (is_taken(placed, rib.at, rib.z_m)) return Outcome::kTaken;
   const Pier pier{std::max(0.0, quarters(*found)), placing.foot_m(rib)};
-  if (rib.z_m - pier.foot_m < kLowest_m + kDeep_m) return Outcome::kLow;
-  if (rib.z_m - pier.foot_m > kHighest_m) return Outcome::kNoPlace;
+  if (rib.z_m - pier.foot_m < kMinHeight_m + kDepth_m) return Outcome::kTooLow;
+  if (rib.z_m - pier.foot_m > kMaxHeight_m) return Outcome::kNoPlace;
   bridge.piers.push_back(pier);
   placed.push_back({rib.at, rib.z_m});
-  return Outcome::kStands;
+  return Outcome::kPlaced;
 }
 
 void count(Outcome outcome, const Span& bridge, double bay_m, Account& account, Report& report) {
   ++account.in;
   if (outcome == Outcome::kNoPlace)
     report.drop(account, Code::kNoPlaceForPier, bridge.id.osm, bay_m);
-  else if (outcome == Outcome::kStands)
+  else if (outcome == Outcome::kPlaced)
     ++account.out;
   else
     ++account.merged;
@@ -204,15 +183,16 @@ void count(Outcome outcome, const Span& bridge, double bay_m, Account& account, 
 }  // namespace
 
 std::vector<Span> place_piers(std::vector<Span> bridges, const ground::GradedTerrain& graded,
-                              std::span<const ground::LandCoverPolygon> standing, Report& report) {
-  const Site site = site_of(bridges, graded, standing);
+                              std::span<const ground::LandCoverPolygon> obstacles, Report& report) {
+  assert(std::ranges::is_sorted(bridges, {}, &Span::id));
+  const Site site = site_of(bridges, graded, obstacles);
   Account account;
   std::vector<Placed> placed;
   for (std::uint32_t b = 0; b < bridges.size(); ++b) {
     Span& bridge = bridges[b];
     const Placing placing = placing_of(site, b, bridge);
     if (placing.ribs.empty()) continue;
-    const std::vector<double> wanted = wanted_places(bridge, placing.ribs);
+    const std::vector<double> wanted = target_positions(bridge, placing.ribs);
     for (const double wanted_m : wanted)
       count(place_one(placing, wanted_m, placed, bridge), bridge,
             2 * (placing.ribs.back().along_m - placing.ribs.front().along_m) / static_cast<double>(wanted.size() + 1),

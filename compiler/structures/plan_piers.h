@@ -1,8 +1,8 @@
-// Where piers stand: about as far apart as such bridges are built, moved to where nothing is in the way.
+// Places piers at usual distances, moved along the axis to where nothing is in the way.
 //
-//     ==+============+============+==   deck: wanted at even shares
+//     ==+============+============+==   deck with evenly spaced target positions
 //       |        ->  |            |
-//       |   [road]   |            |     found: the nearest free place along the axis
+//       |   [road]   |            |     the nearest free position is taken
 #pragma once
 
 #include <span>
@@ -14,17 +14,19 @@
 
 namespace citykiln::structures {
 
-/// @param bridges   Sorted by id, without piers.
-/// @param carving   Of the whole map.
-/// @param standing  What covers the ground of the whole map; classes below paths do not matter.
+/// Returns the bridges with their piers.
 ///
-/// Guarantees: no pier's foot comes nearer than kPierClear_m to a road, rails, a path, a building or a lower bridge;
-/// it stands in water only where there is no dry place within reach; piers of one bridge are 15 to 40 m apart where
-/// places are free, and one stands where bridges meet. Each ends below the graded terrain. A bridge lower than 2 m has
-/// none, and no pier is higher than 60 m. What a bridge gets hangs on what is within 64 m of it, and on bridges it is
-/// joined with. Ledger "structures/pier"; dropped: kNoPlaceForPier. O(bridges · what is near).
+/// @param bridges    Sorted by id, without piers.
+/// @param graded     Of the whole map.
+/// @param obstacles  The land cover of the whole map; classes of lower priority than water are ignored.
+///
+/// Guarantees: no pier's foot is nearer than kPierClear_m to a road, rails, a path, a building or a lower bridge; it
+/// stands in water only if there is no dry position within reach. Piers of one bridge are 15 to 40 m apart where
+/// positions are free; one stands at each joint. Each ends below the graded ground. A bridge lower than 2 m has none;
+/// no pier is higher than 60 m. The result for a bridge depends only on what is within 64 m of it and on bridges joined
+/// with it. Ledger "structures/pier"; dropped: kNoPlaceForPier. O(bridges · obstacles near).
 std::vector<Span> place_piers(std::vector<Span> bridges, const ground::GradedTerrain& graded,
-                              std::span<const ground::LandCoverPolygon> standing, Report& report);
+                              std::span<const ground::LandCoverPolygon> obstacles, Report& report);
 
 inline constexpr double kPierClear_m = 0.5;
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::structures {
 namespace {
 
+// Thickness of posts and rails, and the largest distance between posts.
 constexpr double kPost_m = 0.0625, kRail_m = 0.0625, kPostsApart_m = 2;
 constexpr int kRails = 3;
 
@@ -32,7 +34,8 @@ void add_posts(std::span<const Rib> ribs, double left_m, double from_m, double t
 }  // namespace
 
 RailingDetail railing_detail(double high_m, double tolerance_m) {
-  // between rails no place is farther from one than half the way
+  assert(high_m > 0 && tolerance_m >= 0);
+  // the middle between two rails is half their distance from them
   const double panel_error_m = high_m / kRails / 2 + kRail_m;
   if (tolerance_m < panel_error_m) return {RailingForm::kPosts, 0};
   if (tolerance_m < high_m) return {RailingForm::kPanel, panel_error_m};
@@ -40,6 +43,7 @@ RailingDetail railing_detail(double high_m, double tolerance_m) {
 }
 
 void add_railing(std::span<const Rib> ribs, double left_m, double from_m, double to_m, RailingForm form, Mesh& mesh) {
+  assert(ribs.size() >= 2 && from_m <= to_m);
   if (form == RailingForm::kPanel) add_rail(ribs, left_m, to_m, to_m - from_m, mesh);
   if (form != RailingForm::kPosts) return;
   for (int i = 1; i <= kRails; ++i) add_rail(ribs, left_m, from_m + (to_m - from_m) * i / kRails, kRail_m, mesh);

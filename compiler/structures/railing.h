@@ -7,19 +7,18 @@
 
 namespace citykiln::structures {
 
-/// How a tolerance sees a railing.
 enum class RailingForm { kPosts, kPanel, kNone };
 
 struct RailingDetail {
   RailingForm form{};
-  double error_m = 0;  ///< Against posts and rails.
+  double error_m = 0;  ///< Compared to kPosts.
 };
-/// @param high_m  From its foot to its top.
+/// Returns the coarsest form of a railing within the tolerance. @param high_m  From its foot to its top.
 RailingDetail railing_detail(double high_m, double tolerance_m);
 
-/// Adds a railing along ribs. Every post and rail is closed, and so is the panel.
-/// @param left_m           Of its middle, from the axis.
-/// @param from_m, to_m     Of its foot and its top, above the road.
+/// Adds a railing along ribs. Every post, rail and panel is closed.
+/// @param left_m        Position of its middle, to the left of the axis.
+/// @param from_m, to_m  Height of its foot and its top above the road.
 void add_railing(std::span<const Rib> ribs, double left_m, double from_m, double to_m, RailingForm form, Mesh& mesh);
 
 }  // namespace citykiln::structures

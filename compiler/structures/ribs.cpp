@@ -1,36 +1,38 @@
 #include "compiler/structures/ribs.h"
 
 #include <algorithm>
+#include <cassert>
 
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::structures {
 namespace {
 
-// A mitre is at most this many times the half width; sharper bends are cut off.
-constexpr double kLongestMitre = 2;
+// A mitre is at most this many times as long as half the width; sharper bends are bevelled.
+constexpr double kMaxMitre = 2;
 
-// A knot nearer to a bend than this is as good as on it.
-constexpr double kApart_m = 0.25;
+// Ribs are at least this far apart: nearer knots of the profile are ignored.
+constexpr double kMinSpacing_m = 0.25;
 
-// Half way between two directions, so long that it reaches the edges of both strips. The same line, to the bit, for the
-// same bend walked back.
+// The bisector of two directions, scaled to reach the edges of both strips. The same line, bit for bit, if the bend is
+// walked in the opposite direction.
 Vec2 mitre(Vec2 before, Vec2 after) {
   const Vec2 middle = unit(before + after);
-  // where the axis turns straight back there is no middle
+  // the axis turns back by 180 degrees
   if (middle == Vec2{}) return left_of(before);
   const double cos = (dot(middle, before) + dot(middle, after)) / 2;
-  return left_of(middle) * std::min(1 / std::max(cos, 1e-9), kLongestMitre);
+  return left_of(middle) * std::min(1 / std::max(cos, 1e-9), kMaxMitre);
 }
 
-// Where a span ends square to the road on the ground its edges are as far from the axis as that road's.
+// A span that ends square to the road on the ground has the same edges as that road there.
 Vec2 out_of_end(const SpanEnd& end, Vec2 at, Vec2 own, bool is_begin) {
   const Vec2 beyond = unit(is_begin ? at - end.beyond : end.beyond - at);
   switch (end.kind) {
     case EndKind::kJoint:
       return is_begin ? mitre(beyond, own) : mitre(own, beyond);
     case EndKind::kGround:
-      return left_of(dot(beyond, own) * kLongestMitre >= 1 ? beyond : own);
+      return left_of(dot(beyond, own) * kMaxMitre >= 1 ? beyond : own);
     default:
       return left_of(own);
   }
@@ -73,59 +75,55 @@ std::vector<Rib> all_ribs(const Axis& axis) {
     ribs.push_back(axis.at_vertex(i));
     if (i == axis.last()) break;
     for (const Knot& knot : axis.span.profile)
-      if (knot.at_m > axis.along_m[i] + kApart_m && knot.at_m < axis.along_m[i + 1] - kApart_m)
+      if (knot.at_m > axis.along_m[i] + kMinSpacing_m && knot.at_m < axis.along_m[i + 1] - kMinSpacing_m)
         ribs.push_back(axis.within(i, knot.at_m));
   }
   return ribs;
 }
 
-// Without what lies on a road that passes an end.
+// Removes what lies on a road that passes an end.
 void cut_ends(const Axis& axis, std::vector<Rib>& ribs) {
   const Span& span = axis.span;
   const double from_m = axis.along_m.front() + span.from.cut_m, to_m = axis.along_m.back() - span.to.cut_m;
   if (span.from.cut_m > 0) {
-    std::erase_if(ribs, [&](const Rib& rib) { return rib.along_m < from_m + kApart_m; });
+    std::erase_if(ribs, [&](const Rib& rib) { return rib.along_m < from_m + kMinSpacing_m; });
     ribs.insert(ribs.begin(), axis.within(axis.segment_at(from_m), from_m));
   }
   if (span.to.cut_m > 0) {
-    std::erase_if(ribs, [&](const Rib& rib) { return rib.along_m > to_m - kApart_m; });
+    std::erase_if(ribs, [&](const Rib& rib) { return rib.along_m > to_m - kMinSpacing_m; });
     ribs.push_back(axis.within(axis.segment_at(to_m), to_m));
   }
-  if (from_m + kApart_m > to_m) ribs.clear();
+  if (from_m + kMinSpacing_m > to_m) ribs.clear();
 }
 
-double off_line_m(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0;
-  return length(p - (a + along * t));
-}
-
-struct Thinning {
+struct Simplification {
   std::span<const Rib> ribs;
   double left_m, right_m, tolerance_m;
-  SimplifiedRibs few{};
+  SimplifiedRibs result{};
 
-  double off_m(std::size_t i, std::size_t a, std::size_t b) const {
-    double off = 0;
-    for (const double edge_m : {left_m, -right_m})
-      off = std::max(
-          off, off_line_m(point_on(ribs[i], edge_m, 0), point_on(ribs[a], edge_m, 0), point_on(ribs[b], edge_m, 0)));
-    return off;
+  // The distance of a rib's edge points from the straight edges between two others.
+  double error_m(std::size_t i, std::size_t a, std::size_t b) const {
+    double error_m = 0;
+    for (const double edge_m : {left_m, -right_m}) {
+      const Vec3 p = point_on(ribs[i], edge_m, 0);
+      const Vec3 nearest = nearest_point(point_on(ribs[a], edge_m, 0), point_on(ribs[b], edge_m, 0), p);
+      error_m = std::max(error_m, length(p - nearest));
+    }
+    return error_m;
   }
-  // Those strictly between, and then the last.
-  void thin(std::size_t a, std::size_t b) {
+  // Adds the ribs after a up to b.
+  void simplify(std::size_t a, std::size_t b) {
     std::size_t farthest = a;
-    double off = 0;
+    double largest_m = 0;
     for (std::size_t i = a + 1; i < b; ++i)
-      if (const double here = off_m(i, a, b); here > off) off = here, farthest = i;
-    if (off > tolerance_m) {
-      thin(a, farthest);
-      thin(farthest, b);
+      if (const double here_m = error_m(i, a, b); here_m > largest_m) largest_m = here_m, farthest = i;
+    if (largest_m > tolerance_m) {
+      simplify(a, farthest);
+      simplify(farthest, b);
       return;
     }
-    few.error_m = std::max(few.error_m, off);
-    few.ribs.push_back(ribs[b]);
+    result.error_m = std::max(result.error_m, largest_m);
+    result.ribs.push_back(ribs[b]);
   }
 };
 
@@ -144,11 +142,12 @@ std::vector<Rib> ribs_of(const Span& span) {
 }
 
 SimplifiedRibs simplify_ribs(std::span<const Rib> ribs, double left_m, double right_m, double tolerance_m) {
+  assert(tolerance_m >= 0);
   if (ribs.size() < 2) return {};
-  Thinning thinning{ribs, left_m, right_m, tolerance_m};
-  thinning.few.ribs.push_back(ribs.front());
-  thinning.thin(0, ribs.size() - 1);
-  return std::move(thinning.few);
+  Simplification simplification{ribs, left_m, right_m, tolerance_m};
+  simplification.result.ribs.push_back(ribs.front());
+  simplification.simplify(0, ribs.size() - 1);
+  return std::move(simplification.result);
 }
 
 }  // namespace citykiln::structures

@@ -11,7 +11,7 @@ namespace {
 
 using map::Track;
 
-// A track leaves a node towards a neighbouring vertex.
+// A track that leaves a node towards a neighbouring vertex.
 struct Leaving {
   std::int64_t node = 0;
   std::uint32_t track = 0;
@@ -47,7 +47,7 @@ struct EndFinder {
     return {std::ranges::lower_bound(leaving, node, {}, &Leaving::node),
             std::ranges::upper_bound(leaving, node, {}, &Leaving::node)};
   }
-  // All others of the end's family there, on the ground or not.
+  // The other tracks of the end's family at its node: those on the ground, or those of its passage.
   std::vector<Leaving> others(const Leaving& end, bool on_ground) const {
     std::vector<Leaving> chosen;
     const map::Passage passage = on_ground ? map::Passage::kGround : track_of(end).passage;
@@ -62,25 +62,25 @@ struct EndFinder {
     return std::ranges::any_of(at_node(end.node),
                                [&](const Leaving& l) { return track_of(l).passage == map::Passage::kGround; });
   }
-  bool goes_on(const Leaving& end, const Leaving& other) const { return dot(direction(end), direction(other)) < 0; }
+  bool continues(const Leaving& end, const Leaving& other) const { return dot(direction(end), direction(other)) < 0; }
 
-  // How much of a span lies on the roads that pass its end.
+  // The length of a span that lies on the roads that pass its end.
   double cut_m(const Leaving& end, std::span<const Leaving> passing) const {
-    constexpr double kMost_m = 24, kStep_m = 0.25;
+    constexpr double kMaxCut_m = 24, kStep_m = 0.25;
     double cut_m = 0;
     for (const Leaving& l : passing) {
       const double sin = std::abs(cross(direction(end), direction(l)));
       if (sin > 0.25) cut_m = std::max(cut_m, half_width_m(track_of(l)) / sin);
     }
-    return std::min(kMost_m, std::ceil(cut_m / kStep_m) * kStep_m);
+    return std::min(kMaxCut_m, std::ceil(cut_m / kStep_m) * kStep_m);
   }
 
   SpanEnd end_of(const Leaving& end) const {
     const std::vector<Leaving> spans = others(end, false);
-    if (spans.size() == 1 && goes_on(end, spans[0])) return {EndKind::kJoint, beyond(spans[0]), 0};
+    if (spans.size() == 1 && continues(end, spans[0])) return {EndKind::kJoint, beyond(spans[0]), 0};
     if (!spans.empty()) return {};
     const std::vector<Leaving> roads = others(end, true);
-    if (roads.size() == 1 && goes_on(end, roads[0])) return {EndKind::kGround, beyond(roads[0]), 0};
+    if (roads.size() == 1 && continues(end, roads[0])) return {EndKind::kGround, beyond(roads[0]), 0};
     if (!roads.empty()) return {EndKind::kBesideRoad, {}, cut_m(end, roads)};
     return {touches_ground(end) ? EndKind::kBesideRoad : EndKind::kFree, {}, 0};
   }

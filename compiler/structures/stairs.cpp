@@ -12,41 +12,40 @@
 namespace citykiln::structures {
 namespace {
 
-// The ground is looked at so often along the way. Steeper than a riser to this no stairs are built; what is steeper has
-// higher steps.
-constexpr double kEvery_m = 0.125;
-// A way that rises less is no stairs.
-constexpr double kLeastFlight_m = 1.5 * kRiser_m;
-// Treads lie no lower than the way's own ground so near to its edges; what is beside it may be a wall.
+// Spacing of cross lines along the way: the least depth of a tread. Steeper ways have higher steps.
+constexpr double kSpacing_m = 0.125;
+// Lower flights are not stairs.
+constexpr double kMinFlight_m = 1.5 * kRiser_m;
+// The ground is sampled at this share of the half width: beside the edge there may be a wall.
 constexpr double kNearEdge = 0.9;
-// Blocks reach so far into the ground.
-constexpr double kInto_m = 0.25;
+// How far blocks extend into the ground.
+constexpr double kDepth_m = 0.25;
 
 // A line across the way.
-struct Crossing {
+struct CrossLine {
   Vec2 left, right;
-  double z_m = 0, low_m = 0;  // the highest ground of the way on the line, and the lowest on it or beside it
-  bool is_corner = false;     // of the axis
+  double z_m = 0, low_m = 0;  // the highest ground on the way, and the lowest on it or at its edges
+  bool is_corner = false;     // at a vertex of the axis
 };
 
-struct Looking {
+struct GroundSampler {
   const roads::Road& steps;
   const ground::LandCoverIndex& map;
   const ground::GradedTerrain& ground;
   const Box2& box;
   double left_m, right_m;
 
-  // The surface of these steps, or none.
+  // The land cover polygon at a point if it is that of the steps, else null.
   const ground::LandCoverPolygon* land_cover_at(Vec2 p) const {
     if (!box.contains(p)) return nullptr;
     const std::uint32_t s = ground::land_cover_at(map, p);
     return s != ground::kNoLandCover && map.surfaces[s].surface == steps.surface ? &map.surfaces[s] : nullptr;
   }
 
-  Crossing crossing(Vec2 p, Vec2 left, const ground::LandCoverPolygon& surface) const {
-    Crossing c{snapped(p + left * left_m), snapped(p - left * right_m)};
+  CrossLine crossing(Vec2 p, Vec2 left, const ground::LandCoverPolygon& surface) const {
+    CrossLine c{snapped(p + left * left_m), snapped(p - left * right_m)};
     const ground::FaceHeight height = ground::face_height_of(surface);
-    const auto ground_m = [&](Vec2 at) { return of(ground::heights_at(ground, at), height); };
+    const auto ground_m = [&](Vec2 at) { return layer_height_m(ground::heights_at(ground, at), height); };
     c.z_m = c.low_m = ground_m(p);
     for (const Vec2 edge : {c.left, c.right}) {
       c.z_m = std::max(c.z_m, ground_m(p + (edge - p) * kNearEdge));
@@ -56,7 +55,7 @@ struct Looking {
   }
 };
 
-// Square to the axis; at a corner half way between both sides.
+// The normal of the axis; at a vertex the bisector of both normals.
 Vec2 left_at(const Polyline& axis, std::size_t segment, bool is_begin) {
   const Vec2 own = left_of(unit(axis[segment + 1] - axis[segment]));
   if (!is_begin || segment == 0) return own;
@@ -64,48 +63,48 @@ Vec2 left_at(const Polyline& axis, std::size_t segment, bool is_begin) {
   return length(sum) > 0.5 ? unit(sum) : own;
 }
 
-// Both ends of the line lie before the later one.
-bool is_before(const Crossing& a, const Crossing& b) {
+// Whether both ends of a line lie before b.
+bool is_before(const CrossLine& a, const CrossLine& b) {
   const Vec2 across = b.left - b.right, along = {across.y, -across.x};
   return dot(b.left - a.left, along) > 0 && dot(b.right - a.right, along) > 0;
 }
 
-// Near a corner lines would cross: that at the corner stays.
-void add_crossing(const Crossing& next, std::vector<Crossing>& run) {
+// Lines near a corner would cross; the one at the corner is kept.
+void add_line(const CrossLine& next, std::vector<CrossLine>& run) {
   while (next.is_corner && !run.empty() && !run.back().is_corner && !is_before(run.back(), next)) run.pop_back();
   if (next.is_corner || run.empty() || is_before(run.back(), next)) run.push_back(next);
 }
 
-// Runs of crossings between which nothing else covers the way.
-std::vector<std::vector<Crossing>> runs_of(const Looking& looking) {
-  std::vector<std::vector<Crossing>> runs(1);
-  const Polyline& axis = looking.steps.axis;
+// Runs of cross lines, split where another land cover lies on the way.
+std::vector<std::vector<CrossLine>> runs_of(const GroundSampler& sampler) {
+  std::vector<std::vector<CrossLine>> runs(1);
+  const Polyline& axis = sampler.steps.axis;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-    const int count = std::max(1, static_cast<int>(distance(axis[i], axis[i + 1]) / kEvery_m));
+    const int count = std::max(1, static_cast<int>(distance(axis[i], axis[i + 1]) / kSpacing_m));
     for (int k = 0; k < count; ++k) {
       const Vec2 p = snapped(axis[i] + (axis[i + 1] - axis[i]) * (static_cast<double>(k) / count));
-      const ground::LandCoverPolygon* surface = looking.land_cover_at(p);
+      const ground::LandCoverPolygon* surface = sampler.land_cover_at(p);
       if (surface == nullptr) {
         if (!runs.back().empty()) runs.emplace_back();
         continue;
       }
-      Crossing crossing = looking.crossing(p, left_at(axis, i, k == 0), *surface);
+      CrossLine crossing = sampler.crossing(p, left_at(axis, i, k == 0), *surface);
       crossing.is_corner = k == 0;
-      add_crossing(crossing, runs.back());
+      add_line(crossing, runs.back());
     }
   }
   return runs;
 }
 
-// Where a run turns from rising to falling or back, by more than a flight; its ends too.
-std::vector<std::size_t> turns_of(std::span<const Crossing> run) {
+// The ends of a run, and where it changes between rising and falling by more than kMinFlight_m.
+std::vector<std::size_t> turns_of(std::span<const CrossLine> run) {
   std::vector<std::size_t> turns = {0};
   std::size_t highest = 0, lowest = 0;
   for (std::size_t i = 0; i < run.size(); ++i) {
     if (run[i].z_m > run[highest].z_m) highest = i;
     if (run[i].z_m < run[lowest].z_m) lowest = i;
-    const bool has_risen = run[i].z_m - run[lowest].z_m > kLeastFlight_m && lowest > turns.back();
-    const bool has_fallen = run[highest].z_m - run[i].z_m > kLeastFlight_m && highest > turns.back();
+    const bool has_risen = run[i].z_m - run[lowest].z_m > kMinFlight_m && lowest > turns.back();
+    const bool has_fallen = run[highest].z_m - run[i].z_m > kMinFlight_m && highest > turns.back();
     if (!has_risen && !has_fallen) continue;
     turns.push_back(has_risen ? lowest : highest);
     highest = lowest = i;
@@ -114,25 +113,25 @@ std::vector<std::size_t> turns_of(std::span<const Crossing> run) {
   return turns;
 }
 
-// False where the way turns so sharply that the lines across it cross.
+// Not so in bends where the cross lines intersect.
 bool is_convex(const std::array<Vec2, 4>& ring) {
   for (std::size_t i = 0; i < 4; ++i)
     if (cross(ring[(i + 1) % 4] - ring[i], ring[(i + 2) % 4] - ring[(i + 1) % 4]) <= 0) return false;
   return true;
 }
 
-void add_block(const Crossing& a, const Crossing& b, double top_m, Stairs& stairs) {
+void add_block(const CrossLine& a, const CrossLine& b, double top_m, Stairs& stairs) {
   const double low_m = std::min(a.low_m, b.low_m);
   stairs.error_m = std::max(stairs.error_m, top_m - low_m);
-  // counter-clockwise, whichever way the flight goes
+  // counter-clockwise for flights in both directions
   std::array<Vec2, 4> base = {a.right, b.right, b.left, a.left};
   if (cross(base[2] - base[0], base[3] - base[1]) < 0) std::ranges::reverse(base);
   if (!is_convex(base)) return;
-  add_box(base, low_m - kInto_m, top_m, stairs.mesh);
+  add_box(base, low_m - kDepth_m, top_m, stairs.mesh);
 }
 
-// A level tread from one riser to the next, round the way's corners.
-void add_tread(std::span<const Crossing> tread, double top_m, Stairs& stairs) {
+// A tread from one riser to the next: a block for each straight piece.
+void add_tread(std::span<const CrossLine> tread, double top_m, Stairs& stairs) {
   std::size_t first = 0;
   for (std::size_t i = 1; i < tread.size(); ++i) {
     if (!tread[i].is_corner && i + 1 < tread.size()) continue;
@@ -141,17 +140,17 @@ void add_tread(std::span<const Crossing> tread, double top_m, Stairs& stairs) {
   }
 }
 
-// Treads of a flight that rises from the first crossing to the last, give or take.
-void add_flight(std::span<const Crossing> flight, Stairs& stairs) {
+// Adds the treads of a flight that rises from its first line to its last.
+void add_flight(std::span<const CrossLine> flight, Stairs& stairs) {
   const double from_m = flight.front().z_m, rise_m = flight.back().z_m - from_m;
-  if (rise_m < kLeastFlight_m) return;
+  if (rise_m < kMinFlight_m) return;
   const double riser_m = rise_m / std::round(rise_m / kRiser_m);
   double highest_m = from_m;
   std::size_t begin = 0;
   int risers = 0;  // below the tread that begins there
   for (std::size_t i = 0; i < flight.size(); ++i) {
     highest_m = std::max(highest_m, flight[i].z_m);
-    // a hair's breadth lower, so that the last crossing needs no step of its own
+    // minus rounding errors, so that the last line needs no further step
     const int needed = static_cast<int>(std::ceil((highest_m - from_m) / riser_m - 0x1p-10));
     if (needed == risers) continue;
     if (risers > 0) add_tread(flight.subspan(begin, i - begin + 1), from_m + risers * riser_m, stairs);
@@ -160,12 +159,12 @@ void add_flight(std::span<const Crossing> flight, Stairs& stairs) {
   if (begin + 1 < flight.size()) add_tread(flight.subspan(begin), from_m + risers * riser_m, stairs);
 }
 
-void add_flights(std::vector<Crossing>& run, Stairs& stairs) {
+void add_flights(std::vector<CrossLine>& run, Stairs& stairs) {
   if (run.size() < 2) return;
   const std::vector<std::size_t> turns = turns_of(run);
   for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
-    std::vector<Crossing> flight(run.begin() + static_cast<std::ptrdiff_t>(turns[i]),
-                                 run.begin() + static_cast<std::ptrdiff_t>(turns[i + 1]) + 1);
+    std::vector<CrossLine> flight(run.begin() + static_cast<std::ptrdiff_t>(turns[i]),
+                                  run.begin() + static_cast<std::ptrdiff_t>(turns[i + 1]) + 1);
     if (flight.back().z_m < flight.front().z_m) std::ranges::reverse(flight);
     add_flight(flight, stairs);
   }
@@ -176,8 +175,8 @@ void add_flights(std::vector<Crossing>& run, Stairs& stairs) {
 Stairs stairs_on(const roads::Road& steps, const ground::LandCoverIndex& map, const ground::GradedTerrain& ground,
                  const Box2& box) {
   Stairs stairs{steps.id.osm, {}, 0};
-  const Looking looking{steps, map, ground, box, roads::left_m(steps), roads::right_m(steps)};
-  for (std::vector<Crossing>& run : runs_of(looking)) add_flights(run, stairs);
+  const GroundSampler sampler{steps, map, ground, box, roads::left_m(steps), roads::right_m(steps)};
+  for (std::vector<CrossLine>& run : runs_of(sampler)) add_flights(run, stairs);
   return stairs;
 }
 

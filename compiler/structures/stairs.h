@@ -1,9 +1,8 @@
-// Outdoor stairs: what `highway=steps` is where it is seen close by. They lie on the graded terrain, which is a ramp
-// under them, so that from afar they may be left out.
+// Outdoor stairs for highway=steps. They stand on the graded ground, a ramp, so that coarse levels can omit them.
 //
-//               ___|      treads are level; each lies as high as the ground at its upper end
+//               ___|      treads are level, each at the height of the ground at its upper end
 //           ___|  .
-//       ___|  .           the ramp
+//       ___|  .           ramp
 //      |  .
 #pragma once
 
@@ -16,22 +15,22 @@
 
 namespace citykiln::structures {
 
-/// Steps are about as high as this, all of one flight alike. They are level across the way: none lies below its ground.
+/// Approximate height of a step; all steps of a flight are equal.
 inline constexpr double kRiser_m = 0.17;
 
-/// What of a way's steps lies in a tile.
+/// The part of a flight of steps that lies in a tile.
 struct Stairs {
   OsmId feature;
-  Mesh mesh;           ///< A closed block a tread, down into the ground. Plane metres, snapped.
-  double error_m = 0;  ///< How far they stand out of the ground: what leaving them out moves.
+  Mesh mesh;           ///< One closed block per tread. Plane metres, snapped.
+  double error_m = 0;  ///< Largest height of a tread above the ground: the error of omitting the stairs.
 };
 
-/// The stairs of a road of steps, as far as its own surface is on top, in the box. Where it rises and falls it has a
-/// flight for each; where it does neither, none. Where it turns so sharply that lines across it cross, a tread is left
-/// out. O(length).
-/// @param map      Of the surfaces that cover the box, and what is near it.
-/// @param ground   Known in the box and a road's breadth around it.
-Stairs stairs_on(const roads::Road& steps, const ground::LandCoverIndex& map, const ground::GradedTerrain& ground,
+/// Returns the stairs of a road of steps inside a box, where its own surface is the land cover. Each stretch that rises
+/// or falls is a flight. Treads are level across the way and nowhere below the ground under it. Treads that would
+/// overlap in sharp bends are omitted. O(length).
+/// @param index   Land cover of the box and its surroundings.
+/// @param ground  Valid in the box and a road's width around it.
+Stairs stairs_on(const roads::Road& steps, const ground::LandCoverIndex& index, const ground::GradedTerrain& ground,
                  const Box2& box);
 
 }  // namespace citykiln::structures

@@ -1,4 +1,4 @@
-// What a deck stands on: piers, and abutments where it comes down.
+// Supports of a deck: piers, and abutments where it ends on the ground.
 //
 //     ==|======================|==  deck
 //     |_|    _|__|_   _|__|_   |_|  cap beams, columns
@@ -11,19 +11,19 @@
 
 namespace citykiln::structures {
 
-/// How long and how broad a pier's foot is, square to the deck and along it: what has to be free.
+/// Half the extent of a pier's foot, square to the deck and along it.
 struct PierFoot {
   double half_across_m = 0, half_along_m = 0;
 };
-PierFoot foot_of(const DeckDimensions& shape);
+PierFoot foot_of(const DeckDimensions& dimensions);
 
-/// Adds a pier under the deck: one wall for narrow decks, columns with a beam for wide ones. Each part is closed.
-void add_pier(std::span<const Rib> ribs, const DeckDimensions& shape, const Pier& pier, Mesh& mesh);
+/// Adds a pier under the deck: a wall under narrow decks, columns with a cap beam under wide ones. Each part is closed.
+void add_pier(std::span<const Rib> ribs, const DeckDimensions& dimensions, const Pier& pier, Mesh& mesh);
 
-/// Adds the block on which the deck's end lies, down to where the bank hides it. Closed.
-void add_abutment(std::span<const Rib> ribs, const DeckDimensions& shape, bool is_begin, Mesh& mesh);
+/// Adds the block that an end of the deck rests on. Closed.
+void add_abutment(std::span<const Rib> ribs, const DeckDimensions& dimensions, bool is_begin, Mesh& mesh);
 
-/// How far below the slab an abutment reaches, and how far along.
+/// How far an abutment reaches below the slab, and along the deck.
 inline constexpr double kAbutment_m = 2.5, kAbutmentLength_m = 1;
 
 }  // namespace citykiln::structures

@@ -1,9 +1,9 @@
-// Bores: a tunnel as seen from inside, and the frames of its mouths.
+// Tunnels: the inside of a bore and the frames of its portals.
 //
 //         ___________
-//      __|___________|__   frame, in front of the mouth
+//      __|___________|__   frame, in front of the portal
 //     |  |  ceiling  |  |
-//     |  |           |  |  lining: looks inwards
+//     |  |           |  |  lining, seen from inside
 //     |__|___road____|__|
 #pragma once
 
@@ -12,16 +12,14 @@
 
 namespace citykiln::structures {
 
-/// True where a tunnel lies under the land as it is: its ceiling, more than kPortal_m from its mouths, for most of its
-/// length; a shorter one in its middle.
+/// Returns whether a tunnel lies under the terrain: its ceiling does so for at least kMinCoveredShare of its length
+/// outside of kPortal_m from its portals, or at its middle if it is shorter.
 bool is_underground(const Span& tunnel, const map::Heightfield& heights);
 
 inline constexpr double kPortal_m = 16, kMinCoveredShare = 0.6;
 
-/// The bore at a tolerance.
-///
-/// Road, walls and ceiling, seen from inside; open where it comes out on the ground or meets another tunnel, closed
-/// where it meets nothing. A frame stands about each mouth on the ground; it is closed. Not bored: nothing. Total.
+/// Generates a tunnel at a tolerance, > 0: road, walls and ceiling, seen from inside; open at portals and joints,
+/// closed at free ends. Frames around portals are closed. Nothing for tunnels that are not is_bored. Total.
 GeneratedStructure generate_tunnel(const Span& tunnel, double tolerance_m);
 
 }  // namespace citykiln::structures

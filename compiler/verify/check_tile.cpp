@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -202,6 +203,7 @@ Result<Done> check_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std
 }  // namespace
 
 Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels) {
+  assert(!levels.empty() && std::ranges::all_of(levels, [&](const auto& w) { return w.tile == levels.front().tile; }));
   const scene::Scene& scene = loaded.scene;
   const auto chunk = std::ranges::find(scene.chunks, levels.front().tile, &scene::Chunk::tile);
   if (chunk == scene.chunks.end())

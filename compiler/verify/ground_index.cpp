@@ -11,10 +11,8 @@ namespace {
 /// Ground faces along roads are some metres long.
 constexpr double kBucket_m = 4;
 
-double twice_area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
-
 double plan_area_m2(const GroundFace& face) {
-  return twice_area_m2(in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])) / 2;
+  return twice_area(in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])) / 2;
 }
 
 /// Snapping moves borders by up to this much.
@@ -27,8 +25,8 @@ bool is_inside(double twice_area, Vec3 a, Vec3 b) {
 
 std::optional<double> height_m_at(const GroundFace& face, Vec2 p) {
   const auto& [a, b, c] = face.corners;
-  const double area = twice_area_m2(in_plan(a), in_plan(b), in_plan(c));
-  const double of_a = twice_area_m2(p, in_plan(b), in_plan(c)), of_b = twice_area_m2(in_plan(a), p, in_plan(c));
+  const double area = twice_area(in_plan(a), in_plan(b), in_plan(c));
+  const double of_a = twice_area(p, in_plan(b), in_plan(c)), of_b = twice_area(in_plan(a), p, in_plan(c));
   const double of_c = area - of_a - of_b;
   if (!is_inside(of_a, b, c) || !is_inside(of_b, c, a) || !is_inside(of_c, a, b)) return std::nullopt;
   const double z_m = (of_a * a.z + of_b * b.z + of_c * c.z) / area;

@@ -46,8 +46,8 @@ Line line_of(const roads::Road& road) { return {&road, Kind::kGround, 0, true}; 
 
 Line line_of(const structures::Span& span, Kind kind) {
   const bool is_corridor = kind == Kind::kBore && group_of(span.surface) == LandCoverGroup::kPath && span.layer >= 0;
-  const int told = kind == Kind::kDeck ? 1 : -1;
-  return {&span, kind, span.layer == 0 ? told : span.layer, !is_corridor};
+  const int default_layer = kind == Kind::kDeck ? 1 : -1;
+  return {&span, kind, span.layer == 0 ? default_layer : span.layer, !is_corridor};
 }
 
 std::vector<Line> lines_of(const scene::Chunk& chunk) {

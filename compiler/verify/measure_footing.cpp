@@ -11,11 +11,6 @@ namespace {
 
 using buildings::Building;
 
-/// Half-open, so that a corner on a border between tiles is counted once.
-bool is_in(const Box2& box, Vec2 p) {
-  return box.min.x <= p.x && p.x < box.max.x && box.min.y <= p.y && p.y < box.max.y;
-}
-
 void consider(Footing& footing, const Building& building, double gap_m) {
   ++footing.corners;
   if (gap_m <= footing.largest_gap_m) return;
@@ -29,7 +24,7 @@ double gap_under(const Building& building, const Box2& box, const GroundHeightAt
   double largest_m = -1e9;
   const auto look_at = [&](const Ring& ring) {
     for (const Vec2 corner : ring) {
-      if (!is_in(box, corner)) continue;
+      if (!box.contains_half_open(corner)) continue;
       const std::optional<double> ground_m = ground(corner), wall_m = wall(building, corner);
       if (!ground_m || !wall_m) continue;
       largest_m = std::max(largest_m, *wall_m - *ground_m);

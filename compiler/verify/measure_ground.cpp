@@ -1,6 +1,7 @@
 #include "compiler/verify/measure_ground.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -51,8 +52,6 @@ void for_each_ground_triangle(const bake::BakedTile& tile, const NonGroundObject
   }
 }
 
-double twice_area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
-
 /// A random place in each square of a lattice, with the lowest ground there.
 struct Lattice {
   Box2 box;
@@ -82,7 +81,7 @@ Lattice lattice_of(const Box2& box, int a_side) {
 
 /// Lowers the lattice heights at all places inside the triangle.
 void lower(Lattice& lattice, const Corners& t, OsmId feature) {
-  const double area = twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2]));
+  const double area = twice_area(in_plan(t[0]), in_plan(t[1]), in_plan(t[2]));
   if (area <= 0) return;
   Box2 box;
   for (const Vec3& corner : t) box.grow(in_plan(corner));
@@ -94,8 +93,7 @@ void lower(Lattice& lattice, const Corners& t, OsmId feature) {
   for (int j = row(box.min.y); j <= row(box.max.y); ++j) {
     for (int i = column(box.min.x); i <= column(box.max.x); ++i) {
       const Vec2 p = lattice.places[lattice.number(i, j)];
-      const double a = twice_area_m2(p, in_plan(t[1]), in_plan(t[2])),
-                   b = twice_area_m2(in_plan(t[0]), p, in_plan(t[2]));
+      const double a = twice_area(p, in_plan(t[1]), in_plan(t[2])), b = twice_area(in_plan(t[0]), p, in_plan(t[2]));
       const double c = area - a - b;
       // a place on an edge counts for both triangles despite rounding
       const double slack = -1e-9 * area;
@@ -113,7 +111,7 @@ BorderEdges border_edges(const bake::BakedTile& tile, const NonGroundObjects& no
                          Coordinate coordinate) {
   BorderEdges edges;
   for_each_ground_triangle(tile, non_ground, [&](const Corners& t, OsmId) {
-    const bool is_upright = twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0;
+    const bool is_upright = twice_area(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0;
     std::vector<BorderEdge>& kind = is_upright ? edges.upright : edges.ground;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = t[i], b = t[(i + 1) % 3];
@@ -156,6 +154,7 @@ void keep_worst(GroundSamples& samples, double error_m, Vec2 at) {
 
 GroundSamples sample_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground,
                             const DeviationAt& deviation_m, const Box2& box, int a_side) {
+  assert(a_side > 0 && !box.is_empty());
   Lattice lattice = lattice_of(box, a_side);
   for_each_ground_triangle(tile, non_ground,
                            [&](const Corners& corners, OsmId feature) { lower(lattice, corners, feature); });

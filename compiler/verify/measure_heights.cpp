@@ -1,6 +1,7 @@
 #include "compiler/verify/measure_heights.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -24,8 +25,9 @@ Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedT
     for (const Ring& ring : surface.rings)
       for (const Vec2 p : ring)
         if (box.contains(p))
-          deviation_m = std::max(deviation_m,
-                                 std::abs(of(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
+          deviation_m =
+              std::max(deviation_m,
+                       std::abs(layer_height_m(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
     ++lakes.waters;
     lakes.not_level += deviation_m > kQuantum_m;
     if (deviation_m > lakes.largest_m) lakes.largest_m = deviation_m, lakes.worst = surface.id.osm;
@@ -35,7 +37,7 @@ Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedT
 
 RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
   return measure_road_faces(chunk, box, true, [&](const roads::Road&, Vec2 p) -> std::vector<double> {
-    return {of(heights_at(graded, p), ground::HeightLayer::kRoad)};
+    return {layer_height_m(heights_at(graded, p), ground::HeightLayer::kRoad)};
   });
 }
 
@@ -48,13 +50,13 @@ Footing footing_of(const scene::Chunk& chunk, const Box2& box, const ground::Gra
 HeightMeasures measures_of(const scene::Scene& scene, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(scene.header, chunk.tile);
   const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, kFine_m);
-  return {measure_grades(scene.header, chunk),
-          {},
-          road_faces_of(chunk, box, graded),
-          measure_rises(chunk),
-          lakes_of(chunk, box, graded),
-          footing_of(chunk, box, graded),
-          {}};
+  return {.grades = measure_grades(scene.header, chunk),
+          .jumps = {},
+          .road_faces = road_faces_of(chunk, box, graded),
+          .rises = measure_rises(chunk),
+          .lakes = lakes_of(chunk, box, graded),
+          .footing = footing_of(chunk, box, graded),
+          .clearances = {}};
 }
 
 void add(HeightMeasures& sum, const HeightMeasures& tile) {
@@ -69,6 +71,7 @@ void add(HeightMeasures& sum, const HeightMeasures& tile) {
 }  // namespace
 
 HeightMeasures measure_heights(const scene::Scene& scene, int threads) {
+  assert(threads >= 0);
   const auto tiles = for_each_slot<HeightMeasures>(scene.chunks.size(), threads,
                                                    [&](std::size_t i) { return measures_of(scene, scene.chunks[i]); });
   HeightMeasures sum;

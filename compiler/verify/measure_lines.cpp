@@ -21,11 +21,6 @@ void add_stretch(Grades& grades, map::LandCoverClass surface, double run_m, doub
   if (std::abs(rise_m) > limit * run_m + 2 * ground::kKnotError_m) grades.over_m += run_m;
 }
 
-/// Half-open, so that a place on a border between tiles counts once.
-bool is_in(const Box2& box, Vec2 p) {
-  return box.min.x <= p.x && p.x < box.max.x && box.min.y <= p.y && p.y < box.max.y;
-}
-
 /// The length of a road's axis inside the box, between two distances along its way.
 double length_in_m(const roads::Road& road, const std::vector<double>& along, double from_m, double to_m,
                    const Box2& box) {
@@ -34,7 +29,7 @@ double length_in_m(const roads::Road& road, const std::vector<double>& along, do
     const double low_m = std::max(from_m, along[i]), high_m = std::min(to_m, along[i + 1]);
     if (low_m >= high_m) continue;
     const double t = ((low_m + high_m) / 2 - along[i]) / (along[i + 1] - along[i]);
-    if (is_in(box, road.axis[i] + (road.axis[i + 1] - road.axis[i]) * t)) sum_m += high_m - low_m;
+    if (box.contains_half_open(road.axis[i] + (road.axis[i + 1] - road.axis[i]) * t)) sum_m += high_m - low_m;
   }
   return sum_m;
 }

@@ -1,5 +1,6 @@
 #include "compiler/verify/measure_reference_error.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "compiler/contract/draw.h"
@@ -16,6 +17,7 @@ ReferenceErrors combined(const ReferenceErrors& a, const ReferenceErrors& b) {
 ReferenceErrors measure_reference_errors(const ground::GradedTerrain& graded,
                                          std::span<const ground::LandCoverPolygon> surfaces,
                                          const ReferenceAt& reference_at, const Box2& box, int a_side) {
+  assert(a_side > 0 && !box.is_empty());
   const ground::LandCoverIndex map = index_land_cover(surfaces, box);
   const Draw draw(0, StableId{0}, "samples of the reference");
   ReferenceErrors reference_errors;
@@ -27,7 +29,7 @@ ReferenceErrors measure_reference_errors(const ground::GradedTerrain& graded,
         surface == ground::kNoLandCover ? ground::FaceHeight{} : face_height_of(surfaces[surface]);
     if (face.level_m) continue;
     const double deviation_m =
-        std::abs(of(heights_at(graded, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
+        std::abs(layer_height_m(heights_at(graded, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
     ++reference_errors.places, reference_errors.over += deviation_m > 2 * ground::kReferenceError_m;
     if (deviation_m > reference_errors.largest_m) reference_errors.largest_m = deviation_m, reference_errors.at = p;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/geometry/box_grid.h"
@@ -74,6 +75,7 @@ RoadFaces combined(const RoadFaces& a, const RoadFaces& b) {
 
 RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool has_kerbs,
                              const RoadSurfaceAt& faces_at) {
+  assert(!box.is_empty());
   const std::vector<Piece> pieces = pieces_of(chunk.roads);
   std::vector<Box2> boxes;
   for (const Piece& piece : pieces) boxes.push_back(box_of(std::array{piece.a, piece.b}).widened(piece.reach_m));

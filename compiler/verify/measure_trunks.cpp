@@ -10,7 +10,7 @@ namespace {
 using plants::Species;
 
 bool has_trunk(Species species) {
-  return plants::values_of(species).leaves != plants::LeafForm::kBlade && species != Species::kHedge;
+  return plants::values_of(species).leaf_form != plants::LeafForm::kBlade && species != Species::kHedge;
 }
 
 /// True for names of tree prototypes, "oak_3"; false for others, "PostTopLamp".

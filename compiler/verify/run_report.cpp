@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -83,12 +84,6 @@ Json counts_of(const scene::Scene& scene) {
           {"trees", different(scene, &scene::Chunk::trees)},
           {"barriers", different(scene, &scene::Chunk::barriers)},
           {"lamps", different(scene, &scene::Chunk::lamps)}};
-}
-
-/// Adds counts of objects that are planned but not stored in the manifest.
-void add_planned_counts(const Report& report, Json& counts) {
-  const auto planned = report.ledger().find("roads/junction_off_ground");
-  if (planned != report.ledger().end()) counts["junctions_off_ground"] = planned->second.out;
 }
 
 Json levels_of(const WrittenFiles& written, const Outputs& outputs) {
@@ -173,13 +168,13 @@ bool balances(const Json& account) {
 RunRecord record_of(const Json& report) {
   RunRecord record;
   for (const Json& tile : report.at("tiles")) {
-    record.tiles.push_back({{tile.at("file"), tile.at("bytes")},
-                            {tile.at("x"), tile.at("y")},
-                            tile.at("level"),
-                            tile.at("tolerance_m"),
-                            tile.at("error_m"),
-                            tile.at("triangles"),
-                            tile.at("instances")});
+    record.tiles.push_back({.file = {tile.at("file"), tile.at("bytes")},
+                            .tile = {tile.at("x"), tile.at("y")},
+                            .level = tile.at("level"),
+                            .tolerance_m = tile.at("tolerance_m"),
+                            .error_m = tile.at("error_m"),
+                            .triangles = tile.at("triangles"),
+                            .instances = tile.at("instances")});
   }
   record.instances_as_nodes = report.at("instancing") == "nodes";
   // reports of older versions have no such key
@@ -202,6 +197,7 @@ std::uint64_t WrittenFiles::bytes() const {
 
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
                         const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights) {
+  assert(std::ranges::all_of(written.tiles, [&](const WrittenTile& t) { return t.level < outputs.ladder_m.size(); }));
   Json json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
@@ -214,7 +210,6 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["instancing"] = outputs.instances_as_nodes ? "nodes" : "ext";
   json["compress"] = name_of(outputs.compress);
   json["counts"] = counts_of(scene);
-  add_planned_counts(report, json["counts"]);
   json["levels"] = levels_of(written, outputs);
   json["heights"] = heights_of(heights);
   json["bytes"] = written.bytes();
@@ -227,6 +222,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
 }
 
 std::string timing_json(std::span<const StageCost> costs, int threads) {
+  assert(threads >= 0);
   Json stages = Json::array();
   double seconds = 0;
   std::uint64_t peak_bytes = 0;

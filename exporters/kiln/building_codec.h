@@ -58,7 +58,7 @@ void facade(auto& io, buildings::Building& b) {
   enumerator(io, "building class", b.building_class, static_cast<std::uint8_t>(map::BuildingClass::kCount));
   io.number("storeys", b.levels), io.number("year", b.year);
   flag(io, "shop", b.has_shop);
-  list(io, "fronts", b.fronts, 0, [&](buildings::FacadeEdge& f) { serialise(io, f); });
+  list(io, "fronts", b.facade_edges, 0, [&](buildings::FacadeEdge& f) { serialise(io, f); });
   list(io, "party walls", b.party_walls, 0, [&](buildings::PartyWall& w) { serialise(io, w, edges); });
 }
 

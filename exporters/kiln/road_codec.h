@@ -172,7 +172,7 @@ void serialise(auto& io, roads::Strip& s) {
 
 void serialise(auto& io, roads::Junction& j) {
   enumerator(io, "junction family", j.family, roads::Family::kOther);
-  points(io, "junction places", j.places, 1);
+  points(io, "junction places", j.nodes, 1);
   list(io, "junction arms", j.cuts, 1, [&](roads::Cut& cut) {
     quarters(io, "cut lengths", cut.length_m);
     quarters(io, "corner radii", cut.radius_m);

@@ -60,7 +60,7 @@ void generate_town(benchmark::State& state) {
   const std::size_t count = all.size() / one_in;
   std::uint64_t triangles = 0;
   for (auto _ : state) {
-    const Rulebook rulebook = parse_rulebook(styles_of(all), shipped_rules());
+    const Rulebook rulebook = parse_rulebook(shipped_rules());
     const auto made = for_each_slot<std::uint64_t>(count, static_cast<int>(state.range(2)), [&](std::size_t i) {
       Report report;
       return triangles_of(generate(all[i * one_in], rulebook, {1}, tolerance_m, report));

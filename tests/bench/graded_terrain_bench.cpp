@@ -7,10 +7,12 @@
 #include "compiler/contract/draw.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/resample.h"
 #include "compiler/pipeline.h"
 #include "compiler/roads/plan.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
 #include "tests/bench/bench_data.h"
@@ -31,7 +33,7 @@ const scene::Scene& village(const std::string& map, const std::string& dem) {
   return scene;
 }
 
-/// Returns the chunk with most roads.
+/// The tile with the most roads.
 const scene::Chunk& busiest(const scene::Scene& scene) {
   return *std::ranges::max_element(scene.chunks, {}, [](const scene::Chunk& chunk) { return chunk.roads.size(); });
 }

@@ -7,7 +7,7 @@
 namespace citykiln::ground {
 namespace {
 
-void generate_cell_without_grading(benchmark::State& state) {
+void generate_bare_cell(benchmark::State& state) {
   const GradedTerrain ground(made_hills());
   const double tolerance_m = static_cast<double>(state.range(0)) / 100;
   std::size_t triangles = 0;
@@ -17,7 +17,7 @@ void generate_cell_without_grading(benchmark::State& state) {
   }
   state.counters["triangles"] = static_cast<double>(triangles);
 }
-BENCHMARK(generate_cell_without_grading)
+BENCHMARK(generate_bare_cell)
     ->ArgName("tolerance_cm")
     ->Arg(10)
     ->Arg(50)

@@ -26,15 +26,15 @@ Building house(Style style, roofs::Form form, double wide_m, int levels, int i) 
   b.roof_shape.height_m = form == roofs::Form::kFlat ? 0 : 4;
   b.top_m = 3.0 * levels + b.roof_shape.height_m;
   b.wall = materials::Material::kPlaster, b.roof = materials::Material::kRoofTile;
-  b.fronts.resize(4);
-  b.fronts.front().faces_street = true;
+  b.facade_edges.resize(4);
+  b.facade_edges.front().faces_street = true;
   return b;
 }
 
 void generate_street(benchmark::State& state, Style style, roofs::Form form, double wide_m, int levels) {
   std::vector<Building> street;
   for (int i = 0; i < kHouses; ++i) street.push_back(house(style, form, wide_m, levels, i));
-  const Rulebook rulebook = parse_rulebook(styles_of(street), shipped_rules());
+  const Rulebook rulebook = parse_rulebook(shipped_rules());
   const double tolerance_m = static_cast<double>(state.range(0)) / 1000;
   std::uint64_t houses = 0, triangles = 0;
   Report report;

@@ -58,7 +58,7 @@ void derive_system(benchmark::State& state, const char* text) {
   std::uint64_t written = 0, symbols = 0, rounds = 0;
   for (auto _ : state) {
     const Derivation derivation = derive(*system, options);
-    if (derivation.cut) return state.SkipWithError(limit_line(*system, *derivation.cut).c_str());
+    if (derivation.limit_exceeded) return state.SkipWithError(limit_line(*system, *derivation.limit_exceeded).c_str());
     written += derivation.written;
     symbols = derivation.string.kinds.size();
     ++rounds;

@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, JunctionsInSceneReal, testing::ValuesIn(small_ca
 class JunctionsOfTilesReal : public testing::TestWithParam<std::string> {};
 
 // Well inside, where a tile's roads are all that matters: idempotence, and that nothing farther is asked for.
-TEST_P(JunctionsOfTilesReal, AreWhatATilesRoadsGiveAgain) {
+TEST_P(JunctionsOfTilesReal, AreDerivedFromTheTilesRoads) {
   if (!std::filesystem::exists(kData / GetParam())) GTEST_SKIP() << "absent: " << GetParam();
   const auto whole = compiled(kData / GetParam(), 0);
   ASSERT_TRUE(whole);
@@ -114,7 +114,7 @@ TEST_P(JunctionsOfTilesReal, AreWhatATilesRoadsGiveAgain) {
   for (const scene::Chunk& chunk : whole->scene.chunks) {
     const Box2 inside = scene::box_of(whole->scene.header, chunk.tile).widened(-8 * roads::kJunctionRadius_m);
     const auto within = [&](std::vector<roads::Junction> junctions) {
-      std::erase_if(junctions, [&](const roads::Junction& j) { return !inside.contains(j.places.front()); });
+      std::erase_if(junctions, [&](const roads::Junction& j) { return !inside.contains(j.nodes.front()); });
       return junctions;
     };
     Report ignored;

@@ -32,13 +32,13 @@ class SpecFile {
   const std::string path_;
 };
 
-TEST(Spec, DefaultsToTheLadderOfTheContract) {
+TEST(Spec, HasTheDefaultTolerances) {
   const CompileSpec spec;
   EXPECT_EQ(spec.outputs.ladder_m, std::vector(kDefaultLadder_m.begin(), kDefaultLadder_m.end()));
   EXPECT_EQ(spec.tile_m, 1024);
 }
 
-TEST(Spec, TakesWhatEverySettingIsWrittenAs) {
+TEST(Spec, ParsesEverySetting) {
   const std::pair<const char*, const char*> rows[] = {{"map", "a.osm"},
                                                       {"dem", "a.png,bounds=1/2/3/4"},
                                                       {"bbox", "-3,1,-2,2.5"},
@@ -62,7 +62,7 @@ TEST(Spec, TakesWhatEverySettingIsWrittenAs) {
   EXPECT_EQ(std::size(rows), settings().size()) << "a setting without a row here";
 }
 
-TEST(Spec, ObjectionsNameTheSettingAndWhatItTakes) {
+TEST(Spec, ErrorsNameTheSettingAndTheExpectedValue) {
   const std::pair<const char*, const char*> rows[] = {
       {"bbox", "1,2,3"}, {"bbox", "3,1,2,2"},  {"bbox", "1,2,x,4"}, {"origin", "1"},       {"tile", "100"},
       {"tile", "0"},     {"only", "1-2"},      {"emit", "obj"},     {"lods", "1,1"},       {"lods", "0,1"},
@@ -75,14 +75,14 @@ TEST(Spec, ObjectionsNameTheSettingAndWhatItTakes) {
   }
 }
 
-TEST(Spec, SaysWhatIsNotMadeYet) {
+TEST(Spec, SaysWhatIsNotSupportedYet) {
   EXPECT_NE(objection("emit", "kiln,usd").find("yet"), std::string::npos);
   EXPECT_NE(objection("emit", "3dtiles").find("yet"), std::string::npos);
   EXPECT_NE(objection("world", "ellipsoid").find("yet"), std::string::npos);
   EXPECT_NE(objection("world", "cylinder:8000").find("yet"), std::string::npos);
 }
 
-TEST(Spec, IsUnchangedByWhatItRefuses) {
+TEST(Spec, IsUnchangedByInvalidValues) {
   CompileSpec spec;
   ASSERT_FALSE(apply(setting_named("emit"), "kiln,obj", spec));
   EXPECT_TRUE(spec.outputs.manifest && spec.outputs.glb);
@@ -124,10 +124,11 @@ TEST(SpecFile, ErrorsNameFileAndPlace) {
   const SpecFile cut("{\"map\":\n  nonsense}");
   EXPECT_TRUE(to_string(read_spec(cut.path()).error()).starts_with(cut.path() + ":2:"));
   const SpecFile unknown(R"({"maps": "a.osm"})");
-  EXPECT_EQ(to_string(read_spec(unknown.path()).error()), unknown.path() + ": \"maps\" is not a setting");
+  EXPECT_EQ(to_string(read_spec(unknown.path()).error()),
+            unknown.path() + ": unknown setting \"maps\"; see citykiln compile --help");
   const SpecFile list("[1, 2]");
   EXPECT_FALSE(read_spec(list.path()));
-  EXPECT_EQ(to_string(read_spec("/nowhere/spec.json").error()), "/nowhere/spec.json: cannot be read");
+  EXPECT_EQ(to_string(read_spec("/nowhere/spec.json").error()), "/nowhere/spec.json: the file cannot be read");
 }
 
 TEST(Spec, IsCompleteWithAMapAndAFolder) {

@@ -77,7 +77,7 @@ std::vector<StreetLamp> sorted_lamps(const scene::Scene& scene) {
   return all;
 }
 
-TEST(StreetLampsReal, AreTheSameHoweverTheMapIsTiled) {
+TEST(StreetLampsReal, DoNotDependOnTheTileSize) {
   if (!std::filesystem::exists(kData)) GTEST_SKIP();
   for (const Extract& extract : kExtracts) {
     const auto large = sorted_lamps(scene_of(extract, 2048)), small = sorted_lamps(scene_of(extract, 256));

@@ -33,9 +33,8 @@ Result<CompileResult> compiled_village() {
 struct Seen {
   bake::CellLevel level;
   ground::GroundMesh mesh;
-  std::optional<ground::Reference>
-      reference;                            // none where nothing is carved: it would be the terrain of a carving gone
-  std::vector<ground::FaceHeight> heights;  // one a surface
+  std::optional<ground::Reference> reference;  // none without grading
+  std::vector<ground::FaceHeight> heights;     // one a surface
 };
 
 void see_zone(const scene::Scene& scene, const scene::Chunk& chunk, const bake::ViewZone& zone,
@@ -118,7 +117,7 @@ std::vector<Edge> edges_on_line(const ground::GroundMesh& ground, double Vec3::*
   return edges;
 }
 
-TEST_F(ViewReal, RandomPlacesOfTheGroundAreOffByNoMoreThanThePixelsAskedFor) {
+TEST_F(ViewReal, RandomPlacesAreWithinTheRequestedPixelError) {
   const Draw draw(7, StableId{8}, "places");
   std::uint32_t dice = 0;
   std::map<double, int> places;
@@ -141,7 +140,7 @@ bool see_roads_alike(const Seen& a, const Seen& b) {
          has_detail(Detail::kRoadSurfaces, b.level.tolerance_m);
 }
 
-TEST_F(ViewReal, CellsOfAllLevelsMeetEdgeForEdge) {
+TEST_F(ViewReal, CellsOfAllLevelsShareTheirEdges) {
   int sides = 0, unequal = 0;
   const auto expect_equal = [&](const Seen& a, const Seen& b, double Vec3::*across, double at) {
     if (!see_roads_alike(a, b)) return;

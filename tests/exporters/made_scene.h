@@ -209,7 +209,7 @@ class SceneMaker {
     b.year = static_cast<std::uint16_t>(below(2030));
     b.has_shop = below(2) == 0;
     for (std::size_t i = 0; i < b.footprint.outer.size(); ++i)
-      b.fronts.push_back(
+      b.facade_edges.push_back(
           {below(2) == 0, static_cast<std::uint8_t>(below(256)), static_cast<std::uint16_t>(below(65536))});
     b.party_walls = party_walls(b.footprint.outer.size());
     return b;

@@ -70,7 +70,7 @@ TEST(Contexts, TryEachBranch) {
   EXPECT_EQ(grown("axiom: A[B][C]D\nA > [C]D -> x", 1), "x[B][C]D");
   EXPECT_EQ(grown("axiom: A[B][C]D\nA > [B][C] -> x", 1), "x[B][C]D");
   EXPECT_EQ(grown("axiom: A[B][C]D\nA > [C][B] -> x", 1), "A[B][C]D");
-  // what branches off behind the next module is not a branch here
+  // a branch after the next module does not match
   EXPECT_EQ(grown("axiom: AB[C]D\nA > [C] -> x", 1), "AB[C]D");
 }
 
@@ -93,7 +93,7 @@ TEST(Contexts, LendTheirParameters) {
 }
 
 TEST(Chance, FallsByTheSharesOfTheProductions) {
-  // 30,000 throws: each count within four standard deviations
+  // 30,000 draws: each count within four standard deviations
   const std::string text = "axiom: " + std::string(30'000, 'A') + "\nA -> (0.33) B\nA -> (0.33) C\nA -> (0.34) D";
   const LSystem system = system_of(text);
   auto counts = counts_of(system, derive(system, {.steps = 1}).string);
@@ -159,22 +159,22 @@ TEST(Interpretation, LeavesTheDerivationAlone) {
 TEST(Limits, CutAnExplosiveSystemAtAWholeString) {
   const LSystem system = system_of("axiom: F\nn: 40\nF -> FFFFFFFFFF");
   const Derivation derivation = derive(system);
-  ASSERT_TRUE(derivation.cut);
-  EXPECT_EQ(limit_line(system, *derivation.cut),
-            "x.lsys: cut at step 7: its string would have more than 8000000 symbols");
+  ASSERT_TRUE(derivation.limit_exceeded);
+  EXPECT_EQ(limit_line(system, *derivation.limit_exceeded),
+            "x.lsys: stopped at step 7: the string would have more than 8000000 symbols");
   EXPECT_EQ(derivation.steps, 6);
   EXPECT_EQ(derivation.string.kinds.size(), 1'000'000u);
 }
 
 TEST(Limits, CutWhatWouldNeverEnd) {
   const LSystem still = system_of("axiom: F\nn: 1000000000\nF -> F");
-  EXPECT_EQ(derive(still).cut->kind, LimitKind::kSteps);
+  EXPECT_EQ(derive(still).limit_exceeded->kind, LimitKind::kSteps);
   const LSystem empty = system_of("axiom: F\nn: 1000000000\nF -> ");
-  EXPECT_EQ(derive(empty).cut->kind, LimitKind::kSteps);
+  EXPECT_EQ(derive(empty).limit_exceeded->kind, LimitKind::kSteps);
   DeriveOptions options;
   options.limits.written = 10'000;
   const Derivation derivation = derive(system_of("axiom: FFFFFFFFFF\nn: 100000\nF -> F"), options);
-  EXPECT_EQ(derivation.cut->kind, LimitKind::kWritten);
+  EXPECT_EQ(derivation.limit_exceeded->kind, LimitKind::kWritten);
   EXPECT_LE(derivation.written, 10'000u);
   EXPECT_EQ(derivation.string.kinds.size(), 10u);
 }
@@ -185,14 +185,14 @@ TEST(Limits, CutTooManyConditions) {
   for (int i = 0; i < 10'000; ++i) text += "A : 1 > 2 -> B\n";
   DeriveOptions options;
   options.limits.work = 10'000'000;
-  EXPECT_EQ(derive(system_of(text + "A -> A"), options).cut->kind, LimitKind::kWork);
+  EXPECT_EQ(derive(system_of(text + "A -> A"), options).limit_exceeded->kind, LimitKind::kWork);
 }
 
 TEST(Limits, HoldForDecompositionAndNumbers) {
   DeriveOptions options;
   options.limits.symbols = 1'000;
   const LSystem system = system_of("axiom: F\nn: 4\ndecomposition:\nmaximum depth: 60\nF -> FF");
-  EXPECT_EQ(derive(system, options).cut->kind, LimitKind::kSymbols);
+  EXPECT_EQ(derive(system, options).limit_exceeded->kind, LimitKind::kSymbols);
   EXPECT_LE(derive(system, options).string.kinds.size(), 1'000u);
   const LSystem wide = system_of("axiom: A\nn: 20\nA -> AB(1,2,3,4,5,6,7,8,9,10)A");
   EXPECT_LE(derive(wide, options).string.values.size(), 4'000u);

@@ -1,4 +1,4 @@
-// Systems in a line, and what they grow into, for tests.
+// Helpers of tests: L-systems in a line, and their derived strings.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ inline LSystem system_of(const std::string& text) {
   return system ? *system : LSystem{};
 }
 
-/// The string after so many steps.
+/// The string after a number of steps.
 inline std::string grown(const std::string& text, int steps, std::uint64_t seed = 0) {
   const LSystem system = system_of(text);
   DeriveOptions options;
@@ -28,7 +28,7 @@ inline std::string grown(const std::string& text, int steps, std::uint64_t seed 
   return text_of(system, derive(system, options).string);
 }
 
-/// @param path  From the root of the tree.
+/// The text of a file of the source tree.
 inline std::string text_of_tree(const std::string& path) {
   std::ifstream in(std::string(CITYKILN_SOURCE) + "/" + path);
   EXPECT_TRUE(in) << path;
@@ -37,7 +37,7 @@ inline std::string text_of_tree(const std::string& path) {
   return text.str();
 }
 
-/// How many modules have each name.
+/// The number of modules of each name.
 inline std::map<std::string, std::uint64_t> counts_of(const LSystem& system, const ModuleString& string) {
   std::map<std::string, std::uint64_t> counts;
   for (const Kind kind : string.kinds) ++counts[system.kinds[kind].name];

@@ -1,9 +1,8 @@
-// Looks at systems: draws their plants as lines and flat polygons, seen from the south without perspective.
+// Draws the plants of an L-system as lines and flat polygons, in parallel projection from the south.
 //   lsystem_png OUT.png FILE [key=value …]
-// Keys: size (pixels, 320), yaw and pitch (degrees: where the eye stands, from the south, and how high), steps, seed,
-// columns (so many plants beside each other, each with dice of its own), line (pixels: the least width, 1), tolerance
-// (metres: draws the shaded mesh instead), zoom (1) and up (of the picture's height: where the middle of what is zoomed
-// to lies, 0.5); others take the place of #define's values.
+// Keys: size (pixels, 320); yaw and pitch of the view (degrees); steps; seed; columns (number of plants, each with its
+// own random numbers); line (least line width in pixels, 1); tolerance (metres: draws the shaded mesh instead); zoom
+// (1) and up (height of the zoomed view's centre as a share of the picture, 0.5). Other keys replace values of #define.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -26,9 +25,9 @@ namespace {
 using namespace citykiln;
 using namespace citykiln::lsystems;
 
-constexpr int kFine = 4;  // samples across a pixel
+constexpr int kFine = 4;  // samples along a pixel's side
 
-/// A filled outline in the plane of the picture; `depth` is how far behind.
+/// A filled outline in the picture plane; `depth` grows away from the viewer.
 struct Patch {
   std::vector<Vec2> ring;
   std::vector<Vec2> line;  ///< Or two points, as wide as `width`.
@@ -95,7 +94,7 @@ struct Canvas {
   int width = 0, height = 0;  // samples
   std::vector<materials::TextureImage::Texel> samples;
 
-  // even-odd, a sample at a time
+  // even-odd rule
   void fill(const std::vector<Vec2>& ring, materials::TextureImage::Texel colour) {
     double low = ring[0].y, high = ring[0].y;
     for (const Vec2 p : ring) low = std::min(low, p.y), high = std::max(high, p.y);
@@ -165,7 +164,7 @@ materials::TextureImage drawn(std::vector<Patch> patches, int size_px, double le
   return pixels_of(canvas);
 }
 
-/// Triangles of a mesh, lit from the upper left, behind the eye.
+/// A z-buffer of triangles lit from the upper left, behind the viewer.
 struct Shaded {
   Canvas canvas;
   std::vector<double> depths;
@@ -191,7 +190,7 @@ struct Shaded {
   }
 };
 
-// what is seen of it and where: kFine samples a pixel
+// Renders a mesh, kFine² samples a pixel.
 materials::TextureImage shaded(const PlantMesh& mesh, const View& view, int size_px, double zoom, double up) {
   Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
   for (const PartMesh* part : {&mesh.bark, &mesh.leaf})
@@ -288,7 +287,7 @@ int main(int count, char** words) {
     at.x += east * 1.1;
     for (const Warning& warning : plant.derivation.warnings) std::puts(warning_line(*system, warning).c_str());
     for (const Warning& warning : plant.skeleton.warnings) std::puts(warning_line(*system, warning).c_str());
-    if (plant.derivation.cut) std::puts(limit_line(*system, *plant.derivation.cut).c_str());
+    if (plant.derivation.limit_exceeded) std::puts(limit_line(*system, *plant.derivation.limit_exceeded).c_str());
     std::puts(fmt::format("{} modules, {} segments, {} polygons, {} instances", plant.derivation.string.kinds.size(),
                           plant.skeleton.segments.size(), plant.skeleton.polygons.size(),
                           plant.skeleton.instances.size())

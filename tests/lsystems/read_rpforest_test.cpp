@@ -28,7 +28,7 @@ double top_of(const Skeleton& skeleton) {
 
 constexpr const char* kHonda = "N 10\nR1 0.9\nR2 0.6\nA0 45\nA2 45\nD 137.5\nWr 0.707\n";
 
-TEST(RpForest, HondasTreeIsTheBooks) {
+TEST(RpForest, HondaFilesGiveTheBooksTree) {
   const LSystem system = rpforest(kHonda, "A.honda");
   const ModuleString string = derive(system).string;
   EXPECT_EQ(string.kinds.size(), 1 + 7 * 1023u);
@@ -39,18 +39,18 @@ TEST(RpForest, HondasTreeIsTheBooks) {
   EXPECT_NEAR(skeleton.segments[0].end_radius / skeleton.segments[0].length, 0.2, 1e-12);
 }
 
-TEST(RpForest, LeavesAreTheFamilys) {
+TEST(RpForest, FamilyFilesGiveOneLeaf) {
   const LSystem system = rpforest("N 20\nDelta 60\nLA 5\nRA 1.0\nLB 0.6\nRB 1.06\nPD 0.25", "C.family");
   const Plant plant = grow(system);
   ASSERT_EQ(plant.skeleton.polygons.size(), 1u);
-  // the foot, and a tip on either side for each of 19 steps
+  // the foot, and a tip on each side for each of 19 steps
   EXPECT_EQ(plant.skeleton.polygons[0].count, 1 + 2 * 19u);
   EXPECT_NEAR(top_of(plant.skeleton), 0.4, 1e-12);
-  // lowercase, as its assets have it
+  // lower case occurs in its assets
   EXPECT_EQ(error_of("N 20\ndelta 60\nLA 5\nRA 1.2\nLB 10.0\nRB 1.00\nPD 0.50", "D.family"), "");
 }
 
-TEST(RpForest, ItsOwnSystemsHaveItsSymbolsAndAngles) {
+TEST(RpForest, LsysFilesHaveThreeAngles) {
   const LSystem system = rpforest(
       "N 7\nTurnAngle 25.7\nHeight 0.5\nInitRadius 1.2\nAxiom X\nProd X > F[+X][-X]FX\nProd F > FF \n", "plantE.lsys");
   EXPECT_EQ(derive(system).string.kinds.size(), 12'863u);
@@ -62,12 +62,12 @@ TEST(RpForest, ItsOwnSystemsHaveItsSymbolsAndAngles) {
   EXPECT_NEAR(s[2].start.heading.y, 0.5, 1e-15);
 }
 
-TEST(RpForest, ItsOldestFilesHaveNoNames) {
+TEST(RpForest, OldestFilesHaveNoNames) {
   const LSystem system = rpforest("5\n25.7\n1\nF\nF > F[+F]F[-F]F \n", "plantA.lsys");
   EXPECT_EQ(derive(system).string.kinds.size(), 7'811u);
 }
 
-TEST(RpForest, FilesAreToldFromOurs) {
+TEST(RpForest, FilesAreDistinguishedFromOurs) {
   EXPECT_TRUE(is_rpforest("", "a.honda"));
   EXPECT_TRUE(is_rpforest("", "a.family"));
   EXPECT_TRUE(is_rpforest("N 7\nAxiom X", "a.lsys"));
@@ -78,9 +78,9 @@ TEST(RpForest, FilesAreToldFromOurs) {
     EXPECT_FALSE(is_rpforest(text_of_tree("lsystems/book/fig_" + std::string(figure) + ".lsys"), "a.lsys"));
 }
 
-TEST(RpForest, MistakesAreNamedWithTheirPlace) {
+TEST(RpForest, ErrorsStateTheirPosition) {
   EXPECT_EQ(error_of("N seven"), "x.lsys:1:3: expected a number, found 'seven'");
-  EXPECT_EQ(error_of("N 7\n  Hight 3"), "x.lsys:2:3: RPForest knows no 'Hight' here");
+  EXPECT_EQ(error_of("N 7\n  Hight 3"), "x.lsys:2:3: 'Hight' is no RPForest entry of this format");
   EXPECT_EQ(error_of("N 7"), "x.lsys: expected an Axiom");
   EXPECT_EQ(error_of("Axiom F"), "x.lsys: expected a value of 'N'");
   EXPECT_EQ(error_of("N"), "x.lsys:1:1: expected a value of 'N', found the end of the file");
@@ -88,7 +88,7 @@ TEST(RpForest, MistakesAreNamedWithTheirPlace) {
   EXPECT_EQ(error_of("N 7\nAxiom F\nProd FF > FF"), "x.lsys:3:6: expected one symbol, found 'FF'");
   EXPECT_EQ(error_of("N 7\nR1 2", "x.honda"), "x.honda: expected a value of 'R2'");
   EXPECT_EQ(error_of("5\n25.7"), "x.lsys:1:1: expected N, angle, height and axiom");
-  EXPECT_EQ(error_of("N 1\nAxiom F[").substr(0, 60), "x.lsys: put into our notation, it reads x.lsys:3:9: nothing ");
+  EXPECT_EQ(error_of("N 1\nAxiom F["), "x.lsys: translated to our notation: x.lsys:3:9: '[' without ']'");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the README shows is what the room does.
+// Checks statements of lsystems/README.md.
 #include <gtest/gtest.h>
 
 #include "lsystems/turtle.h"
@@ -19,34 +19,30 @@ std::vector<std::string> examples() {
   return found;
 }
 
-TEST(Readme, ItsTwelveExamplesGrowWithoutTrouble) {
-  EXPECT_EQ(examples().size(), 12u);
+TEST(Readme, ExamplesDeriveWithoutWarnings) {
+  ASSERT_EQ(examples().size(), 12u);
   for (const std::string& text : examples()) {
     const LSystem system = system_of(text);
     const Plant plant = grow(system);
-    EXPECT_FALSE(plant.derivation.cut) << text;
+    EXPECT_FALSE(plant.derivation.limit_exceeded) << text;
     EXPECT_FALSE(plant.skeleton.segments.empty() && plant.skeleton.polygons.empty()) << text;
     for (const auto* warnings : {&plant.derivation.warnings, &plant.skeleton.warnings})
       for (const Warning& warning : *warnings) ADD_FAILURE() << warning_line(system, warning) << "\n" << text;
   }
 }
 
-TEST(Readme, NamesEveryFunctionAndSymbol) {
+TEST(Readme, ListsEveryFunctionAndSymbol) {
   const std::string text = readme();
   for (const char* name : {
-#define OPERATOR(name, priority, text, code)
 #define FUNCTION(name, arity, op, code) name,
 #include "lsystems/operations.inc"
-#undef FUNCTION
-#undef OPERATOR
 #define SYMBOL(name, op, text) name,
 #include "lsystems/turtle_symbols.inc"
-#undef SYMBOL
        })
     EXPECT_NE(text.find(name), std::string::npos) << name;
 }
 
-TEST(Readme, SaysTheLimitsThatHold) {
+TEST(Readme, LimitsAreAsStated) {
   EXPECT_EQ(Limits{}.symbols, 8'000'000u);
   EXPECT_EQ(Limits{}.written, 400'000'000u);
   EXPECT_EQ(Limits{}.steps, 100'000u);

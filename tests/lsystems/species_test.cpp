@@ -1,5 +1,5 @@
-// The species we ship grow into what their head comments say: "15 to 25 m high, crown 12 to 24 m wide, trunk 0.6 to 1.2
-// m thick".
+// The shipped species have the sizes that their head comments state: "15 to 25 m high, crown 12 to 24 m wide, trunk 0.6
+// to 1.2 m thick".
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Bounds {
   bool hold(double value) const { return low <= value && value <= high; }
 };
 
-/// A file, and what its first comment says.
+/// A file, and the sizes in its first comment.
 struct Species {
   std::string name, text;
   Bounds height_m, crown_m, trunk_m;
@@ -59,13 +59,13 @@ Plant grown_plant(const Species& species, std::uint64_t seed, const Given& given
   DeriveOptions options;
   options.seed = seed;
   Plant plant = grow(*system, options);
-  EXPECT_FALSE(plant.derivation.cut) << species.name;
+  EXPECT_FALSE(plant.derivation.limit_exceeded) << species.name;
   for (const auto* warnings : {&plant.derivation.warnings, &plant.skeleton.warnings})
     for (const Warning& warning : *warnings) ADD_FAILURE() << warning_line(*system, warning);
   return plant;
 }
 
-/// Bark's axes, polygons' corners, instances' roots and tips.
+/// Ends of segments, vertices of polygons, bases and tips of instances.
 std::vector<Vec3> points_of(const Skeleton& skeleton) {
   std::vector<Vec3> points = skeleton.vertices;
   for (const Segment& segment : skeleton.segments) {
@@ -82,7 +82,7 @@ std::vector<Vec3> points_of(const Skeleton& skeleton) {
 struct Extent {
   Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
 
-  /// The mean of what is seen from the south and from the east.
+  /// Mean of the widths in x and y.
   double width() const { return (high.x - low.x + high.y - low.y) / 2; }
 };
 
@@ -95,15 +95,15 @@ Extent extent_of(const std::vector<Vec3>& points) {
   return extent;
 }
 
-/// Where the caller asks for none.
-double asked_height_m(const Species& species) {
+/// The file's default height.
+double default_height_m(const Species& species) {
   static const std::regex kDefault(R"(#define height_m ([\d.]+))");
   std::smatch match;
   EXPECT_TRUE(std::regex_search(species.text, match, kDefault)) << species.name;
   return match.empty() ? 1 : std::stod(match[1]);
 }
 
-/// Herbs, and what is no higher: many in a scene, and few leaves each.
+/// Species with few leaves, of which scenes have many.
 bool is_small(const Species& species) {
   constexpr std::array kSmall = {"fern", "grass", "hedge", "maize", "reed", "vine", "wheat"};
   return std::ranges::find(kSmall, species.name) != kSmall.end();
@@ -116,9 +116,9 @@ bool has_many_stems(const Species& species) {
 
 class EachSpecies : public testing::TestWithParam<std::string> {};
 
-TEST_P(EachSpecies, StandsOnTheGroundAsHighAndWideAsItsHeadSays) {
+TEST_P(EachSpecies, HasTheHeightAndWidthOfItsHead) {
   const Species species = read_species(GetParam());
-  const double height_m = asked_height_m(species);
+  const double height_m = default_height_m(species);
   EXPECT_TRUE(species.height_m.hold(height_m));
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const Plant plant = grown_plant(species, seed);
@@ -131,13 +131,13 @@ TEST_P(EachSpecies, StandsOnTheGroundAsHighAndWideAsItsHeadSays) {
   }
 }
 
-// where a trunk is measured, at 1.3 m, and no later than at its first quarter; of a bush each rod
+// The trunk's diameter at 1.3 m, or at a quarter of the height if that is lower; of a bush, that of a rod.
 TEST_P(EachSpecies, HasTheTrunkOfItsHead) {
   const Species species = read_species(GetParam());
   const std::int32_t order = has_many_stems(species) ? 1 : 0;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const Plant plant = grown_plant(species, seed);
-    const double breast_m = std::min(1.3, asked_height_m(species) / 4);
+    const double breast_m = std::min(1.3, default_height_m(species) / 4);
     const auto found = std::find_if(
         plant.skeleton.segments.begin(), plant.skeleton.segments.end(),
         [&](const Segment& s) { return s.order <= order && s.start.at.z <= breast_m && s.end().at.z >= breast_m; });
@@ -159,10 +159,10 @@ TEST_P(EachSpecies, KeepsItsBudgetAtFullDetail) {
   }
 }
 
-// the caller says how high and how old it is: half, and twice, and from a sapling to an ancient
-TEST_P(EachSpecies, GrowsAsHighAsAskedAtAnyAge) {
+// Half and 1.5 times the default height, at 5 to 400 years.
+TEST_P(EachSpecies, HasTheGivenHeightAtAnyAge) {
   const Species species = read_species(GetParam());
-  for (const double height_m : {asked_height_m(species) / 2, asked_height_m(species) * 1.5})
+  for (const double height_m : {default_height_m(species) / 2, default_height_m(species) * 1.5})
     for (const double age : {5.0, 25.0, 400.0}) {
       const Plant plant = grown_plant(species, 1, {{"height_m", height_m}, {"age", age}});
       const Extent extent = extent_of(points_of(plant.skeleton));
@@ -172,7 +172,7 @@ TEST_P(EachSpecies, GrowsAsHighAsAskedAtAnyAge) {
     }
 }
 
-TEST_P(EachSpecies, IsAnotherPlantForAnotherSeedAndTheSameForTheSame) {
+TEST_P(EachSpecies, IsAFunctionOfItsSeed) {
   const Species species = read_species(GetParam());
   std::vector<std::vector<Vec3>> plants;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) plants.push_back(points_of(grown_plant(species, seed).skeleton));
@@ -187,16 +187,16 @@ TEST_P(EachSpecies, HasBarkAndLeavesAsAMesh) {
   EXPECT_GT(mesh.leaf.triangles.size(), is_small(species) ? 80u : 2'000u);
   if (is_small(species)) return;
   EXPECT_GT(mesh.bark.triangles.size(), 1'000u);
-  // nothing but the trunk stands alone: no two roots, no more than four branches from one place
+  // only the trunk is separate: one root, and at most four branches at a node
   EXPECT_EQ(mesh.separate_stems, 1u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EachSpecies, testing::ValuesIn(names()),
                          [](const testing::TestParamInfo<std::string>& info) { return info.param; });
 
-TEST(Species, AreNoFewerThanTheReadmeLists) {
+TEST(Species, AreListedInTheReadme) {
   const std::string readme = text_of_tree("lsystems/README.md");
-  EXPECT_GE(names().size(), 21u);
+  ASSERT_EQ(names().size(), 23u);
   for (const std::string& name : names()) EXPECT_NE(readme.find("`" + name + "`"), std::string::npos) << name;
 }
 

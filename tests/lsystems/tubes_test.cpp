@@ -25,37 +25,37 @@ PlantMesh meshed(const Skeleton& skeleton, double tolerance_m, double flare = 0)
   return mesh_plant(skeleton, options);
 }
 
-std::vector<std::uint32_t> places_of(const PartMesh& mesh) {
+std::vector<std::uint32_t> vertex_ids(const PartMesh& mesh) {
   std::map<Vec3, std::uint32_t> places;
-  std::vector<std::uint32_t> place_of;
+  std::vector<std::uint32_t> ids;
   for (const Vec3 p : mesh.positions)
-    place_of.push_back(places.try_emplace(p, static_cast<std::uint32_t>(places.size())).first->second);
-  return place_of;
+    ids.push_back(places.try_emplace(p, static_cast<std::uint32_t>(places.size())).first->second);
+  return ids;
 }
 
-// how often each edge is passed, less how often the other way
-std::map<std::pair<std::uint32_t, std::uint32_t>, int> passes_of(const PartMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> passes;
-  const std::vector<std::uint32_t> place = places_of(mesh);
+// How often each directed edge is used.
+std::map<std::pair<std::uint32_t, std::uint32_t>, int> edge_uses(const PartMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+  const std::vector<std::uint32_t> place = vertex_ids(mesh);
   for (const Triangle& t : mesh.triangles)
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t a = place[t[i]], b = place[t[(i + 1) % 3]];
-      if (a != b) ++passes[{a, b}];
+      if (a != b) ++uses[{a, b}];
     }
-  return passes;
+  return uses;
 }
 
 bool is_closed(const PartMesh& mesh) {
-  const auto passes = passes_of(mesh);
-  for (const auto& [edge, count] : passes) {
-    const auto other = passes.find({edge.second, edge.first});
-    if (other == passes.end() || other->second != count) return false;
+  const auto uses = edge_uses(mesh);
+  for (const auto& [edge, count] : uses) {
+    const auto other = uses.find({edge.second, edge.first});
+    if (other == uses.end() || other->second != count) return false;
   }
   return true;
 }
 
 bool is_manifold(const PartMesh& mesh) {
-  for (const auto& [edge, count] : passes_of(mesh))
+  for (const auto& [edge, count] : edge_uses(mesh))
     if (count != 1) return false;
   return is_closed(mesh);
 }
@@ -79,17 +79,17 @@ void expect_sound(const PartMesh& mesh) {
     for (const std::uint32_t corner : t) ASSERT_LT(corner, mesh.positions.size());
 }
 
-// a stem with one to `most` branches at each node, in chance directions
-Skeleton chance_plant(std::uint32_t seed, int most, int nodes) {
-  std::mt19937 dice(seed);
-  const auto thrown = [&](double low, double high) { return low + (high - low) * (dice() / 4294967296.0); };
+// A stem with one to `most` branches at each node, in random directions.
+Skeleton random_plant(std::uint32_t seed, int most, int nodes) {
+  std::mt19937 random(seed);
+  const auto drawn = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
   std::string text = "!(0.4)F(2)";
   for (int i = 0; i < nodes; ++i) {
-    const int branches = 1 + static_cast<int>(thrown(0, most));
+    const int branches = 1 + static_cast<int>(drawn(0, most));
     for (int b = 0; b < branches; ++b)
-      text += fmt::format("[/({})&({})!({})F({})&({})F({})]", thrown(0, 360), thrown(15, 130), thrown(0.05, 0.35),
-                          thrown(0.2, 2), thrown(-30, 30), thrown(0.2, 1));
-    text += fmt::format("/({})&({})!({})F({})", thrown(0, 360), thrown(0, 40), thrown(0.2, 0.4), thrown(0.3, 2));
+      text += fmt::format("[/({})&({})!({})F({})&({})F({})]", drawn(0, 360), drawn(15, 130), drawn(0.05, 0.35),
+                          drawn(0.2, 2), drawn(-30, 30), drawn(0.2, 1));
+    text += fmt::format("/({})&({})!({})F({})", drawn(0, 360), drawn(0, 40), drawn(0.2, 0.4), drawn(0.3, 2));
   }
   return skeleton_of("axiom: " + text + "\n");
 }
@@ -108,7 +108,7 @@ double distance_to(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
   return std::min({to_edge(a, ab), to_edge(a, ac), to_edge(b, c - b)});
 }
 
-// the largest distance from corners and middles of every `stride`th triangle to another mesh
+// The largest distance from corners and centres of every `stride`th triangle to another mesh.
 double farthest(const PartMesh& from, const PartMesh& to, std::size_t stride) {
   std::vector<double> extents;
   for (const Triangle& t : to.triangles)
@@ -131,7 +131,7 @@ double farthest(const PartMesh& from, const PartMesh& to, std::size_t stride) {
   return most;
 }
 
-TEST(Tubes, OfNothingAreNothing) {
+TEST(Tubes, OfNoSegmentsAreEmpty) {
   const PlantMesh mesh = meshed({}, 0.01);
   EXPECT_TRUE(mesh.bark.positions.empty() && mesh.bark.triangles.empty() && mesh.leaf.triangles.empty());
   EXPECT_EQ(mesh.error_m, 0);
@@ -147,9 +147,9 @@ TEST(Tubes, AreClosedManifoldsAtJoints) {
   }
 }
 
-TEST(Tubes, AreClosedOnChancePlants) {
+TEST(Tubes, AreClosedOnRandomPlants) {
   for (std::uint32_t seed = 0; seed < 24; ++seed) {
-    const Skeleton plant = chance_plant(seed, 1 + static_cast<int>(seed % 6), 6);
+    const Skeleton plant = random_plant(seed, 1 + static_cast<int>(seed % 6), 6);
     for (const double tolerance_m : {0.2, 0.03, 0.01}) {
       const PlantMesh mesh = meshed(plant, tolerance_m, 0.6);
       EXPECT_TRUE(is_closed(mesh.bark)) << seed;
@@ -189,8 +189,8 @@ TEST(Tubes, KeepTheStemThroughAJoint) {
 
 TEST(Tubes, StayWithinTheirError) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
-    // thick enough that nothing goes
-    const Skeleton plant = chance_plant(seed, 1 + static_cast<int>(seed % 4), 2);
+    // thick enough that nothing is left out
+    const Skeleton plant = random_plant(seed, 1 + static_cast<int>(seed % 4), 2);
     const PlantMesh fine = meshed(plant, 0.004);
     for (const double tolerance_m : {0.045, 0.015}) {
       const PlantMesh coarse = meshed(plant, tolerance_m);
@@ -203,14 +203,14 @@ TEST(Tubes, StayWithinTheirError) {
 }
 
 TEST(Joints, StayWithinTheirError) {
-  // thin stems on long arms: all of the error is the joint's
+  // thin, long stems: all error is the joint's
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
-    std::mt19937 dice(seed);
-    const auto thrown = [&](double low, double high) { return low + (high - low) * (dice() / 4294967296.0); };
+    std::mt19937 random(seed);
+    const auto drawn = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
     std::string text = "!(0.5)F(2)";
     for (std::uint32_t i = 0; i <= seed % 4; ++i)
-      text += fmt::format("[/({})&({})!({})F({})]", thrown(0, 360), thrown(18, 120), thrown(0.2, 0.5), thrown(0.5, 3));
-    const Skeleton plant = skeleton_of(fmt::format("axiom: {}/({})&({})F(2)\n", text, thrown(0, 360), thrown(0, 45)));
+      text += fmt::format("[/({})&({})!({})F({})]", drawn(0, 360), drawn(18, 120), drawn(0.2, 0.5), drawn(0.5, 3));
+    const Skeleton plant = skeleton_of(fmt::format("axiom: {}/({})&({})F(2)\n", text, drawn(0, 360), drawn(0, 45)));
     const PlantMesh fine = meshed(plant, 0.02);
     for (const double tolerance_m : {0.19, 0.08}) {
       const PlantMesh coarse = meshed(plant, tolerance_m);
@@ -222,16 +222,20 @@ TEST(Joints, StayWithinTheirError) {
   }
 }
 
-TEST(Tubes, ErrWithinTheTolerance) {
+TEST(Tubes, HaveAnErrorWithinTheTolerance) {
   for (const char* name : {"2_6a", "2_6c", "2_7b"})
-    for (const double tolerance_m : {0.1, 0.02, 0.005, 0.002})
-      EXPECT_LE(meshed(figure(name), tolerance_m, 0.6).error_m, tolerance_m) << name;
+    for (const double tolerance_m : {0.1, 0.02, 0.005, 0.002}) {
+      const PlantMesh mesh = meshed(figure(name), tolerance_m, 0.6);
+      EXPECT_FALSE(mesh.bark.triangles.empty()) << name;
+      EXPECT_LE(mesh.error_m, tolerance_m) << name;
+    }
 }
 
-TEST(Tubes, AreNotMoreAtCoarserTolerances) {
+TEST(Tubes, HaveNoMoreTrianglesAtCoarserTolerances) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
-    const Skeleton plant = chance_plant(seed, 3, 8);
-    std::size_t last = SIZE_MAX;
+    const Skeleton plant = random_plant(seed, 3, 8);
+    std::size_t last = meshed(plant, 0.002, 0.6).bark.triangles.size();
+    ASSERT_GT(last, 0u);
     for (const double tolerance_m : {0.004, 0.016, 0.06, 0.2, 0.5}) {
       const std::size_t count = meshed(plant, tolerance_m, 0.6).bark.triangles.size();
       EXPECT_LE(count, last) << seed << " " << tolerance_m;
@@ -240,18 +244,18 @@ TEST(Tubes, AreNotMoreAtCoarserTolerances) {
   }
 }
 
-TEST(Tubes, LeaveOutWhatIsThinnerThanTheTolerance) {
+TEST(Tubes, LeaveOutStemsBelowTheTolerance) {
   const Skeleton plant = skeleton_of("axiom: !(0.5)F(2)[+!(0.05)F(1)F(1)]F(2)\n");
   EXPECT_EQ(meshed(plant, 0.049).left_out, 0U);
   const PlantMesh coarse = meshed(plant, 0.05);
   EXPECT_EQ(coarse.left_out, 2U);
   EXPECT_EQ(coarse.joints, 0U);
-  // what bears something thick stays
+  // stems that carry something thick are kept
   EXPECT_EQ(meshed(skeleton_of("axiom: !(0.01)F(1)!(0.5)F(1)\n"), 0.05).left_out, 0U);
   EXPECT_TRUE(meshed(plant, 1).bark.triangles.empty());
 }
 
-TEST(Tubes, SayWhatIsNotJoined) {
+TEST(Tubes, CountSeparateStems) {
   EXPECT_EQ(meshed(skeleton_of("axiom: F f F\n"), 0.01).separate_stems, 2U);
   const PlantMesh many = meshed(skeleton_of("axiom: F[+F][-F][&F][^F][/(45)&F][/(90)&F]F\n"), 0.01);
   EXPECT_EQ(many.joints, 1U);
@@ -288,12 +292,12 @@ TEST(Tubes, AreFiniteAndClosedWhateverTheSkeleton) {
 }
 
 TEST(Tubes, AreTheSameAgain) {
-  const Skeleton plant = chance_plant(3, 4, 8);
+  const Skeleton plant = random_plant(3, 4, 8);
   const PlantMesh once = meshed(plant, 0.01), again = meshed(plant, 0.01);
   EXPECT_EQ(once.bark.positions, again.bark.positions);
   EXPECT_EQ(once.bark.normals, again.bark.normals);
   EXPECT_EQ(once.bark.triangles, again.bark.triangles);
-  PlantMesh reused = meshed(chance_plant(4, 4, 9), 0.01);
+  PlantMesh reused = meshed(random_plant(4, 4, 9), 0.01);
   TubeOptions options;
   options.tolerance_m = 0.01;
   options.flare = 0;
@@ -321,20 +325,20 @@ TEST(Tubes, CountMetresAlongTheBark) {
   EXPECT_NEAR(most, 6, 1e-9);
 }
 
-// A trunk with a branch to the right, halfway up, thick as real ones.
+// A trunk with a branch to the right, halfway up.
 PlantMesh barked(double bark_m) {
   TubeOptions options;
   options.tolerance_m = 0.004, options.flare = 0, options.bark_m = bark_m;
   return mesh_plant(skeleton_of("axiom: !(0.8)F(4)[/(40)+(60)!(0.4)F(3)!(0.3)F(1)]!(0.5)F(3)!(0.4)F(1)\n"), options);
 }
 
-// Whether two places on the bark show the same.
+// Whether two texture coordinates show the same texel.
 bool look_alike(Vec2 a, Vec2 b, double bark_m) {
   const double off = (a.x - b.x) / bark_m;
   return std::abs(off - std::floor(off + 0.5)) < 1e-6 && std::abs(a.y - b.y) < 1e-6;
 }
 
-// Area on the picture over area in space, of triangles that are not at stems' ends.
+// Area in the texture over area in space, of triangles that are not end discs.
 std::vector<std::pair<double, double>> scales_of(const PartMesh& bark) {
   std::vector<std::pair<double, double>> scales;
   for (const auto& [a, b, c] : bark.triangles) {
@@ -345,7 +349,7 @@ std::vector<std::pair<double, double>> scales_of(const PartMesh& bark) {
   return scales;
 }
 
-TEST(Bark, GoesOnThroughJointsButWhereSideStemsBegin) {
+TEST(Bark, ContinuesThroughJointsExceptAtSideStems) {
   const double bark_m = 0.5;
   const PartMesh bark = barked(bark_m).bark;
   std::map<Vec3, std::vector<std::size_t>> at;
@@ -365,7 +369,7 @@ TEST(Bark, GoesOnThroughJointsButWhereSideStemsBegin) {
   EXPECT_LT(rim, seen / 10);
 }
 
-TEST(Bark, IsAsFineEverywhere) {
+TEST(Bark, HasSimilarTexelSizesEverywhere) {
   double all = 0, even = 0;
   for (const auto& [area, scale] : scales_of(barked(0.25).bark)) {
     all += area;
@@ -374,7 +378,7 @@ TEST(Bark, IsAsFineEverywhere) {
   EXPECT_GT(even / all, 0.9);
 }
 
-TEST(Bark, HasOnePictureAroundThinStems) {
+TEST(Bark, HasOnePeriodAroundThinStems) {
   TubeOptions options;
   options.tolerance_m = 0.001, options.bark_m = 1;
   double least = 9, most = 0;
@@ -395,7 +399,7 @@ TEST(Leaves, HaveTheAreaOfTheirPolygons) {
   EXPECT_NEAR(area, 1, 1e-12);
 }
 
-TEST(Leaves, AreTrianglesAndCards) {
+TEST(Leaves, OfPolygonsAndInstancesAreMeshed) {
   const PlantMesh mesh = meshed(figure("1_25"), 0.1);
   EXPECT_FALSE(mesh.leaf.triangles.empty());
   expect_sound(mesh.leaf);
@@ -404,7 +408,7 @@ TEST(Leaves, AreTrianglesAndCards) {
   EXPECT_EQ(meshed(with_cards, 3).leaf.triangles.size(), 0U);
 }
 
-TEST(Leaves, AreWhatTheirNameStandsFor) {
+TEST(Leaves, HaveTheSurfaceOfTheirName) {
   const Skeleton plant = skeleton_of("axiom: F(1)~L(2)\n");
   std::vector<LeafSurface> surfaces(plant.instances[0].kind + 1);
   surfaces.back() = {{{0, 0, 0}, {-1, 1, 0}, {1, 1, 0}}, {{0, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}}};
@@ -416,10 +420,13 @@ TEST(Leaves, AreWhatTheirNameStandsFor) {
 }
 
 TEST(Leaves, AreFiniteWhateverThePolygon) {
+  std::size_t triangles = 0;
   for (const char* text : {"{.F.F.F.}", "{...}", "{.f(1).f(1).}", "{.F+F.+F.F-F.}", "{.f+(120)f.+(120)f.f.}"}) {
     const PlantMesh mesh = meshed(skeleton_of(std::string("axiom: ") + text + "\n"), 0);
     expect_sound(mesh.leaf);
+    triangles += mesh.leaf.triangles.size();
   }
+  EXPECT_GT(triangles, 0u);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void expect_at(Vec3 found, Vec3 expected) {
 Vec3 end_of(const std::string& axiom) { return skeleton_of("axiom: " + axiom).segments.back().end().at; }
 
 TEST(Turtle, GoesUpAndTurnsAboutItself) {
-  // heading is up (z), left is west (-x), up is towards who looks north (-y)
+  // heading is z, left is -x (west), up is -y (south)
   expect_at(end_of("F(2)"), {0, 0, 2});
   expect_at(end_of("+(90)F"), {-1, 0, 0});
   expect_at(end_of("-(90)F"), {1, 0, 0});
@@ -47,7 +47,7 @@ TEST(Turtle, LevelsItsLeft) {
   const Skeleton skeleton = skeleton_of("axiom: &(40)/(77)$F");
   EXPECT_LT(std::abs(skeleton.segments[0].start.left.z), 1e-15);
   EXPECT_GT(skeleton.segments[0].start.up.z, 0);
-  // straight up there is no level direction of its own
+  // a vertical heading has no horizontal left
   expect_at(skeleton_of("axiom: /(90)$F").segments[0].start.left, {0, -1, 0});
 }
 
@@ -58,7 +58,7 @@ TEST(Turtle, GoesBackAtTheEndOfABranch) {
   expect_at(skeleton.segments[2].start.at, {-1, 0, 1});
 }
 
-TEST(Turtle, TellsParentsAndOrders) {
+TEST(Turtle, SetsParentsAndOrders) {
   const Skeleton skeleton = skeleton_of("axiom: FF[[+FF][-F]]F[[[F]]]");
   std::vector<std::int32_t> parents, orders;
   for (const Segment& segment : skeleton.segments) parents.push_back(segment.parent), orders.push_back(segment.order);
@@ -91,7 +91,7 @@ TEST(Turtle, CutsTheRestOfABranch) {
 }
 
 TEST(Turtle, MakesPolygonsThatNest) {
-  // f and F mark vertices, G does not; what is drawn inside is the polygon's edge
+  // f and F add vertices, G does not; nothing is drawn inside
   const Skeleton skeleton = skeleton_of("angle: 90\naxiom: F{.f+F+{.f.f+f}f}G");
   EXPECT_EQ(skeleton.segments.size(), 2u);
   ASSERT_EQ(skeleton.polygons.size(), 2u);
@@ -123,13 +123,13 @@ TEST(Turtle, PlacesInstances) {
 }
 
 TEST(Tropism, TurnsTowardsIt) {
-  // 0.3 radians of a heading that stands square to the pull
+  // 0.3 radians of a heading perpendicular to the tropism
   const Skeleton down = skeleton_of("tropism: 0,0,-1\nelasticity: 0.3\naxiom: -(90)FF");
   const double degrees = 0.3 * 57.29577951308232;
   expect_at(down.segments[1].start.heading, {cosine(degrees), 0, -sine(degrees)});
-  // along the pull there is nothing to turn
+  // a parallel heading does not turn
   expect_at(skeleton_of("tropism: 0,0,-1\nelasticity: 0.3\naxiom: FF").segments[1].end().at, {0, 0, 2});
-  // and a branch may have its own
+  // @T sets the tropism of a branch
   expect_at(skeleton_of("axiom: -(90)[@T(0,0,1,0.3)FF]FF").segments[1].start.heading,
             {cosine(degrees), 0, sine(degrees)});
 }
@@ -140,7 +140,7 @@ TEST(Tropism, NeverTurnsFurtherThanHalfATurn) {
 }
 
 TEST(Frames, StayOrthonormal) {
-  // a long walk with every turn there is, and tropism
+  // a long string with all rotations and tropism
   const Skeleton skeleton = skeleton_of(
       "tropism: 0.3,0.1,-1\nelasticity: 0.1\nangle: 17.3\naxiom: A\nA -> F+F&F/F-(33)F^(71)F\\(5)F|F$FA", 2000);
   ASSERT_GT(skeleton.segments.size(), 17'000u);
@@ -162,14 +162,14 @@ TEST(Height, ScalesTheWholePlant) {
   expect_at(skeleton_of("height: 12\naxiom: -(90)F").segments[0].end().at, {1, 0, 0});
 }
 
-TEST(Queries, AreAnsweredEachStepWhereTheyStand) {
+TEST(Queries, AreAnsweredAfterEachStep) {
   EXPECT_EQ(grown("axiom: F(2)?P(0,0,0)-(90)F(3)?P(0,0,0)", 0), "F(2)?P(0,0,2)-(90)F(3)?P(3,0,2)");
-  // the book's idea of pruning, after Prusinkiewicz, James and Mech 1994: what rises over a box stops
+  // pruning after Prusinkiewicz, James and Mech 1994: growth stops above a height
   EXPECT_EQ(grown("axiom: A\nA -> F?H(0)A\n?H(h) : h > 2.5 -> @o%", 3), "F?H(1)F?H(2)F?H(3)A");
   EXPECT_EQ(grown("axiom: A\nA -> F?H(0)A\n?H(h) : h > 2.5 -> @o%", 6), "F?H(1)F?H(2)F@o");
 }
 
-TEST(Queries, AskTheEnvironment) {
+TEST(Queries, CallTheEnvironment) {
   const LSystem system = system_of("axiom: A\nA -> F?H(0)?S(0)A");
   DeriveOptions options;
   options.steps = 2;
@@ -180,27 +180,27 @@ TEST(Queries, AskTheEnvironment) {
   EXPECT_EQ(text_of(system, derive(system, options).string), "F?H(11)?S(0)F?H(12)?S(0)A");
 }
 
-TEST(Queries, SeeWhatInterpretationsMove) {
+TEST(Queries, FollowInterpretationRules) {
   EXPECT_EQ(grown("axiom: A?H(0)[%?H(0)]?H(0)\ninterpretation:\nA -> FFF", 0), "A?H(3)[%?H(0)]?H(3)");
 }
 
-TEST(TurtleTroubles, AreSaidOnceEach) {
+TEST(TurtleWarnings, AreCountedOnceEach) {
   const std::string text = "axiom: F}F}.{.{.f.f.F(1e300)[A]";
   const LSystem system = system_of(text);
   const Skeleton skeleton = grow(system, {}).skeleton;
   std::vector<std::string> lines;
   for (const Warning& warning : skeleton.warnings) lines.push_back(warning_line(system, warning));
   EXPECT_EQ(lines, (std::vector<std::string>{
-                       "x.lsys: a '}' that closes no polygon is passed over (2 times)",
-                       "x.lsys: a '.' outside of a polygon is passed over",
-                       "x.lsys: 'F' with a number beyond 1000000000 is passed over",
-                       "x.lsys: a polygon that nothing closes is left out",
+                       "x.lsys: a '}' outside polygons is skipped (2 times)",
+                       "x.lsys: a '.' outside polygons is skipped",
+                       "x.lsys: 'F' with a number beyond 1000000000 is skipped",
+                       "x.lsys: a polygon without '}' is skipped",
                    }));
   EXPECT_TRUE(skeleton.polygons.empty());
   EXPECT_EQ(skeleton_of("axiom: {.f.}{f}").warnings.size(), 1u);
 }
 
-TEST(TurtleTroubles, NumbersWithoutValueInAMadeStringAreOne) {
+TEST(TurtleWarnings, UndefinedValuesAreSkipped) {
   const LSystem system = system_of("axiom: F(1)+(2)F(3)");
   ModuleString string = derive(system).string;
   string.values[0] = std::nan("");
@@ -210,13 +210,13 @@ TEST(TurtleTroubles, NumbersWithoutValueInAMadeStringAreOne) {
   EXPECT_EQ(skeleton.warnings.size(), 2u);
 }
 
-TEST(TurtleTroubles, DeepBranchesAreLeftOut) {
+TEST(TurtleWarnings, DeepBranchesAreSkipped) {
   std::string text = "axiom: ";
   for (int i = 0; i < 12'000; ++i) text += "[F";
   const Skeleton skeleton = skeleton_of(text + std::string(12'000, ']') + "F");
   EXPECT_EQ(skeleton.segments.size(), 10'001u);
   EXPECT_EQ(skeleton.segments.back().order, 0);
-  EXPECT_EQ(skeleton.warnings.at(0).message, "branches nest too deeply: one is left out");
+  EXPECT_EQ(skeleton.warnings.at(0).message, "branches nest too deeply: one is skipped");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Draws species beside each other at several tolerances, one row a species, and says what each costs:
-//   plant_sheet OUT.png PIXELS TOLERANCE,… SPECIES,… [DISTANCE in heights, 0: 2 m before the trunk [TIME]]
+// Renders species at several tolerances, one row a species, and prints triangles, bytes, time and error of each.
+//   plant_gallery OUT.png PIXELS TOLERANCE,… SPECIES,… [DISTANCE in heights, 0: 2 m before the trunk [TIME]]
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

@@ -197,7 +197,7 @@ HeightSample sample_heights(const GradedTerrain& graded, Vec2 p) {
 
 Heights heights_at(const GradedTerrain& graded, Vec2 p) { return sample_heights(graded, p).heights; }
 
-double land_m(const GradedTerrain& graded, Vec2 p) { return of(heights_at(graded, p), HeightLayer::kLand); }
+double land_m(const GradedTerrain& graded, Vec2 p) { return layer_height_m(heights_at(graded, p), HeightLayer::kLand); }
 
 std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p) {
   std::array<Vec3, kHeightLayers> normals;

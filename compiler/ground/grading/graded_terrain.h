@@ -57,7 +57,7 @@ struct GradingInputs {
   Box2 box;                                    ///< Where heights may be asked for.
   bool has_kerbs = true;                       ///< False for tolerances that see no kerbs.
   std::span<const roads::Road> decks{};        ///< Bridges within kGrading_m of the box, whole.
-  std::span<const roads::Road> bores{};        ///< Tunnels likewise.
+  std::span<const roads::Road> bores{};        ///< Bored tunnels within kGrading_m of the box, whole.
 };
 GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts);
 

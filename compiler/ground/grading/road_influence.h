@@ -3,7 +3,7 @@
 //
 //        A's own height     blended     B's own height
 //     |---------------------|=======|---------------------|
-//     weight of A: 1 on its axis, 0 at its edge; B's likewise
+//     weights: 1 on a road's own axis, 0 at its edge
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,7 @@ struct RoadInfluenceIndex {
   std::vector<Profile> profiles;        ///< One per road with segments; empty: the road follows the terrain.
   std::vector<Box2> reaches;            ///< Per segment: it influences nothing outside.
   BoxGrid grid;                         ///< Of the boxes.
-  BoxGrid near;                         ///< Likewise, in smaller buckets, each without segments too far from it.
+  BoxGrid near;                         ///< Of the boxes, in smaller buckets, without segments too far from a bucket.
 };
 
 /// Returns height and tilt of the segment's road at a share of the segment's length. The road has a profile. O(log

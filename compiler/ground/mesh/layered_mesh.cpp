@@ -22,7 +22,8 @@ struct Builder {
   std::vector<VertexByLayer> numbers{};
 
   Vec3 place(std::uint32_t vertex, const FaceHeight& height) const {
-    return at_height(plane_point(refined.triangulation.vertices()[vertex]), of(refined.heights[vertex], height));
+    return at_height(plane_point(refined.triangulation.vertices()[vertex]),
+                     layer_height_m(refined.heights[vertex], height));
   }
 
   Vec3 normal(std::uint32_t vertex, const FaceHeight& height) const {

@@ -45,7 +45,8 @@ struct Growing {
   }
 
   Vec3 at(std::uint32_t vertex, HeightLayer layer) const {
-    return at_height(plane_point(refined.triangulation.vertices()[vertex]), of(refined.heights[vertex], layer));
+    return at_height(plane_point(refined.triangulation.vertices()[vertex]),
+                     layer_height_m(refined.heights[vertex], layer));
   }
 
   EdgeEnd end_at(std::uint32_t vertex, HeightLayer layer) const { return {at(vertex, layer), standing[vertex]}; }

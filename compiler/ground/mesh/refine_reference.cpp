@@ -48,7 +48,7 @@ struct RefiningReference {
   // The linear interpolation at the centroid of some vertices.
   double mean_m(std::initializer_list<std::uint32_t> vertices, HeightLayer layer) const {
     double sum_m = 0;
-    for (const std::uint32_t v : vertices) sum_m += of(heights[v], layer);
+    for (const std::uint32_t v : vertices) sum_m += layer_height_m(heights[v], layer);
     return sum_m / static_cast<double>(vertices.size());
   }
 };
@@ -68,7 +68,7 @@ struct FaceSample {
 
 void keep_worse(FaceSample& worst, const GradedTerrain& graded, Vec2 at, double straight_m, HeightLayer layer) {
   const Heights heights = heights_at(graded, at);
-  const double off_m = std::abs(straight_m - of(heights, layer));
+  const double off_m = std::abs(straight_m - layer_height_m(heights, layer));
   if (off_m > worst.off_m) worst = {off_m, at, heights};
 }
 

@@ -24,7 +24,7 @@ Point point_at(const Reference& reference, GridPoint at) {
 }
 
 EdgeEnd end_at(const Point& point, HeightLayer layer) {
-  return {at_height(plane_point(point.at), of(point.heights, layer)), point.face};
+  return {at_height(plane_point(point.at), layer_height_m(point.heights, layer)), point.face};
 }
 
 WorstPoint worst_of(const Reference& reference, const Point& a, const Point& b, std::span<const HeightLayer> layers) {

@@ -21,6 +21,6 @@ struct SplitBorders {
 /// Guarantees: how a border is split depends on its ends and on the heights along it alone, so both cells of a common
 /// border split it alike. O(points + edges of the reference crossed).
 SplitBorders split_borders(const Reference& reference, std::span<const Border> borders,
-                            std::span<const FaceHeight> heights, const SideTolerances& sides_m, double inner_m);
+                           std::span<const FaceHeight> heights, const SideTolerances& sides_m, double inner_m);
 
 }  // namespace citykiln::ground

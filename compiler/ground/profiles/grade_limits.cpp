@@ -44,12 +44,12 @@ struct Units {
 // limits outwards.
 class Lowering {
  public:
-  Lowering(const ProfileGraph& graph, const Units& units, std::span<const double> z_m, GradeInfluence reach,
+  Lowering(const ProfileGraph& graph, const Units& units, std::span<const double> z_m, GradeInfluence influence,
            std::span<const double> steepness = {})
       : graph_(graph),
         units_(units),
         z_m_(z_m),
-        reach_(reach),
+        influence_(influence),
         steepness_(steepness),
         excess_m_(units.count(), 0),
         low_m_(units.count(), 0),
@@ -90,9 +90,9 @@ class Lowering {
       std::ranges::pop_heap(queue_, std::greater<>());
       const auto [key, unit] = queue_.back();
       queue_.pop_back();
-      const double left = 1 - distance(graph_.nodes[units_.members(unit).front()].at, at) / reach_.reach_m;
+      const double left = 1 - distance(graph_.nodes[units_.members(unit).front()].at, at) / influence_.radius_m;
       if (left <= 0) continue;
-      low_m_[unit] = std::min(low_m_[unit], std::max(excess_m_[unit], -reach_.most_m * left));
+      low_m_[unit] = std::min(low_m_[unit], std::max(excess_m_[unit], -influence_.max_m * left));
       go_on(unit);
     }
     for (const std::uint32_t unit : touched_) excess_m_[unit] = 0, times_[unit] = 0;
@@ -121,7 +121,7 @@ class Lowering {
   const ProfileGraph& graph_;
   const Units& units_;
   std::span<const double> z_m_;
-  GradeInfluence reach_;
+  GradeInfluence influence_;
   std::span<const double> steepness_;
   std::vector<double> excess_m_, low_m_;
   std::vector<int> times_;
@@ -140,10 +140,11 @@ std::vector<double> room_of(const ProfileGraph& graph, const Units& units, std::
 
 }  // namespace
 
-std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeInfluence reach) {
-  assert(z_m.size() == graph.nodes.size() && reach.reach_m > 0);
+std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m,
+                                      GradeInfluence influence) {
+  assert(z_m.size() == graph.nodes.size() && influence.radius_m > 0);
   const Units units(graph);
-  const std::vector<double> low_m = Lowering(graph, units, z_m, reach).run();
+  const std::vector<double> low_m = Lowering(graph, units, z_m, influence).run();
   std::vector<double> lowered;
   for (std::uint32_t n = 0; n < z_m.size(); ++n) lowered.push_back(z_m[n] + low_m[units.of[n]]);
   return lowered;

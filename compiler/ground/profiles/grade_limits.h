@@ -22,12 +22,12 @@ inline constexpr double kMaxEarthwork_m = 24;
 /// The influence of a place that is too steep: its radius in plan and its largest effect, which falls linearly to 0 at
 /// the radius, so heights stay continuous.
 struct GradeInfluence {
-  double reach_m = kGradeInfluence_m, most_m = kMaxEarthwork_m;
+  double radius_m = kGradeInfluence_m, max_m = kMaxEarthwork_m;
 };
 
 /// Returns U of the figure by node: the greatest heights not above those given that keep the limits within the
 /// influence.
-std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeInfluence reach);
+std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeInfluence influence);
 
 /// Returns heights by node with grades limited. Pinned nodes stay and limit what is near.
 ///

@@ -182,7 +182,7 @@ void Builder::stop_at_junctions(std::span<const roads::Junction> junctions) {
   const std::vector<std::vector<roads::Arm>> arms = roads::arms_of(junctions, roads);
   for (std::uint32_t j = 0; j < junctions.size(); ++j)
     for (std::size_t a = 0; a < arms[j].size(); ++a)
-      stop_at_arm(arms[j][a], junctions[j].cuts[a], junctions[j].places, j);
+      stop_at_arm(arms[j][a], junctions[j].cuts[a], junctions[j].nodes, j);
 }
 
 // Returns stops at least kApart_m apart: those at vertices stay, others too close to them are dropped.

@@ -1,6 +1,7 @@
 #include "compiler/map/lanes/lane_class.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/map/land_cover_class.h"
 #include "compiler/map/tag_values.h"
@@ -25,7 +26,7 @@ LaneKind kind_of(const TrackRow& track) {
   return LaneKind::kDriving;
 }
 
-// Closed to all but buses.
+// True for roads closed to all traffic except buses.
 bool is_for_buses(const LaneTags& tags) {
   const std::string_view bus = tags("bus"), psv = tags("psv");
   const bool is_closed = tags("access") == "no" || tags("vehicle") == "no" || tags("motor_vehicle") == "no";
@@ -43,7 +44,8 @@ LaneClass class_of(const LaneTags& tags, const TrackRow& row) {
 }  // namespace
 
 double LaneClass::width_m_of(double counted) const {
-  if (lanes > 0) return std::max(counted * width_m, kLeastCarriageway_m);
+  assert(counted >= 0);
+  if (lanes > 0) return std::max(counted * width_m, kMinCountedRoad_m);
   return counted < 2 ? width_m : std::max(width_m, counted * kUncountedLane_m);
 }
 

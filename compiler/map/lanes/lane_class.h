@@ -1,4 +1,4 @@
-// The row of track_rules.inc a way belongs to, as its cross-section sees it.
+// The lane class of a way: its row of track_rules.inc in terms of lanes.
 #pragma once
 
 #include "compiler/map/lanes/lane_tags.h"
@@ -7,13 +7,13 @@ namespace citykiln::map {
 
 struct LaneClass {
   LaneKind kind = LaneKind::kFoot;
-  double width_m = 2;         ///< Of one lane; of the whole where it is not counted by lanes.
-  int lanes = 0;              ///< Where none are tagged; 0: not counted by lanes.
-  bool is_motorway = false;   ///< Keeps its lanes though it is one-way.
-  bool is_road = false;       ///< Has a carriageway whose lanes, roadsides and pavements tags may tell.
-  bool is_both_ways = false;  ///< Whatever oneway=* says: feet, rails, runways.
+  double width_m = 2;         ///< Of one lane; of the whole where lanes are not counted.
+  int lanes = 0;              ///< The default number; 0: lanes are not counted.
+  bool is_motorway = false;   ///< Keeps its number of lanes when one-way.
+  bool is_road = false;       ///< Has a carriageway, roadsides and pavements by tags.
+  bool is_both_ways = false;  ///< Used both ways regardless of oneway=*: foot, rails, runways.
 
-  /// The width of the whole where no tag tells, by the lanes counted in tags (1.5 is possible).
+  /// Returns the total width where untagged, by the lanes counted in tags (1.5 is possible).
   double width_m_of(double counted) const;
 };
 

@@ -10,7 +10,7 @@ namespace {
 using Lanes = std::vector<Lane>;
 
 Lanes plain_lanes(int count, LaneKind kind, LaneDirection way) {
-  return Lanes(static_cast<std::size_t>(count), Lane{kind, way, 0, 0, false});
+  return Lanes(static_cast<std::size_t>(count), Lane{.kind = kind, .way = way});
 }
 
 bool has_cycle_lane_beside(const LaneTags& tags, Flow flow) {
@@ -18,8 +18,8 @@ bool has_cycle_lane_beside(const LaneTags& tags, Flow flow) {
   return (beside.empty() ? tags("cycleway") : beside) == "lane";
 }
 
-// The flow's lists, if they speak of its number of lanes. A cycle lane beside the road may stand in them as a lane that
-// bicycle:lanes does not name; or be counted in lanes=*.
+// True where the flow's lists agree with its number of lanes. They may contain a cycle lane beside the road that
+// bicycle:lanes does not name, or one that lanes=* counts.
 bool fit(const LaneTags& tags, Flow flow, LaneList& list, int& count) {
   const int size = static_cast<int>(list.lanes.size());
   if (list.driven_count() == count) return true;
@@ -38,7 +38,7 @@ Lanes listed_flow(const LaneList& list, LaneKind kind, LaneDirection way) {
   for (const ListedLane& listed : list.lanes) {
     const LaneKind own = listed.kind == LaneKind::kDriving ? kind : listed.kind;
     const double width_m = listed.width_m == 0 && own == LaneKind::kCycle ? kCycleLane_m : listed.width_m;
-    lanes.push_back({own, way, width_m, listed.turns, false});
+    lanes.push_back({.kind = own, .way = way, .width_m = width_m, .turns = listed.turns});
   }
   return lanes;
 }
@@ -47,7 +47,7 @@ int count_of(const Lanes& lanes, LaneKind kind) {
   return static_cast<int>(std::count_if(lanes.begin(), lanes.end(), [&](const Lane& l) { return l.kind == kind; }));
 }
 
-// Makes the lane nearest to an edge a bus lane; where none to drive on would remain, adds one at that edge.
+// Turns the driving lane nearest to an edge into a bus lane. Where it is the only one, adds a bus lane at that edge.
 void reserve_for_buses(MovingLanes& moving, Flow flow, bool at_outer_edge) {
   Lanes& lanes = moving.flows[flow];
   const auto is_driven = [](const Lane& lane) { return lane.kind == LaneKind::kDriving; };
@@ -58,12 +58,12 @@ void reserve_for_buses(MovingLanes& moving, Flow flow, bool at_outer_edge) {
       std::find_if(lanes.begin(), lanes.end(), is_driven)->kind = LaneKind::kBus;
     return;
   }
-  const Lane bus{LaneKind::kBus, way_of(flow), 0, 0, false};
+  const Lane bus{.kind = LaneKind::kBus, .way = way_of(flow)};
   lanes.insert(at_outer_edge ? lanes.end() : lanes.begin(), bus);
   moving.counted += 1;
 }
 
-// "2", "yes".
+// Reads a count like "2" or "yes".
 int bus_count(const LaneTags& tags, const std::string& key) {
   if (tags(key) == "yes") return 1;
   return static_cast<int>(tags.count(key, 0).value_or(0));
@@ -71,7 +71,7 @@ int bus_count(const LaneTags& tags, const std::string& key) {
 
 bool is_busway(std::string_view value) { return value == "lane" || value == "yes"; }
 
-// The busway beside a flow's outer lane.
+// True for a busway beside the flow's outer lane.
 bool has_busway_beside(const LaneTags& tags, Flow flow) {
   const std::string_view beside = tags.beside(flow, "busway"), plain = tags("busway");
   if (!beside.empty()) return is_busway(beside);
@@ -79,16 +79,16 @@ bool has_busway_beside(const LaneTags& tags, Flow flow) {
   return is_busway(plain) && tags.has(flow);
 }
 
-int bus_lanes_told(const LaneTags& tags, Flow flow) {
+int tagged_bus_lanes(const LaneTags& tags, Flow flow) {
   const std::string suffix(tags.suffix(flow));
   return std::max({bus_count(tags, "lanes:bus" + suffix), bus_count(tags, "lanes:psv" + suffix),
                    has_busway_beside(tags, flow) ? 1 : 0});
 }
 
-// lanes:bus=n and lanes:psv=n do not say of which direction: a two-way road has half of them each way.
+// lanes:bus=n and lanes:psv=n give no direction: two-way roads have half of them each way.
 int undirected_bus_lanes(const LaneTags& tags) {
-  const int told = std::max(bus_count(tags, "lanes:bus"), bus_count(tags, "lanes:psv"));
-  return tags.is_one_way() ? told : told / 2;
+  const int tagged = std::max(bus_count(tags, "lanes:bus"), bus_count(tags, "lanes:psv"));
+  return tags.is_one_way() ? tagged : tagged / 2;
 }
 
 void reserve_for_buses(const LaneTags& tags, MovingLanes& moving) {
@@ -96,8 +96,8 @@ void reserve_for_buses(const LaneTags& tags, MovingLanes& moving) {
   const bool at_inner_edge = tags.is_one_way() && has_busway_beside(tags, opposite(tags.only_flow()));
   for (const Flow flow : kFlows) {
     if (!tags.has(flow) || count_of(moving.flows[flow], LaneKind::kBus) > 0) continue;
-    const int outside = bus_lanes_told(tags, flow);
-    // what a busway on the inner side takes is not taken from the outer one again
+    const int outside = tagged_bus_lanes(tags, flow);
+    // a busway on the inner side is not taken from the outer side as well
     const int inside = at_inner_edge ? 1 : 0;
     const int count = std::min(std::max(outside, undirected - inside), kMaxLanes / 4);
     for (int i = 0; i < count; ++i) reserve_for_buses(moving, flow, true);
@@ -133,7 +133,7 @@ MovingLanes moving_lanes_of(const LaneTags& tags, const LaneClass& lane_class) {
   }
   moving.middle =
       plain_lanes(counts.in_middle, counts.is_middle_to_turn ? LaneKind::kTurn : lane_class.kind, LaneDirection::kBoth);
-  // a one-way road's cycle lane lies between both of its roadsides
+  // on a one-way road the cycle lane lies between both roadsides
   if (tags.is_one_way()) moving.has_cycle_lane[opposite(tags.only_flow())] |= moving.has_cycle_lane[tags.only_flow()];
   bool is_known = true;
   if (counts.is_middle_to_turn)

@@ -15,26 +15,26 @@ struct TurnRow {
 constexpr TurnRow kTurns[] = {
 #define TURN(value, name, bit) {value, name},
 #define TURN_ALIAS(value, name) {value, name},
-#include "compiler/map/lanes/lane_rules.inc"
+#include "compiler/map/lane_turns.inc"
 #undef TURN
 #undef TURN_ALIAS
 };
 
 using Entries = std::vector<std::string_view>;
 
-// Of one direction.
+// Per direction.
 constexpr int kMostCycleLanes = 2;
 
 bool is_reserved(std::string_view value) { return value == "designated" || value == "official"; }
 
-// One list's word for each lane; false where a word is not understood.
+// Each function reads one list into the lanes; false where a word is unknown.
 bool mark_cycling(const Entries& entries, std::vector<ListedLane>& lanes) {
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (is_reserved(entries[i])) lanes[i].kind = LaneKind::kCycle;
   return true;
 }
 
-// "yes" reserves a lane only beside lanes that say "no"
+// "yes" reserves a lane only if another lane says "no".
 bool mark_buses(const Entries& entries, std::vector<ListedLane>& lanes) {
   const bool yes_reserves = std::find(entries.begin(), entries.end(), "no") != entries.end();
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -65,7 +65,7 @@ struct ListRow {
   const char* key;
   bool (*mark)(const Entries&, std::vector<ListedLane>&);
 };
-// buses after bicycles: a lane reserved for both is a bus lane
+// buses come after bicycles, so a lane reserved for both is a bus lane
 constexpr ListRow kLists[] = {{"bicycle:lanes", mark_cycling},
                               {"bus:lanes", mark_buses},
                               {"psv:lanes", mark_buses},

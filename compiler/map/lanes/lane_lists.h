@@ -7,16 +7,16 @@
 
 namespace citykiln::map {
 
-/// One entry of the lists. width_m 0: not told.
+/// One entry of the lists. width_m 0: untagged.
 struct ListedLane {
   LaneKind kind = LaneKind::kDriving;  ///< kDriving, kBus or kCycle.
   double width_m = 0;
   std::uint16_t turns = 0;
 };
 
-/// What the lists of one flow say together, from the middle of the road outwards. Lists that differ in length from the
-/// first of bicycle:lanes, bus:lanes, psv:lanes, turn:lanes, width:lanes are diagnosed kBadTagValue and left out, as
-/// are lists of more than kMaxLanes or of more than two cycle lanes.
+/// The combined lists of one flow, from the middle of the road outwards. Diagnosed as kBadTagValue and ignored: lists
+/// whose length differs from the first of bicycle:lanes, bus:lanes, psv:lanes, turn:lanes, width:lanes; lists of more
+/// than kMaxLanes, or with more than two cycle lanes.
 struct LaneList {
   std::vector<ListedLane> lanes;
   int cycle_count() const;
@@ -25,8 +25,8 @@ struct LaneList {
 
 LaneList listed_lanes(const LaneTags& tags, Flow flow);
 
-/// The bits of one lane's turns, "left;through". Words nobody knows set no bit, more lanes than
-/// one set none at all; `is_known` then becomes false.
+/// Returns the LaneTurn bits of one lane's turns ("left;through"). Unknown words set no bit, lists of several lanes
+/// none at all; both set `is_known` to false.
 std::uint16_t turns_of(std::string_view text, bool& is_known);
 
 }  // namespace citykiln::map

@@ -1,6 +1,7 @@
 #include "compiler/map/lanes/lane_placement.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/map/tag_values.h"
 
@@ -13,7 +14,7 @@ double sum_m(const std::vector<Lane>& lanes) {
   return sum;
 }
 
-// Of a roadside's lanes that are not raised: all of them, or what lies outside of what width=* counts.
+// The width of a roadside's level lanes, and the part of it that width=* does not count.
 double level_m(const std::vector<RoadsideLane>& roadside) {
   double sum = 0;
   for (const RoadsideLane& beside : roadside) sum += beside.lane.is_raised ? 0 : beside.lane.width_m;
@@ -25,7 +26,7 @@ double outside_m(const std::vector<RoadsideLane>& roadside) {
   return sum;
 }
 
-// "right_of:2" of one flow, as metres outwards from its inner edge.
+// The position that a value like "right_of:2" names, in metres outwards from the flow's inner edge.
 std::optional<double> placed_m(const LaneTags& tags, const std::vector<Lane>& lanes, std::string_view text) {
   const std::size_t colon = text.find(':');
   const std::string_view where = text.substr(0, colon);
@@ -35,7 +36,7 @@ std::optional<double> placed_m(const LaneTags& tags, const std::vector<Lane>& la
     if (text != "transition") tags.add_bad_value();
     return std::nullopt;
   }
-  // lanes are counted from the driver's left, which is the middle of the road where one drives on the right
+  // lanes are counted from the driver's left: the middle of the road with traffic on the right
   const bool is_left_inside = tags.side == DrivingSide::kRight;
   const auto nth = static_cast<std::size_t>(number) - 1;
   const std::size_t index = is_left_inside ? nth : lanes.size() - 1 - nth;
@@ -45,7 +46,7 @@ std::optional<double> placed_m(const LaneTags& tags, const std::vector<Lane>& la
   return (where == "right_of") == is_left_inside ? out_m + lanes[index].width_m : out_m;
 }
 
-// placement=* alone is for one-way roads; of a two-way one it is read as the forward lanes'.
+// placement=* without a direction is for one-way roads; on two-way roads it applies to the forward lanes.
 std::string_view placement_of(const LaneTags& tags, Flow flow) {
   const std::string_view directed = tags.along(flow, "placement");
   if (!directed.empty() || tags.is_one_way() || flow == Flow::kBackward) return directed;
@@ -55,6 +56,7 @@ std::string_view placement_of(const LaneTags& tags, Flow flow) {
 }  // namespace
 
 double axis_from_backward_edge_m(const LaneTags& tags, const Carriageway& road) {
+  assert(std::ranges::none_of(road.moving.middle, [](const Lane& lane) { return lane.width_m <= 0; }));
   const MovingLanes& moving = road.moving;
   const double to_middle_m = level_m(road.roadsides[Flow::kBackward]) + sum_m(moving.flows[Flow::kBackward]);
   const double past_middle_m = to_middle_m + sum_m(moving.middle);

@@ -1,4 +1,4 @@
-// Where in the carriageway the OSM way runs.
+// The position of the OSM way within the carriageway.
 #pragma once
 
 #include "compiler/map/lanes/lane_flows.h"
@@ -6,15 +6,15 @@
 
 namespace citykiln::map {
 
-/// All lanes of a road, their widths known.
+/// All lanes of a road with their widths.
 struct Carriageway {
   MovingLanes moving;
   PerFlow<std::vector<RoadsideLane>> roadsides;
 };
 
-/// From the carriageway's edge on the backward flow's side: as placement=* says; else half-way across what width=*
-/// counts, the moving lanes with the cycle lanes and parked cars on the carriageway, without bays and shoulders.
-/// placement=transition says nothing; a lane that is not there is diagnosed kBadTagValue.
+/// Returns the distance of the way from the carriageway's edge on the backward flow's side: by placement=*, else half
+/// of what width=* counts (moving lanes, cycle lanes and cars parked on the carriageway, without bays and shoulders).
+/// placement=transition is ignored. Diagnosed: kBadTagValue for a lane that does not exist.
 double axis_from_backward_edge_m(const LaneTags& tags, const Carriageway& road);
 
 }  // namespace citykiln::map

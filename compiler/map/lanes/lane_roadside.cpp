@@ -33,18 +33,12 @@ constexpr MeasureRow kParkingPlaces[] = {
 #undef PARKING_PLACE
 };
 
-template <typename Row, std::size_t n>
-const Row* row_of(const Row (&rows)[n], std::string_view value) {
-  for (const Row& row : rows)
-    if (row.value == value) return &row;
-  return nullptr;
-}
-
-// cycleway=* alone is on both sides of a two-way road; of a one-way road on the side of its traffic, and a lane against
-// the traffic on the other side.
+// cycleway=* without a side applies to both sides of a two-way road. On one-way roads it applies to the traffic's side,
+// and a contraflow lane to the other side.
 const CyclewayRow* cycleway_beside(const LaneTags& tags, Flow flow) {
-  if (const std::string_view beside = tags.beside(flow, "cycleway"); !beside.empty()) return row_of(kCycleways, beside);
-  const CyclewayRow* row = row_of(kCycleways, tags("cycleway"));
+  if (const std::string_view beside = tags.beside(flow, "cycleway"); !beside.empty())
+    return row_with(kCycleways, beside);
+  const CyclewayRow* row = row_with(kCycleways, tags("cycleway"));
   if (row == nullptr || !tags.is_one_way()) return row;
   return row->is_contraflow == (flow == tags.only_flow()) ? nullptr : row;
 }
@@ -54,7 +48,7 @@ LaneDirection cycling_way(const LaneTags& tags, Flow flow, const CyclewayRow& ro
   if (oneway == "-1") return LaneDirection::kBackward;
   if (oneway == "no") return LaneDirection::kBoth;
   if (!tags.is_one_way()) return way_of(flow);
-  // cyclists who may ride against a one-way road do so on its other side
+  // contraflow cyclists ride on the other side
   const bool rides_against =
       row.is_contraflow || (flow != tags.only_flow() && oneway.empty() && tags("oneway:bicycle") == "no");
   return way_of(rides_against ? opposite(tags.only_flow()) : tags.only_flow());
@@ -75,11 +69,12 @@ void add_cycleway(const LaneTags& tags, Flow flow, bool is_raised, std::vector<R
   const double usual_m = way == LaneDirection::kBoth ? kTwoWayCycling_m : is_raised ? kCycleTrack_m : kCycleLane_m;
   const double width_m = snapped(tags.width_beside(flow, "cycleway").value_or(usual_m));
   if (const double buffer = snapped(buffer_m(tags, flow)); buffer > 0)
-    lanes.push_back({{LaneKind::kBuffer, LaneDirection::kBoth, buffer, 0, is_raised}, is_raised ? 0 : buffer});
-  lanes.push_back({{LaneKind::kCycle, way, width_m, 0, is_raised}, is_raised ? 0 : width_m});
+    lanes.push_back({{.kind = LaneKind::kBuffer, .width_m = buffer, .is_raised = is_raised}, is_raised ? 0 : buffer});
+  lanes.push_back(
+      {{.kind = LaneKind::kCycle, .way = way, .width_m = width_m, .is_raised = is_raised}, is_raised ? 0 : width_m});
 }
 
-// Cars stand in the direction of the traffic beside them.
+// Parked cars face with the adjacent traffic.
 LaneDirection parking_way(const LaneTags& tags, Flow flow) {
   if (tags.traffic == Traffic::kInTurns) return LaneDirection::kBoth;
   return way_of(tags.is_one_way() ? tags.only_flow() : flow);
@@ -89,23 +84,23 @@ struct Parking {
   double width_m, share_inside;
 };
 
-// parking:<side>=place, parking:<side>:orientation=how.
+// Reads parking:<side>=place and parking:<side>:orientation=how.
 std::optional<Parking> parking_by_place(const LaneTags& tags, Flow flow, std::string_view place) {
-  const MeasureRow* where = row_of(kParkingPlaces, place);
-  // an orientation in the wrong key
-  if (const MeasureRow* how = row_of(kParkings_m, place)) return Parking{how->measure, 1};
+  const MeasureRow* where = row_with(kParkingPlaces, place);
+  // an orientation under the wrong key
+  if (const MeasureRow* how = row_with(kParkings_m, place)) return Parking{how->measure, 1};
   if (where == nullptr) return std::nullopt;
-  const MeasureRow* how = row_of(kParkings_m, tags.beside(flow, "parking", ":orientation"));
+  const MeasureRow* how = row_with(kParkings_m, tags.beside(flow, "parking", ":orientation"));
   const double usual_m = how != nullptr ? how->measure : kParkings_m[0].measure;
   return Parking{tags.width_beside(flow, "parking").value_or(usual_m), where->measure};
 }
 
-// parking:lane:<side>=how, parking:lane:<side>:how=place.
+// Reads parking:lane:<side>=how and parking:lane:<side>:how=place.
 std::optional<Parking> parking_by_lane(const LaneTags& tags, Flow flow) {
   const std::string_view value = tags.beside(flow, "parking:lane");
-  const MeasureRow* how = row_of(kParkings_m, value);
+  const MeasureRow* how = row_with(kParkings_m, value);
   if (how == nullptr) return std::nullopt;
-  const MeasureRow* where = row_of(kParkingPlaces, tags.beside(flow, "parking:lane", std::string(":").append(value)));
+  const MeasureRow* where = row_with(kParkingPlaces, tags.beside(flow, "parking:lane", std::string(":").append(value)));
   return Parking{how->measure, where != nullptr ? where->measure : 1};
 }
 
@@ -114,11 +109,12 @@ void add_parking(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lan
   const auto parking = place.empty() ? parking_by_lane(tags, flow) : parking_by_place(tags, flow, place);
   if (!parking) return;
   const double width_m = snapped(parking->width_m);
-  lanes.push_back(
-      {{LaneKind::kParking, parking_way(tags, flow), width_m, 0, false}, snapped(width_m * parking->share_inside)});
+  lanes.push_back({{.kind = LaneKind::kParking, .way = parking_way(tags, flow), .width_m = width_m},
+                   snapped(width_m * parking->share_inside)});
 }
 
-// "both", "yes", "left;right" on the side they name; `yes_is_both`: yes on a one-way road is on both sides of it.
+// True where a value ("both", "yes", "left;right") includes the flow's side. With `yes_is_both`, yes on a one-way road
+// means both sides.
 bool names_side(const LaneTags& tags, Flow flow, std::string_view value, bool yes_is_both) {
   value = value.substr(0, value.find(';'));
   if (value == "both" || value == tags.roadside(flow)) return true;
@@ -131,7 +127,7 @@ bool has_shoulder(const LaneTags& tags, Flow flow) {
   return names_side(tags, flow, tags("shoulder"), false) || tags.beside(flow, "cycleway") == "shoulder";
 }
 
-// Of pavements and verges, which a one-way road has on both sides.
+// True where tags give a flow a pavement or verge; a one-way road has them on both sides.
 bool is_beside(const LaneTags& tags, Flow flow, std::string_view key) {
   const std::string_view beside = tags.beside(flow, key);
   if (!beside.empty()) return beside == "yes" || beside == "both" || beside == tags.roadside(flow);
@@ -141,7 +137,7 @@ bool is_beside(const LaneTags& tags, Flow flow, std::string_view key) {
 void add_verge(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lanes) {
   if (!is_beside(tags, flow, "verge")) return;
   const double width_m = snapped(tags.width_beside(flow, "verge").value_or(kVerge_m));
-  lanes.push_back({{LaneKind::kVerge, LaneDirection::kBoth, width_m, 0, true}, 0});
+  lanes.push_back({{.kind = LaneKind::kVerge, .width_m = width_m, .is_raised = true}, 0});
 }
 
 }  // namespace
@@ -154,13 +150,13 @@ std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lan
   if (has_shoulder(tags, flow)) {
     const double usual_m = lane_class.is_motorway ? kMotorwayShoulder_m : kShoulder_m;
     const double width_m = snapped(tags.width_beside(flow, "shoulder").value_or(usual_m));
-    lanes.push_back({{LaneKind::kShoulder, parking_way(tags, flow), width_m, 0, false}, 0});
+    lanes.push_back({{.kind = LaneKind::kShoulder, .way = parking_way(tags, flow), .width_m = width_m}, 0});
   }
   add_verge(tags, flow, lanes);
   add_cycleway(tags, flow, true, lanes);
   if (is_beside(tags, flow, "sidewalk")) {
     const double width_m = snapped(tags.width_beside(flow, "sidewalk").value_or(kSidewalk_m));
-    lanes.push_back({{LaneKind::kSidewalk, LaneDirection::kBoth, width_m, 0, true}, 0});
+    lanes.push_back({{.kind = LaneKind::kSidewalk, .width_m = width_m, .is_raised = true}, 0});
   }
   return lanes;
 }

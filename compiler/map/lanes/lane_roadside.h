@@ -1,4 +1,4 @@
-// What lies beside the moving lanes of a road: cycle lanes, parked cars, shoulders, verges, cycle tracks, pavements.
+// The roadsides of a road: cycle lanes, parked cars, shoulders, verges, cycle tracks, pavements.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace citykiln::map {
 
-/// A lane beside the road. inside_m is how much of it width=* counts.
+/// A lane of a roadside. inside_m is the part of it that width=* counts.
 struct RoadsideLane {
   Lane lane;
   double inside_m = 0;
 };
 
-/// The roadside of a flow, from its outer lane outwards: buffer, cycle lane, parking, shoulder; then, raised, verge,
-/// buffer, cycle track and pavement. At most six. Of a one-way road the other flow too has a roadside.
+/// Returns the roadside of a flow, from its outer lane outwards: buffer, cycle lane, parking, shoulder; then, raised,
+/// verge, buffer, cycle track and pavement. At most six lanes. One-way roads have a roadside on both sides.
 ///
-/// @param has_cycle_lane  The flow's own lanes hold one already.
+/// @param has_cycle_lane  The flow's own lanes include one.
 std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lane_class, Flow flow,
                                       bool has_cycle_lane);
 

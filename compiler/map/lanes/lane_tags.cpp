@@ -1,6 +1,7 @@
 #include "compiler/map/lanes/lane_tags.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/map/tag_values.h"
 
@@ -12,10 +13,10 @@ std::optional<double> readable_width_m(std::string_view text) {
   return length && *length >= 0.1 && *length <= 20 ? length : std::nullopt;
 }
 
-// "left", "right" or "both" after a key, before the last word of the tag's key.
+// True for "left", "right" and "both".
 bool is_side(std::string_view text) { return text == "left" || text == "right" || text == "both"; }
 
-// "sidewalk:left:width", "verge:width".
+// True for keys like "sidewalk:left:width" and "verge:width".
 bool is_width_beside(std::string_view key) {
   if (key == "verge:width") return true;
   const std::size_t first = key.find(':'), last = key.rfind(':');
@@ -24,7 +25,7 @@ bool is_width_beside(std::string_view key) {
   return what == "cycleway" || what == "parking" || what == "shoulder" || what == "sidewalk" || what == "verge";
 }
 
-// "cycleway:buffer", "cycleway:both:buffer".
+// True for keys like "cycleway:buffer" and "cycleway:both:buffer".
 bool is_buffer(std::string_view key) {
   const std::size_t first = key.find(':'), last = key.rfind(':');
   if (first == std::string_view::npos || key.substr(0, first) != "cycleway" || key.substr(last) != ":buffer")
@@ -66,12 +67,13 @@ std::vector<std::string_view> LaneTags::list_along(Flow flow, const std::string&
     text.remove_prefix(bar + 1);
   }
   entries.push_back(text);
-  // written left to right as the driver sees them: who drives on the left has the road's middle on the right
+  // lists run left to right as drivers see them; with traffic on the left the middle is on the right
   if (side == DrivingSide::kLeft) std::reverse(entries.begin(), entries.end());
   return entries;
 }
 
 std::optional<double> LaneTags::count(const std::string& key, double least) const {
+  assert(0 <= least && least <= kMaxLanes);
   const std::string_view text = (*this)(key);
   if (text.empty()) return std::nullopt;
   const auto number = number_of(text);
@@ -95,7 +97,7 @@ std::optional<Traffic> tagged_traffic(std::string_view oneway) {
 
 Traffic traffic_of(const LaneTags& tags) {
   const std::string_view oneway = tags("oneway"), junction = tags("junction"), highway = tags("highway");
-  if (const auto told = tagged_traffic(oneway)) return *told;
+  if (const auto tagged = tagged_traffic(oneway)) return *tagged;
   if (!oneway.empty()) tags.add_bad_value();
   const bool is_implied =
       junction == "roundabout" || junction == "circular" || highway == "motorway" || highway == "motorway_link";

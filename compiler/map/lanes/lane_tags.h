@@ -1,11 +1,11 @@
-// A road's tags as its cross-section asks for them: by direction of traffic and by roadside, whichever side one drives
-// on.
+// A road's tags by direction of traffic and by roadside, independent of the driving side.
 //
-// The two flows of a road are mirror images. Every lane list here runs from the middle of the road outwards, and the
-// roadside of a flow is the one beside its outer lane. So one code serves both flows and both driving sides.
+// The two flows of a road are mirror images: every lane list here runs from the middle of the road outwards, and the
+// roadside of a flow is the one beside its outer lane. So one implementation serves both flows and both driving sides.
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,10 +24,10 @@ inline LaneDirection way_of(Flow flow) {
   return flow == Flow::kForward ? LaneDirection::kForward : LaneDirection::kBackward;
 }
 
-/// Which flows a road has.
+/// The flows of a road.
 enum class Traffic : std::uint8_t { kTwoWay, kForward, kBackward, kInTurns /* oneway=reversible, alternating */ };
 
-/// A thing of each flow.
+/// One value for each flow.
 template <typename T>
 struct PerFlow {
   std::array<T, 2> values{};
@@ -47,39 +47,42 @@ struct LaneTags {
 
   bool is_one_way() const { return traffic == Traffic::kForward || traffic == Traffic::kBackward; }
   /// The flow of a one-way road.
-  Flow only_flow() const { return traffic == Traffic::kBackward ? Flow::kBackward : Flow::kForward; }
-  /// The flow has lanes of its own right: it is not the other one of a one-way road.
+  Flow only_flow() const {
+    assert(is_one_way());
+    return traffic == Traffic::kBackward ? Flow::kBackward : Flow::kForward;
+  }
+  /// True where the flow has lanes of its own: not for the opposite flow of a one-way road.
   bool has(Flow flow) const { return traffic == Traffic::kTwoWay || (is_one_way() && flow == only_flow()); }
 
   /// ":forward" or ":backward".
   static std::string_view suffix(Flow flow) { return flow == Flow::kForward ? ":forward" : ":backward"; }
   /// "left" or "right": the roadside of a flow.
   std::string_view roadside(Flow flow) const;
-  /// The value of key:<side>suffix, key:both+suffix, whichever comes first; "" where neither is tagged.
+  /// The value of key:<side>suffix, else of key:both+suffix; "" where neither is tagged.
   std::string_view beside(Flow flow, std::string_view key, std::string_view suffix = "") const;
-  /// The value for lanes of one flow: key+":forward", or key alone on a one-way road of that flow.
+  /// The value for the lanes of one flow: key+":forward", or key alone on a one-way road of that flow.
   std::string_view along(Flow flow, const std::string& key) const;
-  /// A list of one flow's lanes, "a|b|c", from the middle of the road outwards; empty where it is not tagged.
+  /// The list "a|b|c" of one flow's lanes, from the middle of the road outwards; empty where untagged.
   std::vector<std::string_view> list_along(Flow flow, const std::string& key) const;
 
-  /// A number of lanes, least … kMaxLanes; diagnosed and nothing where it is not one.
+  /// A number of lanes, least … kMaxLanes; else nothing, diagnosed.
   std::optional<double> count(const std::string& key, double least) const;
-  /// A width beside the road, 0.1 … 20 m; of verges verge:width too. Not diagnosed here: one value may tell of both
-  /// sides.
+  /// A width beside the road, 0.1 … 20 m; for verges also verge:width. Not diagnosed here, since one value may serve
+  /// both sides.
   std::optional<double> width_beside(Flow flow, std::string_view key) const;
 };
 
 /// One way.
 inline constexpr int kMaxLanes = 16;
-/// Of both directions together; with four cycle lanes and two roadsides of six, 42.
+/// In both directions; with four cycle lanes and two roadsides of six, 42.
 inline constexpr int kMaxLanesOfRoad = 26;
 
-/// What a value of oneway=* says; nothing where nobody knows the word.
+/// Returns the traffic of a value of oneway=*; nothing for unknown values.
 std::optional<Traffic> tagged_traffic(std::string_view oneway);
-/// What oneway=*, junction=* and the class say. Diagnoses a word of oneway=* that nobody knows.
+/// Returns the traffic by oneway=*, junction=* and the class. Diagnosed: unknown values of oneway=*.
 Traffic traffic_of(const LaneTags& tags);
 
-/// Diagnoses, once each, the widths and buffers of what lies beside the road that cannot be read.
+/// Diagnoses each unreadable width and buffer beside the road once.
 void diagnose_widths_beside(const LaneTags& tags);
 
 }  // namespace citykiln::map

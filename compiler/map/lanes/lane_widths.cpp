@@ -1,6 +1,7 @@
 #include "compiler/map/lanes/lane_widths.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
@@ -17,7 +18,7 @@ double inside_m(const PerFlow<std::vector<RoadsideLane>>& roadsides) {
   return sum;
 }
 
-// In whole quanta, the first lanes taking one more each where it does not come out even.
+// Divides a width into whole quanta; the first lanes get one more each if it does not divide evenly.
 void share(double width_m, std::span<Lane* const> lanes) {
   const auto quanta = static_cast<std::int64_t>(std::llround(width_m / kQuantum_m));
   const auto n = static_cast<std::int64_t>(lanes.size());
@@ -26,7 +27,7 @@ void share(double width_m, std::span<Lane* const> lanes) {
         static_cast<double>(quanta / n + (i < quanta % n ? 1 : 0)) * kQuantum_m;
 }
 
-// Two lanes that no tag has counted become one: of its flow, or of both.
+// Merges two lanes that no tag counted into one, of their flow or of both.
 void merge_two_lanes(MovingLanes& moving) {
   const std::vector<Lane*> lanes = moving.all();
   if (moving.is_tagged || lanes.size() != 2 || lanes[0]->kind != lanes[1]->kind) return;
@@ -50,26 +51,27 @@ std::optional<double> tagged_width_m(const LaneTags& tags) {
 
 void share_widths(const LaneTags& tags, const LaneClass& lane_class,
                   const PerFlow<std::vector<RoadsideLane>>& roadsides, MovingLanes& moving) {
+  assert(!moving.all().empty());
   const auto tagged_m = tagged_width_m(tags);
   const double inside = inside_m(roadsides);
   if (tagged_m && *tagged_m - inside < kNarrowestMeeting_m) merge_two_lanes(moving);
 
-  // width:lanes has told some already
-  double told_m = 0, driven = 0;
+  // widths that width:lanes has set
+  double listed_m = 0, driven = 0;
   std::vector<Lane*> open;
   for (Lane* lane : moving.all()) {
-    told_m += lane->width_m;
+    listed_m += lane->width_m;
     driven += lane->kind == LaneKind::kCycle ? 0 : 1;
     if (lane->width_m == 0) open.push_back(lane);
   }
   if (open.empty()) return;
   const auto n = static_cast<double>(open.size());
   double rest_m = snapped(lane_class.width_m_of(moving.counted));
-  // the others are as wide as if none were told
-  if (told_m > 0) rest_m = snapped(lane_class.width_m_of(driven) * n / driven);
+  // the other lanes have the width they would have without width:lanes
+  if (listed_m > 0) rest_m = snapped(lane_class.width_m_of(driven) * n / driven);
   if (tagged_m) {
-    rest_m = *tagged_m - inside - told_m;
-    const bool is_alone = open.size() == 1 && inside + told_m == 0;
+    rest_m = *tagged_m - inside - listed_m;
+    const bool is_alone = open.size() == 1 && inside + listed_m == 0;
     if (!is_alone && rest_m < n * kNarrowestLane_m) {
       tags.add_bad_value();
       rest_m = n * kNarrowestLane_m;

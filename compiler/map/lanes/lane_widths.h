@@ -1,4 +1,4 @@
-// How wide the moving lanes of a road are.
+// The widths of the moving lanes of a road.
 #pragma once
 
 #include "compiler/map/lanes/lane_flows.h"
@@ -6,13 +6,12 @@
 
 namespace citykiln::map {
 
-/// width=*, else est_width=*, in metres: snapped, at least 2^-10. Diagnosed where it cannot be read.
+/// Returns width=*, else est_width=*, in metres: snapped, at least 2^-10. Diagnosed where unreadable.
 std::optional<double> tagged_width_m(const LaneTags& tags);
 
-/// Fills in every width that width:lanes left open. What width=* leaves beside the roadsides is shared evenly, the
-/// lanes in the middle and then the forward ones taking the odd quanta; else each lane is as wide as the class says.
-/// Two lanes that nobody counted become one where two cars would not pass each other. Diagnoses a width=* too narrow
-/// for its lanes.
+/// Sets every width that width:lanes left open. What width=* leaves beside the roadsides is divided evenly, odd quanta
+/// going to the lanes in the middle and then to the forward ones; without it each lane has the class's width. Two lanes
+/// that no tag counted become one where two cars could not pass. Diagnosed: a width=* too narrow for its lanes.
 void share_widths(const LaneTags& tags, const LaneClass& lane_class,
                   const PerFlow<std::vector<RoadsideLane>>& roadsides, MovingLanes& moving);
 

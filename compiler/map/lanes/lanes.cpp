@@ -14,10 +14,10 @@ CrossSection lone_lane(const LaneTags& tags, const LaneClass& lane_class) {
   const LaneDirection way =
       lane_class.is_both_ways || !tags.is_one_way() ? LaneDirection::kBoth : way_of(tags.only_flow());
   const double width_m = tagged_width_m(tags).value_or(snapped(lane_class.width_m));
-  return {{{lane_class.kind, way, width_m, 0, false}}, width_m / 2};
+  return {{{.kind = lane_class.kind, .way = way, .width_m = width_m}}, width_m / 2};
 }
 
-// From the backward roadside to the forward one: left to right where one drives on the right.
+// The lanes from the backward roadside to the forward one: left to right with traffic on the right.
 std::vector<Lane> in_row(const Carriageway& road) {
   std::vector<Lane> lanes;
   const auto add_flow = [&](Flow flow) {
@@ -46,40 +46,6 @@ CrossSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
   return section;
 }
 
-char letter_of(LaneKind kind) {
-  switch (kind) {
-    case LaneKind::kDriving:
-      return 'd';
-    case LaneKind::kBus:
-      return 'b';
-    case LaneKind::kTurn:
-      return 't';
-    case LaneKind::kCycle:
-      return 'c';
-    case LaneKind::kParking:
-      return 'p';
-    case LaneKind::kShoulder:
-      return 'S';
-    case LaneKind::kBuffer:
-      return '/';
-    case LaneKind::kSidewalk:
-      return 's';
-    case LaneKind::kFoot:
-      return 'f';
-    case LaneKind::kRail:
-      return 'r';
-    case LaneKind::kVerge:
-      return 'g';
-    case LaneKind::kCount:
-      break;
-  }
-  return '?';
-}
-
-char letter_of(LaneDirection way) {
-  return way == LaneDirection::kForward ? '^' : way == LaneDirection::kBackward ? 'v' : '-';
-}
-
 }  // namespace
 
 CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side) {
@@ -87,30 +53,6 @@ CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Rang
   lane_tags.traffic = traffic_of(lane_tags);
   const LaneClass lane_class = lane_class_of(lane_tags);
   return lane_class.is_road ? road_section(lane_tags, lane_class) : lone_lane(lane_tags, lane_class);
-}
-
-double carriageway_width_m(const CrossSection& section) {
-  double sum = 0;
-  for (const Lane& lane : section.lanes) sum += lane.is_raised ? 0 : lane.width_m;
-  return sum;
-}
-
-double total_width_m(const CrossSection& section) {
-  double sum = 0;
-  for (const Lane& lane : section.lanes) sum += lane.width_m;
-  return sum;
-}
-
-std::string to_string(const CrossSection& section) {
-  std::string kinds, ways;
-  bool is_raised = !section.lanes.empty() && section.lanes.front().is_raised;
-  for (const Lane& lane : section.lanes) {
-    if (lane.is_raised != is_raised) kinds += '|', ways += '|';
-    is_raised = lane.is_raised;
-    kinds += letter_of(lane.kind);
-    ways += letter_of(lane.way);
-  }
-  return kinds + " " + ways;
 }
 
 }  // namespace citykiln::map

@@ -9,28 +9,28 @@
 namespace citykiln::plants {
 namespace {
 
-// Fine enough for the densest seats on the steepest ground.
+// Cell width; fine enough for the highest density on the steepest ground.
 constexpr double kLattice_m = 2;
 
-// Candidates in a spacing's square of ground. More stand denser, but are not decided in the rounds that there are.
+// Candidates per spacing² of ground. More give denser samples, but kRounds do not decide them.
 constexpr double kCandidates = 2.5;
 
-// What becomes of them: sites in a spacing's square of ground, and how many more where so many a hectare are asked for,
-// as there the lattice itself keeps candidates apart. Measured (blue_noise_test.cpp).
+// Samples per spacing² of ground, and their increase per tree a hectare, as the lattice itself keeps dense candidates
+// apart. Measured (blue_noise_test.cpp).
 constexpr double kSamples = 0.4925, kMoreSamples = 6.5e-5;
 
-// A block of cells is looked at, or left out, as one.
+// Cells along a side of a block, which LeastSpacing can skip as a whole.
 constexpr int kBlock = 16;
 
-// Buckets of candidates are at least as wide as any spacing.
+// Side of a grid bucket; at least kWidest_m, so that neighbours lie in adjacent buckets.
 constexpr double kBucket_m = 8;
 
 enum class State : std::uint8_t { kUndecided, kAccepted, kRejected };
 
 struct Candidate {
-  Sample site;
+  Sample sample;
   std::uint64_t priority = 0;
-  float kept = 0;  // its draw for the seat's share
+  float share_draw = 0;  // the sample is kept if this is below its density's share
 };
 
 struct CellDraws {
@@ -39,20 +39,20 @@ struct CellDraws {
   std::uint64_t priority;
 };
 
-// The dice of a lattice cell.
+// The random draws of a lattice cell: the candidate's place, whether it is kept, its priority.
 CellDraws draws_for(std::uint64_t seed, std::int64_t column, std::int64_t row) {
   constexpr std::uint32_t kPurpose = 0x517e;
   const std::array<std::uint32_t, 2> key = {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
-  const auto dice =
+  const auto bits =
       philox4x32_10({static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), kPurpose, 0}, key);
-  const auto unit = [](std::uint32_t bits) { return bits * 0x1p-32; };
-  // the low half of the dice for the place across is not felt there
-  return {snapped(Vec2{(static_cast<double>(column) + unit(dice[0])) * kLattice_m,
-                       (static_cast<double>(row) + unit(dice[1])) * kLattice_m}),
-          unit(dice[2]), (dice[0] & 0xffffu) * 0x1p-16, std::uint64_t{dice[3]} << 32 | dice[1]};
+  const auto unit = [](std::uint32_t word) { return word * 0x1p-32; };
+  // the low bits of the first draw barely move the place, so they serve as the share's draw
+  return {snapped(Vec2{(static_cast<double>(column) + unit(bits[0])) * kLattice_m,
+                       (static_cast<double>(row) + unit(bits[1])) * kLattice_m}),
+          unit(bits[2]), (bits[0] & 0xffffu) * 0x1p-16, std::uint64_t{bits[3]} << 32 | bits[1]};
 }
 
-// How many of a lattice cell's candidates are wanted, where the ground is so upright.
+// The probability that a cell's candidate is kept.
 double chance_of(double spacing_m, double normal_z) {
   return kCandidates * kLattice_m * kLattice_m / (spacing_m * spacing_m * normal_z);
 }
@@ -71,13 +71,14 @@ Cells cells_in(const Box2& box) {
   return {cell(box.min.x), cell(box.min.y), cell(box.max.x), cell(box.max.y)};
 }
 
-// Of one block.
-void find_candidates(std::uint64_t seed, const Cells& cells, const Box2& reach, double most,
+// Appends the candidates of one block.
+// @param most  Upper bound of chance_of() in the block.
+void find_candidates(std::uint64_t seed, const Cells& cells, const Box2& influence, double most,
                      const DensityAt& density_at, std::vector<Candidate>& candidates) {
   for (std::int64_t row = cells.first_row; row <= cells.last_row; ++row)
     for (std::int64_t column = cells.first_column; column <= cells.last_column; ++column) {
       const CellDraws draws = draws_for(seed, column, row);
-      if (draws.keep >= most || !reach.contains(draws.at)) continue;
+      if (draws.keep >= most || !influence.contains(draws.at)) continue;
       const SampleDensity density = density_at(draws.at);
       if (density.spacing_m <= 0 || density.normal_z < kLeastNormal_z) continue;
       if (draws.keep >= chance_of(density.spacing_m, density.normal_z)) continue;
@@ -85,10 +86,10 @@ void find_candidates(std::uint64_t seed, const Cells& cells, const Box2& reach, 
     }
 }
 
-std::vector<Candidate> candidates_in(std::uint64_t seed, const Box2& reach, const LeastSpacing& least_spacing,
+std::vector<Candidate> candidates_in(std::uint64_t seed, const Box2& influence, const LeastSpacing& least_spacing,
                                      const DensityAt& density_at) {
   std::vector<Candidate> candidates;
-  const Cells all = cells_in(reach);
+  const Cells all = cells_in(influence);
   for (std::int64_t row = all.first_row; row <= all.last_row; row += kBlock)
     for (std::int64_t column = all.first_column; column <= all.last_column; column += kBlock) {
       const Cells block{column, row, std::min(column + kBlock - 1, all.last_column),
@@ -98,7 +99,7 @@ std::vector<Candidate> candidates_in(std::uint64_t seed, const Box2& reach, cons
                      {metres(block.last_column + 1), metres(block.last_row + 1)}};
       const double spacing_m = least_spacing(box);
       if (spacing_m > 0)
-        find_candidates(seed, block, reach, chance_of(spacing_m, kLeastNormal_z), density_at, candidates);
+        find_candidates(seed, block, influence, chance_of(spacing_m, kLeastNormal_z), density_at, candidates);
     }
   return candidates;
 }
@@ -109,7 +110,7 @@ bool are_close(const Sample& a, const Sample& b) {
   return dot(apart, apart) < spacing_m * spacing_m;
 }
 
-// Candidates by square bucket.
+// Candidates by grid bucket, as ranges of `members`.
 struct Buckets {
   Vec2 corner;
   int columns, rows;
@@ -124,7 +125,7 @@ Buckets bucket_all(std::span<const Candidate> candidates, const Box2& box) {
   Buckets buckets{
       box.min, static_cast<int>(box.width() / kBucket_m) + 1, static_cast<int>(box.height() / kBucket_m) + 1, {}, {}};
   const auto bucket_of = [&](const Candidate& c) {
-    return buckets.index(buckets.column(c.site.at.x), buckets.row(c.site.at.y));
+    return buckets.index(buckets.column(c.sample.at.x), buckets.row(c.sample.at.y));
   };
   buckets.starts.assign(buckets.index(0, buckets.rows) + 1, 0);
   for (const Candidate& c : candidates) ++buckets.starts[bucket_of(c) + 1];
@@ -135,7 +136,7 @@ Buckets bucket_all(std::span<const Candidate> candidates, const Box2& box) {
   return buckets;
 }
 
-// The candidates that each may not stand beside.
+// For each candidate, those within its spacing, as ranges of `members`.
 struct Rivals {
   std::vector<std::uint32_t> starts, members;
 
@@ -148,21 +149,21 @@ Rivals rivals_of(std::span<const Candidate> candidates, const Box2& box) {
   const Buckets buckets = bucket_all(candidates, box);
   Rivals rivals{{0}, {}};
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-    const Vec2 p = candidates[i].site.at;
+    const Vec2 p = candidates[i].sample.at;
     const int c = buckets.column(p.x), r = buckets.row(p.y);
     const int first = std::max(c - 1, 0), last = std::min(c + 1, buckets.columns - 1);
     for (int y = std::max(r - 1, 0); y <= std::min(r + 1, buckets.rows - 1); ++y)
       for (std::uint32_t k = buckets.starts[buckets.index(first, y)]; k < buckets.starts[buckets.index(last, y) + 1];
            ++k) {
         const std::uint32_t j = buckets.members[k];
-        if (j != i && are_close(candidates[i].site, candidates[j].site)) rivals.members.push_back(j);
+        if (j != i && are_close(candidates[i].sample, candidates[j].sample)) rivals.members.push_back(j);
       }
     rivals.starts.push_back(static_cast<std::uint32_t>(rivals.members.size()));
   }
   return rivals;
 }
 
-// What a candidate becomes in this round, from what all were before it.
+// The state of a candidate after a round, from the states before it.
 State decide(std::span<const Candidate> candidates, const Rivals& rivals, std::span<const State> states,
              std::uint32_t i) {
   State state = State::kAccepted;
@@ -202,15 +203,16 @@ SampleDensity density_for(double trees_per_ha) {
 
 std::vector<Sample> blue_noise(std::uint64_t seed, const Box2& box, const LeastSpacing& least_spacing,
                                const DensityAt& density_at) {
-  const Box2 reach = box.widened(kSampleInfluence_m);
-  const std::vector<Candidate> candidates = candidates_in(seed, reach, least_spacing, density_at);
-  const std::vector<State> states = decide_all(candidates, rivals_of(candidates, reach));
+  assert(!box.is_empty());
+  const Box2 influence = box.widened(kSampleInfluence_m);
+  const std::vector<Candidate> candidates = candidates_in(seed, influence, least_spacing, density_at);
+  const std::vector<State> states = decide_all(candidates, rivals_of(candidates, influence));
   std::vector<Sample> samples;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
-    const Vec2 p = c.site.at;
+    const Vec2 p = c.sample.at;
     const bool is_here = p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
-    if (is_here && states[i] == State::kAccepted && c.kept < c.site.density.share) samples.push_back(c.site);
+    if (is_here && states[i] == State::kAccepted && c.share_draw < c.sample.density.share) samples.push_back(c.sample);
   }
   return samples;
 }

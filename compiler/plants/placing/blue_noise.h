@@ -1,5 +1,5 @@
-// Points at even distances, decided by a hash alone: no order, no neighbour beyond the reach. Measured on the ground,
-// not in projection.
+// Blue noise: samples at even distances, decided by hashes alone, so that any part of the plane can be computed alone.
+// Distances are measured on the ground, not in projection.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace citykiln::plants {
 
-/// What may stand at a place.
+/// The density of samples at a place.
 struct SampleDensity {
-  double spacing_m = 0;  ///< To the next, on the ground; 0: nothing may stand there. At most kWidest_m.
-  double share = 1;      ///< Of the sites that are kept, so that fewer than one a spacing can be asked for.
-  double height_m = 0;   ///< Of the ground.
-  double normal_z = 1;   ///< The vertical part of the ground's unit normal.
-  std::uint32_t owner = 0;
+  double spacing_m = 0;     ///< Least distance to the next sample on the ground, up to kWidest_m; 0: no samples.
+  double share = 1;         ///< Share of the samples that are kept, for densities below one a kWidest_m.
+  double height_m = 0;      ///< Of the ground.
+  double normal_z = 1;      ///< z of the ground's unit normal.
+  std::uint32_t owner = 0;  ///< The caller's.
 };
 
 struct Sample {
@@ -27,34 +27,35 @@ struct Sample {
   SampleDensity density;
 };
 
-/// Sites need no more than this between them; those who want fewer take a share.
+/// Largest spacing. Lower densities keep a share of the samples.
 inline constexpr double kWidest_m = 7.75;
 
-/// In each candidates are accepted and reject their neighbours: what stays undecided after them is empty.
+/// Rounds in which candidates are accepted and reject their neighbours. Candidates that remain undecided are dropped.
 inline constexpr int kRounds = 6;
 
-/// Whether a site is accepted depends on nothing farther off.
+/// Influence radius: whether a candidate becomes a sample depends on densities up to this distance.
 inline constexpr double kSampleInfluence_m = kRounds * kWidest_m;
 
-/// Ground steeper than 60 degrees has no sites.
+/// Ground with a smaller normal_z, steeper than 60°, has no samples.
 inline constexpr double kLeastNormal_z = 0.5;
 
-/// The spacing and share that give so many sites a hectare of ground, on any slope up to 45 degrees, within 3 %, from
-/// kLeastTreesPerHa to kMostTreesPerHa.
+/// The spacing and share that give a number of trees a hectare of ground, within 3 % on slopes up to 45°.
+///
+/// @param trees_per_ha  Clamped to kLeastTreesPerHa … kMostTreesPerHa.
 SampleDensity density_for(double trees_per_ha);
 
-/// The least spacing of any seat that a block may hold; 0 where it holds none. Too small is allowed, too large is not.
+/// A lower bound of the spacings in a block; 0 where it has no samples.
 using LeastSpacing = std::function<double(const Box2& block)>;
-/// The seat at a place, asked for places in the box widened by kSampleInfluence_m only.
+/// The density at a place, called for places in the box widened by kSampleInfluence_m.
 using DensityAt = std::function<SampleDensity(Vec2 at)>;
 
-/// Sites at even distances in the half-open box, by rows of a lattice.
+/// Returns the samples in the half-open box, by rows of a lattice.
 ///
-/// Guarantees: two accepted sites are at least the mean of their spacings apart from foot to foot, heights counted;
-/// whether one is accepted depends on seats within kSampleInfluence_m alone. Method: a fixed lattice of the plane has a
-/// jittered candidate in each cell; as many are kept, by hash, as make the same number a spacing's square of ground
-/// everywhere; in each round a candidate with the highest priority among the undecided within spacing is accepted, and
-/// rejects those about it in the next. Cost: O(cells of blocks with seats + candidates · neighbours).
+/// Guarantees: two samples are at least the mean of their spacings apart in space; a sample depends on densities within
+/// kSampleInfluence_m alone. Method: each cell of a fixed lattice has a jittered candidate; a hash keeps as many as
+/// give the same number per spacing² of ground everywhere. In each round a candidate is accepted if its priority is the
+/// highest among the undecided candidates within its spacing; in the next it rejects those.
+/// Cost: O(cells of blocks with samples + candidates · neighbours).
 /// Source: priority-based parallel Poisson disks, after Bowers, Wang, Wei, Maletz, "Parallel Poisson disk sampling with
 /// spectrum analysis on surfaces", 2010.
 std::vector<Sample> blue_noise(std::uint64_t seed, const Box2& box, const LeastSpacing& least_spacing,

@@ -8,26 +8,23 @@
 namespace citykiln::plants {
 namespace {
 
-constexpr int kLeastBarePriority = 50;
-
-// Low plants grow up to a path's edge.
+// Clearance of plants up to kLow_m: they grow up to a path's edge.
 constexpr double kLowClearance_m = 0.25, kLow_m = 2;
 
-// How far a plant stands off its place in the row, as a share of the distance to the next: people plant evenly, grass
-// does not.
-constexpr double kPlantedOff = 0.1, kWildOff = 0.95;
+// Jitter of a plant's place as a share of the spacings: planted in rows, or sown.
+constexpr double kPlantedJitter = 0.1, kSownJitter = 0.95;
 
 constexpr double kHeightSpread = 0.15;
 
-// A tile's fields are measured by places this far apart.
-constexpr double kProbe_m = 16;
+// Spacing of the samples that estimate a tile's field areas.
+constexpr double kAreaSample_m = 16;
 
 bool is_blade(const Planting& planting) {
   return is_single_species(planting.species_mix) &&
-         values_of(single_species(planting.species_mix)).leaves == LeafForm::kBlade;
+         values_of(single_species(planting.species_mix)).leaf_form == LeafForm::kBlade;
 }
 
-/// The surface of a planting, by id; surfaces are sorted by id.
+// The land-cover polygon of a planting; `map.surfaces` is sorted by id, and a building may have the id of a planting.
 std::uint32_t surface_of(const ground::LandCoverIndex& map, const Planting& planting) {
   const auto first = std::ranges::lower_bound(map.surfaces, planting.surface, {}, &ground::LandCoverPolygon::id);
   for (auto at = first; at != map.surfaces.end() && at->id == planting.surface; ++at)
@@ -48,9 +45,9 @@ Box2 extent_in(const ground::LandCoverPolygon& surface, const Box2& box) {
   return common(around, box);
 }
 
-/// Rows counted from the plane's origin: (along, across) in plants and rows.
+// Plane coordinates in plants along and rows across, from the plane's origin.
 struct RowGrid {
-  Vec2 along, across;  // one plant on, one row on
+  Vec2 along, across;  // to the next plant and the next row
 
   Vec2 at(double plant, double row) const { return along * plant + across * row; }
   double plant(Vec2 p) const { return dot(p, along) / dot(along, along); }
@@ -66,7 +63,7 @@ struct Range {
   std::int64_t first, last;
 };
 
-/// The whole numbers that a function has over the corners of a box, and one more on either side.
+// The integers between the least and largest value of a linear function on a box, and one more on either side.
 template <typename Of>
 Range range_over(const Box2& box, Of of) {
   double least = of(box.min), most = least;
@@ -75,7 +72,7 @@ Range range_over(const Box2& box, Of of) {
   return {static_cast<std::int64_t>(std::floor(least)) - 1, static_cast<std::int64_t>(std::floor(most)) + 1};
 }
 
-/// Calls visit(place in the grid, its dice) for the plants that may stand in a box; `share` of them.
+// Calls visit(plane place, draws) for a share of the plants of the grid that are in a box.
 template <typename Visit>
 void for_each_plant(const Planting& planting, const Box2& box, double share, std::uint64_t seed, Visit visit) {
   const RowGrid grid = grid_of(planting);
@@ -83,76 +80,73 @@ void for_each_plant(const Planting& planting, const Box2& box, double share, std
   const Range rows = range_over(box, [&](Vec2 p) { return grid.row(p); });
   const bool is_sown =
       is_single_species(planting.species_mix) && single_species(planting.species_mix) == Species::kGrass;
-  const double off = is_sown ? kWildOff : kPlantedOff;
+  const double jitter = is_sown ? kSownJitter : kPlantedJitter;
   for (std::int64_t row = rows.first; row <= rows.last; ++row)
     for (std::int64_t plant = plants.first; plant <= plants.last; ++plant) {
       const auto number = static_cast<std::uint64_t>(plant) << 32 ^ (static_cast<std::uint64_t>(row) & 0xffffffffu);
       const Draw draw(seed, stable_id(stable_id(planting.surface), "plant", number), "plant");
       if (draw.unit(kKeptDraw) >= share) continue;
-      const double x = static_cast<double>(plant) + off * (draw.unit(kAlongDraw) - 0.5);
-      const double y = static_cast<double>(row) + off * (draw.unit(kAcrossDraw) - 0.5);
+      const double x = static_cast<double>(plant) + jitter * (draw.unit(kAlongDraw) - 0.5);
+      const double y = static_cast<double>(row) + jitter * (draw.unit(kAcrossDraw) - 0.5);
       if (const Vec2 at = snapped(grid.at(x, y)); is_in_half_open(box, at)) visit(at, draw);
     }
 }
 
 void place_planting(PlacedPlants& placed, const Planting& planting, const ObstacleIndex& trees, double share,
-                    const PlacingContext& land) {
-  const std::uint32_t surface = surface_of(land.surfaces, planting);
+                    const PlacingContext& context) {
+  const std::uint32_t surface = surface_of(context.surfaces, planting);
   if (surface == ground::kNoLandCover) return;
-  const Box2 here = extent_in(land.surfaces.surfaces[surface], land.box);
+  const Box2 here = extent_in(context.surfaces.surfaces[surface], context.box);
   if (here.is_empty()) return;
   const double clear_m = planting.height_m <= kLow_m ? kLowClearance_m : kTrunkClearance_m;
   const Vec2 along = row_direction(planting.heading);
-  for_each_plant(planting, here, share, land.seed, [&](Vec2 at, const Draw& draw) {
-    if (ground::land_cover_at(land.surfaces, at) != surface || is_near_obstacle(trees, at)) return;
-    if (clearance_m(land.surfaces, at, kLeastBarePriority, clear_m) < clear_m) return;
+  for_each_plant(planting, here, share, context.seed, [&](Vec2 at, const Draw& draw) {
+    if (ground::land_cover_at(context.surfaces, at) != surface || is_near_obstacle(trees, at)) return;
+    if (clearance_m(context.surfaces, at, kLeastObstaclePriority, clear_m) < clear_m) return;
     const double height_m = planting.height_m * draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDraw);
-    if (!is_single_species(planting.species_mix)) {
-      const Species species =
-          draw_species(planting.species_mix, habitat_of(land, at), land.seed, draw.unit(kSpeciesDraw));
-      return place_plant(placed, land, species, at, height_m, draw, planting.surface.osm);
-    }
-    const Species species = single_species(planting.species_mix);
-    const bool is_aligned = species == Species::kHedge || species == Species::kVine;
-    if (is_aligned)
-      place_plant_along(placed, land, species, at, height_m, along, draw, planting.surface.osm);
+    const bool is_mix = !is_single_species(planting.species_mix);
+    const Species species =
+        is_mix ? draw_species(planting.species_mix, habitat_of(context, at), context.seed, draw.unit(kSpeciesDraw))
+               : single_species(planting.species_mix);
+    if (!is_mix && (species == Species::kHedge || species == Species::kVine))
+      place_plant_along(placed, context, species, at, height_m, along, draw, planting.surface.osm);
     else
-      place_plant(placed, land, species, at, height_m, draw, planting.surface.osm);
+      place_plant(placed, context, species, at, height_m, draw, planting.surface.osm);
   });
 }
 
-/// How many plants are asked for in the box, from places on a grid.
-double asked_for(std::span<const Planting> plantings, const PlacingContext& land) {
-  std::vector<double> per_m2(land.surfaces.surfaces.size());
+// Number of blades that the plantings ask for in the box, estimated from the land cover at samples.
+double blades_in_box(std::span<const Planting> plantings, const PlacingContext& context) {
+  std::vector<double> per_m2(context.surfaces.surfaces.size());
   for (const Planting& planting : plantings)
-    if (const std::uint32_t s = surface_of(land.surfaces, planting); is_blade(planting) && s != ground::kNoLandCover)
+    if (const std::uint32_t s = surface_of(context.surfaces, planting); is_blade(planting) && s != ground::kNoLandCover)
       per_m2[s] = 1 / (planting.row_spacing_m * planting.plant_spacing_m);
   double sum = 0;
-  for (double y = land.box.min.y + kProbe_m / 2; y < land.box.max.y; y += kProbe_m)
-    for (double x = land.box.min.x + kProbe_m / 2; x < land.box.max.x; x += kProbe_m)
-      if (const std::uint32_t s = ground::land_cover_at(land.surfaces, {x, y}); s != ground::kNoLandCover)
-        sum += per_m2[s] * kProbe_m * kProbe_m;
+  for (double y = context.box.min.y + kAreaSample_m / 2; y < context.box.max.y; y += kAreaSample_m)
+    for (double x = context.box.min.x + kAreaSample_m / 2; x < context.box.max.x; x += kAreaSample_m)
+      if (const std::uint32_t s = ground::land_cover_at(context.surfaces, {x, y}); s != ground::kNoLandCover)
+        sum += per_m2[s] * kAreaSample_m * kAreaSample_m;
   return sum;
 }
 
 }  // namespace
 
 void place_plantings(PlacedPlants& placed, std::span<const Planting> plantings, std::span<const Obstacle> trees,
-                     const PlacingContext& land) {
+                     const PlacingContext& context) {
   const ObstacleIndex obstacles = index_obstacles(trees);
   for (const Planting& planting : plantings)
-    if (!is_blade(planting)) place_planting(placed, planting, obstacles, 1, land);
+    if (!is_blade(planting)) place_planting(placed, planting, obstacles, 1, context);
 }
 
-PlacedPlants generate_blades(std::span<const Planting> plantings, const PlacingContext& land) {
+void place_blades(PlacedPlants& placed, std::span<const Planting> plantings, double most_per_km2,
+                  const PlacingContext& context) {
+  assert(most_per_km2 > 0);
   constexpr double kKm2_m2 = 1e6;
-  PlacedPlants placed;
-  const double most = kMostBladesPerKm2 * land.box.width() * land.box.height() / kKm2_m2;
-  const double share = std::min(1.0, most / std::max(asked_for(plantings, land), 1.0));
+  const double most = most_per_km2 * context.box.width() * context.box.height() / kKm2_m2;
+  const double share = std::min(1.0, most / std::max(blades_in_box(plantings, context), 1.0));
   const ObstacleIndex none = index_obstacles({});
   for (const Planting& planting : plantings)
-    if (is_blade(planting)) place_planting(placed, planting, none, share, land);
-  return placed;
+    if (is_blade(planting)) place_planting(placed, planting, none, share, context);
 }
 
 }  // namespace citykiln::plants

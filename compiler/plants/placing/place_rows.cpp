@@ -8,27 +8,27 @@
 namespace citykiln::plants {
 namespace {
 
-// Trees of one row were planted together.
+// Heights differ little, as the trees of a row have one age.
 constexpr double kSpread = 0.08;
 
-// Crowns of a row touch each other.
-constexpr double kCrownShare = 0.95, kLeastSpacing_m = 2, kMostSpacing_m = 14;
+// Spacing in crown widths, so that crowns touch.
+constexpr double kCrownSpacing = 0.95, kLeastSpacing_m = 2, kMostSpacing_m = 14;
 
-// Of all rows' trees those so near to the box are asked for: as far as they keep woods off.
+// Distance from the box up to which trees are obstacles to woods; at least the largest crown_clearance_m.
 constexpr double kAbout_m = 8;
 
-/// The species of a row is one: that of its middle.
-Species species_of_row(const TreeRow& row, const PlacingContext& land, const Draw& draw) {
-  return draw_species(row.species_mix, habitat_of(land, row.axis[row.axis.size() / 2]), land.seed,
+// All trees of a row have the species drawn at its middle.
+Species species_of_row(const TreeRow& row, const PlacingContext& context, const Draw& draw) {
+  return draw_species(row.species_mix, habitat_of(context, row.axis[row.axis.size() / 2]), context.seed,
                       draw.unit(kSpeciesDraw));
 }
 
 double spacing_m_of(const TreeRow& row, Species species, double height_m) {
   if (row.spacing_m > 0) return row.spacing_m;
-  return std::clamp(kCrownShare * crown_share(species) * height_m, kLeastSpacing_m, kMostSpacing_m);
+  return std::clamp(kCrownSpacing * values_of(species).crown_share * height_m, kLeastSpacing_m, kMostSpacing_m);
 }
 
-/// Calls visit(place, number) at equal distances, at both ends too.
+// Calls visit(place, number) at equal distances along an axis, including its ends; a closed axis has one end.
 template <typename Visit>
 void for_each_along(const Polyline& axis, double spacing_m, Visit visit) {
   const double length = length_m(axis);
@@ -45,46 +45,47 @@ void for_each_along(const Polyline& axis, double spacing_m, Visit visit) {
   }
 }
 
-void place_row(PlacedPlants& placed, const TreeRow& row, const ObstacleIndex& mapped, const PlacingContext& land,
+void place_row(PlacedPlants& placed, const TreeRow& row, const ObstacleIndex& mapped, const PlacingContext& context,
                std::vector<Obstacle>& trees) {
-  const Draw of_row(land.seed, stable_id(row.id), "row");
-  const Species species = species_of_row(row, land, of_row);
+  const Draw of_row(context.seed, stable_id(row.id), "row");
+  const Species species = species_of_row(row, context, of_row);
   const double mean_m = row.height_m > 0 ? row.height_m : default_height_m(species);
   const double spacing_m = spacing_m_of(row, species, mean_m);
-  const Box2 about = land.box.widened(kAbout_m);
+  const Box2 about = context.box.widened(kAbout_m);
   for_each_along(row.axis, spacing_m, [&](Vec2 at, std::uint32_t number) {
-    if (!about.contains(at) || is_blocked_ground(land.surfaces, at)) return;
+    if (!about.contains(at) || is_blocked_ground(context.surfaces, at)) return;
     const bool is_mapped = std::ranges::any_of(boxes_about(mapped.grid, at), [&](std::uint32_t i) {
-      return distance(mapped.all[i].at, at) < std::min(spacing_m / 2, mapped.all[i].reach_m);
+      return distance(mapped.all[i].at, at) < std::min(spacing_m / 2, mapped.all[i].radius_m);
     });
     if (is_mapped) return;
-    const Draw draw(land.seed, stable_id(stable_id(row.id), "tree", number), "tree");
+    const Draw draw(context.seed, stable_id(stable_id(row.id), "tree", number), "tree");
     const double height_m = mean_m * draw.between(1 - kSpread, 1 + kSpread, kHeightDraw);
     trees.push_back({at, crown_clearance_m(species, height_m)});
-    if (is_in_half_open(land.box, at)) place_plant(placed, land, species, at, height_m, draw, row.id.osm);
+    if (is_in_half_open(context.box, at)) place_plant(placed, context, species, at, height_m, draw, row.id.osm);
   });
 }
 
 }  // namespace
 
 std::vector<Obstacle> place_rows(PlacedPlants& placed, std::span<const TreeRow> rows, std::vector<Obstacle> trees,
-                                 const PlacingContext& land) {
+                                 const PlacingContext& context) {
   const std::vector<Obstacle> single = trees;
   const ObstacleIndex mapped = index_obstacles(single);
-  for (const TreeRow& row : rows) place_row(placed, row, mapped, land, trees);
+  for (const TreeRow& row : rows) place_row(placed, row, mapped, context, trees);
   return trees;
 }
 
-void add_hedge(const HedgeLine& hedge, const PlacingContext& land, PlacedPlants& placed) {
+void add_hedge(const HedgeLine& hedge, const PlacingContext& context, PlacedPlants& placed) {
   const double length = length_m(hedge.axis);
   if (length <= 0 || hedge.height_m <= 0) return;
   std::uint32_t piece = 0;
   Vec2 before;
   for_each_along(hedge.axis, hedge.height_m, [&](Vec2 at, std::uint32_t number) {
     const Vec2 middle = snapped((before + at) * 0.5);
-    if (number > 0 && before != at && is_in_half_open(land.box, middle)) {
-      const Draw draw(land.seed, stable_id(stable_id(ObjectId{hedge.feature, 0}), "piece", piece), "hedge");
-      place_plant_along(placed, land, Species::kHedge, middle, hedge.height_m, unit(at - before), draw, hedge.feature);
+    if (number > 0 && before != at && is_in_half_open(context.box, middle)) {
+      const Draw draw(context.seed, stable_id(stable_id(ObjectId{hedge.feature, 0}), "piece", piece), "hedge");
+      place_plant_along(placed, context, Species::kHedge, middle, hedge.height_m, unit(at - before), draw,
+                        hedge.feature);
     }
     before = at, ++piece;
   });

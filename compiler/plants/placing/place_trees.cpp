@@ -14,16 +14,16 @@ struct GrownPlant {
   double height_m;
 };
 
-GrownPlant grown(const Tree& tree, const PlacingContext& land, const Draw& draw) {
-  const Habitat habitat = habitat_of(land, tree.at);
-  const Species species = draw_species(tree.species_mix, habitat, land.seed, draw.unit(kSpeciesDraw));
+GrownPlant grown(const Tree& tree, const PlacingContext& context, const Draw& draw) {
+  const Habitat habitat = habitat_of(context, tree.at);
+  const Species species = draw_species(tree.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
   if (tree.height_m > 0) return {species, tree.height_m};
   const double spread = draw.between(1 - kSpread, 1 + kSpread, kHeightDraw);
   return {species, default_height_m(species) * height_factor(habitat) * spread};
 }
 
-// Trees are mapped to half a metre, roads' edges follow from lanes whose widths are usual ones: so far in a tree is
-// beside the road, and so far outside of the edge it stands.
+// Trees are mapped to half a metre, and roads' edges follow from default lane widths: a tree up to kInRoad_m inside a
+// road stands kBesideRoad_m outside its edge.
 constexpr double kInRoad_m = 2, kBesideRoad_m = 0.5, kStep_m = 0.25;
 constexpr int kDirections = 16;
 
@@ -32,7 +32,7 @@ bool is_on_road(const ground::LandCoverIndex& map, Vec2 p) {
   return top != ground::kNoLandCover && map::values_of(map.surfaces[top].surface).group == map::LandCoverGroup::kRoad;
 }
 
-// The nearest place beside the road that a tree is in; nothing where it stands too deep.
+// The nearest place beside the road that contains p; none more than kInRoad_m inside.
 std::optional<Vec2> beside_road(const ground::LandCoverIndex& map, Vec2 p) {
   if (!is_on_road(map, p)) return std::nullopt;
   for (double in_m = 0; in_m <= kInRoad_m; in_m += kStep_m)
@@ -44,7 +44,7 @@ std::optional<Vec2> beside_road(const ground::LandCoverIndex& map, Vec2 p) {
   return std::nullopt;
 }
 
-// Where it stands, if anywhere, whichever tile asks.
+// The place of a tree, or none where it is dropped; the same for all tiles.
 std::optional<Vec2> place_of(const ground::LandCoverIndex& map, Vec2 p) {
   if (!map.box.contains(p)) return std::nullopt;
   return is_blocked_ground(map, p) ? beside_road(map, p) : p;
@@ -52,27 +52,27 @@ std::optional<Vec2> place_of(const ground::LandCoverIndex& map, Vec2 p) {
 
 }  // namespace
 
-std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& land,
+std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& context,
                                   Report& report) {
-  std::vector<Obstacle> standing;
+  std::vector<Obstacle> obstacles;
   Account account;
   for (const Tree& tree : trees) {
-    const std::optional<Vec2> at = place_of(land.surfaces, tree.at);
-    // whoever is moved is his new tile's
-    const bool is_here = is_in_half_open(land.box, at.value_or(tree.at));
+    const std::optional<Vec2> at = place_of(context.surfaces, tree.at);
+    // a moved tree belongs to the tile of its new place
+    const bool is_here = is_in_half_open(context.box, at.value_or(tree.at));
     if (is_here) ++account.in;
     if (is_here && !at) report.drop(account, Code::kTreeOnRoad, tree.id.osm);
     if (!at) continue;
-    const Draw draw(land.seed, stable_id(tree.id), "tree");
-    const auto [species, height_m] = grown(tree, land, draw);
-    standing.push_back({*at, crown_clearance_m(species, height_m)});
+    const Draw draw(context.seed, stable_id(tree.id), "tree");
+    const auto [species, height_m] = grown(tree, context, draw);
+    obstacles.push_back({*at, crown_clearance_m(species, height_m)});
     if (!is_here) continue;
     if (*at != tree.at) report.add(Code::kTreeMoved, tree.id.osm, distance(*at, tree.at));
     ++account.out;
-    place_plant(placed, land, species, *at, height_m, draw, tree.id.osm);
+    place_plant(placed, context, species, *at, height_m, draw, tree.id.osm);
   }
   report.account("bake", "tree") = account;
-  return standing;
+  return obstacles;
 }
 
 }  // namespace citykiln::plants

@@ -8,12 +8,12 @@
 namespace citykiln::plants {
 namespace {
 
-// So near to where a forest ends it is bushes, mostly.
-constexpr double kRim_m = 4.5, kRimBushes = 0.55;
+// Width of a forest's edge, and share of bushes in it.
+constexpr double kEdge_m = 4.5, kEdgeBushes = 0.55;
 
-/// The least spacing of the woods in the buckets that a block touches.
+// The least spacing of the woods in the grid cells that a block touches; 0 without woods.
 double least_spacing_m(const WoodMap& woods, const Box2& block) {
-  const ground::LandCoverIndex& map = woods.land.surfaces;
+  const ground::LandCoverIndex& map = woods.context.surfaces;
   const auto bucket = [&](double offset_m, int count) {
     return static_cast<int>(std::clamp(std::floor(offset_m / map.bucket_m), 0.0, count - 1.0));
   };
@@ -33,39 +33,41 @@ double least_spacing_m(const WoodMap& woods, const Box2& block) {
 }
 
 bool is_forest(const WoodMap& woods, Vec2 p) {
-  const std::uint32_t surface = ground::land_cover_at(woods.land.surfaces, p);
+  const std::uint32_t surface = ground::land_cover_at(woods.context.surfaces, p);
   if (surface == ground::kNoLandCover) return false;
-  return map::values_of(woods.land.surfaces.surfaces[surface].surface).group == map::LandCoverGroup::kForest;
+  return map::values_of(woods.context.surfaces.surfaces[surface].surface).group == map::LandCoverGroup::kForest;
 }
 
-bool is_at_rim(const WoodMap& woods, Vec2 p) {
-  constexpr std::array<Vec2, 4> kAbout = {{{kRim_m, 0}, {0, kRim_m}, {-kRim_m, 0}, {0, -kRim_m}}};
+bool is_at_edge(const WoodMap& woods, Vec2 p) {
+  constexpr std::array<Vec2, 4> kAbout = {{{kEdge_m, 0}, {0, kEdge_m}, {-kEdge_m, 0}, {0, -kEdge_m}}};
   return is_forest(woods, p) && std::ranges::any_of(kAbout, [&](Vec2 offset) { return !is_forest(woods, p + offset); });
 }
 
-void grow(PlacedPlants& placed, const WoodMap& woods, const Sample& site) {
-  const Wood& wood = woods.woods[site.density.owner];
-  const PlacingContext& land = woods.land;
-  const Draw draw(land.seed, site.id, "tree");
-  const Habitat habitat = habitat_of(land, site.at);
-  Species species = draw_species(wood.species_mix, habitat, land.seed, draw.unit(kSpeciesDraw));
-  if (draw.unit(kKeptDraw) < kRimBushes && is_at_rim(woods, site.at)) species = Species::kBush;
-  place_plant(placed, land, species, site.at, height_in_wood_m(wood, species, habitat, draw), draw, wood.surface.osm);
+void place_tree(PlacedPlants& placed, const WoodMap& woods, const Sample& sample) {
+  const Wood& wood = woods.woods[sample.density.owner];
+  const PlacingContext& context = woods.context;
+  const Draw draw(context.seed, sample.id, "tree");
+  const Habitat habitat = habitat_of(context, sample.at);
+  Species species = draw_species(wood.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
+  if (draw.unit(kKeptDraw) < kEdgeBushes && is_at_edge(woods, sample.at)) species = Species::kBush;
+  place_plant(placed, context, species, sample.at, height_in_wood_m(wood, species, habitat, draw), draw,
+              wood.surface.osm);
 }
 
 }  // namespace
 
 void place_woods(PlacedPlants& placed, std::span<const Wood> woods, std::span<const Obstacle> trees,
-                 std::span<const PowerLineCorridor> corridors, const PlacingContext& land) {
+                 std::span<const PowerLineCorridor> corridors, const PlacingContext& context) {
   if (woods.empty()) return;
-  const WoodMap map = map_woods(woods, land);
+  const WoodMap map = map_woods(woods, context);
   const std::vector<Sample> samples = blue_noise(
-      land.seed, land.box, [&](const Box2& block) { return least_spacing_m(map, block); },
+      context.seed, context.box, [&](const Box2& block) { return least_spacing_m(map, block); },
       [&](Vec2 p) { return density_at(map, p); });
   const ObstacleIndex obstacles = index_obstacles(trees);
-  const CorridorIndex kept_free = index_corridors(corridors, land.box);
-  for (const Sample& site : samples)
-    if (!is_near_obstacle(obstacles, site.at) && !is_in_corridor(kept_free, site.at)) grow(placed, map, site);
+  const CorridorIndex kept_free = index_corridors(corridors, context.box);
+  for (const Sample& sample : samples)
+    if (!is_near_obstacle(obstacles, sample.at) && !is_in_corridor(kept_free, sample.at))
+      place_tree(placed, map, sample);
 }
 
 }  // namespace citykiln::plants

@@ -4,12 +4,11 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/trig.h"
-#include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {
 namespace {
 
-// Willows and poplars stand so near to water; less than what carving knows of it.
+// Distance to water in which wet species grow; less than the terrain's shores cover.
 constexpr double kByWater_m = 12;
 
 bool is_by_water(const ground::GradedTerrain& ground, Vec2 p) {
@@ -19,16 +18,21 @@ bool is_by_water(const ground::GradedTerrain& ground, Vec2 p) {
 
 }  // namespace
 
-void place_plant_along(PlacedPlants& placed, const PlacingContext& land, Species species, Vec2 at, double height_m,
+void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
                        Vec2 along, const Draw& draw, OsmId feature) {
+  assert(species < Species::kCount && height_m > 0);
   const auto variant = static_cast<std::uint8_t>(draw.unit(kVariantDraw) * kVariants);
-  const Vec3 foot = snapped(at_height(at, land_m(land.ground, at)));
-  placed[{species, variant}].push_back({foot, along.x, along.y, std::min(height_m, kTallestPlant_m), feature});
+  const Vec3 foot = snapped(at_height(at, land_m(context.ground, at)));
+  placed[{species, variant}].push_back({.at = foot,
+                                        .cos_yaw = along.x,
+                                        .sin_yaw = along.y,
+                                        .scale = std::min(height_m, kTallestPlant_m),
+                                        .feature = feature});
 }
 
-void place_plant(PlacedPlants& placed, const PlacingContext& land, Species species, Vec2 at, double height_m,
+void place_plant(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
                  const Draw& draw, OsmId feature) {
-  place_plant_along(placed, land, species, at, height_m, direction_of(draw.unit(kYawDraw)), draw, feature);
+  place_plant_along(placed, context, species, at, height_m, direction_of(draw.unit(kYawDraw)), draw, feature);
 }
 
 bool is_in_half_open(const Box2& box, Vec2 p) {
@@ -45,26 +49,27 @@ bool is_blocked_ground(const ground::LandCoverIndex& map, Vec2 p) {
          group == map::LandCoverGroup::kBuilding || group == map::LandCoverGroup::kWater;
 }
 
-Habitat habitat_of(const PlacingContext& land, Vec2 p) {
-  const map::Heightfield& terrain = land.ground.terrain;
-  return habitat_at(land.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p), is_by_water(land.ground, p));
+Habitat habitat_of(const PlacingContext& context, Vec2 p) {
+  const map::Heightfield& terrain = context.ground.terrain;
+  return habitat_at(context.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p),
+                    is_by_water(context.ground, p));
 }
 
 double crown_clearance_m(Species species, double height_m) {
   constexpr double kRoom_m = 1.5, kLeast_m = 2, kMost_m = 7;
-  return std::clamp(crown_share(species) * height_m / 2 + kRoom_m, kLeast_m, kMost_m);
+  return std::clamp(values_of(species).crown_share * height_m / 2 + kRoom_m, kLeast_m, kMost_m);
 }
 
 ObstacleIndex index_obstacles(std::span<const Obstacle> all) {
   constexpr double kBucket_m = 16;
   std::vector<Box2> boxes;
-  for (const Obstacle& o : all) boxes.push_back(Box2{o.at, o.at}.widened(o.reach_m));
+  for (const Obstacle& o : all) boxes.push_back(Box2{o.at, o.at}.widened(o.radius_m));
   return {all, grid_of(boxes, kBucket_m)};
 }
 
 bool is_near_obstacle(const ObstacleIndex& obstacles, Vec2 p) {
   return std::ranges::any_of(boxes_about(obstacles.grid, p), [&](std::uint32_t i) {
-    return distance(obstacles.all[i].at, p) < obstacles.all[i].reach_m;
+    return distance(obstacles.all[i].at, p) < obstacles.all[i].radius_m;
   });
 }
 

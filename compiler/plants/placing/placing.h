@@ -1,13 +1,47 @@
-// What placing single trees, rows, woods and plantings have in common.
+// Placing of plants: what the steps for single trees, tree rows, woods, plantings and hedges share.
 #pragma once
 
+#include <map>
+#include <span>
+#include <vector>
+
 #include "compiler/contract/draw.h"
+#include "compiler/contract/report.h"
 #include "compiler/geometry/box_grid.h"
-#include "compiler/plants/generate.h"
+#include "compiler/geometry/placement.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/ground/grading/graded_terrain.h"
+#include "compiler/plants/recipe.h"
 
 namespace citykiln::plants {
 
-/// Indices of what is drawn for a plant.
+/// Plants by prototype; Placement::scale is the height in metres.
+using PlacedPlants = std::map<Prototype, std::vector<Placement>>;
+
+/// Least distance of trunks of woods and plantings to roads, paths, rails, water, buildings and other land cover of
+/// priority kLeastObstaclePriority and more.
+inline constexpr double kTrunkClearance_m = 1.25;
+
+/// Priority (map/land_cover_classes.inc) of water, pitches, squares, paths, rails, roads and buildings, and of nothing
+/// below it.
+inline constexpr int kLeastObstaclePriority = 50;
+
+/// Influence radius of land cover on a wood's trees: how far beyond the box polygons must be known.
+inline constexpr double kInfluenceRadius_m = 48;
+
+/// Limit of all plant heights.
+inline constexpr double kTallestPlant_m = 40;
+
+/// The ground on which plants are placed.
+struct PlacingContext {
+  const ground::LandCoverIndex& surfaces;  ///< Covers the box widened by kInfluenceRadius_m.
+  const ground::GradedTerrain& ground;     ///< Graded in the box; its terrain covers the surfaces' box.
+  Box2 box;                                ///< Half-open: a plant on its upper sides belongs to the neighbour.
+  std::uint64_t seed = 0;
+  double latitude_deg = 0;
+};
+
+/// Indices of a plant's random draws.
 enum DrawIndex : std::uint32_t {
   kHeightDraw,
   kSpeciesDraw,
@@ -18,43 +52,60 @@ enum DrawIndex : std::uint32_t {
   kKeptDraw
 };
 
-/// Puts a plant's foot on the graded terrain.
-void place_plant(PlacedPlants& placed, const PlacingContext& land, Species species, Vec2 at, double height_m,
+/// Adds a plant at a plane place, with its foot on the graded terrain.
+void place_plant(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
                  const Draw& draw, OsmId feature);
-/// The same, facing along a direction.
-void place_plant_along(PlacedPlants& placed, const PlacingContext& land, Species species, Vec2 at, double height_m,
+/// The same, turned to a direction.
+/// @param along  Unit.
+void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
                        Vec2 along, const Draw& draw, OsmId feature);
 
+/// Whether the box contains a place, without its upper sides.
 bool is_in_half_open(const Box2& box, Vec2 p);
 
-/// On a carriageway, a rail, a building or water.
+/// Whether the topmost land cover at a place is a carriageway, rail, building or water. Pedestrian streets are free.
 bool is_blocked_ground(const ground::LandCoverIndex& map, Vec2 p);
 
-Habitat habitat_of(const PlacingContext& land, Vec2 p);
+Habitat habitat_of(const PlacingContext& context, Vec2 p);
 
-/// A tree of a row or by itself, which woods keep clear of.
+/// A mapped tree or one of a row, which woods keep clear of.
 struct Obstacle {
   Vec2 at;
-  double reach_m = 0;  ///< To where a wood's trunk may stand: its crown and room for another's.
+  double radius_m = 0;  ///< Clearance to trunks of woods: half of the crown's width, and room for another crown.
 };
 double crown_clearance_m(Species species, double height_m);
 
-/// Trees that are mapped each by itself. Ledger "bake/tree".
-std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& land,
+/// Places single trees and returns them and those near the box as obstacles. Ledger "bake/tree".
+std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& context,
                                   Report& report);
 
-/// Those of rows; not where a mapped tree stands already. Returns the trees, those mapped among them.
+/// Places trees of rows, except where a tree of `trees` stands. Returns `trees` and those of rows.
 std::vector<Obstacle> place_rows(PlacedPlants& placed, std::span<const TreeRow> rows, std::vector<Obstacle> trees,
-                                 const PlacingContext& land);
+                                 const PlacingContext& context);
 
 void place_woods(PlacedPlants& placed, std::span<const Wood> woods, std::span<const Obstacle> trees,
-                 std::span<const PowerLineCorridor> corridors, const PlacingContext& land);
+                 std::span<const PowerLineCorridor> corridors, const PlacingContext& context);
 
+/// Places all plantings without blades.
 /// @param trees  Gaps in the rows.
 void place_plantings(PlacedPlants& placed, std::span<const Planting> plantings, std::span<const Obstacle> trees,
-                     const PlacingContext& land);
+                     const PlacingContext& context);
 
-/// Things sorted by place: whether p is within reach of any.
+/// Places plantings of grass, reed and corn; a share of them where they would be more than `most_per_km2`.
+void place_blades(PlacedPlants& placed, std::span<const Planting> plantings, double most_per_km2,
+                  const PlacingContext& context);
+
+/// A mapped hedge.
+struct HedgeLine {
+  const Polyline& axis;
+  double height_m = 0;
+  OsmId feature;
+};
+
+/// Adds the pieces of a hedge along its axis, each as long as it is high, whatever the land cover. O(length).
+void add_hedge(const HedgeLine& hedge, const PlacingContext& context, PlacedPlants& placed);
+
+/// Obstacles in a grid of boxes.
 struct ObstacleIndex {
   std::span<const Obstacle> all;
   BoxGrid grid;

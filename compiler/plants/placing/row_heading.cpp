@@ -8,11 +8,11 @@
 namespace citykiln::plants {
 namespace {
 
-// Flatter fields are laid out by their borders.
+// Rows on flatter fields follow the border.
 constexpr double kLeastSlope = 0.03;
 
-// Places a side that the slope is asked at.
-constexpr int kPlaces = 16;
+// Slope samples along each side of the bounding box.
+constexpr int kSamples = 16;
 
 int winding_of(const ground::LandCoverPolygon& surface, Vec2 p) {
   int winding = 0;
@@ -25,15 +25,15 @@ Vec2 mean_slope(const ground::LandCoverPolygon& surface, const map::Heightfield&
   for (const Ring& ring : surface.rings)
     for (const Vec2 p : ring) box.grow(p);
   Vec2 sum;
-  int places = 0;
-  for (int i = 0; i < kPlaces * kPlaces; ++i) {
-    const Vec2 p = {box.min.x + box.width() * (i % kPlaces + 0.5) / kPlaces,
-                    box.min.y + box.height() * (i / kPlaces + 0.5) / kPlaces};
+  int count = 0;
+  for (int i = 0; i < kSamples * kSamples; ++i) {
+    const Vec2 p = {box.min.x + box.width() * (i % kSamples + 0.5) / kSamples,
+                    box.min.y + box.height() * (i / kSamples + 0.5) / kSamples};
     if (winding_of(surface, p) <= 0) continue;
     const Vec3 normal = map::normal_at(terrain, p);
-    sum = sum + in_plan(normal) * (1 / normal.z), ++places;
+    sum = sum + in_plan(normal) * (1 / normal.z), ++count;
   }
-  return places > 0 ? sum * (1.0 / places) : Vec2{};
+  return count > 0 ? sum * (1.0 / count) : Vec2{};
 }
 
 Vec2 longest_edge(const ground::LandCoverPolygon& surface) {

@@ -1,4 +1,4 @@
-// Which way rows run: along the contour, so that no water runs down between them.
+// Heading of rows: along the contour lines, so that water does not run down between rows.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace citykiln::plants {
 
-/// The heading of Planting: square to the mean slope of the terrain under a surface; where that is less than 3 in a
-/// hundred, along the surface's longest border. O(border + 256).
+/// Planting::heading: perpendicular to the mean slope of the terrain in a polygon; where the slope is below 3 %, along
+/// the polygon's longest edge. O(border points).
 std::uint8_t row_heading(const ground::LandCoverPolygon& surface, const map::Heightfield& terrain);
 
-/// Along rows of a heading; length 1.
+/// The unit direction of a heading.
 Vec2 row_direction(std::uint8_t heading);
 
 }  // namespace citykiln::plants

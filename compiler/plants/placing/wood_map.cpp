@@ -7,19 +7,16 @@
 namespace citykiln::plants {
 namespace {
 
-// Water, pitches and squares, paths, rails, roads and buildings, by their classes' priorities (surface_classes.inc).
-constexpr int kLeastBarePriority = 50;
-
-// Trees of one wood differ by this share of their mean height.
+// Spread of heights in one wood as a share of their mean.
 constexpr double kHeightSpread = 0.3;
 
-// Heights of woods are told for trees that grow so tall; bushes among them stay low.
+// Wood::height_m is that of a species with this default height; other species scale with theirs.
 constexpr double kTall_m = 22;
 
-// Towards the tree line trees get few: as many as asked for up to the first, so few from the second on.
+// Belts between which the density falls to kSparse, the share at the tree line.
 constexpr double kDenseUpTo_m = 2100, kSparseFrom_m = 2500, kSparse = 0.15;
 
-/// Surfaces are sorted by id; a building may bear the id of a wood.
+// The wood of each polygon. `surfaces` is sorted by id; a building may have the id of a wood.
 std::vector<std::uint32_t> woods_by_surface(std::span<const Wood> woods,
                                             std::span<const ground::LandCoverPolygon> surfaces) {
   std::vector<std::uint32_t> of_surface(surfaces.size(), ground::kNoLandCover);
@@ -45,29 +42,30 @@ double distance_to(const CorridorIndex::Segment& s, Vec2 p) {
 
 }  // namespace
 
-WoodMap map_woods(std::span<const Wood> woods, const PlacingContext& land) {
-  WoodMap map{woods, land, woods_by_surface(woods, land.surfaces.surfaces), {}};
+WoodMap map_woods(std::span<const Wood> woods, const PlacingContext& context) {
+  WoodMap map{woods, context, woods_by_surface(woods, context.surfaces.surfaces), {}};
+  assert(std::ranges::is_sorted(woods, {}, &Wood::surface));
   for (const Wood& wood : woods) map.densities.push_back(density_for(wood.trees_per_ha));
   return map;
 }
 
 std::uint32_t wood_at(const WoodMap& map, Vec2 p) {
-  const std::uint32_t surface = ground::land_cover_at(map.land.surfaces, p);
+  const std::uint32_t surface = ground::land_cover_at(map.context.surfaces, p);
   return surface == ground::kNoLandCover ? ground::kNoLandCover : map.of_surface[surface];
 }
 
 SampleDensity density_at(const WoodMap& woods, Vec2 p) {
-  const PlacingContext& land = woods.land;
-  if (!land.surfaces.box.contains(p)) return {};
+  const PlacingContext& context = woods.context;
+  if (!context.surfaces.box.contains(p)) return {};
   const std::uint32_t wood = wood_at(woods, p);
   if (wood == ground::kNoLandCover) return {};
-  if (clearance_m(land.surfaces, p, kLeastBarePriority, kTrunkClearance_m) < kTrunkClearance_m) return {};
+  if (clearance_m(context.surfaces, p, kLeastObstaclePriority, kTrunkClearance_m) < kTrunkClearance_m) return {};
   SampleDensity density = woods.densities[wood];
   density.owner = wood;
-  density.height_m = height_m_at(land.ground.terrain, p);
-  const Vec3 normal = normal_at(land.ground.terrain, p);
+  density.height_m = height_m_at(context.ground.terrain, p);
+  const Vec3 normal = normal_at(context.ground.terrain, p);
   density.normal_z = normal.z;
-  density.share *= share_at(habitat_at(land.latitude_deg, p, density.height_m, normal, false).belt_m);
+  density.share *= share_at(habitat_at(context.latitude_deg, p, density.height_m, normal, false).belt_m);
   return density;
 }
 
@@ -87,7 +85,6 @@ CorridorIndex index_corridors(std::span<const PowerLineCorridor> corridors, cons
       sorted.segments.push_back({lane.axis[i], lane.axis[i + 1], lane.width_m / 2});
       boxes.push_back(about);
     }
-  // a long span's box holds much that is far from it
   sorted.grid = grid_of(boxes, kBucket_m);
   return sorted;
 }

@@ -1,4 +1,4 @@
-// The woods of a tile: which stands where, how densely, and how high its trees are.
+// The woods of a tile by place: species mix, density and tree heights; and corridors without trees.
 #pragma once
 
 #include "compiler/plants/placing/blue_noise.h"
@@ -6,27 +6,27 @@
 
 namespace citykiln::plants {
 
-/// Woods by the surfaces that they stand on.
 struct WoodMap {
   std::span<const Wood> woods;
-  const PlacingContext& land;
-  std::vector<std::uint32_t> of_surface;  ///< ground::kNoLandCover: none.
+  const PlacingContext& context;
+  std::vector<std::uint32_t> of_surface;  ///< Index of the wood of each polygon of context.surfaces, or kNoLandCover.
   std::vector<SampleDensity> densities;   ///< One a wood.
 };
 
-WoodMap map_woods(std::span<const Wood> woods, const PlacingContext& land);
+/// @param woods  Sorted by surface.
+WoodMap map_woods(std::span<const Wood> woods, const PlacingContext& context);
 
-/// The wood on top at a place, or kNoLandCover.
+/// The wood whose polygon is topmost at a place, or kNoLandCover.
 std::uint32_t wood_at(const WoodMap& map, Vec2 p);
 
-/// What may stand at a place: nothing outside woods, in reach of what they keep clear of, and beyond the surfaces' box;
-/// towards the tree line few.
+/// The density of trees at a place: none outside woods, within kTrunkClearance_m of obstacles, and outside the
+/// polygons' box; fewer towards the tree line.
 SampleDensity density_at(const WoodMap& map, Vec2 p);
 
-/// Of a tree by its dice.
+/// Height of a tree in a wood, by species, habitat and its draws.
 double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const Draw& draw);
 
-/// What woods leave free below power lines, by place.
+/// Segments of power-line corridors in a grid of boxes.
 struct CorridorIndex {
   struct Segment {
     Vec2 a, b;
@@ -35,6 +35,7 @@ struct CorridorIndex {
   std::vector<Segment> segments;
   BoxGrid grid;
 };
+/// Indexes the corridors that touch the box.
 CorridorIndex index_corridors(std::span<const PowerLineCorridor> corridors, const Box2& box);
 bool is_in_corridor(const CorridorIndex& corridors, Vec2 p);
 

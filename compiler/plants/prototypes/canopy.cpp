@@ -15,22 +15,22 @@ namespace {
 using materials::Material;
 using materials::MaterialMesh;
 
-// A cell is asked at so many places each way, and at so many of all something else may be: a path.
-constexpr int kSamplesPerSide = 4, kElse = 4;
+// Samples of a cell each way, and how many of them may lie outside dense woods: a path.
+constexpr int kSamplesPerSide = 4, kMostOthers = 4;
 
-// Seats that want fewer trees than stand closed have a share of them.
+// Densities of closed woods have at least this share.
 constexpr double kClosedShare = 0.7;
 
-// What is lower than this share of the tolerance is the ground's texture.
+// Least height of trees as a share of the tolerance; lower ones are part of the ground's texture.
 constexpr double kLeastHeight = 0.4;
 
-// Between the tops of trees and the gaps between crowns.
+// Range of vertices' heights as shares of the trees' height: gaps between crowns, and treetops.
 constexpr double kLowest = 0.5, kHighest = 1;
 
-// Where it ends, below the ground.
+// Depth of vertices that are not raised below the ground.
 constexpr double kRimDepth_m = 1;
 
-// Cells from one outside the box on, and the corners of those: what a corner in the box depends on.
+// The cells of the box and of one row and column around it, and their vertices.
 struct Lattice {
   const WoodMap& woods;
   const Box2& box;
@@ -61,7 +61,7 @@ bool is_closed_cell(const Lattice& lattice, const CorridorIndex& corridors, int 
     if (is_in_corridor(corridors, p)) return false;
     const SampleDensity density = density_at(lattice.woods, p);
     if (density.share >= kClosedShare && density.spacing_m > 0 && density.normal_z >= kLeastNormal_z) continue;
-    if (++others > kElse || is_blocked_ground(lattice.woods.land.surfaces, p)) return false;
+    if (++others > kMostOthers || is_blocked_ground(lattice.woods.context.surfaces, p)) return false;
   }
   return true;
 }
@@ -79,23 +79,24 @@ Lattice lattice_of(const WoodMap& woods, const CorridorIndex& corridors, const B
   return lattice;
 }
 
-// Of a corner in the box: all about it is closed.
-bool is_in_air(const Lattice& lattice, int column, int row) {
+// @param column, row  Of a vertex in the box.
+bool is_raised(const Lattice& lattice, int column, int row) {
   return lattice.is_closed(column, row) && lattice.is_closed(column - 1, row) && lattice.is_closed(column, row - 1) &&
          lattice.is_closed(column - 1, row - 1);
 }
 
-bool is_whole(const Lattice& lattice, int column, int row) {
-  return is_in_air(lattice, column, row) && is_in_air(lattice, column + 1, row) &&
-         is_in_air(lattice, column, row + 1) && is_in_air(lattice, column + 1, row + 1);
+// The number of raised vertices of a cell.
+int raised_corners(const Lattice& lattice, int column, int row) {
+  return is_raised(lattice, column, row) + is_raised(lattice, column + 1, row) + is_raised(lattice, column, row + 1) +
+         is_raised(lattice, column + 1, row + 1);
 }
 
-// Above the ground, if it is in the air.
+// Height of a raised vertex above the ground.
 double height_m_of(const CrownAverage& mix) { return mix.height_m * std::lerp(kLowest, kHighest, mix.chance); }
 
-// The terrain's slope and the crowns', whichever of these are in the air.
+// From the slopes of terrain and crowns.
 Vec3 normal_of(const Lattice& lattice, int column, int row) {
-  const Vec3 land = normal_at(lattice.woods.land.ground.terrain, lattice.at(column, row));
+  const Vec3 land = normal_at(lattice.woods.context.ground.terrain, lattice.at(column, row));
   const double own_m = height_m_of(lattice.mix(column, row));
   const auto height_m = [&](int c, int r) {
     const CrownAverage& mix = lattice.mix(c, r);
@@ -108,8 +109,8 @@ Vec3 normal_of(const Lattice& lattice, int column, int row) {
 
 Vec3 place_of(const Lattice& lattice, int column, int row) {
   const Vec2 p = lattice.at(column, row);
-  const double land = land_m(lattice.woods.land.ground, p);
-  const bool is_up = is_in_air(lattice, column, row);
+  const double land = land_m(lattice.woods.context.ground, p);
+  const bool is_up = is_raised(lattice, column, row);
   return snapped(at_height(p, is_up ? land + height_m_of(lattice.mix(column, row)) : land - kRimDepth_m));
 }
 
@@ -122,10 +123,10 @@ materials::Tint tint_of(const CrownAverage& mix) {
   return tint;
 }
 
-// What one wood's part of the canopy is made of.
+// The canopy of one wood.
 struct Part {
   MaterialMesh dressed{};
-  std::map<std::size_t, std::uint32_t> vertices{};  // by corner
+  std::map<std::size_t, std::uint32_t> vertices{};  // by Lattice::corner()
 
   std::uint32_t vertex(const Lattice& lattice, int column, int row) {
     const auto next = static_cast<std::uint32_t>(dressed.mesh.positions.size());
@@ -145,16 +146,11 @@ void add_cell(Part& part, const Lattice& lattice, int column, int row) {
   part.dressed.mesh.triangles.push_back({a, c, d});
 }
 
-bool is_any_corner_in_air(const Lattice& lattice, int column, int row) {
-  return is_in_air(lattice, column, row) || is_in_air(lattice, column + 1, row) ||
-         is_in_air(lattice, column, row + 1) || is_in_air(lattice, column + 1, row + 1);
-}
-
 std::vector<MaterialMesh> mesh_of(const Lattice& lattice) {
   std::map<std::uint32_t, Part> parts;
   for (int row = 0; row < lattice.rows; ++row)
     for (int column = 0; column < lattice.columns; ++column)
-      if (is_any_corner_in_air(lattice, column, row))
+      if (raised_corners(lattice, column, row) > 0)
         add_cell(parts[lattice.mix(column, row).wood], lattice, column, row);
   std::vector<MaterialMesh> meshes;
   for (auto& [wood, part] : parts) {
@@ -164,7 +160,7 @@ std::vector<MaterialMesh> mesh_of(const Lattice& lattice) {
   return meshes;
 }
 
-// A place in its cell.
+// A place in a cell, u and v from 0 to 1.
 struct InCell {
   int column, row;
   double u, v;
@@ -182,7 +178,11 @@ bool is_below(const Canopy& canopy, Vec2 p) {
          canopy.is_whole[static_cast<std::size_t>(in.row) * canopy.columns + static_cast<std::size_t>(in.column)];
 }
 
-// As add_cell's triangles lie.
+[[maybe_unused]] bool is_multiple(double side_m) {
+  return side_m / kCanopyCell_m == std::floor(side_m / kCanopyCell_m);
+}
+
+// The height of add_cell's triangles at a place in a whole cell.
 double top_m_at(const Canopy& canopy, Vec2 p) {
   const auto [column, row, u, v] = in_cell(canopy, p);
   const double* const low = &canopy.tops_m[static_cast<std::size_t>(row) * (canopy.columns + 1) + column];
@@ -194,19 +194,21 @@ double top_m_at(const Canopy& canopy, Vec2 p) {
 }  // namespace
 
 Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorridor> corridors,
-                   const PlacingContext& land, double tolerance_m, Month month) {
+                   const PlacingContext& context, double tolerance_m, Month month) {
+  assert(is_multiple(context.box.width()) && is_multiple(context.box.height()));
   Canopy canopy;
   if (woods.empty() || !has_detail(Detail::kWoodCanopies, tolerance_m)) return canopy;
-  const WoodMap map = map_woods(woods, land);
+  const WoodMap map = map_woods(woods, context);
   const Lattice lattice =
-      lattice_of(map, index_corridors(corridors, land.box.widened(kCanopyCell_m)), land.box, tolerance_m, month);
+      lattice_of(map, index_corridors(corridors, context.box.widened(kCanopyCell_m)), context.box, tolerance_m, month);
   canopy.meshes = mesh_of(lattice);
-  canopy.box = land.box, canopy.columns = lattice.columns;
+  canopy.box = context.box, canopy.columns = lattice.columns;
   for (int row = 0; row < lattice.rows; ++row)
-    for (int column = 0; column < lattice.columns; ++column) canopy.is_whole.push_back(is_whole(lattice, column, row));
+    for (int column = 0; column < lattice.columns; ++column)
+      canopy.is_whole.push_back(raised_corners(lattice, column, row) == 4);
   for (int row = 0; row <= lattice.rows; ++row)
     for (int column = 0; column <= lattice.columns; ++column)
-      canopy.tops_m.push_back(is_in_air(lattice, column, row) ? place_of(lattice, column, row).z : 0);
+      canopy.tops_m.push_back(is_raised(lattice, column, row) ? place_of(lattice, column, row).z : 0);
   return canopy;
 }
 

@@ -1,42 +1,44 @@
-// A wood from very far: where trees stand closed, one surface over their crowns instead of a body each.
+// Canopies: closed woods at coarse levels as one surface over their crowns, instead of a hull for each tree.
 //
 //            _   __
-//          _/ \_/  \_         corners of a lattice of the plane, as high as a tree would be there (crown_mix.h);
-//   |  |__/          \__|     on the ground where the canopy ends: before that slope trees stay trees
+//          _/ \_/  \_         vertices of a lattice, as high as the trees there (crown_average.h); on the ground where
+//   |  |__/          \__|     the canopy ends, and trees keep their hulls
 //   ---'----------------'---
 #pragma once
 
 #include <vector>
 
 #include "compiler/materials/material_mesh.h"
-#include "compiler/plants/generate.h"
+#include "compiler/plants/placing/placing.h"
 #include "compiler/plants/season.h"
 
 namespace citykiln::plants {
 
-/// Width of its cells. Tiles' sides are multiples of it, and two cells beyond them are known.
+/// Width of a cell. A tile's side is a multiple of it; land cover is known two cells beyond the tile.
 inline constexpr double kCanopyCell_m = 16;
 
 struct Canopy {
   std::vector<materials::MaterialMesh> meshes;  ///< One a wood, plane metres, with normals and tints.
-  double error_m = 0;                           ///< Stated: of the trees that it stands for.
+  double error_m = 0;                           ///< Stated, for the trees that remove_trees_below() removes.
   Box2 box{};
-  int columns = 0;             ///< Of cells.
-  std::vector<bool> is_whole;  ///< By cell, row by row from the south-west: at each of its corners it is in the air.
-  std::vector<double> tops_m;  ///< By corner, likewise: heights of those of whole cells.
+  int columns = 0;             ///< Number of cells from west to east.
+  std::vector<bool> is_whole;  ///< By cell, row-major from the south-west: all four vertices are raised.
+  std::vector<double> tops_m;  ///< By vertex, row-major: heights of raised vertices, else 0.
 };
 
-/// The canopy in the box, whose sides are multiples of its cells'. A cell is closed where woods that are not thinned
-/// cover all of it but for a path, no lane crosses it, and its trees are not too low to see. Corners of closed cells
-/// alone are in the air.
+/// The canopy in a box. A cell is closed where dense woods cover it except for a path, no corridor crosses it, and its
+/// trees are high enough to see. A vertex is raised if all four of its cells are closed.
 ///
-/// Guarantees: places, normals and tints of corners are functions of the place: those on a side of the box are the
-/// neighbour's too. Below the tolerance that it is from, empty. Cost: O(cells · samples).
+/// @param context     Sides of its box are multiples of kCanopyCell_m.
+/// @param tolerance_m  Without Detail::kWoodCanopies the canopy is empty.
+///
+/// Guarantees: positions, normals and tints of vertices are functions of the place, so neighbouring tiles agree on
+/// their border. Cost: O(cells · samples).
 Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorridor> corridors,
-                   const PlacingContext& land, double tolerance_m, Month month);
+                   const PlacingContext& context, double tolerance_m, Month month);
 
-/// Takes those trees of the woods that stand in whole cells out of what is placed, and states how far the canopy is
-/// from them: from their tops, and from the middle of trunks, which have the ground below and the canopy above.
+/// Removes the trees of woods that stand in whole cells, and sets canopy.error_m: the largest distance from their tops
+/// to the canopy, and at least half of their height, as the middle of a trunk lies between ground and canopy.
 void remove_trees_below(Canopy& canopy, std::span<const Wood> woods, PlacedPlants& placed);
 
 }  // namespace citykiln::plants

@@ -1,6 +1,7 @@
 #include "compiler/plants/prototypes/crossed_cards.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/geometry/mathematics.h"
@@ -14,11 +15,11 @@ namespace {
 using materials::MaterialMesh;
 using materials::TextureImage;
 
-// How much of the tolerance pictures take in depth; the rest is a texel.
+// Depth of a picture in tolerances; the rest of the tolerance is a texel.
 constexpr double kDepth = 0.75;
-// Texels of normals, in texels of colour.
+// Side of a normal texel in colour texels.
 constexpr std::uint32_t kNormalTexels = 2;
-// How steeply a crown's light falls off towards its rim: a ball's would be black there.
+// Least component of normals towards the viewer: a sphere's rim would be black.
 constexpr double kLeastOut = 0.35;
 
 struct Extent {
@@ -35,21 +36,21 @@ Extent extent_of(const std::vector<MaterialMesh>& shape) {
   return extent;
 }
 
-// Where a picture stands: a rectangle, seen from cross(along, across), and how deep it looks.
+// A picture's rectangle, viewed from cross(along, across).
 struct Plane {
-  Vec3 corner, across, along;  // from the top left; unit
+  Vec3 corner, across, along;  // top left; unit directions
   double width_m = 0, height_m = 0, depth_m = 0;
 };
 
-double reach_m(const Extent& extent, int planes) { return extent.radius_m * sine(90.0 / planes); }
+double plane_distance_m(const Extent& extent, int planes) { return extent.radius_m * sine(90.0 / planes); }
 
 int planes_for(const Extent& extent, double tolerance_m) {
   int planes = 2;
-  while (planes < kMostPlanes && reach_m(extent, planes) > kDepth * tolerance_m) ++planes;
+  while (planes < kMostPlanes && plane_distance_m(extent, planes) > kDepth * tolerance_m) ++planes;
   return planes;
 }
 
-Plane upright(const Extent& extent, double turns, double depth_m) {
+Plane vertical_plane(const Extent& extent, double turns, double depth_m) {
   const Vec3 across = at_height(direction_of(turns), 0);
   return {across * -extent.radius_m + Vec3{0, 0, extent.high_m},
           across,
@@ -59,7 +60,7 @@ Plane upright(const Extent& extent, double turns, double depth_m) {
           depth_m};
 }
 
-Plane level(const Extent& extent, double height_m, double depth_m) {
+Plane horizontal_plane(const Extent& extent, double height_m, double depth_m) {
   return {{-extent.radius_m, extent.radius_m, height_m},
           {1, 0, 0},
           {0, -1, 0},
@@ -68,16 +69,16 @@ Plane level(const Extent& extent, double height_m, double depth_m) {
           depth_m};
 }
 
-// Level ones from the crown's middle up, each in the middle of what it shows.
+// The vertical planes, and horizontal ones in the upper three quarters of the plant.
 std::vector<Plane> planes_of(const Extent& extent, double tolerance_m) {
   const int count = planes_for(extent, tolerance_m);
-  const double depth_m = std::max(kDepth * tolerance_m, reach_m(extent, count));
+  const double depth_m = std::max(kDepth * tolerance_m, plane_distance_m(extent, count));
   std::vector<Plane> planes;
-  for (int i = 0; i < count; ++i) planes.push_back(upright(extent, 0.5 * i / count, depth_m));
+  for (int i = 0; i < count; ++i) planes.push_back(vertical_plane(extent, 0.5 * i / count, depth_m));
   const double crown_m = (extent.high_m - extent.low_m) * 0.75;
   const int levels = std::clamp(static_cast<int>(std::ceil(crown_m / (2 * depth_m))), 1, kMostLevels);
   for (int i = 0; i < levels; ++i)
-    planes.push_back(level(extent, extent.high_m - crown_m * (i + 0.5) / levels, depth_m));
+    planes.push_back(horizontal_plane(extent, extent.high_m - crown_m * (i + 0.5) / levels, depth_m));
   return planes;
 }
 
@@ -102,7 +103,7 @@ void add_card(MaterialMesh& dressed, const impostor::View& view, Vec2 at_m) {
   dressed.mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-// A crown is lit as a ball is: outwards from its middle, flat at the rim.
+// A sphere's normal, limited by kLeastOut, at a place from -1 to 1 in the picture.
 TextureImage::Texel normal_at(double x, double y) {
   const double off = std::sqrt(x * x + y * y), most = std::sqrt(1 - kLeastOut * kLeastOut);
   const double shrink = off > most ? most / off : 1;
@@ -111,7 +112,7 @@ TextureImage::Texel normal_at(double x, double y) {
   return {byte(n.x), byte(n.y), byte(n.z)};
 }
 
-// A little beyond its picture, up to the frame, a normal is the picture's.
+// Normals extend one texel beyond the picture, so that filtering at its edge is correct.
 void draw_normals(TextureImage& normals, const impostor::View& view, Vec2 at_m) {
   const double width_m = view.columns * view.texel_m, height_m = view.rows * view.texel_m;
   for (std::uint32_t row = 0; row < normals.rows; ++row)
@@ -127,6 +128,7 @@ void draw_normals(TextureImage& normals, const impostor::View& view, Vec2 at_m) 
 }  // namespace
 
 CrossedCards crossed_cards(const std::vector<MaterialMesh>& shape, double tolerance_m) {
+  assert(tolerance_m > 0);
   const Extent extent = extent_of(shape);
   const double texel_m = (1 - kDepth) * tolerance_m;
   const impostor::Model ready = impostor::model_of(shape);

@@ -1,7 +1,7 @@
-// A plant from afar: a few upright planes through its trunk and level ones through its crown, each with the picture of
-// what lies near it.
+// Crossed cards: vertical planes through a plant's trunk and horizontal ones through its crown, each with an
+// orthographic picture of the parts near it.
 //
-//       \ | /          from above: n planes, all of the plant within R sin(90°/n) of one
+//       \ | /          from above: n planes; every point is within R sin(90°/n) of one
 //     ---\|/---
 //       / | \.
 #pragma once
@@ -14,18 +14,18 @@
 namespace citykiln::plants {
 
 struct CrossedCards {
-  materials::MaterialMesh mesh;  ///< On the cutout.
+  materials::MaterialMesh mesh;  ///< Textured by the cutout.
   impostor::Cutout cutout;
   double error_m = 0;
 };
 
-/// @param shape  The plant, leaves as polygons of their true area, both sides.
-/// @param tolerance_m  A picture shows what lies three quarters of it before and behind, or as far as planes need to
-/// show all.
+/// @param shape  The plant; leaves as polygons of their true area, on both sides.
+/// @param tolerance_m  > 0.
 ///
-/// Error: any place of the shape is within R sin(90°/n) of an upright plane; n is what the tolerance asks for, up to
-/// kMostPlanes. Of a picture every place is as near to the shape as its depth. A texel, a quarter of the tolerance, is
-/// added, since pictures are there or not texel by texel: stated, not proved, as single leaves may be lost.
+/// A picture shows the shape within three quarters of the tolerance on both sides of its plane, or as far as
+/// kMostPlanes planes need to show all of it. Error: stated, not proved, since a single leaf may be lost. A point of
+/// the shape is within R sin(90°/n) of a vertical plane; a point of a picture is within its depth of the shape; a
+/// texel, a quarter of the tolerance, is added.
 CrossedCards crossed_cards(const std::vector<materials::MaterialMesh>& shape, double tolerance_m);
 
 inline constexpr int kMostPlanes = 8, kMostLevels = 3;

@@ -5,31 +5,29 @@
 #include "compiler/geometry/mathematics.h"
 #include "compiler/materials/material.h"
 #include "compiler/plants/appearance.h"
-#include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {
 namespace {
 
 using Colour = std::array<double, 3>;
 
-// As many as stand in a cell of the lattice.
+// About the number of trees in a cell of the canopy.
 constexpr int kTrees = 3;
 
-// On a path, the wood beside it counts.
+// A wood this near counts, so that paths have the canopy of their wood.
 constexpr double kBeside_m = 6;
 
-// How light crowns that stand closed are, and the ground below them, as shares of what a leaf and the ground throw
-// back: they shade each other, and ground must be lit as well as seen. Bare twigs let more through. Measured, as
-// prototype_mesh's.
+// Brightness of closed crowns and of the ground below them, as shares of the reflectance of a leaf and the ground:
+// crowns shadow each other and the ground. Bare twigs shadow less. Measured as in prototype_mesh.cpp.
 constexpr double kCrownShade = 0.15, kTwigsShade = 0.4, kGroundShade = 0.57;
 
-// What fallen leaves make of the ground.
+// Tint of ground with fallen leaves.
 constexpr Colour kLitter = {1, 0.73, 0.86};
 
-// A place between crowns is darker than one on top of one.
+// Random brightness: gaps between crowns are darker than treetops.
 constexpr double kDarkest = 0.7, kLightest = 1.1;
 
-// Light that has come through leaves is greener.
+// Tint of light transmitted by leaves.
 constexpr Colour kThrough = {1, 1.1, 1.03};
 
 std::uint32_t wood_near(const WoodMap& woods, Vec2 p) {
@@ -46,10 +44,10 @@ Colour colour_of(const Appearance& appearance) {
   return colour;
 }
 
-// How much of the ground a wood of such trees hides from above, if they stand as they like.
-double cover_of(const Wood& wood, Species species, double height_m, double leaf_share) {
+// Share of the ground that randomly placed trees of this size hide from above.
+double hidden_share(const Wood& wood, Species species, double height_m, double leaf_share) {
   constexpr double kHectare_m2 = 10000, kQuarterPi = 0.78539816339745, kTwigs = 0.5;
-  const double wide_m = crown_share(species) * height_m;
+  const double wide_m = values_of(species).crown_share * height_m;
   const double layers = kQuarterPi * wide_m * wide_m * wood.trees_per_ha / kHectare_m2;
   return std::lerp(kTwigs, 1.0, leaf_share) * layers / (1 + layers);
 }
@@ -60,19 +58,19 @@ void add_tree(CrownAverage& mix, const Wood& wood, const Habitat& habitat, std::
   const auto variant = static_cast<std::uint8_t>(draw.unit(kVariantDraw) * kVariants);
   const double height_m = height_in_wood_m(wood, species, habitat, draw);
   const Appearance appearance = appearance_of({species, variant}, month);
-  const double cover = cover_of(wood, species, height_m, appearance.leaf_share);
+  const double hidden = hidden_share(wood, species, height_m, appearance.leaf_share);
   const Colour leaves = colour_of(appearance);
   mix.height_m += height_m / kTrees;
-  const double seen = kGroundShade * (1 - cover) * (1 - cover);
+  const double seen = kGroundShade * (1 - hidden) * (1 - hidden);
   for (std::size_t c = 0; c < 3; ++c) {
     const double below = ground[c] * std::lerp(kLitter[c], 1.0, appearance.leaf_share);
-    mix.colour[c] += kThrough[c] * (cover * leaves[c] + seen * below) / kTrees;
+    mix.colour[c] += kThrough[c] * (hidden * leaves[c] + seen * below) / kTrees;
   }
 }
 
 Colour ground_of(const WoodMap& woods, const Wood& wood) {
   const auto surface =
-      std::ranges::lower_bound(woods.land.surfaces.surfaces, wood.surface, {}, &ground::LandCoverPolygon::id);
+      std::ranges::lower_bound(woods.context.surfaces.surfaces, wood.surface, {}, &ground::LandCoverPolygon::id);
   const auto& base = values_of(map::values_of(surface->surface).material).base_colour;
   return {base[0], base[1], base[2]};
 }
@@ -88,15 +86,16 @@ CrownAverage crown_average_at(const WoodMap& woods, Vec2 p, Month month) {
   CrownAverage mix;
   mix.wood = wood_near(woods, p);
   if (mix.wood == ground::kNoLandCover) return mix;
-  const PlacingContext& land = woods.land;
+  const PlacingContext& context = woods.context;
   const Wood& wood = woods.woods[mix.wood];
-  const map::Heightfield& terrain = land.ground.terrain;
-  const Habitat habitat = habitat_at(land.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p), false);
+  const map::Heightfield& terrain = context.ground.terrain;
+  const Habitat habitat = habitat_at(context.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p), false);
   const Colour ground = ground_of(woods, wood);
-  const Draw draw(land.seed, id_of(p), "canopy");
+  const Draw draw(context.seed, id_of(p), "canopy");
   mix.chance = draw.unit(0);
   for (std::uint32_t i = 0; i < kTrees; ++i)
-    add_tree(mix, wood, habitat, land.seed, Draw(land.seed, stable_id(id_of(p), "tree", i), "canopy"), month, ground);
+    add_tree(mix, wood, habitat, context.seed, Draw(context.seed, stable_id(id_of(p), "tree", i), "canopy"), month,
+             ground);
   const double light = draw.between(kDarkest, kLightest, 1);
   for (double& c : mix.colour) c *= light;
   return mix;

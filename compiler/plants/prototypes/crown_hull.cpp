@@ -10,32 +10,32 @@ namespace citykiln::plants {
 namespace {
 
 constexpr int kSides = 6, kBands = 3, kPieces = 8;
-// Of a band's leaves, so many reach no farther than its ring; twigs that stand out do not widen it.
+// Share of a band's leaves within its ring, so that single twigs do not widen it.
 constexpr double kWithin = 0.7;
 struct Ring {
   double height = 0, radius = 0;
 };
 
-double radius_of(std::vector<double>& reaches) {
-  if (reaches.empty()) return 0;
-  const auto at = static_cast<std::size_t>(kWithin * static_cast<double>(reaches.size() - 1));
-  std::ranges::nth_element(reaches, reaches.begin() + static_cast<std::ptrdiff_t>(at));
-  return reaches[at];
+double radius_of(std::vector<double>& radii) {
+  if (radii.empty()) return 0;
+  const auto at = static_cast<std::size_t>(kWithin * static_cast<double>(radii.size() - 1));
+  std::ranges::nth_element(radii, radii.begin() + static_cast<std::ptrdiff_t>(at));
+  return radii[at];
 }
 
-// From the crown's foot to its top: both drawn in.
+// Rings in the middle of equal bands from the lowest to the highest leaf.
 std::vector<Ring> rings_of(const Foliage& foliage) {
   const auto [low, high] = std::ranges::minmax(foliage.cards, {}, [](const Card& c) { return c.centre().z; });
   const double foot = low.centre().z, top = high.centre().z;
-  std::array<std::vector<double>, kBands> reaches;
+  std::array<std::vector<double>, kBands> radii;
   for (const Card& card : foliage.cards) {
     const double share = (card.centre().z - foot) / std::max(1e-9, top - foot);
-    reaches[static_cast<std::size_t>(std::clamp(static_cast<int>(share * kBands), 0, kBands - 1))].push_back(
+    radii[static_cast<std::size_t>(std::clamp(static_cast<int>(share * kBands), 0, kBands - 1))].push_back(
         length(in_plan(card.centre())));
   }
   std::vector<Ring> rings;
   for (int b = 0; b < kBands; ++b)
-    rings.push_back({foot + (top - foot) * (b + 0.5) / kBands, radius_of(reaches[static_cast<std::size_t>(b)])});
+    rings.push_back({foot + (top - foot) * (b + 0.5) / kBands, radius_of(radii[static_cast<std::size_t>(b)])});
   return rings;
 }
 
@@ -63,7 +63,7 @@ Mesh body_of(const std::vector<Ring>& rings, double foot, double top) {
   return mesh;
 }
 
-// Corners of the pieces that triangles are cut into.
+// Sample points on a mesh: a grid of kPieces steps on each triangle.
 std::vector<Vec3> places_on(const Mesh& mesh) {
   std::vector<Vec3> places;
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -75,13 +75,13 @@ std::vector<Vec3> places_on(const Mesh& mesh) {
   return places;
 }
 
-// The nearest of many things to one place after another. Places that follow each other are near each other, and so are
-// things: what was near the last place is asked first.
+// The nearest of many things to a sequence of places. Consecutive places and things are near each other, so the search
+// begins at the last result.
 struct Nearest {
   std::size_t count;
   std::size_t last = 0;
 
-  // The distance to the nearest, where it is more than `known`; else less than that.
+  // The distance to the nearest thing if it exceeds `known`, else any smaller number.
   template <typename Distance>
   double beyond(double known, Distance distance_to) {
     double nearest = 1e300;
@@ -104,9 +104,8 @@ double longest_side_m(const Mesh& mesh) {
   return longest;
 }
 
-// From corners of cards to places spread over the hull, and back; no place of the hull is farther from its nearest one
-// than a piece's side over √3.
-// Not less than `least_m`, beyond which alone it is looked for.
+// Bound of the Hausdorff distance between hull and cards, at least `least_m`: from card corners to samples of the hull,
+// and back. No point of the hull is farther from its nearest sample than a piece's side / √3.
 double error_m_of(const Mesh& mesh, const Foliage& foliage, double least_m) {
   const std::vector<Vec3> places = places_on(mesh);
   const std::vector<Card>& cards = foliage.cards;
@@ -123,7 +122,7 @@ double error_m_of(const Mesh& mesh, const Foliage& foliage, double least_m) {
   return std::max(there, back + piece_m);
 }
 
-// Between which most leaves' middles lie, on an axis.
+// The 2nd and 98th percentile of card centres on an axis.
 std::array<double, 2> bounds_of(const Foliage& foliage, double Vec3::*axis) {
   std::vector<double> places;
   for (const Card& card : foliage.cards) places.push_back(card.centre().*axis);
@@ -139,7 +138,7 @@ CrownHull crown_hull(const Foliage& foliage) {
   if (foliage.cards.empty()) return hull;
   const auto [low, high] = std::ranges::minmax(foliage.cards, {}, [](const Card& c) { return c.centre().z; });
   const double foot = low.centre().z, top = high.centre().z;
-  // not far above the ground, so that the trunk has something near
+  // its foot is near the ground, so that the trunk's foot is within the error
   hull.mesh = body_of(rings_of(foliage), std::min(foot - 0.1 * (top - foot), 0.25 * top), top + 0.02 * (top - foot));
   hull.error_m = error_m_of(hull.mesh, foliage, length(hull.mesh.positions.front()));
   return hull;
@@ -149,12 +148,12 @@ CrownHull crown_box(const Foliage& foliage) {
   CrownHull hull;
   if (foliage.cards.empty()) return hull;
   std::array bounds = {bounds_of(foliage, &Vec3::x), bounds_of(foliage, &Vec3::y), bounds_of(foliage, &Vec3::z)};
-  bounds[2][0] = 0;  // it stands on the ground
+  bounds[2][0] = 0;
   const auto at = [&](std::size_t axis, int end) { return bounds[axis][static_cast<std::size_t>(end)]; };
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const int end : {0, 1}) {
       const auto first = static_cast<std::uint32_t>(hull.mesh.positions.size());
-      // round the face, seen from outside
+      // counter-clockwise from outside
       for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
         const std::array<double, 3> p = {at(axis, end), at((axis + 1) % 3, end == 1 ? u : v),
                                          at((axis + 2) % 3, end == 1 ? v : u)};

@@ -1,4 +1,4 @@
-// A plant from very far: a closed body of a few triangles, turned about the trunk to the crown's outline.
+// Crown hulls: closed meshes of a few triangles, surfaces of revolution about the trunk, for coarse levels.
 #pragma once
 
 #include <span>
@@ -10,14 +10,13 @@ namespace citykiln::plants {
 
 struct CrownHull {
   Mesh mesh;
-  double error_m = 0;  ///< Hausdorff, both ways, to the cards and the trunk's foot; bounded by pieces.
+  double error_m = 0;  ///< Bound of the Hausdorff distance to the cards and the trunk's foot.
 };
 
-/// Rings of six at shares of the crown's height, each as wide as most of the leaves there reach.
-/// Total: no cards give no mesh.
+/// Hexagonal rings at three heights, each as wide as 70 % of the leaves there. Without cards the mesh is empty.
 CrownHull crown_hull(const Foliage& foliage);
 
-/// What is clipped: the box about most of its leaves, of 12 triangles. Error and totality as above.
+/// For hedges: the box around most leaves, 12 triangles. Without cards the mesh is empty.
 CrownHull crown_box(const Foliage& foliage);
 
 }  // namespace citykiln::plants

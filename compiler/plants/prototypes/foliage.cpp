@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
 
 #include "compiler/plants/prototypes/sprays.h"
 
@@ -14,12 +12,12 @@ using lsystems::FlatPolygon;
 using lsystems::Instance;
 using materials::Tint;
 
-// How much a card's light follows the crown as a whole.
-constexpr double kHeartShare = 0.6;
-// The heart's place between a crown's lowest and highest leaf.
-constexpr double kHeartHeight = 0.4;
+// Weight of the direction out of the crown in a card's shading normal.
+constexpr double kCrownWeight = 0.6;
+// Height of the crown's centre between its lowest and highest card.
+constexpr double kCentreHeight = 0.4;
 
-// Of leaves whose file tells them apart by colours.
+// The shade of a turtle colour: 0, 1, or 2 and more.
 Tint shaded(Tint tint, std::int32_t colour) {
   constexpr std::array kShares = {0.84, 0.92, 1.0};
   const double share = kShares[static_cast<std::size_t>(std::clamp(colour, 0, 2))];
@@ -34,22 +32,27 @@ std::uint8_t spray_number(Foliage& foliage, const std::string& name) {
   return static_cast<std::uint8_t>(foliage.sprays.size() - 1);
 }
 
-// "~oak_leaf" is "oak_leaf".
+// The kind's name without ~.
 std::string name_of(const lsystems::ModuleKind& kind) { return kind.name.substr(kind.name.find_first_not_of('~')); }
 
 Card card_of(const Instance& instance, double width, Tint tint, std::uint8_t spray) {
   const lsystems::TurtleFrame& f = instance.frame;
   const Vec3 along = f.heading * -instance.size, across = f.left * (instance.size * width);
-  return {f.at - along - across * 0.5, across, along, f.up, shaded(tint, instance.colour), spray};
+  return {.corner = f.at - along - across * 0.5,
+          .across = across,
+          .along = along,
+          .normal = f.up,
+          .tint = shaded(tint, instance.colour),
+          .spray = spray};
 }
 
-// A rectangle of an area about an axis, which ends in its middle.
+// A card of an area with an axis from stalk to tip along its middle.
 Card about_axis(Vec3 stalk, Vec3 tip, Vec3 area) {
   const Vec3 along = stalk - tip;
   const double long_m = length(along);
-  if (!(long_m > 0)) return {stalk, {}, {}, {0, 0, 1}, {}, 0};
+  if (!(long_m > 0)) return {.corner = stalk, .across = {}, .along = {}, .normal = {0, 0, 1}};
   const Vec3 across = unit(cross(along, area)) * (length(area) / long_m);
-  return {tip - across * 0.5, across, along, unit(area), {}, 0};
+  return {.corner = tip - across * 0.5, .across = across, .along = along, .normal = unit(area)};
 }
 
 double farthest_corner_m(const Card& card, std::span<const Vec3> corners) {
@@ -58,8 +61,8 @@ double farthest_corner_m(const Card& card, std::span<const Vec3> corners) {
   return farthest;
 }
 
-// The polygon's area, about that of its diagonals and middles of sides which comes nearest to all corners: of a kite
-// the long diagonal, of a piece of a blade the line between its ends.
+// A card of the polygon's area. Its axis joins two corners or midpoints of sides, chosen so that the card is nearest to
+// all corners: the long diagonal of a kite, the line between the ends of a piece of a blade.
 Card card_of(const FlatPolygon& polygon, std::span<const Vec3> corners, Tint tint, std::uint8_t spray) {
   Vec3 area;
   for (std::size_t i = 1; i < corners.size(); ++i)
@@ -79,36 +82,32 @@ Card card_of(const FlatPolygon& polygon, std::span<const Vec3> corners, Tint tin
   return best;
 }
 
-struct Crown {
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-};
-
-Crown crown_of(std::span<const Card> cards) {
-  Crown crown;
-  for (const Card& card : cards) {
-    const Vec3 p = card.centre();
-    crown.low = {std::min(crown.low.x, p.x), std::min(crown.low.y, p.y), std::min(crown.low.z, p.z)};
-    crown.high = {std::max(crown.high.x, p.x), std::max(crown.high.y, p.y), std::max(crown.high.z, p.z)};
-  }
-  return crown;
-}
-
-// The normal of an ellipsoid about the heart, through a place.
-Vec3 out_of(const Crown& crown, Vec3 crown_centre, Vec3 place) {
+// The normal at a place of the ellipsoid through it about the crown's centre.
+Vec3 out_of(const CentreBounds& crown, Vec3 crown_centre, Vec3 place) {
   const auto part = [](double off, double extent) { return extent > 0 ? off / (extent * extent) : 0; };
   return unit(Vec3{part(place.x - crown_centre.x, crown.high.x - crown.low.x),
                    part(place.y - crown_centre.y, crown.high.y - crown.low.y),
                    part(place.z - crown_centre.z, crown.high.z - crown.low.z)});
 }
 
-// Its front outwards, and its light with it.
+// Turns the card's front outwards and sets its shading normal.
 void face_outwards(Card& card, Vec3 out) {
   Vec3 own = unit(cross(card.along, card.across));
   if (dot(own, out) < 0) card.corner = card.corner + card.across, card.across = card.across * -1, own = own * -1;
-  card.normal = unit(own * (1 - kHeartShare) + out * kHeartShare);
+  card.normal = unit(own * (1 - kCrownWeight) + out * kCrownWeight);
 }
 
 }  // namespace
+
+CentreBounds bounds_of(std::span<const Card> cards) {
+  CentreBounds bounds;
+  for (const Card& card : cards) {
+    const Vec3 p = card.centre();
+    bounds.low = {std::min(bounds.low.x, p.x), std::min(bounds.low.y, p.y), std::min(bounds.low.z, p.z)};
+    bounds.high = {std::max(bounds.high.x, p.x), std::max(bounds.high.y, p.y), std::max(bounds.high.z, p.z)};
+  }
+  return bounds;
+}
 
 double area_of(const Card& card) { return length(card.across) * length(card.along); }
 
@@ -136,9 +135,9 @@ Foliage foliage_of(const lsystems::LSystem& system, const lsystems::Skeleton& sk
                                     spray_number(foliage, "")));
   std::erase_if(foliage.cards, [](const Card& card) { return !(area_of(card) > 0); });
   if (foliage.cards.empty()) return foliage;
-  const Crown crown = crown_of(foliage.cards);
+  const CentreBounds crown = bounds_of(foliage.cards);
   foliage.crown_centre = (crown.low + crown.high) * 0.5;
-  foliage.crown_centre.z = crown.low.z + kHeartHeight * (crown.high.z - crown.low.z);
+  foliage.crown_centre.z = crown.low.z + kCentreHeight * (crown.high.z - crown.low.z);
   for (Card& card : foliage.cards) face_outwards(card, out_of(crown, foliage.crown_centre, card.centre()));
   return foliage;
 }

@@ -1,14 +1,15 @@
-// A plant's leaves as flat cards, ready to be drawn, thinned and looked at from afar.
+// Foliage: a plant's leaves as rectangular cards.
 //
 //         across
-//      +---------->      a card: a rectangle with a picture of a spray, or a plain
-//      |   \|/           blade; its front looks out of the crown
+//      +---------->      a card shows the picture of a spray, or is an opaque blade;
+//      |   \|/           its front faces out of the crown
 //      |  --|--  along
 //      v    |
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,29 +20,35 @@
 
 namespace citykiln::plants {
 
-/// A rectangle: corner, corner + across, corner + along; seen from cross(along, across).
+/// A rectangle with sides `across` and `along` at `corner`; its front is cross(along, across).
 struct Card {
   Vec3 corner, across, along;
-  Vec3 normal;             ///< Unit, for light: between the card's own and away from the crown's heart.
-  materials::Tint tint{};  ///< Times what its picture shows.
+  Vec3 normal;             ///< Unit, for shading: between the card's normal and the direction out of the crown.
+  materials::Tint tint{};  ///< Multiplies the picture's colour.
   std::uint8_t spray = 0;  ///< Into Foliage::sprays.
 
   Vec3 centre() const { return corner + (across + along) * 0.5; }
 };
 
+/// Axis-aligned bounds of the cards' centres.
+struct CentreBounds {
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+};
+CentreBounds bounds_of(std::span<const Card> cards);
+
 double area_of(const Card& card);
-/// From a place to the rectangle.
+/// Distance from a place to the rectangle.
 double distance(const Card& card, Vec3 place);
 std::array<Vec3, 4> corners_of(const Card& card);
 
-/// Lengths are the skeleton's.
+/// In the skeleton's units.
 struct Foliage {
   std::vector<Card> cards;
-  std::vector<std::string> sprays;  ///< What ~ calls them (sprays.h); "" for blades, which fill their cards.
-  Vec3 crown_centre;                ///< The middle of the crown.
+  std::vector<std::string> sprays;  ///< Names of instances in the .lsys file (sprays.h); "" for blades.
+  Vec3 crown_centre;
 };
 
-/// The instances of a skeleton and its polygons, these as cards of the same area, in shades of `tint`. O(n).
+/// Cards for the instances of a skeleton, and for its polygons cards of the same area, in shades of `tint`. O(n).
 Foliage foliage_of(const lsystems::LSystem& system, const lsystems::Skeleton& skeleton, materials::Tint tint);
 
 }  // namespace citykiln::plants

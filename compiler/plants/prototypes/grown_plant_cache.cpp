@@ -11,7 +11,7 @@
 namespace citykiln::plants {
 namespace {
 
-constexpr std::size_t kSpecies = static_cast<std::size_t>(Species::kCount);
+constexpr std::size_t kSpeciesCount = static_cast<std::size_t>(Species::kCount);
 
 double height_of(const GrownPlant& grown) {
   double highest_m = 0;
@@ -57,8 +57,8 @@ struct GrownPlantCache::Slot {
 };
 
 GrownPlantCache::GrownPlantCache(std::span<const SpeciesText> texts, Month month)
-    : month_(month), slots_(std::make_unique<Slot[]>(kSpecies * kVariants)) {
-  for (std::size_t s = 0; s < kSpecies; ++s) {
+    : month_(month), slots_(std::make_unique<Slot[]>(kSpeciesCount * kVariants)) {
+  for (std::size_t s = 0; s < kSpeciesCount; ++s) {
     const std::string_view name = values_of(static_cast<Species>(s)).file;
     const SpeciesText* text = find_text(texts, name);
     if (text == nullptr) text = find_text(shipped_species(), name);
@@ -69,8 +69,9 @@ GrownPlantCache::GrownPlantCache(std::span<const SpeciesText> texts, Month month
 GrownPlantCache::~GrownPlantCache() = default;
 
 const GrownPlant& GrownPlantCache::grown(Prototype prototype) const {
+  assert(prototype.species < Species::kCount && prototype.variant < kVariants);
   const auto species = static_cast<std::size_t>(prototype.species);
-  Slot& slot = slots_[species * kVariants + prototype.variant % kVariants];
+  Slot& slot = slots_[species * kVariants + prototype.variant];
   std::call_once(slot.once, [&] { slot.grown = grow(texts_[species], prototype, month_); });
   return slot.grown;
 }

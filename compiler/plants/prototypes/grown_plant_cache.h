@@ -1,4 +1,4 @@
-// Where plants grow: each prototype once a run, when it is first asked for.
+// Cache of grown plants: each prototype is derived once a run, on first use.
 #pragma once
 
 #include <array>
@@ -11,33 +11,32 @@
 
 namespace citykiln::plants {
 
-/// A plant that has grown, in metres of its file.
+/// A derived plant, in the units of its file.
 struct GrownPlant {
   lsystems::Skeleton skeleton;
   Foliage foliage;
-  double height_m = 0;  ///< Of its highest leaf or stem; 0: nothing grew.
+  double height_m = 0;  ///< Of its highest leaf or stem; 0: empty.
   Appearance appearance{};
-  materials::Material bark = materials::Material::kBark;  ///< What it is near by.
+  materials::Material bark = materials::Material::kBark;  ///< Of fine levels.
 };
 
-/// What the file calls "furrowed" is furrowed_bark; plain bark where there is no such material.
+/// The material of a .lsys file's bark name: "furrowed" is furrowed_bark; kBark if there is none.
 materials::Material bark_named(std::string_view name);
 
-/// The dice are of species and variant alone: the same plants in all scenes. Seasons change looks alone: where leaves
-/// have fallen there are twigs; but fruit is there only with all leaves.
+/// Derives a prototype; an unreadable text gives an empty plant. Random numbers depend on species and variant alone, so
+/// all scenes have the same plants. The month sets the appearance; fruit is removed unless all leaves are present.
 GrownPlant grow(const SpeciesText& text, Prototype prototype, Month month = kMidsummer);
 
-/// A shape that has grown once for all who ask, from any thread. Logically const: what is asked for is a function of
-/// the texts alone.
+/// Thread-safe. Logically const: a plant is a function of texts, month and prototype. Holds all plants requested.
 class GrownPlantCache {
  public:
-  /// @param texts  A species without a text grows from the one that is shipped.
+  /// @param texts  Species without a text use the shipped one.
   explicit GrownPlantCache(std::span<const SpeciesText> texts, Month month = kMidsummer);
   ~GrownPlantCache();
   GrownPlantCache(const GrownPlantCache&) = delete;
   GrownPlantCache& operator=(const GrownPlantCache&) = delete;
 
-  /// Cost: some 10 ms when it is first asked for, and 2 MB from then on. A text that cannot be read grows nothing.
+  /// Valid as long as the cache. Cost: some 10 ms on first use, 2 MB.
   const GrownPlant& grown(Prototype prototype) const;
 
  private:

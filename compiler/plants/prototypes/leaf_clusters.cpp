@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -9,9 +10,9 @@
 namespace citykiln::plants {
 namespace {
 
-// Cards have some five leaves; beyond this they do not fit into any tolerance's cell, and need not be tried.
+// Cells of more cards are split without a try: a replacement would exceed the tolerance.
 constexpr std::size_t kMostTried = 256;
-// The pieces, each way, by which a card's distance to others is bounded.
+// Pieces of a card each way that bound its distance to others.
 constexpr int kPieces = 4;
 constexpr int kDeepest = 24;
 
@@ -40,8 +41,8 @@ Vec3 mean_normal(std::span<const Card> cards) {
   return unit(sum);
 }
 
-// @param share  Of their area.
-Card standing_for(std::span<const Card> cards, double share) {
+// @param share  Of the cards' summed area.
+Card replacement_for(std::span<const Card> cards, double share) {
   const Vec3 centre = weighted_centre(cards);
   const auto off = [&](const Card& card) { return length(card.centre() - centre); };
   Card card = *std::ranges::min_element(cards, {}, off);
@@ -56,7 +57,7 @@ Card standing_for(std::span<const Card> cards, double share) {
   return card;
 }
 
-// The distance to a rectangle is convex, so its corners tell.
+// The largest distance from a rectangle to a card, at one of its corners since the distance is convex.
 double farthest_m(std::span<const Vec3, 4> corners, const Card& from) {
   double farthest = 0;
   for (const Vec3 corner : corners) farthest = std::max(farthest, distance(from, corner));
@@ -74,13 +75,13 @@ double beyond_m(const Card& card, std::span<const Card> cards) {
   const Vec3 a = card.across * (1.0 / kPieces), b = card.along * (1.0 / kPieces);
   for (int i = 0; i < kPieces; ++i)
     for (int j = 0; j < kPieces; ++j) {
-      const Card piece{card.corner + a * i + b * j, a, b, {}, {}, 0};
+      const Card piece{.corner = card.corner + a * i + b * j, .across = a, .along = b, .normal = {}};
       worst = std::max(worst, to_nearest_m(corners_of(piece), cards));
     }
   return worst;
 }
 
-// Beyond the tolerance it need not be exact.
+// The Hausdorff distance, or any larger number than the tolerance.
 double error_m_of(const Card& card, std::span<const Card> cards, double tolerance_m) {
   double worst = 0;
   for (const Card& each : cards) {
@@ -90,7 +91,7 @@ double error_m_of(const Card& card, std::span<const Card> cards, double toleranc
   return std::max(worst, beyond_m(card, cards));
 }
 
-// Sorts by a number below eight, of equals the first first; where those of each begin, and the end.
+// Sorts cards stably by a number below 8. Returns where each number's cards begin, and the end.
 template <typename Number>
 std::array<std::size_t, 9> sort_into_eight(std::span<Card> cards, Number number) {
   std::array<std::size_t, 9> starts{};
@@ -102,7 +103,7 @@ std::array<std::size_t, 9> sort_into_eight(std::span<Card> cards, Number number)
   return starts;
 }
 
-// A cell: a cube of space, and the cards whose middles lie in it.
+// A cube of space and the cards whose centres lie in it.
 struct Cell {
   Vec3 low;
   double side_m = 0;
@@ -122,7 +123,7 @@ struct Clustering {
     if (cell.cards.size() > kMostTried || cell.side_m > 4 * tolerance_m) return false;
     if (cell.cards.front().spray != cell.cards.back().spray) return false;
     for (const double share : {1.0, 0.7}) {
-      const Card card = standing_for(cell.cards, share);
+      const Card card = replacement_for(cell.cards, share);
       const double error_m = error_m_of(card, cell.cards, tolerance_m);
       if (error_m > tolerance_m) continue;
       keep(card, error_m);
@@ -159,15 +160,11 @@ struct Clustering {
 }  // namespace
 
 Clusters cluster(const Foliage& foliage, double tolerance_m) {
+  assert(tolerance_m > 0);
   std::vector<Card> cards = foliage.cards;
-  // kinds apart: no card stands for leaves and fruit
+  // sprays are clustered apart: no card replaces both leaves and fruit
   std::ranges::stable_sort(cards, {}, &Card::spray);
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  for (const Card& card : cards) {
-    const Vec3 p = card.centre();
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
+  const auto [low, high] = bounds_of(cards);
   const double side_m = std::max({high.x - low.x, high.y - low.y, high.z - low.z}) * (1 + 0x1p-20);
   Clustering clustering{tolerance_m, {}};
   for (auto rest = std::span(cards); !rest.empty();) {

@@ -1,4 +1,4 @@
-// Fewer and larger leaves: the cards of a cell of space become one of their area.
+// Leaf clusters: fewer, larger cards; the cards of a cell of space are replaced by one of their area.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@ namespace citykiln::plants {
 
 struct Clusters {
   std::vector<Card> cards;
-  double error_m = 0;  ///< Hausdorff, both ways, from the cards to the given ones.
+  double error_m = 0;  ///< Hausdorff distance to the given cards.
 };
 
-/// Cards that stand for a foliage's at a tolerance.
+/// Replaces a foliage's cards at a tolerance.
 ///
-/// Method: cells are halved (an octree) until the card that would stand for a cell's is within the tolerance. It lies
-/// as the one nearest to their middle does, has their summed area (what of it stays within the tolerance), mean light
-/// and colour. After stochastic simplification: Cook, Halstead, Planck, Ryu, SIGGRAPH 2007, which leaves out by chance.
-/// Guarantees: error_m is at most the tolerance, exact from given cards to these, bounded by pieces the other way; a
-/// cell of one card keeps it. O(n log n).
+/// Method: octree cells are split until one card can replace a cell's cards within the tolerance. It has the
+/// orientation of the card nearest to their centre, their summed area or 70 % of it, and their mean normal and colour.
+/// After stochastic simplification (Cook, Halstead, Planck, Ryu, SIGGRAPH 2007), which drops cards at random.
+/// Guarantees: error_m is at most the tolerance; it is exact from given cards to new ones, and bounded by pieces the
+/// other way. A single card in a cell is kept. O(n log n).
 Clusters cluster(const Foliage& foliage, double tolerance_m);
 
 }  // namespace citykiln::plants

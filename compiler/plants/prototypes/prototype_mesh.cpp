@@ -17,12 +17,12 @@ namespace {
 using materials::Material;
 using materials::MaterialMesh;
 
-// A spray covers so much of its card: pictures from afar are made of cards that are as much smaller.
+// Share of a card that its spray covers: pictures for crossed cards are taken of cards reduced to it.
 constexpr double kSprayCover = 0.42, kTwigsCover = 0.1;
 
-// LeafForm shade each other. Pictures and bodies do not show that, and would be lighter than what they stand for: by so
-// much, as `chart plant` measures woods. Twigs do less.
-constexpr double kCardShade = 0.52, kBodyShade = 0.25, kBoxShade = 0.6, kTwigsCardShade = 0.8, kTwigsBodyShade = 0.42;
+// Brightness of crossed cards, hulls and boxes, which do not shadow themselves: the factors that make woods as bright
+// as those of leaves in `chart plant`. Twigs shadow less.
+constexpr double kCardShade = 0.52, kHullShade = 0.25, kBoxShade = 0.6, kTwigsCardShade = 0.8, kTwigsHullShade = 0.42;
 
 void scale(PrototypeMesh& plant, double by) {
   for (MaterialMesh& dressed : plant.meshes)
@@ -35,7 +35,7 @@ materials::Tint shaded(materials::Tint tint, double share) {
   return tint;
 }
 
-// On the grid of textures, on which 16 bits a number tell it.
+// Rounded to the grid of texture coordinates, which 16 bits can store.
 Vec2 on_grid(Vec2 uv) {
   const auto nearest = [](double v) {
     return std::floor(v / materials::kTextureCoordinateStep_m + 0.5) * materials::kTextureCoordinateStep_m;
@@ -43,7 +43,7 @@ Vec2 on_grid(Vec2 uv) {
   return {nearest(uv.x), nearest(uv.y)};
 }
 
-// @param material  With its picture, if it has one.
+// Stems with texture coordinates if the material has a texture.
 MaterialMesh bark_of(const GrownPlant& grown, Material material, double tolerance_m, double& error_m) {
   StemMesh stems = mesh_stems(grown.skeleton, tolerance_m, materials::texture_side_m(material));
   error_m = std::max(error_m, stems.error_m);
@@ -51,7 +51,7 @@ MaterialMesh bark_of(const GrownPlant& grown, Material material, double toleranc
   return {std::move(stems.mesh), material, grown.appearance.bark, {}, std::move(stems.uvs)};
 }
 
-// Sprays on a sheet of texels of size 1, whatever a card's size is.
+// Leaf cards and the atlas of their sprays; coordinates are in units of a spray, whatever the card's size.
 struct SprayedLeaves {
   MaterialMesh mesh;
   impostor::CutoutLayout layout;
@@ -84,8 +84,9 @@ void add_card(SprayedLeaves& leaves, const Card& card) {
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-// @param tolerance_m  In the plant's own metres.
-PrototypeMesh near_mesh(const GrownPlant& grown, Material bark, double tolerance_m) {
+// Tubes and leaf cards.
+// @param tolerance_m  In units of the grown plant.
+PrototypeMesh detailed_mesh(const GrownPlant& grown, Material bark, double tolerance_m) {
   PrototypeMesh plant;
   if (!grown.skeleton.segments.empty()) plant.meshes.push_back(bark_of(grown, bark, tolerance_m, plant.error_per_m));
   if (grown.foliage.cards.empty()) return plant;
@@ -98,8 +99,8 @@ PrototypeMesh near_mesh(const GrownPlant& grown, Material bark, double tolerance
   return plant;
 }
 
-// A kite of the card's leaves' area, from both sides.
-void add_kite(Mesh& mesh, const Card& card, double cover) {
+// A two-sided rectangle of the area that the card's leaves cover.
+void add_leaf_area(Mesh& mesh, const Card& card, double cover) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const double share = std::sqrt(cover);
   const Vec3 c = card.centre(), a = card.across * (share / 2), b = card.along * (share / 2);
@@ -108,7 +109,7 @@ void add_kite(Mesh& mesh, const Card& card, double cover) {
     mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
-// What pictures are taken of: leaves by their tints, which are few.
+// The shape that crossed cards picture: bark, and one mesh for each leaf tint.
 std::vector<MaterialMesh> impostor_source(const GrownPlant& grown, double tolerance_m) {
   const Appearance& appearance = grown.appearance;
   const double cover = std::lerp(kTwigsCover, kSprayCover, appearance.leaf_share);
@@ -117,12 +118,12 @@ std::vector<MaterialMesh> impostor_source(const GrownPlant& grown, double tolera
   for (const Card& card : grown.foliage.cards) {
     auto same = std::find_if(meshes.begin() + 1, meshes.end(), [&](const auto& m) { return m.tint == card.tint; });
     if (same == meshes.end()) same = meshes.insert(same, MaterialMesh{{}, appearance.leaf_material, card.tint, {}});
-    add_kite(same->mesh, card, grown.foliage.sprays[card.spray].empty() ? 1 : cover);
+    add_leaf_area(same->mesh, card, grown.foliage.sprays[card.spray].empty() ? 1 : cover);
   }
   return meshes;
 }
 
-PrototypeMesh far_mesh(const GrownPlant& grown, double tolerance_m) {
+PrototypeMesh crossed_mesh(const GrownPlant& grown, double tolerance_m) {
   CrossedCards cards = crossed_cards(impostor_source(grown, tolerance_m / 16), tolerance_m);
   cards.mesh.material = grown.appearance.leaf_material;
   cards.mesh.tint = shaded(materials::kNoTint, std::lerp(kTwigsCardShade, kCardShade, grown.appearance.leaf_share));
@@ -131,12 +132,11 @@ PrototypeMesh far_mesh(const GrownPlant& grown, double tolerance_m) {
   return plant;
 }
 
-// A box is one from nearer by than it would be crossed cards.
 bool is_hedge(Species species) { return species == Species::kHedge; }
 
-PrototypeMesh farthest_mesh(const GrownPlant& grown, Species species) {
+PrototypeMesh hull_mesh(const GrownPlant& grown, Species species) {
   const Appearance& appearance = grown.appearance;
-  const double shade = is_hedge(species) ? kBoxShade : std::lerp(kTwigsBodyShade, kBodyShade, appearance.leaf_share);
+  const double shade = is_hedge(species) ? kBoxShade : std::lerp(kTwigsHullShade, kHullShade, appearance.leaf_share);
   CrownHull hull = is_hedge(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);
   PrototypeMesh plant{{}, {}, hull.error_m};
   plant.meshes.push_back({std::move(hull.mesh), appearance.leaf_material, shaded(appearance.leaf, shade), {}});
@@ -146,15 +146,16 @@ PrototypeMesh farthest_mesh(const GrownPlant& grown, Species species) {
 }  // namespace
 
 PrototypeMesh prototype_mesh(const GrownPlant& grown, Species species, double height_m, double tolerance_m) {
+  assert(height_m > 0 && tolerance_m > 0);
   const double height_share = grown.appearance.height_share, share = tolerance_m / (height_m * height_share);
   if (!(share < 1) || !(grown.height_m > 0)) return {{}, {}, height_share};
   const double own_m = share * grown.height_m;
   const double cards_from = is_hedge(species) ? kBoxFrom : kCardsFrom;
-  const double body_from = is_hedge(species) ? kBoxFrom : kBodyFrom;
+  const double hull_from = is_hedge(species) ? kBoxFrom : kHullFrom;
   const Material bark = has_texture(grown.bark, tolerance_m) ? grown.bark : Material::kBark;
-  PrototypeMesh plant = share < cards_from  ? near_mesh(grown, bark, own_m)
-                        : share < body_from ? far_mesh(grown, own_m)
-                                            : farthest_mesh(grown, species);
+  PrototypeMesh plant = share < cards_from  ? detailed_mesh(grown, bark, own_m)
+                        : share < hull_from ? crossed_mesh(grown, own_m)
+                                            : hull_mesh(grown, species);
   scale(plant, height_share / grown.height_m);
   return plant;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <vector>
 
 #include "compiler/contract/draw.h"
@@ -21,14 +22,13 @@ struct Spray {
 
 constexpr Spray kSprays[] = {
 #define SPRAY(name, leaves, length, width, lean, spread) {name, leaves, length, width, lean, spread},
-#include "compiler/plants/prototypes/sprays.inc"
-#undef SPRAY
+#include "lsystems/species/species.inc"
 };
 
-// Shades of leaves that differ as those of one twig do.
+// Brightness of a twig's leaves.
 constexpr std::array<std::uint8_t, 3> kShades = {196, 226, 255};
 
-// How thick a twig is, as a share of the spray's length.
+// Width of a twig as a share of the spray's length.
 constexpr double kTwig = 0.02;
 
 const Spray* spray_called(std::string_view name) {
@@ -39,12 +39,12 @@ const Spray* spray_called(std::string_view name) {
 void add_triangle(Mesh& mesh, Vec2 a, Vec2 b, Vec2 c, double z) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const Vec2 p : {a, b, c}) mesh.positions.push_back(at_height(p, z));
-  // seen from above, whichever way round it was told
+  // counter-clockwise from above, whatever the order given
   const bool is_left = cross(b - a, c - a) > 0;
   mesh.triangles.push_back({first, first + (is_left ? 1 : 2), first + (is_left ? 2 : 1)});
 }
 
-// From its stalk to its tip, widest below the middle.
+// A leaf from stalk to tip, widest below its middle.
 void add_leaf(Mesh& mesh, Vec2 stalk, Vec2 along, double width, double z) {
   const Vec2 out = left_of(along) * (width / length(along) / 2);
   const Vec2 tip = stalk + along;
@@ -98,6 +98,7 @@ double width_of_spray(std::string_view name) {
 bool is_fruit(std::string_view name) { return !name.empty() && spray_called(name) == nullptr; }
 
 impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share) {
+  assert(0 <= leaf_share && leaf_share <= 1);
   Shaded shaded;
   const Spray* spray = spray_called(name);
   if (spray != nullptr) add_leaves(shaded, *spray, leaf_share);
@@ -108,7 +109,7 @@ impostor::Picture picture_of_spray(std::string_view name, materials::Material ma
   const double width = width_of_spray(name);
   impostor::View view{{-width / 2, 1, 0.5}, {1, 0, 0}, {0, -1, 0}, kSprayTexel, kSprayTexels, kSprayTexels, 1, 1};
   view.columns = static_cast<std::uint32_t>(width * kSprayTexels + 0.5);
-  // plain blades need no more than a few texels
+  // opaque blades need few texels
   if (name.empty()) view.texel_m = 0.25, view.columns = view.rows = 4;
   return impostor::render(impostor::model_of(meshes), view).picture;
 }

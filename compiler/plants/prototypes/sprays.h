@@ -1,4 +1,4 @@
-// Sprays: a twig's leaves as one flat picture, which cards of leaves are cut out by.
+// Sprays: pictures of a twig with its leaves, the alpha-tested textures of leaf cards.
 #pragma once
 
 #include <span>
@@ -9,20 +9,20 @@
 
 namespace citykiln::plants {
 
-/// Texels along a spray; it is as long as 1.
+/// Texels along a spray, whose length is 1.
 inline constexpr std::uint32_t kSprayTexels = 64;
 inline constexpr double kSprayTexel = 1.0 / kSprayTexels;
 
-/// Width of a spray that is as long as 1; 1 where nothing of the name is known.
+/// Width of a spray of length 1; 1 for an unknown name.
 double width_of_spray(std::string_view name);
 
-/// Whether it is a round fruit: what has a name that is not known.
+/// Whether a name is that of round fruit: any name that is not a spray's.
 bool is_fruit(std::string_view name);
 
-/// LeafForm left and right of a twig, the tip on top, in three shades of grey: cards' tints colour them. What has no
-/// name is opaque all over. A function of its arguments alone.
+/// The picture of a spray: leaves on both sides of a twig, its tip at the top, in three shades of grey that a card's
+/// tint colours; a disc for fruit; opaque without a name. A function of its arguments alone.
 ///
-/// @param leafage  Of its leaves so many are there; where one is not, there is its twig.
+/// @param leaf_share  Share of the leaves that are present; a twig shows in place of each missing one.
 impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share = 1);
 
 }  // namespace citykiln::plants

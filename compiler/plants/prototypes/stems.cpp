@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "compiler/geometry/trig.h"
 #include "lsystems/tubes.h"
@@ -12,12 +13,12 @@ namespace {
 using lsystems::Segment;
 using lsystems::Skeleton;
 
-// Of the thickest stem; thinner ones may go.
+// Radii above this share of the thickest diameter are never left out.
 constexpr double kTrunkStays = 0.3;
-// Radii, in tolerances, up to which three sides are enough.
+// Radius in tolerances up to which a stem is a prism.
 constexpr double kThin = 2.5;
-// The radius of a prism that is, seen from all around, as wide as the stem on the mean, in the stem's radii (Cauchy:
-// its girth over π); and how far its sides lie within the stem.
+// Circumradius of a prism whose mean width over all directions is the stem's diameter, in radii of the stem (Cauchy:
+// the mean width is girth / π); and the depth of its sides inside the stem.
 constexpr double kPrismRadius = 1.2092, kPrismOff = 1 - kPrismRadius / 2;
 
 double radius_of(const Segment& segment) { return std::max(segment.start_radius, segment.end_radius); }
@@ -28,7 +29,7 @@ double thickest_m(const Skeleton& skeleton) {
   return thickest;
 }
 
-// Segments that are, and those that bear them.
+// Marks the segments thicker than a radius, and their ancestors.
 std::vector<bool> thicker_than(const Skeleton& skeleton, double radius_m) {
   const std::vector<Segment>& all = skeleton.segments;
   std::vector<bool> stays(all.size());
@@ -39,7 +40,7 @@ std::vector<bool> thicker_than(const Skeleton& skeleton, double radius_m) {
   return stays;
 }
 
-// With every segment its parent.
+// The marked segments; ancestors of a marked segment are marked.
 Skeleton only(const Skeleton& skeleton, const std::vector<bool>& stays) {
   Skeleton stems;
   std::vector<std::int32_t> number(stays.size(), lsystems::kNoParent);
@@ -68,7 +69,7 @@ void add_prism(Mesh& mesh, const Segment& segment, const Turns& turns) {
   }
 }
 
-// From each segment's root to its start.
+// Distance along the stems from the root to each segment's start.
 std::vector<double> along_m(const Skeleton& skeleton) {
   std::vector<double> along;
   for (const Segment& segment : skeleton.segments) {
@@ -79,8 +80,8 @@ std::vector<double> along_m(const Skeleton& skeleton) {
   return along;
 }
 
-// One picture around it, of which the last third comes back to where the first began.
-void lay_on_prism(std::vector<Vec2>& uvs, const Segment& segment, double along_m, double bark_m) {
+// Texture coordinates of a prism: one texture period around it.
+void add_prism_uvs(std::vector<Vec2>& uvs, const Segment& segment, double along_m, double bark_m) {
   for (int i = 0; i < 3; ++i) {
     uvs.push_back({i * bark_m / 3, along_m});
     uvs.push_back({i * bark_m / 3, along_m + std::abs(segment.length)});
@@ -90,6 +91,7 @@ void lay_on_prism(std::vector<Vec2>& uvs, const Segment& segment, double along_m
 }  // namespace
 
 StemMesh mesh_stems(const Skeleton& skeleton, double tolerance_m, double bark_m) {
+  assert(tolerance_m > 0 && bark_m >= 0);
   lsystems::TubeOptions options;
   options.tolerance_m = std::min(tolerance_m, kTrunkStays * thickest_m(skeleton)), options.instances = false;
   options.bark_m = bark_m;
@@ -105,7 +107,7 @@ StemMesh mesh_stems(const Skeleton& skeleton, double tolerance_m, double bark_m)
   for (std::size_t i = 0; i < stays.size(); ++i) {
     if (!stays[i] || thick[i]) continue;
     add_prism(stems.mesh, skeleton.segments[i], turns);
-    if (bark_m > 0) lay_on_prism(stems.uvs, skeleton.segments[i], along[i], bark_m);
+    if (bark_m > 0) add_prism_uvs(stems.uvs, skeleton.segments[i], along[i], bark_m);
     stems.error_m = std::max(stems.error_m, kPrismOff * radius_of(skeleton.segments[i]));
   }
   return stems;

@@ -1,4 +1,4 @@
-// Stems at a tolerance: the thick ones as smooth tubes, thin ones as prisms of three sides, the thinnest not at all.
+// Stems at a tolerance: thick ones as tubes, thin ones as triangular prisms, the thinnest left out.
 #pragma once
 
 #include "compiler/geometry/mesh.h"
@@ -8,15 +8,17 @@ namespace citykiln::plants {
 
 struct StemMesh {
   Mesh mesh;
-  std::vector<Vec2> uvs;  ///< One a position, as of lsystems::PlantMesh::bark; none without a picture.
-  double error_m = 0;     ///< Hausdorff, both ways, to round stems, but for those left out.
+  std::vector<Vec2> uvs;  ///< One a position, as in lsystems::PlantMesh::bark; empty if bark_m is 0.
+  double error_m = 0;     ///< Hausdorff distance to round stems, without those left out.
 };
 
-/// Stems of a radius below the tolerance go, with all that they bear, if that is no thicker; but a trunk stays, since a
-/// plant without one would hang in the air. Up to 2.5 tolerances they are prisms as wide as they are, which are no
-/// farther from round than the tolerance. The rest: lsystems/tubes.h. O(segments).
+/// Meshes stems. A stem of a radius below the tolerance is left out if it carries nothing thicker; a radius above
+/// 0.3 of the thickest diameter always stays, so that the plant stands on a trunk. Stems up to 2.5 tolerances are
+/// prisms of the same mean width, within the tolerance of a round stem. Others are tubes (lsystems/tubes.h).
+/// O(segments).
 ///
-/// @param bark_m  The side of the bark's picture; 0: none.
+/// @param tolerance_m  > 0, of radii.
+/// @param bark_m  Side of the bark texture; 0: no texture coordinates.
 StemMesh mesh_stems(const lsystems::Skeleton& skeleton, double tolerance_m, double bark_m = 0);
 
 }  // namespace citykiln::plants

@@ -21,12 +21,19 @@ int half_turn(Vec2 v) { return v.y > 0 || (v.y == 0 && v.x > 0) ? 0 : 1; }
 
 }  // namespace
 
-ArmLine line_of(std::span<const Road> roads, const Arm& arm) {
-  const Polyline path = walk(roads, arm, kLookAhead_m);
+ArmLine arm_line(std::span<const Road> roads, const Arm& arm) {
+  const Polyline path = arm_axis(roads, arm, kLookAhead_m);
   Vec2 along = path.back() - path.front();
   // a loop may return to its start
   if (along == Vec2{}) along = path[1] - path[0];
-  return {path.front(), unit(along), left_of(roads, arm), right_of(roads, arm)};
+  return {
+      .from = path.front(), .along = unit(along), .left_m = arm_left_m(roads, arm), .right_m = arm_right_m(roads, arm)};
+}
+
+std::vector<ArmLine> arm_lines(std::span<const Road> roads, std::span<const Arm> arms) {
+  std::vector<ArmLine> lines;
+  for (const Arm& arm : arms) lines.push_back(arm_line(roads, arm));
+  return lines;
 }
 
 std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec2 centre) {
@@ -43,7 +50,7 @@ std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec
   return order;
 }
 
-std::vector<std::uint32_t> next_at_place(std::span<const ArmLine> lines) {
+std::vector<std::uint32_t> next_at_node(std::span<const ArmLine> lines) {
   std::vector<std::uint32_t> next(lines.size());
   for (std::uint32_t from = 0, to = 0; from < lines.size(); from = to) {
     while (to < lines.size() && lines[to].from == lines[from].from) ++to;

@@ -15,7 +15,10 @@ struct ArmLine {
 };
 
 /// Returns the line from the arm's node to the point 8 m along it, so that an imprecise first metre does not turn it.
-ArmLine line_of(std::span<const Road> roads, const Arm& arm);
+ArmLine arm_line(std::span<const Road> roads, const Arm& arm);
+
+/// Returns the lines of several arms.
+std::vector<ArmLine> arm_lines(std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Returns the indices of arms counter-clockwise about a centre, by where the arms are 8 m from their nodes.
 std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec2 centre);
@@ -23,7 +26,7 @@ std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec
 /// Returns for each arm the next one counter-clockwise at its node; itself where it is the only one.
 ///
 /// @param lines  Node by node.
-std::vector<std::uint32_t> next_at_place(std::span<const ArmLine> lines);
+std::vector<std::uint32_t> next_at_node(std::span<const ArmLine> lines);
 
 /// Where the left edge of an arm meets the right edge of the next arm counter-clockwise.
 struct Corner {

@@ -6,7 +6,6 @@
 
 #include "compiler/geometry/box.h"
 #include "compiler/roads/junctions/arm_lines.h"
-#include "compiler/roads/junctions/circular_nodes.h"
 #include "compiler/roads/junctions/junction.h"
 
 namespace citykiln::roads {
@@ -31,8 +30,7 @@ constexpr double kWidestMedian = 1.5;
 
 // The length of each arm of a node that its corners take.
 std::vector<double> taken_by_corners(std::span<const Road> roads, const Node& node) {
-  std::vector<ArmLine> lines;
-  for (const Arm& arm : node.arms) lines.push_back(line_of(roads, arm));
+  const std::vector<ArmLine> lines = arm_lines(roads, node.arms);
   const std::vector<std::uint32_t> order = counter_clockwise(lines, node.at);
   std::vector<double> taken(lines.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -58,14 +56,10 @@ struct ShortLink {
   }
 };
 
-bool is_street(const Road& road) {
-  return family_of(road.surface) == Family::kStreet &&
-         map::values_of(road.surface).priority >= map::values_of(map::LandCoverClass::kResidentialRoad).priority;
-}
-
 // At least three streets meet, and the node is not circular.
 bool is_street_junction(std::span<const Road> roads, const Node& node) {
-  const auto streets = std::ranges::count_if(node.arms, [&](const Arm& arm) { return is_street(roads[arm.road]); });
+  const auto streets =
+      std::ranges::count_if(node.arms, [&](const Arm& arm) { return is_through_street(roads[arm.road]); });
   return streets >= 3 && disk_radius_m(roads, node.arms) == 0;
 }
 
@@ -88,11 +82,11 @@ struct Carriageway {
 
 std::vector<Carriageway> carriageways_across(std::span<const Road> roads, const Node& node, const Arm& link) {
   constexpr double kAcross = 0.5;
-  const Vec2 along_link = line_of(roads, link).along;
+  const Vec2 along_link = arm_line(roads, link).along;
   std::vector<Carriageway> across;
   for (const Arm& arm : node.arms) {
     const int way = oneway(roads, arm);
-    const Vec2 along = line_of(roads, arm).along;
+    const Vec2 along = arm_line(roads, arm).along;
     if (way != 0 && std::abs(cross(along, along_link)) > kAcross)
       across.push_back({along * way, width_m(roads[arm.road])});
   }
@@ -123,7 +117,7 @@ bool goes_round_island(std::span<const Candidate> from_here, const ShortLink& li
 bool joins_streets(std::span<const Road> roads, std::span<const Node> nodes, std::span<const Candidate> from_here,
                    const Candidate& c) {
   const Road& road = roads[c.there.road];
-  if (!is_street(road) || road.is_roundabout) return false;
+  if (!is_through_street(road) || road.is_roundabout) return false;
   if (!is_street_junction(roads, nodes[c.link.from]) || !is_street_junction(roads, nodes[c.link.to])) return false;
   if (c.between_m < kCar_m || goes_round_island(from_here, c.link)) return true;
   return joins_dual_carriageway(carriageways_across(roads, nodes[c.link.from], c.there),

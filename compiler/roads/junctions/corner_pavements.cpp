@@ -1,6 +1,7 @@
 #include "compiler/roads/junctions/corner_pavements.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/roads/junctions/arm_lines.h"
 #include "compiler/roads/junctions/junction_ring.h"
@@ -26,7 +27,7 @@ struct RaisedArm {
 RaisedArm raised_arm(std::span<const Road> roads, const Arm& arm, double raised_m, const Cut& cut) {
   constexpr double kWidest_m = 6;
   const double width_m = std::min(raised_m, kWidest_m);
-  return {path_of(roads, arm), width_m, std::min(cut.length_m, kJunctionRadius_m) + width_m};
+  return {arm_path(roads, arm), width_m, std::min(cut.length_m, kJunctionRadius_m) + width_m};
 }
 
 std::optional<Ring> stroke_corner(RaisedArm arm, RaisedArm next, double radius_m) {
@@ -42,9 +43,9 @@ std::optional<Ring> stroke_corner(RaisedArm arm, RaisedArm next, double radius_m
 
 std::vector<Ring> stroke_corner_pavements(const Junction& junction, std::span<const Road> roads,
                                           std::span<const Arm> arms) {
-  std::vector<ArmLine> lines;
-  for (const Arm& arm : arms) lines.push_back(line_of(roads, arm));
-  const std::vector<std::uint32_t> next = next_at_place(lines);
+  assert(arms.size() == junction.cuts.size());
+  const std::vector<ArmLine> lines = arm_lines(roads, arms);
+  const std::vector<std::uint32_t> next = next_at_node(lines);
   std::vector<Ring> rings;
   for (std::uint32_t a = 0; a < arms.size(); ++a) {
     if (next[a] == a) continue;

@@ -15,7 +15,7 @@ namespace citykiln::roads {
 /// The part outside the carriageways is visible pavement. Along the arms a ring ends where its arc touches them, since
 /// the strips' own pavements continue from there.
 ///
-/// @param arms  arms_at(roads, junction.nodes, junction.family).
+/// @param arms  arms_of() for this junction.
 std::vector<Ring> stroke_corner_pavements(const Junction& junction, std::span<const Road> roads,
                                           std::span<const Arm> arms);
 

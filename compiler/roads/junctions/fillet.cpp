@@ -1,6 +1,7 @@
 #include "compiler/roads/junctions/fillet.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -10,7 +11,7 @@ namespace citykiln::roads {
 namespace {
 
 // A segment of an axis, offset sideways.
-struct Moved {
+struct OffsetSegment {
   Vec2 from, to;
   Vec2 axis_from, along;  // its start on the axis, and its unit direction
   double before_m = 0;    // length of the axis before axis_from
@@ -20,16 +21,16 @@ struct Moved {
 
 // Offsets the axis by `off_m` to the left (to the right where negative) with mitred bends, up to the first bend of more
 // than a right angle. Segments that the inside of a bend reverses are left out.
-std::vector<Moved> moved(const Polyline& axis, double off_m) {
-  std::vector<Moved> stretches;
+std::vector<OffsetSegment> offset_axis(const Polyline& axis, double off_m) {
+  std::vector<OffsetSegment> stretches;
   double before_m = 0;
   Vec2 from = axis[0] + left_of(unit(axis[1] - axis[0])) * off_m;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
     const Vec2 along = unit(axis[i + 1] - axis[i]);
     const Vec2 after = i + 2 < axis.size() ? unit(axis[i + 2] - axis[i + 1]) : along;
-    const double cosine = dot(along, after), length_m = distance(axis[i], axis[i + 1]);
-    const bool is_last = cosine <= 0;
-    const Vec2 off = is_last ? left_of(along) : (left_of(along) + left_of(after)) * (1 / (1 + cosine));
+    const double length_m = distance(axis[i], axis[i + 1]);
+    const bool is_last = dot(along, after) <= 0;
+    const Vec2 off = is_last ? left_of(along) : mitre_of(along, after);
     const Vec2 to = axis[i + 1] + off * off_m;
     if (dot(to - from, along) > 0) stretches.push_back({from, to, axis[i], along, before_m, length_m, i});
     if (is_last) break;
@@ -49,13 +50,13 @@ double distance_to(const Polyline& axis, Vec2 p) {
   return least;
 }
 
-TangentPoint touch_at(const Moved& stretch, Vec2 centre, double off_m) {
+TangentPoint touch_at(const OffsetSegment& stretch, Vec2 centre, double off_m) {
   const double along_m = std::min(dot(centre - stretch.axis_from, stretch.along), stretch.length_m);
   return {stretch.axis_from + stretch.along * along_m + left_of(stretch.along) * off_m, stretch.before_m + along_m,
           stretch.segment};
 }
 
-std::optional<Vec2> meeting(const Moved& a, const Moved& b) {
+std::optional<Vec2> meeting(const OffsetSegment& a, const OffsetSegment& b) {
   const Vec2 u = a.to - a.from, v = b.to - b.from, gap = b.from - a.from;
   const double det = cross(u, v);
   // kerbs that cross in the other direction meet again behind an island
@@ -67,7 +68,7 @@ std::optional<Vec2> meeting(const Moved& a, const Moved& b) {
 
 // Extends a kerb backwards beyond its node: a wide road that ends on a narrow one at an obtuse angle meets its kerb
 // there.
-void begin_earlier(std::vector<Moved>& stretches, double by_m) {
+void begin_earlier(std::vector<OffsetSegment>& stretches, double by_m) {
   if (stretches.empty() || stretches.front().segment != 0) return;
   stretches.front().from = stretches.front().from - stretches.front().along * by_m;
 }
@@ -80,21 +81,23 @@ bool is_obtuse(const ArmPath& arm, const ArmPath& next) {
 
 }  // namespace
 
-ArmPath path_of(std::span<const Road> roads, const Arm& arm) {
-  Polyline axis = walk(roads, arm, kJunctionRadius_m);
+ArmPath arm_path(std::span<const Road> roads, const Arm& arm) {
+  Polyline axis = arm_axis(roads, arm, kJunctionRadius_m);
   // arm_axis() repeats a vertex that lies exactly at the length
   if (axis.size() > 2 && axis.back() == axis[axis.size() - 2]) axis.pop_back();
-  return {std::move(axis), left_of(roads, arm), right_of(roads, arm)};
+  return {std::move(axis), arm_left_m(roads, arm), arm_right_m(roads, arm)};
 }
 
 std::optional<Fillet> fillet_between(const ArmPath& arm, const ArmPath& next, double radius_m) {
+  assert(arm.axis.size() >= 2 && next.axis.size() >= 2);
+  assert(radius_m >= 0);
   constexpr double kClear_m = 0.02;
   const double off = arm.left_m + radius_m, off_next = next.right_m + radius_m;
-  std::vector<Moved> left = moved(arm.axis, off), right = moved(next.axis, -off_next);
+  std::vector<OffsetSegment> left = offset_axis(arm.axis, off), right = offset_axis(next.axis, -off_next);
   if (is_obtuse(arm, next)) begin_earlier(left, arm.left_m), begin_earlier(right, next.right_m);
   std::optional<Fillet> nearest;
-  for (const Moved& a : left)
-    for (const Moved& b : right) {
+  for (const OffsetSegment& a : left)
+    for (const OffsetSegment& b : right) {
       const auto centre = meeting(a, b);
       if (!centre) continue;
       const Fillet found{*centre, radius_m, touch_at(a, *centre, arm.left_m), touch_at(b, *centre, -next.right_m)};
@@ -108,6 +111,7 @@ std::optional<Fillet> fillet_between(const ArmPath& arm, const ArmPath& next, do
 
 std::optional<Fillet> largest_fillet(const ArmPath& arm, const ArmPath& next, double wanted_radius_m,
                                      const FilletLimits& limits) {
+  assert(wanted_radius_m >= 0);
   const auto fitting = [&](double radius_m) {
     auto fillet = fillet_between(arm, next, radius_m);
     if (fillet && (fillet->arm.along_m > limits.along_arm_m || fillet->next.along_m > limits.along_next_m))

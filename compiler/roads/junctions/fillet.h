@@ -18,7 +18,7 @@ struct ArmPath {
   Polyline axis;                   ///< At least two points; the last one may be interpolated.
   double left_m = 0, right_m = 0;  ///< To the kerbs, seen along the arm.
 };
-ArmPath path_of(std::span<const Road> roads, const Arm& arm);
+ArmPath arm_path(std::span<const Road> roads, const Arm& arm);
 
 /// Where an arc touches a kerb.
 struct TangentPoint {

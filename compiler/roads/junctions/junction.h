@@ -36,13 +36,17 @@ inline constexpr double kWholeLink_m = 63.75;
 /// A junction: one node, or a few that a driver takes for one. Its arms follow from the roads.
 struct Junction {
   Family family{};
-  std::vector<Vec2> places;  ///< Their positions, sorted; vertices of axes.
-  std::vector<Cut> cuts;     ///< One for each arm, in the order of arms_at().
+  std::vector<Vec2> nodes;  ///< Their positions, sorted; vertices of axes.
+  std::vector<Cut> cuts;    ///< One for each arm, in the order of arms_of().
   bool operator==(const Junction&) const = default;
 };
 
 /// Returns the arms of each junction, in the order of its cuts. O(n log n) in vertices.
 std::vector<std::vector<Arm>> arms_of(std::span<const Junction> junctions, std::span<const Road> roads);
+
+/// Returns the vertex at which an arm whose whole link is inside a junction ends: at the junction's next node, or at
+/// the end of the road. @param nodes  Sorted.
+std::size_t end_of_link(const Road& road, const Arm& arm, std::span<const Vec2> nodes);
 
 /// Returns the road of highest class, then width: it gives the junction its land cover class and its id. @param arms
 /// Not empty.
@@ -58,7 +62,7 @@ std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report
 /// Returns the junction as overlapping counter-clockwise rings, snapped. Their union is its area before higher
 /// junctions are subtracted.
 ///
-/// @param arms  arms_at(roads, junction.nodes, junction.family).
+/// @param arms  arms_of() for this junction.
 std::vector<Ring> stroke(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Returns a box about the junction's nodes that holds the whole junction.
@@ -67,7 +71,7 @@ Box2 box_of(const Junction& junction, double widest_arm_m);
 /// Returns outlines that share no area: every junction without what junctions of a higher class, or of the same class
 /// and a lower first node, cover. Simple outer rings; a junction that others cover completely has none. O(n log n) in
 /// junctions.
-std::vector<std::vector<Polygon>> outline(std::span<const Junction> junctions, std::span<const Road> roads,
-                                          int threads);
+std::vector<std::vector<Polygon>> outline_junctions(std::span<const Junction> junctions, std::span<const Road> roads,
+                                                    int threads);
 
 }  // namespace citykiln::roads

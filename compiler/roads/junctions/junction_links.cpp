@@ -1,6 +1,7 @@
 #include "compiler/roads/junctions/junction_links.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace citykiln::roads {
 
@@ -15,11 +16,13 @@ NodeIndex::NodeIndex(std::span<const Road> roads, std::span<const Node> nodes) :
     for (const Arm& arm : nodes[node].arms) node_at_[first_[arm.road] + arm.vertex] = node;
 }
 
-Link NodeIndex::link_of(const Arm& arm, double reach_m) const {
+Link NodeIndex::link_of(const Arm& arm, double max_m) const {
+  assert(arm.road < roads_.size() && arm.vertex < roads_[arm.road].axis.size());
+  assert(max_m >= 0);
   const Polyline& axis = roads_[arm.road].axis;
   Link link;
   const auto last = static_cast<std::int64_t>(axis.size()) - 1;
-  for (std::int64_t v = arm.vertex; v + arm.step >= 0 && v + arm.step <= last && link.length_m <= reach_m;) {
+  for (std::int64_t v = arm.vertex; v + arm.step >= 0 && v + arm.step <= last && link.length_m <= max_m;) {
     const auto here = static_cast<std::size_t>(v), next = static_cast<std::size_t>(v + arm.step);
     link.length_m += distance(axis[here], axis[next]);
     link.node = node_at_[first_[arm.road] + next];

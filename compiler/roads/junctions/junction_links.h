@@ -23,9 +23,9 @@ class NodeIndex {
  public:
   NodeIndex(std::span<const Road> roads, std::span<const Node> nodes);
 
-  /// Returns the link of an arm, followed at most for `radius_m`; a longer one has a greater length and no node.
+  /// Returns the link of an arm, followed at most for `max_m`; a longer one has a greater length and no node.
   /// O(vertices passed).
-  Link link_of(const Arm& arm, double reach_m) const;
+  Link link_of(const Arm& arm, double max_m) const;
 
  private:
   std::span<const Road> roads_;

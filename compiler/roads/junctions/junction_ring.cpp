@@ -1,10 +1,10 @@
 #include "compiler/roads/junctions/junction_ring.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/roads/junctions/circular_nodes.h"
 #include "compiler/roads/junctions/taper.h"
 
 namespace citykiln::roads {
@@ -22,9 +22,8 @@ std::optional<Edges> edges_of(const Polyline& path, const ArmLine& line) {
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Vec2 before = unit(path[i > 0 ? i : 1] - path[i > 0 ? i - 1 : 0]);
     const Vec2 after = i + 1 < path.size() ? unit(path[i + 1] - path[i]) : before;
-    const double cosine = dot(before, after);
-    if (cosine < kSharpestCosine) return std::nullopt;
-    const Vec2 off = (left_of(before) + left_of(after)) * (1 / (1 + cosine));
+    if (dot(before, after) < kSharpestCosine) return std::nullopt;
+    const Vec2 off = mitre_of(before, after);
     edges.left.push_back(path[i] + off * line.left_m);
     edges.right.push_back(path[i] - off * line.right_m);
   }
@@ -113,54 +112,11 @@ bool is_sound(const Ring& ring, Vec2 place) {
          is_simple(ring);
 }
 
-}  // namespace
-
-bool is_spike(const Ring& ring, std::size_t i) {
-  constexpr double kSpikeCosine = 0.97;
-  const Vec2 before = ring[(i + ring.size() - 1) % ring.size()] - ring[i],
-             after = ring[(i + 1) % ring.size()] - ring[i];
-  return cross(after, before) >= 0 && dot(before, after) > kSpikeCosine * length(before) * length(after);
-}
-
-void add_arc(Vec2 centre, Vec2 from, Vec2 to, double radius_m, int halvings, Ring& ring) {
-  if (halvings == 0) return;
-  const Vec2 middle = unit(from + to);
-  add_arc(centre, from, middle, radius_m, halvings - 1, ring);
-  ring.push_back(snapped(centre + middle * radius_m));
-  add_arc(centre, middle, to, radius_m, halvings - 1, ring);
-}
-
-void add_fillet(const Fillet& fillet, Ring& ring) {
-  ring.push_back(snapped(fillet.arm.at));
-  if (fillet.radius_m == 0) return;
-  add_arc(fillet.centre, unit(fillet.arm.at - fillet.centre), unit(fillet.next.at - fillet.centre), fillet.radius_m, 3,
-          ring);
-  ring.push_back(snapped(fillet.next.at));
-}
-
-namespace {
-
 void push_up_to(Ring& ring, const Polyline& axis, const TangentPoint& touch) {
   const Vec2 along = unit(axis[touch.segment + 1] - axis[touch.segment]);
   ring.insert(ring.end(), axis.begin(), axis.begin() + static_cast<std::ptrdiff_t>(touch.segment) + 1);
   ring.push_back(axis[touch.segment] + along * dot(touch.at - axis[touch.segment], along));
 }
-
-}  // namespace
-
-std::optional<Ring> corner_ring(const ArmPath& arm, const ArmPath& next, const Fillet& fillet) {
-  Ring inward, ring;
-  push_up_to(ring, arm.axis, fillet.arm);
-  add_fillet(fillet, ring);
-  push_up_to(inward, next.axis, fillet.next);
-  ring.insert(ring.end(), inward.rbegin(), inward.rend());
-  for (Vec2& p : ring) p = snapped(p);
-  ring = without_repeats(ring);
-  if (ring.size() < 3 || signed_area_m2(ring) <= 0 || !is_simple(ring)) return std::nullopt;
-  return ring;
-}
-
-namespace {
 
 // The edges of all arms, or nothing where an arm has no length or bends too sharply.
 std::optional<std::vector<Edges>> edges_of_arms(const Junction& junction, std::span<const Road> roads,
@@ -169,7 +125,7 @@ std::optional<std::vector<Edges>> edges_of_arms(const Junction& junction, std::s
   for (const std::uint32_t arm : junction_arms.order) {
     const double length = junction.cuts[arm].length_m;
     if (length <= 0) return std::nullopt;
-    auto both = edges_of(walk(roads, arms[arm], length), junction_arms.lines[arm]);
+    auto both = edges_of(arm_axis(roads, arms[arm], length), junction_arms.lines[arm]);
     if (!both) return std::nullopt;
     edges[arm] = std::move(*both);
   }
@@ -191,19 +147,57 @@ std::optional<std::vector<Turn>> turns_of(const Junction& junction, const std::v
 
 }  // namespace
 
+bool is_spike(const Ring& ring, std::size_t i) {
+  assert(i < ring.size());
+  constexpr double kSpikeCosine = 0.97;
+  const Vec2 before = ring[(i + ring.size() - 1) % ring.size()] - ring[i],
+             after = ring[(i + 1) % ring.size()] - ring[i];
+  return cross(after, before) >= 0 && dot(before, after) > kSpikeCosine * length(before) * length(after);
+}
+
+void add_arc(Vec2 centre, Vec2 from, Vec2 to, double radius_m, int halvings, Ring& ring) {
+  assert(halvings >= 0);
+  if (halvings == 0) return;
+  const Vec2 middle = unit(from + to);
+  add_arc(centre, from, middle, radius_m, halvings - 1, ring);
+  ring.push_back(snapped(centre + middle * radius_m));
+  add_arc(centre, middle, to, radius_m, halvings - 1, ring);
+}
+
+void add_fillet(const Fillet& fillet, Ring& ring) {
+  ring.push_back(snapped(fillet.arm.at));
+  if (fillet.radius_m == 0) return;
+  add_arc(fillet.centre, unit(fillet.arm.at - fillet.centre), unit(fillet.next.at - fillet.centre), fillet.radius_m, 3,
+          ring);
+  ring.push_back(snapped(fillet.next.at));
+}
+
+std::optional<Ring> corner_ring(const ArmPath& arm, const ArmPath& next, const Fillet& fillet) {
+  Ring inward, ring;
+  push_up_to(ring, arm.axis, fillet.arm);
+  add_fillet(fillet, ring);
+  push_up_to(inward, next.axis, fillet.next);
+  ring.insert(ring.end(), inward.rbegin(), inward.rend());
+  for (Vec2& p : ring) p = snapped(p);
+  ring = without_repeats(ring);
+  if (ring.size() < 3 || signed_area_m2(ring) <= 0 || !is_simple(ring)) return std::nullopt;
+  return ring;
+}
+
 JunctionArms junction_arms(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
+  assert(arms.size() == junction.cuts.size());
   JunctionArms all;
   for (const Arm& arm : arms) {
-    all.lines.push_back(line_of(roads, arm));
-    all.paths.push_back(path_of(roads, arm));
+    all.lines.push_back(arm_line(roads, arm));
+    all.paths.push_back(arm_path(roads, arm));
   }
-  all.next = next_at_place(all.lines);
-  for (const std::uint32_t a : counter_clockwise(all.lines, citykiln::box_of(junction.places).centre()))
+  all.next = next_at_node(all.lines);
+  for (const std::uint32_t a : counter_clockwise(all.lines, citykiln::box_of(junction.nodes).centre()))
     if (junction.cuts[a].length_m != kWholeLink_m) all.order.push_back(a);
   // arms are sorted by node
-  for (std::size_t from = 0, p = 0; p < junction.places.size(); ++p) {
+  for (std::size_t from = 0, p = 0; p < junction.nodes.size(); ++p) {
     std::size_t to = from;
-    while (to < arms.size() && all.lines[to].from == junction.places[p]) ++to;
+    while (to < arms.size() && all.lines[to].from == junction.nodes[p]) ++to;
     all.disks_m.push_back(disk_radius_m(roads, arms.subspan(from, to - from)));
     from = to;
   }
@@ -212,8 +206,9 @@ JunctionArms junction_arms(const Junction& junction, std::span<const Road> roads
 
 std::optional<Ring> trace_outline_unchecked(const Junction& junction, std::span<const Road> roads,
                                             std::span<const Arm> arms, const JunctionArms& junction_arms) {
+  assert(arms.size() == junction.cuts.size());
   const std::size_t count = junction_arms.order.size();
-  if (junction.places.size() != 1 || count < 2) return std::nullopt;
+  if (junction.nodes.size() != 1 || count < 2) return std::nullopt;
   const auto edges = edges_of_arms(junction, roads, arms, junction_arms);
   const auto turns = edges ? turns_of(junction, *edges, junction_arms) : std::nullopt;
   if (!turns) return std::nullopt;
@@ -230,7 +225,7 @@ std::optional<Ring> trace_outline_unchecked(const Junction& junction, std::span<
 
 std::optional<Ring> trace_outline(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                   const JunctionArms& junction_arms) {
-  if (junction.places.size() != 1 || junction_arms.disks_m.front() > 0) return std::nullopt;
+  if (junction.nodes.size() != 1 || junction_arms.disks_m.front() > 0) return std::nullopt;
   const auto taper = [&] {
     return taper_ring(junction_arms.paths[0], junction.cuts[0].length_m, junction_arms.paths[1],
                       junction.cuts[1].length_m);
@@ -238,7 +233,7 @@ std::optional<Ring> trace_outline(const Junction& junction, std::span<const Road
   auto ring = is_taper(junction.family, junction_arms.lines)
                   ? taper()
                   : trace_outline_unchecked(junction, roads, arms, junction_arms);
-  if (ring && !is_sound(*ring, junction.places.front())) ring.reset();
+  if (ring && !is_sound(*ring, junction.nodes.front())) ring.reset();
   return ring;
 }
 

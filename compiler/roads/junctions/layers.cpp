@@ -20,7 +20,7 @@ Tracks tracks_off_ground(const map::Features& features) {
 }
 
 // Without layer=*, a bridge is at layer 1 and a tunnel at layer -1.
-int told_layer(const map::Track& track) {
+int own_layer(const map::Track& track) {
   if (track.layer != 0) return track.layer;
   return track.passage == map::Passage::kBridge ? 1 : -1;
 }
@@ -67,7 +67,7 @@ std::vector<int> layers_of(const Tracks& tracks) {
     if (passings[i].meets(passings[i - 1])) sets.join(passings[i].track, passings[i - 1].track);
 
   std::vector<int> lowest, layers;
-  for (const map::Track* track : tracks) lowest.push_back(told_layer(*track));
+  for (const map::Track* track : tracks) lowest.push_back(own_layer(*track));
   // a set's first member has the lowest index
   for (std::uint32_t t = 0; t < tracks.size(); ++t) {
     int& of_set = lowest[sets.find(t)];
@@ -79,8 +79,8 @@ std::vector<int> layers_of(const Tracks& tracks) {
 
 void count(const RoadLayer& layer, Account& account) {
   for (const Junction& junction : layer.junctions) {
-    account.in += junction.places.size();
-    account.merged += junction.places.size() - 1;
+    account.in += junction.nodes.size();
+    account.merged += junction.nodes.size() - 1;
     ++account.out;
   }
 }
@@ -97,7 +97,8 @@ std::vector<RoadLayer> plan_layers(const map::Features& features, Report& report
   Account account;
   for (auto& [name, of_layer] : roads) {
     std::vector<Junction> junctions = plan_junctions(of_layer, report);
-    planned.push_back({name.first, name.second, std::move(of_layer), std::move(junctions)});
+    planned.push_back(
+        {.layer = name.first, .passage = name.second, .roads = std::move(of_layer), .junctions = std::move(junctions)});
     count(planned.back(), account);
   }
   report.account("roads", "junction_off_ground") = account;

@@ -4,10 +4,11 @@
 // their order does not matter.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "compiler/geometry/box.h"
 #include "compiler/roads/junctions/arm_lines.h"
-#include "compiler/roads/junctions/circular_nodes.h"
 #include "compiler/roads/junctions/consolidate.h"
 #include "compiler/roads/junctions/fillet.h"
 #include "compiler/roads/junctions/junction.h"
@@ -23,24 +24,12 @@ constexpr double kMinCut_m = 0.5;
 // Kerb radii in metres by the minor road's class: the turning radius of its design vehicle.
 double radius_m(map::LandCoverClass surface) {
   using map::LandCoverClass;
-  switch (surface) {
-    case LandCoverClass::kMotorwayRoad:
-      return 15;
-    case LandCoverClass::kPrimaryRoad:
-      return 8;
-    case LandCoverClass::kSecondaryRoad:
-      return 7;
-    case LandCoverClass::kTertiaryRoad:
-      return 6;
-    case LandCoverClass::kResidentialRoad:
-      return 5;
-    case LandCoverClass::kServiceRoad:
-    case LandCoverClass::kUnpavedRoad:
-    case LandCoverClass::kPedestrianStreet:
-      return 3;
-    default:
-      return 1.5;
-  }
+  constexpr std::pair<LandCoverClass, double> kRadii_m[] = {
+      {LandCoverClass::kMotorwayRoad, 15}, {LandCoverClass::kPrimaryRoad, 8},     {LandCoverClass::kSecondaryRoad, 7},
+      {LandCoverClass::kTertiaryRoad, 6},  {LandCoverClass::kResidentialRoad, 5}, {LandCoverClass::kServiceRoad, 3},
+      {LandCoverClass::kUnpavedRoad, 3},   {LandCoverClass::kPedestrianStreet, 3}};
+  const auto row = std::ranges::find(kRadii_m, surface, &std::pair<LandCoverClass, double>::first);
+  return row != std::end(kRadii_m) ? row->second : 1.5;
 }
 
 // The lengths of two neighbouring arms that one corner takes.
@@ -49,7 +38,7 @@ struct Meeting {
   double along_arm_m = 0, along_next_m = 0;
 };
 
-// A junction in planning. Arms of all its nodes, in the order of arms_at().
+// A junction in planning. Arms of all its nodes, in the order of arms_of().
 struct Draft {
   std::vector<std::uint32_t> nodes;
   Vec2 centre;
@@ -75,8 +64,8 @@ Draft draft_of(std::span<const Road> roads, std::span<const Node> nodes, const N
   draft.centre = box.centre();
   for (const Arm& arm : draft.arms) {
     draft.links.push_back(index.link_of(arm, 2 * kJunctionRadius_m));
-    draft.lines.push_back(line_of(roads, arm));
-    draft.paths.push_back(path_of(roads, arm));
+    draft.lines.push_back(arm_line(roads, arm));
+    draft.paths.push_back(arm_path(roads, arm));
   }
   draft.cuts.resize(draft.arms.size());
   return draft;
@@ -114,7 +103,7 @@ std::optional<Fillet> wanted_fillet(std::span<const Road> roads, const Draft& dr
 }
 
 void find_order(Draft& draft) {
-  draft.next = next_at_place(draft.lines);
+  draft.next = next_at_node(draft.lines);
   for (const std::uint32_t a : counter_clockwise(draft.lines, draft.centre))
     if (draft.cuts[a].length_m != kWholeLink_m) draft.order.push_back(a);
 }
@@ -188,8 +177,8 @@ void want_cuts(Draft& draft) {
 }
 
 // Divides a link between the junctions at its ends in proportion to what both want, if that is more than its length.
-void share_link(std::span<const Road> roads, Cut& cut, const Arm& arm, const Link& link, const Cut* other,
-                Report& report) {
+void divide_link(std::span<const Road> roads, Cut& cut, const Arm& arm, const Link& link, const Cut* other,
+                 Report& report) {
   if (cut.length_m == kWholeLink_m) return;
   const double wanted_there = other && other->length_m != kWholeLink_m ? other->length_m : 0;
   if (cut.length_m + wanted_there <= link.length_m) return;
@@ -213,7 +202,7 @@ void shrink_radii(Draft& draft) {
 
 Junction finished(std::span<const Node> nodes, const Draft& draft) {
   Junction junction{nodes[draft.nodes.front()].family, {}, draft.cuts};
-  for (const std::uint32_t n : draft.nodes) junction.places.push_back(nodes[n].at);
+  for (const std::uint32_t n : draft.nodes) junction.nodes.push_back(nodes[n].at);
   return junction;
 }
 
@@ -261,7 +250,7 @@ std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report
     for (std::size_t a = 0; a < shared.arms.size(); ++a) {
       const Link& link = shared.links[a];
       const Cut* other = link.node == kNoNode ? nullptr : &wanted[group[link.node]].cuts[first[link.node] + link.arm];
-      share_link(roads, shared.cuts[a], shared.arms[a], link, other, report);
+      divide_link(roads, shared.cuts[a], shared.arms[a], link, other, report);
     }
     shrink_radii(shared);
     junctions.emplace_back(std::ranges::min(shared.arms), finished(nodes, shared));

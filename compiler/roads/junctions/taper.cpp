@@ -1,6 +1,7 @@
 #include "compiler/roads/junctions/taper.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/geometry/snap.h"
 
@@ -46,9 +47,8 @@ std::optional<Vec2> across(const std::vector<Station>& stations, std::size_t i) 
   const std::size_t last = stations.size() - 1;
   const Vec2 before = unit(stations[std::max<std::size_t>(i, 1)].at - stations[std::max<std::size_t>(i, 1) - 1].at);
   const Vec2 after = i < last ? unit(stations[i + 1].at - stations[i].at) : before;
-  const double cosine = dot(before, after);
-  if (cosine < kSharpestCosine) return std::nullopt;
-  return (left_of(before) + left_of(after)) * (1 / (1 + cosine));
+  if (dot(before, after) < kSharpestCosine) return std::nullopt;
+  return mitre_of(before, after);
 }
 
 }  // namespace
@@ -59,12 +59,14 @@ bool is_taper(Family family, std::span<const ArmLine> lines) {
 }
 
 double taper_length_m(const ArmPath& arm, const ArmPath& other) {
+  assert(arm.axis.size() >= 2 && other.axis.size() >= 2);
   constexpr double kSlope = 5, kLeast_m = 1;
   const Excess excess = excess_of(arm, other);
   return std::max(kLeast_m, kSlope * std::max(excess.left_m, excess.right_m));
 }
 
 std::optional<Ring> taper_ring(const ArmPath& arm, double cut_m, const ArmPath& other, double other_cut_m) {
+  assert(arm.axis.size() >= 2 && other.axis.size() >= 2);
   if (cut_m <= 0 || other_cut_m <= 0) return std::nullopt;
   std::vector<Station> stations = stations_of(arm, cut_m, other);
   std::ranges::reverse(stations);

@@ -4,18 +4,9 @@
 #include <cmath>
 
 #include "compiler/roads/junctions/arm_lines.h"
-#include "compiler/roads/junctions/circular_nodes.h"
 
 namespace citykiln::roads {
 namespace {
-
-int priority_of(const Road& road) { return map::values_of(road.surface).priority; }
-
-bool has_signals(const Road& road, std::uint32_t vertex) {
-  return std::ranges::any_of(road.points, [&](const map::TrackPoint& p) {
-    return p.vertex == vertex && p.kind == map::TrackPointKind::kSignals;
-  });
-}
 
 bool are_one_road(const ArmLine& a, const ArmLine& b) {
   constexpr double kSameWidth_m = 0.25, kStraightCosine = -0.8;
@@ -26,14 +17,12 @@ bool are_one_road(const ArmLine& a, const ArmLine& b) {
 }  // namespace
 
 bool has_through_road(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
-  if (junction.family != Family::kStreet || junction.places.size() != 1 || arms.size() < 3) return false;
-  if (disk_radius_m(roads, arms) > 0) return false;
+  if (junction.family != Family::kStreet || junction.nodes.size() != 1 || arms.size() < 3) return false;
+  if (disk_radius_m(roads, arms) > 0 || has_signals(roads, arms)) return false;
   const int highest = priority_of(main_road(roads, arms));
   std::vector<ArmLine> main;
-  for (const Arm& arm : arms) {
-    if (has_signals(roads[arm.road], arm.vertex)) return false;
-    if (priority_of(roads[arm.road]) == highest) main.push_back(line_of(roads, arm));
-  }
+  for (const Arm& arm : arms)
+    if (priority_of(roads[arm.road]) == highest) main.push_back(arm_line(roads, arm));
   return main.size() == 2 && are_one_road(main[0], main[1]);
 }
 

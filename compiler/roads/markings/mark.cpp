@@ -1,6 +1,7 @@
 #include "compiler/roads/markings/mark.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/roads/markings/marking_layout.h"
@@ -19,30 +20,33 @@ Vec2 mitre(Vec2 before, Vec2 after, double half_width) {
 
 Ring rectangle(Vec2 low, Vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
 
-void add_line(double u_m, double width_m, DashPattern rhythm, Marks& marks) {
+void add_line(double u_m, double width_m, DashPattern dashes, Marks& marks) {
+  assert(0 < dashes.dash_m && dashes.dash_m <= dashes.period_m);
   const double left_m = u_m - width_m / 2, right_m = u_m + width_m / 2;
-  if (rhythm.dash_m == rhythm.period_m) {
+  if (dashes.dash_m == dashes.period_m) {
     marks.push_back({rectangle({left_m, 0}, {right_m, kLayoutLength_m}), kWhite});
     return;
   }
-  for (double period_m = 0; period_m < kLayoutLength_m; period_m += rhythm.period_m) {
-    const double low_m = period_m + (rhythm.period_m - rhythm.dash_m) / 2;
-    marks.push_back({rectangle({left_m, low_m}, {right_m, low_m + rhythm.dash_m}), kWhite});
+  for (double period_m = 0; period_m < kLayoutLength_m; period_m += dashes.period_m) {
+    const double low_m = period_m + (dashes.period_m - dashes.dash_m) / 2;
+    marks.push_back({rectangle({left_m, low_m}, {right_m, low_m + dashes.dash_m}), kWhite});
   }
 }
 
-void add_dashes_across(double left_m, double right_m, double low_m, double high_m, DashPattern rhythm, Marks& marks) {
-  const double gap_m = rhythm.period_m - rhythm.dash_m, width_m = right_m - left_m;
-  const double count = std::max(1.0, std::floor((width_m + gap_m) / rhythm.period_m + 0.5));
+void add_dashes_across(double left_m, double right_m, double low_m, double high_m, DashPattern dashes, Marks& marks) {
+  assert(0 < dashes.dash_m && dashes.dash_m <= dashes.period_m);
+  const double gap_m = dashes.period_m - dashes.dash_m, width_m = right_m - left_m;
+  const double count = std::max(1.0, std::floor((width_m + gap_m) / dashes.period_m + 0.5));
   // dashes and gaps together fill the width exactly
-  const double scale = width_m / (count * rhythm.period_m - gap_m);
+  const double scale = width_m / (count * dashes.period_m - gap_m);
   for (double i = 0; i < count; ++i) {
-    const double at_m = left_m + i * rhythm.period_m * scale;
-    marks.push_back({rectangle({at_m, low_m}, {at_m + rhythm.dash_m * scale, high_m}), kWhite});
+    const double at_m = left_m + i * dashes.period_m * scale;
+    marks.push_back({rectangle({at_m, low_m}, {at_m + dashes.dash_m * scale, high_m}), kWhite});
   }
 }
 
 Ring stroke(std::span<const Vec2> line, double width) {
+  assert(line.size() >= 2 && width > 0);
   const std::size_t last = line.size() - 1;
   const bool is_closed = line.front() == line.back();
   const auto offset = [&](std::size_t i) {

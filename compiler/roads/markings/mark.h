@@ -28,14 +28,14 @@ Ring rectangle(Vec2 low, Vec2 high);
 struct DashPattern {
   double dash_m, period_m;
 };
-inline constexpr DashPattern kUnbroken = {1, 1};
+inline constexpr DashPattern kSolid = {1, 1};
 
 /// Adds a line along the road, centred at u, over the whole layout.
-void add_line(double u_m, double width_m, DashPattern rhythm, Marks& marks);
+void add_line(double u_m, double width_m, DashPattern dashes, Marks& marks);
 
 /// Adds a broken line across the road from u = left to right and v = low to high. Dashes and gaps are scaled to the
 /// width so that there is a dash at each end.
-void add_dashes_across(double left_m, double right_m, double low_m, double high_m, DashPattern rhythm, Marks& marks);
+void add_dashes_across(double left_m, double right_m, double low_m, double high_m, DashPattern dashes, Marks& marks);
 
 /// Returns the outline of a polyline of this width with mitred bends and square ends, closed where it ends at its
 /// start. Consecutive points differ, and no bend is sharper than a quarter turn.

@@ -1,6 +1,7 @@
 #include "compiler/roads/markings/marking_atlas.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/materials/paint.h"
@@ -63,6 +64,8 @@ void draw(const MarkingLayout& layout, ColumnRange columns, TextureImage& sheet)
 }  // namespace
 
 MarkingAtlas make_marking_atlas(std::span<const MarkingLayout> layouts, double tolerance_m) {
+  assert(std::ranges::is_sorted(layouts) && std::ranges::adjacent_find(layouts) == layouts.end());
+  assert(tolerance_m >= 0);
   if (layouts.empty()) return {};
   MarkingAtlas atlas;
   atlas.left_m.assign(layouts.size(), kNoColumn_m);

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "compiler/map/cross_section.h"
 #include "compiler/map/land_cover_class.h"
-#include "compiler/map/lanes/lanes.h"
 
 namespace citykiln::roads {
 

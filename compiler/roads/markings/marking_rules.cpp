@@ -5,14 +5,33 @@
 // MUTCD 3B and RMS-2.
 #include "compiler/roads/markings/marking_rules.h"
 
+#include <algorithm>
+#include <array>
+#include <cassert>
+
 namespace citykiln::roads {
 namespace {
 
 using map::LandCoverClass;
 
-constexpr LineMeasures kMotorwayLines = {0.15, 0.30, {4, 12}, {6, 12}, true, true};
-constexpr LineMeasures kCountryLines = {0.12, 0.25, {4, 12}, {3, 6}, true, false};
-constexpr LineMeasures kTownLines = {0.12, 0.25, {3, 12}, {1.5, 3}, true, false};
+constexpr LineMeasures kMotorwayLines = {.narrow_m = 0.15,
+                                         .broad_m = 0.30,
+                                         .broken = {4, 12},
+                                         .broad_broken = {6, 12},
+                                         .has_lane_lines = true,
+                                         .has_edge_lines = true};
+constexpr LineMeasures kCountryLines = {.narrow_m = 0.12,
+                                        .broad_m = 0.25,
+                                        .broken = {4, 12},
+                                        .broad_broken = {3, 6},
+                                        .has_lane_lines = true,
+                                        .has_edge_lines = false};
+constexpr LineMeasures kTownLines = {.narrow_m = 0.12,
+                                     .broad_m = 0.25,
+                                     .broken = {3, 12},
+                                     .broad_broken = {1.5, 3},
+                                     .has_lane_lines = true,
+                                     .has_edge_lines = false};
 
 // Lane widths at which two bicycles or two cars pass each other, so that each direction keeps to its side.
 constexpr double kCyclesPass_m = 2.0, kCarsPass_m = 4.5;
@@ -30,30 +49,19 @@ LineMeasures measures_of(const MarkingLayout& layout) {
 }
 
 bool is_quiet(const MarkingLayout& layout) {
-  switch (layout.surface) {
-    case LandCoverClass::kMotorwayRoad:
-    case LandCoverClass::kPrimaryRoad:
-    case LandCoverClass::kSecondaryRoad:
-    case LandCoverClass::kTertiaryRoad:
-      return false;
-    default:
-      return true;
-  }
+  constexpr std::array kBusy = {LandCoverClass::kMotorwayRoad, LandCoverClass::kPrimaryRoad,
+                                LandCoverClass::kSecondaryRoad, LandCoverClass::kTertiaryRoad};
+  return std::ranges::find(kBusy, layout.surface) == kBusy.end();
 }
 
 bool takes_paint(const MarkingLayout& layout) {
-  switch (map::values_of(layout.surface).material) {
-    case materials::Material::kAsphalt:
-    case materials::Material::kOldAsphalt:
-    case materials::Material::kPaving:
-    case materials::Material::kConcrete:
-      return true;
-    default:
-      return false;
-  }
+  using materials::Material;
+  constexpr std::array kHard = {Material::kAsphalt, Material::kOldAsphalt, Material::kPaving, Material::kConcrete};
+  return std::ranges::find(kHard, map::values_of(layout.surface).material) != kHard.end();
 }
 
 LaneSpan arriving_span(const MarkingLayout& layout, std::size_t index) {
+  assert(index < layout.lanes.size());
   const map::Lane& lane = layout.lanes[index];
   const double low_m = lane_sides_m(layout)[index], high_m = low_m + lane.width_m, middle_m = (low_m + high_m) / 2;
   if (lane.way == map::LaneDirection::kBackward) return {0, 0};

@@ -21,7 +21,7 @@ constexpr DashPattern kTwoWayTrack = {1, 4};
 
 struct Line {
   double width_m = 0;  // 0: no line
-  DashPattern rhythm = kUnbroken;
+  DashPattern dashes = kSolid;
   bool is_double = false;
 };
 
@@ -62,27 +62,27 @@ bool leaves(const Lane& a, const Lane& b) {
 Line cycle_line(const Lane& a, const Lane& b, const Rules& rules) {
   if (a.kind == b.kind) return a.way == b.way ? Line{} : Line{rules.measures.narrow_m, kTwoWayTrack};
   const double width_m = a.kind == LaneKind::kCycle ? a.width_m : b.width_m;
-  if (!is_driven(a) && !is_driven(b)) return {rules.measures.narrow_m, kUnbroken};
+  if (!is_driven(a) && !is_driven(b)) return {rules.measures.narrow_m, kSolid};
   if (rules.is_quiet || width_m < kNarrowCycleLane_m) return {rules.measures.narrow_m, kCloseBroken};
-  return {rules.measures.broad_m, kUnbroken};
+  return {rules.measures.broad_m, kSolid};
 }
 
 Line same_way_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   const LineMeasures& measures = rules.measures;
-  if (a.kind != b.kind && is_any(LaneKind::kBus, a, b)) return {measures.broad_m, kUnbroken};
+  if (a.kind != b.kind && is_any(LaneKind::kBus, a, b)) return {measures.broad_m, kSolid};
   const bool is_motorway = layout.surface == map::LandCoverClass::kMotorwayRoad;
   if (merges(a, b) || (is_motorway && leaves(a, b))) return {measures.broad_m, measures.broad_broken};
   const bool is_sorted = rules.is_sorted && a.way == LaneDirection::kForward;
   if (!measures.has_lane_lines && !is_sorted) return {};
-  return {measures.narrow_m, is_sorted ? kUnbroken : measures.broken};
+  return {measures.narrow_m, is_sorted ? kSolid : measures.broken};
 }
 
 Line driven_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   if (a.way == b.way) return same_way_line(a, b, layout, rules);
   if (!rules.measures.has_lane_lines) return {};
   const bool is_either_way = a.way == LaneDirection::kBoth || b.way == LaneDirection::kBoth;
-  if (rules.has_double_centre && !is_either_way) return {rules.measures.narrow_m, kUnbroken, true};
-  return {rules.measures.narrow_m, rules.is_sorted ? kUnbroken : rules.measures.broken};
+  if (rules.has_double_centre && !is_either_way) return {rules.measures.narrow_m, kSolid, true};
+  return {rules.measures.narrow_m, rules.is_sorted ? kSolid : rules.measures.broken};
 }
 
 Line shoulder_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
@@ -90,14 +90,14 @@ Line shoulder_line(const Lane& a, const Lane& b, const MarkingLayout& layout, co
   const double width_m = a.kind == LaneKind::kShoulder ? a.width_m : b.width_m;
   constexpr double kEmergencyLane_m = 2;
   const bool is_broad = layout.surface == map::LandCoverClass::kMotorwayRoad && width_m >= kEmergencyLane_m;
-  return {is_broad ? rules.measures.broad_m : rules.measures.narrow_m, kUnbroken};
+  return {is_broad ? rules.measures.broad_m : rules.measures.narrow_m, kSolid};
 }
 
 Line line_between(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   for (const LaneKind bare :
        {LaneKind::kSidewalk, LaneKind::kFoot, LaneKind::kRail, LaneKind::kParking, LaneKind::kVerge})
     if (is_any(bare, a, b)) return {};
-  if (is_any(LaneKind::kBuffer, a, b)) return a.kind == b.kind ? Line{} : Line{rules.measures.narrow_m, kUnbroken};
+  if (is_any(LaneKind::kBuffer, a, b)) return a.kind == b.kind ? Line{} : Line{rules.measures.narrow_m, kSolid};
   if (is_any(LaneKind::kShoulder, a, b)) return shoulder_line(a, b, layout, rules);
   if (is_any(LaneKind::kCycle, a, b)) return cycle_line(a, b, rules);
   return driven_line(a, b, layout, rules);
@@ -105,10 +105,10 @@ Line line_between(const Lane& a, const Lane& b, const MarkingLayout& layout, con
 
 void add(const Line& line, double u_m, Marks& marks) {
   if (line.width_m <= 0) return;
-  if (!line.is_double) return add_line(u_m, line.width_m, line.rhythm, marks);
+  if (!line.is_double) return add_line(u_m, line.width_m, line.dashes, marks);
   // the gap is as wide as the lines
-  add_line(u_m - line.width_m, line.width_m, line.rhythm, marks);
-  add_line(u_m + line.width_m, line.width_m, line.rhythm, marks);
+  add_line(u_m - line.width_m, line.width_m, line.dashes, marks);
+  add_line(u_m + line.width_m, line.width_m, line.dashes, marks);
 }
 
 void add_edge_lines(const MarkingLayout& layout, const LineMeasures& measures, Marks& marks) {
@@ -117,9 +117,9 @@ void add_edge_lines(const MarkingLayout& layout, const LineMeasures& measures, M
     return measures.has_edge_lines && is_driven(lane) && (is_motorway || !has_kerb) && lane.width_m > 1;
   };
   if (has_line(layout.lanes.front(), layout.has_kerb_left))
-    add_line(kEdgeLineInset_m, measures.narrow_m, kUnbroken, marks);
+    add_line(kEdgeLineInset_m, measures.narrow_m, kSolid, marks);
   if (has_line(layout.lanes.back(), layout.has_kerb_right))
-    add_line(width_m(layout) - kEdgeLineInset_m, measures.narrow_m, kUnbroken, marks);
+    add_line(width_m(layout) - kEdgeLineInset_m, measures.narrow_m, kSolid, marks);
 }
 
 // Centre lines of two-way cycle tracks, which are one lane.

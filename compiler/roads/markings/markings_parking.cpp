@@ -45,7 +45,7 @@ void add_bays_edge(const Lane& lane, double left_m, double right_m, map::Driving
                    Marks& marks) {
   if (lane.way == LaneDirection::kBoth) return;
   const bool is_left = (lane.way == LaneDirection::kForward) == (side == map::DrivingSide::kRight);
-  add_line(is_left ? left_m + line_m / 2 : right_m - line_m / 2, line_m, kUnbroken, marks);
+  add_line(is_left ? left_m + line_m / 2 : right_m - line_m / 2, line_m, kSolid, marks);
 }
 
 }  // namespace

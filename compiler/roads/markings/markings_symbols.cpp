@@ -49,48 +49,30 @@ Symbol bicycle() {
 
 constexpr double kLetterStroke = 0.12, kLetterWidth = 0.4, kLetterStep = 0.66;
 
-// Letters as polylines, kLetterWidth wide and 0.76 high.
-std::vector<Ring> letter_lines(char letter) {
-  switch (letter) {
-    case 'B':
-      return {{{0, 0},
-               {0, 0.76},
-               {0.3, 0.76},
-               {0.4, 0.67},
-               {0.4, 0.47},
-               {0.32, 0.39},
-               {0.4, 0.31},
-               {0.4, 0.09},
-               {0.3, 0},
-               {0, 0}},
-              {{0.06, 0.39}, {0.3, 0.39}}};
-    case 'U':
-      return {{{0, 0.82}, {0, 0.12}, {0.1, 0}, {0.3, 0}, {0.4, 0.12}, {0.4, 0.82}}};
-    case 'S':
-      return {{{0.4, 0.6},
-               {0.4, 0.66},
-               {0.3, 0.76},
-               {0.1, 0.76},
-               {0, 0.66},
-               {0, 0.5},
-               {0.08, 0.42},
-               {0.32, 0.34},
-               {0.4, 0.26},
-               {0.4, 0.1},
-               {0.3, 0},
-               {0.1, 0},
-               {0, 0.1},
-               {0, 0.16}}};
-    default:
-      return {};
-  }
+// The outline of a letter as x, y of its points; kLetterWidth wide and 0.76 high. An x below 0 begins another line.
+constexpr double kNext = -1;
+constexpr double kB[] = {0,    0,   0,    0.76, 0.3, 0.76, 0.4, 0.67,  0.4, 0.47, 0.32, 0.39, 0.4,
+                         0.31, 0.4, 0.09, 0.3,  0,   0,    0,   kNext, 0,   0.06, 0.39, 0.3,  0.39};
+constexpr double kU[] = {0, 0.82, 0, 0.12, 0.1, 0, 0.3, 0, 0.4, 0.12, 0.4, 0.82};
+constexpr double kS[] = {0.4,  0.6,  0.4, 0.66, 0.3, 0.76, 0.1, 0.76, 0,   0.66, 0, 0.5, 0.08, 0.42,
+                         0.32, 0.34, 0.4, 0.26, 0.4, 0.1,  0.3, 0,    0.1, 0,    0, 0.1, 0,    0.16};
+
+std::vector<Ring> lines_of(std::span<const double> letter) {
+  std::vector<Ring> lines(1);
+  for (std::size_t i = 0; i < letter.size(); i += 2)
+    if (letter[i] < 0)
+      lines.emplace_back();
+    else
+      lines.back().push_back({letter[i], letter[i + 1]});
+  return lines;
 }
 
 Symbol bus() {
   Symbol symbol{{}, 2 * kLetterStep + kLetterWidth + kLetterStroke, 3.2};
   double left = -kLetterStep - kLetterWidth / 2;
-  for (const char letter : {'B', 'U', 'S'}) {
-    for (Ring line : letter_lines(letter)) {
+  for (const std::span<const double> letter :
+       {std::span<const double>(kB), std::span<const double>(kU), std::span<const double>(kS)}) {
+    for (Ring line : lines_of(letter)) {
       for (Vec2& p : line) p = p + Vec2{left, kLetterStroke / 2};
       symbol.rings.push_back(stroke(line, kLetterStroke));
     }

@@ -1,6 +1,7 @@
 #include "compiler/roads/pieces/cross_lines.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -20,13 +21,6 @@ struct Reaches {
   double left_m, right_m;
 };
 
-// Along the mitre of a bend, a unit of offset from both segments; nothing where it is too sharp.
-std::optional<Vec2> mitre(Vec2 before, Vec2 after) {
-  const double cosine = dot(before, after);
-  if (cosine <= 0) return std::nullopt;
-  return (left_of(before) + left_of(after)) * (1 / (1 + cosine));
-}
-
 // The extent of a line along its segment, measured at the edges from the line's point: least_m <= 0 <= most_m.
 struct Lean {
   double least_m, most_m;
@@ -37,7 +31,7 @@ Lean lean_of(Vec2 out, Vec2 along, Reaches reaches) {
 }
 
 // State while a road is cut into slices.
-struct Cutting {
+struct Slicer {
   const Road& road;
   const StripEnds& ends;
   Reaches reaches;
@@ -56,9 +50,9 @@ struct Cutting {
 
   std::optional<Vec2> mitre_at(std::size_t i) const {
     if (is_long_end(i)) return std::nullopt;
-    const Vec2 before = i > 0 ? direction(i - 1) : ends.from ? unit(road.axis.front() - *ends.from) : direction(0);
-    const Vec2 after = i < segments() ? direction(i) : ends.to ? unit(*ends.to - road.axis.back()) : before;
-    return mitre(before, after);
+    const Vec2 before = i > 0 ? direction(i - 1) : ends.before ? unit(road.axis.front() - *ends.before) : direction(0);
+    const Vec2 after = i < segments() ? direction(i) : ends.after ? unit(*ends.after - road.axis.back()) : before;
+    return dot(before, after) > 0 ? std::optional(mitre_of(before, after)) : std::nullopt;
   }
 
   // A mitre may lean over at most half of either segment, so no two mitres cross.
@@ -81,34 +75,33 @@ struct Cutting {
 
 // Adds the distances at which the strip about a segment enters and leaves the one-metre margin of a tile border, for
 // one coordinate.
-void add_borders(const Cutting& cutting, std::size_t segment, double Vec2::*axis, std::vector<double>& lines) {
+void add_borders(const Slicer& slicer, std::size_t segment, double Vec2::*axis, std::vector<double>& lines) {
   constexpr double kNear_m = 1;
-  const Vec2 a = cutting.road.axis[segment], b = cutting.road.axis[segment + 1],
-             out = left_of(cutting.direction(segment));
-  const double per_metre = cutting.direction(segment).*axis;
+  const Vec2 a = slicer.road.axis[segment], b = slicer.road.axis[segment + 1], out = left_of(slicer.direction(segment));
+  const double per_metre = slicer.direction(segment).*axis;
   if (std::abs(per_metre) < 0x1p-10) return;
-  const double left = out.*axis * cutting.reaches.left_m, right = -(out.*axis) * cutting.reaches.right_m;
+  const double left = out.*axis * slicer.reaches.left_m, right = -(out.*axis) * slicer.reaches.right_m;
   const double low = std::min(left, right) - kNear_m, high = std::max(left, right) + kNear_m;
-  const double first = std::floor((std::min(a.*axis, b.*axis) + low) / cutting.tile_m) + 1;
-  for (double k = first; k * cutting.tile_m <= std::max(a.*axis, b.*axis) + high; ++k)
+  const double first = std::floor((std::min(a.*axis, b.*axis) + low) / slicer.tile_m) + 1;
+  for (double k = first; k * slicer.tile_m <= std::max(a.*axis, b.*axis) + high; ++k)
     for (const double edge : {low, high})
-      lines.push_back(cutting.along[segment] + (k * cutting.tile_m - edge - a.*axis) / per_metre);
+      lines.push_back(slicer.along[segment] + (k * slicer.tile_m - edge - a.*axis) / per_metre);
 }
 
 // The distances of lines inside a segment, clear of the lines at its ends. Tile borders come first: every tile knows
 // them, so all tiles drop the same lines.
-std::vector<double> lines_within(const Cutting& cutting, std::span<const RoadStretch> stretches, std::size_t segment) {
+std::vector<double> lines_within(const Slicer& slicer, std::span<const RoadStretch> stretches, std::size_t segment) {
   std::vector<double> wanted, lines;
-  add_borders(cutting, segment, &Vec2::x, wanted);
-  add_borders(cutting, segment, &Vec2::y, wanted);
+  add_borders(slicer, segment, &Vec2::x, wanted);
+  add_borders(slicer, segment, &Vec2::y, wanted);
   std::sort(wanted.begin(), wanted.end());
   for (const RoadStretch& run : stretches) wanted.push_back(run.from_m);
-  wanted.insert(wanted.end(), cutting.edge_bends.begin(), cutting.edge_bends.end());
-  const Vec2 direction = cutting.direction(segment);
-  const double from = cutting.along[segment] + kLeastSide_m +
-                      lean_of(cutting.line_at(segment, segment).out, direction, cutting.reaches).most_m;
-  const double to = cutting.along[segment + 1] - kLeastSide_m +
-                    lean_of(cutting.line_at(segment + 1, segment).out, direction, cutting.reaches).least_m;
+  wanted.insert(wanted.end(), slicer.edge_bends.begin(), slicer.edge_bends.end());
+  const Vec2 direction = slicer.direction(segment);
+  const double from = slicer.along[segment] + kLeastSide_m +
+                      lean_of(slicer.line_at(segment, segment).out, direction, slicer.reaches).most_m;
+  const double to = slicer.along[segment + 1] - kLeastSide_m +
+                    lean_of(slicer.line_at(segment + 1, segment).out, direction, slicer.reaches).least_m;
   for (std::size_t w = 0; w < wanted.size(); ++w) {
     const auto is_close = [&](double line) { return std::abs(line - wanted[w]) < kLeastSide_m; };
     if (wanted[w] > from && wanted[w] < to && std::ranges::none_of(lines, is_close)) lines.push_back(wanted[w]);
@@ -123,41 +116,49 @@ std::uint32_t stretch_at(std::span<const RoadStretch> stretches, double along_m)
   return after == stretches.begin() ? 0 : static_cast<std::uint32_t>(after - stretches.begin()) - 1;
 }
 
-CrossLine line_between(const Cutting& cutting, std::size_t segment, double along_m) {
-  const Vec2 a = cutting.road.axis[segment], b = cutting.road.axis[segment + 1];
-  const double share = (along_m - cutting.along[segment]) / (cutting.along[segment + 1] - cutting.along[segment]);
-  return {a + (b - a) * share, left_of(cutting.direction(segment)), along_m};
+CrossLine line_between(const Slicer& slicer, std::size_t segment, double along_m) {
+  const Vec2 a = slicer.road.axis[segment], b = slicer.road.axis[segment + 1];
+  const double share = (along_m - slicer.along[segment]) / (slicer.along[segment + 1] - slicer.along[segment]);
+  return {a + (b - a) * share, left_of(slicer.direction(segment)), along_m};
 }
 
-void slice_segment(const Cutting& cutting, std::span<const RoadStretch> stretches, std::size_t segment,
+void slice_segment(const Slicer& slicer, std::span<const RoadStretch> stretches, std::size_t segment,
                    std::vector<Slice>& slices) {
-  CrossLine start = cutting.line_at(segment, segment);
+  CrossLine start = slicer.line_at(segment, segment);
   const auto push = [&](const CrossLine& end) {
     const double middle = (start.along_m + end.along_m) / 2;
-    slices.push_back({cutting.direction(segment), start, end, stretch_at(stretches, middle)});
+    slices.push_back(
+        {.along = slicer.direction(segment), .start = start, .end = end, .stretch = stretch_at(stretches, middle)});
     start = end;
   };
-  for (const double along_m : lines_within(cutting, stretches, segment)) push(line_between(cutting, segment, along_m));
-  push(cutting.line_at(segment + 1, segment));
+  for (const double along_m : lines_within(slicer, stretches, segment)) push(line_between(slicer, segment, along_m));
+  push(slicer.line_at(segment + 1, segment));
 }
 
 }  // namespace
 
 Slices slices_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double left_m,
                  double right_m, double tile_m) {
-  Cutting cutting{road, ends, {left_m, right_m}, tile_m, distances_along(road), bends_of_edges(road)};
-  cutting.find_outs();
+  assert(road.axis.size() >= 2 && tile_m > 0);
+  assert(left_m >= 0 && right_m >= 0);
+  Slicer slicer{road, ends, {left_m, right_m}, tile_m, distances_along(road), bends_of_edges(road)};
+  slicer.find_outs();
   Slices all;
-  for (std::size_t s = 0; s < cutting.segments(); ++s) {
-    if (s == 0 && !cutting.outs[0] && ends.from)
-      all.bends.push_back({road.axis[0], unit(road.axis[0] - *ends.from), cutting.direction(0), 0});
-    slice_segment(cutting, stretches, s, all.slices);
-    if (cutting.outs[s + 1]) continue;
+  for (std::size_t s = 0; s < slicer.segments(); ++s) {
+    if (s == 0 && !slicer.outs[0] && ends.before)
+      all.bends.push_back(
+          {.at = road.axis[0], .before = unit(road.axis[0] - *ends.before), .after = slicer.direction(0)});
+    slice_segment(slicer, stretches, s, all.slices);
+    if (slicer.outs[s + 1]) continue;
     const auto last = static_cast<std::uint32_t>(all.slices.size()) - 1;
-    if (s + 1 < cutting.segments())
-      all.bends.push_back({road.axis[s + 1], cutting.direction(s), cutting.direction(s + 1), last});
-    else if (ends.to)
-      all.bends.push_back({road.axis.back(), cutting.direction(s), unit(*ends.to - road.axis.back()), last});
+    if (s + 1 < slicer.segments())
+      all.bends.push_back(
+          {.at = road.axis[s + 1], .before = slicer.direction(s), .after = slicer.direction(s + 1), .slice = last});
+    else if (ends.after)
+      all.bends.push_back({.at = road.axis.back(),
+                           .before = slicer.direction(s),
+                           .after = unit(*ends.after - road.axis.back()),
+                           .slice = last});
   }
   return all;
 }

@@ -21,15 +21,10 @@ struct Side {
   auto operator<=>(const Side&) const = default;
 };
 
-bool may_bound(const Road& road) {
-  return family_of(road.surface) == Family::kStreet &&
-         map::values_of(road.surface).priority >= map::values_of(map::LandCoverClass::kResidentialRoad).priority;
-}
-
 std::vector<Side> sides_of(std::span<const Road> roads) {
   std::vector<Side> sides;
   for (std::uint32_t r = 0; r < roads.size(); ++r) {
-    if (!may_bound(roads[r])) continue;
+    if (!is_through_street(roads[r])) continue;
     const Polyline& axis = roads[r].axis;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
       sides.push_back({axis[i], axis[i + 1], r});

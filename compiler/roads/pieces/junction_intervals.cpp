@@ -13,16 +13,9 @@ using map::TrackPointKind;
 constexpr double kSign_m = 20;
 
 std::optional<Control> control_of(TrackPointKind kind) {
-  switch (kind) {
-    case TrackPointKind::kSignals:
-      return Control::kSignals;
-    case TrackPointKind::kStop:
-      return Control::kStop;
-    case TrackPointKind::kGiveWay:
-      return Control::kGiveWay;
-    default:
-      return std::nullopt;
-  }
+  if (kind == TrackPointKind::kSignals) return Control::kSignals;
+  if (kind == TrackPointKind::kStop) return Control::kStop;
+  return kind == TrackPointKind::kGiveWay ? std::optional(Control::kGiveWay) : std::nullopt;
 }
 
 // The control tagged along the arm for traffic towards the junction.
@@ -36,8 +29,6 @@ std::optional<Control> posted(const Road& road, const std::vector<double>& along
   return std::nullopt;
 }
 
-int priority_of(const Road& road) { return map::values_of(road.surface).priority; }
-
 // Without signs the minor road gives way, and every road gives way to a roundabout. Ramps merge; service roads have no
 // lines.
 Control usual(const Road& road, const Road& main) {
@@ -50,19 +41,7 @@ Control usual(const Road& road, const Road& main) {
 double taken_m(const Road& road, const std::vector<double>& along, const Arm& arm, const Cut& cut,
                const Junction& junction) {
   if (cut.length_m != kWholeLink_m) return cut.length_m;
-  std::int64_t v = arm.vertex;
-  do v += arm.step;
-  while (v > 0 && v + 1 < static_cast<std::int64_t>(road.axis.size()) &&
-         !std::ranges::binary_search(junction.places, road.axis[static_cast<std::size_t>(v)]));
-  return std::abs(along[static_cast<std::size_t>(v)] - along[arm.vertex]);
-}
-
-bool has_signals(std::span<const Road> roads, std::span<const Arm> arms) {
-  return std::ranges::any_of(arms, [&](const Arm& arm) {
-    return std::ranges::any_of(roads[arm.road].points, [&](const map::TrackPoint& p) {
-      return p.vertex == arm.vertex && p.kind == TrackPointKind::kSignals;
-    });
-  });
+  return std::abs(along[end_of_link(road, arm, junction.nodes)] - along[arm.vertex]);
 }
 
 void add_arm(JunctionInterval arm_gap, std::vector<JunctionInterval>& intervals) {
@@ -80,8 +59,8 @@ std::vector<std::vector<JunctionInterval>> junction_intervals_of(std::span<const
   std::vector<std::vector<JunctionInterval>> intervals(roads.size());
   const std::vector<std::vector<Arm>> arms = arms_of(junctions, roads);
   for (std::size_t j = 0; j < junctions.size(); ++j) {
-    const bool is_told = junctions[j].family == Family::kStreet && arms[j].size() == junctions[j].cuts.size();
-    if (!is_told || arms[j].empty()) continue;
+    const bool is_complete = junctions[j].family == Family::kStreet && arms[j].size() == junctions[j].cuts.size();
+    if (!is_complete || arms[j].empty()) continue;
     const Road& main = main_road(roads, arms[j]);
     const bool signals = has_signals(roads, arms[j]), is_passed = has_through_road(junctions[j], roads, arms[j]);
     for (std::size_t a = 0; a < arms[j].size(); ++a) {

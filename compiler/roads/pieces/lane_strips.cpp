@@ -1,6 +1,7 @@
 #include "compiler/roads/pieces/lane_strips.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace citykiln::roads {
 namespace {
@@ -8,19 +9,12 @@ namespace {
 using map::LandCoverClass;
 using map::LaneKind;
 
+// Raised buffers become pavement: no tag says whether they are planted, and crossings lead over them.
 LandCoverClass surface_of(const Road& road, const map::Lane& lane) {
-  if (!lane.is_raised) return lane.kind == LaneKind::kParking ? LandCoverClass::kParkingLane : road.surface;
-  switch (lane.kind) {
-    case LaneKind::kCycle:
-      return LandCoverClass::kCycleTrack;
-    case LaneKind::kParking:
-      return LandCoverClass::kParkingLane;
-    case LaneKind::kVerge:
-      return LandCoverClass::kVerge;
-    default:
-      // raised buffers too: no tag says whether they are planted, and crossings lead over them
-      return LandCoverClass::kPavement;
-  }
+  if (lane.kind == LaneKind::kParking) return LandCoverClass::kParkingLane;
+  if (!lane.is_raised) return road.surface;
+  if (lane.kind == LaneKind::kCycle) return LandCoverClass::kCycleTrack;
+  return lane.kind == LaneKind::kVerge ? LandCoverClass::kVerge : LandCoverClass::kPavement;
 }
 
 // Groups neighbouring lanes of one land cover class, left to right.
@@ -31,7 +25,7 @@ std::vector<LaneStrip> runs_of(const Road& road) {
     const LandCoverClass surface = surface_of(road, lane);
     const bool goes_on =
         !strips.empty() && strips.back().surface == surface && strips.back().lanes.back().is_raised == lane.is_raised;
-    if (!goes_on) strips.push_back({surface, {}, edge_m, edge_m});
+    if (!goes_on) strips.push_back({.surface = surface, .lanes = {}, .left_m = edge_m, .right_m = edge_m});
     strips.back().lanes.push_back(lane);
     edge_m -= lane.width_m;
     strips.back().right_m = edge_m;
@@ -40,6 +34,10 @@ std::vector<LaneStrip> runs_of(const Road& road) {
 }
 
 bool is_raised(const LaneStrip& strip) { return strip.lanes.front().is_raised; }
+
+LaneStrip kerb(double left_m) {
+  return {.surface = LandCoverClass::kKerb, .lanes = {}, .left_m = left_m, .right_m = left_m - kKerb_m};
+}
 
 // Adds a kerb on the raised side of each step between raised and level lanes.
 std::vector<LaneStrip> with_kerbs(std::vector<LaneStrip> runs) {
@@ -51,12 +49,12 @@ std::vector<LaneStrip> with_kerbs(std::vector<LaneStrip> runs) {
     const bool kerb_right = raised && i + 1 < runs.size() && !is_raised(runs[i + 1]);
     run.has_kerb_left = !raised && i > 0 && is_raised(runs[i - 1]);
     run.has_kerb_right = !raised && i + 1 < runs.size() && is_raised(runs[i + 1]);
-    if (kerb_left) strips.push_back({LandCoverClass::kKerb, {}, run.left_m, run.left_m - kKerb_m});
+    if (kerb_left) strips.push_back(kerb(run.left_m));
     strips.push_back(run);
     if (kerb_left) strips.back().left_m -= kKerb_m;
     if (!kerb_right) continue;
     strips.back().right_m += kKerb_m;
-    strips.push_back({LandCoverClass::kKerb, {}, run.right_m + kKerb_m, run.right_m});
+    strips.push_back(kerb(run.right_m + kKerb_m));
   }
   return strips;
 }
@@ -92,6 +90,7 @@ std::vector<LaneStrip> yielded(const Road& road, std::vector<LaneStrip> strips, 
 }  // namespace
 
 std::vector<LaneStrip> strips_of(const Road& road, double tolerance_m) {
+  assert(tolerance_m >= 0);
   std::vector<LaneStrip> strips = yielded(road, with_kerbs(runs_of(road)), tolerance_m);
   std::erase_if(strips, [](const LaneStrip& s) { return width_m(s) <= 0; });
   return strips;

@@ -1,6 +1,7 @@
 #include "compiler/roads/pieces/pieces.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/markings/markings.h"
@@ -22,7 +23,11 @@ struct StripEdges {
 // The end of a piece at a line across the segment.
 PieceEnd end_of(const Slice& slice, const CrossLine& line, StripEdges edges, double zero_m) {
   const auto along = [&](double offset_m) { return dot(line.at + line.out * offset_m - slice.start.at, slice.along); };
-  return {edges.left_m, edges.right_m, along(edges.left_m), along(edges.right_m), line.along_m - zero_m};
+  return {.left_m = edges.left_m,
+          .right_m = edges.right_m,
+          .left_along_m = along(edges.left_m),
+          .right_along_m = along(edges.right_m),
+          .v_m = line.along_m - zero_m};
 }
 
 Ring ring_of(const Slice& slice, StripEdges start, StripEdges end) {
@@ -41,9 +46,13 @@ LandCoverClass surface_of(const Road& road, const LaneStrip& strip, StretchKind 
 }
 
 MarkingLayout marking_layout_of(const Road& road, const LaneStrip& strip, const RoadStretch& run) {
-  MarkingLayout layout{strip.surface, strip.lanes, run.stretch, run.control, road.side};
-  layout.has_kerb_left = strip.has_kerb_left, layout.has_kerb_right = strip.has_kerb_right;
-  return layout;
+  return {.surface = strip.surface,
+          .lanes = strip.lanes,
+          .stretch = run.stretch,
+          .control = run.control,
+          .side = road.side,
+          .has_kerb_left = strip.has_kerb_left,
+          .has_kerb_right = strip.has_kerb_right};
 }
 
 // The edges of all strips at a distance along the road, within its width limits.
@@ -59,7 +68,7 @@ std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>&
 }
 
 // State while the pieces of a road are made.
-struct Making {
+struct PieceBuilder {
   const Road& road;
   std::span<const RoadStretch> stretches;
   std::vector<LaneStrip> strips;
@@ -87,9 +96,16 @@ struct Making {
     const auto number = static_cast<std::uint32_t>(strip * stretches.size() + slice.stretch);
     const RoadStretch& run = stretches[slice.stretch];
     const LaneStrip& whole = strips[strip];
-    const PieceFrame frame{slice.start.at, slice.along, whole.left_m - whole.right_m,
-                           end_of(slice, slice.start, start, run.zero_m), end_of(slice, slice.end, end, run.zero_m)};
-    made.pieces.push_back({surface_of(road, whole, run.stretch), std::move(ring), frame, layouts[number], number});
+    const PieceFrame frame{.at = slice.start.at,
+                           .along = slice.along,
+                           .width_m = whole.left_m - whole.right_m,
+                           .start = end_of(slice, slice.start, start, run.zero_m),
+                           .end = end_of(slice, slice.end, end, run.zero_m)};
+    made.pieces.push_back({.surface = surface_of(road, whole, run.stretch),
+                           .ring = std::move(ring),
+                           .frame = frame,
+                           .layout = layouts[number],
+                           .run = number});
   }
 };
 
@@ -109,14 +125,14 @@ Ring joint_of(const OpenBend& bend, StripEdges edges) {
 }
 
 // Adds all strips of a slice and the joints of the bends beside it.
-void add_slice(const Slice& slice, std::span<const OpenBend> bends, Making& making) {
-  const auto start = edges_at(making.road, making.strips, slice.start.along_m);
-  const auto end = edges_at(making.road, making.strips, slice.end.along_m);
-  for (std::size_t s = 0; s < making.strips.size(); ++s)
-    making.add(s, slice, start[s], end[s], ring_of(slice, start[s], end[s]));
+void add_slice(const Slice& slice, std::span<const OpenBend> bends, PieceBuilder& builder) {
+  const auto start = edges_at(builder.road, builder.strips, slice.start.along_m);
+  const auto end = edges_at(builder.road, builder.strips, slice.end.along_m);
+  for (std::size_t s = 0; s < builder.strips.size(); ++s)
+    builder.add(s, slice, start[s], end[s], ring_of(slice, start[s], end[s]));
   for (const OpenBend& bend : bends)
-    for (std::size_t s = 0; s < making.strips.size(); ++s)
-      making.add(s, slice, start[s], end[s], joint_of(bend, bend.at == slice.start.at ? start[s] : end[s]));
+    for (std::size_t s = 0; s < builder.strips.size(); ++s)
+      builder.add(s, slice, start[s], end[s], joint_of(bend, bend.at == slice.start.at ? start[s] : end[s]));
 }
 
 // The share of the piece's length, 0 to 1, at which `off` lies, for given edges of the strip.
@@ -148,18 +164,20 @@ Vec2 uv_at(const PieceFrame& frame, Vec2 p) {
 
 RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double tile_m,
                      double tolerance_m) {
-  Making making{road, stretches, strips_of(road, tolerance_m)};
-  if (making.strips.empty() || stretches.empty()) return {};
-  making.find_patterns();
-  const double left = std::max(0.0, making.strips.front().left_m), right = std::max(0.0, -making.strips.back().right_m);
+  assert(road.axis.size() >= 2 && tile_m > 0 && tolerance_m >= 0);
+  PieceBuilder builder{road, stretches, strips_of(road, tolerance_m)};
+  if (builder.strips.empty() || stretches.empty()) return {};
+  builder.find_patterns();
+  const double left = std::max(0.0, builder.strips.front().left_m),
+               right = std::max(0.0, -builder.strips.back().right_m);
   const Slices all = slices_of(road, ends, stretches, left, right, tile_m);
   auto bend = all.bends.begin();
   for (std::uint32_t i = 0; i < all.slices.size(); ++i) {
     const auto first = bend;
     while (bend != all.bends.end() && bend->slice == i) ++bend;
-    add_slice(all.slices[i], {first, bend}, making);
+    add_slice(all.slices[i], {first, bend}, builder);
   }
-  return std::move(making.made);
+  return std::move(builder.made);
 }
 
 }  // namespace citykiln::roads

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -10,11 +11,7 @@
 namespace citykiln::roads {
 namespace {
 
-constexpr double kSquare_m = 32;
-
-std::int32_t square(double v) { return static_cast<std::int32_t>(std::floor(v / kSquare_m)); }
-
-bool stands(const map::Footprint& footprint) {
+bool obstructs(const map::Footprint& footprint) {
   const bool is_open = footprint.building_class == static_cast<std::uint8_t>(map::BuildingClass::kRoof);
   return !is_open && !footprint.has_parts && footprint.min_height_m < kHeadroom_m;
 }
@@ -22,12 +19,12 @@ bool stands(const map::Footprint& footprint) {
 std::int32_t step_below(double along_m) { return static_cast<std::int32_t>(std::floor(along_m / kStep_m)); }
 
 // State while a road's obstacles are collected.
-struct Looking {
+struct ObstacleSearch {
   const Road& road;
   std::vector<double> along_m;  // distances of the vertices
   double middle_m;              // middle of the carriageway, left of the axis
   double left_m, right_m;       // from the middle of the carriageway to the outer edges
-  BuildingObstacles beside;
+  BuildingObstacles found;
 };
 
 // A closed range of steps.
@@ -47,17 +44,18 @@ std::optional<Edge> clipped(const Edge& edge, double fa, double fb) {
   return fa < 0 ? Edge{cut, edge.b} : Edge{edge.a, cut};
 }
 
-void add_obstacle(Looking& looking, std::span<const Steps> passages, std::int32_t step, double half_m, bool is_left) {
-  if (half_m >= (is_left ? looking.left_m : looking.right_m)) return;
+void add_obstacle(ObstacleSearch& search, std::span<const Steps> passages, std::int32_t step, double half_m,
+                  bool is_left) {
+  if (half_m >= (is_left ? search.left_m : search.right_m)) return;
   const auto is_inside = [&](Steps s) { return s.from <= step && step <= s.to; };
-  if (std::ranges::any_of(passages, is_inside)) return looking.beside.covered.push_back(step);
+  if (std::ranges::any_of(passages, is_inside)) return search.found.covered.push_back(step);
   const double units = std::floor(half_m / kUnit_m);
-  looking.beside.obstacles.push_back({step, static_cast<std::int16_t>(units), is_left});
+  search.found.obstacles.push_back({step, static_cast<std::int16_t>(units), is_left});
 }
 
 // Adds the obstacles of an edge with x along the way and y from the middle, y of one sign: each step takes the nearest
 // part of the edge within one step.
-void add_edge(Looking& looking, std::span<const Steps> passages, Edge edge, bool is_left) {
+void add_edge(ObstacleSearch& search, std::span<const Steps> passages, Edge edge, bool is_left) {
   if (edge.b.x < edge.a.x) std::swap(edge.a, edge.b);
   const auto y_at = [&](double x) {
     return x <= edge.a.x   ? edge.a.y
@@ -65,31 +63,32 @@ void add_edge(Looking& looking, std::span<const Steps> passages, Edge edge, bool
                            : edge.a.y + (edge.b.y - edge.a.y) * ((x - edge.a.x) / (edge.b.x - edge.a.x));
   };
   for (std::int32_t step = step_below(edge.a.x); step <= step_below(edge.b.x); ++step) {
-    const bool is_upright = edge.a.x == edge.b.x;
-    const double from = is_upright ? edge.a.y : y_at(step * kStep_m),
-                 to = is_upright ? edge.b.y : y_at((step + 1) * kStep_m);
+    const bool is_across = edge.a.x == edge.b.x;
+    const double from = is_across ? edge.a.y : y_at(step * kStep_m),
+                 to = is_across ? edge.b.y : y_at((step + 1) * kStep_m);
     const double half = std::min(std::abs(from), std::abs(to));
-    add_obstacle(looking, passages, step, half, is_left);
-    add_obstacle(looking, passages, step + 1, half, is_left);
+    add_obstacle(search, passages, step, half, is_left);
+    add_obstacle(search, passages, step + 1, half, is_left);
   }
 }
 
 // Adds what a footprint's edge leaves of the quad beside a segment.
-void look_beside_segment(Looking& looking, std::span<const Steps> passages, std::size_t segment, const Edge& wall) {
-  const Vec2 origin = looking.road.axis[segment], along = looking.road.axis[segment + 1] - origin;
-  const double length_m = length(along), begin_m = looking.along_m[segment];
-  const double stretch = (looking.along_m[segment + 1] - begin_m) / length_m;
+void add_beside_segment(ObstacleSearch& search, std::span<const Steps> passages, std::size_t segment,
+                        const Edge& wall) {
+  const Vec2 origin = search.road.axis[segment], along = search.road.axis[segment + 1] - origin;
+  const double length_m = length(along), begin_m = search.along_m[segment];
+  const double stretch = (search.along_m[segment + 1] - begin_m) / length_m;
   const auto in_frame = [&](Vec2 p) {
-    return Vec2{dot(p - origin, along) / length_m, cross(along, p - origin) / length_m - looking.middle_m};
+    return Vec2{dot(p - origin, along) / length_m, cross(along, p - origin) / length_m - search.middle_m};
   };
   std::optional<Edge> edge = Edge{in_frame(wall.a), in_frame(wall.b)};
-  if (std::min(edge->a.y, edge->b.y) >= looking.left_m || std::max(edge->a.y, edge->b.y) <= -looking.right_m) return;
+  if (std::min(edge->a.y, edge->b.y) >= search.left_m || std::max(edge->a.y, edge->b.y) <= -search.right_m) return;
   edge = clipped(*edge, edge->a.x, edge->b.x);
   if (edge) edge = clipped(*edge, length_m - edge->a.x, length_m - edge->b.x);
   if (!edge) return;
   for (Vec2* p : {&edge->a, &edge->b}) p->x = begin_m + p->x * stretch;
-  if (const auto left = clipped(*edge, edge->a.y, edge->b.y)) add_edge(looking, passages, *left, true);
-  if (const auto right = clipped(*edge, -edge->a.y, -edge->b.y)) add_edge(looking, passages, *right, false);
+  if (const auto left = clipped(*edge, edge->a.y, edge->b.y)) add_edge(search, passages, *left, true);
+  if (const auto right = clipped(*edge, -edge->a.y, -edge->b.y)) add_edge(search, passages, *right, false);
 }
 
 double distance_to(const Edge& edge, Vec2 p) {
@@ -108,18 +107,18 @@ double least_of_larger(double f_a, double f_b, double g_a, double g_b) {
   return least;
 }
 
-void add_at(Looking& looking, std::span<const Steps> passages, double along_m, double half_m, bool is_left) {
-  const double from_middle = std::max(0.0, is_left ? half_m - looking.middle_m : half_m + looking.middle_m);
-  add_obstacle(looking, passages, step_below(along_m), from_middle, is_left);
-  add_obstacle(looking, passages, step_below(along_m) + 1, from_middle, is_left);
+void add_at(ObstacleSearch& search, std::span<const Steps> passages, double along_m, double half_m, bool is_left) {
+  const double from_middle = std::max(0.0, is_left ? half_m - search.middle_m : half_m + search.middle_m);
+  add_obstacle(search, passages, step_below(along_m), from_middle, is_left);
+  add_obstacle(search, passages, step_below(along_m) + 1, from_middle, is_left);
 }
 
 // Adds what a footprint's edge leaves of the corner that a bend opens: a mitre, or a disk where the bend is sharp.
-void look_beside_bend(Looking& looking, std::span<const Steps> passages, Vec2 at, double along_m, Vec2 before,
-                      Vec2 after, const Edge& wall) {
+void add_beside_bend(ObstacleSearch& search, std::span<const Steps> passages, Vec2 at, double along_m, Vec2 before,
+                     Vec2 after, const Edge& wall) {
   if (dot(before, after) <= 0) {
     const double half = distance_to(wall, at);
-    add_at(looking, passages, along_m, half, true), add_at(looking, passages, along_m, half, false);
+    add_at(search, passages, along_m, half, true), add_at(search, passages, along_m, half, false);
     return;
   }
   std::optional<Edge> edge = Edge{wall.a - at, wall.b - at};
@@ -131,23 +130,23 @@ void look_beside_bend(Looking& looking, std::span<const Steps> passages, Vec2 at
   const auto out = [&](Vec2 direction, Vec2 p) { return side * cross(direction, p); };
   const double half =
       least_of_larger(out(before, edge->a), out(before, edge->b), out(after, edge->a), out(after, edge->b));
-  if (half >= 0) add_at(looking, passages, along_m, half, is_left);
+  if (half >= 0) add_at(search, passages, along_m, half, is_left);
 }
 
-void look_beside(Looking& looking, std::span<const Steps> passages, std::size_t segment, const StripEnds& ends,
-                 const Edge& wall) {
-  const Polyline& axis = looking.road.axis;
-  look_beside_segment(looking, passages, segment, wall);
+void add_beside(ObstacleSearch& search, std::span<const Steps> passages, std::size_t segment, const StripEnds& ends,
+                const Edge& wall) {
+  const Polyline& axis = search.road.axis;
+  add_beside_segment(search, passages, segment, wall);
   const Vec2 along = unit(axis[segment + 1] - axis[segment]);
   const auto bend = [&](std::size_t v, Vec2 before, Vec2 after) {
-    look_beside_bend(looking, passages, axis[v], looking.along_m[v], before, after, wall);
+    add_beside_bend(search, passages, axis[v], search.along_m[v], before, after, wall);
   };
-  const bool is_joined = ends.from && dot(axis[0] - *ends.from, along) > 0;
+  const bool is_joined = ends.before && dot(axis[0] - *ends.before, along) > 0;
   if (segment > 0) bend(segment, unit(axis[segment] - axis[segment - 1]), along);
-  if (segment == 0 && is_joined) bend(0, unit(axis[0] - *ends.from), along);
+  if (segment == 0 && is_joined) bend(0, unit(axis[0] - *ends.before), along);
   const std::size_t last = axis.size() - 1;
-  if (segment + 1 == last && ends.to && dot(*ends.to - axis[last], along) > 0)
-    bend(last, along, unit(*ends.to - axis[last]));
+  if (segment + 1 == last && ends.after && dot(*ends.after - axis[last], along) > 0)
+    bend(last, along, unit(*ends.after - axis[last]));
 }
 
 template <typename Visit>
@@ -177,11 +176,12 @@ void add_meetings(const Edge& segment, const Edge& wall, std::vector<double>& sh
 }
 
 // Adds the ranges, widened by kPassage_m, where the axis runs into or through a footprint.
-void find_passages(Looking& looking, std::size_t segment, const Polygon& footprint, std::vector<Steps>& passages) {
-  const Edge axis{looking.road.axis[segment], looking.road.axis[segment + 1]};
+void find_passages(ObstacleSearch& search, std::size_t segment, const Polygon& footprint,
+                   std::vector<Steps>& passages) {
+  const Edge axis{search.road.axis[segment], search.road.axis[segment + 1]};
   const Box2 box = box_of(std::array{axis.a, axis.b});
   if (!box.touches(box_of(footprint.outer))) return;
-  const double from_m = looking.along_m[segment], length_m = looking.along_m[segment + 1] - from_m;
+  const double from_m = search.along_m[segment], length_m = search.along_m[segment + 1] - from_m;
   constexpr auto kSteps = static_cast<std::int32_t>(kPassage_m / kStep_m);
   const auto step_at = [&](double share) { return step_below(from_m + share * length_m); };
   std::vector<double> shares;
@@ -194,7 +194,7 @@ void find_passages(Looking& looking, std::size_t segment, const Polygon& footpri
     if (!contains(footprint, axis.a + (axis.b - axis.a) * ((shares[i] + shares[i - 1]) / 2))) continue;
     const Steps inside{step_at(shares[i - 1]), step_at(shares[i])};
     passages.push_back({inside.from - kSteps, inside.to + 1 + kSteps});
-    for (std::int32_t step = inside.from; step < inside.to; ++step) looking.beside.covered.push_back(step);
+    for (std::int32_t step = inside.from; step < inside.to; ++step) search.found.covered.push_back(step);
   }
 }
 
@@ -214,37 +214,29 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_near(const Road& road
 }  // namespace
 
 StandingFootprints::StandingFootprints(std::span<const map::Footprint> footprints) : footprints_(footprints) {
-  boxes_.resize(footprints.size());
-  for (std::uint32_t i = 0; i < footprints.size(); ++i) {
-    if (!stands(footprints[i])) continue;
-    const Box2 box = boxes_[i] = box_of(footprints[i].polygon.outer);
-    for (std::int32_t column = square(box.min.x); column <= square(box.max.x); ++column)
-      for (std::int32_t row = square(box.min.y); row <= square(box.max.y); ++row) entries_.push_back({column, row, i});
-  }
-  std::sort(entries_.begin(), entries_.end());
+  constexpr double kBucket_m = 32;
+  for (std::uint32_t i = 0; i < footprints.size(); ++i)
+    if (obstructs(footprints[i])) indices_.push_back(i), boxes_.push_back(box_of(footprints[i].polygon.outer));
+  grid_ = grid_of(boxes_, kBucket_m);
 }
 
 std::vector<std::uint32_t> StandingFootprints::near(const Box2& box) const {
   std::vector<std::uint32_t> found;
-  for (std::int32_t column = square(box.min.x); column <= square(box.max.x); ++column) {
-    auto entry = std::ranges::lower_bound(entries_, Entry{column, square(box.min.y), 0});
-    for (; entry != entries_.end() && entry->column == column && entry->row <= square(box.max.y); ++entry)
-      if (boxes_[entry->footprint].touches(box)) found.push_back(entry->footprint);
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  for (const std::uint32_t i : boxes_about(grid_, box))
+    if (boxes_[i].touches(box)) found.push_back(indices_[i]);
   return found;
 }
 
 BuildingObstacles find_building_obstacles(const Road& road, const StripEnds& ends,
                                           const StandingFootprints& footprints) {
+  assert(road.axis.size() >= 2);
   const double kerb_left = left_m(road), kerb_right = right_m(road), half = (kerb_left + kerb_right) / 2;
-  Looking looking{road,
-                  distances_along(road),
-                  (kerb_left - kerb_right) / 2,
-                  half + raised_left_m(road),
-                  half + raised_right_m(road),
-                  {}};
+  ObstacleSearch search{road,
+                        distances_along(road),
+                        (kerb_left - kerb_right) / 2,
+                        half + raised_left_m(road),
+                        half + raised_right_m(road),
+                        {}};
   const auto pairs = pairs_near(road, footprints);
   const double reach_m = max_offset_m(road);
   std::vector<Steps> passages;
@@ -252,19 +244,19 @@ BuildingObstacles find_building_obstacles(const Road& road, const StripEnds& end
     const Polygon& footprint = footprints[pairs[i].first];
     passages.clear();
     for (end = i; end < pairs.size() && pairs[end].first == pairs[i].first; ++end)
-      find_passages(looking, pairs[end].second, footprint, passages);
+      find_passages(search, pairs[end].second, footprint, passages);
     for (std::size_t pair = i; pair < end; ++pair) {
       const std::uint32_t segment = pairs[pair].second;
       const Box2 box = box_of(std::array{road.axis[segment], road.axis[segment + 1]}).widened(reach_m);
       for_each_wall(footprint, [&](const Edge& wall) {
-        if (box_of(std::array{wall.a, wall.b}).touches(box)) look_beside(looking, passages, segment, ends, wall);
+        if (box_of(std::array{wall.a, wall.b}).touches(box)) add_beside(search, passages, segment, ends, wall);
       });
     }
   }
-  std::vector<std::int32_t>& covered = looking.beside.covered;
+  std::vector<std::int32_t>& covered = search.found.covered;
   std::sort(covered.begin(), covered.end());
   covered.erase(std::unique(covered.begin(), covered.end()), covered.end());
-  return std::move(looking.beside);
+  return std::move(search.found);
 }
 
 }  // namespace citykiln::roads

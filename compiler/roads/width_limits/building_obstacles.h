@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/geometry/box.h"
+#include "compiler/geometry/box_grid.h"
 #include "compiler/map/features.h"
 #include "compiler/roads/generate.h"
 #include "compiler/roads/recipe.h"
@@ -36,24 +36,20 @@ inline constexpr double kHeadroom_m = 2.5;
 /// this distance: half a wide street, so that a wall at 45 degrees is ignored.
 inline constexpr double kPassage_m = 12;
 
-/// Footprints on the ground, in a grid of buckets. Refers to the footprints. O(n log n).
+/// Footprints that obstruct roads, in a grid of buckets. Refers to the footprints. O(n log n).
 class StandingFootprints {
  public:
   explicit StandingFootprints(std::span<const map::Footprint> footprints);
 
   /// Returns the indices of footprints whose boxes touch, sorted.
   std::vector<std::uint32_t> near(const Box2& box) const;
-  const Polygon& operator[](std::uint32_t number) const { return footprints_[number].polygon; }
+  const Polygon& operator[](std::uint32_t index) const { return footprints_[index].polygon; }
 
  private:
-  struct Entry {
-    std::int32_t column, row;
-    std::uint32_t footprint;
-    auto operator<=>(const Entry&) const = default;
-  };
   std::span<const map::Footprint> footprints_;
-  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> indices_;  // of the footprints that obstruct, with their boxes
   std::vector<Box2> boxes_;
+  BoxGrid grid_;
 };
 
 /// Returns all obstacles in the strip of a road, pavements and bends included. Between two steps, an edge that keeps to

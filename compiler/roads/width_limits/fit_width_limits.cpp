@@ -1,6 +1,8 @@
 #include "compiler/roads/width_limits/fit_width_limits.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cstdlib>
 
 #include "compiler/roads/width_limits/building_obstacles.h"
 
@@ -47,7 +49,7 @@ std::size_t end_of_line(const Limit& limit, std::size_t from, std::size_t stop) 
 // Fits the steps [begin, stop] independently of other blocks. A block that begins below the full width starts from the
 // last limit of the block before it.
 template <typename Push>
-void pinch_block(const Limit& limit, std::size_t begin, std::size_t stop, Push push) {
+void fit_block(const Limit& limit, std::size_t begin, std::size_t stop, Push push) {
   std::size_t at = begin;
   if (begin == 0 || limit.at(begin) == limit.whole) {
     at = end_of_closing(limit, begin, stop);
@@ -70,6 +72,8 @@ void pinch_block(const Limit& limit, std::size_t begin, std::size_t stop, Push p
 }  // namespace
 
 std::vector<WidthLimit> fit_width_limits(std::span<const std::int16_t> units, int whole, std::int32_t first) {
+  assert(whole > 0 && first >= 0);
+  assert(std::ranges::adjacent_find(units, [](int a, int b) { return std::abs(a - b) > 1; }) == units.end());
   const Limit limit{units, whole};
   std::vector<WidthLimit> width_limits;
   const auto push = [&](std::size_t i, bool is_wall) {
@@ -79,7 +83,7 @@ std::vector<WidthLimit> fit_width_limits(std::span<const std::int16_t> units, in
   for (std::size_t begin = 0; begin + 1 < limit.size();) {
     const std::size_t stop =
         std::min(limit.size() - 1, (begin + offset) / kBlock_steps * kBlock_steps + kBlock_steps - offset);
-    pinch_block(limit, begin, stop, push);
+    fit_block(limit, begin, stop, push);
     begin = stop;
   }
   return width_limits;

@@ -21,17 +21,17 @@ constexpr std::int16_t kFar = 0x7ffe;
 constexpr double kDoorstep_m = 1;
 
 // A road sampled at every step: limits of both sides in units, and the number of steps to the nearest cut.
-struct Sampled {
+struct SampledRoad {
   std::int32_t first = 0;
   std::array<std::vector<std::int16_t>, kChannels> channels;  // empty where nothing limits the road
   bool is_active() const { return !channels[kLeft].empty(); }
 };
 
-Sampled sampled(const Road& road) {
+SampledRoad sampled(const Road& road) {
   const std::vector<double> along = distances_along(road);
   const auto first = static_cast<std::int32_t>(std::floor(along.front() / kStep_m));
   const auto last = static_cast<std::int32_t>(std::ceil(along.back() / kStep_m));
-  Sampled samples{first, {}};
+  SampledRoad samples{first, {}};
   for (auto& channel : samples.channels) channel.assign(static_cast<std::size_t>(last - first) + 1, kFar);
   return samples;
 }
@@ -45,44 +45,44 @@ void spread(std::vector<std::int16_t>& values) {
 }
 
 // A connection from one end of a road to an end of another.
-struct Passage {
+struct Connection {
   bool from_front;
   std::uint32_t to;
   bool to_front;
 };
 
-using Passages = std::vector<std::vector<Passage>>;
+using Connections = std::vector<std::vector<Connection>>;
 
-Passages passages_of(std::span<const Road> roads) {
-  Passages passages(roads.size());
+Connections connections_of(std::span<const Road> roads) {
+  Connections connections(roads.size());
   for (const Joint& joint : joints_of(roads))
     for (const auto& [a, b] : {std::pair(joint.a, joint.b), std::pair(joint.b, joint.a)})
-      passages[a.road].push_back({a.step > 0, b.road, b.step > 0});
-  return passages;
+      connections[a.road].push_back({a.step > 0, b.road, b.step > 0});
+  return connections;
 }
 
 // Samples the roads with obstacles and all roads connected to them, since limits continue across their ends.
-void activate(std::span<const Road> roads, const Passages& passages, std::vector<std::uint32_t> waiting,
-              std::vector<Sampled>& samples) {
+void activate(std::span<const Road> roads, const Connections& connections, std::vector<std::uint32_t> waiting,
+              std::vector<SampledRoad>& samples) {
   while (!waiting.empty()) {
     const std::uint32_t road = waiting.back();
     waiting.pop_back();
     if (samples[road].is_active()) continue;
     samples[road] = sampled(roads[road]);
-    for (const Passage& passage : passages[road]) waiting.push_back(passage.to);
+    for (const Connection& connection : connections[road]) waiting.push_back(connection.to);
   }
 }
 
 // Copies a road's values at its end to the next road; true where that lowered any.
-bool hand_on(const Sampled& from, const Passage& passage, Sampled& to) {
+bool copy_to_next(const SampledRoad& from, const Connection& connection, SampledRoad& to) {
   // where two heads or two tails meet, left and right are swapped
-  const bool is_turned = passage.from_front == passage.to_front;
+  const bool is_turned = connection.from_front == connection.to_front;
   bool is_lower = false;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const std::size_t other = c == kFromCut || !is_turned ? c : kLeft + kRight - c;
     const auto& values = from.channels[c];
-    std::int16_t& there = passage.to_front ? to.channels[other].front() : to.channels[other].back();
-    const std::int16_t here = passage.from_front ? values.front() : values.back();
+    std::int16_t& there = connection.to_front ? to.channels[other].front() : to.channels[other].back();
+    const std::int16_t here = connection.from_front ? values.front() : values.back();
     is_lower |= here < there;
     there = std::min(there, here);
   }
@@ -91,7 +91,7 @@ bool hand_on(const Sampled& from, const Passage& passage, Sampled& to) {
 
 // Spreads all values along the roads and across their ends until nothing changes. Values only decrease and are bounded,
 // so it ends.
-void spread_all(const Passages& passages, std::vector<Sampled>& samples) {
+void spread_all(const Connections& connections, std::vector<SampledRoad>& samples) {
   std::vector<std::uint32_t> waiting;
   for (std::uint32_t road = 0; road < samples.size(); ++road)
     if (samples[road].is_active()) waiting.push_back(road);
@@ -99,24 +99,16 @@ void spread_all(const Passages& passages, std::vector<Sampled>& samples) {
     const std::uint32_t road = waiting.back();
     waiting.pop_back();
     for (auto& channel : samples[road].channels) spread(channel);
-    for (const Passage& passage : passages[road])
-      if (hand_on(samples[road], passage, samples[passage.to])) waiting.push_back(passage.to);
+    for (const Connection& connection : connections[road])
+      if (copy_to_next(samples[road], connection, samples[connection.to])) waiting.push_back(connection.to);
   }
 }
 
-// The vertex at which an arm's part of its junction ends, if that is a whole link.
-std::size_t end_of_link(const Road& road, const Arm& arm, std::span<const Vec2> places) {
-  std::size_t v = arm.vertex;
-  do v = static_cast<std::size_t>(static_cast<std::int64_t>(v) + arm.step);
-  while (v > 0 && v + 1 < road.axis.size() && !std::ranges::binary_search(places, road.axis[v]));
-  return v;
-}
-
-void mark_cut(const Road& road, const Arm& arm, const Cut& cut, std::span<const Vec2> places, Sampled& samples) {
+void mark_cut(const Road& road, const Arm& arm, const Cut& cut, std::span<const Vec2> nodes, SampledRoad& samples) {
   const std::vector<double> along = distances_along(road);
   const double from = along[arm.vertex];
   const double to =
-      cut.length_m == kWholeLink_m ? along[end_of_link(road, arm, places)] : from + arm.step * cut.length_m;
+      cut.length_m == kWholeLink_m ? along[end_of_link(road, arm, nodes)] : from + arm.step * cut.length_m;
   const auto step = [&](double along_m) {
     return std::clamp(static_cast<std::int32_t>(along_m / kStep_m) - samples.first, 0,
                       static_cast<std::int32_t>(samples.channels[kFromCut].size()) - 1);
@@ -126,17 +118,17 @@ void mark_cut(const Road& road, const Arm& arm, const Cut& cut, std::span<const 
   for (std::int32_t i = low; i <= high; ++i) samples.channels[kFromCut][static_cast<std::size_t>(i)] = 0;
 }
 
-void mark_cuts(std::span<const Road> roads, std::span<const Junction> junctions, std::vector<Sampled>& samples) {
+void mark_cuts(std::span<const Road> roads, std::span<const Junction> junctions, std::vector<SampledRoad>& samples) {
   const auto arms = arms_of(junctions, roads);
   for (std::size_t j = 0; j < junctions.size(); ++j)
     for (std::size_t a = 0; a < std::min(arms[j].size(), junctions[j].cuts.size()); ++a) {
       const Arm& arm = arms[j][a];
       if (samples[arm.road].is_active())
-        mark_cut(roads[arm.road], arm, junctions[j].cuts[a], junctions[j].places, samples[arm.road]);
+        mark_cut(roads[arm.road], arm, junctions[j].cuts[a], junctions[j].nodes, samples[arm.road]);
     }
 }
 
-void mark_obstacles(const BuildingObstacles& beside, Sampled& samples) {
+void mark_obstacles(const BuildingObstacles& beside, SampledRoad& samples) {
   for (const Obstacle& o : beside.obstacles) {
     const std::int64_t i = o.at_steps - samples.first;
     std::vector<std::int16_t>& side = samples.channels[o.is_left ? kLeft : kRight];
@@ -172,7 +164,7 @@ int open_at_cuts(const Widths& widths, const std::vector<std::int16_t>& from_cut
 }
 
 // The length of the road that buildings still cover, 0 where that is a doorstep.
-double covered_m(const BuildingObstacles& beside, const Sampled& samples) {
+double covered_m(const BuildingObstacles& beside, const SampledRoad& samples) {
   std::vector<std::int32_t> steps;
   for (const Obstacle& o : beside.obstacles) {
     const auto& side = samples.channels[o.is_left ? kLeft : kRight];
@@ -187,7 +179,7 @@ double covered_m(const BuildingObstacles& beside, const Sampled& samples) {
   return static_cast<double>(std::unique(steps.begin(), steps.end()) - steps.begin()) * kStep_m;
 }
 
-void finish(const BuildingObstacles& beside, Sampled& samples, Road& road, Report& report) {
+void finish(const BuildingObstacles& beside, SampledRoad& samples, Road& road, Report& report) {
   int most = 0;
   for (const bool is_left : {true, false}) {
     const Widths widths = widths_of(road, is_left ? raised_left_m(road) : raised_right_m(road));
@@ -213,12 +205,12 @@ std::vector<Road> limit_widths(std::vector<Road> roads, std::span<const Junction
     beside[road] = find_building_obstacles(roads[road], ends[road], standing);
     if (!beside[road].obstacles.empty() || !beside[road].covered.empty()) touched.push_back(road);
   }
-  std::vector<Sampled> samples(roads.size());
-  const Passages passages = passages_of(roads);
-  activate(roads, passages, touched, samples);
+  std::vector<SampledRoad> samples(roads.size());
+  const Connections connections = connections_of(roads);
+  activate(roads, connections, touched, samples);
   for (const std::uint32_t road : touched) mark_obstacles(beside[road], samples[road]);
   mark_cuts(roads, junctions, samples);
-  spread_all(passages, samples);
+  spread_all(connections, samples);
   for (std::size_t road = 0; road < roads.size(); ++road)
     if (samples[road].is_active()) finish(beside[road], samples[road], roads[road], report);
   return roads;

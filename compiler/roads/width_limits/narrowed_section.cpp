@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 #include <span>
 
@@ -101,15 +102,15 @@ void take(double& width_m, double& asked_m) {
 }
 
 // Narrows the raised lanes of one side, outermost first.
-void squeeze_raised(std::span<const map::Lane* const> lanes, std::span<double* const> widths, double asked_m) {
+void narrow_raised(std::span<const map::Lane* const> lanes, std::span<double* const> widths, double asked_m) {
   for (std::size_t i = 0; i < lanes.size(); ++i)
     if (lanes[i]->kind == map::LaneKind::kBuffer || lanes[i]->kind == map::LaneKind::kVerge) take(*widths[i], asked_m);
   for (double* width : widths) take(*width, asked_m);
 }
 
 // Narrows the carriageway's lanes by what each side lost.
-void squeeze_carriageway(std::span<const map::Lane* const> lanes, std::span<double* const> widths, double left_m,
-                         double right_m) {
+void narrow_carriageway(std::span<const map::Lane* const> lanes, std::span<double* const> widths, double left_m,
+                        double right_m) {
   for (std::size_t i = 0; i < lanes.size() && is_soft(lanes[i]->kind); ++i) take(*widths[i], left_m);
   for (std::size_t i = lanes.size(); i > 0 && is_soft(lanes[i - 1]->kind); --i) take(*widths[i - 1], right_m);
   double firm = 0;
@@ -137,7 +138,10 @@ RoadEdges road_edges_at(const Road& road, double along_m) {
   const Side left = give_way(sides.left, sides.least_m, half_at(road.width_limits.left, along_m));
   const Side right = give_way(sides.right, sides.least_m, half_at(road.width_limits.right, along_m));
   const double kerb_left = left.carriageway_m + sides.middle_m, kerb_right = right.carriageway_m - sides.middle_m;
-  return {kerb_left + left.raised_m, kerb_left, kerb_right, kerb_right + right.raised_m};
+  return {.left_m = kerb_left + left.raised_m,
+          .kerb_left_m = kerb_left,
+          .kerb_right_m = kerb_right,
+          .right_m = kerb_right + right.raised_m};
 }
 
 std::vector<double> bends_of_edges(const Road& road) {
@@ -152,8 +156,8 @@ std::vector<double> bends_of_edges(const Road& road) {
 
 NarrowedSection narrowed_section_at(const Road& road, double along_m) {
   const RoadEdges edges = road_edges_at(road, along_m);
-  NarrowedSection squeezed{edges.left_m, {}};
-  for (const map::Lane& lane : road.section.lanes) squeezed.widths_m.push_back(lane.width_m);
+  NarrowedSection section{edges.left_m, {}};
+  for (const map::Lane& lane : road.section.lanes) section.widths_m.push_back(lane.width_m);
   // outermost first on the raised sides, left to right between the kerbs
   std::array<std::vector<const map::Lane*>, 3> lanes;
   std::array<std::vector<double*>, 3> widths;
@@ -162,26 +166,27 @@ NarrowedSection narrowed_section_at(const Road& road, double along_m) {
     const map::Lane& lane = road.section.lanes[i];
     is_past_left_kerb |= !lane.is_raised;
     const std::size_t group = !lane.is_raised ? 1 : is_past_left_kerb ? 2 : 0;
-    lanes[group].push_back(&lane), widths[group].push_back(&squeezed.widths_m[i]);
+    lanes[group].push_back(&lane), widths[group].push_back(&section.widths_m[i]);
   }
   std::ranges::reverse(lanes[2]), std::ranges::reverse(widths[2]);
-  squeeze_raised(lanes[0], widths[0], raised_left_m(road) - (edges.left_m - edges.kerb_left_m));
-  squeeze_raised(lanes[2], widths[2], raised_right_m(road) - (edges.right_m - edges.kerb_right_m));
-  squeeze_carriageway(lanes[1], widths[1], left_m(road) - edges.kerb_left_m, right_m(road) - edges.kerb_right_m);
-  return squeezed;
+  narrow_raised(lanes[0], widths[0], raised_left_m(road) - (edges.left_m - edges.kerb_left_m));
+  narrow_raised(lanes[2], widths[2], raised_right_m(road) - (edges.right_m - edges.kerb_right_m));
+  narrow_carriageway(lanes[1], widths[1], left_m(road) - edges.kerb_left_m, right_m(road) - edges.kerb_right_m);
+  return section;
 }
 
 LaneEdges lane_edges_at(const Road& road, double along_m) {
-  const NarrowedSection squeezed = narrowed_section_at(road, along_m);
-  LaneEdges edges{{left_m(road) + raised_left_m(road)}, {squeezed.left_m}};
+  const NarrowedSection section = narrowed_section_at(road, along_m);
+  LaneEdges edges{{left_m(road) + raised_left_m(road)}, {section.left_m}};
   for (std::size_t i = 0; i < road.section.lanes.size(); ++i) {
     edges.whole_m.push_back(edges.whole_m.back() - road.section.lanes[i].width_m);
-    edges.moved_m.push_back(edges.moved_m.back() - squeezed.widths_m[i]);
+    edges.moved_m.push_back(edges.moved_m.back() - section.widths_m[i]);
   }
   return edges;
 }
 
 double LaneEdges::moved(double offset_m) const {
+  assert(!whole_m.empty() && whole_m.size() == moved_m.size());
   const auto after = std::ranges::lower_bound(whole_m, offset_m, std::greater());
   if (after == whole_m.begin()) return moved_m.front();
   if (after == whole_m.end()) return moved_m.back();

@@ -1,5 +1,5 @@
-// The error that levels of buildings state, against what it is: points on every triangle of a level, and the nearest
-// triangle of the finest; and the other way.
+// Compares the stated error of levels with the measured one: distances of sample points on each level to the finest,
+// and in the opposite direction.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,10 +23,10 @@ constexpr const char* kExtracts[] = {"helsinki/Helsinki.osm.pbf",
                                      "neubrandenburg/neubrandenburg.osm.bz2",
                                      "berlin/berlin-reinickendorf-2026.osm.pbf"};
 
-// Measured always: villas on whose planes without eaves was no room for their chimneys.
+// Always measured: villas whose chimneys had no room on roof planes without eaves.
 constexpr std::int64_t kHard[] = {572938068, 126977943};
 
-// Samples on large triangles are no farther apart than this.
+// Largest spacing of samples.
 constexpr double kApart_m = 2;
 
 /// A building as a level shows it.
@@ -39,16 +39,16 @@ Level level_of(const Building& building, const Rulebook& rulebook, double tolera
   Report report;
   const GeneratedBuilding expanded = generate(building, rulebook, {1}, tolerance_m, report);
   Level level{{}, expanded.error_m};
-  const auto add = [&](const materials::MaterialMesh& dressed) {
-    const auto& p = dressed.mesh.positions;
-    for (const auto& [a, b, c] : dressed.mesh.triangles) level.triangles.push_back({p[a], p[b], p[c]});
+  const auto add = [&](const materials::MaterialMesh& part) {
+    const auto& p = part.mesh.positions;
+    for (const auto& [a, b, c] : part.mesh.triangles) level.triangles.push_back({p[a], p[b], p[c]});
   };
-  for (const auto& dressed : expanded.meshes) add(dressed);
+  for (const auto& part : expanded.meshes) add(part);
   for (const auto& textured_faces : expanded.textured_faces) add(textured_faces.mesh);
   return level;
 }
 
-// Corners, edges and inside of a triangle, in equal steps.
+// Samples of vertices, edges and interior of a triangle in equal steps.
 template <typename Visitor>
 void each_sample(const Corners& t, Visitor with) {
   const double longest_m = std::max({length(t.b - t.a), length(t.c - t.b), length(t.a - t.c)});
@@ -65,7 +65,7 @@ double farthest_m(const std::vector<Corners>& from, const NearestTriangle& to) {
   return most_m;
 }
 
-// Of what a level drops only the ground stays.
+// Dropped buildings are measured against the ground.
 double height_m_of(const Building& building, const Level& level) {
   double top_m = building.bottom_m;
   for (const Corners& t : level.triangles) top_m = std::max({top_m, t.a.z, t.b.z, t.c.z});
@@ -84,7 +84,7 @@ struct Row {
   double stated_m = 0, measured_m = 0, share = 0;  ///< The largest; `share` of what both levels state.
 };
 
-// Walls that neighbours hide are there on coarse levels only; here on all, since nobody stands near.
+// Without party walls, which only coarse levels contain.
 Building alone(Building building) {
   for (PartyWall& wall : building.party_walls) wall.is_hidden = false;
   return building;
@@ -96,7 +96,7 @@ void measure(const Building& building, const Rulebook& rulebook, std::span<Row> 
   for (std::size_t k = 0; k < std::size(kLadder_m); ++k) {
     const Level level = k == 0 ? finest : level_of(building, rulebook, kLadder_m[k]);
     const double measured = k == 0 ? 0 : measured_m(building, finest, to_finest, level);
-    // roofs' corners lie on a grid, on each level by its own rounding
+    // vertices of roofs are rounded on each level
     const double stated_m = level.error_m + finest.error_m;
     EXPECT_LE(level.error_m, kLadder_m[k]) << to_string(building.id.osm);
     EXPECT_LE(measured, stated_m + kQuantum_m)
@@ -108,7 +108,7 @@ void measure(const Building& building, const Rulebook& rulebook, std::span<Row> 
   }
 }
 
-// As many as CITYKILN_BUILDINGS says, else as a test can carry.
+// The number of buildings in CITYKILN_BUILDINGS, else a default.
 std::size_t buildings_asked_for() {
   const char* asked = std::getenv("CITYKILN_BUILDINGS");
   return asked ? std::strtoul(asked, nullptr, 10) : 36;
@@ -121,8 +121,7 @@ TEST(CertifiedErrorReal, IsNeverLessThanWhatIsMeasured) {
   for (const char* extract : kExtracts) {
     if (!std::filesystem::exists(data_file(extract))) GTEST_SKIP() << "absent: " << extract;
     const std::vector<Building> buildings = buildings_in(extract);
-    const std::vector<Style> styles = styles_of(buildings);
-    const Rulebook rulebook = parse_rulebook(styles, shipped_rules());
+    const Rulebook rulebook = parse_rulebook(shipped_rules());
     for (std::size_t i = 0; i < from_each && i < buildings.size(); ++i, ++measured)
       measure(alone(buildings[i * buildings.size() / from_each]), rulebook, rows);
     for (const Building& building : buildings)

@@ -34,28 +34,28 @@ Building building_with(const std::vector<std::uint16_t>& doors, Style style = St
   b.top_m = 12, b.levels = 4;
   b.wall = materials::Material::kPlaster, b.roof = materials::Material::kFlatRoof;
   b.style = style;
-  for (const std::uint16_t mask : doors) b.fronts.push_back({true, 0, mask});
+  for (const std::uint16_t mask : doors) b.facade_edges.push_back({true, 0, mask});
   return b;
 }
 
-TEST(Doors, AreInTheWallNearestToWhatTellsOfThem) {
+TEST(Doors, AreInTheWallNearestToTheEntrance) {
   EXPECT_EQ(doors({point(4.5, 0)}), (std::vector<std::uint16_t>{1u << 4, 0, 0, 0}));
   EXPECT_EQ(doors({point(15.2, 3.5)}), (std::vector<std::uint16_t>{0, 1u << 4, 0, 0}));
   EXPECT_EQ(doors({point(4.5, 0), point(12.5, 0.25)}), (std::vector<std::uint16_t>{1u << 4 | 1u << 12, 0, 0, 0}));
 }
 
-TEST(Doors, AreNotToldFromAfarNorByWhatIsNone) {
+TEST(Doors, IgnoreDistantPointsAndOtherKinds) {
   EXPECT_EQ(doors({}), std::vector<std::uint16_t>(4));
   EXPECT_EQ(doors({point(8, 6), point(40, 0), point(4, 0, PointKind::kShop)}), std::vector<std::uint16_t>(4));
 }
 
-TEST(Doors, AreAtNumbersWhereNoEntranceIs) {
+TEST(Doors, AreAtAddressesIfThereIsNoEntrance) {
   const map::PointFeature number = point(4.5, 0, PointKind::kAddress);
   EXPECT_EQ(doors({number}), (std::vector<std::uint16_t>{1u << 4, 0, 0, 0}));
   EXPECT_EQ(doors({number, point(16, 6.1)}), (std::vector<std::uint16_t>{0, 1u << 8, 0, 0}));
 }
 
-TEST(Doors, AreWhereTheyAreToldToAPartOfTheWall) {
+TEST(Doors, AreWithinASlotOfTheEntrance) {
   for (double x = 0; x <= 16; x += 0.25) {
     const std::vector<Vec2> places = door_positions(building_with(doors({point(x, 0)})));
     ASSERT_EQ(places.size(), 1u);
@@ -64,14 +64,14 @@ TEST(Doors, AreWhereTheyAreToldToAPartOfTheWall) {
   }
 }
 
-// A wall's door leaf lies in a niche of its own: no window's sill is below it.
+// A door leaf lies in a niche; no window sill is as low.
 TEST(Doors, AreMadeThereByRules) {
-  const Rulebook rulebook = parse_rulebook(std::vector{Style::kOldTownHouse}, shipped_rules());
+  const Rulebook rulebook = parse_rulebook(shipped_rules());
   const auto lowest_niche = [&](double from_m, double to_m, const std::vector<std::uint16_t>& told) {
     Report report;
     double low_m = 9;
-    for (const auto& dressed : generate(building_with(told, Style::kOldTownHouse), rulebook, {1}, 0.01, report).meshes)
-      for (const Vec3 p : dressed.mesh.positions)
+    for (const auto& part : generate(building_with(told, Style::kOldTownHouse), rulebook, {1}, 0.01, report).meshes)
+      for (const Vec3 p : part.mesh.positions)
         if (p.y > 0.15 && p.y < 0.3 && p.x > from_m && p.x < to_m) low_m = std::min(low_m, p.z);
     return low_m;
   };
@@ -82,21 +82,21 @@ TEST(Doors, AreMadeThereByRules) {
   EXPECT_GT(lowest_niche(1, 10.5, right), 0.1);
 }
 
-// How low, between two places along the south wall, what lies behind it begins: a door's niche does at its foot.
+// The lowest point of niches in the south wall between two distances along it: a door reaches down to the floor.
 double lowest_niche_m(const std::vector<MaterialMesh>& meshes, double from_m, double to_m) {
   double low_m = 9;
-  for (const MaterialMesh& dressed : meshes)
-    for (const Vec3 p : dressed.mesh.positions)
+  for (const MaterialMesh& part : meshes)
+    for (const Vec3 p : part.mesh.positions)
       if (p.y > 0.15 && p.y < 1.5 && p.x > from_m && p.x < to_m) low_m = std::min(low_m, p.z);
   return low_m;
 }
 
-// In a tile that is at most 6 m wide, and nowhere near without.
+// Within a facade tile of at most 6 m; and not there without a mapped door.
 TEST(Doors, AreMadeByEveryStyleThatHasDoors) {
   for (const Style style :
        {Style::kOldTownHouse, Style::kCourtyardBlock, Style::kRowHouse, Style::kVilla, Style::kPanelBlock,
         Style::kOfficeSlab, Style::kShop, Style::kWarehouse, Style::kChurch, Style::kBarn, Style::kCastle}) {
-    const Rulebook rulebook = parse_rulebook(std::vector{style}, shipped_rules());
+    const Rulebook rulebook = parse_rulebook(shipped_rules());
     const auto expanded = [&](const std::vector<std::uint16_t>& told) {
       Building building = building_with(told, style);
       building.footprint = {{{0, 0}, {30, 0}, {30, 14}, {0, 14}}, {}};
@@ -114,23 +114,28 @@ TEST(Doors, AreMadeByEveryStyleThatHasDoors) {
   }
 }
 
-// Upper parts of stacks: as high as a door leaf nothing lies behind the walls' foot.
-TEST(Doors, AreNotMadeInTheAir) {
+// Upper parts of a stack have no niches at the height of a door leaf.
+TEST(Doors, AreNotMadeInLiftedBuildings) {
+  int styles_with_rules = 0;
   for (int number = 0; number < static_cast<int>(Style::kCount); ++number) {
     const auto style = static_cast<Style>(number);
     Building building = building_with({0, 0, 0, 0}, style);
     building.footprint = {{{0, 0}, {30, 0}, {30, 14}, {0, 14}}, {}};
     building.top_m = 9, building.levels = 3, building.has_shop = true;
-    building.fronts[0].faces_street = true;
-    const Rulebook rulebook = parse_rulebook(std::vector{style}, shipped_rules());
-    if (rulebook.empty()) continue;
+    building.facade_edges[0].faces_street = true;
+    const Rulebook rulebook = parse_rulebook(shipped_rules());
+    if (!rulebook.contains(style)) continue;
+    ++styles_with_rules;
     const auto lowest_m = [&](bool stands_on_ground) {
       building.stands_on_ground = stands_on_ground;
       Report report;
-      return lowest_niche_m(generate(building, rulebook, {1}, 0.01, report).meshes, 1, 29);
+      const std::vector<MaterialMesh> meshes = generate(building, rulebook, {1}, 0.01, report).meshes;
+      EXPECT_FALSE(meshes.empty()) << rule_file_of(style);
+      return lowest_niche_m(meshes, 1, 29);
     };
     EXPECT_GT(lowest_m(false), 0.35) << rule_file_of(style);
   }
+  EXPECT_EQ(styles_with_rules, static_cast<int>(Style::kCount) - 1);
 }
 
 }  // namespace

@@ -26,11 +26,7 @@ Building house(Style style, double width_m, double height_m) {
 }
 
 const Rulebook& rulebook() {
-  static const Rulebook book = [] {
-    std::vector<Style> styles;
-    for (int i = 0; i < static_cast<int>(Style::kCount); ++i) styles.push_back(static_cast<Style>(i));
-    return parse_rulebook(styles, shipped_rules());
-  }();
+  static const Rulebook book = parse_rulebook(shipped_rules());
   return book;
 }
 
@@ -39,7 +35,7 @@ GeneratedBuilding expanded(const Building& building, double tolerance_m) {
   return generate(building, rulebook(), {1}, tolerance_m, report);
 }
 
-// Square metres, and the mean of what upright faces show, by area.
+// Areas, and the mean colour of vertical faces by area.
 struct Shown {
   double area_m2 = 0, wall_m2 = 0;
   std::array<double, 3> light{};
@@ -73,7 +69,7 @@ Shown shown_by(const GeneratedBuilding& house) {
 
 bool is_glass(const impostor::Texel& texel) { return texel.roughness < 100; }
 
-TEST(ImprintWalls, FacadesShowTheirWindows) {
+TEST(FacadeTextures, ShowWindows) {
   for (const Style style : {Style::kPanelBlock, Style::kOldTownHouse, Style::kOfficeSlab}) {
     const GeneratedBuilding block = expanded(house(style, 30, 18), 0.5);
     std::size_t with_windows = 0;
@@ -85,7 +81,7 @@ TEST(ImprintWalls, FacadesShowTheirWindows) {
   }
 }
 
-TEST(ImprintWalls, FacadesAreAsLightAsTheGeometryThatTheyStandFor) {
+TEST(FacadeTextures, AreAsBrightAsTheGeometryTheyReplace) {
   // reveals, and what stands on the roof, are walls too where they are geometry: light ones
   const Building block = house(Style::kOfficeSlab, 30, 18);
   const Shown fine = shown_by(expanded(block, 0.25));
@@ -96,15 +92,15 @@ TEST(ImprintWalls, FacadesAreAsLightAsTheGeometryThatTheyStandFor) {
   }
 }
 
-// One of two houses of an old street that has balconies.
+// A style of which about one in two buildings has balconies.
 Building with_iron_balconies() {
   Building block = house(Style::kCourtyardBlock, 30, 21);
-  block.fronts.resize(4);
-  block.fronts[0].faces_street = true;
+  block.facade_edges.resize(4);
+  block.facade_edges[0].faces_street = true;
   return block;
 }
 
-// Of what stands upright before the front, which is the plane y = 0: railings, and the edges of slabs.
+// The area of vertical faces in front of the facade, the plane y = 0: railings and the edges of slabs.
 double balconies_m2(const GeneratedBuilding& house) {
   Shown shown;
   for (const MaterialMesh& mesh : house.meshes) {
@@ -117,8 +113,8 @@ double balconies_m2(const GeneratedBuilding& house) {
   return shown.wall_m2;
 }
 
-// As faces they would be boxes, and five times as much as their bars, which are seen from both sides.
-TEST(ImprintWalls, LeaveRailsOfRailings) {
+// As faces they would have five times the area of their bars.
+TEST(FacadeTextures, ReplaceRailingsByRails) {
   Building block = with_iron_balconies();
   std::size_t houses_with_balconies = 0;
   for (std::int64_t id = 1; id <= 12; ++id) {
@@ -134,8 +130,8 @@ TEST(ImprintWalls, LeaveRailsOfRailings) {
   EXPECT_GE(houses_with_balconies, 3u);
 }
 
-// Reveals and sills are slopes where a window is several texels.
-TEST(ImprintWalls, LeanWhereGeometryIsLeftOut) {
+// Reveals and sills become slopes if a window is several texels wide.
+TEST(FacadeTextures, HaveSlopesWhereGeometryIsOmitted) {
   const auto leaning = [](const GeneratedBuilding& house) {
     std::size_t texels = 0;
     for (const TexturedFace& face : house.textured_faces)
@@ -148,9 +144,11 @@ TEST(ImprintWalls, LeanWhereGeometryIsLeftOut) {
   EXPECT_EQ(leaning(expanded(old, 2.5)), 0u);
 }
 
-TEST(ImprintWalls, PlacesLieOnThePicture) {
+TEST(FacadeTextures, HaveCoordinatesInsideThePicture) {
+  std::size_t faces = 0;
   for (const double tolerance_m : {0.5, 2.5, 12.5})
     for (const TexturedFace& face : expanded(house(Style::kOldTownHouse, 17.3, 16), tolerance_m).textured_faces) {
+      ++faces;
       EXPECT_EQ(face.mesh.colour_source, materials::ColourSource::kByAtlas);
       ASSERT_EQ(face.mesh.uvs.size(), face.mesh.mesh.positions.size());
       for (const Vec2 uv : face.mesh.uvs) {
@@ -158,21 +156,24 @@ TEST(ImprintWalls, PlacesLieOnThePicture) {
         EXPECT_TRUE(uv.y > -1e-6 && uv.y < face.picture.rows * tolerance_m + 1e-6);
       }
     }
+  EXPECT_GT(faces, 0u);
 }
 
-TEST(ImprintWalls, PicturesHaveNoGaps) {
-  for (const TexturedFace& face : expanded(house(Style::kVilla, 12, 7), 0.5).textured_faces)
+TEST(FacadeTextures, HaveNoGaps) {
+  const GeneratedBuilding villa = expanded(house(Style::kVilla, 12, 7), 0.5);
+  ASSERT_FALSE(villa.textured_faces.empty());
+  for (const TexturedFace& face : villa.textured_faces)
     for (const impostor::Texel& texel : face.picture.texels) EXPECT_GT(texel.shown, 0);
 }
 
-TEST(ImprintWalls, FewTexelsAreATint) {
+TEST(FacadeTextures, HaveAtLeastTheLeastTexels) {
   for (const TexturedFace& face : expanded(house(Style::kPanelBlock, 40, 18), 12.5).textured_faces)
     EXPECT_GE(face.picture.texels.size(), kMinTexels);
   EXPECT_TRUE(expanded(house(Style::kRowHouse, 8, 7), 2.5).textured_faces.empty() ||
               expanded(house(Style::kRowHouse, 8, 7), 2.5).textured_faces.front().picture.texels.size() >= kMinTexels);
 }
 
-TEST(ImprintWalls, FarHousesHaveHardlyMoreTrianglesThanTheirMass) {
+TEST(FacadeTextures, NeedFewTriangles) {
   const GeneratedBuilding block = expanded(house(Style::kPanelBlock, 45, 18), 2.5);
   std::size_t triangles = 0;
   for (const MaterialMesh& mesh : block.meshes) triangles += mesh.mesh.triangles.size();
@@ -183,11 +184,12 @@ TEST(ImprintWalls, FarHousesHaveHardlyMoreTrianglesThanTheirMass) {
 
 bool are_same(const Mesh& a, const Mesh& b) { return a.positions == b.positions && a.triangles == b.triangles; }
 
-TEST(ImprintWalls, LevelsTogetherAreTheLevelsAlone) {
+TEST(FacadeTextures, AreTheSameForLevelsTogetherAndAlone) {
   const Building block = house(Style::kCourtyardBlock, 24, 19);
   const double ladder_m[] = {0.1, 0.5, 2.5, 12.5};
   std::vector<Report> reports(std::size(ladder_m));
   const std::vector<GeneratedBuilding> together = generate(block, rulebook(), {1}, ladder_m, reports);
+  ASSERT_EQ(together.size(), std::size(ladder_m));
   for (std::size_t l = 0; l < together.size(); ++l) {
     const GeneratedBuilding alone = expanded(block, ladder_m[l]);
     ASSERT_EQ(together[l].meshes.size(), alone.meshes.size());
@@ -202,13 +204,13 @@ TEST(ImprintWalls, LevelsTogetherAreTheLevelsAlone) {
   }
 }
 
-TEST(ImprintWalls, BareHousesStayBare) {
+TEST(FacadeTextures, AreNotMadeWithoutRules) {
   EXPECT_TRUE(expanded(house(Style::kPlain, 30, 18), 2.5).textured_faces.empty());
 }
 
-// ---- by night
+// ---- at night
 
-// The mean of what a picture's triangle shows, at points all over it.
+// The mean emission over a triangle of a textured face.
 double emission_on(const TexturedFace& face, const Triangle& t, double texel_m) {
   constexpr int kSteps = 64;
   double sum = 0;
@@ -229,11 +231,11 @@ double area_m2(const Mesh& mesh, const Triangle& t) {
   return length(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]])) / 2;
 }
 
-// Light that a house sends out: emission by area. Pictures have texels of the level's tolerance.
-double shone_by(const GeneratedBuilding& house, double texel_m) {
+// The light that a building emits: emission times area.
+double light_of(const GeneratedBuilding& house, double texel_m) {
   double sum = 0;
-  for (const MaterialMesh& dressed : house.meshes)
-    for (const Triangle& t : dressed.mesh.triangles) sum += area_m2(dressed.mesh, t) * emission_of(dressed.material)[0];
+  for (const MaterialMesh& part : house.meshes)
+    for (const Triangle& t : part.mesh.triangles) sum += area_m2(part.mesh, t) * emission_of(part.material)[0];
   for (const TexturedFace& face : house.textured_faces)
     for (const Triangle& t : face.mesh.mesh.triangles)
       sum += area_m2(face.mesh.mesh, t) * emission_on(face, t, texel_m);
@@ -245,15 +247,14 @@ GeneratedBuilding by_night(const Building& building, double tolerance_m) {
   return generate(building, rulebook(), {1, true}, tolerance_m, report);
 }
 
-TEST(LitWindows, ShineByNightAlone) {
+TEST(LitWindows, EmitLightAtNightAlone) {
   for (int style = 0; style < static_cast<int>(Style::kCount); ++style)
-    EXPECT_EQ(shone_by(expanded(house(static_cast<Style>(style), 30, 18), 0.1), 0.1), 0) << style;
+    EXPECT_EQ(light_of(expanded(house(static_cast<Style>(style), 30, 18), 0.1), 0.1), 0) << style;
   for (const Style style : {Style::kPanelBlock, Style::kCourtyardBlock, Style::kOfficeSlab, Style::kGlassTower})
-    EXPECT_GT(shone_by(by_night(house(style, 30, 18), 0.1), 0.1), 1) << static_cast<int>(style);
+    EXPECT_GT(light_of(by_night(house(style, 30, 18), 0.1), 0.1), 1) << static_cast<int>(style);
 }
 
-// Of windows of flats a share that is neither few nor most.
-TEST(LitWindows, AreAShareOfAll) {
+TEST(LitWindows, AreAThirdOfAll) {
   const Building block = house(Style::kPanelBlock, 60, 30);
   const auto glass_m2 = [](const GeneratedBuilding& house) {
     double sum = 0;
@@ -266,9 +267,9 @@ TEST(LitWindows, AreAShareOfAll) {
   EXPECT_LT(dark, 0.75);
 }
 
-// The light that leaves the walls of a box about the origin's corner: what its finest level shows from straight ahead,
-// as if nothing stood before its walls.
-double shone_through_walls(const Building& block) {
+// The light that the walls of a building emit: its finest level seen from straight ahead, without what stands in front
+// of the walls.
+double light_through_walls(const Building& block) {
   std::vector<MaterialMesh> meshes = by_night(block, 0.02).meshes;
   const impostor::Model shape = impostor::model_of(meshes);
   const Ring& ring = block.footprint.outer;
@@ -285,18 +286,18 @@ double shone_through_walls(const Building& block) {
   return sum;
 }
 
-// Balconies and railings are not in the way, and windows are counted wherever they stand in a texel.
-TEST(LitWindows, ShineOnEveryLevelAsOnTheFinest) {
+// Neither balconies in front of windows nor their positions within texels change the light.
+TEST(LitWindows, EmitTheSameLightOnEveryLevel) {
   for (const Style style : {Style::kOldTownHouse, Style::kCourtyardBlock, Style::kRowHouse, Style::kVilla,
                             Style::kPanelBlock, Style::kOfficeSlab, Style::kGlassTower}) {
     for (const double width_m : {21.0, 44.0}) {
       const Building block = house(style, width_m, style == Style::kRowHouse || style == Style::kVilla ? 6.5 : 30);
-      const double fine = shone_through_walls(block);
+      const double fine = light_through_walls(block);
       EXPECT_GT(fine, 1) << rule_file_of(style);
       for (const double tolerance_m : {0.5, 2.5, 12.5}) {
         // low houses are dropped
         if (tolerance_m > block.top_m) continue;
-        EXPECT_NEAR(shone_by(by_night(block, tolerance_m), tolerance_m) / fine, 1, 0.15)
+        EXPECT_NEAR(light_of(by_night(block, tolerance_m), tolerance_m) / fine, 1, 0.15)
             << rule_file_of(style) << " " << width_m << " m wide at " << tolerance_m << " m";
       }
     }

@@ -33,10 +33,10 @@ GeneratedBuilding bare(const Building& building, double tolerance_m) {
 
 std::map<std::pair<Vec3, Vec3>, int> open_edges(const GeneratedBuilding& expanded) {
   std::map<std::pair<Vec3, Vec3>, int> edges;
-  for (const auto& dressed : expanded.meshes)
-    for (const Triangle& t : dressed.mesh.triangles)
+  for (const auto& part : expanded.meshes)
+    for (const Triangle& t : part.mesh.triangles)
       for (int i = 0; i < 3; ++i) {
-        const Vec3 a = dressed.mesh.positions[t[i]], b = dressed.mesh.positions[t[(i + 1) % 3]];
+        const Vec3 a = part.mesh.positions[t[i]], b = part.mesh.positions[t[(i + 1) % 3]];
         if (a < b)
           ++edges[{a, b}];
         else
@@ -48,17 +48,17 @@ std::map<std::pair<Vec3, Vec3>, int> open_edges(const GeneratedBuilding& expande
 
 double volume_m3(const GeneratedBuilding& expanded) {
   double six = 0;
-  for (const auto& dressed : expanded.meshes)
-    for (const auto& [a, b, c] : dressed.mesh.triangles) {
-      const auto& p = dressed.mesh.positions;
+  for (const auto& part : expanded.meshes)
+    for (const auto& [a, b, c] : part.mesh.triangles) {
+      const auto& p = part.mesh.positions;
       six += dot(p[a], cross(p[b], p[c]));
     }
   return six / 6;
 }
 
-TEST(Expand, ClosesWhatHangsInTheAir) { EXPECT_TRUE(open_edges(bare(with_court(false), 0.02)).empty()); }
+TEST(Generate, ClosesLiftedBuildings) { EXPECT_TRUE(open_edges(bare(with_court(false), 0.02)).empty()); }
 
-TEST(Expand, IsOpenOnlyUnderTheGround) {
+TEST(Generate, IsOpenOnlyUnderTheGround) {
   const auto open = open_edges(bare(with_court(true), 0.02));
   EXPECT_EQ(open.size(), 9u);
   for (const auto& [edge, count] : open) {
@@ -67,20 +67,20 @@ TEST(Expand, IsOpenOnlyUnderTheGround) {
   }
 }
 
-TEST(Expand, HasTheVolumeOfAreaTimesHeight) {
+TEST(Generate, HasTheVolumeOfAreaTimesHeight) {
   const Building b = with_court(false);
   EXPECT_NEAR(volume_m3(bare(b, 0.02)), area_m2(b.footprint) * 15, 1e-6);
 }
 
-TEST(Expand, DropsWhatIsLowerThanTheTolerance) {
+TEST(Generate, DropsWhatIsLowerThanTheTolerance) {
   const GeneratedBuilding dropped = bare(with_court(true), 16);
   EXPECT_TRUE(dropped.meshes.empty());
   EXPECT_EQ(dropped.error_m, 15);
   EXPECT_EQ(bare(with_court(true), 12.5).error_m, 0);
 }
 
-// What rules put on a roof counts.
-TEST(Expand, DropsNothingWhoseChimneyStandsOut) {
+// Roof structures made by rules count.
+TEST(Generate, KeepsBuildingsWithHigherRoofStructures) {
   Building b = with_court(true);
   b.style = Style::kBarn;
   Rulebook rulebook;
@@ -92,7 +92,7 @@ TEST(Expand, DropsNothingWhoseChimneyStandsOut) {
   EXPECT_EQ(dropped.error_m, 19);
 }
 
-TEST(Expand, IsTotalOnCrossingFootprints) {
+TEST(Generate, IsTotalOnCrossingFootprints) {
   Building b = with_court(false);
   b.footprint = {{{0, 0}, {10, 10}, {10, 0}, {0, 14}}, {}};
   const GeneratedBuilding e = bare(b, 0.02);
@@ -120,8 +120,8 @@ TEST(WallTint, ShowsTheTaggedColour) {
   EXPECT_EQ(tint, wall_tint(b, 2));
 }
 
-// Rules are told the form of the roof, and build on it: it keeps its form under them.
-TEST(Expand, TellsRulesTheSameRoofOnEveryLevel) {
+// Rules read the form of the roof and build on it, so with rules the roof is not simplified to a flat one.
+TEST(Generate, PassesRulesTheSameRoofFormOnEveryLevel) {
   Building b = with_court(true);
   b.footprint = {{{0, 0}, {12, 0}, {12, 9}, {0, 9}}, {}};
   b.style = Style::kBarn;
@@ -129,14 +129,14 @@ TEST(Expand, TellsRulesTheSameRoofOnEveryLevel) {
   Rulebook rulebook;
   const auto program = grammars::read_rules_of(R"(
 attr roof = ""
-Building --> case roof == "gabled" : t(0, 20, 0) Told. else : Untold.
+Building --> case roof == "gabled" : t(0, 20, 0) Gabled. else : Other.
 )");
   ASSERT_TRUE(program) << to_string(program.error());
   rulebook.emplace(b.style, *program);
   double highest_m = 0;
   Report report;
-  for (const auto& dressed : generate(b, rulebook, {1}, 12.5, report).meshes)
-    for (const Vec3 p : dressed.mesh.positions) highest_m = std::max(highest_m, p.z);
+  for (const auto& part : generate(b, rulebook, {1}, 12.5, report).meshes)
+    for (const Vec3 p : part.mesh.positions) highest_m = std::max(highest_m, p.z);
   EXPECT_GT(highest_m, 30);
 }
 

@@ -18,7 +18,7 @@ Building house() {
   b.bottom_m = 98, b.floor_m = 100, b.top_m = 109;
   b.roof_shape.form = roofs::Form::kGabled, b.roof_shape.height_m = 3;
   b.levels = 2;
-  b.fronts.resize(4);
+  b.facade_edges.resize(4);
   return b;
 }
 
@@ -34,7 +34,7 @@ MassModel made(const Building& building, double tolerance_m = 0.02) {
   return mass_model_of(building, tolerance_m, report);
 }
 
-// Twice the area, as a vector: of what closes it is 0.
+// Twice the vector area, which is 0 for closed surfaces.
 Vec3 sum_of(const std::vector<Face>& faces) {
   Vec3 sum;
   for (const Face& face : faces) sum = sum + area_vector_m2(face);
@@ -60,10 +60,10 @@ TEST(MassModel, ClosesButForItsFloor) {
   }
 }
 
-TEST(MassModel, CountsWallsAsTheFootprintDoesWhateverTheRoof) {
+TEST(MassModel, HasWallsInTheOrderOfTheFootprintForEveryRoof) {
   Building b = house();
   b.footprint = {{{9, 0}, {12, 0}, {12, 9}, {0, 9}, {0, 4}, {9, 4}}, {{{10, 5}, {10, 6}, {11, 6}, {11, 5}}}};
-  b.fronts.resize(6);
+  b.facade_edges.resize(6);
   std::vector<Vec2> corners = b.footprint.outer;
   corners.insert(corners.end(), b.footprint.holes[0].begin(), b.footprint.holes[0].end());
   for (const roofs::Form form : {roofs::Form::kFlat, roofs::Form::kGabled, roofs::Form::kHipped})
@@ -75,22 +75,22 @@ TEST(MassModel, CountsWallsAsTheFootprintDoesWhateverTheRoof) {
     }
 }
 
-TEST(MassModel, TellsGablesFromWalls) {
+TEST(MassModel, DistinguishesGablesFromWalls) {
   const grammars::Shape shape = shape_of(house(), made(house()));
   EXPECT_NEAR(area_of(shape.faces, FaceTag::kVertical), 2 * 9 * 3 / 2.0, 1e-6);
   EXPECT_GT(area_of(shape.faces, FaceTag::kTop), 108);
 }
 
-TEST(MassModel, LeavesOutWhatANeighbourHides) {
+TEST(MassModel, OmitsHiddenPartyWalls) {
   Building b = house();
   b.party_walls = {{1, 0, 9, 130, true, false}};
   EXPECT_EQ(area_of(made(b).walls, FaceTag::kSide), (12 + 9 + 12) * 6);
   EXPECT_EQ(area_of(made(b).walls, FaceTag::kInside), 0);
-  // where levels may drop the neighbour it is there
+  // coarse levels, which may drop the neighbour, keep it
   EXPECT_EQ(area_of(made(b, 2).walls, FaceTag::kInside), 9 * 6);
 }
 
-TEST(MassModel, IsBlankOverALowerNeighbourAndWhereWallsAreNotOnePlane) {
+TEST(MassModel, HasBlindWallsAboveAndBesideNeighbours) {
   Building b = house();
   b.party_walls = {{1, 0, 9, 104, true, false}, {3, 3, 9, 130, false, false}};
   const MassModel mass = made(b);
@@ -98,7 +98,7 @@ TEST(MassModel, IsBlankOverALowerNeighbourAndWhereWallsAreNotOnePlane) {
   EXPECT_EQ(area_of(mass.walls, FaceTag::kSide), (12 + 12 + 3) * 6);
 }
 
-TEST(MassModel, OfAPartHasWindowsOverTheOther) {
+TEST(MassModel, HasWindowsAboveOtherPartsOfItsBuilding) {
   Building b = house();
   b.party_walls = {{1, 0, 9, 104, true, true}};
   EXPECT_EQ(area_of(made(b).walls, FaceTag::kSide), (12 + 9 + 12) * 6 + 9 * 2);
@@ -106,15 +106,15 @@ TEST(MassModel, OfAPartHasWindowsOverTheOther) {
 
 TEST(MassModel, StandsOnBuriedStoreys) {
   Building b = house();
-  b.fronts[2].buried_storeys = 1;
-  b.fronts[0].faces_street = true;
+  b.facade_edges[2].buried_storeys = 1;
+  b.facade_edges[0].faces_street = true;
   const MassModel mass = made(b);
   EXPECT_EQ(area_of(mass.walls, FaceTag::kSide), (9 + 12 + 9) * 6 + 12 * 3);
   EXPECT_EQ(area_of(mass.foundation, FaceTag::kSide), 2 * (12 + 9) * 2 + 12 * 3);
   for (const Face& wall : mass.walls) EXPECT_EQ(wall.street, wall.outer[0] == (Vec3{0, 0, 100}));
 }
 
-TEST(MassModel, OfWhatHangsInTheAirHasAnUnderside) {
+TEST(MassModel, HasAnUndersideIfLifted) {
   Building b = house();
   b.stands_on_ground = false, b.bottom_m = b.floor_m = 100;
   const MassModel mass = made(b);
@@ -124,7 +124,7 @@ TEST(MassModel, OfWhatHangsInTheAirHasAnUnderside) {
   EXPECT_NEAR(length(sum_of(all)), 0, 1e-6);
 }
 
-TEST(MassModel, MayBeARoofAlone) {
+TEST(MassModel, MayBeOnlyARoof) {
   Building b = house();
   b.stands_on_ground = false, b.bottom_m = b.floor_m = 106;
   EXPECT_TRUE(made(b).walls.empty());
@@ -141,8 +141,8 @@ TEST(MassModel, IsTotalOnAnyRing) {
   }
 }
 
-// A strip of a hand's breadth over a neighbour's roof, or beside it, is not worth a face.
-TEST(MassModel, HasNoNarrowStripsAboutPartyWalls) {
+// Strips of some centimetres above a neighbour's eaves, or beside it, are no faces of their own.
+TEST(MassModel, HasNoNarrowStripsAroundPartyWalls) {
   Building b = house();
   b.party_walls = {{1, 0.125, 8.875, 105.875, true, false}};
   const MassModel mass = made(b);
@@ -150,19 +150,18 @@ TEST(MassModel, HasNoNarrowStripsAboutPartyWalls) {
   EXPECT_EQ(area_of(mass.walls, FaceTag::kSide), (12 + 9 + 12) * 6);
 }
 
-// Rules work along the longest wall at a street, however long others are.
-TEST(MassModel, LiesAlongItsStreet) {
+// The longest wall that faces a street, even if others are longer.
+TEST(MassModel, HasItsScopeAlongTheStreet) {
   Building b = house();
-  b.fronts[1].faces_street = true;
+  b.facade_edges[1].faces_street = true;
   EXPECT_EQ(shape_of(b, made(b)).scope.axis[0], (Vec3{0, 1, 0}));
-  b.fronts[1].faces_street = false;
+  b.facade_edges[1].faces_street = false;
   EXPECT_EQ(std::abs(shape_of(b, made(b)).scope.axis[0].x), 1);
 }
 
-// Over its eaves stand no walls.
 TEST(MassModel, IsBuriedToItsEavesAtMost) {
   Building b = house();
-  for (FacadeEdge& front : b.fronts) front.buried_storeys = 3;
+  for (FacadeEdge& front : b.facade_edges) front.buried_storeys = 3;
   const MassModel mass = made(b);
   EXPECT_TRUE(mass.walls.empty());
   EXPECT_EQ(area_of(mass.foundation, FaceTag::kSide), 2 * (12 + 9) * 8);

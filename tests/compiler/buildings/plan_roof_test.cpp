@@ -25,7 +25,7 @@ map::Footprint told(Form form, double roof_m) {
   return f;
 }
 
-TEST(PlanRoof, TakesWhatIsTold) {
+TEST(PlanRoof, UsesTaggedFormAndHeight) {
   const roofs::RoofShape roof = plan_roof(told(Form::kMansard, 2.5), {});
   EXPECT_EQ(roof.form, Form::kMansard);
   EXPECT_EQ(roof.height_m, 2.5);
@@ -37,11 +37,11 @@ TEST(PlanRoof, NeverRisesHigherThanTheBuilding) {
   map::Footprint lifted = told(Form::kDome, 30);
   lifted.min_height_m = 6;
   EXPECT_EQ(plan_roof(lifted, {}).height_m, 2);
-  // and leaves room to stand where nobody told its height
+  // and leaves room for a storey if its height is not tagged
   EXPECT_LE(plan_roof(told(Form::kCone, 0), {}).height_m, 4);
 }
 
-TEST(PlanRoof, OfUntoldHeightHasItsFormsPitch) {
+TEST(PlanRoof, HasThePitchOfItsFormWithoutATaggedHeight) {
   map::Footprint f = told(Form::kGabled, 0);
   f.has_roof_in_height = false;
   f.roof.angle_deg = 45;
@@ -58,7 +58,7 @@ TEST(PlanRoof, GivesHousesPitchedRoofsAndBlocksFlatOnes) {
   EXPECT_EQ(plan_roof(part, {}).form, Form::kFlat);
 }
 
-TEST(PlanRoof, HasEavesToTheStreetInARow) {
+TEST(PlanRoof, HasItsRidgeAlongTheStreetInARow) {
   const roofs::RoofShape roof = plan_roof(of_class(BuildingClass::kHouse, 6, 12, 8), {true, Vec2{0, -1}});
   EXPECT_EQ(roof.form, Form::kGabled);
   ASSERT_TRUE(roof.direction);
@@ -76,12 +76,12 @@ TEST(PlanRoof, IsOnTheGrid) {
   }
 }
 
-TEST(PlanRoof, IsFlatWhereItWouldHardlyRise) {
+TEST(PlanRoof, IsFlatInsteadOfVeryLow) {
   EXPECT_EQ(plan_roof(told(Form::kGabled, 0.2), {}), roofs::RoofShape{});
   EXPECT_EQ(plan_roof(told(Form::kGabled, 0.25), {}).form, Form::kGabled);
 }
 
-TEST(PlanRoof, ForgetsWhatItsHeightWasDecidedFrom) {
+TEST(PlanRoof, HasNeitherAngleNorLevels) {
   map::Footprint f = told(Form::kGabled, 0);
   f.roof.levels = 1;
   EXPECT_EQ(plan_roof(f, {}).levels, 0);
@@ -95,7 +95,7 @@ TEST(PlanRoof, OfAttachedHousesIsAGable) {
   }
 }
 
-TEST(PlanRoof, LeavesRoomToStandUnderUntoldHeights) {
+TEST(PlanRoof, LeavesAStoreyBelowUntaggedRoofHeights) {
   map::Footprint f = of_class(BuildingClass::kHouse, 12, 9, 4);
   EXPECT_LE(plan_roof(f, {}).height_m, 4 - 2.25);
   f = of_class(BuildingClass::kHouse, 12, 9, 8);
@@ -109,7 +109,7 @@ TEST(PlanRoof, OfHallsIsLowAndOfWideOnesFlat) {
   EXPECT_EQ(plan_roof(of_class(BuildingClass::kHall, 80, 60, 30), {}).form, Form::kFlat);
 }
 
-TEST(PlanRoof, OfHutsIsAGableWhereAManStands) {
+TEST(PlanRoof, IsGabledOnLargerHutsAlone) {
   EXPECT_EQ(plan_roof(of_class(BuildingClass::kHut, 2, 3, 5), {}).form, Form::kFlat);
   EXPECT_EQ(plan_roof(of_class(BuildingClass::kHut, 5, 4, 5), {}).form, Form::kGabled);
 }

@@ -12,7 +12,7 @@ namespace {
 
 using materials::Material;
 
-// Rises to the east by one in four, 100 m at x = 0.
+// A plane that rises to the east by 1 : 4, 100 m at x = 0.
 map::Heightfield slope() {
   map::Heightfield field{{-64, -64}, {16, 16}, 17, 17, {}, 0};
   for (int j = 0; j < 17; ++j)
@@ -45,7 +45,7 @@ TEST(Plan, CountsHeightsFromTheLowestCorner) {
   EXPECT_TRUE(b[0].stands_on_ground);
 }
 
-TEST(Plan, LetsDownWhatNothingHoldsUp) {
+TEST(Plan, ExtendsUnsupportedBuildingsToTheGround) {
   Report report;
   map::Footprint hovering = block(1, 0, 0, 20, 18);
   hovering.min_height_m = 9;
@@ -121,11 +121,10 @@ TEST(Plan, DoesNotDependOnTheOrderOfFootprints) {
 
 TEST(Plan, PutsHeightsOnTheGrid) {
   Report report;
-  for (const Building& b :
-       plan(features_of({block(1, 0.3, 0.7, 8, 12.34567)}), ground::GradedTerrain(slope()), report)) {
-    EXPECT_EQ(b.top_m, snapped(b.top_m));
-    EXPECT_EQ(b.bottom_m, snapped(b.bottom_m));
-  }
+  const auto b = plan(features_of({block(1, 0.3, 0.7, 8, 12.34567)}), ground::GradedTerrain(slope()), report);
+  ASSERT_EQ(b.size(), 1u);
+  EXPECT_EQ(b[0].top_m, snapped(b[0].top_m));
+  EXPECT_EQ(b[0].bottom_m, snapped(b[0].bottom_m));
 }
 
 TEST(Plan, DropsWhatHasNoRing) {
@@ -136,7 +135,7 @@ TEST(Plan, DropsWhatHasNoRing) {
   EXPECT_TRUE(report.balances());
 }
 
-TEST(Dress, ClothesByClassAndSize) {
+TEST(BuildingMaterials, DependOnClassAndSize) {
   Report report;
   map::Footprint church = block(1, 0, 0, 20, 18), tower = block(2, 30, 0, 30, 90), hall = block(3, 0, 30, 40, 9),
                  house = block(4, 0, 60, 9, 7);
@@ -152,7 +151,7 @@ TEST(Dress, ClothesByClassAndSize) {
   EXPECT_EQ(b[3].roof, Material::kRoofTile);
 }
 
-TEST(Dress, TakesALighterMaterialForABrightColour) {
+TEST(BuildingMaterials, AreLighterForBrightColours) {
   Report report;
   map::Footprint f = block(1, 0, 0, 9, 7), glass = block(2, 20, 0, 9, 7);
   f.wall_material = Material::kBrick;

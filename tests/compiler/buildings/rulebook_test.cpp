@@ -18,10 +18,10 @@ std::vector<Style> all_styles() {
 TEST(Rulebook, ShipsARuleFileForEveryStyle) {
   const auto texts = rules_for(all_styles(), shipped_rules());
   ASSERT_TRUE(texts) << to_string(texts.error());
-  EXPECT_EQ(parse_rulebook(all_styles(), *texts).size(), all_styles().size() - 1);
+  EXPECT_EQ(parse_rulebook(*texts).size(), all_styles().size() - 1);
 }
 
-TEST(Rulebook, TakesWithARuleWhatItImports) {
+TEST(Rulebook, IncludesImportedFiles) {
   const std::vector<RuleText> available = {{"barn.cga", "import \"parts/a.cga\"\nBuilding --> A"},
                                            {"other.cga", "Building --> NIL"},
                                            {"parts/a.cga", "A --> NIL"}};
@@ -33,7 +33,7 @@ TEST(Rulebook, TakesWithARuleWhatItImports) {
   EXPECT_EQ((*texts)[1].name, "parts/a.cga");
 }
 
-TEST(Rulebook, SaysWhatIsWrongInOneLine) {
+TEST(Rulebook, ReportsErrorsInOneLine) {
   const std::vector<Style> barn = {Style::kBarn};
   const auto none = rules_for(barn, {});
   ASSERT_FALSE(none);
@@ -43,7 +43,7 @@ TEST(Rulebook, SaysWhatIsWrongInOneLine) {
   EXPECT_TRUE(to_string(bad.error()).starts_with("barn.cga:2:")) << to_string(bad.error());
 }
 
-TEST(Rulebook, TakesNoMoreThanIsNeededAndSortsIt) {
+TEST(Rulebook, ContainsOnlyNeededFilesSorted) {
   const std::vector<RuleText> available = {
       {"shop.cga", "Building --> NIL"}, {"garage.cga", "Building --> NIL"}, {"barn.cga", "Building --> NIL"}};
   const auto texts = rules_for(std::vector{Style::kShop, Style::kBarn}, available);
@@ -53,7 +53,7 @@ TEST(Rulebook, TakesNoMoreThanIsNeededAndSortsIt) {
   EXPECT_EQ((*texts)[1].name, "shop.cga");
 }
 
-TEST(Rulebook, KnowsTheStylesOfBuildingsSortedAndOnce) {
+TEST(Rulebook, ListsTheStylesOfBuildingsSortedAndUnique) {
   std::vector<Building> buildings(4);
   buildings[0].style = Style::kVilla, buildings[1].style = Style::kOldTownHouse, buildings[2].style = Style::kVilla;
   buildings[3].style = Style::kPlain;

@@ -1,5 +1,4 @@
-// The plain solids of buildings, as another tool's rules see them: what mass_model_of() makes before neighbours hide
-// walls and before rules work on it, with a floor, so that it closes.
+// Validates the mass models of buildings by the rules of val3dity: closed by a floor, without party walls.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -16,10 +15,10 @@ namespace {
 using grammars::Face;
 using val3dity::Codes;
 
-// No wall is left out or cut by what stands or lies before it, and there is a floor.
+// Without party walls and buried storeys, with a floor.
 Building alone(Building building) {
   building.party_walls.clear();
-  building.fronts.clear();
+  building.facade_edges.clear();
   building.stands_on_ground = false;
   return building;
 }
@@ -31,7 +30,7 @@ std::vector<Face> solid_of(const Building& building, double tolerance_m, Report&
   return faces;
 }
 
-// ---- the rules themselves, on a cube that is spoilt in each way
+// ---- the rules themselves, on cubes with one fault each
 
 std::vector<Face> cube(double low = 0, double high = 10) {
   const auto face = [](std::initializer_list<Vec3> ring) {
@@ -71,7 +70,7 @@ TEST(Val3dityRules, FindFaultsOfFaces) {
   EXPECT_TRUE(of_cube_with_top(kTop, {hole(2, 6), hole(2, 6)}).contains(202));
   EXPECT_TRUE(of_cube_with_top({{0, 0, 10}, {10, 0, 10}, {10, 10, 10.1}, {0, 10, 10}}).contains(203));
   EXPECT_TRUE(of_cube_with_top({{0, 0, 10}, {10, 0, 10}, {10, 10, 16}, {0, 10, 10}}).contains(204));
-  // from wall to wall, touching both in a point
+  // from wall to wall, with a common point on both
   EXPECT_TRUE(of_cube_with_top(kTop, {{{0, 5, 10}, {5, 8, 10}, {10, 5, 10}, {5, 2, 10}}}).contains(205));
   EXPECT_TRUE(of_cube_with_top(kTop, {hole(12, 14)}).contains(206));
   EXPECT_TRUE(of_cube_with_top(kTop, {hole(2, 8), hole(3, 5, 3, 5)}).contains(207));
@@ -97,7 +96,7 @@ TEST(Val3dityRules, FindFaultsOfShells) {
   EXPECT_EQ(val3dity::codes_of(inside_out), Codes{307});
 }
 
-// Two cubes on one corner, as vertices, and on one edge.
+// Two cubes with a common vertex, and with a common edge.
 TEST(Val3dityRules, FindBodiesThatTouchThemselves) {
   std::vector<Face> corner = cube(), edge = cube();
   for (const Face& face : cube(10, 20)) corner.push_back(face);
@@ -111,7 +110,7 @@ TEST(Val3dityRules, FindBodiesThatTouchThemselves) {
 
 // ---- footprints of tests
 
-// Only what a solid of one piece can stand on: rings that touch themselves or each other make edges of four walls.
+// Rings that touch themselves or each other would have edges with four walls.
 bool touches_itself(const Polygon& footprint) {
   std::vector<std::pair<Vec2, Vec2>> edges;
   const auto add = [&](const Ring& ring) {
@@ -119,7 +118,7 @@ bool touches_itself(const Polygon& footprint) {
   };
   add(footprint.outer);
   for (const Ring& ring : footprint.holes) add(ring);
-  // exact: coordinates are few bits long
+  // exact, since coordinates have few bits
   const auto lies_on = [](Vec2 p, Vec2 a, Vec2 b) {
     return cross(b - a, p - a) == 0 && dot(p - a, p - b) <= 0 && p != a && p != b;
   };
@@ -140,7 +139,7 @@ TEST(Solid, KeepsVal3ditysRulesOnMadeFootprints) {
       for (const double overhang_m : {0.0, 0.5})
         for (const double tolerance_m : {kFinest_m, kCoarser_m}) {
           if (touches_itself(footprint.polygon)) continue;
-          // a dome 25 cm wide ends in a triangle without area, which is no face
+          // a dome of 25 cm width ends in a triangle without area
           if (footprint.name == "sliver" && static_cast<roofs::Form>(form) == roofs::Form::kDome) continue;
           Building building;
           building.footprint = footprint.polygon;
@@ -163,8 +162,8 @@ struct Hard {
   Polygon footprint;
 };
 
-// Roof planes of w138590242 leave slivers that look away from each other's planes. A hole's corner of r1946699 lies
-// within a grid step of its neighbour's wall. Snapping lets a spike of w141220771 cross the wall beside it.
+// w138590242: slivers between roof planes. r1946699: a hole's vertex within a grid step of a wall. w141220771: snapping
+// moves a spike across the wall beside it.
 const Hard kHard[] = {
     {"w138590242",
      2.3798828125,
@@ -247,7 +246,7 @@ void add(const Building& planned, double tolerance_m, Tally& tally) {
   const Building building = alone(planned);
   const std::vector<Face> faces = solid_of(building, tolerance_m, report);
   tally.fallbacks += report.counts()[Code::kRoofFallback];
-  // diagnosed: over no area stands nothing
+  // diagnosed: footprints without area have no solid
   if (faces.empty() && report.counts()[Code::kRoofFallback] > 0) return;
   if (touches_itself(building.footprint)) {
     ++tally.touching;
@@ -263,7 +262,7 @@ void add(const Building& planned, double tolerance_m, Tally& tally) {
   std::printf("\n");
 }
 
-// Of large extracts some; all where CITYKILN_BUILDINGS says "all".
+// One in some buildings of large extracts, or all if CITYKILN_BUILDINGS is "all".
 std::size_t every_nth(std::size_t sampled) {
   const char* asked = std::getenv("CITYKILN_BUILDINGS");
   return asked != nullptr && std::string(asked) == "all" ? 1 : sampled;

@@ -18,14 +18,14 @@ std::vector<bool> sides(const std::vector<map::Track>& tracks) {
   return street_sides(rectangle(1, {0, 0}, 12, 10, 9).polygon, index_streets(tracks));
 }
 
-TEST(StreetSides, AreTheWallsWithAStreetBeforeThem) {
+TEST(StreetSides, AreTheEdgesThatFaceAStreet) {
   EXPECT_EQ(sides({street({{-50, -8}, {50, -8}})}), (std::vector{true, false, false, false}));
   // at a corner of two streets
   EXPECT_EQ(sides({street({{-50, -8}, {50, -8}}), street({{20, -50}, {20, 50}})}),
             (std::vector{true, true, false, false}));
 }
 
-TEST(StreetSides, AreNoneFarOffNorBehindTheHouse) {
+TEST(StreetSides, AreNoneForDistantStreets) {
   EXPECT_EQ(sides({street({{-50, -40}, {50, -40}})}), std::vector<bool>(4));
   EXPECT_EQ(sides({}), std::vector<bool>(4));
 }
@@ -37,14 +37,13 @@ TEST(StreetSides, AreNotAtRailsPathsTunnelsAndBridges) {
   for (const map::Track& track : {rail, tunnel, bridge}) EXPECT_EQ(sides({track}), std::vector<bool>(4));
 }
 
-TEST(StreetSides, AreNotCornersCutOff) {
+TEST(StreetSides, AreNotShortEdges) {
   const Polygon cut{{{0, 0}, {1, 0}, {12, 0.5}, {12, 10}, {0, 10}}, {}};
   EXPECT_EQ(street_sides(cut, index_streets(std::vector{street({{-50, -8}, {50, -8}})})),
             (std::vector{false, true, false, false, false}));
 }
 
-// What counts is the way to the kerb.
-TEST(StreetSides, AreAsFarFromWideStreets) {
+TEST(StreetSides, AreMeasuredFromTheKerb) {
   map::Track wide = street({{-50, -18}, {50, -18}});
   EXPECT_EQ(sides({wide}), std::vector<bool>(4));
   wide.section.lanes = {{map::LaneKind::kDriving, map::LaneDirection::kBoth, 12}};

@@ -16,6 +16,7 @@ namespace {
 
 using materials::Material;
 using materials::MaterialMesh;
+using materials::SurfaceMaterial;
 
 grammars::Derivation derived(const std::string& text) {
   const auto program = grammars::read_rules_of(text);
@@ -24,25 +25,25 @@ grammars::Derivation derived(const std::string& text) {
   return derive(*program, grammars::lot(footprint, 2, 0, StableId{1}, {0}), {});
 }
 
-double area_m2_of(const MaterialMesh& dressed) {
+double area_m2_of(const MaterialMesh& part) {
   double sum_m2 = 0;
-  const auto& p = dressed.mesh.positions;
-  for (const auto& [a, b, c] : dressed.mesh.triangles) sum_m2 += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
+  const auto& p = part.mesh.positions;
+  for (const auto& [a, b, c] : part.mesh.triangles) sum_m2 += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
   return sum_m2;
 }
 
 double volume_m3(std::span<const MaterialMesh> meshes) {
   double six = 0;
-  for (const MaterialMesh& dressed : meshes)
-    for (const auto& [a, b, c] : dressed.mesh.triangles) {
-      const auto& p = dressed.mesh.positions;
+  for (const MaterialMesh& part : meshes)
+    for (const auto& [a, b, c] : part.mesh.triangles) {
+      const auto& p = part.mesh.positions;
       six += dot(p[a], cross(p[b], p[c]));
     }
   return six / 6;
 }
 
-grammars::Look look_of(const char* name, double red, double green, double blue) {
-  grammars::Look look;
+grammars::Appearance look_of(const char* name, double red, double green, double blue) {
+  grammars::Appearance look;
   look.name = name, look.red = red, look.green = green, look.blue = blue;
   return look;
 }
@@ -53,13 +54,13 @@ Wall --> set(material.name, "brick") split(x) { { ~2 : Tile }* }
 Tile --> setback(0.4) { all : Frame. | remainder : set(material.name, "glass") color("#3c4a55") Pane. }
 )";
 
-TEST(MeshesOf, ClosesWhatTheRulesClose) {
+TEST(TerminalMeshes, AreClosedForAClosedShape) {
   const auto meshes = terminal_meshes(derived(kBlock), {OsmType::kWay, 7});
   EXPECT_NEAR(volume_m3(meshes), (12 * 5 + 5 * 4 - 9) * 6, 1e-9);
-  for (const MaterialMesh& dressed : meshes) EXPECT_EQ(dressed.feature, (OsmId{OsmType::kWay, 7}));
+  for (const MaterialMesh& part : meshes) EXPECT_EQ(part.feature, (OsmId{OsmType::kWay, 7}));
 }
 
-TEST(MeshesOf, AreOneAMaterialAndTint) {
+TEST(TerminalMeshes, AreOnePerMaterialAndTint) {
   const auto meshes = terminal_meshes(derived(kBlock), {});
   ASSERT_EQ(meshes.size(), 4u);
   for (std::size_t i = 1; i < meshes.size(); ++i)
@@ -70,16 +71,18 @@ TEST(MeshesOf, AreOneAMaterialAndTint) {
   EXPECT_EQ(meshes[3].material, Material::kGlass);
 }
 
-TEST(MeshesOf, UsesTheFacesOwnPoints) {
+TEST(TerminalMeshes, UseTheFacesOwnPoints) {
   const auto derivation = derived(kBlock);
   std::set<Vec3> own;
   for (const auto& terminal : derivation.terminals)
     for (const auto& face : terminal.faces) each_vertex(face, [&](Vec3 p) { own.insert(p); });
-  for (const MaterialMesh& dressed : terminal_meshes(derivation, {}))
-    for (const Vec3 p : dressed.mesh.positions) EXPECT_TRUE(own.contains(p));
+  const std::vector<MaterialMesh> meshes = terminal_meshes(derivation, {});
+  ASSERT_FALSE(meshes.empty());
+  for (const MaterialMesh& part : meshes)
+    for (const Vec3 p : part.mesh.positions) EXPECT_TRUE(own.contains(p));
 }
 
-// A wall under a ridge, an arrow, an L, a T and a spiral, from each of their corners on.
+// A wall under a ridge, an arrow, an L, a T and a spiral, starting at each of their corners.
 TEST(AddFace, FillsEveryRingWithItsTrianglesOnce) {
   const std::vector<Ring> rings = {{{0, 0}, {6, 0}, {6, 3}, {3, 3}, {0, 3}},
                                    {{0, 0}, {4, -2}, {2, 0}, {4, 2}},
@@ -120,29 +123,29 @@ TEST(AddFace, FillsEveryRingWithItsTrianglesOnce) {
     }
 }
 
-TEST(MeshesOf, LaysMetresOnTextures) {
+TEST(TerminalMeshes, HaveTextureCoordinatesInMetres) {
   int textured = 0;
-  for (const MaterialMesh& dressed : terminal_meshes(derived(kBlock), {})) {
-    const bool has_texture = materials::has_texture(dressed.material, 0);
-    EXPECT_EQ(dressed.uvs.size(), has_texture ? dressed.mesh.positions.size() : 0u);
+  for (const MaterialMesh& part : terminal_meshes(derived(kBlock), {})) {
+    const bool has_texture = materials::has_texture(part.material, 0);
+    EXPECT_EQ(part.uvs.size(), has_texture ? part.mesh.positions.size() : 0u);
     if (!has_texture) continue;
     ++textured;
-    for (const Triangle& t : dressed.mesh.triangles) {
-      const auto& p = dressed.mesh.positions;
-      EXPECT_NEAR(distance(dressed.uvs[t[0]], dressed.uvs[t[1]]), length(p[t[0]] - p[t[1]]), 0.006);
+    for (const Triangle& t : part.mesh.triangles) {
+      const auto& p = part.mesh.positions;
+      EXPECT_NEAR(distance(part.uvs[t[0]], part.uvs[t[1]]), length(p[t[0]] - p[t[1]]), 0.006);
       // a wall's height is told by v
-      if (dressed.material == Material::kBrick) {
-        EXPECT_NEAR(dressed.uvs[t[0]].y, p[t[0]].z, 0.002);
+      if (part.material == Material::kBrick) {
+        EXPECT_NEAR(part.uvs[t[0]].y, p[t[0]].z, 0.002);
       }
     }
-    for (const Vec2 uv : dressed.uvs)
+    for (const Vec2 uv : part.uvs)
       for (const double m : {uv.x, uv.y})
         EXPECT_EQ(m / materials::kTextureCoordinateStep_m, std::floor(m / materials::kTextureCoordinateStep_m));
   }
   EXPECT_EQ(textured, 2);
 }
 
-TEST(MeshesOf, IsTotalOnFacesThatAreNone) {
+TEST(TerminalMeshes, AreTotalForDegenerateFaces) {
   grammars::Derivation derivation;
   derivation.appearances.emplace_back();
   auto& faces = derivation.terminals.emplace_back().faces;
@@ -154,24 +157,24 @@ TEST(MeshesOf, IsTotalOnFacesThatAreNone) {
   EXPECT_LE(terminal_meshes(derivation, {}).size(), 1u);
 }
 
-TEST(DressOfLook, KnowsEveryMaterialByItsName) {
+TEST(SurfaceMaterialOf, FindsEveryMaterialByItsName) {
   for (const char* name : {"plaster", "brick", "stone", "timber", "concrete", "glass_facade", "metal_cladding",
                            "roof_tile", "slate", "flat_roof", "metal_roof", "painted_metal", "paint", "glass"})
     EXPECT_TRUE(materials::material_named(name)) << name;
-  EXPECT_EQ(dress_of(look_of("metal_roof", 1, 1, 1)).material, Material::kMetalRoof);
-  EXPECT_EQ(dress_of(look_of("nonsense", 1, 1, 1)).material, Material::kPlaster);
+  EXPECT_EQ(surface_material_of(look_of("metal_roof", 1, 1, 1)).material, Material::kMetalRoof);
+  EXPECT_EQ(surface_material_of(look_of("nonsense", 1, 1, 1)).material, Material::kPlaster);
   for (const char* name : {"", "Roof_tile", "roof_til", "roof_tiles", "rooftile", "_roof_tile", "roof__tile"})
     EXPECT_FALSE(materials::material_named(name)) << name;
 }
 
-TEST(DressOfLook, TakesPaintForColoursLighterThanTheMaterial) {
-  EXPECT_EQ(dress_of(look_of("brick", 0.35, 0.2, 0.15)).material, Material::kBrick);
-  EXPECT_EQ(dress_of(look_of("brick", 0.95, 0.9, 0.85)).material, Material::kPaint);
-  EXPECT_EQ(dress_of(look_of("glass", 0.95, 0.9, 0.85)).material, Material::kGlass);
+TEST(SurfaceMaterialOf, IsPaintForColoursLighterThanTheMaterial) {
+  EXPECT_EQ(surface_material_of(look_of("brick", 0.35, 0.2, 0.15)).material, Material::kBrick);
+  EXPECT_EQ(surface_material_of(look_of("brick", 0.95, 0.9, 0.85)).material, Material::kPaint);
+  EXPECT_EQ(surface_material_of(look_of("glass", 0.95, 0.9, 0.85)).material, Material::kGlass);
 }
 
-TEST(DressOfLook, LeavesMaterialsTheirOwnColourWhereNothingIsSet) {
-  EXPECT_EQ(dress_of(look_of("brick", 1, 1, 1)), (SurfaceMaterial{Material::kBrick, materials::kNoTint}));
+TEST(SurfaceMaterialOf, HasNoTintForTheDefaultColour) {
+  EXPECT_EQ(surface_material_of(look_of("brick", 1, 1, 1)), (SurfaceMaterial{Material::kBrick, materials::kNoTint}));
 }
 
 }  // namespace

@@ -21,62 +21,68 @@ map::Track path_along_y(double x) {
   return track;
 }
 
-TEST(HeldUp, WhatStandsOnTheGroundIs) {
-  EXPECT_EQ(find_supported(std::vector{block(0, 20, 0, 9)}, {}), std::vector{true});
+std::vector<bool> supported(const std::vector<map::Footprint>& footprints, const std::vector<map::Track>& tracks) {
+  return find_supported(footprints, shared_walls(footprints), tracks);
 }
 
-TEST(HeldUp, AnUpperStoreyNeedsALowerOne) {
+TEST(FindSupported, FootprintsOnTheGroundAre) {
+  EXPECT_EQ(supported(std::vector{block(0, 20, 0, 9)}, {}), std::vector{true});
+}
+
+TEST(FindSupported, AnUpperStoreyNeedsALowerOne) {
   const map::Footprint upper = block(0, 20, 9, 18);
-  EXPECT_EQ(find_supported(std::vector{upper}, {}), std::vector{false});
-  EXPECT_EQ(find_supported(std::vector{upper, block(0, 20, 0, 9)}, {}), (std::vector{true, true}));
+  EXPECT_EQ(supported(std::vector{upper}, {}), std::vector{false});
+  EXPECT_EQ(supported(std::vector{upper, block(0, 20, 0, 9)}, {}), (std::vector{true, true}));
   // storeys are guessed, but not by so much
-  EXPECT_EQ(find_supported(std::vector{upper, block(0, 20, 0, 6)}, {}), (std::vector{true, true}));
-  EXPECT_EQ(find_supported(std::vector{upper, block(0, 20, 0, 3)}, {}), (std::vector{false, true}));
+  EXPECT_EQ(supported(std::vector{upper, block(0, 20, 0, 6)}, {}), (std::vector{true, true}));
+  EXPECT_EQ(supported(std::vector{upper, block(0, 20, 0, 3)}, {}), (std::vector{false, true}));
 }
 
-TEST(HeldUp, AHallStandsOnThinColumns) {
+TEST(FindSupported, AHallStandsOnThinColumns) {
   map::Footprint column = block(9.3, 0.5, 0, 9);
   for (Vec2& p : column.polygon.outer) p.y += 9.3;
-  EXPECT_EQ(find_supported(std::vector{block(0, 20, 9, 11), column}, {}), (std::vector{true, true}));
+  EXPECT_EQ(supported(std::vector{block(0, 20, 9, 11), column}, {}), (std::vector{true, true}));
   // beside it
   for (Vec2& p : column.polygon.outer) p.y += 20;
-  EXPECT_EQ(find_supported(std::vector{block(0, 20, 9, 11), column}, {}), (std::vector{false, true}));
+  EXPECT_EQ(supported(std::vector{block(0, 20, 9, 11), column}, {}), (std::vector{false, true}));
 }
 
-TEST(HeldUp, OnlyABaseIsMadeUp) { EXPECT_EQ(find_supported(std::vector{block(0, 5, 37, 41)}, {}), std::vector{true}); }
+TEST(FindSupported, HighPartsMayFloat) {
+  EXPECT_EQ(supported(std::vector{block(0, 5, 37, 41)}, {}), std::vector{true});
+}
 
-TEST(HeldUp, OfAStackTheLowestHoldsTheOthers) {
+TEST(FindSupported, TheLowestOfAStackSupportsTheOthers) {
   const std::vector stack{block(0, 20, 9, 12), block(0, 18, 12, 15), block(0, 10, 15, 30)};
-  EXPECT_EQ(find_supported(stack, {}), (std::vector{false, true, true}));
+  EXPECT_EQ(supported(stack, {}), (std::vector{false, true, true}));
 }
 
-TEST(HeldUp, OutlinesThatPartsReplaceHoldNothing) {
+TEST(FindSupported, OutlinesWithPartsSupportNothing) {
   map::Footprint outline = block(0, 20, 0, 18);
   outline.has_parts = true;
-  EXPECT_EQ(find_supported(std::vector{block(0, 20, 9, 18), outline}, {}), (std::vector{false, true}));
+  EXPECT_EQ(supported(std::vector{block(0, 20, 9, 18), outline}, {}), (std::vector{false, true}));
 }
 
-TEST(HeldUp, OverAWayAnythingMayHover) {
+TEST(FindSupported, FootprintsOverAWayMayFloat) {
   const std::vector passage{block(0, 20, 4, 12)};
-  EXPECT_EQ(find_supported(passage, std::vector{path_along_y(10)}), std::vector{true});
-  EXPECT_EQ(find_supported(passage, std::vector{path_along_y(30)}), std::vector{false});
+  EXPECT_EQ(supported(passage, std::vector{path_along_y(10)}), std::vector{true});
+  EXPECT_EQ(supported(passage, std::vector{path_along_y(30)}), std::vector{false});
   map::Track metro = path_along_y(10);
   metro.passage = map::Passage::kTunnel;
-  EXPECT_EQ(find_supported(passage, std::vector{metro}), std::vector{false});
+  EXPECT_EQ(supported(passage, std::vector{metro}), std::vector{false});
 }
 
-TEST(HeldUp, ABridgeBetweenHousesHangsOnThem) {
+TEST(FindSupported, ABridgeBetweenHousesIsSupportedByThem) {
   // wall to wall, and no way below
   const std::vector houses{block(0, 20, 0, 15), block(20, 10, 6, 9), block(30, 20, 0, 15)};
-  EXPECT_EQ(find_supported(houses, {}), (std::vector{true, true, true}));
+  EXPECT_EQ(supported(houses, {}), (std::vector{true, true, true}));
   const std::vector hall{block(0, 20, 0, 15), block(20, 20, 6, 9)};
-  EXPECT_EQ(find_supported(hall, {}), (std::vector{true, false}));
+  EXPECT_EQ(supported(hall, {}), (std::vector{true, false}));
 }
 
-TEST(HeldUp, RoofsMayHover) {
+TEST(FindSupported, RoofsMayFloat) {
   map::Footprint roof = block(0, 20, 4, 5);
   roof.building_class = static_cast<std::uint8_t>(map::BuildingClass::kRoof);
-  EXPECT_EQ(find_supported(std::vector{roof}, {}), std::vector{true});
+  EXPECT_EQ(supported(std::vector{roof}, {}), std::vector{true});
 }
 
 }  // namespace

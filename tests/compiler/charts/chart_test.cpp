@@ -16,7 +16,7 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(Chart, IsATableAndAPictureWithEverySeries) {
+TEST(Chart, WritesEverySeriesAsTableAndPicture) {
   const ScratchFolder folder;
   const Chart chart{"chart",
                     "It's a title",
@@ -33,7 +33,7 @@ TEST(Chart, IsATableAndAPictureWithEverySeries) {
   if (!done) GTEST_SKIP() << to_string(done.error());
 }
 
-TEST(ChartOfThePlane, KeepsThePromiseOfThePlane) {
+TEST(ChartOfThePlane, ShowsTheErrorBoundOfThePlane) {
   // scale error at the rim: under 8 ppm within 25 km
   const Result<std::vector<Chart>> charts = chart_plane({});
   ASSERT_TRUE(charts);
@@ -51,7 +51,7 @@ TEST(ChartOfJunctions, AsksForMaps) {
   EXPECT_EQ(to_string(chart_junctions({}).error()), "chart junctions: needs maps (--map FILE)");
 }
 
-TEST(ChartOfRoofs, CountsFailuresAndTimeForEveryWay) {
+TEST(ChartOfRoofs, HasFailuresAndTimeOfEveryMethod) {
   ChartRequest request;
   request.maps = {CITYKILN_SOURCE "/tests/golden/crossing/map.osm"};
   const Result<std::vector<Chart>> charts = chart_roof(request);
@@ -105,7 +105,7 @@ TEST(ChartOfTerrain, AsksForAHeightmap) {
   EXPECT_EQ(to_string(chart_terrain({}).error()), "chart terrain: needs a heightmap (--dem FILE)");
 }
 
-TEST(ChartOfLsystems, CountsAsTheBookDoesAndMeshesInProportion) {
+TEST(ChartOfLsystems, CountsSymbolsLikeTheBookAndMeshesInProportion) {
   const Result<std::vector<Chart>> charts = chart_lsystem({});
   ASSERT_TRUE(charts);
   ASSERT_EQ(charts->size(), 3u);

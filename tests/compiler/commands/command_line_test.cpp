@@ -50,7 +50,7 @@ Outcome outcome_of(std::vector<const char*> words, Heard& heard) {
   return {exit, testing::internal::GetCapturedStderr()};
 }
 
-TEST(CommandLine, HandsValuesOverInOrder) {
+TEST(CommandLine, PassesValuesInOrder) {
   Heard heard;
   EXPECT_EQ(outcome_of({"listen", "a", "b", "-n", "1", "--number", "2", "--quiet"}, heard).exit, 0);
   EXPECT_EQ(heard.files, (std::vector<std::string>{"a", "b"}));
@@ -78,7 +78,7 @@ TEST(CommandLine, ErrorsAreOneLineThatNamesTheOption) {
   EXPECT_FALSE(heard.has_run);
 }
 
-TEST(CommandLine, ErrorsOfAVerbAreOneLineWhateverTheyHold) {
+TEST(CommandLine, PrintsErrorsWithLineBreaksAsOneLine) {
   Heard heard;
   const Outcome outcome = outcome_of({"listen", "absent"}, heard);
   EXPECT_EQ(outcome.exit, 1);
@@ -96,7 +96,7 @@ TEST(CommandLine, UnknownOptionsAndVerbsAreErrors) {
   }
 }
 
-TEST(CommandLine, ExitsAsTheVerbSays) {
+TEST(CommandLine, ReturnsTheExitCodeOfTheVerb) {
   Heard heard;
   EXPECT_EQ(outcome_of({"listen", "--strict"}, heard).exit, 2);
 }

@@ -40,12 +40,12 @@ TEST(GeoJson, RingsEndWhereTheyBegin) {
   EXPECT_NE(text.find(R"("id":"r8","part":1)"), std::string::npos) << text;
 }
 
-TEST(GeoJson, OfAnEmptyLayerIsAnEmptyCollection) {
+TEST(GeoJson, WritesAnEmptyCollectionForAnEmptyLayer) {
   const std::string text = geojson_of(*layer_of(map::Features{}, "areas"), map::Plane({10, 48}), {});
   EXPECT_EQ(text, "{\"type\":\"FeatureCollection\",\"attribution\":[],\"features\":[\n]}\n");
 }
 
-TEST(GeoJson, JunctionsAreNamedAfterTheirMainRoad) {
+TEST(GeoJson, JunctionsHaveTheIdOfTheirMainRoad) {
   map::Features features;
   for (const double y : {-50.0, 50.0}) {
     map::Track& track = features.tracks.emplace_back();

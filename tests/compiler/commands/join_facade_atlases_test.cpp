@@ -52,19 +52,19 @@ void expect_all_there(const std::vector<Atlas>& atlases) {
     }
 }
 
-TEST(JoinFacadeAtlases, EveryTexelIsThere) {
+TEST(JoinFacadeAtlases, ContainsEveryTexel) {
   expect_all_there({made_atlas(1, 0.5, 12, 20), made_atlas(2, 0.5, 30, 8)});
 }
 
-TEST(JoinFacadeAtlases, OfOtherTolerancesToo) {
+TEST(JoinFacadeAtlases, ContainsEveryTexelOfDifferentTolerances) {
   expect_all_there({made_atlas(1, 12.5, 12, 20), made_atlas(2, 0.5, 30, 8), Atlas{}, made_atlas(3, 2.5, 6, 6)});
 }
 
-TEST(JoinFacadeAtlases, HighOnesStandSideBySide) {
+TEST(JoinFacadeAtlases, PutsHighAtlasesSideBySide) {
   expect_all_there({made_atlas(1, 0.5, 4, 10000), made_atlas(2, 0.5, 8, 10000), made_atlas(3, 0.5, 2, 10)});
 }
 
-TEST(JoinFacadeAtlases, WhatIsTooMuchIsHalved) {
+TEST(JoinFacadeAtlases, HalvesWhatExceedsTheImageLimits) {
   std::vector<Atlas> atlases;
   for (int i = 0; i < 5; ++i) {
     const TextureImage grey{0.5, 4096, 4096,
@@ -79,7 +79,7 @@ TEST(JoinFacadeAtlases, WhatIsTooMuchIsHalved) {
   EXPECT_EQ(at(all.atlas.colour, all.places[4].at_m + Vec2{2047, 2047}), (TextureImage::Texel{60, 60, 60}));
 }
 
-TEST(JoinFacadeAtlases, OfNoneIsNone) { EXPECT_EQ(joined({Atlas{}, Atlas{}}).atlas, Atlas{}); }
+TEST(JoinFacadeAtlases, IsEmptyForNoAtlases) { EXPECT_EQ(joined({Atlas{}, Atlas{}}).atlas, Atlas{}); }
 
 }  // namespace
 }  // namespace citykiln::commands

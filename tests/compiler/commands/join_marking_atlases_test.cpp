@@ -33,7 +33,7 @@ TextureImage::Texel texel(const TextureImage& sheet, std::int64_t column, std::u
   return sheet.texels[row % sheet.rows * sheet.columns + static_cast<std::size_t>(column)];
 }
 
-TEST(JoinMarkingAtlases, EverySheetIsShownAtItsOffsetAndAGutterAround) {
+TEST(JoinMarkingAtlases, ShowsEveryAtlasAtItsOffsetWithAGutter) {
   const std::vector<TextureImage> sheets = {made(20, 6, 1), made(7, 4, 2), made(9, 12, 3)};
   const auto all = joined(sheets);
   ASSERT_TRUE(all);
@@ -50,14 +50,14 @@ TEST(JoinMarkingAtlases, EverySheetIsShownAtItsOffsetAndAGutterAround) {
   }
 }
 
-TEST(JoinMarkingAtlases, EqualOnesAreThereOnce) {
+TEST(JoinMarkingAtlases, StoresEqualAtlasesOnce) {
   const auto all = joined({made(20, 6, 1), made(20, 6, 1), made(20, 6, 1)});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet, made(20, 6, 1));
   EXPECT_EQ(all->offsets_m, (std::vector<double>{0, 0, 0}));
 }
 
-TEST(JoinMarkingAtlases, TilesWithoutOneTakeNoRoom) {
+TEST(JoinMarkingAtlases, GivesEmptyAtlasesNoSpace) {
   const auto all = joined({{}, made(20, 6, 1), {}});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet, made(20, 6, 1));
@@ -73,7 +73,7 @@ double mean_of(const TextureImage& sheet, std::uint32_t first, std::uint32_t cou
   return sum / count / sheet.rows;
 }
 
-TEST(JoinMarkingAtlases, FinerTexelsBecomeAsCoarseAsTheCoarsest) {
+TEST(JoinMarkingAtlases, ResamplesToTheCoarsestTexels) {
   const TextureImage fine = made(40, 24, 1, 0.25), coarse = made(20, 12, 2, 0.5);
   const auto all = joined({fine, coarse});
   ASSERT_TRUE(all);
@@ -84,13 +84,13 @@ TEST(JoinMarkingAtlases, FinerTexelsBecomeAsCoarseAsTheCoarsest) {
   EXPECT_EQ(all->offsets_m, (std::vector<double>{0, 14}));
 }
 
-TEST(JoinMarkingAtlases, MoreThanGraphicsCardsTakeAreDrawnCoarser) {
+TEST(JoinMarkingAtlases, ResamplesWhatExceedsTheImageLimits) {
   EXPECT_EQ(joined({made(8184, 2, 1), made(8192, 2, 2)})->sheet.rows, 2u);
   EXPECT_EQ(joined({made(8185, 2, 1), made(8192, 2, 2)})->sheet.rows, 1u);
   EXPECT_LE(joined({made(16000, 400, 1), made(16000, 400, 2)})->sheet.columns, materials::kMaxImageSide_px);
 }
 
-TEST(JoinMarkingAtlases, SheetsOfDifferentLengthsThatAreTooManyAreRefused) {
+TEST(JoinMarkingAtlases, RefusesDifferentLengthsThatDoNotFit) {
   EXPECT_FALSE(joined({made(1, 127, 1), made(1, 131, 2)}));
   EXPECT_FALSE(joined({made(8000, 90, 1), made(8000, 91, 2)}));
 }

@@ -44,7 +44,7 @@ TEST(JoinTiles, KeepsEveryVertexWhereItWas) {
   EXPECT_EQ(joined->plant_error_m, 0.8);
 }
 
-TEST(JoinTiles, KeepsWhoseEverythingIs) {
+TEST(JoinTiles, KeepsTheFeatureOfEveryTriangleAndInstance) {
   const std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0)};
   const Result<bake::BakedTile> joined = join_tiles(tiles);
   ASSERT_TRUE(joined);
@@ -53,7 +53,7 @@ TEST(JoinTiles, KeepsWhoseEverythingIs) {
   EXPECT_EQ(joined->instanced[0].features, (std::vector<std::uint32_t>{2, 1}));
 }
 
-TEST(JoinTiles, TellsShapesApartByWhatTheyAreCutOutBy) {
+TEST(JoinTiles, KeepsMeshesWithDifferentCutoutsApart) {
   std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0),
                        tile_at({2048, 0, 0}, way(4), 0)};
   const materials::TextureImage sheet{0.5, 1, 1, {{1, 2, 3}}};
@@ -101,7 +101,7 @@ bake::BakedTile marked_at(Vec3 origin, std::uint8_t grey) {
   return tile;
 }
 
-TEST(JoinTiles, EveryRoadShowsItsOwnTilesSheet) {
+TEST(JoinTiles, ShowsEveryRoadWithItsOwnMarkings) {
   const std::vector tiles = {marked_at({0, 0, 0}, 50), tile_at({1024, 0, 0}, way(3), 0), marked_at({2048, 0, 0}, 200)};
   const Result<bake::BakedTile> joined = join_tiles(tiles);
   ASSERT_TRUE(joined);
@@ -121,7 +121,7 @@ TEST(JoinTiles, EveryRoadShowsItsOwnTilesSheet) {
   EXPECT_EQ(shown(joined->instanced[2].primitives[1], 0), 200);
 }
 
-TEST(JoinTiles, KeepsPrimitivesSortedOneAKey) {
+TEST(JoinTiles, HasOnePrimitiveForEachKeySorted) {
   const std::vector tiles = {tile_at({1024, 0, 0}, way(3), 0), marked_at({0, 0, 0}, 50), marked_at({2048, 0, 0}, 50)};
   const Result<bake::BakedTile> joined = join_tiles(tiles);
   ASSERT_TRUE(joined);
@@ -130,7 +130,7 @@ TEST(JoinTiles, KeepsPrimitivesSortedOneAKey) {
   EXPECT_EQ(joined->sheet, tiles[1].sheet);
 }
 
-TEST(JoinTiles, OfPartsForAnEyeStatesTheFinestToleranceAndTheLargestPixelError) {
+TEST(JoinTiles, StatesTheFinestToleranceAndLargestPixelErrorOfAView) {
   std::vector parts = {tile_at({0, 0, 0}, way(5), 0.1), tile_at({0, 0, 0}, way(3), 0.2)};
   parts[1].tolerance_m = 0.05;
   for (bake::BakedTile& part : parts) part.viewpoint = bake::SeenFrom{{1, 2, 3}, 900, part.error_m * 4};
@@ -140,11 +140,11 @@ TEST(JoinTiles, OfPartsForAnEyeStatesTheFinestToleranceAndTheLargestPixelError) 
   EXPECT_EQ(joined->viewpoint, parts[1].viewpoint);
 }
 
-TEST(JoinTiles, RefusesWhatFloat32CannotHold) {
+TEST(JoinTiles, RefusesTilesBeyondFloat32Precision) {
   EXPECT_FALSE(join_tiles(std::vector{tile_at({0, 0, 0}, way(1), 0), tile_at({16384, 0, 0}, way(2), 0)}));
 }
 
-TEST(JoinTiles, OfOneIsThatOne) {
+TEST(JoinTiles, LeavesASingleTileUnchanged) {
   for (const bake::BakedTile& tile : {tile_at({1024, 0, 7}, way(5), 0.1), marked_at({1024, 0, 7}, 50)}) {
     const std::vector tiles = {tile};
     EXPECT_EQ(*join_tiles(tiles), tiles[0]);

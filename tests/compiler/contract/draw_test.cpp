@@ -25,7 +25,7 @@ TEST(Draw, NumbersAreEvenlySpread) {
   EXPECT_LT(chi2, 27.9);
 }
 
-TEST(Draw, ObjectsPurposesAndSeedsThrowTheirOwnDice) {
+TEST(Draw, ObjectsPurposesAndSeedsAreIndependent) {
   const StableId a = stable_id(ObjectId{{OsmType::kWay, 1}, 0}), b = stable_id(ObjectId{{OsmType::kNode, 1}, 0});
   EXPECT_NE(Draw(1, a, "x").unit(0), Draw(1, b, "x").unit(0));
   EXPECT_NE(Draw(1, a, "x").unit(0), Draw(1, a, "y").unit(0));

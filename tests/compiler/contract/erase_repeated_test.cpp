@@ -15,7 +15,7 @@ TEST(EraseRepeated, KeepsTheFirstOfEachRun) {
   EXPECT_EQ(all, (Pairs{{1, 'a'}, {2, 'c'}, {1, 'd'}}));
 }
 
-TEST(EraseRepeated, LeavesNothingAsItIs) {
+TEST(EraseRepeated, LeavesAnEmptyVectorUnchanged) {
   std::vector<int> none;
   erase_repeated(none, [](int i) { return i; });
   EXPECT_TRUE(none.empty());

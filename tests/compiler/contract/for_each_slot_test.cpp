@@ -11,7 +11,7 @@
 namespace citykiln {
 namespace {
 
-TEST(ForEachInOrder, TakesAllInOrderEachMadeBefore) {
+TEST(ForEachInOrder, TakesAllInOrderAfterMaking) {
   for (const int threads : {1, 2, 8}) {
     std::vector<int> made(500, 0);
     std::vector<std::size_t> taken;
@@ -28,7 +28,7 @@ TEST(ForEachInOrder, TakesAllInOrderEachMadeBefore) {
   }
 }
 
-TEST(ForEachInOrder, KeepsNoMoreWaitingThanItSays) {
+TEST(ForEachInOrder, LimitsIndicesInFlight) {
   constexpr int kThreads = 3;
   std::atomic<int> waiting = 0, most = 0;
   for_each_in_order(
@@ -48,7 +48,7 @@ TEST(ForEachInOrder, KeepsNoMoreWaitingThanItSays) {
   EXPECT_GT(most, kThreads);
 }
 
-TEST(DoBeside, DoesBothOnceWithLoopsInEach) {
+TEST(RunConcurrently, RunsBothOnce) {
   for (const int threads : {0, 1, 3}) {
     std::vector<int> work(300, 0), aside(300, 0);
     const auto fill = [&](std::vector<int>& slots) {
@@ -62,7 +62,7 @@ TEST(DoBeside, DoesBothOnceWithLoopsInEach) {
   }
 }
 
-TEST(ForEachInOrder, EndsWhereNoMoreIsTaken) {
+TEST(ForEachInOrder, EndsWhenTakeReturnsFalse) {
   std::size_t taken = 0;
   std::atomic<std::size_t> made = 0;
   for_each_in_order(

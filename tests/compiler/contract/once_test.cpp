@@ -19,18 +19,20 @@ bool meets(std::atomic<int>& here, int all) {
   return here >= all;
 }
 
-TEST(Once, MakesOnceWhoeverAsks) {
+TEST(Once, CallsOnceFromAnyThread) {
   for (const int threads : {1, 2, 8}) {
     Once once;
-    std::atomic<int> made = 0;
+    std::atomic<int> made = 0, calls = 0;
     for_each_index(100, threads, [&](std::size_t) {
       once.call([&] { ++made; });
       EXPECT_EQ(made, 1);
+      ++calls;
     });
+    EXPECT_EQ(calls, 100);
   }
 }
 
-TEST(Once, WhoeverWaitsHelps) {
+TEST(Once, WaitingThreadsHelp) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one processor";
   Once once;
   std::atomic<int> asking = 0, helping = 0;

@@ -5,7 +5,7 @@
 namespace citykiln {
 namespace {
 
-TEST(Report, AnAccountBalancesOnlyWhenNothingIsLostUnseen) {
+TEST(Report, AccountsBalanceOnlyIfAllLossesAreCounted) {
   Report report;
   Account& account = report.account("map", "track");
   account.in = 3, account.split = 1, account.out = 2, account.merged = 1;

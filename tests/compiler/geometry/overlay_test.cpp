@@ -55,7 +55,7 @@ std::vector<Ring> random_rings(std::mt19937& chance, int count) {
   return rings;
 }
 
-TEST_F(Overlay, GivesEveryOwnerWhatNobodyAboveItCovers) {
+TEST_F(Overlay, GivesEveryOwnerTheAreaNotCoveredByLowerNumbers) {
   std::mt19937 chance(5);
   for (int round = 0; round < 300; ++round) {
     const std::uint32_t owners = 1 + chance() % 5;
@@ -83,6 +83,7 @@ TEST_F(Overlay, GivesEveryOwnerWhatNobodyAboveItCovers) {
 
 TEST_F(Overlay, MakesValidPolygonsThatShareNoArea) {
   std::mt19937 chance(6);
+  std::size_t count = 0;
   for (int round = 0; round < 200; ++round) {
     const std::uint32_t owners = 1 + chance() % 4;
     std::vector<OwnedSegment> segments;
@@ -99,7 +100,9 @@ TEST_F(Overlay, MakesValidPolygonsThatShareNoArea) {
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         EXPECT_LT(area_of(Shape(GEOSIntersection(all[i].get(), all[j].get()))), 1e-9) << "round " << round;
+    count += all.size();
   }
+  EXPECT_GT(count, 200u);
 }
 
 TEST_F(Overlay, KeepsAHoleThatTouchesTheRim) {
@@ -117,7 +120,7 @@ TEST_F(Overlay, KeepsAHoleThatTouchesTheRim) {
   EXPECT_EQ(with_hole[1][0].holes.size(), 1u);
 }
 
-TEST_F(Overlay, OfNothingIsNothing) { EXPECT_TRUE(overlay({}, 2)[1].empty()); }
+TEST_F(Overlay, IsEmptyForNoSegments) { EXPECT_TRUE(overlay({}, 2)[1].empty()); }
 
 }  // namespace
 }  // namespace citykiln

@@ -8,7 +8,7 @@ namespace {
 const Polygon kLShape{{{0, 0}, {20, 0}, {20, 8}, {8, 8}, {8, 18}, {0, 18}}, {}};
 const Polygon kCourt{{{0, 0}, {26, 0}, {26, 22}, {0, 22}}, {{{8, 8}, {8, 14}, {18, 14}, {18, 8}}}};
 
-TEST(StraightSkeleton, HasAFaceAnEdgeThatCoverThePolygon) {
+TEST(StraightSkeleton, HasAFaceForEachEdgeAndCoversThePolygon) {
   for (const SkeletonKernel kernel : {SkeletonKernel::kInexact, SkeletonKernel::kExact})
     for (const Polygon& polygon : {kLShape, kCourt}) {
       const auto faces = straight_skeleton(polygon, kernel);
@@ -22,7 +22,9 @@ TEST(StraightSkeleton, HasAFaceAnEdgeThatCoverThePolygon) {
 }
 
 TEST(StraightSkeleton, StartsEachFaceWithItsEdge) {
-  for (const SkeletonFace& face : straight_skeleton(kCourt, SkeletonKernel::kInexact)) {
+  const std::vector<SkeletonFace> faces = straight_skeleton(kCourt, SkeletonKernel::kInexact);
+  ASSERT_EQ(faces.size(), 8u);
+  for (const SkeletonFace& face : faces) {
     const Ring& ring = face.ring_index == 0 ? kCourt.outer : kCourt.holes[face.ring_index - 1];
     EXPECT_EQ(face.ring[0], ring[face.edge]);
     EXPECT_EQ(face.ring[1], ring[(face.edge + 1) % ring.size()]);
@@ -30,7 +32,9 @@ TEST(StraightSkeleton, StartsEachFaceWithItsEdge) {
 }
 
 TEST(StraightSkeleton, KeepsFacesNearerToTheirEdgeThanToTheNext) {
-  for (const SkeletonFace& face : straight_skeleton(kLShape, SkeletonKernel::kExact)) {
+  const std::vector<SkeletonFace> faces = straight_skeleton(kLShape, SkeletonKernel::kExact);
+  ASSERT_EQ(faces.size(), 6u);
+  for (const SkeletonFace& face : faces) {
     const Ring& ring = kLShape.outer;
     const std::size_t n = ring.size();
     const auto inward = [&](std::size_t i, Vec2 p) {

@@ -6,6 +6,8 @@
 
 #include "compiler/ground/plan.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/resample.h"
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
 

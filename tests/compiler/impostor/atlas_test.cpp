@@ -38,7 +38,7 @@ At texel_at(const AtlasLayout& layout, std::size_t picture) {
           static_cast<std::size_t>(layout.at_m[picture].y / texel_m + 0.5)};
 }
 
-TEST(Atlas, EveryTexelIsOnIt) {
+TEST(Atlas, ContainsEveryTexel) {
   const std::vector<Picture> pictures = random_pictures(60, 13);
   const AtlasLayout layout = lay_out_atlas(pictures, 0.5);
   const auto& [colour, surface, emission, normal] = layout.atlas;
@@ -57,8 +57,8 @@ TEST(Atlas, EveryTexelIsOnIt) {
       }
 }
 
-// Coming forward along rows, a surface faces back along them; down columns, up.
-TEST(Atlas, HasNormalsWhereAnyPictureLeans) {
+// A surface that rises along rows has a normal against them; one that rises down columns, upwards.
+TEST(Atlas, HasNormalsIfAnyPictureHasSlopes) {
   std::vector<Picture> pictures = random_pictures(3, 5);
   const auto one = static_cast<std::int16_t>(1 / kSlopeUnit);
   pictures[1].texels[0].slope = {one, 0}, pictures[2].texels[0].slope = {0, one};
@@ -74,8 +74,8 @@ TEST(Atlas, HasNormalsWhereAnyPictureLeans) {
   EXPECT_EQ(first_of(2), (materials::TextureImage::Texel{128, 218, 218}));
 }
 
-// By day nothing is spent on it.
-TEST(Atlas, HasEmissionWhereAnyPictureShines) {
+// By day there is no emission image.
+TEST(Atlas, HasEmissionIfAnyPictureEmitsLight) {
   std::vector<Picture> pictures = random_pictures(20, 6);
   pictures[7].texels[0].emission = {65535, 30000, 0};
   const AtlasLayout layout = lay_out_atlas(pictures, 0.5);
@@ -89,7 +89,7 @@ TEST(Atlas, HasEmissionWhereAnyPictureShines) {
 }
 
 // Blocks of two by two texels are the texels of the next mip level.
-TEST(Atlas, TheNextMipLevelMixesNoTwoPictures) {
+TEST(Atlas, MixesNoTwoPicturesInTheNextMipLevel) {
   const std::vector<Picture> pictures = random_pictures(80, 9);
   const AtlasLayout layout = lay_out_atlas(pictures, 1);
   const std::size_t columns = layout.atlas.colour.columns, rows = layout.atlas.colour.rows;
@@ -107,10 +107,12 @@ TEST(Atlas, TheNextMipLevelMixesNoTwoPictures) {
   }
 }
 
-TEST(Atlas, FramesRepeatTheOutermostTexels) {
+TEST(Atlas, RepeatsTheOutermostTexelsInFrames) {
   const std::vector<Picture> pictures = {random_picture(7, 6)};
   const AtlasLayout layout = lay_out_atlas(pictures, 1);
   const auto& colour = layout.atlas.colour;
+  ASSERT_EQ(colour.texels.size(), std::size_t{colour.columns} * colour.rows);
+  ASSERT_GE(colour.rows, pictures[0].rows + 2);
   const auto at = [&](std::size_t x, std::size_t y) { return colour.texels[y * colour.columns + x]; };
   for (std::size_t y = 1; y <= pictures[0].rows; ++y) {
     EXPECT_EQ(at(0, y), at(1, y));
@@ -118,7 +120,7 @@ TEST(Atlas, FramesRepeatTheOutermostTexels) {
   }
 }
 
-TEST(Atlas, EqualPicturesShareAPlace) {
+TEST(Atlas, StoresEqualPicturesOnce) {
   std::vector<Picture> pictures = random_pictures(10, 9);
   const AtlasLayout once = lay_out_atlas(pictures, 1);
   for (std::size_t i = 0; i < 10; ++i) pictures.push_back(pictures[i]);
@@ -127,7 +129,7 @@ TEST(Atlas, EqualPicturesShareAPlace) {
   for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(twice.at_m[i], twice.at_m[i + 10]);
 }
 
-TEST(Atlas, TexelsGrowByDoublingUntilTheBudgetHolds) {
+TEST(Atlas, DoublesTexelsUntilTheBudgetHolds) {
   std::vector<Picture> pictures;
   for (std::uint32_t i = 0; i < 24; ++i) {
     pictures.push_back({1000, 1000, std::vector<Texel>(1000000)});
@@ -140,7 +142,7 @@ TEST(Atlas, TexelsGrowByDoublingUntilTheBudgetHolds) {
   EXPECT_TRUE(doublings == 2 || doublings == 4 || doublings == 8);
 }
 
-TEST(Atlas, MostOfItIsPictures) {
+TEST(Atlas, IsMostlyPictures) {
   const std::vector<Picture> pictures = random_pictures(300, 60);
   std::uint64_t texels = 0;
   for (const Picture& p : pictures) texels += p.texels.size();

@@ -8,7 +8,7 @@
 namespace citykiln::impostor {
 namespace {
 
-// Texels of which each shows so many samples as dice say.
+// Texels with random numbers of covered samples.
 Picture chance_picture(std::uint32_t columns, std::uint32_t rows, std::uint32_t seed) {
   std::mt19937 dice(seed);
   Picture picture{columns, rows, {}};
@@ -20,7 +20,7 @@ Picture chance_picture(std::uint32_t columns, std::uint32_t rows, std::uint32_t 
   return picture;
 }
 
-TEST(Cutout, IsThereAsMuchAsSamplesSay) {
+TEST(Cutout, IsOpaqueWhereSamplesAreCovered) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Picture picture = chance_picture(40, 30, seed);
     const Cutout cutout = lay_out_cutout({picture}, 0.25).cutout;
@@ -34,7 +34,7 @@ TEST(Cutout, IsThereAsMuchAsSamplesSay) {
 TEST(Cutout, HasNoDarkRim) {
   const Cutout cutout = lay_out_cutout({chance_picture(12, 9, 1), chance_picture(5, 20, 2)}, 0.1).cutout;
   ASSERT_EQ(cutout.opacity.size(), cutout.colour.texels.size());
-  // what pictures are framed with and what shows nothing has their colour; only the sheet's unused rest is black
+  // frames and uncovered texels have the picture's colour; only the unused rest of the atlas is black
   for (std::size_t i = 0; i < cutout.opacity.size(); ++i) {
     if (cutout.opacity[i] > 0) {
       EXPECT_GT(cutout.colour.texels[i][1], 100);
@@ -42,7 +42,7 @@ TEST(Cutout, HasNoDarkRim) {
   }
 }
 
-TEST(Cutout, HasPicturesWhereItSays) {
+TEST(Cutout, HasPicturesAtTheirPositions) {
   const Picture full{3, 2, std::vector<Texel>(6, Texel{{65535, 0, 0}, 255, 0, kSamplesPerTexel})};
   const CutoutLayout layout = lay_out_cutout({full, chance_picture(7, 7, 3)}, 0.5);
   const auto column = static_cast<std::size_t>(layout.at_m[0].x / 0.5),
@@ -53,7 +53,7 @@ TEST(Cutout, HasPicturesWhereItSays) {
       EXPECT_GE(layout.cutout.opacity[at], kAlphaCutoff);
       EXPECT_EQ(layout.cutout.colour.texels[at], (materials::TextureImage::Texel{255, 0, 0}));
     }
-  // and nothing beside it
+  // and transparent texels beside it
   EXPECT_EQ(layout.cutout.opacity[(row + 0) * layout.cutout.colour.columns + column - 1], 0);
 }
 

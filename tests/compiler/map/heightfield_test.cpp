@@ -10,7 +10,7 @@
 namespace citykiln::map {
 namespace {
 
-// Hills without chance.
+// Deterministic hills.
 Heightfield hills(int columns, int rows) {
   Heightfield field{{-64, 32}, {16, 16}, columns, rows, {}, 0};
   for (int j = 0; j < rows; ++j)
@@ -74,7 +74,7 @@ TEST(Heightfield, WindowHasTheSameHeightsAndNormals) {
 }
 
 // Steps that are no powers of two: what is divided is never the distance to where the field begins.
-TEST(Heightfield, WhereItBeginsChangesNoBit) {
+TEST(Heightfield, HeightsDoNotDependOnWhereTheFieldBegins) {
   for (const Vec2 step_m : {Vec2{68, 92}, {13.5, 11}, {1.875, 1.125}, {120, 104}}) {
     Heightfield field = hills(90, 70);
     field.min = {-31 * step_m.x, 17 * step_m.y}, field.step_m = step_m;
@@ -98,7 +98,7 @@ TEST(Heightfield, WhereItBeginsChangesNoBit) {
   }
 }
 
-TEST(Heightfield, TheRectangleHoldsThePoint) {
+TEST(Heightfield, TheCellHoldsThePoint) {
   Heightfield field = hills(40, 30);
   field.min = {-21 * 1.875, 5 * 92.0}, field.step_m = {1.875, 92};
   const Box2 box = field.box();

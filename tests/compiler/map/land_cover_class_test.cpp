@@ -22,7 +22,7 @@ TEST(LandCoverClass, KnowsAtLeast42KindsOfAreaIn12Groups) {
   EXPECT_EQ(groups.size(), 12u);
 }
 
-TEST(LandCoverClass, UnknownComesFirstAndYieldsToAll) {
+TEST(LandCoverClass, UnknownIsFirstAndHasTheLowestPriority) {
   EXPECT_EQ(static_cast<int>(LandCoverClass::kUnknown), 0);
   for (std::size_t i = 1; i < kCount; ++i)
     EXPECT_GT(values_of(static_cast<LandCoverClass>(i)).priority, values_of(LandCoverClass::kUnknown).priority);
@@ -34,7 +34,7 @@ TEST(LandCoverClass, NamesAreUnique) {
     EXPECT_TRUE(names.insert(values_of(static_cast<LandCoverClass>(i)).name).second);
 }
 
-TEST(LandCoverClass, WhatStandsOnTopWins) {
+TEST(LandCoverClass, HigherObjectsHaveHigherPriority) {
   const auto priority = [](LandCoverClass surface) { return values_of(surface).priority; };
   const LandCoverClass upwards[] = {LandCoverClass::kSea,         LandCoverClass::kResidential,
                                     LandCoverClass::kForest,      LandCoverClass::kLake,

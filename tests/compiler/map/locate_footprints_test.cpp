@@ -43,7 +43,7 @@ TEST(LocateFootprints, HeightComesFromTagsElseLevelsElseClass) {
   }
 }
 
-TEST(LocateFootprints, EveryOneIsHigherThanItsFoot) {
+TEST(LocateFootprints, HeightExceedsMinHeight) {
   for (const char* tags : {"building=yes height=5 min_height=5", "building=yes height=5 min_height=9",
                            "building=yes height=-3", "building=yes height=0", "building=yes building:levels=0",
                            "building=yes height=1e9", "building:part=yes height=0.1 min_height=0.0999",
@@ -129,7 +129,7 @@ TEST(LocateFootprints, AMultipolygonIsOneFootprintAPolygonWithHoles) {
   EXPECT_TRUE(report.balances());
 }
 
-TEST(LocateFootprints, WhatSaysNoIsNoBuilding) {
+TEST(LocateFootprints, BuildingNoIsNoBuilding) {
   EXPECT_TRUE(features_of("a1 0:0 12:0 12:9 building=no").footprints.empty());
   EXPECT_TRUE(features_of("a1 0:0 12:0 12:9 building=yes location=underground").footprints.empty());
 }

@@ -184,7 +184,7 @@ inline std::string text_of(const Features& f) {
                         line(b.axis));
   for (const PointFeature& p : f.points)
     text += fmt::format("point {} {} {:a}:{:a} {:a} {}\n", id(p.id), static_cast<int>(p.kind), p.at.x, p.at.y,
-                        p.height_m, static_cast<int>(p.growth.leaves));
+                        p.height_m, static_cast<int>(p.plant_tags.leaves));
   return text;
 }
 

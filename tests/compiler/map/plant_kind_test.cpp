@@ -11,7 +11,7 @@ namespace {
 TEST(KindNamed, KnowsGenusSpeciesAndCommonNames) {
   const std::pair<const char*, PlantKind> names[] = {{"Tilia", PlantKind::kLime},
                                                      {"Tilia cordata", PlantKind::kLime},
-                                                     {"Prunus avium", PlantKind::kFruitTree},
+                                                     {"Prunus avium", PlantKind::kApple},
                                                      {"BETULA", PlantKind::kBirch},
                                                      {"Winterlinde", PlantKind::kLime},
                                                      {"Amerikanische Linde", PlantKind::kLime},
@@ -22,14 +22,14 @@ TEST(KindNamed, KnowsGenusSpeciesAndCommonNames) {
                                                      {"Hainbuche", PlantKind::kBeech},
                                                      {"Eberesche", PlantKind::kMaple},
                                                      {"Gemeine Esche", PlantKind::kMaple},
-                                                     {"Kirsche", PlantKind::kFruitTree},
+                                                     {"Kirsche", PlantKind::kApple},
                                                      {"Pappel", PlantKind::kPoplar},
-                                                     {"Mangueira (Mangifera indica)", PlantKind::kFruitTree},
+                                                     {"Mangueira (Mangifera indica)", PlantKind::kApple},
                                                      {"\u00c9rable sycomore", PlantKind::kMaple},
                                                      {"alzina", PlantKind::kOak},
-                                                     {"apple_trees", PlantKind::kFruitTree},
+                                                     {"apple_trees", PlantKind::kApple},
                                                      {"grape", PlantKind::kVine},
-                                                     {"wheat;maize", PlantKind::kGrain}};
+                                                     {"wheat;maize", PlantKind::kWheat}};
   for (const auto& [name, kind] : names) EXPECT_EQ(kind_named(name), kind) << name;
 }
 
@@ -48,13 +48,13 @@ TEST(PlantTags, OfTreesIsTaxonLeavesAndSize) {
     n5 8:4 natural=tree species:de=Spitzahorn type=conifer)",
                                  report);
   ASSERT_EQ(f.points.size(), 5u);
-  const auto growth = [&](std::size_t i) { return f.points[i].growth; };
-  EXPECT_EQ(growth(0), (PlantTags{PlantKind::kOak, LeafType::kUnknown, 12, 2.1, 1955}));
-  EXPECT_EQ(growth(1), (PlantTags{PlantKind::kUnknown, LeafType::kNeedle}));
-  EXPECT_EQ(growth(2).kind, PlantKind::kBush);
-  EXPECT_EQ(growth(3).girth_m, 0.85);
+  const auto tags_of = [&](std::size_t i) { return f.points[i].plant_tags; };
+  EXPECT_EQ(tags_of(0), (PlantTags{PlantKind::kOak, LeafType::kUnknown, 12, 2.1, 1955}));
+  EXPECT_EQ(tags_of(1), (PlantTags{PlantKind::kUnknown, LeafType::kNeedle}));
+  EXPECT_EQ(tags_of(2).kind, PlantKind::kBush);
+  EXPECT_EQ(tags_of(3).girth_m, 0.85);
   EXPECT_EQ(f.points[3].height_m, 7);
-  EXPECT_EQ(growth(4), (PlantTags{PlantKind::kMaple, LeafType::kNeedle}));
+  EXPECT_EQ(tags_of(4), (PlantTags{PlantKind::kMaple, LeafType::kNeedle}));
   EXPECT_TRUE(report.balances());
 }
 
@@ -66,11 +66,11 @@ TEST(PlantTags, OfAreasIsTreesCropAndLeaves) {
     r4 0:0 90:0 90:90 0:90 natural=wood wood=deciduous
     r5 0:0 90:0 90:90 0:90 landuse=residential crop=maize)");
   ASSERT_EQ(f.areas.size(), 5u);
-  EXPECT_EQ(f.areas[0].growth.kind, PlantKind::kFruitTree);
-  EXPECT_EQ(f.areas[1].growth.kind, PlantKind::kMaize);
+  EXPECT_EQ(f.areas[0].plant_tags.kind, PlantKind::kApple);
+  EXPECT_EQ(f.areas[1].plant_tags.kind, PlantKind::kMaize);
   EXPECT_EQ(f.areas[2].surface, LandCoverClass::kNeedleLeavedForest);
   EXPECT_EQ(f.areas[3].surface, LandCoverClass::kBroadLeavedForest);
-  EXPECT_EQ(f.areas[4].growth, PlantTags{});
+  EXPECT_EQ(f.areas[4].plant_tags, PlantTags{});
 }
 
 TEST(PlantTags, OfRowsPowerLinesAndStreetsIsRead) {
@@ -85,7 +85,7 @@ TEST(PlantTags, OfRowsPowerLinesAndStreetsIsRead) {
     w7 0:40 90:40 highway=residential tree_lined=separate)",
                                  report);
   ASSERT_EQ(f.tree_rows.size(), 1u);
-  EXPECT_EQ(f.tree_rows[0].growth.kind, PlantKind::kPoplar);
+  EXPECT_EQ(f.tree_rows[0].plant_tags.kind, PlantKind::kPoplar);
   EXPECT_EQ(f.tree_rows[0].spacing_m, 6);
   EXPECT_EQ(f.tree_rows[0].height_m, 20);
   ASSERT_EQ(f.power_lines.size(), 1u);

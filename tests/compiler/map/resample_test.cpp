@@ -1,3 +1,5 @@
+#include "compiler/map/resample.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

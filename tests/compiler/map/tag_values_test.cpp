@@ -19,7 +19,7 @@ TEST(TagValues, LengthsComeInMetresFeetAndInches) {
   }
 }
 
-TEST(TagValues, WhatIsNoLengthIsNothing) {
+TEST(TagValues, InvalidLengthsGiveNothing) {
   for (const char* text : {"", "high", "m", "12 stories", "nan", "inf", "1.2.3", "--5", "99999999", "1e1", "1e999",
                            "12-15", "'", "~10", "3 x 4", ";", "٣"})
     EXPECT_FALSE(length_m_of(text)) << text;
@@ -61,7 +61,7 @@ TEST(TagValues, YearsAreReadAsTheyAreWritten) {
   for (const char* text : {"", "old", "12", "99999", "C99", "C", "1899999999999"}) EXPECT_FALSE(year_of(text)) << text;
 }
 
-TEST(TagValues, EverythingButNoSaysYes) {
+TEST(TagValues, EveryValueExceptNoIsYes) {
   for (const char* text : {"yes", "1", "true", "-1", "viaduct"}) EXPECT_TRUE(says_yes(text)) << text;
   for (const char* text : {"", "no", "0", "false"}) EXPECT_FALSE(says_yes(text)) << text;
 }

@@ -33,7 +33,7 @@ std::string of_node(const std::string& tags) {
   return points_in("n9 10:0 " + tags + "\nw1 0:0 10:0 20:0 highway=residential");
 }
 
-TEST(TrackPoints, NodesSayWhatTheirTagsSay) {
+TEST(TrackPoints, FollowFromTheTagsOfNodes) {
   const struct {
     const char *tags, *points;
   } cases[] = {
@@ -95,7 +95,7 @@ TEST(TrackPoints, BelongToEveryTrackThroughTheNode) {
   EXPECT_EQ(points_in(text, 1), "2level");
 }
 
-TEST(TrackPoints, NodesThatSnapTogetherKeepWhatBothSay) {
+TEST(TrackPoints, NodesThatSnapTogetherKeepBothMarks) {
   // 3 mm apart: one vertex of the plane's grid, two places of OSM's
   source::OsmData osm =
       extract("w1 0:0 10:0 11:0 20:0 highway=residential\nn8 10:0 highway=stop\nn9 11:0 highway=crossing");
@@ -109,7 +109,7 @@ TEST(TrackPoints, NodesThatSnapTogetherKeepWhatBothSay) {
   EXPECT_EQ(text_of(features.tracks[0]), "1crossing 1stop");
 }
 
-TEST(TrackPoints, ClosedWaysSayTheirFirstNodeOnce) {
+TEST(TrackPoints, ClosedWaysHaveTheirFirstNodeOnce) {
   EXPECT_EQ(points_in("n1 0:0 highway=stop\nn2 9:9 highway=stop\nw1 0:0 9:0 9:9 0:9 0:0 highway=residential"),
             "0stop 2stop");
   EXPECT_EQ(points_in("n1 9:0 highway=stop\nw1 0:0 9:0 9:9 0:9 9:0 -5:-5 highway=residential"), "1stop 4stop");

@@ -17,7 +17,7 @@ double sum_of(const Coverage& cover) {
   return sum;
 }
 
-// Star-shaped about a point, so simple.
+// Star-shaped around a point, and therefore simple.
 Ring random_star(std::mt19937& random, Vec2 middle, double reach_m) {
   std::uniform_real_distribution<double> unit(0, 1);
   const int corners = 3 + static_cast<int>(unit(random) * 9);
@@ -47,6 +47,7 @@ TEST(Coverage, IsTheSameEitherWayRound) {
     const Coverage there = coverage_of(ring, 0.3, 40, {0, 40});
     std::reverse(ring.begin(), ring.end());
     const Coverage back = coverage_of(ring, 0.3, 40, {0, 40});
+    ASSERT_FALSE(there.share.empty());
     ASSERT_EQ(there.share.size(), back.share.size());
     for (std::size_t k = 0; k < there.share.size(); ++k) EXPECT_NEAR(there.share[k], back.share[k], 1e-12);
   }
@@ -63,7 +64,7 @@ TEST(Coverage, IsEachTexelsShare) {
   EXPECT_DOUBLE_EQ(cover.share[cover.columns + 1], 0);
 }
 
-TEST(Coverage, IsCutAtItsColumns) {
+TEST(Coverage, IsClippedToItsColumns) {
   const Coverage cover = coverage_of({{-5, 0}, {20, 0}, {20, 1}, {-5, 1}}, 1, 4, {3, 7});
   EXPECT_EQ(cover.first_column, 3u);
   EXPECT_EQ(cover.columns, 4u);
@@ -79,13 +80,13 @@ TEST(Coverage, WrapsAlong) {
 }
 
 TEST(Coverage, IsNeverMoreThanOne) {
-  // three times around the sheet
+  // three times around the image
   const Coverage cover = coverage_of({{0, 0}, {1, 0}, {1, 37}, {0, 37}}, 1, 12, {0, 1});
   EXPECT_EQ(cover.rows, 12u);
   for (const double share : cover.share) EXPECT_DOUBLE_EQ(share, 1);
 }
 
-TEST(Coverage, OfWhatIsNoRingIsNothing) {
+TEST(Coverage, IsEmptyForInvalidRings) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(coverage_of({}, 1, 4, {0, 4}).share.empty());
   EXPECT_TRUE(coverage_of({{0, 0}, {1, 1}}, 1, 4, {0, 4}).share.empty());

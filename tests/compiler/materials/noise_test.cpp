@@ -34,10 +34,11 @@ TEST(GradientNoise, RepeatsWithoutASeam) {
   }
 }
 
-TEST(GradientNoise, HasItsMeanNearNothing) {
+TEST(GradientNoise, HasAMeanNearZero) {
   for (std::uint64_t key = 0; key < 20; ++key) {
     double sum = 0;
     const Field field = gradient_noise(64, {16, 16}, key);
+    ASSERT_EQ(field.values.size(), 64u * 64u);
     for (const float v : field.values) {
       sum += v;
       EXPECT_LT(std::abs(v), 1.5f);
@@ -46,8 +47,8 @@ TEST(GradientNoise, HasItsMeanNearNothing) {
   }
 }
 
-TEST(Cells, OfAnEdgeOnTheSquaresSideAreWholeOnTheOther) {
-  // a cell that is cut by the side has one chance on both
+TEST(Cells, ContinueAcrossTheSquaresSides) {
+  // a cell that crosses the side has the same number on both
   const Cells all = cells(128, 4, 3);
   int same = 0;
   for (std::uint32_t i = 0; i < 128; ++i) same += all.chance.at(127, i) == all.chance.at(0, i) ? 1 : 0;
@@ -59,7 +60,7 @@ TEST(NoiseOfThePlane, IsAFunctionOfThePlaceAlone) {
   EXPECT_NE(noise_at({100, 100}, 110, 7), noise_at({100, 100}, 110, 8));
 }
 
-TEST(NoiseOfThePlane, StaysWithinOneAndNeverJumps) {
+TEST(NoiseOfThePlane, IsContinuousAndWithinOne) {
   double last = noise_at({-900, 11}, 35, 1), low = 0, high = 0;
   for (double x = -900; x < 900; x += 0.125) {
     const double v = noise_at({x, 11}, 35, 1);
@@ -72,7 +73,7 @@ TEST(NoiseOfThePlane, StaysWithinOneAndNeverJumps) {
   EXPECT_GT(high, 0.5);
 }
 
-TEST(NoiseOfThePlane, IsNothingWhereThereIsNoPlace) {
+TEST(NoiseOfThePlane, IsZeroForInvalidPlaces) {
   const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300,
                         -1e12};
   for (const double x : bad) EXPECT_EQ(noise_at({x, 0}, 35, 1), 0);

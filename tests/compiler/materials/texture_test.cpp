@@ -19,29 +19,30 @@ std::vector<Material> all_materials() {
 }
 
 std::vector<Texture> all_textures(double tolerance_m, std::uint64_t seed = 1) {
-  return textures_of(all_materials(), tolerance_m, seed);
+  std::vector<Texture> textures = textures_of(all_materials(), tolerance_m, seed);
+  EXPECT_EQ(textures.empty(), !has_detail(Detail::kMaterialTextures, tolerance_m));
+  return textures;
 }
 
 std::string name_of(const Texture& texture) { return std::string(values_of(texture.material).name); }
 
-std::array<double, 3> mean_of(const TextureImage& sheet) {
+std::array<double, 3> mean_of(const TextureImage& image) {
   std::array<double, 3> mean{};
-  for (const TextureImage::Texel& texel : sheet.texels)
-    for (std::size_t c = 0; c < 3; ++c) mean[c] += linear_of_srgb(texel[c]) / static_cast<double>(sheet.texels.size());
+  for (const TextureImage::Texel& texel : image.texels)
+    for (std::size_t c = 0; c < 3; ++c) mean[c] += linear_of_srgb(texel[c]) / static_cast<double>(image.texels.size());
   return mean;
 }
 
-// The mean difference between rows or columns that are neighbours, by the place between them; the last is that of the
-// last with the first.
-std::vector<double> differences(const TextureImage& sheet, bool across) {
+// The mean differences between neighbouring rows or columns; the last is that between the last and the first.
+std::vector<double> differences(const TextureImage& image, bool across) {
   std::vector<double> all;
-  const std::uint32_t side = sheet.columns;
+  const std::uint32_t side = image.columns;
   for (std::uint32_t i = 0; i < side; ++i) {
     double sum = 0;
     for (std::uint32_t k = 0; k < side; ++k) {
       const std::uint32_t next = (i + 1) % side;
-      const TextureImage::Texel& a = across ? sheet.texels[k * side + i] : sheet.texels[i * side + k];
-      const TextureImage::Texel& b = across ? sheet.texels[k * side + next] : sheet.texels[next * side + k];
+      const TextureImage::Texel& a = across ? image.texels[k * side + i] : image.texels[i * side + k];
+      const TextureImage::Texel& b = across ? image.texels[k * side + next] : image.texels[next * side + k];
       for (std::size_t c = 0; c < 3; ++c) sum += std::abs(a[c] - b[c]);
     }
     all.push_back(sum);
@@ -51,10 +52,10 @@ std::vector<double> differences(const TextureImage& sheet, bool across) {
 
 TEST(Texture, RepeatsWithoutASeam) {
   for (const Texture& texture : all_textures(0.02))
-    for (const TextureImage* sheet : {&texture.colour, &texture.normal})
+    for (const TextureImage* image : {&texture.colour, &texture.normal})
       for (const bool across : {false, true}) {
-        if (sheet->texels.empty()) continue;
-        const std::vector<double> steps = differences(*sheet, across);
+        if (image->texels.empty()) continue;
+        const std::vector<double> steps = differences(*image, across);
         const double largest_inside = *std::max_element(steps.begin(), steps.end() - 1);
         EXPECT_LE(steps.back(), 1.25 * largest_inside) << name_of(texture);
       }
@@ -75,7 +76,7 @@ TEST(Texture, HasTheMaterialsColourAsItsMeanOnEveryLevel) {
     }
 }
 
-TEST(Texture, SameBytesAlwaysAndOthersForAnotherSeed) {
+TEST(Texture, IsAFunctionOfItsSeed) {
   EXPECT_EQ(all_textures(0.02, 1), all_textures(0.02, 1));
   EXPECT_NE(texture_of(Material::kGrass, 0.02, 1), texture_of(Material::kGrass, 0.02, 2));
 }
@@ -84,18 +85,18 @@ TEST(Texture, TexelsAreAsLargeAsTheToleranceAndDivideThePeriod) {
   for (const double tolerance_m : kTolerances_m)
     for (const Texture& texture : all_textures(tolerance_m)) {
       EXPECT_EQ(std::fmod(kTexturePeriod_m, side_m(texture)), 0) << name_of(texture);
-      for (const TextureImage* sheet : {&texture.colour, &texture.normal}) {
-        if (sheet->texels.empty()) continue;
-        EXPECT_GE(sheet->texel_m, is_bark(texture.material) ? tolerance_m / kBarkTexelsPerTolerance : tolerance_m)
+      for (const TextureImage* image : {&texture.colour, &texture.normal}) {
+        if (image->texels.empty()) continue;
+        EXPECT_GE(image->texel_m, is_bark(texture.material) ? tolerance_m / kBarkTexelsPerTolerance : tolerance_m)
             << name_of(texture);
-        EXPECT_EQ(sheet->columns, sheet->rows);
-        EXPECT_EQ(sheet->texels.size(), std::size_t{sheet->columns} * sheet->rows);
-        EXPECT_EQ(sheet->columns * sheet->texel_m, side_m(texture));
+        EXPECT_EQ(image->columns, image->rows);
+        EXPECT_EQ(image->texels.size(), std::size_t{image->columns} * image->rows);
+        EXPECT_EQ(image->columns * image->texel_m, side_m(texture));
       }
     }
 }
 
-TEST(Texture, IsNotThereWhereRoadsAreOneSurface) {
+TEST(Texture, IsNoneOnCoarseLevels) {
   for (const double tolerance_m : {tolerances_with(Detail::kMaterialTextures).below_m, 0.5, 2.5, 12.5})
     EXPECT_TRUE(all_textures(tolerance_m).empty());
 }
@@ -129,16 +130,16 @@ TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
   EXPECT_EQ(shaped, 13);  // water, sea, fields, rock, masonry, tiles, slates, and six barks
 }
 
-TEST(Texture, OnlyWatersShapeIsToldFromADecimetreOn) {
+TEST(Texture, HasNormalsForWaterAloneOnCoarserLevels) {
   for (const Texture& texture : all_textures(0.1)) {
     const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea;
     EXPECT_EQ(texture.normal.texels.empty(), !is_water) << name_of(texture);
   }
 }
 
-// Seen so far off that a pixel covers an eighth of a side, hardly anything is left to see repeating; of bark, of which
-// nobody sees many sides at once, not much.
-TEST(Texture, IsEvenFromAfar) {
+// Where a pixel covers an eighth of a side, hardly any repetition is visible. Bark may vary more, since few repetitions
+// are visible at once.
+TEST(Texture, IsUniformFromAfar) {
   for (const Texture& texture : all_textures(0.02)) {
     if (texture.colour.texels.empty()) continue;
     const std::uint32_t side = texture.colour.columns, block = side / 8;

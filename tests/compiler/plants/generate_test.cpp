@@ -30,7 +30,7 @@ LandCoverPolygon surface(std::int64_t id, LandCoverClass kind, Ring ring) {
 
 Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
-// A wood with a road through it, a lake and a house in it.
+// A wood with a road, a lake and a house.
 std::vector<LandCoverPolygon> wooded() {
   return {surface(1, LandCoverClass::kForest, block(-250, -230, 240, 250)),
           surface(2, LandCoverClass::kResidentialRoad, block(-300, -3, 300, 3)),
@@ -42,7 +42,7 @@ const std::vector<Wood> kWoods = {{{{OsmType::kWay, 1}, 0}, species_mix_of(Plant
 constexpr Box2 kAll = {{-256, -256}, {256, 256}};
 constexpr double kLatitude_deg = 42.5;
 
-// What stands in a box of the wood above.
+// Recipes in the wood above, and their plants in a box.
 struct Scene {
   std::vector<Tree> trees;
   std::vector<Wood> woods = kWoods;
@@ -94,7 +94,7 @@ double share_of(const PlacedPlants& placed, std::initializer_list<Species> some)
   return count / static_cast<double>(joined(placed).size());
 }
 
-TEST(Expand, KeepsTrunksApartOnTheGround) {
+TEST(Generate, KeepsTrunksApartOnTheGround) {
   for (const double grade : {0.0, 1.0}) {
     Report report;
     const auto trees = joined(placed_in(kAll, grade, report));
@@ -108,32 +108,35 @@ TEST(Expand, KeepsTrunksApartOnTheGround) {
   }
 }
 
-TEST(Expand, StandsDenserInPlanWhereTheGroundIsSteep) {
+TEST(Generate, StandsDenserInPlanWhereTheGroundIsSteep) {
   Report report;
   const double flat = static_cast<double>(joined(placed_in(kAll, 0, report)).size());
   const double steep = static_cast<double>(joined(placed_in(kAll, 1, report)).size());
   EXPECT_NEAR(steep / flat, std::sqrt(2.0), 0.12);
 }
 
-TEST(Expand, IsAsDenseAsTheWoodAsks) {
+TEST(Generate, IsAsDenseAsTheWoodAsks) {
   const double wood_m2 = 490.0 * 480 - 490 * 8.5 - 82.5 * 72.5 - 22.5 * 22.5;
   const auto trees = static_cast<double>(joined(Scene{}.in(kAll)).size());
   EXPECT_NEAR(trees / (wood_m2 / 1e4 * kWoods[0].trees_per_ha), 1, 0.03);
 }
 
-TEST(Expand, KeepsTrunksClearOfRoadsBuildingsAndWater) {
+TEST(Generate, KeepsTrunksClearOfRoadsBuildingsAndWater) {
   Report report;
   const std::vector<LandCoverPolygon> surfaces = wooded();
   const auto map = index_land_cover(surfaces, kAll.widened(8));
-  for (const Placement& tree : joined(placed_in(kAll, 0, report))) {
+  const auto trees = joined(placed_in(kAll, 0, report));
+  ASSERT_FALSE(trees.empty());
+  for (const Placement& tree : trees) {
     EXPECT_EQ(land_cover_at(map, in_plan(tree.at)), 0u);
     EXPECT_GE(clearance_m(map, in_plan(tree.at), 50, 4), kTrunkClearance_m);
   }
 }
 
-TEST(Expand, PlantsTheSameTreesInHalvesAsInTheWhole) {
+TEST(Generate, PlantsTheSameTreesInHalvesAsInTheWhole) {
   Report report;
   const auto whole = joined(placed_in(kAll, 0.3, report));
+  ASSERT_FALSE(whole.empty());
   for (const double cut : {-128.0, 0.0, 37.0}) {
     auto halves = joined(placed_in({{-256, -256}, {cut, 256}}, 0.3, report));
     const auto east = joined(placed_in({{cut, -256}, {256, 256}}, 0.3, report));
@@ -147,19 +150,20 @@ TEST(Expand, PlantsTheSameTreesInHalvesAsInTheWhole) {
   }
 }
 
-TEST(Expand, DependsOnNothingBeyondItsReach) {
+TEST(Generate, DependsOnNothingBeyondItsInfluenceRadius) {
   const Box2 box = {{-64, -64}, {64, 64}};
   Scene scene;
   scene.grade = 0.1;
   const auto before = joined(scene.in(box));
-  // a clearing that begins just beyond
+  // an obstacle just beyond
   scene.surfaces.push_back(surface(5, LandCoverClass::kBuilding, block(112.5, -200, 230, 200)));
   const auto after = joined(scene.in(box));
+  ASSERT_FALSE(before.empty());
   ASSERT_EQ(before.size(), after.size());
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(before[i].at, after[i].at);
 }
 
-TEST(Expand, WoodsFollowTheBeltsOfAltitude) {
+TEST(Generate, WoodsFollowTheBeltsOfAltitude) {
   Scene scene;
   scene.woods[0].species_mix = species_mix_of(PlantCommunity::kAnyWood);
   scene.base_m = 1000;
@@ -171,7 +175,7 @@ TEST(Expand, WoodsFollowTheBeltsOfAltitude) {
   EXPECT_EQ(count_of(scene.in(kAll), Species::kOak), 0u);
 }
 
-TEST(Expand, WoodsAreLowAndThinAtTheTreeLine) {
+TEST(Generate, WoodsAreLowAndThinAtTheTreeLine) {
   Scene scene;
   scene.woods[0].species_mix = species_mix_of(PlantCommunity::kNeedleWood);
   const auto low = joined(scene.in(kAll));
@@ -182,7 +186,7 @@ TEST(Expand, WoodsAreLowAndThinAtTheTreeLine) {
   EXPECT_LT(tallest(high), 0.6 * tallest(low));
 }
 
-TEST(Expand, WillowsAndPoplarsStandByWater) {
+TEST(Generate, WillowsAndPoplarsStandByWater) {
   Scene scene;
   scene.woods[0].species_mix = species_mix_of(PlantCommunity::kBroadWood);
   const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kAll.widened(kInfluenceRadius_m));
@@ -201,7 +205,7 @@ TEST(Expand, WillowsAndPoplarsStandByWater) {
   EXPECT_LT(elsewhere, 3 * by_water);
 }
 
-TEST(Expand, WoodsKeepClearOfMappedTreesRowsAndLanes) {
+TEST(Generate, WoodsKeepClearOfMappedTreesRowsAndCorridors) {
   Scene scene;
   scene.trees = {{{{OsmType::kNode, 9}, 0}, {-150, -100}, 18, species_mix_of(Species::kOak)}};
   scene.rows = {{{{OsmType::kWay, 8}, 0}, {{-200, -50}, {-60, -40}}, species_mix_of(Species::kLime), 14, 0}};
@@ -220,19 +224,20 @@ TEST(Expand, WoodsKeepClearOfMappedTreesRowsAndLanes) {
   EXPECT_GT(in_row, 12u);
 }
 
-TEST(Expand, WoodsBesideEachOtherAreOneWood) {
+TEST(Generate, WoodsBesideEachOtherAreOneWood) {
   Scene scene;
   scene.surfaces = {surface(1, LandCoverClass::kForest, block(-250, -230, 0, 250)),
                     surface(2, LandCoverClass::kForest, block(0, -230, 240, 250))};
   scene.woods = {kWoods[0], kWoods[0]};
   scene.woods[1].surface = scene.surfaces[1].id;
   const auto trees = joined(scene.in(kAll));
+  ASSERT_FALSE(trees.empty());
   for (std::size_t i = 0; i < trees.size(); ++i)
     for (std::size_t j = i + 1; j < trees.size() && trees[j].at.x < trees[i].at.x + 7; ++j)
       EXPECT_GE(length(trees[j].at - trees[i].at), density_for(kWoods[0].trees_per_ha).spacing_m - 0.01);
 }
 
-TEST(Expand, RowsStandRegularlyAndEndToEnd) {
+TEST(Generate, RowsStandRegularlyAndEndToEnd) {
   Scene scene;
   scene.woods.clear();
   scene.rows = {
@@ -244,12 +249,12 @@ TEST(Expand, RowsStandRegularlyAndEndToEnd) {
   EXPECT_EQ(in_plan(trees.back().at), (Vec2{-190, 110}));
   for (std::size_t i = 1; i < trees.size(); ++i) EXPECT_NEAR(length(trees[i].at - trees[i - 1].at), 10, 0.01);
   EXPECT_EQ(count_of(scene.in(kAll), Species::kPoplar), 16u);
-  // half of it in either tile
+  // two tiles share the row
   EXPECT_EQ(joined(scene.in({{-256, -256}, {-190, 256}})).size() + joined(scene.in({{-190, -256}, {256, 256}})).size(),
             16u);
 }
 
-TEST(Expand, RowsLeaveOutRoadsAndTreesThatAreMapped) {
+TEST(Generate, RowsLeaveOutRoadsAndTreesThatAreMapped) {
   Scene scene;
   scene.woods.clear();
   scene.trees = {{{{OsmType::kNode, 9}, 0}, {-200, 41}, 12, species_mix_of(Species::kLime)}};
@@ -261,10 +266,10 @@ TEST(Expand, RowsLeaveOutRoadsAndTreesThatAreMapped) {
     EXPECT_GT(std::abs(p.at.y), 3);
     EXPECT_GT(std::abs(p.at.y - 41), 2);
   }
-  EXPECT_EQ(of_row, 9u);  // eleven but for the one on the road and the one that is mapped
+  EXPECT_EQ(of_row, 9u);  // of eleven, one is on the road and one is mapped
 }
 
-TEST(Expand, PlantingsAreRowsAlongTheirHeadingInAnyBox) {
+TEST(Generate, PlantingsAreRowsAlongTheirHeadingInAnyBox) {
   Scene scene;
   scene.woods.clear();
   scene.surfaces[0].surface = LandCoverClass::kOrchard;
@@ -281,7 +286,7 @@ TEST(Expand, PlantingsAreRowsAlongTheirHeadingInAnyBox) {
             trees.size());
 }
 
-TEST(ExpandBlades, AreNoMoreThanTheLimit) {
+TEST(GenerateBlades, AreNoMoreThanTheLimit) {
   Scene scene;
   scene.surfaces[0].surface = LandCoverClass::kFarmland;
   scene.plantings = {{scene.surfaces[0].id, species_mix_of(Species::kWheat), 64, 0.5, 0.375, 0.875}};
@@ -309,7 +314,7 @@ TEST(AddHedge, PutsPiecesAsLongAsHighAlongTheLine) {
   }
 }
 
-TEST(Expand, DropsSingleTreesOnRoadsBuildingsAndWaterAndBalances) {
+TEST(Generate, DropsSingleTreesOnRoadsBuildingsAndWaterAndBalances) {
   Report report;
   const auto tree = [](std::int64_t id, Vec2 at) {
     return Tree{{{OsmType::kNode, id}, 0}, at, 11, species_mix_of(Species::kOak)};
@@ -324,9 +329,9 @@ TEST(Expand, DropsSingleTreesOnRoadsBuildingsAndWaterAndBalances) {
   EXPECT_TRUE(report.balances());
 }
 
-TEST(Expand, StandsTreesFromWithinARoadsEdgeBesideIt) {
+TEST(Generate, MovesTreesFromARoadsEdgeBesideIt) {
   Report report;
-  // 0.1, 1 and 1.9 m inside of the edges at 3 m, and 0.5 m outside
+  // 0.1, 1 and 1.9 m inside the edges at 3 m, and 0.5 m outside
   const double ys[] = {2.9, -2, 1.1, 3.5};
   std::vector<Tree> trees;
   for (const double y : ys)
@@ -345,17 +350,19 @@ TEST(Expand, StandsTreesFromWithinARoadsEdgeBesideIt) {
   EXPECT_EQ(report.counts()[Code::kTreeMoved], 3u);
   EXPECT_EQ(report.counts()[Code::kTreeOnRoad], 0u);
   EXPECT_TRUE(report.balances());
-  // who crosses a tile's border is the other tile's
+  // a tree that is moved across a border belongs to the other tile
   Report below, above;
   EXPECT_EQ(joined(scene.in({{-300, -200}, {-256, 3.3}}, below)).size(), 1u);
   EXPECT_EQ(joined(scene.in({{-300, 3.3}, {-256, 200}}, above)).size(), 3u);
   EXPECT_TRUE(below.balances() && above.balances());
 }
 
-TEST(Expand, StandsTreesOnTheGroundOnTheGrid) {
+TEST(Generate, StandsTreesOnTheGroundAndTheSnapGrid) {
   Report report;
   const map::Heightfield heights = sloping(0.3);
-  for (const Placement& tree : joined(placed_in(kAll, 0.3, report))) {
+  const auto trees = joined(placed_in(kAll, 0.3, report));
+  ASSERT_FALSE(trees.empty());
+  for (const Placement& tree : trees) {
     EXPECT_EQ(tree.at, snapped(tree.at));
     EXPECT_NEAR(tree.at.z, height_m_at(heights, in_plan(tree.at)), 0.0005);
     EXPECT_NEAR(tree.cos_yaw * tree.cos_yaw + tree.sin_yaw * tree.sin_yaw, 1, 1e-12);

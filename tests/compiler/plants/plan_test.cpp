@@ -33,7 +33,7 @@ Plants planned(const map::Features& features, Report& report, const map::Heightf
   return plan(features, surfaces, roads, terrain, report);
 }
 
-TEST(Plan, KeepsEveryTreeWithWhatItTells) {
+TEST(Plan, KeepsEveryTreeWithItsTags) {
   using map::PlantKind;
   map::Features features;
   const auto tree = [&](std::int64_t id, double height_m, const map::PlantTags& growth) {
@@ -51,7 +51,7 @@ TEST(Plan, KeepsEveryTreeWithWhatItTells) {
   ASSERT_EQ(plants.trees.size(), 6u);
   EXPECT_EQ(plants.trees[0].species_mix, species_mix_of(PlantCommunity::kNeedleWood));
   EXPECT_EQ(plants.trees[1].species_mix, species_mix_of(Species::kOak));
-  EXPECT_EQ(plants.trees[1].height_m, 10);  // crowns of oaks are nine tenths as wide
+  EXPECT_EQ(plants.trees[1].height_m, 10);  // crown_share of oaks is 0.9
   EXPECT_EQ(plants.trees[2].height_m, 7.5);
   EXPECT_EQ(plants.trees[3].species_mix, species_mix_of(PlantCommunity::kTownTrees));
   EXPECT_EQ(plants.trees[3].height_m, 0);
@@ -61,7 +61,7 @@ TEST(Plan, KeepsEveryTreeWithWhatItTells) {
   EXPECT_TRUE(report.balances());
 }
 
-TEST(Plan, NoTreeIsTallerThanItsKind) {
+TEST(Plan, NoTreeIsTallerThanItsSpecies) {
   for (int s = 0; s < static_cast<int>(Species::kCount); ++s) {
     const auto species = static_cast<Species>(s);
     for (const map::PlantTags& growth :
@@ -69,14 +69,13 @@ TEST(Plan, NoTreeIsTallerThanItsKind) {
       EXPECT_LE(height_from_tags_m(species, growth), values_of(species).tallest_m);
       EXPECT_GT(height_from_tags_m(species, growth), 0);
     }
-    EXPECT_GT(crown_share(species), 0) << values_of(species).file;
+    EXPECT_GT(values_of(species).crown_share, 0) << values_of(species).file;
   }
 }
 
-TEST(Plan, WoodsTakeTheirStockFromLeavesAndGenus) {
+TEST(Plan, WoodsTakeTheirSpeciesFromClassAndGenus) {
   map::Features features;
-  features.areas = {area(1, LandCoverClass::kForest),
-                    area(2, LandCoverClass::kNeedleLeavedForest, {{}, map::LeafType::kNeedle}),
+  features.areas = {area(1, LandCoverClass::kForest), area(2, LandCoverClass::kNeedleLeavedForest),
                     area(3, LandCoverClass::kForest, {map::PlantKind::kPine}), area(4, LandCoverClass::kResidential)};
   Report report;
   const Plants plants = planned(features, report);
@@ -86,7 +85,7 @@ TEST(Plan, WoodsTakeTheirStockFromLeavesAndGenus) {
   EXPECT_EQ(plants.woods[2].species_mix, species_mix_of(Species::kPine));
 }
 
-TEST(Plan, FieldsGrowWhatTheyTell) {
+TEST(Plan, FieldsGrowTheirTaggedCrop) {
   using map::PlantKind;
   map::Features features;
   features.areas = {area(1, LandCoverClass::kFarmland, {PlantKind::kMaize}),
@@ -108,14 +107,14 @@ TEST(Plan, FieldsGrowWhatTheyTell) {
   for (const Planting& planting : plants.plantings) EXPECT_GE(planting.plant_spacing_m, kLeastPlantSpacing_m);
 }
 
-TEST(HeadingOfRows, IsSquareToTheSlope) {
+TEST(RowHeading, IsPerpendicularToTheSlope) {
   const ground::LandCoverPolygon field{
       way(1), LandCoverClass::kVineyard, 20000, {{{0, 0}, {200, 0}, {200, 100}, {0, 100}}}};
   for (const Vec2 grade : {Vec2{0.2, 0}, Vec2{0, 0.3}, Vec2{0.1, 0.1}, Vec2{-0.05, 0.2}})
     EXPECT_LT(std::abs(dot(row_direction(row_heading(field, sloping(grade))), unit(grade))), 0.01);
 }
 
-TEST(HeadingOfRows, FollowsTheLongestBorderOfLevelFields) {
+TEST(RowHeading, FollowsTheLongestBorderOfLevelFields) {
   const ground::LandCoverPolygon field{
       way(1), LandCoverClass::kVineyard, 20000, {{{0, 0}, {160, 120}, {100, 200}, {-60, 80}}}};
   EXPECT_NEAR(std::abs(dot(row_direction(row_heading(field, sloping({0.01, 0}))), Vec2{0.8, 0.6})), 1, 0.001);

@@ -32,7 +32,7 @@ double shown(const impostor::Cutout& cutout) {
       std::ranges::count_if(cutout.opacity, [](std::uint8_t o) { return o >= impostor::kAlphaCutoff; }));
 }
 
-TEST(Season, IsHalfAYearOnInTheSouthAndNoneBetweenTheTropics) {
+TEST(Season, IsHalfAYearOffInTheSouthAndMidsummerInTheTropics) {
   EXPECT_EQ(month_for("2026-10-21T12:00", 52), kOctober);
   EXPECT_EQ(month_for("2026-04-21T12:00", -33), kOctober);
   EXPECT_EQ(month_for("2026-12-21T12:00", -33), kMidsummer);
@@ -52,7 +52,7 @@ TEST(Season, ChangesNothingInMidsummer) {
     }
 }
 
-TEST(Season, LeavesEvergreensAsTheyAre) {
+TEST(Season, DoesNotChangeEvergreens) {
   for (const Species species : {Species::kFir, Species::kPine, Species::kSpruce, Species::kCypress, Species::kPalm}) {
     const Appearance summer = appearance_of({species, 0}), winter = appearance_of({species, 0}, kJanuary);
     EXPECT_EQ(winter.leaf, summer.leaf);
@@ -61,20 +61,20 @@ TEST(Season, LeavesEvergreensAsTheyAre) {
   }
 }
 
-// near by, from afar and from very far: no leaf, and less of the tree than in summer
-TEST(Season, LeavesBareTreesNoLeaves) {
+// With leaf cards, crossed cards and hulls: no leaf material, and less coverage than in summer.
+TEST(Season, HasBareTreesWithoutLeaves) {
   for (const Species species : {Species::kOak, Species::kBirch, Species::kMaple, Species::kWillow})
     for (const double share : {0.005, 0.1, 0.5}) {
       const PrototypeMesh winter = mesh_in(kJanuary, species, share), summer = mesh_in(kMidsummer, species, share);
+      ASSERT_FALSE(winter.meshes.empty());
       for (const auto& dressed : winter.meshes)
         EXPECT_TRUE(dressed.material == materials::Material::kBark || is_bark(dressed.material));
       EXPECT_TRUE(share > 0.4 || shown(winter.cutout) < 0.7 * shown(summer.cutout)) << share;
-      EXPECT_FALSE(winter.meshes.empty());
       EXPECT_LE(winter.error_per_m, summer.error_per_m + 1e-12);
     }
 }
 
-TEST(Season, HasNoFruitWithoutAllLeaves) {
+TEST(Season, HasFruitOnlyWithAllLeaves) {
   const auto fruit = [](const GrownPlant& grown) {
     return std::ranges::count_if(grown.foliage.cards,
                                  [&](const Card& card) { return is_fruit(grown.foliage.sprays[card.spray]); });
@@ -83,7 +83,7 @@ TEST(Season, HasNoFruitWithoutAllLeaves) {
   EXPECT_EQ(fruit(grown_in(kJanuary, Species::kApple)), 0);
 }
 
-TEST(Season, TurnsKindsTheirOwnWayAndVariantsOneAfterTheOther) {
+TEST(Season, TurnsSpeciesAndVariantsAtDifferentTimes) {
   const auto redness = [](Species species, std::uint8_t variant, Month month) {
     const materials::Tint leaf = appearance_of({species, variant}, month).leaf;
     return static_cast<double>(leaf[0]) / leaf[1];
@@ -95,7 +95,7 @@ TEST(Season, TurnsKindsTheirOwnWayAndVariantsOneAfterTheOther) {
   EXPECT_GT(appearance_of({Species::kBeech, 0}, kMay).leaf[1], appearance_of({Species::kBeech, 0}).leaf[1]);
 }
 
-// a crop's height is the month's, its error with it, and where nothing stands nothing strays
+// A crop's height and error are those of its month; a bare field has no error.
 TEST(Season, SowsAndReaps) {
   EXPECT_NEAR(height_of(mesh_in(kMidsummer, Species::kWheat, 0.01)), 1, 0.05);
   EXPECT_NEAR(height_of(mesh_in(kJanuary, Species::kWheat, 0.01)), 0.15, 0.02);
@@ -108,7 +108,7 @@ TEST(Season, SowsAndReaps) {
   EXPECT_EQ(none.error_per_m, 0);
 }
 
-TEST(Sprays, ShowTwigsWhereLeavesAreNot) {
+TEST(Sprays, ShowTwigsInPlaceOfMissingLeaves) {
   const auto share = [](double leaf_share) {
     const impostor::Picture picture = picture_of_spray("oak_leaf", materials::Material::kBroadLeaf, leaf_share);
     std::uint64_t sum = 0;

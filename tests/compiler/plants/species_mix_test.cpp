@@ -14,7 +14,7 @@ Habitat place(double height_m, bool is_by_water = false) {
   return habitat_at(kLatitude_deg, {10, 20}, height_m, {0, 0, 1}, is_by_water);
 }
 
-// Over many groups, so that no one of them decides.
+// Shares over many places, as species stand in groups.
 std::map<Species, double> shares(SpeciesMix species_mix, Habitat habitat) {
   std::map<Species, double> counts;
   constexpr int kPlaces = 60, kDraws = 50;
@@ -29,11 +29,11 @@ std::map<Species, double> shares(SpeciesMix species_mix, Habitat habitat) {
 double conifers(const std::map<Species, double>& shares) {
   double sum = 0;
   for (const auto& [species, share] : shares)
-    if (values_of(species).leaves == LeafForm::kNeedle) sum += share;
+    if (values_of(species).leaf_form == LeafForm::kNeedle) sum += share;
   return sum;
 }
 
-TEST(SpeciesMix, EveryMixHasSpeciesAtEveryHeight) {
+TEST(SpeciesMix, EveryCommunityHasSpeciesAtEveryHeight) {
   for (int m = 0; m < static_cast<int>(PlantCommunity::kCount); ++m) {
     const SpeciesMix species_mix = species_mix_of(static_cast<PlantCommunity>(m));
     EXPECT_TRUE(is_species_mix(static_cast<std::uint64_t>(species_mix)));
@@ -94,19 +94,19 @@ TEST(SpeciesMix, TreesGetLowTowardsTheTreeLine) {
   EXPECT_GT(height_factor(place(4000)), 0.2);
 }
 
-TEST(SpeciesMix, NamesAreThoseOfItsTable) {
+TEST(SpeciesMix, HasTheNamesOfItsTable) {
   EXPECT_EQ(name_of(species_mix_of(Species::kOak)), "oak");
   EXPECT_EQ(name_of(species_mix_of(PlantCommunity::kAnyWood)), "AnyWood");
   EXPECT_EQ(name_of(species_mix_of(PlantCommunity::kTownTrees)), "TownTrees");
 }
 
-TEST(StockFor, TellsTheKindElseTheLeaves) {
+TEST(SpeciesMixFor, PrefersTheKindToTheLeafType) {
   using map::LeafType;
   const SpeciesMix any = species_mix_of(PlantCommunity::kAnyWood);
   EXPECT_EQ(species_mix_for({map::PlantKind::kMaize}, any), species_mix_of(Species::kMaize));
-  EXPECT_EQ(species_mix_for({map::PlantKind::kFruitTree}, any), species_mix_of(Species::kApple));
+  EXPECT_EQ(species_mix_for({map::PlantKind::kApple}, any), species_mix_of(Species::kApple));
   EXPECT_EQ(species_mix_for({map::PlantKind::kWillow, LeafType::kNeedle}, any), species_mix_of(Species::kWillow));
-  EXPECT_EQ(species_mix_for({{}, LeafType::kBroad}, any), species_mix_of(PlantCommunity::kBroadWood));
+  EXPECT_EQ(species_mix_for({{}, LeafType::kNeedle}, any), species_mix_of(PlantCommunity::kNeedleWood));
   EXPECT_EQ(species_mix_for({{}, LeafType::kBroad}, species_mix_of(PlantCommunity::kTownTrees)),
             species_mix_of(PlantCommunity::kTownTrees));
   EXPECT_EQ(species_mix_for({}, any), any);

@@ -12,7 +12,7 @@
 namespace citykiln::props {
 namespace {
 
-// Hills whose faces all differ.
+// Hills with a different slope on every face.
 map::Heightfield hills() {
   map::Heightfield field{{-64, -64}, {16, 16}, 9, 9, {}, 0};
   for (int j = 0; j < 9; ++j)
@@ -20,7 +20,7 @@ map::Heightfield hills() {
   return field;
 }
 
-// Nothing is carved.
+// Ungraded terrain.
 ground::GradedTerrain hilly() { return ground::GradedTerrain(hills()); }
 
 Barrier wall(Polyline axis) { return {{{OsmType::kWay, 3}, 0}, std::move(axis), map::BarrierKind::kWall, 2, 0.5}; }
@@ -39,10 +39,11 @@ std::map<std::pair<Vec3, Vec3>, int> open_edges(const Mesh& mesh) {
   return edges;
 }
 
-TEST(FollowGround, LiesOnTheGroundAllAlong) {
+TEST(DrapeLine, LiesOnTheGround) {
   const map::Heightfield field = hills();
   const Polyline line = {{-60.5, -50}, {33.25, 41}, {50, -62}, {-64, -64}, {16, 16}, {16, 60}, {90, 70}};
   const std::vector<Vec3> points = drape_line(line, hilly());
+  ASSERT_GT(points.size(), line.size());
   for (std::size_t i = 1; i < points.size(); ++i)
     for (int k = 0; k <= 8; ++k) {
       const Vec3 p = points[i - 1] + (points[i] - points[i - 1]) * (k / 8.0);
@@ -51,7 +52,7 @@ TEST(FollowGround, LiesOnTheGroundAllAlong) {
     }
 }
 
-TEST(FollowGround, KeepsTheLinesPointsAndRepeatsNone) {
+TEST(DrapeLine, KeepsAllPointsWithoutRepeats) {
   const Polyline line = {{-60.5, -50}, {33.25, 41}, {33.25, 41}, {48, 48}};
   const std::vector<Vec3> points = drape_line(line, hilly());
   EXPECT_EQ(in_plan(points.front()), line.front());
@@ -61,18 +62,19 @@ TEST(FollowGround, KeepsTheLinesPointsAndRepeatsNone) {
   for (std::size_t i = 1; i < points.size(); ++i) EXPECT_NE(in_plan(points[i - 1]), in_plan(points[i]));
 }
 
-TEST(Expand, IsOpenOnlyUnderTheGround) {
+TEST(Generate, IsOpenOnlyUnderTheGround) {
   const map::Heightfield field = hills();
   for (const Polyline& axis :
        {Polyline{{-60, -50}, {20, 30}, {50, 31}}, Polyline{{-30, -30}, {30, -30}, {30, 30}, {-30, -30}}}) {
     const GeneratedProp e = generate(wall(axis), hilly(), 0.02);
     ASSERT_EQ(e.meshes.size(), 1u);
+    ASSERT_FALSE(e.meshes[0].mesh.triangles.empty());
     for (const auto& [edge, count] : open_edges(e.meshes[0].mesh))
       for (const Vec3 p : {edge.first, edge.second}) EXPECT_LT(p.z, height_m_at(field, in_plan(p)));
   }
 }
 
-TEST(Expand, StandsAsWideAndHighAsTold) {
+TEST(Generate, HasTheRecipesWidthAndHeight) {
   map::Heightfield flat = hills();
   std::fill(flat.heights.begin(), flat.heights.end(), 640);
   const Mesh mesh = generate(wall({{0, 3}, {40, 3}}), ground::GradedTerrain(std::move(flat)), 0.02).meshes[0].mesh;
@@ -81,7 +83,7 @@ TEST(Expand, StandsAsWideAndHighAsTold) {
     EXPECT_TRUE(p.z == 12 || p.z < 10);
     EXPECT_EQ(p, snapped(p));
   }
-  // all faces outward
+  // all faces point outwards
   double six = 0;
   for (const auto& [a, b, c] : mesh.triangles)
     six += dot(mesh.positions[a] - Vec3{20, 3, 9.5},
@@ -89,7 +91,7 @@ TEST(Expand, StandsAsWideAndHighAsTold) {
   EXPECT_NEAR(six / 6, 40 * 0.5 * 2.5, 40 * 0.5 * 0.01);
 }
 
-TEST(Expand, DropsWhatIsLowerThanTheToleranceAndIsTotal) {
+TEST(Generate, DropsWhatIsLowerThanTheToleranceAndIsTotal) {
   const GeneratedProp dropped = generate(wall({{0, 0}, {9, 0}}), hilly(), 2.5);
   EXPECT_TRUE(dropped.meshes.empty());
   EXPECT_EQ(dropped.error_m, 2);
@@ -98,7 +100,7 @@ TEST(Expand, DropsWhatIsLowerThanTheToleranceAndIsTotal) {
   EXPECT_FALSE(generate(wall({{0, 0}, {9, 0}, {0, 0}}), hilly(), 0.1).meshes.empty());
 }
 
-TEST(Place, StandsLampsOnTheGroundAndTurnsThem) {
+TEST(Place, PutsLampsOnTheGroundAndTurnsThem) {
   const StreetLamp lamp{{5, 7}, {0.6, -0.8}, 6, LampKind::kArm, {OsmType::kNode, 8}};
   const Placement p = place(lamp, hilly());
   EXPECT_NEAR(p.at.z, height_m_at(hills(), {5, 7}), 0.0005);

@@ -12,16 +12,16 @@ namespace citykiln::props {
 namespace {
 
 constexpr LampKind kAll[] = {LampKind::kPostTop, LampKind::kArm};
-// Tolerances that ask for each detail of a lamp 1 m tall, full first.
+// Tolerances that select each level of a lamp of 1 m, finest first.
 constexpr double kDetails[] = {0.001, 0.016, 0.5};
 
 using Corners = std::array<Vec3, 3>;
 
 std::vector<Corners> triangles_of(const GeneratedProp& lamp) {
   std::vector<Corners> all;
-  for (const auto& dressed : lamp.meshes)
-    for (const auto& [a, b, c] : dressed.mesh.triangles)
-      all.push_back({dressed.mesh.positions[a], dressed.mesh.positions[b], dressed.mesh.positions[c]});
+  for (const auto& part : lamp.meshes)
+    for (const auto& [a, b, c] : part.mesh.triangles)
+      all.push_back({part.mesh.positions[a], part.mesh.positions[b], part.mesh.positions[c]});
   return all;
 }
 
@@ -30,7 +30,7 @@ Vec3 nearest_on_line(Vec3 a, Vec3 b, Vec3 p) {
   return a + along * std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
 }
 
-// On a side of the triangle, or the foot on its plane where that lies inside.
+// On a side of the triangle, or the projection to its plane if that lies inside.
 double distance_to(const Corners& t, Vec3 p) {
   const Vec3 up = unit(cross(t[1] - t[0], t[2] - t[0])), foot = p - up * dot(p - t[0], up);
   bool is_inside = true;
@@ -43,8 +43,8 @@ double distance_to(const Corners& t, Vec3 p) {
   return is_inside ? length(p - foot) : sides;
 }
 
-// The distance to one triangle is convex, so a piece whose corners are within the limit of it is; else its halves are
-// asked, cut at the longest side.
+// The distance to one triangle is convex, so a piece whose vertices are within the limit of one triangle is within it;
+// otherwise the piece is halved at its longest side.
 bool is_within(double limit, const Corners& piece, const std::vector<Corners>& shape, int times) {
   for (const Corners& t : shape)
     if (std::ranges::all_of(piece, [&](Vec3 p) { return distance_to(t, p) <= limit; })) return true;
@@ -74,7 +74,7 @@ TEST(LampMesh, DeviatesByNoMoreThanItsError) {
   }
 }
 
-TEST(LampMesh, TakesFewTrianglesAndFewerTheCoarserItMayBe) {
+TEST(LampMesh, NeedsFewTrianglesAndFewerOnCoarserLevels) {
   for (const LampKind kind : kAll) {
     std::vector<std::size_t> counts;
     for (const double tolerance : kDetails) counts.push_back(triangles_of(lamp_mesh(kind, 1, tolerance)).size());
@@ -97,13 +97,13 @@ TEST(LampMesh, KeepsWithinEachLevelOfTheLadder) {
       }
 }
 
-TEST(LampMesh, IsOneMetreTallAndHoldsItsHeadTowardsX) {
+TEST(LampMesh, IsOneMetreTallWithItsHeadTowardsX) {
   for (const LampKind kind : kAll)
     for (const double tolerance : kDetails) {
       Box2 plan;
       double top = 0, foot = 0;
-      for (const auto& dressed : lamp_mesh(kind, 1, tolerance).meshes)
-        for (const Vec3 p : dressed.mesh.positions) {
+      for (const auto& part : lamp_mesh(kind, 1, tolerance).meshes)
+        for (const Vec3 p : part.mesh.positions) {
           EXPECT_EQ(p, snapped(p));
           plan.grow(in_plan(p));
           top = std::max(top, p.z), foot = std::min(foot, p.z);
@@ -118,9 +118,11 @@ TEST(LampMesh, IsOneMetreTallAndHoldsItsHeadTowardsX) {
 
 TEST(LampMesh, ClosesAllItsParts) {
   for (const LampKind kind : kAll)
-    for (const double tolerance : kDetails)
-      for (const auto& dressed : lamp_mesh(kind, 1, tolerance).meshes) {
-        const Mesh& mesh = dressed.mesh;
+    for (const double tolerance : kDetails) {
+      const GeneratedProp lamp = lamp_mesh(kind, 1, tolerance);
+      ASSERT_FALSE(lamp.meshes.empty());
+      for (const auto& part : lamp.meshes) {
+        const Mesh& mesh = part.mesh;
         std::map<std::pair<Vec3, Vec3>, int> open;
         double six = 0;
         for (const Triangle& t : mesh.triangles) {
@@ -133,6 +135,7 @@ TEST(LampMesh, ClosesAllItsParts) {
         EXPECT_GT(six, 0);
         for (const auto& [edge, count] : open) EXPECT_EQ(count, 0);
       }
+    }
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ map::Lane lane(map::LaneKind kind, double width_m) {
   return {kind, map::LaneDirection::kBoth, width_m, 0, kind == map::LaneKind::kSidewalk};
 }
 
-// A lit road with pavements that wide (0: none), its axis in the middle of the carriageway.
+// A lit road with pavements of a width (0: none), its axis in the middle of the carriageway.
 Road road_on(Polyline axis, LandCoverClass surface, double width_m, double left_pavement_m = 0,
              double right_pavement_m = 0) {
   Road road;
@@ -37,7 +37,7 @@ Road road_on(Polyline axis, LandCoverClass surface, double width_m, double left_
 
 Road street(Polyline axis) { return road_on(std::move(axis), LandCoverClass::kResidentialRoad, 6); }
 
-// Winds, with pieces of odd lengths.
+// A winding road with segments of odd lengths.
 Road winding() {
   Polyline axis;
   for (int i = 0; i < 160; ++i) axis.push_back(snapped(Vec2{i * 7.3, 40.0 * ((i * 37) % 11) / 11 + i * 2.1}));
@@ -68,7 +68,7 @@ TEST(LampsAlong, StandHalfASpacingFromTheStartThenOneASpacing) {
   }
 }
 
-TEST(LampsAlong, StandCloserAndLowerTheQuieterTheStreet) {
+TEST(LampsAlong, AreCloserAndLowerOnQuieterStreets) {
   const LandCoverClass louder_first[] = {LandCoverClass::kMotorwayRoad,    LandCoverClass::kPrimaryRoad,
                                          LandCoverClass::kSecondaryRoad,   LandCoverClass::kTertiaryRoad,
                                          LandCoverClass::kResidentialRoad, LandCoverClass::kPavedFootPath};
@@ -81,7 +81,7 @@ TEST(LampsAlong, StandCloserAndLowerTheQuieterTheStreet) {
   }
 }
 
-TEST(LampsAlong, LightOnlyWhatIsToldToBeLitAndIsNoRailOrRunway) {
+TEST(LampsAlong, AreOnLitRoadsAloneNotOnRailsOrRunways) {
   Road dark = street({{0, 0}, {400, 0}});
   dark.is_lit = false;
   EXPECT_TRUE(lamps_along(dark, kEverywhere).empty());
@@ -91,10 +91,11 @@ TEST(LampsAlong, LightOnlyWhatIsToldToBeLitAndIsNoRailOrRunway) {
 
 TEST(LampsAlong, AlternateOnWideCarriageways) {
   const auto lamps = lamps_along(road_on({{0, 0}, {400, 0}}, LandCoverClass::kPrimaryRoad, 14), kEverywhere);
+  ASSERT_GE(lamps.size(), 2u);
   for (std::size_t i = 0; i < lamps.size(); ++i) EXPECT_EQ(lamps[i].at.y, i % 2 == 0 ? -7.75 : 7.75);
 }
 
-TEST(LampsAlong, StandOnTheSideWithAPavementElseOnThatOfTheTraffic) {
+TEST(LampsAlong, AreOnTheSideWithAPavementElseOnThatOfTraffic) {
   const Polyline axis = {{0, 0}, {400, 0}};
   const auto feet_m = [&](const Road& road) {
     const auto lamps = lamps_along(road, kEverywhere);
@@ -126,7 +127,9 @@ TEST(LampsAlong, StandOnTheSideWithAPavementElseOnThatOfTheTraffic) {
 TEST(LampsAlong, FaceTheirAxisSquarely) {
   for (int i = 0; i < 24; ++i) {
     const Vec2 along{static_cast<double>(i % 5) - 2, static_cast<double>(i % 7) - 3.5};
-    for (const StreetLamp& lamp : lamps_along(street({{3, 4}, snapped(Vec2{3, 4} + along * 60)}), kEverywhere)) {
+    const auto lamps = lamps_along(street({{3, 4}, snapped(Vec2{3, 4} + along * 60)}), kEverywhere);
+    ASSERT_FALSE(lamps.empty());
+    for (const StreetLamp& lamp : lamps) {
       const Vec2 from = lamp.at - Vec2{3, 4}, axis = unit(along);
       EXPECT_GT(dot(lamp.facing, unit(axis * dot(from, axis) - from)), 0.9999);
       EXPECT_NEAR(length(lamp.facing), 1, 1e-12);
@@ -153,7 +156,7 @@ TEST(LampsAlong, AreTheSameOfAWayAndOfItsTrimmedRuns) {
   for (const StreetLamp& lamp : lamps) EXPECT_EQ(std::ranges::count(joined, lamp), 1);
 }
 
-TEST(LampsAlong, CostWhatTheBoxHoldsHoweverLongTheWay) {
+TEST(LampsAlong, CostDependsOnTheBoxNotTheLengthOfTheWay) {
   Road endless = street({{-0x1p40, -0x1p39}, {0x1p40, 0x1p39}});
   endless.start_along_m = 0x1p42;
   EXPECT_LE(lamps_along(endless, Box2{{0, 0}, {1024, 1024}}).size(), 50u);
@@ -172,7 +175,7 @@ TEST(LampsOfStreets, KeepOffRoadsWaterAndBuildings) {
     EXPECT_EQ(on(roads, {square(surface, third, 3)}), on(roads));
 }
 
-TEST(LampsOfStreets, GiveWayToMappedOnes) {
+TEST(LampsOfStreets, AreNoneNearMappedOnes) {
   const std::vector<Road> roads = {street({{0, 0}, {300, 0}})};
   const auto alone = on(roads), beside = on(roads, {}, {{{{OsmType::kNode, 1}, 0}, {150, 5}, 0}});
   EXPECT_LT(beside.size(), alone.size());
@@ -182,7 +185,7 @@ TEST(LampsOfStreets, GiveWayToMappedOnes) {
   }
 }
 
-TEST(LampsOfStreets, LeavePathsBesideLitStreetsToTheStreet) {
+TEST(LampsOfStreets, AreNoneOnPathsBesideLitStreets) {
   const Road path = road_on({{0, 7}, {200, 7}}, LandCoverClass::kPavedFootPath, 2);
   Road near = street({{0, 0}, {200, 0}});
   near.id.osm.id = 8;

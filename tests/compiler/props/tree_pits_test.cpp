@@ -18,7 +18,7 @@ LandCoverPolygon surface(std::int64_t id, LandCoverClass kind, Ring ring) {
 
 Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
-// A carriageway and the pavement beside it, a square, a lawn, gravel, a street for walkers.
+// A carriageway and the pavement beside it, a square, a lawn, gravel, a pedestrian street.
 const std::vector<LandCoverPolygon> kSurfaces = {
     surface(1, LandCoverClass::kResidentialRoad, block(-100, -4, 100, 4)),
     surface(2, LandCoverClass::kPavement, block(-100, 4, 100, 7)),
@@ -41,7 +41,7 @@ std::vector<TreePit> pits_at(const std::vector<Vec2>& places, const Polyline& ax
   return tree_pits(trees, std::vector{street(axis)}, map);
 }
 
-// Rises to the east by so much.
+// A plane that rises to the east.
 ground::GradedTerrain sloping(double slope = 1.0 / 16) {
   map::Heightfield field{{-128, -128}, {16, 16}, 17, 17, {}, 0};
   for (int j = 0; j < 17; ++j)
@@ -80,7 +80,7 @@ TEST(TreePits, DoNotTouchEachOther) {
   EXPECT_EQ(pits_at({{-50, 60}, {-49, 60}})[0].feature, (OsmId{OsmType::kNode, 1}));
 }
 
-TEST(TreePits, StandOutOfTheGroundByWhatTheyState) {
+TEST(TreePits, HaveTheirHeightAsError) {
   const ground::GradedTerrain ground = sloping();
   const TreePit pit = pits_at({{-50, 60}}, {{-90, 40}, {-20, 110}})[0];
   const GeneratedProp full = generate(pit, ground, 0.02), soil = generate(pit, ground, 0.1),
@@ -88,8 +88,8 @@ TEST(TreePits, StandOutOfTheGroundByWhatTheyState) {
   EXPECT_EQ(full.error_m, 0);
   EXPECT_TRUE(none.meshes.empty());
   double highest_m = 0, soil_m = 0;
-  for (const auto& dressed : full.meshes)
-    for (const Vec3 p : dressed.mesh.positions) highest_m = std::max(highest_m, p.z - land_m(ground, in_plan(p)));
+  for (const auto& part : full.meshes)
+    for (const Vec3 p : part.mesh.positions) highest_m = std::max(highest_m, p.z - land_m(ground, in_plan(p)));
   for (const Vec3 p : soil.meshes[0].mesh.positions) soil_m = std::max(soil_m, p.z - land_m(ground, in_plan(p)));
   EXPECT_NEAR(none.error_m, highest_m, 0.002);
   EXPECT_NEAR(soil.error_m, highest_m - soil_m, 0.002);
@@ -105,12 +105,12 @@ TEST(TreePits, AreNotMadeWhereTheGroundIsSteepOrBent) {
   EXPECT_TRUE(generate(pit, ground::GradedTerrain(std::move(ridge)), 0.02).meshes.empty());
 }
 
-TEST(TreePits, ShowTheirFrontAbove) {
+TEST(TreePits, FaceUpwards) {
   const GeneratedProp pit = generate(pits_at({{-50, 60}})[0], sloping(), 0.02);
   double up_m2 = 0;
-  for (const auto& dressed : pit.meshes)
-    for (const auto& [a, b, c] : dressed.mesh.triangles) {
-      const auto& p = dressed.mesh.positions;
+  for (const auto& part : pit.meshes)
+    for (const auto& [a, b, c] : part.mesh.triangles) {
+      const auto& p = part.mesh.positions;
       up_m2 += cross(in_plan(p[b] - p[a]), in_plan(p[c] - p[a])) / 2;
     }
   EXPECT_NEAR(up_m2, 1.5 * 1.5, 0.01);

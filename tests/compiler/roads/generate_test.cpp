@@ -34,8 +34,9 @@ TEST(RoadStrip, CoversItsAxisAsWideAsItIs) {
 }
 
 TEST(RoadStrip, IsMadeOfCounterClockwiseRings) {
-  for (const Ring& ring : stroke_of(road({{0, 0}, {20, 3}, {5, 9}, {40, 9}, {41, 60}})))
-    EXPECT_GT(signed_area_m2(ring), 0);
+  const std::vector<Ring> rings = stroke_of(road({{0, 0}, {20, 3}, {5, 9}, {40, 9}, {41, 60}}));
+  EXPECT_EQ(rings.size(), 7u) << "a quad for each segment and a ring for each bend";
+  for (const Ring& ring : rings) EXPECT_GT(signed_area_m2(ring), 0);
 }
 
 TEST(RoadStrip, LiesAboutItsAxisAsItsLanesDo) {
@@ -58,11 +59,11 @@ TEST(RoadStrip, IsJoinedToWhereItGoesOn) {
 TEST(RoadsEnds, JoinWhereTwoMeetAndNoMore) {
   const std::vector<Road> two = {road({{0, 0}, {100, 0}}), road({{100, 0}, {200, 9}})};
   const std::vector<StripEnds> ends = ends_of(two);
-  EXPECT_EQ(ends[0].to, (Vec2{200, 9}));
-  EXPECT_EQ(ends[1].from, (Vec2{0, 0}));
-  EXPECT_FALSE(ends[0].from || ends[1].to);
+  EXPECT_EQ(ends[0].after, (Vec2{200, 9}));
+  EXPECT_EQ(ends[1].before, (Vec2{0, 0}));
+  EXPECT_FALSE(ends[0].before || ends[1].after);
   const std::vector<Road> three = {two[0], two[1], road({{100, 0}, {100, 50}})};
-  for (const StripEnds& end : ends_of(three)) EXPECT_FALSE(end.from || end.to);
+  for (const StripEnds& end : ends_of(three)) EXPECT_FALSE(end.before || end.after);
 }
 
 TEST(TrimmedRoads, KnowHowMuchOfThemWentBefore) {

@@ -38,7 +38,7 @@ TEST(LandCover, JunctionsAreGradedWithAnyOfTheirArms) {
                     path(3, {{50, 10}, {50, 90}}, {})};
   const std::vector<roads::Arm> arms{{0, 1, -1}, {1, 0, 1}, {2, 0, 1}};
   roads::Junction junction;
-  junction.places = {{50, 10}};
+  junction.nodes = {{50, 10}};
   junction.cuts.resize(3);
   EXPECT_FALSE(junction_surface(junction, roads, arms).is_graded);
   roads[2].profile = {{0, 5, 0}, {80, 1, 0}};

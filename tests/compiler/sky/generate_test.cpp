@@ -15,7 +15,7 @@ Sky sun_at(double elevation_deg) {
 
 double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
-// Illuminance of the sky on level ground, over π: what a white floor would send back.
+// Illuminance of the sky on level ground, divided by π: the radiance of a white floor.
 double floor_luminance(const SkyModel& dome) {
   double sum = 0;
   constexpr int kRings = 45, kSectors = 90;
@@ -65,7 +65,7 @@ TEST(Radiance, DarkensBelowTheHorizonAndInTheNight) {
   }
 }
 
-TEST(SunRadiance, LightsTheGroundFourToTenTimesAsMuchAsTheSky) {
+TEST(SunRadiance, IlluminatesTheGroundFourToTenTimesAsMuchAsTheSky) {
   const SkyModel dome = generate(sun_at(60));
   const double solid_angle = 2 * std::numbers::pi * (1 - dome.sun_cos_radius);
   const double sun = luminance(dome.sun_radiance) * solid_angle * dome.to_sun.z / std::numbers::pi;

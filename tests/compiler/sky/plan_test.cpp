@@ -50,7 +50,7 @@ TEST(Plan, QuantisesAUnitVector) {
   EXPECT_NEAR(length(sky->to_sun), 1, 2e-6);
 }
 
-TEST(Plan, RefusesWhatIsNoTime) {
+TEST(Plan, RejectsInvalidTimes) {
   for (const char* text :
        {"noon", "2026-06-21", "2026-06-21T", "2026-6-21T15:00", "2026-02-30T12:00", "2026-06-21T24:00",
         "2026-06-21T15:60", "2026-06-21 15:00", "2026-06-21T15:00:0", "2026-06-21T15:00+02:00", "2026-06-21T15:00ZZ"}) {

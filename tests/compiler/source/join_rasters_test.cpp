@@ -38,7 +38,7 @@ bool same_samples(const Raster& a, const Raster& b) {
          std::ranges::equal(a.heights_m, b.heights_m, same);
 }
 
-TEST(JoinRasters, CutAlongAMeridianTheyAreTheWhole) {
+TEST(JoinRasters, RestoresARasterCutAlongAMeridian) {
   const Raster whole = degree(40, 30);
   for (const int overlap : {0, 1, 5}) {
     const Raster west = cut(whole, 0, 0, 17 + overlap, 30), east = cut(whole, 17, 0, 23, 30);
@@ -50,7 +50,7 @@ TEST(JoinRasters, CutAlongAMeridianTheyAreTheWhole) {
   }
 }
 
-TEST(JoinRasters, FourQuartersInAnyOrderAreTheWhole) {
+TEST(JoinRasters, RestoresFourQuartersInAnyOrder) {
   const Raster whole = degree(40, 30);
   std::vector<Raster> parts = {cut(whole, 0, 0, 17, 12), cut(whole, 17, 0, 23, 12), cut(whole, 0, 12, 17, 18),
                                cut(whole, 17, 12, 23, 18)};
@@ -63,7 +63,7 @@ TEST(JoinRasters, FourQuartersInAnyOrderAreTheWhole) {
   } while (std::ranges::next_permutation(order).found);
 }
 
-TEST(JoinRasters, ThreeQuartersStayTwoSoThatNoVoidComesIntoBeing) {
+TEST(JoinRasters, DoesNotJoinThreeQuartersSinceThatWouldCreateVoids) {
   const Raster whole = degree(40, 30);
   const std::vector<Raster> joined =
       join_rasters({cut(whole, 0, 0, 17, 12), cut(whole, 0, 12, 17, 18), cut(whole, 17, 0, 23, 12)});
@@ -71,7 +71,7 @@ TEST(JoinRasters, ThreeQuartersStayTwoSoThatNoVoidComesIntoBeing) {
   EXPECT_EQ(joined[0].rows, 30);
 }
 
-TEST(JoinRasters, TheFirstWithASampleGivesIt) {
+TEST(JoinRasters, TakesTheFirstSampleInOverlaps) {
   Raster first = degree(10, 4), second = degree(10, 4);
   for (float& height_m : second.heights_m) height_m = -1;
   second.credit = "another";
@@ -83,7 +83,7 @@ TEST(JoinRasters, TheFirstWithASampleGivesIt) {
   EXPECT_EQ(joined[0].credit, "someone");
 }
 
-TEST(JoinRasters, OtherGridsStayApartAndInOrder) {
+TEST(JoinRasters, KeepsOtherGridsApartAndInOrder) {
   const Raster whole = degree(40, 30), west = cut(whole, 0, 0, 17, 30), east = cut(whole, 17, 0, 23, 30);
   Raster shifted = east, finer = east, elsewhere = east, other_system = east;
   shifted.from_grid[0] += 0.5 / 1200;
@@ -99,7 +99,7 @@ TEST(JoinRasters, OtherGridsStayApartAndInOrder) {
   EXPECT_EQ(kept[1].from_grid, finer.from_grid);
 }
 
-TEST(JoinRasters, NothingOrEmptyPartsNoTrouble) {
+TEST(JoinRasters, AcceptsEmptyInput) {
   EXPECT_TRUE(join_rasters({}).empty());
   Raster empty;
   EXPECT_EQ(join_rasters({empty, empty}).size(), 2u);

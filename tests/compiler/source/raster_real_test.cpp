@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/source/spikes_to_voids.h"
 #include "tests/compiler/source/extract_text.h"
@@ -161,7 +162,7 @@ TEST_F(RasterReal, SrtmVoidsAreFoundAndFilledWithinTheirSurroundings) {
   EXPECT_GE(*std::min_element(full.heights_m.begin(), full.heights_m.end()), 0);
 }
 
-TEST_F(RasterReal, ZippedHgtIsRead) {
+TEST_F(RasterReal, ReadsZippedHgt) {
   const Raster raster = read_real("dem-formats/N48W125-srtm1.hgt.zip");
   EXPECT_EQ(raster.columns, 3601);
   EXPECT_EQ(raster.rows, 3601);
@@ -232,10 +233,11 @@ TEST_F(RasterReal, PictureWithoutPlaceOrEncodingIsAnError) {
     return raster ? "no error" : raster.error().message;
   };
   EXPECT_EQ(error_of("dem-formats/fuji-mapbox-terrain-rgb.png,encoding=mapbox"),
-            "the file does not say where it lies; give bounds=W/S/E/N or tile=Z/X/Y");
+            "the file has no georeference; add bounds=W/S/E/N or tile=Z/X/Y");
   EXPECT_EQ(error_of("dem-formats/fuji-mapbox-terrain-rgb.png,bounds=0/0/1/1"),
-            "a coloured picture needs encoding=terrarium or encoding=mapbox");
-  EXPECT_EQ(error_of("portland/portland-ned.tif,encoding=terrarium"), "encoding=terrarium needs three bands of 8 bits");
+            "a colour picture needs encoding=terrarium or encoding=mapbox");
+  EXPECT_EQ(error_of("portland/portland-ned.tif,encoding=terrarium"),
+            "encoding=terrarium needs three bands with 8 bits each");
 }
 
 // Each of these was judged by eye in its surroundings; all other samples are nature's, cliffs and sea stacks among

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 #include "tests/compiler/source/extract_text.h"
 
@@ -30,7 +31,7 @@ TEST(ParseRasterSpec, ReadsEveryKey) {
   EXPECT_EQ(spec->credit, "Someone");
 }
 
-TEST(ParseRasterSpec, FileAlone) {
+TEST(ParseRasterSpec, TakesAFileWithoutKeys) {
   const Result<RasterSpec> spec = parse_raster_spec("N42E001.hgt");
   ASSERT_TRUE(spec);
   EXPECT_EQ(spec->path, "N42E001.hgt");
@@ -49,7 +50,7 @@ TEST(ParseRasterSpec, ErrorsNameTheKeyAndTheValue) {
             "a.png: expected Z/X/Y with X and Y below 2^Z after tile=, found '3/8/0'");
   EXPECT_EQ(error_of_spec("a.png,encoding=png"), "a.png: expected terrarium or mapbox after encoding=, found 'png'");
   EXPECT_EQ(error_of_spec("a.png,flat"), "a.png: expected key=value, found 'flat'");
-  EXPECT_EQ(error_of_spec(""), "expected a heightmap's file name first");
+  EXPECT_EQ(error_of_spec(""), "expected the file name of a heightmap first, such as N43E007.hgt");
 }
 
 Raster raster_of(int columns, int rows, const std::function<float(int, int)>& height) {
@@ -81,6 +82,7 @@ TEST(FillVoids, FilledHeightsStayWithinTheRim) {
   const auto is_hole = [](int c, int r) { return c % 40 > 4 && r % 30 > 7; };
   const Raster filled =
       fill_voids(raster_of(120, 90, [&](int c, int r) { return is_hole(c, r) ? kNone : bumpy(c, r); }), report);
+  ASSERT_EQ(filled.heights_m.size(), 120u * 90u);
   for (const float height : filled.heights_m) {
     EXPECT_GE(height, 0.0F);
     EXPECT_LE(height, 52.0F);
@@ -106,6 +108,7 @@ TEST(FillVoids, SamplesThatAreThereStay) {
   const Raster raster =
       raster_of(9, 7, [](int c, int r) { return c == 4 && r > 1 ? kNone : static_cast<float>(c * r); });
   const Raster filled = fill_voids(raster, report);
+  ASSERT_EQ(filled.heights_m.size(), 63u);
   for (std::size_t i = 0; i < raster.heights_m.size(); ++i) {
     EXPECT_TRUE(std::isnan(raster.heights_m[i]) || filled.heights_m[i] == raster.heights_m[i]) << i;
   }
@@ -127,7 +130,7 @@ TEST(FillVoids, NumberOfSamplesIsDiagnosed) {
   EXPECT_TRUE(none.diagnoses().empty());
 }
 
-TEST(FillVoids, NoSamplesNoTrouble) {
+TEST(FillVoids, AcceptsRastersWithoutSamples) {
   Report report;
   EXPECT_TRUE(fill_voids(Raster{}, report).heights_m.empty());
 }
@@ -202,7 +205,7 @@ TEST(ReadRaster, WindowFarAwayNeedsNoSamples) {
 
 TEST(ReadRaster, FileWithoutReferenceSystemMustBeInDegrees) {
   EXPECT_EQ(error_of("a.asc", "ncols 2\nnrows 1\nxllcorner 500000\nyllcorner 4000000\ncellsize 30\n1 2\n"),
-            ": the file names no reference system and its coordinates are not degrees");
+            ": the file has no reference system and its coordinates are not degrees");
 }
 
 TEST(ReadRasterErrors, MissingEmptyAndForeignFiles) {
@@ -211,7 +214,7 @@ TEST(ReadRasterErrors, MissingEmptyAndForeignFiles) {
   EXPECT_EQ(to_string(read_raster(spec, nullptr).error()), "/nowhere/N42E001.hgt: no such file");
   EXPECT_EQ(error_of("a.tif", ""), ": the file is empty");
   EXPECT_EQ(error_of("a.tif", "no picture"),
-            ": not a heightmap that can be read: expected .hgt, GeoTIFF, an ASCII grid or PNG");
+            ": not a readable heightmap: expected .hgt, GeoTIFF, an ASCII grid or PNG");
   EXPECT_EQ(error_of("a.zip", "no archive"), ": no heightmap in the archive; expected .hgt, .tif, .asc or .png");
   EXPECT_EQ(error_of("N42E001.hgt", "short"),
             ": not an SRTM heightmap: expected 1201 or 3601 samples a side and a name like N42E001.hgt");

@@ -80,6 +80,7 @@ TEST(ReadOsm, OuterRingsRunCounterClockwiseAndInnerOnesClockwise) {
 TEST(ReadOsm, LastPointOfARingIsNotRepeated) {
   Report report;
   const OsmData data = read(lines(), report);
+  ASSERT_EQ(data.rings.size(), 2u);
   for (const AreaRing& ring : data.rings) EXPECT_EQ(ring.points.count, 4u);
 }
 
@@ -102,7 +103,7 @@ TEST(ReadOsm, TypeIsNotATagOfTheArea) {
   EXPECT_EQ(data.value_of(data.relations[0].tags, "type"), "multipolygon");
 }
 
-TEST(ReadOsm, OfElementsThatOccurTwiceTheHighestVersionStays) {
+TEST(ReadOsm, KeepsTheHighestVersionOfDuplicates) {
   const std::string first = R"(<node id="1" version="1" lon="1" lat="1"><tag k="name" v="old"/></node>)";
   const std::string second = R"(<node id="1" version="2" lon="2" lat="2"><tag k="name" v="new"/></node>)";
   for (const std::string& text : {first + second, second + first}) {
@@ -115,7 +116,7 @@ TEST(ReadOsm, OfElementsThatOccurTwiceTheHighestVersionStays) {
   }
 }
 
-TEST(ReadOsm, OfTwoElementsOfOneVersionTheChoiceDoesNotDependOnTheirOrder) {
+TEST(ReadOsm, ChoiceBetweenEqualVersionsDoesNotDependOnOrder) {
   const std::string first = R"(<node id="1" version="1" lon="1" lat="1"><tag k="name" v="a"/></node>)";
   const std::string second = R"(<node id="1" version="1" lon="1" lat="1"><tag k="name" v="b"/></node>)";
   Report report;
@@ -274,7 +275,7 @@ TEST(ReadOsmErrors, XmlThatIsNotOsm) {
   EXPECT_EQ(error_of("a.osm", "<gpx version=\"1.1\"></gpx>"), ": Unknown top-level element: gpx");
 }
 
-TEST(ReadOsmErrors, NumbersThatAreNone) {
+TEST(ReadOsmErrors, MalformedNumbers) {
   EXPECT_NE(error_of("a.osm", osm(R"(<node id="x" version="1" lon="0" lat="0"/>)")), "no error");
   EXPECT_NE(error_of("a.osm", osm(R"(<node id="1" version="1" lon="east" lat="0"/>)")), "no error");
 }

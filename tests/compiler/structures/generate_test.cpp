@@ -46,7 +46,7 @@ double distance_to(const std::vector<materials::MaterialMesh>& meshes, Vec3 p) {
   return nearest;
 }
 
-TEST(Expand, ClosesTheDeckAndEveryPart) {
+TEST(Generate, ClosesTheDeckAndEveryPart) {
   for (const bool has_pavements : {false, true})
     for (const double tolerance_m : {0.02, 0.1, 0.5})
       EXPECT_TRUE(open_edges(all_meshes(generate(bent(has_pavements), tolerance_m))).empty()) << tolerance_m;
@@ -56,7 +56,7 @@ TEST(Expand, ClosesTheDeckAndEveryPart) {
   EXPECT_TRUE(open_edges(all_meshes(generate(path, 0.02))).empty());
 }
 
-TEST(Expand, LooksOutwards) {
+TEST(Generate, FacesOutwards) {
   Span straight = made_span({{0, 0}, {50, 0}}, {{0, 10, 0}});
   const double slab = 50 * 6.5 * 0.45, volume = volume_m3(all_meshes(generate(straight, 0.02)));
   EXPECT_GT(volume, slab);
@@ -65,7 +65,7 @@ TEST(Expand, LooksOutwards) {
             volume_m3(all_meshes(generate(bent(true), 0.02))) / 2);
 }
 
-TEST(Expand, IsAsWideAsItsRoadAndAsymmetricLikeIt) {
+TEST(Generate, HasTheWidthsOfItsRoad) {
   Span span = made_span({{0, 0}, {50, 0}}, {{0, 10, 0}}, true);
   span.section.lanes.pop_back();
   const auto meshes = all_meshes(generate(span, 0.02));
@@ -75,15 +75,15 @@ TEST(Expand, IsAsWideAsItsRoadAndAsymmetricLikeIt) {
   EXPECT_TRUE(has_point(meshes, {0, -3.25, 11}));
 }
 
-TEST(Expand, MarksItsLanesWhereLinesCanBeSeen) {
+TEST(Generate, HasMarkingsOnFineLevels) {
   EXPECT_EQ(generate(bent(), 0.02).marked.size(), 1u);
   EXPECT_TRUE(generate(bent(), tolerances_with(Detail::kRoadSurfaces).below_m).marked.empty());
 }
 
-TEST(Expand, JoinedSpansShareTheirEdges) {
+TEST(Generate, GivesJoinedSpansTheSameEdges) {
   Span a = made_span({{0, 0}, {40, 0}}, {{0, 10, 0}}), b = made_span({{40, 0}, {60, 30}}, {{0, 10, 0}});
   a.to = {EndKind::kJoint, {60, 30}, 0}, b.from = {EndKind::kJoint, {0, 0}, 0};
-  // the same span drawn from its other end
+  // the same span, drawn in the opposite direction
   Span c = made_span({{60, 30}, {40, 0}}, {{0, 10, 0}});
   c.to = {EndKind::kJoint, {0, 0}, 0};
   const auto corners = [](const Span& span, bool at_end) {
@@ -98,7 +98,7 @@ TEST(Expand, JoinedSpansShareTheirEdges) {
   EXPECT_EQ(corners(a, true), corners(c, true));
 }
 
-TEST(Expand, StatesNoLessThanWhatItLeavesOut) {
+TEST(Generate, StatesAnErrorOfAtLeastWhatItOmits) {
   Span arched = with_supports();
   arched.profile = {{0, 10, 0}, {10, 10.5, 0.01}, {20, 10.75, 0.02}, {30, 10.5, 0}, {50, 9.75, 0}, {64.125, 9, 0}};
   Span path = arched;
@@ -111,7 +111,7 @@ TEST(Expand, StatesNoLessThanWhatItLeavesOut) {
       EXPECT_LE(expanded.error_m, tolerance_m);
       for (const auto& m : fine) {
         for (const Vec3 p : m.mesh.positions) {
-          // from what is left of the bridge or from the ground below it
+          // to the coarse mesh or to the ground below it
           const double off_m = std::min(distance_to(coarse, p), std::abs(p.z - 2));
           EXPECT_LE(off_m, expanded.error_m + 0.01) << tolerance_m << " " << p.z;
         }
@@ -120,7 +120,7 @@ TEST(Expand, StatesNoLessThanWhatItLeavesOut) {
   }
 }
 
-TEST(Expand, NeedsFewTrianglesFromAfar) {
+TEST(Generate, NeedsFewTrianglesFromAfar) {
   std::size_t last = 1u << 30;
   for (const double tolerance_m : {0.02, 0.1, 0.5, 2.5, 12.5}) {
     std::size_t triangles = 0;
@@ -131,7 +131,7 @@ TEST(Expand, NeedsFewTrianglesFromAfar) {
   EXPECT_LE(last, 6u);
 }
 
-TEST(Expand, AnEndAcrossARoadIsCutBack) {
+TEST(Generate, CutsEndsBackAtARoadThatPasses) {
   Span span = made_span({{0, 0}, {50, 0}}, {{0, 10, 0}});
   span.to = {EndKind::kBesideRoad, {}, 4.25};
   for (const auto& m : all_meshes(generate(span, 0.02)))
@@ -140,10 +140,10 @@ TEST(Expand, AnEndAcrossARoadIsCutBack) {
   EXPECT_TRUE(all_meshes(generate(span, 0.02)).empty());
 }
 
-TEST(Expand, IsTotalOnHairpinsAndStubs) {
+TEST(Generate, IsTotalOnHairpinsAndStubs) {
   Span span = made_span({{0, 0}, {10, 0}, {0, 0}}, {});
-  for (const auto& dressed : all_meshes(generate(span, 0.02)))
-    for (const Vec3 p : dressed.mesh.positions) EXPECT_EQ(p, snapped(p));
+  for (const auto& part : all_meshes(generate(span, 0.02)))
+    for (const Vec3 p : part.mesh.positions) EXPECT_EQ(p, snapped(p));
   span.axis = {{0, 0}};
   EXPECT_TRUE(all_meshes(generate(span, 0.02)).empty());
 }

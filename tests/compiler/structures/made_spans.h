@@ -36,10 +36,10 @@ inline std::vector<materials::MaterialMesh> all_meshes(const GeneratedStructure&
 /// How often each edge is walked from the one position to the other, less how often back; closed meshes have none.
 inline std::map<std::pair<Vec3, Vec3>, int> open_edges(const std::vector<materials::MaterialMesh>& meshes) {
   std::map<std::pair<Vec3, Vec3>, int> edges;
-  for (const auto& dressed : meshes)
-    for (const Triangle& t : dressed.mesh.triangles)
+  for (const auto& part : meshes)
+    for (const Triangle& t : part.mesh.triangles)
       for (int i = 0; i < 3; ++i) {
-        const Vec3 a = dressed.mesh.positions[t[i]], b = dressed.mesh.positions[t[(i + 1) % 3]];
+        const Vec3 a = part.mesh.positions[t[i]], b = part.mesh.positions[t[(i + 1) % 3]];
         if (a < b)
           ++edges[{a, b}];
         else
@@ -51,17 +51,17 @@ inline std::map<std::pair<Vec3, Vec3>, int> open_edges(const std::vector<materia
 
 inline double volume_m3(const std::vector<materials::MaterialMesh>& meshes) {
   double six = 0;
-  for (const auto& dressed : meshes)
-    for (const auto& [a, b, c] : dressed.mesh.triangles) {
-      const auto& p = dressed.mesh.positions;
+  for (const auto& part : meshes)
+    for (const auto& [a, b, c] : part.mesh.triangles) {
+      const auto& p = part.mesh.positions;
       six += dot(p[a], cross(p[b], p[c]));
     }
   return six / 6;
 }
 
 inline bool has_point(const std::vector<materials::MaterialMesh>& meshes, Vec3 at) {
-  for (const auto& dressed : meshes)
-    for (const Vec3 p : dressed.mesh.positions)
+  for (const auto& part : meshes)
+    for (const Vec3 p : part.mesh.positions)
       if (p == at) return true;
   return false;
 }

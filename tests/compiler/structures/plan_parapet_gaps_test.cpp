@@ -15,7 +15,7 @@ std::vector<Span> fork(double other_z_m) {
   return find_parapet_gaps({through, side});
 }
 
-TEST(PlanOpenings, NoParapetStandsAcrossTheOtherRoad) {
+TEST(ParapetGaps, AreWhereEdgesLieOnTheOtherDeck) {
   const std::vector<Span> spans = fork(10);
   ASSERT_EQ(spans[0].left_gaps.size(), 1u);
   EXPECT_NEAR(spans[0].left_gaps[0].from_m, 47, 0.5);
@@ -27,14 +27,17 @@ TEST(PlanOpenings, NoParapetStandsAcrossTheOtherRoad) {
   EXPECT_EQ(spans[1].left_gaps, spans[1].right_gaps);
 }
 
-TEST(PlanOpenings, DecksAboveOneAnotherKeepTheirs) {
-  for (const Span& span : fork(16)) EXPECT_TRUE(span.left_gaps.empty() && span.right_gaps.empty());
+TEST(ParapetGaps, AreNoneOnDecksAboveOneAnother) {
+  const std::vector<Span> spans = fork(16);
+  ASSERT_FALSE(spans.empty());
+  for (const Span& span : spans) EXPECT_TRUE(span.left_gaps.empty() && span.right_gaps.empty());
 }
 
-TEST(PlanOpenings, AreGapsInTheParapetAndNothingElse) {
+TEST(ParapetGaps, RemoveTheParapetAlone) {
   const std::vector<Span> spans = fork(10);
   const auto meshes = all_meshes(generate(spans[0], 0.02));
   EXPECT_TRUE(has_point(meshes, {0, 3.25, 11}));
+  ASSERT_FALSE(meshes.empty());
   for (const auto& m : meshes)
     for (const auto& [a, b, c] : m.mesh.triangles) {
       const Vec3 middle = (m.mesh.positions[a] + m.mesh.positions[b] + m.mesh.positions[c]) * (1.0 / 3);

@@ -25,7 +25,7 @@ map::Heightfield level_at(std::int32_t z_m) {
   return field;
 }
 
-TEST(Plan, SpansAreTheirTracksWithTheirProfiles) {
+TEST(Plan, GivesSpansTheirTracksProfiles) {
   map::Features f;
   f.tracks = {track(1, Passage::kGround, {{-50, 0}, {0, 0}}), track(2, Passage::kBridge, {{0, 0}, {30, 0}, {30, 40}}),
               track(3, Passage::kTunnel, {{30, 40}, {60, 40}})};
@@ -41,7 +41,7 @@ TEST(Plan, SpansAreTheirTracksWithTheirProfiles) {
   EXPECT_TRUE(report.balances());
 }
 
-TEST(Plan, TunnelsWithoutLandAboveAreNotBoredAndDiagnosed) {
+TEST(Plan, DiagnosesTunnelsAboveTheTerrain) {
   map::Features f;
   f.tracks = {track(3, Passage::kTunnel, {{0, 0}, {60, 0}})};
   const std::vector<Profile> off_ground = {{{0, 10, 0}}};

@@ -25,7 +25,7 @@ map::Features with(std::vector<map::Track> tracks) {
 
 const map::Track kBridge = track(1, Passage::kBridge, {{0, 0}, {30, 0}}, {1, 2});
 
-TEST(SpanEnds, MeetTheRoadThatGoesOn) {
+TEST(SpanEnds, AreSquareToTheRoadThatContinues) {
   const auto ends = find_ends(with({kBridge, track(2, Passage::kGround, {{30, 0}, {60, 10}}, {2, 3})}));
   EXPECT_EQ(ends[0].to, (SpanEnd{EndKind::kGround, {60, 10}, 0}));
   EXPECT_EQ(ends[0].from.kind, EndKind::kFree);
@@ -36,13 +36,13 @@ TEST(SpanEnds, AreCutAtTheEdgeOfARoadThatPasses) {
   EXPECT_EQ(ends[0].to, (SpanEnd{EndKind::kBesideRoad, {}, 3}));
 }
 
-TEST(SpanEnds, JoinTheOneSpanThatGoesOn) {
+TEST(SpanEnds, JoinTheOneSpanThatContinues) {
   const auto ends = find_ends(with({kBridge, track(2, Passage::kBridge, {{60, 10}, {30, 0}}, {3, 2})}));
   EXPECT_EQ(ends[0].to, (SpanEnd{EndKind::kJoint, {60, 10}, 0}));
   EXPECT_EQ(ends[1].to, (SpanEnd{EndKind::kJoint, {0, 0}, 0}));
 }
 
-TEST(SpanEnds, OfAnotherPassageOrFamilyAreNoJoint) {
+TEST(SpanEnds, DoNotJoinOtherPassagesOrFamilies) {
   map::Track path = track(2, Passage::kBridge, {{30, 0}, {60, 0}}, {2, 3});
   path.surface = map::LandCoverClass::kFootPath;
   EXPECT_EQ(find_ends(with({kBridge, path}))[0].to.kind, EndKind::kFree);

@@ -16,7 +16,7 @@ namespace {
 
 const Box2 kBox{{-64, -64}, {64, 64}};
 
-// A hill of any shape, on squares of 4 m.
+// A terrain of a given function, on a grid of 4 m.
 map::Heightfield hill(const std::function<double(Vec2)>& height_m) {
   map::Heightfield field{{-128, -128}, {4, 4}, 65, 65, {}, 0};
   for (int j = 0; j < field.rows; ++j)
@@ -42,7 +42,7 @@ struct Built {
 
 Ring ring_of(const Box2& box) { return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}; }
 
-// The way's surface is a square that holds all of it, but for where a street covers that.
+// The way's land cover is a square around it, without what a street covers.
 Built built(const roads::Road& steps, const std::function<double(Vec2)>& height_m,
             const Box2& street = {{60, 60}, {62, 62}}) {
   const std::vector<ground::LandCoverPolygon> surfaces = {
@@ -91,7 +91,7 @@ TEST(Stairs, LieOnTheGround) {
     const Vec3 p = (positions[a] + positions[b] + positions[c]) * (1.0 / 3);
     if (!tread_heights(made.stairs.mesh).contains(p.z)) continue;
     const double over_m = p.z - map::height_m_at(made.ground.terrain, in_plan(p));
-    // by a riser, and what the ground rises across the way
+    // by a riser, and the rise of the ground across the way
     EXPECT_GE(over_m, -0.07) << p.x;
     EXPECT_LE(over_m, made.stairs.error_m);
   }
@@ -109,12 +109,12 @@ TEST(Stairs, GoUpAndDown) {
   const roads::Road over = steps_along({{-20, 0}, {20, 0}});
   const Mesh mesh = built(over, [](Vec2 p) { return 10 - std::abs(p.x) * 0.5; }).stairs.mesh;
   const std::set<double> heights = tread_heights(mesh);
-  // both flights have their own
+  // each flight has risers of its own
   EXPECT_NEAR(static_cast<double>(heights.size()), 2 * 10 / kRiser_m, 4);
   EXPECT_LE(*heights.rbegin(), 10.01);
 }
 
-TEST(Stairs, TurnSharplyWithoutTurningOver) {
+TEST(Stairs, HaveNoInvertedTreadsInSharpBends) {
   for (const Vec2 last : {Vec2{2, 1.5}, Vec2{2, 6}, Vec2{12, 12}, Vec2{0, -0.25}}) {
     const Built made = built(steps_along({{0, 0}, {10, 0}, last}), [](Vec2 p) { return 50 + 0.5 * p.x + 2 * p.y; });
     const Mesh& mesh = made.stairs.mesh;
@@ -132,8 +132,10 @@ TEST(Stairs, AreNoneOnLevelGround) {
   EXPECT_TRUE(built(kUp, [](Vec2) { return 7.0; }).stairs.mesh.triangles.empty());
 }
 
-TEST(Stairs, KeepToWhatTheyCover) {
-  for (const Vec3 p : built(kUp, ramp_m, {{12, -64}, {64, 64}}).stairs.mesh.positions) EXPECT_LE(p.x, 12 + 0x1p-9);
+TEST(Stairs, KeepToTheirLandCoverAndTheBox) {
+  const Built made = built(kUp, ramp_m, {{12, -64}, {64, 64}});
+  ASSERT_FALSE(made.stairs.mesh.positions.empty());
+  for (const Vec3 p : made.stairs.mesh.positions) EXPECT_LE(p.x, 12 + 0x1p-9);
 }
 
 }  // namespace

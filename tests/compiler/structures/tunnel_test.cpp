@@ -21,19 +21,19 @@ Span tunnel() {
   return span;
 }
 
-TEST(Bore, NeedsLandAboveIt) {
+TEST(Tunnel, IsUndergroundOnlyBelowTheTerrain) {
   EXPECT_TRUE(is_underground(tunnel(), level_at(30)));
   EXPECT_FALSE(is_underground(tunnel(), level_at(14)));
   EXPECT_FALSE(is_underground(tunnel(), level_at(0)));
 }
 
-TEST(Bore, IsNothingWhereItIsNotBored) {
+TEST(Tunnel, HasNoMeshUnlessBored) {
   Span span = tunnel();
   span.is_bored = false;
   EXPECT_TRUE(all_meshes(generate_tunnel(span, 0.1)).empty());
 }
 
-TEST(Bore, LooksInwards) {
+TEST(Tunnel, FacesInwards) {
   Span span = tunnel();
   span.from = span.to = {};
   const auto meshes = all_meshes(generate_tunnel(span, 0.1));
@@ -41,8 +41,8 @@ TEST(Bore, LooksInwards) {
   EXPECT_NEAR(volume_m3(meshes), -110 * (10 * 5.0 + 6 * 0.125), 60);
 }
 
-TEST(Bore, IsOpenAtItsMouthAndWhereItGoesOn) {
-  // whatever is open lies in the two ends' planes
+TEST(Tunnel, IsOpenAtPortalsAndJoints) {
+  // open edges lie in the planes of the two ends
   const auto open = open_edges(all_meshes(generate_tunnel(tunnel(), 0.1)));
   EXPECT_FALSE(open.empty());
   for (const auto& [edge, times] : open) {
@@ -54,7 +54,7 @@ TEST(Bore, IsOpenAtItsMouthAndWhereItGoesOn) {
   }
 }
 
-TEST(Bore, ItsCeilingIsWhereTheGroundExpectsIt) {
+TEST(Tunnel, HasItsCeilingAtTheBoreHeightOfTheGround) {
   const auto meshes = all_meshes(generate_tunnel(tunnel(), 0.1));
   EXPECT_TRUE(has_point(meshes, {0, 5, 10 + ground::bore_height_m(tunnel())}));
 }

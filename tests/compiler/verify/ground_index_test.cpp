@@ -7,7 +7,7 @@
 namespace citykiln::verify {
 namespace {
 
-TEST(GroundIndex, TellsTheHeightOfAPlaceAndWhatCoversIt) {
+TEST(GroundIndex, FindsHeightAndFeatureOfAPlace) {
   const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 8, 8, 0}), {});
   const auto places = ground_at(index, {16, 40});
   ASSERT_EQ(places.size(), 1u);
@@ -24,7 +24,7 @@ TEST(GroundIndex, HasGroundOnItsEdgesAndNoneOutside) {
   EXPECT_TRUE(ground_at(index, {64 + 0x1p-7, 1}).empty());
 }
 
-TEST(GroundIndex, TellsBothSidesOfAStep) {
+TEST(GroundIndex, FindsBothSidesOfAStep) {
   bake::BakedTile tile = made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0});
   bake::Primitive& ground = tile.primitives[0];
   // the second half lies three metres lower
@@ -37,7 +37,7 @@ TEST(GroundIndex, TellsBothSidesOfAStep) {
   EXPECT_EQ(places[1].z_m, 10);
 }
 
-TEST(GroundIndex, OverlooksWhatLeavesTheGround) {
+TEST(GroundIndex, SkipsObjectsOffTheGround) {
   const NonGroundObjects off_ground{{kGroundFeature}, {}};
   const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0}), off_ground);
   EXPECT_TRUE(ground_at(index, {32, 32}).empty());

@@ -38,7 +38,7 @@ scene::Scene scene_of(scene::Chunk chunk) {
 
 Clearances measured(scene::Chunk chunk) { return measure_clearances(scene_of(std::move(chunk)), 1); }
 
-TEST(MeasureClearances, TellWhatABridgeLacksOverARoad) {
+TEST(MeasureClearances, FindTheShortfallOfABridgeOverARoad) {
   scene::Chunk chunk;
   chunk.roads = {road(1, kAlong, 10)};
   chunk.bridges = {span(2, kBesideRoad, 14, 1)};
@@ -55,7 +55,7 @@ TEST(MeasureClearances, TellWhatABridgeLacksOverARoad) {
   EXPECT_EQ(measured(chunk).shortfalls, 0u);
 }
 
-TEST(MeasureClearances, OfTwoBridgesOrBoresTheHigherLayerIsAbove) {
+TEST(MeasureClearances, TakeTheHigherLayerAsUpper) {
   scene::Chunk decks, bores, same;
   decks.bridges = {span(1, kAlong, 20, 2), span(2, kBesideRoad, 14, 0)};
   bores.tunnels = {span(1, kAlong, -14, -2), span(2, kBesideRoad, -20, -1)};
@@ -66,7 +66,7 @@ TEST(MeasureClearances, OfTwoBridgesOrBoresTheHigherLayerIsAbove) {
   EXPECT_EQ(measured(same).crossings, 0u);
 }
 
-TEST(MeasureClearances, TheGroundIsAboveBoresAndCorridorsPassNothing) {
+TEST(MeasureClearances, TakeTheGroundAsAboveTunnelsAndSkipCorridors) {
   scene::Chunk chunk;
   chunk.roads = {road(1, kAlong, 10)};
   chunk.tunnels = {span(2, kBesideRoad, 8, -1),
@@ -76,7 +76,7 @@ TEST(MeasureClearances, TheGroundIsAboveBoresAndCorridorsPassNothing) {
   EXPECT_NEAR(c.largest_shortfall_m, ground::kClearanceOverRoad_m - 2, 1e-9);
 }
 
-TEST(MeasureClearances, LinesJoinedCloseByAreNotApart) {
+TEST(MeasureClearances, SkipLinesConnectedCloseBy) {
   scene::Chunk chunk;
   chunk.roads = {road(1, {{100, 500}, {500, 500}, {530, 500}}, 10)};
   chunk.bridges = {span(2, {{500, 480}, {500, 520}, {530, 500}}, 10, 1)};
@@ -85,7 +85,7 @@ TEST(MeasureClearances, LinesJoinedCloseByAreNotApart) {
   EXPECT_EQ(measured(chunk).crossings, 1u);
 }
 
-TEST(MeasureClearances, WhatRunsAboveAnotherCountsUnlessItComesDownBesideIt) {
+TEST(MeasureClearances, CountParallelLinesUnlessOneDescendsBesideTheOther) {
   scene::Chunk chunk;
   chunk.roads = {road(1, kAlong, 10)};
   chunk.bridges = {span(2, {{100, 502}, {900, 502}}, 12, 1)};

@@ -93,7 +93,7 @@ TEST(MeasureFooting, TakesTheUpperSideOfAStepAtACorner) {
   EXPECT_EQ(footing_of(tile).floating, 0u);
 }
 
-TEST(MeasureFooting, OverlooksWhatIsMeantToHang) {
+TEST(MeasureFooting, SkipsRaisedBuildings) {
   scene::Chunk chunk;
   chunk.buildings = {house()};
   chunk.buildings.front().stands_on_ground = false;

@@ -31,7 +31,7 @@ bake::BakedTile square(float lifted_m, bool has_second_half) {
 
 constexpr Box2 kBox{{0, 0}, {64, 64}};
 
-TEST(SampleGround, FindsNothingWrongWithWhatIsRight) {
+TEST(SampleGround, ReportsNoErrorOnCorrectGround) {
   const GroundSamples samples = sample_ground(square(0, true), NonGroundObjects{{kBridge}, {}}, flat, kBox, 16);
   EXPECT_EQ(samples.count, 256u);
   EXPECT_EQ(samples.uncovered, 0u);
@@ -45,25 +45,25 @@ TEST(SampleGround, FindsPlacesWithoutGround) {
   EXPECT_LE(samples.uncovered, (256u + 16u) / 2);
 }
 
-TEST(SampleGround, SaysWhatCoversAPlace) {
+TEST(SampleGround, PassesTheFeatureOfAPlace) {
   const auto off_m = [](Vec2, double, OsmId feature) { return feature == kLawn ? 1.0 : 2.0; };
   EXPECT_EQ(sample_ground(square(0, true), NonGroundObjects{{kBridge}, {}}, off_m, kBox, 16).error_m, 1);
   EXPECT_EQ(sample_ground(square(0, true), {}, off_m, kBox, 16).error_m, 2);
 }
 
-TEST(SampleGround, FindsGroundThatIsOff) {
+TEST(SampleGround, FindsTheLargestDeviation) {
   const GroundSamples samples = sample_ground(square(2, true), NonGroundObjects{{kBridge}, {}}, flat, kBox, 16);
   EXPECT_GT(samples.error_m, 1.8);
   EXPECT_LE(samples.error_m, 2);
 }
 
-TEST(SampleGround, OverlooksOnlyWhatLeavesTheGround) {
+TEST(SampleGround, SkipsOnlyObjectsOffTheGround) {
   EXPECT_EQ(sample_ground(square(0, true), {}, flat, kBox, 16).error_m, 5);
 }
 
 // The lower square is a house's that is mapped as a field too, or of another stuff; or it is stairs, which are of
 // stone.
-TEST(SampleGround, KnowsFieldsThatAreHousesAndStairs) {
+TEST(SampleGround, CountsLandCoverOfBuildingsAndSkipsStairs) {
   const auto error_m = [](const bake::BakedTile& tile, const NonGroundObjects& non_ground) {
     return sample_ground(tile, non_ground, flat, kBox, 16).error_m;
   };
@@ -77,7 +77,7 @@ TEST(SampleGround, KnowsFieldsThatAreHousesAndStairs) {
   EXPECT_EQ(error_m(tile, {{}, {}, {}, {kBridge}}), 0);
 }
 
-TEST(BorderEdges, AreThoseOfTheGroundInTheLine) {
+TEST(BorderEdges, AreTheGroundEdgesOnTheLine) {
   const NonGroundObjects off_ground{{kBridge}, {}};
   const bake::BakedTile tile = square(0, true);
   EXPECT_EQ(border_edges_along_x(tile, off_ground, 64).ground,
@@ -87,7 +87,7 @@ TEST(BorderEdges, AreThoseOfTheGroundInTheLine) {
   EXPECT_TRUE(border_edges_along_x(tile, off_ground, 32).ground.empty());
 }
 
-TEST(BorderEdges, MeetWhereAnUprightFaceStandsBetweenThemAndNotElse) {
+TEST(BorderEdges, MatchAcrossAStepOnlyWithAVerticalFace) {
   const Vec3 a{64, 0, 10}, b{64, 1, 10}, c{64, 64, 10}, a_low{64, 0, 9}, b_low{64, 1, 9}, deeper{0, 0, 6};
   const BorderEdges high{{{a, b}, {b, c}}, {}}, low{{{a_low, b_low}, {b, c}}, {}};
   const BorderEdges stepped{high.ground, {{a_low, b_low}, {a_low, b}, {a, b}}};

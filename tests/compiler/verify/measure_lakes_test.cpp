@@ -14,13 +14,13 @@ Lakes lakes_of(double level_m, std::array<float, 4> corners_m) {
   return measure_lakes(chunk, index_ground(made_ground(map::LandCoverClass::kLake, corners_m), {}));
 }
 
-TEST(MeasureLakes, FindsNothingWrongWithLevelWater) {
+TEST(MeasureLakes, ReportsNoErrorOnLevelWater) {
   const Lakes lakes = lakes_of(10, {0, 0, 0, 0});
   EXPECT_EQ(lakes.waters, 1u);
   EXPECT_EQ(lakes.not_level, 0u);
 }
 
-TEST(MeasureLakes, FindsACornerThatIsOff) {
+TEST(MeasureLakes, FindsACornerOffTheLevel) {
   const Lakes lakes = lakes_of(10, {0, 0, 0.5F, 0});
   EXPECT_EQ(lakes.not_level, 1u);
   EXPECT_EQ(lakes.largest_m, 0.5);

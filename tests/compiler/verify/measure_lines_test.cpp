@@ -23,7 +23,7 @@ scene::Scene scene_of(scene::Chunk chunk) {
   return scene;
 }
 
-TEST(MeasureGrades, SharesOutWhatIsSteeperThanItsClass) {
+TEST(MeasureGrades, CountsLengthOverTheLimitOfTheClass) {
   scene::Chunk chunk;
   chunk.roads = {road(1, {{0, 8}, {100, 8}}, 0, 10), road(2, {{0, 16}, {100, 16}}, 0, 30)};
   const Grades grades = measure_grades(scene_of(chunk).header, chunk);
@@ -56,7 +56,7 @@ TEST(MeasureJumps, FindsBridgesThatEndInTheAir) {
   EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0.25);
 }
 
-TEST(MeasureJumps, LetsBridgesPassOverVertices) {
+TEST(MeasureJumps, IgnoresBridgesAboveVertices) {
   scene::Chunk chunk;
   chunk.roads = {road(1, {{0, 0}, {100, 0}}, 0, 10)};
   chunk.bridges = {{road(2, {{100, -50}, {100, 0}, {100, 50}}, 20, 20), {}, {}, {}, {}, {}}};

@@ -40,7 +40,7 @@ TEST(MeasureRoadFaces, TakesACarriagewayBetweenKerbs) {
   EXPECT_EQ(faces_of({road(1, {{0, 32}, {64, 32}}, 10, 18)}, -ground::kKerbRise_m).largest_gap_m, 0);
 }
 
-TEST(MeasureRoadFaces, OverlooksWhereRoadsMix) {
+TEST(MeasureRoadFaces, SkipsPlacesNearOtherRoads) {
   const roads::Road along = road(1, {{0, 32}, {64, 32}}, 10, 18), across = road(2, {{32, 0}, {32, 64}}, 14, 14);
   const RoadFaces alone = faces_of({along}, 0), crossed = faces_of({along, across}, 0);
   EXPECT_GT(crossed.places, alone.places);

@@ -66,7 +66,7 @@ TEST(RunReport, CountsJunctionsOffTheGroundWhereTheyWerePlanned) {
   EXPECT_NE(report_of(report, {}).find(std::string(key) + ": 3"), std::string::npos);
 }
 
-TEST(RunReport, OfAnotherProgramIsAnErrorThatNamesIt) {
+TEST(RunReport, RefusesOtherFilesWithTheirName) {
   const RunFolder folder;
   for (const char* text : {"", "{}", "[1]", R"({"tiles": 3})", R"({"tiles": [{}]})"}) {
     folder.report(text);
@@ -77,7 +77,7 @@ TEST(RunReport, OfAnotherProgramIsAnErrorThatNamesIt) {
   EXPECT_FALSE(read_report("/nowhere"));
 }
 
-TEST(RunReport, OnlyWhatIsLostOrMendedIsObjectedTo) {
+TEST(RunReport, IsStrictAboutMendedAndDroppedOnly) {
   Report report;
   report.add(Code::kNoBuildingHeight, {OsmType::kWay, 1});
   EXPECT_FALSE(has_mended_or_dropped(report));

@@ -116,8 +116,7 @@ std::size_t windows_of(const Building& building, const buildings::Rulebook& rule
 // As many windows as a data set of Belgrade's facades has.
 TEST(RecipeBytes, Of195431WindowsAreUnderAMegabyte) {
   const std::vector<Building> all = town(46, 40);
-  const auto styles = buildings::styles_of(all);
-  const buildings::Rulebook rulebook = parse_rulebook(styles, buildings::shipped_rules());
+  const buildings::Rulebook rulebook = buildings::parse_rulebook(buildings::shipped_rules());
   std::size_t windows = 0;
   for (const Building& building : all) windows += windows_of(building, rulebook);
   const std::size_t bytes = bytes_of(all);

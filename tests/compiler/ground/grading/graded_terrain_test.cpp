@@ -52,8 +52,8 @@ TEST(GradedTerrain, TilesAgreeAllOverWhatBothMayBeAskedFor) {
     const Vec2 p{draw.between(128 - kGrading_m, 128 + kGrading_m, i), draw.between(0, 128, i + 1)};
     const Heights heights = heights_at(west, p);
     EXPECT_EQ(heights, heights_at(east, p)) << p.x << " " << p.y;
-    under_water += of(heights, HeightLayer::kWater) != of(heights, HeightLayer::kLand);
-    on_roads += of(heights, HeightLayer::kRoad) != of(heights, HeightLayer::kLand);
+    under_water += layer_height_m(heights, HeightLayer::kWater) != layer_height_m(heights, HeightLayer::kLand);
+    on_roads += layer_height_m(heights, HeightLayer::kRoad) != layer_height_m(heights, HeightLayer::kLand);
   }
   EXPECT_GT(under_water, 1000);
   EXPECT_GT(on_roads, 1000);

@@ -98,7 +98,7 @@ std::vector<Vec3> points_of(const roads::Junction& junction, std::span<const roa
     const roads::Road& road = roads[arms[a].road];
     const double from_m = roads::distances_along(road)[arms[a].vertex];
     if (junction.cuts[a].length_m == roads::kWholeLink_m) continue;
-    const Polyline path = roads::walk(roads, arms[a], junction.cuts[a].length_m);
+    const Polyline path = roads::arm_axis(roads, arms[a], junction.cuts[a].length_m);
     if (path.size() != 2) continue;
     const Vec2 along = unit(path[1] - path[0]), left = left_of(along) * arms[a].step;
     const auto add = [&](double run_m, double side_m) {

@@ -7,7 +7,9 @@
 
 #include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/measure_profiles.h"
+#include "compiler/map/resample.h"
 #include "compiler/roads/plan.h"
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 #include "tests/compiler/roads/real_map.h"
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979;
 
-// The slope falls askew to the lattice.
+// A slope that is not aligned with the lattice.
 struct Slope {
   double degrees = 0;
   double normal_z() const { return std::cos(degrees * kPi / 180); }
@@ -46,11 +46,12 @@ Vec2 on_ground(const Slope& slope, Vec2 p) {
   return {down / slope.normal_z(), across};
 }
 
+// Nearest-neighbour distances in units of 1 / sqrt(density); spread: standard deviation / mean.
 struct Nearest {
-  double least = 1e9, mean = 0, spread = 0;  // in mean distances 1 / sqrt(density); spread over mean
+  double least = 1e9, mean = 0, spread = 0;
 };
 
-// Of the points that are not at the rim.
+// Statistics of the points in the inner box.
 Nearest nearest_of(const std::vector<Vec2>& points, double per_m2, const Box2& inner) {
   std::vector<Vec2> sorted = points;
   std::ranges::sort(sorted, {}, [](Vec2 p) { return p.x; });
@@ -72,16 +73,15 @@ Nearest nearest_of(const std::vector<Vec2>& points, double per_m2, const Box2& i
   return stats;
 }
 
-// Dart throwing as it is in the books: one after the other, what falls too near to another is thrown away; until as
-// many stand.
-std::vector<Vec2> thrown_darts(double spacing_m, std::size_t count, double side_m) {
-  std::mt19937_64 dice(3);
+// Dart throwing: random points, rejected when too near to an earlier one, until `count` are accepted.
+std::vector<Vec2> dart_throwing(double spacing_m, std::size_t count, double side_m) {
+  std::mt19937_64 random(3);
   const auto cells = static_cast<int>(side_m / spacing_m);
   const double cell_m = side_m / cells;
   std::vector<std::vector<Vec2>> grid(static_cast<std::size_t>(cells) * cells);
   std::vector<Vec2> darts;
   for (std::size_t throws = 0; darts.size() < count && throws < 100 * count; ++throws) {
-    const auto unit = [&] { return static_cast<double>(dice() >> 11) * 0x1p-53; };
+    const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
     const Vec2 p = {unit() * side_m, unit() * side_m};
     const int c = std::min(cells - 1, static_cast<int>(p.x / cell_m)),
               r = std::min(cells - 1, static_cast<int>(p.y / cell_m));
@@ -96,7 +96,7 @@ std::vector<Vec2> thrown_darts(double spacing_m, std::size_t count, double side_
   return darts;
 }
 
-// How strong waves of a length are, both ways; 1 for points without any order (Ulichney's radial power).
+// Radially averaged power spectrum at a wavelength (Ulichney); 1 for white noise.
 double power_at(const std::vector<Vec2>& points, double wave_m) {
   double power = 0;
   constexpr int kWays = 64;
@@ -116,24 +116,24 @@ std::vector<Vec2> places_of(const std::vector<Sample>& samples, const Slope& slo
   return places;
 }
 
-TEST(BlueNoise, StandsAsEvenlyAsThrownDarts) {
+TEST(BlueNoise, IsAsEvenAsDartThrowing) {
   const double side_m = 512, trees_per_ha = 150, spacing_m = density_for(trees_per_ha).spacing_m;
   const Box2 box = {{0, 0}, {side_m, side_m}};
   const std::vector<Vec2> ours = places_of(samples_on({}, trees_per_ha, box), {});
-  const std::vector<Vec2> darts = thrown_darts(spacing_m, ours.size(), side_m);
+  const std::vector<Vec2> darts = dart_throwing(spacing_m, ours.size(), side_m);
   ASSERT_EQ(darts.size(), ours.size());
   const double per_m2 = static_cast<double>(ours.size()) / (side_m * side_m);
   const Nearest a = nearest_of(ours, per_m2, box.widened(-16)), b = nearest_of(darts, per_m2, box.widened(-16));
   EXPECT_GE(a.least, spacing_m * std::sqrt(per_m2) - 0.001);
   EXPECT_NEAR(a.mean / b.mean, 1, 0.03);
   EXPECT_NEAR(a.spread / b.spread, 1, 0.1);
-  // long waves are as weak as theirs, and there are no stripes of the lattice
+  // low frequencies are as weak as the darts', and the lattice leaves no peaks
   for (const double wave_m : {60.0, 35.0, 21.0, 16.0, 9.0, 7.0})
     EXPECT_NEAR(power_at(ours, wave_m), power_at(darts, wave_m), 0.25) << wave_m;
   EXPECT_LT(power_at(ours, 4 * spacing_m), 0.35);
 }
 
-TEST(BlueNoise, IsMeasuredOnTheGroundNotInProjection) {
+TEST(BlueNoise, KeepsItsSpacingOnTheGround) {
   const Box2 box = {{0, 0}, {512, 512}};
   const double trees_per_ha = 150, spacing_m = density_for(trees_per_ha).spacing_m;
   const Slope flat{0}, steep{45};
@@ -153,6 +153,7 @@ TEST(BlueNoise, IsTheSameInAnyBox) {
   const Slope slope{25};
   const Box2 box = {{0, 0}, {256, 256}};
   const std::vector<Sample> whole = samples_on(slope, 150, box);
+  ASSERT_FALSE(whole.empty());
   const auto key = [](const Sample& s) { return s.at; };
   for (const double cut : {32.0, 101.5, 128.0}) {
     std::vector<Sample> parts = samples_on(slope, 150, {{0, 0}, {cut, 256}});
@@ -165,7 +166,7 @@ TEST(BlueNoise, IsTheSameInAnyBox) {
   }
 }
 
-TEST(BlueNoise, DependsOnNothingBeyondItsReach) {
+TEST(BlueNoise, AsksForDensitiesWithinItsInfluenceRadius) {
   const Box2 box = {{0, 0}, {128, 128}};
   const SampleDensity wide = density_for(60), narrow = density_for(300);
   bool is_asked_beyond = false;
@@ -179,7 +180,7 @@ TEST(BlueNoise, DependsOnNothingBeyondItsReach) {
   EXPECT_GT(samples.size(), 100u);
 }
 
-TEST(BlueNoise, OtherSeedsAreOtherWoods) {
+TEST(BlueNoise, DiffersBySeed) {
   const Box2 box = {{0, 0}, {128, 128}};
   const auto first = samples_on({}, 150, box, 1), second = samples_on({}, 150, box, 2);
   ASSERT_FALSE(first.empty());

@@ -25,7 +25,7 @@ Wood wood(std::int64_t id, PlantCommunity mix, std::uint16_t trees_per_ha) {
   return {{{OsmType::kWay, id}, 0}, species_mix_of(mix), trees_per_ha, 16};
 }
 
-// Two woods and a thin one, with a road, a path, a lake and a house in them, on a slope with waves.
+// Two dense woods and a park with a road, a path, a lake and a house, on an uneven slope.
 struct Scene {
   std::vector<LandCoverPolygon> surfaces = {surface(1, LandCoverClass::kForest, block(-500, -500, 0, 500)),
                                             surface(2, LandCoverClass::kBroadLeavedForest, block(0, -500, 500, 300)),
@@ -86,7 +86,7 @@ std::vector<Placement> joined(const PlacedPlants& placed) {
   return all;
 }
 
-// The canopy's height where a place lies below it.
+// Heights of the canopy above a place.
 std::vector<double> tops_over(const Canopy& canopy, Vec2 p) {
   std::vector<double> tops;
   for (const auto& dressed : canopy.meshes)
@@ -100,7 +100,7 @@ std::vector<double> tops_over(const Canopy& canopy, Vec2 p) {
   return tops;
 }
 
-// Where the canopy ends on the border, one tile alone may have a corner on the ground.
+// Where the canopy ends on the border, one tile may have a vertex on the ground that the other lacks.
 TEST(Canopy, IsTheSameWhereTilesMeet) {
   const Scene scene;
   const auto west = vertices_at(scene.in(kWest).canopy, 0), east = vertices_at(scene.in(kEast).canopy, 0);
@@ -114,7 +114,7 @@ TEST(Canopy, IsTheSameWhereTilesMeet) {
   EXPECT_GT(std::ranges::count_if(west, is_in_air), 30);
 }
 
-TEST(Canopy, StandsForTheTreesItTakesAndNoOthers) {
+TEST(Canopy, ReplacesTheTreesItRemovesAndNoOthers) {
   Scene::Made made = Scene{}.in(kAll);
   const std::vector<Placement> before = joined(made.placed);
   remove_trees_below(made.canopy, Scene{}.woods, made.placed);
@@ -132,7 +132,7 @@ TEST(Canopy, StandsForTheTreesItTakesAndNoOthers) {
   EXPECT_LT(made.canopy.error_m, 1.5 * kTolerance_m);
 }
 
-TEST(Canopy, LeavesMappedTreesAlone) {
+TEST(Canopy, KeepsMappedTrees) {
   Scene::Made made = Scene{}.in(kAll);
   const Placement mapped{{200, 0, 900}, 1, 0, 30, {OsmType::kNode, 9}};
   PlacedPlants placed = {{{Species::kOak, 0}, {mapped}}};
@@ -140,7 +140,7 @@ TEST(Canopy, LeavesMappedTreesAlone) {
   EXPECT_EQ(joined(placed).size(), 1u);
 }
 
-TEST(Canopy, CoversNeitherRoadsNorHousesNorWaterNorLanesNorParks) {
+TEST(Canopy, CoversNeitherRoadsNorHousesNorWaterNorCorridorsNorParks) {
   const Canopy canopy = Scene{}.in(kAll).canopy;
   const Box2 free[] = {{{-490, -203}, {490, -197}},
                        {{-340, 40}, {-260, 110}},
@@ -151,11 +151,12 @@ TEST(Canopy, CoversNeitherRoadsNorHousesNorWaterNorLanesNorParks) {
     for (double x = box.min.x; x <= box.max.x; x += 7)
       for (double y = box.min.y; y <= box.max.y; y += 3)
         EXPECT_TRUE(tops_over(canopy, {x, y}).empty()) << x << " " << y;
-  EXPECT_FALSE(tops_over(canopy, {-200, 200.5}).empty());  // but a path
+  EXPECT_FALSE(tops_over(canopy, {-200, 200.5}).empty());  // a path is covered
 }
 
-TEST(Canopy, FacesUpAndIsOneSheet) {
+TEST(Canopy, FacesUpAndIsAHeightField) {
   const Canopy canopy = Scene{}.in(kAll).canopy;
+  ASSERT_EQ(canopy.meshes.size(), 2u);
   for (const auto& dressed : canopy.meshes) {
     EXPECT_TRUE(dressed.feature == (OsmId{OsmType::kWay, 1}) || dressed.feature == (OsmId{OsmType::kWay, 2}));
     for (const auto& [a, b, c] : dressed.mesh.triangles) {
@@ -168,14 +169,14 @@ TEST(Canopy, FacesUpAndIsOneSheet) {
     for (double y = -490.7; y < 490; y += 41) EXPECT_LE(tops_over(canopy, {x, y}).size(), 1u);
 }
 
-TEST(Canopy, IsOfCoarseLevelsAlone) {
+TEST(Canopy, IsEmptyAtFineLevelsAndForLowWoods) {
   EXPECT_TRUE(Scene{}.in(kAll, 10).canopy.meshes.empty());
   Scene low;
   for (Wood& wood : low.woods) wood.height_m = 2;
   EXPECT_TRUE(low.in(kAll).canopy.meshes.empty());
 }
 
-TEST(Canopy, HasTheSeasonsColours) {
+TEST(Canopy, HasSeasonalColours) {
   const auto redness = [](const Canopy& canopy) {
     double red = 0, green = 0;
     for (const auto& dressed : canopy.meshes)

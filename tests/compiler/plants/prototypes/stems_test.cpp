@@ -17,28 +17,28 @@ lsystems::Skeleton grown(const char* text) {
 // A trunk of radius 0.5 with a branch of 0.1 and a twig of 0.02 on it.
 lsystems::Skeleton branched() { return grown("axiom: !(1)F(4)[+(60)!(0.2)F(3)[+(30)!(0.04)F(2)]]F(4)\n"); }
 
-double reach(const StemMesh& stems) {
+double extent_m(const StemMesh& stems) {
   double farthest = 0;
   for (const Vec3 p : stems.mesh.positions) farthest = std::max(farthest, length(in_plan(p)));
   return farthest;
 }
 
-TEST(Stems, GoWhereTheyAreThinnerThanTheTolerance) {
-  EXPECT_GT(reach(mesh_stems(branched(), 0.01)), 4);
-  EXPECT_LT(reach(mesh_stems(branched(), 0.03)), 3);
-  EXPECT_LT(reach(mesh_stems(branched(), 0.15)), 1);
-  // but never the trunk
+TEST(Stems, AreLeftOutBelowTheTolerance) {
+  EXPECT_GT(extent_m(mesh_stems(branched(), 0.01)), 4);
+  EXPECT_LT(extent_m(mesh_stems(branched(), 0.03)), 3);
+  EXPECT_LT(extent_m(mesh_stems(branched(), 0.15)), 1);
+  // the trunk stays
   EXPECT_FALSE(mesh_stems(branched(), 5).mesh.triangles.empty());
 }
 
-TEST(Stems, AreFewTrianglesWhereTheyAreThin) {
+TEST(Stems, ArePrismsWhereTheyAreThin) {
   const auto triangles = [](double tolerance_m) { return mesh_stems(branched(), tolerance_m).mesh.triangles.size(); };
   EXPECT_LT(triangles(0.05), triangles(0.01));
   EXPECT_EQ(triangles(0.25), 2u * 6);
 }
 
-// Every place of a prism against the round stem, and every place of that against the prism.
-TEST(Stems, OfThreeSidesAreAsFarFromRoundAsTheySay) {
+// Samples of the prism's sides against the round stem.
+TEST(Stems, ThatArePrismsHaveTheirErrorFromRound) {
   const StemMesh stems = mesh_stems(grown("axiom: !(0.2)F(3)\n"), 0.05);
   ASSERT_EQ(stems.mesh.triangles.size(), 6u);
   double out = 0, within = 0;
@@ -54,6 +54,7 @@ TEST(Stems, OfThreeSidesAreAsFarFromRoundAsTheySay) {
 
 TEST(Stems, FaceOutwards) {
   const StemMesh stems = mesh_stems(grown("axiom: !(0.2)F(3)\n"), 0.05);
+  ASSERT_FALSE(stems.mesh.triangles.empty());
   for (const Triangle& t : stems.mesh.triangles) {
     const Vec3 a = stems.mesh.positions[t[0]];
     const Vec3 out = cross(stems.mesh.positions[t[1]] - a, stems.mesh.positions[t[2]] - a);
@@ -61,7 +62,7 @@ TEST(Stems, FaceOutwards) {
   }
 }
 
-TEST(Stems, OfNothingAreNothing) { EXPECT_TRUE(mesh_stems({}, 0.1).mesh.triangles.empty()); }
+TEST(Stems, OfNoSegmentsAreEmpty) { EXPECT_TRUE(mesh_stems({}, 0.1).mesh.triangles.empty()); }
 
 }  // namespace
 }  // namespace citykiln::plants

@@ -70,7 +70,7 @@ inline double beyond_reach_m(std::span<const Road> roads) {
 
 /// Faults of single outlines.
 inline void count_faults(const Junction& junction, std::span<const Polygon> outline, double beyond_m, Faults& faults) {
-  const Vec2 centre = box_of(junction.places).centre();
+  const Vec2 centre = box_of(junction.nodes).centre();
   for (const Polygon& polygon : outline) {
     if (GEOSisValid(shape(polygon).get()) != 1) ++faults.self_crossing;
     faults.spikes += spikes_of(polygon.outer);

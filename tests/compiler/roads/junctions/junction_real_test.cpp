@@ -113,12 +113,12 @@ double beyond_strips_m2(const Polygon& outline, Paved& paved) {
 
 // An arm's centre line up to its cut, or to the next place of its junction.
 Polyline line_inside(const Junction& junction, std::span<const Road> roads, const Arm& arm, const Cut& cut) {
-  if (cut.length_m != kWholeLink_m) return walk(roads, arm, cut.length_m);
+  if (cut.length_m != kWholeLink_m) return arm_axis(roads, arm, cut.length_m);
   const Polyline& axis = roads[arm.road].axis;
   Polyline line = {axis[arm.vertex]};
   for (std::int64_t v = std::int64_t{arm.vertex} + arm.step; v >= 0 && v < std::ssize(axis); v += arm.step) {
     line.push_back(axis[static_cast<std::size_t>(v)]);
-    if (std::ranges::find(junction.places, line.back()) != junction.places.end()) break;
+    if (std::ranges::find(junction.nodes, line.back()) != junction.nodes.end()) break;
   }
   return line;
 }
@@ -169,9 +169,9 @@ void print_worst(const char* kind, std::vector<Difference> all, std::span<const 
   std::ranges::sort(all, std::greater{}, &Difference::all_m2);
   for (std::size_t i = 0; i < std::min<std::size_t>(10, all.size()); ++i) {
     const std::size_t j = all[i].junction;
-    const map::LonLat at = plane.backward(box_of(junctions[j].places).centre());
+    const map::LonLat at = plane.backward(box_of(junctions[j].nodes).centre());
     std::printf("  %s at %.6f,%.6f: %.1f m2 beyond strips, %.1f m2 left to them; %zu places, %zu arms, %s\n", kind,
-                at.lon_deg, at.lat_deg, all[i].beyond_m2, all[i].left_m2, junctions[j].places.size(), arms[j].size(),
+                at.lon_deg, at.lat_deg, all[i].beyond_m2, all[i].left_m2, junctions[j].nodes.size(), arms[j].size(),
                 to_string(main_road(roads, arms[j]).id.osm).c_str());
   }
 }
@@ -190,7 +190,7 @@ TEST_P(JunctionsReal, AreSimpleWithoutSpikesApartAndWithinReach) {
   const std::vector<Road> roads = plan(real->features, report);
 
   const std::vector<Junction> junctions = plan_junctions(roads, report);
-  const auto outlines = outline(junctions, roads, 0);
+  const auto outlines = outline_junctions(junctions, roads, 0);
   const Faults faults = faults_of(junctions, outlines, roads);
   EXPECT_GT(junctions.size(), 0u);
   EXPECT_EQ(faults.self_crossing, 0);
@@ -201,7 +201,7 @@ TEST_P(JunctionsReal, AreSimpleWithoutSpikesApartAndWithinReach) {
   double beyond = 0, consolidated = 0, left = 0, strips = 0;
   std::vector<Difference> single, several;
   for (const Difference& difference : differences(junctions, outlines, roads)) {
-    const bool is_single = junctions[difference.junction].places.size() == 1;
+    const bool is_single = junctions[difference.junction].nodes.size() == 1;
     (is_single ? single : several).push_back(difference);
     beyond += difference.beyond_m2;
     left += difference.left_m2;

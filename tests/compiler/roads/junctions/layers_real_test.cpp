@@ -50,7 +50,7 @@ TEST_P(LayersReal, JunctionsAreSimpleWithoutSpikesApartAndWithinReach) {
   Faults faults;
   std::size_t on_bridges = 0, in_tunnels = 0, roads = 0, moved = 0;
   for (const RoadLayer& layer : layers) {
-    add(faults_of(layer.junctions, outline(layer.junctions, layer.roads, 0), layer.roads), faults);
+    add(faults_of(layer.junctions, outline_junctions(layer.junctions, layer.roads, 0), layer.roads), faults);
     (layer.passage == map::Passage::kBridge ? on_bridges : in_tunnels) += layer.junctions.size();
     roads += layer.roads.size(), moved += overridden(layer, features);
     std::printf("layer %d, %s: %zu roads, %zu junctions\n", layer.layer,

@@ -28,7 +28,7 @@ TextureImage::Texel at(const TextureImage& sheet, std::size_t column, std::size_
   return sheet.texels[row * sheet.columns + column];
 }
 
-TEST(MarkingAtlas, TexelsDivideThePattern) {
+TEST(MarkingAtlas, TexelsDivideTheLayout) {
   for (const double tolerance_m : {0.0, 0.01, 0.03, 0.1, 0.5, 2.5, 12.5, 100.0}) {
     const MarkingAtlas atlas = make_marking_atlas(carriageways(2), tolerance_m);
     EXPECT_DOUBLE_EQ(atlas.sheet.texel_m * atlas.sheet.rows, kLayoutLength_m);
@@ -43,6 +43,7 @@ TEST(MarkingAtlas, ColumnsAndTheirGuttersNeverOverlap) {
     const MarkingAtlas atlas = make_marking_atlas(layouts, 0.03);
     // in texels: where a gutter may begin
     double free = 0;
+    EXPECT_NE(atlas.left_m[0], kNoColumn_m);
     for (std::size_t i = 0; i < layouts.size() && atlas.left_m[i] != kNoColumn_m; ++i) {
       const double left = atlas.left_m[i] / atlas.sheet.texel_m;
       EXPECT_GE(left - kGutter_texels, free - 1e-6);
@@ -52,7 +53,7 @@ TEST(MarkingAtlas, ColumnsAndTheirGuttersNeverOverlap) {
   }
 }
 
-TEST(MarkingAtlas, ItsBudgetHolds) {
+TEST(MarkingAtlas, TheMaximumWidthHolds) {
   for (const int count : {20, 100, 900, 5000}) {
     const MarkingAtlas atlas = make_marking_atlas(carriageways(count), 0.02);
     EXPECT_LE(atlas.sheet.columns, kMostColumns);
@@ -86,6 +87,7 @@ TEST(MarkingAtlas, GuttersRepeatTheOutermostTexels) {
   const double left_m = make_marking_atlas(layouts, 0.03).left_m[1];
   const auto first = static_cast<std::size_t>(std::lround(left_m / sheet.texel_m));
   const auto last = first + static_cast<std::size_t>(width_m(layouts[1]) / sheet.texel_m) - 1;
+  ASSERT_GT(sheet.rows, 0u);
   for (std::size_t row = 0; row < sheet.rows; row += 7) {
     for (std::size_t i = 1; i <= kGutter_texels; ++i) {
       EXPECT_EQ(at(sheet, first - i, row), at(sheet, first, row));

@@ -1,4 +1,4 @@
-// Patterns written as the cross-sections of compiler/map/lanes/lanes.h: "cddc vv^^", raised where in bars, "|c| |^|".
+// Patterns written as the cross-sections of compiler/map/cross_section.h: "cddc vv^^", raised where in bars, "|c| |^|".
 #pragma once
 
 #include <string>

@@ -116,7 +116,7 @@ TEST(Markings, LinesOfLanesThatLeaveAndMergeAreBroadAndClose) {
   EXPECT_EQ(lines_of(merge), "3.25: 6.5::");
 }
 
-TEST(Markings, LinesAreUnbrokenWhereDriversMayHaveToStop) {
+TEST(Markings, LinesAreSolidWhereDriversMayHaveToStop) {
   MarkingLayout end = layout(LandCoverClass::kPrimaryRoad, "ddd v^^");
   end.stretch = StretchKind::kEnd;
   EXPECT_EQ(lines_of(end), "3.25: 6.5:");
@@ -177,7 +177,7 @@ TEST(Markings, StopLinesCrossTheLanesThatArrive) {
   EXPECT_EQ(stop_of(strip).high.x, 2.5);
 }
 
-TEST(Markings, WhoNeedNotStopHasNoLineAcross) {
+TEST(Markings, TrafficWithPriorityHasNoLineAcross) {
   MarkingLayout strip = layout(LandCoverClass::kTertiaryRoad, "dd v^");
   strip.stretch = StretchKind::kEnd;
   EXPECT_EQ(marks_of(strip).size(), 1u);  // the centre line's dash
@@ -185,7 +185,7 @@ TEST(Markings, WhoNeedNotStopHasNoLineAcross) {
   EXPECT_EQ(marks_of(strip).size(), 1u + 5u);  // 0.5 m dashes, 0.25 m gaps in a lane of 3.25 m: 4.67
 }
 
-TEST(Markings, BaysDivideThePattern) {
+TEST(Markings, BaysDivideTheLayout) {
   MarkingLayout strip = layout(LandCoverClass::kParking, "p -");
   for (const auto& [width_m, bays] : std::map<double, std::size_t>{{2, 2}, {4.5, 4}, {5, 5}}) {
     strip.lanes[0].width_m = width_m;
@@ -260,7 +260,7 @@ TEST(Markings, ArrowsPointWhereDriversTurn) {
   }
 }
 
-TEST(Markings, TurnsBackGoToTheOncomingTraffic) {
+TEST(Markings, UTurnsPointToTheOncomingTraffic) {
   for (const map::DrivingSide side : {map::DrivingSide::kRight, map::DrivingSide::kLeft}) {
     MarkingLayout strip = layout(LandCoverClass::kPrimaryRoad, "d ^");
     strip.side = side;
@@ -272,6 +272,8 @@ TEST(Markings, TurnsBackGoToTheOncomingTraffic) {
       if (mark.ring.size() == 3) head_m = (extent.low.x + extent.high.x) / 2;
       if (extent.low.y == 4.5) tail_m = (extent.low.x + extent.high.x) / 2;
     }
+    EXPECT_NE(head_m, 0) << "no head was found";
+    EXPECT_NE(tail_m, 0) << "no tail was found";
     EXPECT_EQ(head_m < tail_m, side == map::DrivingSide::kRight);
   }
 }
@@ -288,10 +290,10 @@ TEST(Markings, EachTurnOfALaneHasAHead) {
   }
 }
 
-// ---- any pattern
+// ---- any layout
 // -----------------------------------------------------------------------------------------------------
 
-MarkingLayout random_pattern(std::mt19937& random) {
+MarkingLayout random_layout(std::mt19937& random) {
   const auto below = [&](unsigned count) { return std::uniform_int_distribution<unsigned>(0, count - 1)(random); };
   constexpr LandCoverClass kSurfaces[] = {LandCoverClass::kMotorwayRoad,    LandCoverClass::kPrimaryRoad,
                                           LandCoverClass::kSecondaryRoad,   LandCoverClass::kTertiaryRoad,
@@ -348,11 +350,11 @@ double difference(const Painted& a, const Painted& b) {
   return worst;
 }
 
-TEST(Markings, ThePatternTurnedRoundHasTheMarksTurnedRound) {
+TEST(Markings, ARotatedLayoutHasRotatedMarks) {
   std::mt19937 random(3);
   const double texel_m = kLayoutLength_m / kRows;
   for (int i = 0; i < 2000; ++i) {
-    const MarkingLayout strip = random_pattern(random), turned = turned_round(strip);
+    const MarkingLayout strip = random_layout(random), turned = turned_round(strip);
     ASSERT_EQ(turned_round(turned), strip);
     const double across_m = width_m(strip), along_m = length_m(strip);
     const Painted there = painted(marks_of(strip), across_m, texel_m, [](Vec2 p) { return p; });
@@ -378,7 +380,7 @@ TEST(Markings, TheOtherDrivingSideIsTheMirrorImage) {
   std::mt19937 random(4);
   const double texel_m = kLayoutLength_m / kRows;
   for (int i = 0; i < 2000; ++i) {
-    MarkingLayout strip = random_pattern(random);
+    MarkingLayout strip = random_layout(random);
     // letters and bicycles are not mirrored
     const bool has_symbols = strip.stretch == StretchKind::kStart || strip.stretch == StretchKind::kEnd;
     for (map::Lane& lane : strip.lanes)
@@ -398,9 +400,11 @@ TEST(Markings, TheOtherDrivingSideIsTheMirrorImage) {
 
 TEST(Markings, MarksStayOnTheirStrip) {
   std::mt19937 random(5);
+  std::size_t marks = 0;
   for (int i = 0; i < 5000; ++i) {
-    const MarkingLayout strip = random_pattern(random);
+    const MarkingLayout strip = random_layout(random);
     for (const Mark& mark : marks_of(strip)) {
+      ++marks;
       ASSERT_GE(mark.ring.size(), 3u);
       const Extent extent = extent_of(mark.ring);
       ASSERT_GE(extent.low.x, -1e-9) << i;
@@ -410,16 +414,19 @@ TEST(Markings, MarksStayOnTheirStrip) {
       ASSERT_LE(extent.high.y, kCrossingLength_m) << i;
     }
   }
+  EXPECT_GT(marks, 5000u);
 }
 
-TEST(Markings, DashesGoOnOverThePatternsEnds) {
+TEST(Markings, DashesContinueAcrossTheLayoutsEnds) {
   // twice as long, dashes and gaps still alternate as they do within: the gap over the end is like any other
+  std::size_t compared = 0;
   for (const char* section : {"dd v^", "dd ^^", "cd v^"}) {
     for (const LandCoverClass surface :
          {LandCoverClass::kMotorwayRoad, LandCoverClass::kSecondaryRoad, LandCoverClass::kResidentialRoad}) {
       std::map<double, std::vector<Extent>> lines;
       for (const Mark& mark : marks_of(layout(surface, section)))
         if (mark.colour == kWhite) lines[mark.ring[0].x].push_back(extent_of(mark.ring));
+      compared += lines.size();
       for (auto& [u, dashes] : lines) {
         std::set<long> gaps_mm;
         for (std::size_t i = 0; i < dashes.size(); ++i) {
@@ -431,9 +438,10 @@ TEST(Markings, DashesGoOnOverThePatternsEnds) {
       }
     }
   }
+  EXPECT_GT(compared, 0u);
 }
 
-TEST(Markings, HatchingGoesOnOverThePatternsEnds) {
+TEST(Markings, HatchingContinuesAcrossTheLayoutsEnds) {
   // a stripe that leaves at the end comes in at the start: moved on by a period the buffer looks the same
   MarkingLayout strip = layout(LandCoverClass::kSecondaryRoad, "d/c ^^^");
   for (const auto& [width_m, period_m] : std::map<double, double>{{0.5, 1.0}, {1.25, 1.5}}) {
@@ -448,7 +456,7 @@ TEST(Markings, HatchingGoesOnOverThePatternsEnds) {
 TEST(MarkingLayout, CanonicalIsTheSameSeenFromEitherEnd) {
   std::mt19937 random(6);
   for (int i = 0; i < 2000; ++i) {
-    const MarkingLayout strip = random_pattern(random);
+    const MarkingLayout strip = random_layout(random);
     const CanonicalLayout there = canonical_layout(strip), back = canonical_layout(turned_round(strip));
     EXPECT_EQ(there.layout, back.layout);
     EXPECT_EQ(there.is_turned ? turned_round(there.layout) : there.layout, strip);

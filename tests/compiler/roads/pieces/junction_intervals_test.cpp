@@ -43,7 +43,7 @@ TEST(ThroughRoad, IsOfOneWidth) {
   EXPECT_FALSE(goes_through(roads));
 }
 
-TEST(Gaps, ARoadThatGoesThroughHasNone) {
+TEST(JunctionIntervals, ARoadThatGoesThroughHasNone) {
   const std::vector<Road> roads = meeting(LandCoverClass::kResidentialRoad);
   const auto intervals = junction_intervals_of(roads, junctions_of(roads));
   EXPECT_TRUE(intervals[0].empty());
@@ -54,7 +54,7 @@ TEST(Gaps, ARoadThatGoesThroughHasNone) {
   EXPECT_EQ(intervals[1][0].after, Control::kGiveWay);
 }
 
-TEST(Gaps, SignalsHoldAllArms) {
+TEST(JunctionIntervals, SignalsApplyToAllArms) {
   const std::vector<Road> roads = meeting(LandCoverClass::kResidentialRoad, {{1, map::TrackPointKind::kSignals, 0}});
   const auto intervals = junction_intervals_of(roads, junctions_of(roads));
   ASSERT_EQ(intervals[0].size(), 1u);
@@ -64,7 +64,7 @@ TEST(Gaps, SignalsHoldAllArms) {
   EXPECT_EQ(intervals[1][0].after, Control::kSignals);
 }
 
-TEST(Gaps, ASignHoldsThoseWhoSeeIt) {
+TEST(JunctionIntervals, ASignAppliesToTrafficThatFacesIt) {
   std::vector<Road> roads = meeting(LandCoverClass::kPrimaryRoad);
   // on the side road, 15 m before the junction, for those who come towards it: against its way
   roads[1].axis = {{100, 0}, {100, 15}, {100, 100}};
@@ -74,7 +74,7 @@ TEST(Gaps, ASignHoldsThoseWhoSeeIt) {
   EXPECT_EQ(junction_intervals_of(roads, junctions_of(roads))[1][0].after, Control::kNone);
 }
 
-TEST(Gaps, WhereOnlyTheWidthChangesNobodyWaits) {
+TEST(JunctionIntervals, WhereOnlyTheWidthChangesHaveNoControl) {
   const std::vector<Road> roads = {made_road(1, {{0, 0}, {100, 0}}, 8, LandCoverClass::kPrimaryRoad),
                                    made_road(2, {{100, 0}, {200, 0}}, 12, LandCoverClass::kPrimaryRoad)};
   const auto intervals = junction_intervals_of(roads, junctions_of(roads));

@@ -46,6 +46,7 @@ TEST(LaneStrips, LieEdgeToEdgeAndAsWideAsTheirLanes) {
     for (const char* side : {"", "s", "cs", "g", "gs"}) {
       const Road road = road_of(side, middle, side);
       const auto strips = strips_of(road, 0.02);
+      ASSERT_FALSE(strips.empty());
       EXPECT_DOUBLE_EQ(strips.front().left_m, left_m(road) + raised_left_m(road));
       EXPECT_DOUBLE_EQ(strips.back().right_m, -right_m(road) - raised_right_m(road));
       for (std::size_t i = 1; i < strips.size(); ++i) EXPECT_DOUBLE_EQ(strips[i].left_m, strips[i - 1].right_m);

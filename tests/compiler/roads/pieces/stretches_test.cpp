@@ -47,7 +47,7 @@ TEST(Stretches, ShortBlocksAreShared) {
   EXPECT_EQ(text_of(stretches_of(straight(20), close, kTile_m)), "along 0-20");
 }
 
-TEST(Stretches, NobodyWaitsWhereOnlyTheWidthChanges) {
+TEST(Stretches, NoApproachWhereOnlyTheWidthChanges) {
   std::vector<JunctionInterval> intervals = {junction_at(0, 8), junction_at(30, 1)};
   intervals[1].is_change = true;
   EXPECT_EQ(text_of(stretches_of(straight(60), intervals, kTile_m)), "along 0-8, start 8-20, along 20-60");
@@ -76,7 +76,7 @@ TEST(Stretches, RailsKnowWhereRoadsCrossThem) {
 }
 
 // Two tiles that one approach touches must both know what it depends on, or neither draws it.
-TEST(Stretches, ApproachesOverABorderAreDrawnOnlyWhereBothSidesKnow) {
+TEST(Stretches, ApproachesAcrossABorderNeedBothTilesToKnowThem) {
   const std::vector<JunctionInterval> intervals = {junction_at(0, 8)};
   const auto is_drawn = [&](double x) {
     const Road road = made_road(1, {{x, 100}, {x + 200, 100}}, 7, map::LandCoverClass::kPrimaryRoad);

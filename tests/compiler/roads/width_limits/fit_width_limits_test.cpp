@@ -33,7 +33,7 @@ double half_at(const std::vector<WidthLimit>& width_limits, std::int32_t step) {
   return std::min(max_offsets_at(road, step * kStep_m).left_m / kUnit_m, double{kWhole});
 }
 
-TEST(Pinches, SayTheLimitFromBelow) {
+TEST(FitWidthLimits, StayCloseBelowTheSampledLimit) {
   std::mt19937_64 dice(7);
   for (int run = 0; run < 200; ++run) {
     const std::vector<std::int16_t> limit = made_limit(dice, 1 + dice() % 900);
@@ -51,12 +51,12 @@ TEST(Pinches, SayTheLimitFromBelow) {
   }
 }
 
-TEST(Pinches, AreNoneWhereTheLimitSaysNothing) {
+TEST(FitWidthLimits, AreNoneWithoutALimit) {
   EXPECT_TRUE(fit_width_limits(std::vector<std::int16_t>(999, kWhole), kWhole, 0).empty());
   EXPECT_TRUE(fit_width_limits(std::vector<std::int16_t>(), kWhole, 0).empty());
 }
 
-TEST(Pinches, AreOneForACornerAndTwoForAWall) {
+TEST(FitWidthLimits, AreOneForACornerAndTwoForAWall) {
   std::vector<std::int16_t> corner, wall;
   for (int i = -60; i <= 60; ++i) corner.push_back(static_cast<std::int16_t>(std::min(kWhole, 150 + std::abs(i))));
   for (int i = -60; i <= 60; ++i)
@@ -66,7 +66,7 @@ TEST(Pinches, AreOneForACornerAndTwoForAWall) {
             (std::vector<WidthLimit>{{10, 170 * kUnit_m, false}, {20, 170 * kUnit_m, true}}));
 }
 
-TEST(Pinches, DependOnTheirOwnBlockAlone) {
+TEST(FitWidthLimits, DependOnTheirOwnBlockAlone) {
   // along a wall that curves away each line begins where the one before ends
   for (int head = 0; head < 40; ++head) {
     std::vector<std::int16_t> limit;

@@ -50,9 +50,9 @@ Under under_buildings(const Road& road, const StripEnds& ends, const StandingFoo
   return {carriageway, all.empty() ? 0 : shared_m2(all, box, footprints) - carriageway};
 }
 
-class NarrowReal : public testing::TestWithParam<std::string> {};
+class LimitWidthsReal : public testing::TestWithParam<std::string> {};
 
-TEST_P(NarrowReal, KeepsOutOfBuildingsOrSaysThatItDoesNot) {
+TEST_P(LimitWidthsReal, KeepsOutOfBuildingsOrSaysThatItDoesNot) {
   const std::filesystem::path path = kData / GetParam();
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   const Geos geos;
@@ -87,13 +87,13 @@ TEST_P(NarrowReal, KeepsOutOfBuildingsOrSaysThatItDoesNot) {
   EXPECT_LE(after.carriageway_m2, before.carriageway_m2);
   EXPECT_LE(after.pavement_m2, before.pavement_m2);
   std::printf(
-      "%s: %zu roads, %zu narrowed by %zu pinches; under buildings: carriageway %.0f -> %.0f m2, pavement %.0f "
+      "%s: %zu roads, %zu narrowed by %zu limits; under buildings: carriageway %.0f -> %.0f m2, pavement %.0f "
       "-> %.0f m2\n",
       GetParam().c_str(), roads.size(), changed, width_limits, before.carriageway_m2, after.carriageway_m2,
       before.pavement_m2, after.pavement_m2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Extracts, NarrowReal,
+INSTANTIATE_TEST_SUITE_P(Extracts, LimitWidthsReal,
                          testing::Values("monaco/monaco-2023.osm.pbf", "monaco/monaco-2016-cadastre.osm.pbf",
                                          "andorra/andorra-2023.osm.pbf", "helsinki/Helsinki.osm.pbf",
                                          "neubrandenburg/neubrandenburg.osm.bz2"));

@@ -25,7 +25,7 @@ void expect_edges(const Road& road, double along_m, RoadEdges wanted) {
   EXPECT_DOUBLE_EQ(e.right_m, wanted.right_m);
 }
 
-TEST(Squeeze, TakesPavementThenCarriagewayThenTheRestOfThePavement) {
+TEST(NarrowedSection, TakesPavementThenCarriagewayThenTheRestOfThePavement) {
   expect_edges(street(4.5), 100, {4.5, 3, 3, 5});
   expect_edges(street(3.5), 100, {3.5, 3, 3, 5});
   expect_edges(street(2.5), 100, {2.5, 2, 3, 5});
@@ -34,7 +34,7 @@ TEST(Squeeze, TakesPavementThenCarriagewayThenTheRestOfThePavement) {
   expect_edges(street(0.5), 100, {1.25, 1.25, 3, 5});
 }
 
-TEST(Squeeze, OpensByOneInEight) {
+TEST(NarrowedSection, OpensByOneInEight) {
   expect_edges(street(4.5), 102, {4.75, 3, 3, 5});
   expect_edges(street(4.5), 96, {5, 3, 3, 5});
   expect_edges(street(4.5), 0, {5, 3, 3, 5});
@@ -42,27 +42,27 @@ TEST(Squeeze, OpensByOneInEight) {
   EXPECT_GT(max_offsets_at(street(4.5), 92).right_m, 1e9);
 }
 
-TEST(Squeeze, RunsStraightAlongWalls) {
+TEST(NarrowedSection, RunsStraightAlongWalls) {
   Road road = street(4.5);
   road.width_limits.left.push_back({140, 3.5, true});
   EXPECT_DOUBLE_EQ(max_offsets_at(road, 120).left_m, 4);
   EXPECT_DOUBLE_EQ(max_offsets_at(road, 144).left_m, 4);
 }
 
-TEST(Squeeze, IsAboutTheMiddleOfTheCarriagewayWhereverTheAxisLies) {
+TEST(NarrowedSection, IsAboutTheMiddleOfTheCarriagewayWhereverTheAxisLies) {
   Road road = street(0.5);
   road.section.axis_offset_m = 0;
   expect_edges(road, 100, {-1.75, -1.75, 6, 8});
 }
 
-TEST(Squeeze, LeavesAPathOneMetre) {
+TEST(NarrowedSection, LeavesAPathOneMetre) {
   Road path = made_road(1, {{0, 0}, {200, 0}}, 2, map::LandCoverClass::kFootPath);
   path.section.lanes.front().kind = map::LaneKind::kFoot;
   path.width_limits.right = {{100, 0.25, false}};
   expect_edges(path, 100, {1, 1, 0.5, 0.5});
 }
 
-TEST(SqueezedLanes, AddUpToWhatTheEdgesSayAndNeverJump) {
+TEST(NarrowedLanes, AddUpToTheEdgesAndAreContinuous) {
   using map::Lane, map::LaneKind, map::LaneDirection;
   Road road = street(0.5);
   const auto lane = [](LaneKind kind, double width_m, bool is_raised) {
@@ -99,13 +99,13 @@ Road street_with_verges(double half_m) {
   return road;
 }
 
-TEST(SqueezedLanes, VergesGiveWayBeforePavements) {
+TEST(NarrowedLanes, VergesGiveWayBeforePavements) {
   Road road = street_with_verges(5.5);
   road.width_limits.right = {{100, 4.5, false}};
   EXPECT_EQ(narrowed_section_at(road, 100).widths_m, (std::vector<double>{0.5, 2, 6, 0, 1.5}));
 }
 
-TEST(SqueezeBends, AreWhereAVergeOutsideAPavementIsUsedUp) {
+TEST(NarrowedSectionBends, AreWhereAVergeOutsideAPavementIsUsedUp) {
   const Road road = street_with_verges(3.25);
   EXPECT_EQ(paved_left_m(road), 2);
   EXPECT_EQ(paved_right_m(road), 3);
@@ -118,13 +118,14 @@ TEST(SqueezeBends, AreWhereAVergeOutsideAPavementIsUsedUp) {
     EXPECT_NEAR(paved_m((bends[i - 1] + bends[i]) / 2), (paved_m(bends[i - 1]) + paved_m(bends[i])) / 2, 1e-9);
 }
 
-TEST(SqueezeBends, AreWhereEdgesTurn) {
+TEST(NarrowedSectionBends, AreWhereEdgesTurn) {
   Road road = street(1);
   road.width_limits.left.push_back({120, 3, false});
   const std::vector<double> bends = bends_of_edges(road);
   std::vector<double> corners = {0};
   corners.insert(corners.end(), bends.begin(), bends.end());
   corners.push_back(200);
+  ASSERT_GT(corners.size(), 4u);
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const double from = std::clamp(corners[i - 1], 0.0, 200.0), to = std::clamp(corners[i], 0.0, 200.0);
     const RoadEdges a = road_edges_at(road, from), b = road_edges_at(road, to),

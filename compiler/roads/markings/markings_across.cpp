@@ -1,5 +1,9 @@
-// Stop and give-way lines at the end of a strip.
-// Source: RMS-1: stop lines (StVO sign 294) 0.5 m wide; give-way lines (sign 341) dashes 0.5 m square, gaps 0.25 m.
+// Marks across the road: zebras, crossings with signals, stop and give-way lines.
+// Source: StVO sign 293 and R-FGÜ: bars 0.5 m, gaps 0.5 m. RMS-1: crossings with signals between two broken narrow
+// lines, dashes 0.5 m, gaps 0.2 m; stop lines (StVO sign 294) 0.5 m wide; give-way lines (sign 341) dashes 0.5 m
+// square, gaps 0.25 m.
+#include <cmath>
+
 #include "compiler/roads/markings/marking_rules.h"
 #include "compiler/roads/markings/markings_parts.h"
 
@@ -20,6 +24,24 @@ void add_stop_line(LaneSpan span, Control control, Marks& marks) {
 }
 
 }  // namespace
+
+void add_zebra(const MarkingLayout& layout, Marks& marks) {
+  constexpr double kBar_m = 0.5, kPeriod_m = 1;
+  const double across_m = width_m(layout), bar_m = std::min(kBar_m, across_m);
+  const double count = 1 + std::floor((across_m - bar_m) / kPeriod_m);
+  const double first_m = (across_m - bar_m - (count - 1) * kPeriod_m) / 2;
+  for (double i = 0; i < count; ++i) {
+    const double left_m = first_m + i * kPeriod_m;
+    marks.push_back({rectangle({left_m, 0}, {left_m + bar_m, kCrossingLength_m}), kWhite});
+  }
+}
+
+void add_crossing(const MarkingLayout& layout, Marks& marks) {
+  constexpr DashPattern kDashes = {0.5, 0.7};
+  const double line_m = measures_of(layout).narrow_m;
+  add_dashes_across(0, width_m(layout), 0, line_m, kDashes, marks);
+  add_dashes_across(0, width_m(layout), kCrossingLength_m - line_m, kCrossingLength_m, kDashes, marks);
+}
 
 void add_stop_lines(const MarkingLayout& layout, Marks& marks) {
   if (layout.control == Control::kNone) return;

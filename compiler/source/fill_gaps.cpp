@@ -2,11 +2,12 @@
 // grids; V-cycles of Gauss-Seidel sweeps then reduce the residual by the same factor for small and large holes.
 // Source: W. Briggs, V. E. Henson, S. McCormick, "A Multigrid Tutorial", SIAM 2000, chapters 3 (cycles) and 4
 // (cell-centred grids).
+#include "compiler/source/fill_gaps.h"
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
-
-#include "compiler/source/read_raster.h"
 
 namespace citykiln::source {
 namespace {
@@ -183,9 +184,22 @@ void solve(Grid& grid) {
   for (int i = 0; i < kMaxCycles && largest_residual(grid) > kConvergence_m; ++i) v_cycle(grid);
 }
 
+// The nearest known one of a row's elements to each of them, of two the one before; -1 where none is known.
+template <typename IsKnown>
+std::vector<int> nearest_known(int count, IsKnown is_known) {
+  std::vector<int> nearest;
+  for (int i = 0, before = -1; i < count; ++i) nearest.push_back(is_known(i) ? before = i : before);
+  for (int i = count - 1, after = -1; i >= 0; --i) {
+    if (is_known(i)) after = i;
+    if (after >= 0 && (nearest[i] < 0 || after - i < i - nearest[i])) nearest[i] = after;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 Raster fill_voids(Raster raster, Report& report) {
+  assert(raster.has_all_samples());
   Grid grid = grid_of(raster);
   if (grid.voids.empty()) return raster;
   solve(grid);
@@ -195,6 +209,24 @@ Raster fill_voids(Raster raster, Report& report) {
   }
   report.add(Code::kVoidFilled, OsmId{}, static_cast<double>(grid.voids.size()));
   return raster;
+}
+
+std::size_t fill_uncovered(std::span<std::int32_t> heights, const std::vector<bool>& known, int columns) {
+  assert(columns > 0 && heights.size() % static_cast<std::size_t>(columns) == 0 && known.size() == heights.size());
+  const int rows = static_cast<int>(heights.size() / static_cast<std::size_t>(columns));
+  const auto index = [&](int column, int row) { return static_cast<std::size_t>(row) * columns + column; };
+  std::vector<bool> is_row_known(rows);
+  for (int row = 0; row < rows; ++row) {
+    const auto nearest = nearest_known(columns, [&](int column) { return known[index(column, row)]; });
+    is_row_known[row] = nearest.front() >= 0;
+    for (int column = 0; is_row_known[row] && column < columns; ++column)
+      heights[index(column, row)] = heights[index(nearest[column], row)];
+  }
+  const auto nearest_row = nearest_known(rows, [&](int row) { return is_row_known[row]; });
+  for (int row = 0; row < rows; ++row)
+    if (!is_row_known[row] && nearest_row[row] >= 0)
+      std::copy_n(heights.begin() + index(0, nearest_row[row]), columns, heights.begin() + index(0, row));
+  return static_cast<std::size_t>(std::ranges::count(known, false));
 }
 
 }  // namespace citykiln::source

@@ -1,0 +1,46 @@
+// Parsers of text values: separators and numbers.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace citykiln {
+
+/// The parts of a text between separators; the whole text if it has none.
+inline std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// The finite number that makes up all of a text; empty if the text is anything else.
+template <typename Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number number{};
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return std::isfinite(static_cast<double>(number)) ? std::optional(number) : std::nullopt;
+}
+
+/// Exactly `count` numbers between separators; empty if the text is anything else.
+template <typename Number>
+std::optional<std::vector<Number>> numbers_in(std::string_view text, char separator, std::size_t count) {
+  std::vector<Number> numbers;
+  for (const std::string_view part : split(text, separator)) {
+    const std::optional<Number> number = number_in<Number>(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers.size() == count ? std::optional(std::move(numbers)) : std::nullopt;
+}
+
+}  // namespace citykiln

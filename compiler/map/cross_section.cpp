@@ -1,0 +1,42 @@
+#include "compiler/map/cross_section.h"
+
+#include <string_view>
+
+namespace citykiln::map {
+namespace {
+
+// One letter for each kind, in the order of LaneKind.
+constexpr std::string_view kKindLetters = "dbtcpS/sfrg";
+static_assert(kKindLetters.size() == static_cast<std::size_t>(LaneKind::kCount));
+
+char letter_of(LaneDirection way) {
+  return way == LaneDirection::kForward ? '^' : way == LaneDirection::kBackward ? 'v' : '-';
+}
+
+}  // namespace
+
+double carriageway_width_m(const CrossSection& section) {
+  double sum = 0;
+  for (const Lane& lane : section.lanes) sum += lane.is_raised ? 0 : lane.width_m;
+  return sum;
+}
+
+double total_width_m(const CrossSection& section) {
+  double sum = 0;
+  for (const Lane& lane : section.lanes) sum += lane.width_m;
+  return sum;
+}
+
+std::string to_string(const CrossSection& section) {
+  std::string kinds, ways;
+  bool is_raised = !section.lanes.empty() && section.lanes.front().is_raised;
+  for (const Lane& lane : section.lanes) {
+    if (lane.is_raised != is_raised) kinds += '|', ways += '|';
+    is_raised = lane.is_raised;
+    kinds += kKindLetters[static_cast<std::size_t>(lane.kind)];
+    ways += letter_of(lane.way);
+  }
+  return kinds + " " + ways;
+}
+
+}  // namespace citykiln::map

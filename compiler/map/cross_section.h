@@ -1,0 +1,66 @@
+// Cross-sections: the lanes of a way from its left edge to its right one.
+//
+//     s|pddp|s     letters    s pavement  p parking  c cycling  b bus  d driving  t turning from both directions
+//     -|vv^^|-     directions S shoulder  / buffer   f foot     r rails  g verge
+//                             ^ along the way, v against it, - both; | a kerb: lanes outside it are raised
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace citykiln::map {
+
+enum class LaneKind : std::uint8_t {
+  kDriving,
+  kBus,
+  kTurn,      ///< In the middle, for turning from both directions.
+  kCycle,     ///< A lane; a track where it is raised.
+  kParking,   ///< On the carriageway, half on the kerb or in bays.
+  kShoulder,  ///< Paved, beside the lanes.
+  kBuffer,    ///< Painted or raised, between cyclists and cars.
+  kSidewalk,  ///< A road's pavement. Always raised.
+  kFoot,      ///< The whole of a footway, path, bridleway, pedestrian street or stairs.
+  kRail,      ///< The whole of a track of rails.
+  kVerge,     ///< A strip of grass. Always raised.
+  kCount
+};
+
+enum class LaneDirection : std::uint8_t { kForward, kBackward, kBoth };  ///< As seen along the way's direction.
+
+/// Bits of Lane::turns, by turn:lanes as seen by drivers. No bit: no arrows.
+enum LaneTurn : std::uint16_t {
+#define TURN(value, name, bit) name = 1 << (bit),
+#define TURN_ALIAS(value, name)
+#include "compiler/map/lane_turns.inc"
+#undef TURN
+#undef TURN_ALIAS
+};
+
+struct Lane {
+  LaneKind kind{};
+  LaneDirection way = LaneDirection::kBoth;
+  double width_m = 0;       ///< > 0, a multiple of 2^-10.
+  std::uint16_t turns = 0;  ///< LaneTurn bits.
+  bool is_raised = false;   ///< Outside the kerb: pavements, cycle tracks, verges.
+  bool operator==(const Lane&) const = default;
+};
+
+struct CrossSection {
+  std::vector<Lane> lanes;   ///< Left to right, seen along the way. At least one is not raised, at most 42 in all.
+  double axis_offset_m = 0;  ///< From the left edge of the carriageway, the lanes that are not raised, to the way; a
+                             ///< multiple of 2^-11.
+  bool operator==(const CrossSection&) const = default;
+};
+
+enum class DrivingSide : std::uint8_t { kRight, kLeft };
+
+/// The width of all lanes that are not raised.
+double carriageway_width_m(const CrossSection& section);
+/// The width of all lanes.
+double total_width_m(const CrossSection& section);
+
+/// Returns the section as "s|pddp|s -|vv^^|-", in the notation above.
+std::string to_string(const CrossSection& section);
+
+}  // namespace citykiln::map
