@@ -50,6 +50,7 @@ std::uint64_t triangles_of(const Derivation& derivation) {
 void derive_houses(benchmark::State& state, House house) {
   if (!house.program) return state.SkipWithError(to_string(house.program.error()).c_str());
   const Polygon footprint{{{0, 0}, {house.width_m, 0}, {house.width_m, house.depth_m}, {0, house.depth_m}}, {}};
+  house.options.roofs = [](const RoofRequest&) { return std::optional<std::vector<Face>>(); };
   house.options.tolerance_m = static_cast<double>(state.range(0)) / 1000;
   house.options.memoise = state.range(1) > 0;
   house.options.prune_early = state.range(1) > 1;

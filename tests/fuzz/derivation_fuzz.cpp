@@ -6,6 +6,7 @@
 #include "grammars/language/read_rules.h"
 #include "tests/grammars/derivation_claims.h"
 #include "tests/grammars/made_rules.h"
+#include "tests/grammars/plain_roof.h"
 
 namespace {
 
@@ -21,7 +22,7 @@ DeriveOptions options_of(Choices& choices) {
   options.keep_start = choices.one_in(4);
   options.prune_early = choices.one_in(2);
   options.memoise = !choices.one_in(4);
-  if (choices.one_in(2)) options.roofs = form_roofs(0.02);
+  options.roofs = choices.one_in(2) ? form_roofs(0.02) : RoofBuilder(plain_roof);
   if (choices.one_in(4)) options.occlusion = occlusion_by({{{{{9, -4}, {30, -4}, {30, 20}, {9, 20}}, {}}, 0, 7}});
   return options;
 }

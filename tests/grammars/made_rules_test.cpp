@@ -8,6 +8,7 @@
 #include "grammars/derivation/form_roofs.h"
 #include "grammars/language/read_rules.h"
 #include "tests/grammars/derivation_claims.h"
+#include "tests/grammars/plain_roof.h"
 
 namespace citykiln::grammars {
 namespace {
@@ -50,7 +51,7 @@ TEST_P(MadeRulesOf, KeepEveryClaimOnAnyFootprint) {
     options.limits = {24, 400, 60'000};
     options.tolerance_m = kTolerances_m[round % 5];
     options.keep_appearances = round % 2 == 0, options.prune_early = round % 3 == 0, options.memoise = round % 4 != 0;
-    if (round % 8 < 4) options.roofs = form_roofs(0.02);
+    options.roofs = round % 8 < 4 ? form_roofs(0.02) : RoofBuilder(plain_roof);
     ASSERT_EQ(broken_claim(*program, shape, options, is_sound(footprint), [&] { return chance(); }), "")
         << "round " << round << " at " << options.tolerance_m << " m\n"
         << text;

@@ -3,6 +3,7 @@
 
 #include "grammars/shapes/cut.h"
 #include "tests/grammars/on_lot.h"
+#include "tests/grammars/plain_roof.h"
 #include "tests/grammars/rule_files.h"
 
 namespace citykiln::grammars {
@@ -15,6 +16,7 @@ struct TownHouse : testing::Test {
 
   Derivation house(double width_m, double depth_m, DeriveOptions options = {}, std::uint64_t id = 1) {
     EXPECT_TRUE(program) << to_string(program.error());
+    options.roofs = plain_roof;
     return program ? derive(*program, lot_of(width_m, depth_m, id), options) : Derivation{};
   }
 };
@@ -104,8 +106,10 @@ TEST_F(TownHouse, StandsOnAnyFootprint) {
       {{{0, 0}, {0.3, 0}, {0.3, 9}, {0, 9}}, {}},
   };
   ASSERT_TRUE(program);
+  DeriveOptions options;
+  options.roofs = plain_roof;
   for (const Polygon& footprint : footprints) {
-    const Derivation derivation = derive(*program, lot(footprint, 3, 0, StableId{1}, {0, 1}), {});
+    const Derivation derivation = derive(*program, lot(footprint, 3, 0, StableId{1}, {0, 1}), options);
     EXPECT_GT(derivation.terminals.size(), 3u);
     EXPECT_NEAR(length(open_m2(derivation)), 0, 1e-6);
   }
