@@ -28,7 +28,7 @@ if [ -n "$missing" ]; then
 fi
 
 # ninja runs cmake again by itself whenever CMakeLists.txt changes, but does not read changed presets
-if [ ! -f "build/$preset/build.ninja" ] || [ CMakePresets.json -nt "build/$preset/build.ninja" ]; then
+if [ ! -f "build/$preset/build.ninja" ] || [ -n "$(find CMakePresets.json -newer "build/$preset/build.ninja")" ]; then
   echo "configuring build/$preset"
   log="$(mktemp)"
   cmake --preset "$preset" >"$log" 2>&1 || { cat "$log"; rm -f "$log"; exit 1; }
