@@ -170,10 +170,11 @@ FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impos
                              double tolerance_m, OsmId feature) {
   assert(texel_m > 0 && tolerance_m >= 0);
   std::vector<SurfaceMaterial> surfaces;
-  for (const grammars::Appearance& appearance : derivation.looks) surfaces.push_back(surface_material_of(appearance));
+  for (const grammars::Appearance& appearance : derivation.appearances)
+    surfaces.push_back(surface_material_of(appearance));
   FacadeBuilder builder{detailed, texel_m, tolerance_m, feature};
   for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) builder.add(face, surfaces[terminal.look], terminal.out_m);
+    for (const Face& face : terminal.faces) builder.add(face, surfaces[terminal.appearance], terminal.out_m);
   for (auto& [surface, mesh] : builder.uniform)
     if (!mesh.mesh.triangles.empty()) builder.result.meshes.push_back(std::move(mesh));
   return std::move(builder.result);

@@ -95,7 +95,7 @@ grammars::Derivation derive(const Level& level, const MassModel& mass, double to
   options.tolerance_m = tolerance_m;
   options.keep_start = true, options.ids = false;
   // facade textures show what a level omits; without them the faces it keeps have to have its mean colours
-  options.keep_appearances = level.detailed == nullptr, options.ahead = true;
+  options.keep_appearances = level.detailed == nullptr, options.prune_early = true;
   // roofs made by rules have all planes at every tolerance: the derivation certifies what it omits of them
   options.roofs = grammars::form_roofs(kQuantum_m);
   options.limits.shapes = kMaxShapes, options.limits.steps = kMaxSteps;

@@ -126,7 +126,7 @@ struct Target {
 void reserve_points(const grammars::Derivation& derivation, std::span<const Target> target_of_appearance) {
   std::vector<std::size_t> points(target_of_appearance.size());
   for (const grammars::Terminal& terminal : derivation.terminals)
-    points[terminal.look] += grammars::vertex_count(terminal.faces);
+    points[terminal.appearance] += grammars::vertex_count(terminal.faces);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [mesh, has_uvs] = target_of_appearance[i];
     const std::size_t all = mesh->mesh.positions.capacity() + points[i];
@@ -158,7 +158,7 @@ SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
 std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature) {
   std::map<SurfaceMaterial, MaterialMesh> mesh_of;
   std::vector<Target> target_of_appearance;
-  for (const grammars::Appearance& appearance : derivation.looks) {
+  for (const grammars::Appearance& appearance : derivation.appearances) {
     const SurfaceMaterial surface = surface_material_of(appearance);
     const auto [place, is_new] =
         mesh_of.try_emplace(surface, MaterialMesh{{}, surface.material, surface.tint, feature});
@@ -166,7 +166,7 @@ std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation
   }
   reserve_points(derivation, target_of_appearance);
   for (const grammars::Terminal& terminal : derivation.terminals) {
-    const auto [mesh, has_uvs] = target_of_appearance[terminal.look];
+    const auto [mesh, has_uvs] = target_of_appearance[terminal.appearance];
     for (const Face& face : terminal.faces) add_face(face, has_uvs, *mesh);
   }
   std::vector<MaterialMesh> meshes;

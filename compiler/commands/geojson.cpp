@@ -81,7 +81,7 @@ void add_junctions(std::span<const roads::Junction> junctions, std::span<const r
     const roads::Road& main = roads::main_road(roads, arms[j]);
     for (const Polygon& polygon : outlines[j])
       layer.push_back({main.id, class_of(main.surface), GeometryKind::kPolygon, copy_rings(polygon), network.tile, 0, 0,
-                       0, network.layer, name_of(network.passage)});
+                       0, network.layer, passage_name(network.passage)});
   }
 }
 

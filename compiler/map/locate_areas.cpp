@@ -102,19 +102,13 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
     const LandCoverClass surface = refined(context, area.tags, row->surface, plant_tags);
     // a forest's class states its leaf type
     if (surface != row->surface && row->surface == LandCoverClass::kForest) plant_tags.leaves = LeafType::kUnknown;
-    account.split += polygons.size();
-    if (polygons.empty())
-      context.report.drop(account, Code::kDegenerateRing, area.from);
-    else
-      --account.split;
-    for (const LocatedPolygon& polygon : polygons) {
-      if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.region)) {
-        context.report.drop(account, Code::kOutsideBounds, area.from);
-        continue;
-      }
-      ++account.out;
-      areas.push_back({{area.from, polygon.part}, polygon.polygon, surface, polygon.area_m2, plant_tags});
-    }
+    for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
+      areas.push_back({.id = {area.from, polygon.part},
+                       .polygon = polygon.polygon,
+                       .surface = surface,
+                       .area_m2 = polygon.area_m2,
+                       .plant_tags = plant_tags});
+    });
   }
   context.report.account("map", "area") = account;
   return areas;

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/join_rasters.h"
 #include "compiler/source/quiet_gdal.h"
 #include "compiler/source/raster_samples.h"

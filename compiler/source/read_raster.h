@@ -21,11 +21,6 @@ Result<RasterSpec> parse_raster_spec(std::string_view text);
 /// not fit the bands.
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window);
 
-/// Fills voids smoothly: each connected hole becomes the solution of Laplace's equation with its boundary samples, or 0
-/// without any. Diagnosed kVoidFilled with the number of samples. Cannot fail. Deterministic: multigrid cycles in fixed
-/// order. Cost: about 0.4 s for a hole of a million samples.
-Raster fill_voids(Raster raster, Report& report);
-
 /// Reads heightmaps and mends them: joins files of one grid (join_rasters.h), removes spikes (spikes_to_voids.h), fills
 /// voids. The result has the order of the specs. Errors: those of read_raster().
 Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report);

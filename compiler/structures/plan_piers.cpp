@@ -115,7 +115,8 @@ struct Placing {
     double lowest_m = rib.z_m;
     for (const Vec2 p : foot_at(rib)) {
       const ground::Heights heights = ground::heights_at(site.graded, p);
-      const double land_m = of(heights, ground::HeightLayer::kLand), water_m = of(heights, ground::HeightLayer::kWater);
+      const double land_m = layer_height_m(heights, ground::HeightLayer::kLand),
+                   water_m = layer_height_m(heights, ground::HeightLayer::kWater);
       lowest_m = std::min(lowest_m, water_m < land_m ? water_m - kDepthInWater_m : land_m - kDepth_m);
     }
     return std::floor(lowest_m / kFootStep_m) * kFootStep_m;

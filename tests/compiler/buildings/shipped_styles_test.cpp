@@ -56,7 +56,7 @@ struct ShippedStyles : testing::TestWithParam<Style> {
     options.attributes["height"] = made.height_m, options.attributes["levels"] = levels;
     options.attributes["roof"] = std::string(name_of(became));
     // the options that the compiler uses
-    options.tolerance_m = tolerance_m, options.keep_appearances = tolerance_m < 0.5, options.ahead = true;
+    options.tolerance_m = tolerance_m, options.keep_appearances = tolerance_m < 0.5, options.prune_early = true;
     options.roofs = form_roofs(0.02);
     return derive(*program, mass, options);
   }
@@ -193,7 +193,7 @@ TEST_P(ShippedStyles, GiveNeighboursDifferentWalls) {
     for (const auto& [look, m2] : area_m2_of)
       if (m2 > most_m2) {
         most_m2 = m2;
-        const Appearance& l = derivation.looks[look];
+        const Appearance& l = derivation.appearances[look];
         most = {l.red, l.green, l.blue};
       }
     colours.insert(most);
@@ -206,7 +206,7 @@ TEST_P(ShippedStyles, DrawColoursThatTheirMaterialsCanShow) {
   for (std::uint64_t id = 1; id <= 24; ++id) {
     MadeMass made = made_of(GetParam());
     made.id = StableId{id};
-    for (const Appearance& look : derive_on(made, GetParam().levels).looks)
+    for (const Appearance& look : derive_on(made, GetParam().levels).appearances)
       for (const char* name : {"stone", "roof_tile", "slate", "concrete"})
         if (look.name == name) {
           EXPECT_EQ(surface_material_of(look).material, materials::material_named(name))
@@ -220,7 +220,7 @@ TEST_P(ShippedStyles, WearTheTaggedColours) {
       derive_on(made_of(GetParam()), GetParam().levels,
                 {{"wall_colour", std::string("#123456")}, {"roof_colour", std::string("#654321")}});
   const auto has = [&](double red) {
-    return std::any_of(derivation.looks.begin(), derivation.looks.end(),
+    return std::any_of(derivation.appearances.begin(), derivation.appearances.end(),
                        [&](const Appearance& look) { return std::abs(look.red - red / 255) < 1e-9; });
   };
   EXPECT_TRUE(has(0x12));
