@@ -114,28 +114,27 @@ ByTile barriers_by_tile(const TileGrid& grid, std::span<const props::Barrier> ba
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 
 Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::LandCoverPolygon> junctions) {
-  const auto stands = [](const auto& object) { return object.at; };
-  return {by_touch(grid, std::span(recipes.surfaces), ground::box_of),
-          by_touch(grid, std::span(recipes.roads), box_of_road),
-          by_touch(grid, junctions, ground::box_of),
-          by_touch(grid, std::span(recipes.watercourses), box_of_strip),
-          by_touch(grid, std::span(recipes.buildings),
-                   [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
-          by_anchor(grid, std::span(recipes.buildings), anchor_of),
-          by_touch_or_anchor(grid, recipes.structures.bridges),
-          by_touch_or_anchor(grid, recipes.structures.tunnels),
-          by_touch(grid, std::span(recipes.plants.trees),
-                   [](const plants::Tree& t) {
-                     return near_tile(Box2{t.at, t.at});
-                   }),
-          by_touch(grid, std::span(recipes.plants.rows),
-                   [](const plants::TreeRow& r) { return near_tile(citykiln::box_of(r.axis)); }),
-          by_touch(grid, std::span(recipes.plants.corridors),
-                   [](const plants::PowerLineCorridor& l) {
-                     return near_tile(citykiln::box_of(l.axis).widened(l.width_m / 2));
-                   }),
-          barriers_by_tile(grid, recipes.props.barriers),
-          by_anchor(grid, std::span(recipes.props.lamps), stands)};
+  const plants::Plants& plants = recipes.plants;
+  return {
+      .surfaces = by_touch(grid, std::span(recipes.surfaces), ground::box_of),
+      .roads = by_touch(grid, std::span(recipes.roads), box_of_road),
+      .junctions = by_touch(grid, junctions, ground::box_of),
+      .watercourses = by_touch(grid, std::span(recipes.watercourses), box_of_strip),
+      .near_buildings = by_touch(grid, std::span(recipes.buildings),
+                                 [](const auto& b) { return citykiln::box_of(b.footprint.outer); }),
+      .buildings = by_anchor(grid, std::span(recipes.buildings), anchor_of),
+      .bridges = spans_by_tile(grid, recipes.structures.bridges),
+      .tunnels = spans_by_tile(grid, recipes.structures.tunnels),
+      .trees = by_touch(grid, std::span(plants.trees),
+                        [](const auto& t) {
+                          return near_tile({t.at, t.at});
+                        }),
+      .tree_rows =
+          by_touch(grid, std::span(plants.rows), [](const auto& r) { return near_tile(citykiln::box_of(r.axis)); }),
+      .corridors = by_touch(grid, std::span(plants.corridors),
+                            [](const auto& c) { return near_tile(citykiln::box_of(c.axis).widened(c.width_m / 2)); }),
+      .barriers = barriers_by_tile(grid, recipes.props.barriers),
+      .lamps = by_anchor(grid, std::span(recipes.props.lamps), [](const auto& lamp) { return lamp.at; })};
 }
 
 template <typename Object>
