@@ -16,9 +16,9 @@
 namespace citykiln::roofs {
 namespace {
 
-// How far corners that touch are drawn back: less than any eye sees, more than the skeleton's rounding; less where that
-// would turn a sliver over.
-constexpr std::array kDrawnBack_m = {0x1p-5, 0x1p-7, 0x1p-9};
+// How far corners that touch are moved inward: above the rounding error of the skeleton, and less where that would turn
+// over a sliver.
+constexpr std::array kMovedInward_m = {0x1p-5, 0x1p-7, 0x1p-9};
 
 // The sides of narrower spikes coincide up to the snapping of the map: one and a half grid steps.
 constexpr double kSpike_m = 0x1.8p-7;
