@@ -27,8 +27,8 @@ if [ -n "$missing" ]; then
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
 fi
 
-# ninja runs cmake again by itself whenever a build folder is out of date
-if [ ! -f "build/$preset/build.ninja" ]; then
+# ninja runs cmake again by itself whenever CMakeLists.txt changes, but does not read changed presets
+if [ ! -f "build/$preset/build.ninja" ] || [ -n "$(find CMakePresets.json -newer "build/$preset/build.ninja")" ]; then
   echo "configuring build/$preset"
   log="$(mktemp)"
   cmake --preset "$preset" >"$log" 2>&1 || { cat "$log"; rm -f "$log"; exit 1; }

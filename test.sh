@@ -13,8 +13,9 @@ for argument in "$@"; do
 done
 
 # release has the program that the script tests run, checked has the unit tests
-./setup.sh release test $([ "$full" = no ] || echo interop)
+./setup.sh release
 ./setup.sh checked test
+[ "$full" = no ] || ./setup.sh release interop
 
 # the glTF validator, at the version in the lock file; without npm or its registry, tests with it are skipped
 if command -v npm >/dev/null 2>&1 && [ ! -d tests/interop/node_modules ]; then
@@ -22,13 +23,18 @@ if command -v npm >/dev/null 2>&1 && [ ! -d tests/interop/node_modules ]; then
 fi
 
 jobs="$(nproc)"
-run_tests() { ctest --test-dir "build/$1" -j "$jobs" --output-on-failure "$2" "$3"; }
+# run_tests PRESET OPTIONS… runs the tests that ctest's options choose.
+run_tests() {
+  preset="$1"
+  shift
+  ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure "$@"
+}
 
 if [ "$full" = no ]; then
   run_tests checked -LE interop
   exit
 fi
-run_tests checked -L .
+run_tests checked
 
 # the address and thread sanitizers run unit tests only: the others would take hours
 ./setup.sh asan test
@@ -36,7 +42,7 @@ run_tests asan -L '^unit$'
 # picture writing is left out: the thread sanitizer does not see the locks inside OpenImageIO
 ./setup.sh tsan test
 export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp"
-ctest --test-dir build/tsan -j "$jobs" --output-on-failure -L '^unit$' -E WriteImage
+run_tests tsan -L '^unit$' -E WriteImage
 
 # benchmarks and tools must compile
 ./setup.sh bench test

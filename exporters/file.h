@@ -1,4 +1,4 @@
-// Whole files in and out. What is half-written never has its final name.
+// Reads and writes whole files. Half-written files never have their final name.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace citykiln::exporters {
 
-/// Writes beside the final name, closes, then renames. On any failure (full disk, unwritable folder) the temporary file
-/// is removed, and what bore the final name before still does.
+/// Writes a temporary file beside the final name, closes it, then renames it. On any failure (full disk, unwritable
+/// folder) the temporary file is removed, and a file that had the final name before stays.
 Result<Done> write_file(const std::string& path, std::span<const std::byte> bytes);
-/// Errors: what is not there, a folder, a pipe (its size is not known).
+/// Reads a file. Errors: a missing file, a folder, a pipe (its size is unknown).
 Result<std::vector<std::byte>> read_file(const std::string& path);
 
 }  // namespace citykiln::exporters

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -59,6 +60,7 @@ Result<Done> OutputFolder::make_folder(const std::string& path) {
 }
 
 Result<Done> OutputFolder::write(const std::string& name, std::span<const std::byte> bytes) {
+  assert(is_open_);
   const fs::path file = fs::path(path_) / name;
   if (Result<Done> made = make_folder(file.parent_path().string()); !made) return made;
   Result<Done> written = exporters::write_file(file.string(), bytes);

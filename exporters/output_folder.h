@@ -1,4 +1,4 @@
-// The folder of a run: whole files or none, and report.json last, as the mark that the run is complete.
+// The folder of a run: it holds whole files or none, and report.json, written last, marks the run as complete.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace citykiln::exporters {
 
-/// Files and folders that this made are gone again when it ends without commit().
+/// Files and folders that it has made are removed when it ends without commit().
 class OutputFolder {
  public:
-  /// Makes the folder where it is missing and takes away the report of an earlier run. Errors: a folder that cannot be
-  /// made or written, found now and not after an hour's work.
+  /// Makes the folder where it is missing, and removes the report of an earlier run. Errors, before any work is done: a
+  /// folder that cannot be made or written.
   static Result<OutputFolder> open(const std::string& path);
   ~OutputFolder();
   OutputFolder(OutputFolder&& other) noexcept;
@@ -23,10 +23,10 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// @param name  Relative to the folder, "glb/0_0_L1.glb".
+  /// Writes a file. @param name  Relative to the folder, "glb/0_0_L1.glb".
   Result<Done> write(const std::string& name, std::span<const std::byte> bytes);
 
-  /// Writes report.json; from here on the files stay.
+  /// Writes report.json; from then on the files stay.
   Result<Done> commit(const std::string& report_json);
 
  private:
@@ -38,7 +38,7 @@ class OutputFolder {
   bool is_open_ = true;  ///< False once committed or moved from.
 };
 
-/// A JSON text as bytes.
+/// The bytes of a JSON text.
 std::span<const std::byte> bytes_of(const std::string& text);
 
 }  // namespace citykiln::exporters

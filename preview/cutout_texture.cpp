@@ -29,8 +29,8 @@ bool CutoutTexture::is_there(Vec2 at_m) const {
   return above * (1 - v) + below * v >= impostor::kAlphaCutoff - 0.5;
 }
 
-Vec3 CutoutTexture::normal(const TextureFootprint& patch) const {
-  const auto [u, v, out] = normal_->mean(patch);
+Vec3 CutoutTexture::normal(const TextureFootprint& footprint) const {
+  const auto [u, v, out] = normal_->mean(footprint);
   return unit(Vec3{u, v, out});
 }
 

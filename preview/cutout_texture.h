@@ -1,4 +1,4 @@
-// A cutout as rays see it: colour and normal, smoothed as far as what a ray covers, and where there is nothing.
+// A cutout as rays see it: colour and normal, filtered over the ray's footprint, and its holes.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,19 @@
 
 namespace citykiln::preview {
 
-/// Refers to the cutout, which must outlive it. Smoothed to its second mip level, as an atlas is.
+/// Refers to the cutout, which must outlive it. Filtered up to its second mip level, as facade atlases are.
 class CutoutTexture {
  public:
   /// @param cutout  With texels.
   explicit CutoutTexture(const impostor::Cutout& cutout);
 
-  /// Opacity between the middles of four texels, at least kAlphaCutoff. Single rays ask: many of them see the mean.
+  /// Alpha test for one ray: whether the opacity, interpolated between four texels, is at least impostor::kCutoff. The
+  /// average over many rays is the coverage.
   bool is_there(Vec2 at_m) const;
-  /// Linear reflectance, mean over a patch.
-  std::array<double, 3> colour(const TextureFootprint& patch) const { return colour_.mean(patch); }
-  /// Unit: along u, against v, outwards.
-  Vec3 normal(const TextureFootprint& patch) const;
+  /// Mean linear reflectance over a footprint.
+  std::array<double, 3> colour(const TextureFootprint& footprint) const { return colour_.mean(footprint); }
+  /// Unit normal: along u, against v, outwards.
+  Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
 
  private:

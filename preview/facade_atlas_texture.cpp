@@ -16,8 +16,8 @@ FacadeAtlasTexture::FacadeAtlasTexture(const impostor::Atlas& atlas)
   if (!atlas.normal.texels.empty()) normal_.emplace(atlas.normal, TexelMeaning::kNormals, WrapMode::kClamp, kLevels);
 }
 
-Vec3 FacadeAtlasTexture::normal(const TextureFootprint& patch) const {
-  const auto [u, v, out] = normal_->mean(patch);
+Vec3 FacadeAtlasTexture::normal(const TextureFootprint& footprint) const {
+  const auto [u, v, out] = normal_->mean(footprint);
   return unit(Vec3{u, v, out});
 }
 

@@ -1,4 +1,4 @@
-// An atlas of imprints as rays see it: colour, roughness, emission and normal, smoothed as far as what a ray covers.
+// A facade atlas as rays see it: colour, roughness, emission and normal, filtered over the ray's footprint.
 #pragma once
 
 #include <optional>
@@ -8,24 +8,24 @@
 
 namespace citykiln::preview {
 
-/// Refers to the atlas, which must outlive it. It is smoothed down to its second mip level, where its pictures are
-/// still apart; what covers more of it is what a coarser level is for.
+/// Refers to the atlas, which must outlive it. Filtered up to its second mip level, where its images are still apart;
+/// objects so small in the picture that they need more have a coarser level of detail.
 class FacadeAtlasTexture {
  public:
   /// @param atlas  With texels.
   explicit FacadeAtlasTexture(const impostor::Atlas& atlas);
 
   const impostor::Atlas& atlas() const { return *atlas_; }
-  /// Linear reflectance, mean over a patch.
-  std::array<double, 3> colour(const TextureFootprint& patch) const { return colour_.mean(patch); }
-  /// Linear emission, of materials::kEmission_cd_m2.
-  std::array<double, 3> emission(const TextureFootprint& patch) const {
-    return emission_ ? emission_->mean(patch) : std::array<double, 3>{};
+  /// Mean linear reflectance over a footprint.
+  std::array<double, 3> colour(const TextureFootprint& footprint) const { return colour_.mean(footprint); }
+  /// Mean linear emission, as a share of materials::kEmission_cd_m2.
+  std::array<double, 3> emission(const TextureFootprint& footprint) const {
+    return emission_ ? emission_->mean(footprint) : std::array<double, 3>{};
   }
-  /// Unit: along u, against v, outwards.
-  Vec3 normal(const TextureFootprint& patch) const;
+  /// Unit normal: along u, against v, outwards.
+  Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
-  float roughness(const TextureFootprint& patch) const { return static_cast<float>(surface_.mean(patch)[1]); }
+  float roughness(const TextureFootprint& footprint) const { return static_cast<float>(surface_.mean(footprint)[1]); }
 
  private:
   const impostor::Atlas* atlas_;

@@ -1,48 +1,40 @@
 #include "preview/instance_set.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
 namespace citykiln::preview {
 namespace {
 
-// A rotation as its columns: where x, y and z go.
-struct Turn {
+// A rotation as its columns: the images of x, y and z.
+struct Rotation {
   Vec3 x, y, z;
 
   Vec3 out(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
   Vec3 in(Vec3 v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
 };
 
-Turn turn_of(const bake::Float4& q) {
+Rotation rotation_of(const bake::Float4& q) {
   const double x = q[0], y = q[1], z = q[2], w = q[3];
   return {{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
           {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
           {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)}};
 }
 
-Vec3 widened(const bake::Float3& v) { return {v[0], v[1], v[2]}; }
-
-void set_from(RTCRay& ray, Vec3 from, Vec3 direction) {
-  ray.org_x = static_cast<float>(from.x), ray.org_y = static_cast<float>(from.y),
-  ray.org_z = static_cast<float>(from.z);
-  ray.dir_x = static_cast<float>(direction.x), ray.dir_y = static_cast<float>(direction.y);
-  ray.dir_z = static_cast<float>(direction.z);
-}
-
-// The ray in a copy's frame, as long as in the world: distances stay.
-RTCRay in_frame(const RTCRay& ray, const InstanceTransform& place) {
-  const Turn turn = turn_of(place.rotation);
-  const double shrink = 1.0 / place.scale;
+// The ray in an instance's frame. Its direction is scaled, so that distances along it stay.
+RTCRay in_frame(const RTCRay& ray, const InstanceTransform& transform) {
+  const Rotation rotation = rotation_of(transform.rotation);
+  const double shrink = 1.0 / transform.scale;
   RTCRay local = ray;
-  set_from(local, turn.in(Vec3{ray.org_x, ray.org_y, ray.org_z} - widened(place.translation)) * shrink,
-           turn.in({ray.dir_x, ray.dir_y, ray.dir_z}) * shrink);
+  set_ray(local, rotation.in(Vec3{ray.org_x, ray.org_y, ray.org_z} - bake::widened(transform.translation)) * shrink,
+          rotation.in({ray.dir_x, ray.dir_y, ray.dir_z}) * shrink);
   return local;
 }
 
-// Half the extent along an axis of a box that is turned: by its corners, or by the upright cylinder about it, whichever
-// is tighter. `row` is how much of the shape's x, y and z goes along the axis.
+// Half the extent of a rotated box along an axis: by its corners, or by the vertical cylinder around it, whichever is
+// smaller. @param row  The components along the axis of the rotated x, y and z.
 double half_extent(Vec3 row, Vec3 half) {
   const double corners = std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z;
   const double radius = std::sqrt(half.x * half.x + half.y * half.y);
@@ -51,17 +43,18 @@ double half_extent(Vec3 row, Vec3 half) {
 
 }  // namespace
 
-// What Embree calls for one copy: in C, with pointers to what it does not know.
+// Embree's callbacks for one instance.
 struct InstanceSet::Calls {
   static void bounds(const RTCBoundsFunctionArguments* args) {
-    const auto& crowd = *static_cast<const InstanceSet*>(args->geometryUserPtr);
-    const InstanceTransform& place = crowd.places_[args->primID];
-    const Turn turn = turn_of(place.rotation);
-    const Vec3 half = (crowd.high_ - crowd.low_) * (0.5 * place.scale);
-    const Vec3 middle = widened(place.translation) + turn.out((crowd.low_ + crowd.high_) * (0.5 * place.scale));
-    const Vec3 reach{half_extent({turn.x.x, turn.y.x, turn.z.x}, half),
-                     half_extent({turn.x.y, turn.y.y, turn.z.y}, half),
-                     half_extent({turn.x.z, turn.y.z, turn.z.z}, half)};
+    const auto& set = *static_cast<const InstanceSet*>(args->geometryUserPtr);
+    const InstanceTransform& transform = set.transforms_[args->primID];
+    const Rotation rotation = rotation_of(transform.rotation);
+    const Vec3 half = (set.high_ - set.low_) * (0.5 * transform.scale);
+    const Vec3 middle =
+        bake::widened(transform.translation) + rotation.out((set.low_ + set.high_) * (0.5 * transform.scale));
+    const Vec3 reach{half_extent({rotation.x.x, rotation.y.x, rotation.z.x}, half),
+                     half_extent({rotation.x.y, rotation.y.y, rotation.z.y}, half),
+                     half_extent({rotation.x.z, rotation.y.z, rotation.z.z}, half)};
     // single precision may round a bound inwards
     constexpr double kWider = 0x1p-22;
     const auto below = [](double v, double r) { return static_cast<float>(v - r - kWider * (std::abs(v) + r)); };
@@ -73,37 +66,38 @@ struct InstanceSet::Calls {
 
   static void intersect(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
-    const auto& crowd = *static_cast<const InstanceSet*>(args->geometryUserPtr);
+    const auto& set = *static_cast<const InstanceSet*>(args->geometryUserPtr);
     RTCRayHit& rayhit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-    RTCRayHit local{in_frame(rayhit.ray, crowd.places_[args->primID]), {}};
+    RTCRayHit local{in_frame(rayhit.ray, set.transforms_[args->primID]), {}};
     local.hit.geomID = local.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(crowd.scene_, args->context, &local);
+    rtcIntersect1(set.scene_, args->context, &local);
     if (local.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
     rayhit.hit = local.hit;
-    rayhit.hit.instID[0] = crowd.first_ + args->primID;
+    rayhit.hit.instID[0] = set.first_ + args->primID;
     rayhit.ray.tfar = local.ray.tfar;
   }
 
   static void occluded(const RTCOccludedFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
-    const auto& crowd = *static_cast<const InstanceSet*>(args->geometryUserPtr);
+    const auto& set = *static_cast<const InstanceSet*>(args->geometryUserPtr);
     RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
-    RTCRay local = in_frame(ray, crowd.places_[args->primID]);
-    rtcOccluded1(crowd.scene_, args->context, &local);
+    RTCRay local = in_frame(ray, set.transforms_[args->primID]);
+    rtcOccluded1(set.scene_, args->context, &local);
     if (local.tfar < 0) ray.tfar = -std::numeric_limits<float>::infinity();
   }
 };
 
-InstanceSet::InstanceSet(RTCDevice device, const bake::InstancedMesh& shape, const MipTexture* texture,
-                         std::vector<const MaterialTexture*> surfaces)
-    : shape_(&shape), surfaces_(std::move(surfaces)), scene_(rtcNewScene(device)) {
+InstanceSet::InstanceSet(RTCDevice device, const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
+                         std::vector<const MaterialTexture*> materials)
+    : mesh_(&mesh), materials_(std::move(materials)), scene_(rtcNewScene(device)) {
+  assert(materials_.size() == mesh.primitives.size());
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  if (!shape.cutout.colour.texels.empty()) cutout_ = std::make_unique<CutoutTexture>(shape.cutout);
+  if (!mesh.cutout.colour.texels.empty()) cutout_ = std::make_unique<CutoutTexture>(mesh.cutout);
   low_ = {kFar, kFar, kFar}, high_ = {-kFar, -kFar, -kFar};
-  for (std::size_t i = 0; i < shape.primitives.size(); ++i) {
-    const bake::Primitive& primitive = shape.primitives[i];
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+    const bake::Primitive& primitive = mesh.primitives[i];
     if (primitive.triangles.empty()) continue;
-    parts_.push_back(moved(primitive, {}, texture, surfaces_[i], nullptr, cutout_.get()));
+    parts_.push_back(mesh_part_of(primitive, {}, marking_atlas, materials_[i], nullptr, cutout_.get()));
     for (const bake::Float3& p : primitive.positions) {
       low_ = {std::min<double>(low_.x, p[0]), std::min<double>(low_.y, p[1]), std::min<double>(low_.z, p[2])};
       high_ = {std::max<double>(high_.x, p[0]), std::max<double>(high_.y, p[1]), std::max<double>(high_.z, p[2])};
@@ -116,29 +110,32 @@ InstanceSet::InstanceSet(RTCDevice device, const bake::InstancedMesh& shape, con
 
 InstanceSet::~InstanceSet() { rtcReleaseScene(scene_); }
 
-bool InstanceSet::is_of(const bake::InstancedMesh& shape, const MipTexture* texture,
-                        std::span<const MaterialTexture* const> surfaces) const {
+bool InstanceSet::is_of(const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
+                        std::span<const MaterialTexture* const> materials) const {
   const auto is_on_it = [&](const MeshPart& part) {
-    return part.primitive->colour_source != materials::ColourSource::kByMarkingAtlas || part.texture == texture;
+    return part.primitive->colour_source != materials::ColourSource::kByMarkingAtlas ||
+           part.marking_atlas == marking_atlas;
   };
-  return shape_->primitives == shape.primitives && shape_->cutout == shape.cutout &&
-         std::ranges::equal(surfaces_, surfaces) && std::ranges::all_of(parts_, is_on_it);
+  return mesh_->primitives == mesh.primitives && mesh_->cutout == mesh.cutout &&
+         std::ranges::equal(materials_, materials) && std::ranges::all_of(parts_, is_on_it);
 }
 
 void InstanceSet::add(const bake::InstancedMesh& instanced, Vec3 offset) {
-  places_.reserve(places_.size() + instanced.translations.size());
+  assert(instanced.scales.size() == instanced.translations.size() &&
+         instanced.rotations.size() == instanced.translations.size());
+  transforms_.reserve(transforms_.size() + instanced.translations.size());
   for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
-    const Vec3 at = widened(instanced.translations[i]) + offset;
+    const Vec3 at = bake::widened(instanced.translations[i]) + offset;
     const bake::Float3 rounded = {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)};
-    places_.push_back({rounded, instanced.scales[i], instanced.rotations[i]});
+    transforms_.push_back({rounded, instanced.scales[i], instanced.rotations[i]});
   }
 }
 
 void InstanceSet::attach_to(RTCDevice device, RTCScene top, unsigned first) {
   first_ = first;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  // a shape without triangles has no box
-  rtcSetGeometryUserPrimitiveCount(geometry, parts_.empty() ? 0 : static_cast<unsigned>(places_.size()));
+  // a mesh without triangles has no bounds
+  rtcSetGeometryUserPrimitiveCount(geometry, parts_.empty() ? 0 : static_cast<unsigned>(transforms_.size()));
   rtcSetGeometryUserData(geometry, this);
   rtcSetGeometryBoundsFunction(
       geometry, [](const RTCBoundsFunctionArguments* args) { Calls::bounds(args); }, nullptr);
@@ -149,16 +146,17 @@ void InstanceSet::attach_to(RTCDevice device, RTCScene top, unsigned first) {
   rtcReleaseGeometry(geometry);
 }
 
-Hit InstanceSet::hit_in_world(const RTCHit& found, const RayFootprint& beam) const {
-  const InstanceTransform& place = places_[found.instID[0] - first_];
-  const Turn turn = turn_of(place.rotation);
-  Hit hit = hit_on(parts_[found.geomID], found, {turn.in(beam.direction), beam.across_m / place.scale});
-  // in the copy's frame the ray's origin is rounded once more
+Hit InstanceSet::hit_in_world(const RTCHit& found, const RayFootprint& footprint) const {
+  const InstanceTransform& transform = transforms_[found.instID[0] - first_];
+  const Rotation rotation = rotation_of(transform.rotation);
+  Hit hit =
+      hit_on(parts_[found.geomID], found, {rotation.in(footprint.direction), footprint.across_m / transform.scale});
+  // in the instance's frame the ray's origin is rounded once more
   constexpr double kRounding = 0x1p-24;
-  hit.rounding_m = place.scale * (hit.rounding_m + 2 * kRounding * length(hit.position));
-  hit.position = widened(place.translation) + turn.out(hit.position) * place.scale;
-  hit.geometric_normal = turn.out(hit.geometric_normal);
-  hit.shading_normal = turn.out(hit.shading_normal);
+  hit.rounding_m = transform.scale * (hit.rounding_m + 2 * kRounding * length(hit.position));
+  hit.position = bake::widened(transform.translation) + rotation.out(hit.position) * transform.scale;
+  hit.geometric_normal = rotation.out(hit.geometric_normal);
+  hit.shading_normal = rotation.out(hit.shading_normal);
   return hit;
 }
 

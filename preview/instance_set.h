@@ -1,5 +1,5 @@
-// One shape that stands in many places. Embree's own instances take some 500 bytes each, and a country has millions of
-// trees; here all places of a shape are one user geometry, whose rays are turned into the shape's frame on the way.
+// All instances of one mesh. An instance of Embree takes some 500 bytes, and a country has millions of trees: here all
+// instances of a mesh are one user geometry, which transforms rays into the mesh's frame.
 #pragma once
 
 #include <memory>
@@ -10,48 +10,48 @@
 
 namespace citykiln::preview {
 
-/// Where a copy stands: 32 bytes.
+/// The placement of an instance: 32 bytes.
 struct InstanceTransform {
   bake::Float3 translation;  ///< Metres from the world's origin.
   float scale = 1;
   bake::Float4 rotation;  ///< Unit quaternion x, y, z, w.
 };
 
-/// A shape and its places.
+/// A mesh and the placements of its instances.
 class InstanceSet {
  public:
-  /// @param texture  The sheet of the shape's tile, if any.
-  /// @param surfaces  Of each of its primitives the tile's texture of its material, if any.
-  InstanceSet(RTCDevice device, const bake::InstancedMesh& shape, const MipTexture* texture,
-              std::vector<const MaterialTexture*> surfaces);
+  /// @param marking_atlas  Of the mesh's tile; null where it has none.
+  /// @param materials  Per primitive the tile's texture of its material; null where it has none.
+  InstanceSet(RTCDevice device, const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
+              std::vector<const MaterialTexture*> materials);
   ~InstanceSet();
   InstanceSet(const InstanceSet&) = delete;
   InstanceSet& operator=(const InstanceSet&) = delete;
 
-  /// Is it the same shape, triangle by triangle, and on the same sheet and textures, if on any?
-  bool is_of(const bake::InstancedMesh& shape, const MipTexture* texture,
-             std::span<const MaterialTexture* const> surfaces) const;
-  /// Adds the places of a tile whose origin is at `offset` in the world.
+  /// Whether a mesh is the same, triangle by triangle, with the same images.
+  bool is_of(const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
+             std::span<const MaterialTexture* const> materials) const;
+  /// Adds the instances of a tile whose origin is at `offset` in the world.
   void add(const bake::InstancedMesh& instanced, Vec3 offset);
-  /// Adds all places to the uncommitted top scene. They are numbered from `first` in RTCHit::instID; the crowd must
-  /// stay where it is as long as the scene is used.
+  /// Adds the instances to the uncommitted top scene, numbered from `first` in RTCHit::instID. The scene refers to this
+  /// object, which must not move.
   void attach_to(RTCDevice device, RTCScene top, unsigned first);
 
   unsigned first() const { return first_; }
-  std::size_t size() const { return places_.size(); }
-  /// A hit in the world's frame on the copy that found.instID names.
-  Hit hit_in_world(const RTCHit& found, const RayFootprint& beam) const;
+  std::size_t size() const { return transforms_.size(); }
+  /// The hit, in the world's frame, on the instance of found.instID.
+  Hit hit_in_world(const RTCHit& found, const RayFootprint& footprint) const;
 
  private:
   struct Calls;
 
-  const bake::InstancedMesh* shape_;
-  std::vector<const MaterialTexture*> surfaces_;
+  const bake::InstancedMesh* mesh_;
+  std::vector<const MaterialTexture*> materials_;
   std::unique_ptr<CutoutTexture> cutout_;
   std::vector<MeshPart> parts_;
   RTCScene scene_;
-  Vec3 low_, high_;  // of the shape
-  std::vector<InstanceTransform> places_;
+  Vec3 low_, high_;  // of the mesh
+  std::vector<InstanceTransform> transforms_;
   unsigned first_ = 0;
 };
 

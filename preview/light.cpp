@@ -1,6 +1,7 @@
 #include "preview/light.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -9,18 +10,18 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Preetham's sky is smooth: cells of 0.028 rad² follow it within a hundredth, but for the glow about the sun.
+// Preetham's sky is smooth: cells of 0.028 rad² represent it within 1 %, but for the glow around the sun.
 constexpr int kAcross = 128, kDown = 64, kCells = kAcross * kDown;
 
-// Clear air loses light by molecules (at 680, 550 and 440 nm; Bruneton, Neyret, "Precomputed Atmospheric Scattering",
+// Extinction of clear air by molecules (at 680, 550 and 440 nm; Bruneton, Neyret, "Precomputed Atmospheric Scattering",
 // EGSR 2008, at sea level) and by dust. Together some 3.9 / 2.3e-5 = 170 km of sight, the clearest of days
-// (Koschmieder): cities are looked at from a few kilometres, and haze that hides them helps nobody.
+// (Koschmieder), so that cities are visible from a few kilometres.
 constexpr Rgb kAir_per_m = {5.8e-6 + 6e-6, 13.5e-6 + 6e-6, 33.1e-6 + 6e-6};
 
-// Haze has the colour of the sky a little above the horizon: there the eye looks through some 40 km of air.
+// Haze has the colour of the sky at this height above the horizon, where the eye looks through some 40 km of air.
 constexpr double kHazeRise = 0.06;
 
-// The sky goes over into the void within this many radians below the horizon.
+// The sky fades to haze within this angle below the horizon.
 constexpr double kHorizonBlur_rad = 0.06;
 
 double turn_of(Vec3 d) {
@@ -39,7 +40,7 @@ Vec3 direction_of(double turn, double z) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-// Where a running sum passes a share of its end: the step, and how far into it.
+// The step at which a cumulative sum exceeds a share of its total, and the position within it.
 struct Step {
   int index;
   double within;
@@ -63,29 +64,30 @@ Vec3 around(Vec3 n, double cos_angle, double turn) {
 }
 
 DirectionSample sample_cosine(Vec3 normal, UnitPair chance) {
+  assert(chance.u >= 0 && chance.u < 1);
   const double cos_angle = std::sqrt(1 - chance.u);
   return {around(normal, cos_angle, chance.v), cos_angle / kPi};
 }
 
-Lights::Lights(const sky::SkyModel& dome)
-    : dome_(dome), cells_(kCells), ring_(kAcross + 1), row_sums_(kDown), sums_(kCells) {
-  if (luminance(dome.sun_radiance) > 0) sun_solid_angle_ = 2 * kPi * (1 - dome.sun_cos_radius);
+Lights::Lights(const sky::SkyModel& model)
+    : model_(model), cells_(kCells), ring_(kAcross + 1), row_sums_(kDown), sums_(kCells) {
+  if (luminance(model.sun_radiance) > 0) sun_solid_angle_ = 2 * kPi * (1 - model.sun_cos_radius);
   double total = 0;
   for (int row = 0; row < kDown; ++row) {
     double sum = 0;
     for (int column = 0; column < kAcross; ++column) {
       const int cell = row * kAcross + column;
-      cells_[cell] = sky::radiance(dome, direction_of((column + 0.5) / kAcross, (row + 0.5) / kDown));
+      cells_[cell] = sky::radiance(model, direction_of((column + 0.5) / kAcross, (row + 0.5) / kDown));
       sums_[cell] = sum += luminance(cells_[cell]);
     }
     row_sums_[row] = total += sum;
   }
   for (int i = 0; i <= kAcross; ++i) {
     const Vec3 level = direction_of(static_cast<double>(i) / kAcross, 0);
-    ring_[i] = sky::radiance(dome, unit(Vec3{level.x, level.y, kHazeRise}));
+    ring_[i] = sky::radiance(model, unit(Vec3{level.x, level.y, kHazeRise}));
     if (i == kAcross) continue;
     haze_mean_ = haze_mean_ + ring_[i] * (1.0 / kAcross);
-    below_ = below_ + sky::radiance(dome, unit(Vec3{level.x, level.y, -kHazeRise})) * (1.0 / kAcross);
+    below_ = below_ + sky::radiance(model, unit(Vec3{level.x, level.y, -kHazeRise})) * (1.0 / kAcross);
   }
 }
 
@@ -105,23 +107,23 @@ double Lights::sky_pdf(Vec3 direction) const {
 }
 
 Vec3 Lights::sample_sun(UnitPair chance) const {
-  return around(dome_.to_sun, 1 - chance.u * (1 - dome_.sun_cos_radius), chance.v);
+  return around(model_.to_sun, 1 - chance.u * (1 - model_.sun_cos_radius), chance.v);
 }
 
 Rgb Lights::haze(Vec3 direction) const {
   const double place = turn_of(direction) * kAcross;
   const int i = std::min(static_cast<int>(place), kAcross - 1);
   const double share = place - i;
-  // straight down there is no azimuth to take the colour of
+  // straight down there is no azimuth
   const double level = direction.x * direction.x + direction.y * direction.y;
   return (ring_[i] * (1 - share) + ring_[i + 1] * share) * level + haze_mean_ * (1 - level);
 }
 
 Rgb Lights::seen(Vec3 direction) const {
-  if (direction.z >= 0) return sky::radiance(dome_, direction);
+  if (direction.z >= 0) return sky::radiance(model_, direction);
   const double depth = std::min(-direction.z / kHorizonBlur_rad, 1.0), share = depth * depth * (3 - 2 * depth);
   if (share >= 1) return haze(direction);
-  const Rgb horizon = sky::radiance(dome_, unit(Vec3{direction.x, direction.y, 0}));
+  const Rgb horizon = sky::radiance(model_, unit(Vec3{direction.x, direction.y, 0}));
   return horizon * (1 - share) + haze(direction) * share;
 }
 

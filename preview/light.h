@@ -1,4 +1,4 @@
-// Colours of light, and what shines: the sky as a table to draw directions from, the sun's disk, haze.
+// Light sources: the sky as a table of directions to sample, the sun's disk, and haze.
 #pragma once
 
 #include <array>
@@ -14,55 +14,55 @@ using sky::Rgb;
 inline Rgb operator*(const Rgb& a, const Rgb& b) { return {a[0] * b[0], a[1] * b[1], a[2] * b[2]}; }
 inline Rgb operator*(const Rgb& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
 inline Rgb operator+(const Rgb& a, const Rgb& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-/// Rec. 709.
+/// Luminance of linear Rec. 709.
 inline double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 /// A unit vector at an angle from `axis`, turned about it by `turn` of a full circle.
 Vec3 around(Vec3 axis, double cos_angle, double turn);
 
-/// A drawn direction: pdf per steradian.
+/// A sampled direction and its probability density per steradian.
 struct DirectionSample {
   Vec3 direction;
   double pdf = 0;
 };
 
-/// Cosine-weighted about a unit vector.
+/// A cosine-weighted sample about a unit vector.
 DirectionSample sample_cosine(Vec3 normal, UnitPair chance);
 
-/// What a ray sees that meets nothing, and where light comes from.
+/// The sources of light, and what rays see that hit nothing.
 class Lights {
  public:
-  explicit Lights(const sky::SkyModel& dome);
+  explicit Lights(const sky::SkyModel& model);
 
-  const sky::SkyModel& dome() const { return dome_; }
+  const sky::SkyModel& model() const { return model_; }
 
-  /// The sky for light that falls on surfaces, piecewise constant: 128 by 64 cells of equal solid angle. From below the
-  /// horizon comes what darker ground throws back.
+  /// Sky radiance for lighting surfaces, piecewise constant on 128 by 64 cells of equal solid angle. From below the
+  /// horizon comes what dark ground reflects.
   const Rgb& falling(Vec3 direction) const;
-  /// A direction of the sky, bright ones more often, from above the horizon only; pdf 0 if the sky is black.
+  /// A sample of the sky above the horizon, in proportion to luminance; pdf 0 if the sky is black.
   DirectionSample sample_sky(UnitPair chance) const;
-  /// How often sample_sky draws this direction, per steradian.
+  /// The density of sample_sky() in a direction, per steradian.
   double sky_pdf(Vec3 direction) const;
 
   bool has_sun() const { return sun_solid_angle_ > 0; }
-  /// A direction of the sun's disk, evenly.
+  /// A uniform sample of the sun's disk.
   Vec3 sample_sun(UnitPair chance) const;
   double sun_solid_angle() const { return sun_solid_angle_; }
 
-  /// The sky as the eye sees it. Below the horizon, beyond the ground's edge, there is haze: a dark or sharp edge would
-  /// look like a wall.
+  /// The sky as the eye sees it. Below the horizon, beyond the edge of the ground, it is haze, since a dark or sharp
+  /// edge would look like a wall.
   Rgb seen(Vec3 direction) const;
-  /// Light seen through `distance_m` of air: some is lost, some of the horizon's is put in.
+  /// Light after `distance_m` of air: attenuated, with scattered light of the horizon's colour added.
   Rgb through_air(const Rgb& light, Vec3 direction, double distance_m) const;
 
  private:
   Rgb haze(Vec3 direction) const;
 
-  sky::SkyModel dome_;
+  sky::SkyModel model_;
   double sun_solid_angle_ = 0;
   std::vector<Rgb> cells_, ring_;
   Rgb below_{}, haze_mean_{};
-  std::vector<double> row_sums_, sums_;  // running sums of luminance: of rows, and of cells within their row
+  std::vector<double> row_sums_, sums_;  // cumulative luminance: of rows, and of cells within their row
 };
 
 }  // namespace citykiln::preview

@@ -11,16 +11,16 @@ MaterialTexture::MaterialTexture(const materials::Texture& texture)
     normal_.emplace(texture.normal, TexelMeaning::kNormals, WrapMode::kRepeat);
 }
 
-std::array<double, 3> MaterialTexture::colour(const TextureFootprint& patch) const {
+std::array<double, 3> MaterialTexture::colour(const TextureFootprint& footprint) const {
   if (!colour_) return factor_;
-  std::array<double, 3> mean = colour_->mean(patch);
+  std::array<double, 3> mean = colour_->mean(footprint);
   for (std::size_t c = 0; c < 3; ++c) mean[c] *= factor_[c];
   return mean;
 }
 
-Vec3 MaterialTexture::normal(const TextureFootprint& patch) const {
+Vec3 MaterialTexture::normal(const TextureFootprint& footprint) const {
   if (!normal_) return {0, 0, 1};
-  const auto [u, v, out] = normal_->mean(patch);
+  const auto [u, v, out] = normal_->mean(footprint);
   return unit(Vec3{u, v, out});
 }
 

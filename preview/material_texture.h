@@ -1,4 +1,4 @@
-// A material's texture as rays see it: its colour and its normal, smoothed as far as what a ray covers.
+// A material's texture as rays see it: colour and normal, filtered over the ray's footprint.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,17 @@
 
 namespace citykiln::preview {
 
-/// Refers to the texture, which must outlive it. Water's normals are left out: waves (water.h) never repeat.
+/// Refers to the texture, which must outlive it. Normals of water are left out, since its waves (water_waves.h) never
+/// repeat.
 class MaterialTexture {
  public:
   explicit MaterialTexture(const materials::Texture& texture);
 
   const materials::Texture& texture() const { return *texture_; }
-  /// Linear reflectance, mean over a patch: over all of it, the material's own colour.
-  std::array<double, 3> colour(const TextureFootprint& patch) const;
-  /// Unit: along u, against v, outwards.
-  Vec3 normal(const TextureFootprint& patch) const;
+  /// Mean linear reflectance over a footprint; over the whole texture it is the material's colour.
+  std::array<double, 3> colour(const TextureFootprint& footprint) const;
+  /// Unit normal: along u, against v, outwards.
+  Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
 
  private:

@@ -1,6 +1,7 @@
 #include "preview/mesh_part.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/sky/generate.h"
@@ -8,12 +9,10 @@
 namespace citykiln::preview {
 namespace {
 
-Vec3 widened(const bake::Float3& v) { return {v[0], v[1], v[2]}; }
-
-// How far the plane that Embree computes in single precision lies from the exact one, near the triangle. The normal is
-// a cross product of edges, each exact to a rounding: four roundings of |e1||e2|, which counts the more the thinner the
-// triangle is, over a reach of the longest edge; twice that for the products after it. A triangle whose bound is larger
-// than a few centimetres is a sliver far thinner than a pixel.
+// An upper bound of the distance between the plane that Embree computes in single precision and the exact one, near the
+// triangle. The normal is a cross product of edges, each exact to a rounding: an error of four roundings of |e1||e2|,
+// which matters the more the thinner the triangle is, over the length of the longest edge; twice that for the products
+// after it. Triangles whose bound is larger than a few centimetres are slivers far thinner than a pixel.
 double plane_error_m(Vec3 edge1, Vec3 edge2, Vec3 across) {
   constexpr double kRounding = 0x1p-24, kRoundings = 8, kLargest_m = 0.03;
   const double a = length(edge1), b = length(edge2), area = length(across);
@@ -21,9 +20,7 @@ double plane_error_m(Vec3 edge1, Vec3 edge2, Vec3 across) {
   return std::min(kRoundings * kRounding * std::max({a, b, length(edge2 - edge1)}) * a * b / area, kLargest_m);
 }
 
-Vec2 widened(const bake::Float2& v) { return {v[0], v[1]}; }
-
-// A vector in a triangle's plane as one of its uvs, which change with the place as they do along two edges.
+// Converts a vector in a triangle's plane to uvs, whose change along two edges is known.
 Vec2 in_uvs(Vec3 v, Vec3 edge1, Vec3 edge2, Vec2 uv_edge1, Vec2 uv_edge2) {
   const double aa = dot(edge1, edge1), ab = dot(edge1, edge2), bb = dot(edge2, edge2), area2 = aa * bb - ab * ab;
   if (!(area2 > 0)) return {};
@@ -31,85 +28,91 @@ Vec2 in_uvs(Vec3 v, Vec3 edge1, Vec3 edge2, Vec2 uv_edge1, Vec2 uv_edge2) {
   return uv_edge1 * ((va * bb - vb * ab) / area2) + uv_edge2 * ((vb * aa - va * ab) / area2);
 }
 
-// What a beam covers of the sheet: the flatter it comes, the longer.
-TextureFootprint patch_of(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
-                          const RayFootprint& beam) {
+// A hit triangle: positions and uvs of its corners, and the hit's barycentric coordinates.
+struct HitTriangle {
+  std::array<Vec3, 3> at;
+  std::array<Vec2, 3> uv;
+  double u, v;
+};
+
+HitTriangle hit_triangle(const MeshPart& part, const RTCHit& found) {
+  const auto& corners = part.primitive->triangles[found.primID];
+  HitTriangle triangle{{}, {}, found.u, found.v};
+  for (std::size_t i = 0; i < 3; ++i) {
+    triangle.at[i] = bake::widened(part.corners[corners[i]]);
+    triangle.uv[i] = bake::widened(part.primitive->uvs[corners[i]]);
+  }
+  return triangle;
+}
+
+Vec2 uv_at(const HitTriangle& t) { return t.uv[0] + (t.uv[1] - t.uv[0]) * t.u + (t.uv[2] - t.uv[0]) * t.v; }
+
+// The part of an image that a ray covers: the flatter the ray, the longer.
+TextureFootprint texture_footprint_of(const HitTriangle& t, const RayFootprint& ray) {
   constexpr double kFlattest = 0.005;
-  const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
-  const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
-  const Vec3 edge1 = at(1) - at(0), edge2 = at(2) - at(0), normal = unit(cross(edge1, edge2));
-  const Vec2 uv_edge1 = uv(1) - uv(0), uv_edge2 = uv(2) - uv(0);
-  const double cosine = dot(normal, beam.direction);
-  const Vec3 along =
-      unit(beam.direction - normal * cosine) * (beam.across_m / 2 / std::max(std::abs(cosine), kFlattest));
-  return {uv(0) + uv_edge1 * found.u + uv_edge2 * found.v, in_uvs(along, edge1, edge2, uv_edge1, uv_edge2),
-          beam.across_m};
+  const Vec3 edge1 = t.at[1] - t.at[0], edge2 = t.at[2] - t.at[0], normal = unit(cross(edge1, edge2));
+  const double cosine = dot(normal, ray.direction);
+  const Vec3 along = unit(ray.direction - normal * cosine) * (ray.across_m / 2 / std::max(std::abs(cosine), kFlattest));
+  return {uv_at(t), in_uvs(along, edge1, edge2, t.uv[1] - t.uv[0], t.uv[2] - t.uv[0]), ray.across_m};
 }
 
-// The same where a metre of the surface need not be one of the picture: atlases of several levels in one have texels of
-// one size, and plants stand in many.
-TextureFootprint patch_in_scale(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
-                                const RayFootprint& beam) {
-  TextureFootprint patch = patch_of(part, corners, found, beam);
-  const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
-  const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
-  const double area = length(cross(at(1) - at(0), at(2) - at(0)));
-  const double of_picture = std::abs(cross(uv(1) - uv(0), uv(2) - uv(0)));
-  if (area > 0) patch.across_m *= std::sqrt(of_picture / area);
-  return patch;
+// The same where a metre of the surface need not be a metre of the image: joined atlases of several levels have one
+// texel size, and plants have many sizes.
+TextureFootprint scaled_footprint_of(const HitTriangle& t, const RayFootprint& ray) {
+  TextureFootprint footprint = texture_footprint_of(t, ray);
+  const double area = length(cross(t.at[1] - t.at[0], t.at[2] - t.at[0]));
+  const double of_image = std::abs(cross(t.uv[1] - t.uv[0], t.uv[2] - t.uv[0]));
+  if (area > 0) footprint.across_m *= std::sqrt(of_image / area);
+  return footprint;
 }
 
-// The normal of the texture, told by its directions over the triangle, instead of the smooth one. Of what is seen from
-// behind outwards is there.
-void roughen(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners, Vec3 normal,
-             Vec3 seen_along) {
-  const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
-  const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
-  const Vec2 uv1 = uv(1) - uv(0), uv2 = uv(2) - uv(0);
+// Replaces the shading normal by that of a normal map, which refers to the directions of u and v on the triangle. From
+// behind, `outwards` is towards the ray.
+void apply_normal_map(Hit& hit, const HitTriangle& t, Vec3 normal, Vec3 seen_along) {
+  const Vec2 uv1 = t.uv[1] - t.uv[0], uv2 = t.uv[2] - t.uv[0];
   const double turn = cross(uv1, uv2) < 0 ? -1 : 1;
-  const Vec3 along_u = ((at(1) - at(0)) * uv2.y - (at(2) - at(0)) * uv1.y) * turn;
+  const Vec3 along_u = ((t.at[1] - t.at[0]) * uv2.y - (t.at[2] - t.at[0]) * uv1.y) * turn;
   const Vec3 out = unit(hit.shading_normal), u = unit(along_u - out * dot(along_u, out));
   const Vec3 along = u * normal.x - cross(out, u) * (turn * normal.y);
   const bool is_behind = dot(hit.geometric_normal, seen_along) > 0;
-  // turned later, as a whole
+  // World turns the whole normal towards the ray later
   hit.shading_normal = unit((is_behind ? along * -1 : along) + out * normal.z);
 }
 
-// Leaves let through about as much as they throw back.
+// Sets colour and normal by an image that has both.
+template <typename Texture>
+std::array<double, 3> apply_image(Hit& hit, const HitTriangle& t, const TextureFootprint& footprint,
+                                  const Texture& image, Vec3 seen_along = {}) {
+  if (image.has_normals()) apply_normal_map(hit, t, image.normal(footprint), seen_along);
+  return image.colour(footprint);
+}
+
+// Leaves transmit about as much light as they reflect.
 double translucency_of(materials::Material material) {
   using materials::Material;
   return material == Material::kBroadLeaf ? 0.8 : material == Material::kNeedleLeaf ? 0.4 : 0;
 }
 
-void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners,
-                  const std::array<double, 3>& weights, const RTCHit& found, const RayFootprint& beam) {
+void set_material(Hit& hit, const MeshPart& part, const std::array<double, 3>& weights, const RTCHit& found,
+                  const RayFootprint& ray) {
   const bake::Primitive& primitive = *part.primitive;
   const materials::MaterialValues& values = values_of(primitive.material);
-  const auto& own = values.base_colour;
-  std::array<double, 3> colour{own[0], own[1], own[2]};
-  if (part.texture != nullptr) colour = part.texture->mean(patch_of(part, corners, found, beam));
-  if (part.surface != nullptr) {
-    const TextureFootprint patch = patch_in_scale(part, corners, found, beam);
-    colour = part.surface->colour(patch);
-    if (part.surface->has_normals()) roughen(hit, part, corners, part.surface->normal(patch), {});
-  }
-  const auto shining = emission_of(primitive.material);
-  std::array<double, 3> emission{shining[0], shining[1], shining[2]};
-  hit.material = primitive.material;
-  hit.roughness = values.roughness;
-  if (part.impostor != nullptr) {
-    const TextureFootprint patch = patch_in_scale(part, corners, found, beam);
-    colour = part.impostor->colour(patch);
-    hit.roughness = part.impostor->roughness(patch);
-    emission = part.impostor->emission(patch);
-    if (part.impostor->has_normals()) roughen(hit, part, corners, part.impostor->normal(patch), {});
-  }
-  if (part.cutout != nullptr) {
-    const TextureFootprint patch = patch_in_scale(part, corners, found, beam);
-    colour = part.cutout->colour(patch);
-    if (part.cutout->has_normals()) roughen(hit, part, corners, part.cutout->normal(patch), beam.direction);
+  const auto &own = values.base_colour, &emitted = emission_of(primitive.material);
+  std::array<double, 3> colour{own[0], own[1], own[2]}, emission{emitted[0], emitted[1], emitted[2]};
+  hit.material = primitive.material, hit.roughness = values.roughness;
+  if (!primitive.uvs.empty()) {
+    const HitTriangle t = hit_triangle(part, found);
+    if (part.marking_atlas != nullptr) colour = part.marking_atlas->mean(texture_footprint_of(t, ray));
+    const TextureFootprint footprint = scaled_footprint_of(t, ray);
+    if (part.material_texture != nullptr) colour = apply_image(hit, t, footprint, *part.material_texture);
+    if (part.cutout != nullptr) colour = apply_image(hit, t, footprint, *part.cutout, ray.direction);
+    if (part.facade_atlas != nullptr) {
+      colour = apply_image(hit, t, footprint, *part.facade_atlas);
+      hit.roughness = part.facade_atlas->roughness(footprint), emission = part.facade_atlas->emission(footprint);
+    }
   }
   hit.translucency = translucency_of(primitive.material);
+  const auto& corners = primitive.triangles[found.primID];
   for (int c = 0; c < 3; ++c) {
     double tint = 0;
     for (int i = 0; i < 3; ++i) tint += weights[i] * primitive.colours[corners[i]][c];
@@ -118,25 +121,25 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
   }
 }
 
-// Of single rays only, which are all that are asked.
-void pass_where_nothing_is(const RTCFilterFunctionNArguments* args) {
+// Embree's filter of a hit: holes of cutouts are no hits. Called for single rays only.
+void pass_holes(const RTCFilterFunctionNArguments* args) {
   const auto& part = *static_cast<const MeshPart*>(args->geometryUserPtr);
-  const RTCHit& found = *reinterpret_cast<const RTCHit*>(args->hit);
-  const auto& corners = part.primitive->triangles[found.primID];
-  const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
-  const Vec2 at = uv(0) + (uv(1) - uv(0)) * found.u + (uv(2) - uv(0)) * found.v;
-  if (!part.cutout->is_there(at)) args->valid[0] = 0;
+  if (!part.cutout->is_there(uv_at(hit_triangle(part, *reinterpret_cast<const RTCHit*>(args->hit)))))
+    args->valid[0] = 0;
 }
 
 }  // namespace
 
-MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const MipTexture* texture, const MaterialTexture* surface,
-               const FacadeAtlasTexture* impostor, const CutoutTexture* cutout) {
+MeshPart mesh_part_of(const bake::Primitive& primitive, Vec3 offset, const MipTexture* marking_atlas,
+                      const MaterialTexture* material_texture, const FacadeAtlasTexture* facade_atlas,
+                      const CutoutTexture* cutout) {
+  assert(primitive.normals.size() == primitive.positions.size());
   using materials::ColourSource;
   MeshPart part{&primitive, {}};
-  if (primitive.colour_source == ColourSource::kByMarkingAtlas) part.texture = texture;
-  if (primitive.colour_source == ColourSource::kByAtlas) part.impostor = impostor;
-  if (primitive.colour_source == ColourSource::kByMaterial && !primitive.uvs.empty()) part.surface = surface;
+  if (primitive.colour_source == ColourSource::kByMarkingAtlas) part.marking_atlas = marking_atlas;
+  if (primitive.colour_source == ColourSource::kByAtlas) part.facade_atlas = facade_atlas;
+  if (primitive.colour_source == ColourSource::kByMaterial && !primitive.uvs.empty())
+    part.material_texture = material_texture;
   if (primitive.colour_source == ColourSource::kByCutout) part.cutout = cutout;
   part.corners.reserve(primitive.positions.size() + 1);
   for (const bake::Float3& p : primitive.positions)
@@ -144,6 +147,13 @@ MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const MipTexture* 
                             static_cast<float>(p[2] + offset.z)});
   part.corners.push_back({});
   return part;
+}
+
+void set_ray(RTCRay& ray, Vec3 from, Vec3 direction) {
+  ray.org_x = static_cast<float>(from.x), ray.org_y = static_cast<float>(from.y),
+  ray.org_z = static_cast<float>(from.z);
+  ray.dir_x = static_cast<float>(direction.x), ray.dir_y = static_cast<float>(direction.y);
+  ray.dir_z = static_cast<float>(direction.z);
 }
 
 void attach(RTCDevice device, RTCScene scene, const MeshPart& part) {
@@ -155,28 +165,28 @@ void attach(RTCDevice device, RTCScene scene, const MeshPart& part) {
                              sizeof(primitive.triangles[0]), primitive.triangles.size());
   if (part.cutout != nullptr) {
     rtcSetGeometryUserData(geometry, const_cast<MeshPart*>(&part));
-    rtcSetGeometryIntersectFilterFunction(geometry, pass_where_nothing_is);
-    rtcSetGeometryOccludedFilterFunction(geometry, pass_where_nothing_is);
+    rtcSetGeometryIntersectFilterFunction(geometry, pass_holes);
+    rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);
   }
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
 }
 
-Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& beam) {
+Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& footprint) {
   const auto& corners = part.primitive->triangles[found.primID];
   const double u = found.u, v = found.v;
   const std::array<double, 3> weights = {1 - u - v, u, v};
-  const Vec3 p = widened(part.corners[corners[0]]);
-  const Vec3 edge1 = widened(part.corners[corners[1]]) - p, edge2 = widened(part.corners[corners[2]]) - p;
+  const Vec3 p = bake::widened(part.corners[corners[0]]);
+  const Vec3 edge1 = bake::widened(part.corners[corners[1]]) - p, edge2 = bake::widened(part.corners[corners[2]]) - p;
   const Vec3 across = cross(edge1, edge2);
   Hit hit;
   hit.position = p + edge1 * u + edge2 * v;
   hit.geometric_normal = unit(across);
   for (int i = 0; i < 3; ++i)
-    hit.shading_normal = hit.shading_normal + widened(part.primitive->normals[corners[i]]) * weights[i];
+    hit.shading_normal = hit.shading_normal + bake::widened(part.primitive->normals[corners[i]]) * weights[i];
   hit.rounding_m = plane_error_m(edge1, edge2, across);
-  set_material(hit, part, corners, weights, found, beam);
+  set_material(hit, part, weights, found, footprint);
   return hit;
 }
 

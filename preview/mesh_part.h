@@ -1,4 +1,4 @@
-// One material's triangles as Embree sees them, and what a hit on one means.
+// The triangles of one material in Embree, and what a hit on one of them means.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -14,36 +14,38 @@
 
 namespace citykiln::preview {
 
-/// Triangles, and their corners about another origin. Refers to the primitive and the texture.
+/// Triangles with their corners about the world's origin. Refers to the primitive and the images. At most one image is
+/// not null: the one that colours the primitive instead of its material.
 struct MeshPart {
   const bake::Primitive* primitive = nullptr;
-  std::vector<bake::Float3> corners;             ///< One a position, and one more: Embree reads 16 bytes at each.
-  const MipTexture* texture = nullptr;           ///< What colours it instead of its material, if any.
-  const MaterialTexture* surface = nullptr;      ///< Or its material's texture.
-  const FacadeAtlasTexture* impostor = nullptr;  ///< Or the atlas, which says how rough it is, too.
-  const CutoutTexture* cutout = nullptr;         ///< Or a cutout, which says where there is nothing, too.
+  std::vector<bake::Float3> corners{};        ///< One per position, and one more: Embree reads 16 bytes at each.
+  const MipTexture* marking_atlas = nullptr;  ///< Colour.
+  const MaterialTexture* material_texture = nullptr;  ///< Colour and normal.
+  const FacadeAtlasTexture* facade_atlas = nullptr;   ///< Colour, normal, roughness and emission.
+  const CutoutTexture* cutout = nullptr;              ///< Colour, normal and holes.
 };
 
-/// What a ray covers where it hits.
+/// The cone that a ray stands for, where it hits.
 struct RayFootprint {
   Vec3 direction;  ///< Unit.
   double across_m = 0;
 };
 
-/// The primitive's positions plus `offset`, rounded once. @param texture  Its tile's sheet, if there is one: taken
-/// where the primitive is on it. @param surface  Its material's texture, if there is one: taken where it has uvs.
-/// @param imprint  Its tile's atlas, if there is one: taken where the primitive is on it. @param cutout  Its shape's,
-/// likewise.
-MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const MipTexture* texture,
-               const MaterialTexture* surface = nullptr, const FacadeAtlasTexture* impostor = nullptr,
-               const CutoutTexture* cutout = nullptr);
+/// Returns a part: the primitive's positions plus `offset`, rounded once, and, of these images, the one that the
+/// primitive shows.
+MeshPart mesh_part_of(const bake::Primitive& primitive, Vec3 offset, const MipTexture* marking_atlas,
+                      const MaterialTexture* material_texture = nullptr,
+                      const FacadeAtlasTexture* facade_atlas = nullptr, const CutoutTexture* cutout = nullptr);
 
-/// Adds a part to an uncommitted scene; its id is the number of parts before it. The part must outlive the scene, where
-/// it is. Rays pass where its cutout has nothing.
+/// Adds a part to an uncommitted scene; its geometry id is the number of parts before it. The scene refers to the part,
+/// which must not move. Rays pass through the holes of its cutout.
 void attach(RTCDevice device, RTCScene scene, const MeshPart& part);
 
-/// A hit in the part's own frame; normals not turned towards the ray, distance not set. `rounding_m` covers what the
-/// triangle adds: Embree's plane of it lies at most so far from the exact one.
-Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& beam);
+/// Sets origin and direction of a ray, rounded once.
+void set_ray(RTCRay& ray, Vec3 from, Vec3 direction);
+
+/// The hit in the part's own frame. Its normals are not turned towards the ray, and its distance is not set.
+/// `rounding_m` is an upper bound of the distance between Embree's plane of the triangle and the exact one.
+Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& footprint);
 
 }  // namespace citykiln::preview

@@ -1,6 +1,7 @@
 #include "preview/mip_texture.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/materials/material.h"
@@ -17,7 +18,7 @@ std::array<float, 256> table(Of of) {
   return all;
 }
 
-// What the bytes of a texel stand for.
+// The values of a texel's bytes.
 const std::array<float, 256>& values_of(TexelMeaning texels) {
   static const std::array<float, 256> colours = table(materials::linear_of_srgb);
   static const std::array<float, 256> normals =
@@ -32,14 +33,14 @@ void add(Rgb3& sum, const Colour& colour, double weight) {
   for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * colour[c];
 }
 
-// Of which texels a coarser one is made, from `first` on, and of what share of each.
+// The texels that a coarser one averages, from `first` on, and their weights.
 struct Shares {
   std::size_t first;
   std::array<double, 4> of{};
 };
 
 Shares shares(std::size_t i, std::size_t fine, std::size_t coarse) {
-  // the last end is exactly the last texel's
+  // the last edge is exactly that of the last texel
   const auto edge = [&](std::size_t n) { return static_cast<double>(n * fine) / static_cast<double>(coarse); };
   const double begin = edge(i), end = edge(i + 1);
   Shares all{i * fine / coarse, {}};
@@ -52,9 +53,10 @@ Shares shares(std::size_t i, std::size_t fine, std::size_t coarse) {
 
 }  // namespace
 
-MipTexture::MipTexture(const materials::TextureImage& sheet, TexelMeaning texels, WrapMode sides, std::size_t levels)
-    : sheet_(&sheet), texels_(texels), sides_(sides) {
-  levels_.push_back({sheet.columns, sheet.rows, {}});
+MipTexture::MipTexture(const materials::TextureImage& image, TexelMeaning texels, WrapMode sides, std::size_t levels)
+    : image_(&image), texels_(texels), sides_(sides) {
+  assert(image.texels.size() == std::size_t{image.columns} * image.rows && !image.texels.empty() && levels > 0);
+  levels_.push_back({image.columns, image.rows, {}});
   while (levels_.size() < levels && (levels_.back().columns > 1 || levels_.back().rows > 1))
     levels_.push_back(halved(levels_.back()));
 }
@@ -62,7 +64,7 @@ MipTexture::MipTexture(const materials::TextureImage& sheet, TexelMeaning texels
 MipTexture::Texel MipTexture::texel(const Level& level, std::size_t column, std::size_t row) const {
   const std::size_t place = row * level.columns + column;
   if (!level.texels.empty()) return level.texels[place];
-  const auto& [r, g, b] = sheet_->texels[place];
+  const auto& [r, g, b] = image_->texels[place];
   const auto& values = values_of(texels_);
   return {values[r], values[g], values[b]};
 }
@@ -84,10 +86,10 @@ MipTexture::Level MipTexture::halved(const Level& level) const {
   return half;
 }
 
-// Between the middles of four texels.
+// Bilinear interpolation between the centres of four texels.
 std::array<double, 3> MipTexture::smooth(const Level& level, Vec2 at) const {
   const double columns = static_cast<double>(level.columns), rows = static_cast<double>(level.rows);
-  const double across = at.x / (sheet_->columns * sheet_->texel_m), along = at.y / (sheet_->rows * sheet_->texel_m);
+  const double across = at.x / (image_->columns * image_->texel_m), along = at.y / (image_->rows * image_->texel_m);
   const auto repeated = [](double turns, double count) { return (turns - std::floor(turns)) * count + count - 0.5; };
   const double x =
       sides_ == WrapMode::kRepeat ? repeated(across, columns) : std::clamp(across * columns - 0.5, 0.0, columns - 1);
@@ -105,10 +107,10 @@ std::array<double, 3> MipTexture::smooth(const Level& level, Vec2 at) const {
   return sum;
 }
 
-// Between the two levels whose texels are nearest in size.
+// Interpolates between the two levels whose texel sizes are nearest.
 std::array<double, 3> MipTexture::disk(Vec2 at, double across_m) const {
   const double last = static_cast<double>(levels_.size() - 1);
-  const double fine = std::clamp(std::log2(std::max(across_m / sheet_->texel_m, 1.0)), 0.0, last);
+  const double fine = std::clamp(std::log2(std::max(across_m / image_->texel_m, 1.0)), 0.0, last);
   const auto level = static_cast<std::size_t>(fine);
   const double coarser = fine - static_cast<double>(level);
   Rgb3 sum{};
@@ -117,17 +119,18 @@ std::array<double, 3> MipTexture::disk(Vec2 at, double across_m) const {
   return sum;
 }
 
-std::array<double, 3> MipTexture::mean(const TextureFootprint& patch) const {
+std::array<double, 3> MipTexture::mean(const TextureFootprint& footprint) const {
   constexpr int kMostDisks = 16;
-  const double half_m = length(patch.along);
-  if (!std::isfinite(half_m) || !std::isfinite(patch.across_m) || !std::isfinite(patch.centre.x + patch.centre.y))
+  const double half_m = length(footprint.along);
+  if (!std::isfinite(half_m) || !std::isfinite(footprint.across_m) ||
+      !std::isfinite(footprint.centre.x + footprint.centre.y))
     return smooth(levels_.back(), {});
-  const double least_m = std::max(patch.across_m, sheet_->texel_m);
+  const double least_m = std::max(footprint.across_m, image_->texel_m);
   const int disks = static_cast<int>(std::clamp(std::ceil(2 * half_m / least_m), 1.0, 1.0 * kMostDisks));
-  const double across_m = std::max(patch.across_m, 2 * half_m / disks);
+  const double across_m = std::max(footprint.across_m, 2 * half_m / disks);
   Rgb3 sum{};
   for (int i = 0; i < disks; ++i)
-    add(sum, disk(patch.centre + patch.along * ((2.0 * i + 1) / disks - 1), across_m), 1.0 / disks);
+    add(sum, disk(footprint.centre + footprint.along * ((2.0 * i + 1) / disks - 1), across_m), 1.0 / disks);
   return sum;
 }
 

@@ -1,4 +1,4 @@
-// A sheet as rays see it: smoothed as far as what a ray covers.
+// An image as rays see it, filtered over the ray's footprint.
 #pragma once
 
 #include <array>
@@ -9,45 +9,46 @@
 
 namespace citykiln::preview {
 
-/// A patch of a sheet, as a ray covers it: an ellipse about `centre`, `across_m` wide and drawn out along `along`.
+/// The part of an image that a ray covers: an ellipse about `centre`, `across_m` wide and elongated along `along`.
 struct TextureFootprint {
-  Vec2 centre;          ///< Metres on the sheet.
-  Vec2 along;           ///< From the middle to the far end; zero: a disk.
-  double across_m = 0;  ///< Diameter. 0: the texels themselves.
+  Vec2 centre;          ///< Metres on the image.
+  Vec2 along;           ///< From the centre to the far end; zero: a disk.
+  double across_m = 0;  ///< Diameter. 0: single texels.
 };
 
-/// What texels mean.
+/// The meaning of texels.
 enum class TexelMeaning {
   kColours,  ///< sRGB.
   kNumbers,  ///< 0 … 1.
   kNormals   ///< -1 … 1 in each direction (materials::Texture).
 };
 
-/// What follows on a sheet's sides.
+/// What continues an image at its left and right sides; it always repeats along v.
 enum class WrapMode { kClamp, kRepeat };
 
-/// Method: levels of half as many texels (Williams, "Pyramidal Parametrics", SIGGRAPH 1983), each of them the exact
-/// mean of the whole; between texels and between levels linear, in linear light. A long patch is several round ones in
-/// a row (McCormack et al., "Feline", SIGGRAPH 1999), at most 16. Along the sheet it repeats, across it as asked for.
+/// Method: mip levels (Williams, "Pyramidal Parametrics", SIGGRAPH 1983), each with exactly the mean of the image;
+/// trilinear interpolation in linear light. An elongated footprint is filtered as several disks in a row (McCormack et
+/// al., "Feline", SIGGRAPH 1999), at most 16.
 ///
-/// Refers to the sheet, which must outlive it. Memory: 4 bytes a texel. Cost: O(texels), then O(1) a patch.
+/// Refers to the image, which must outlive it. Memory: 4 bytes per texel. Cost: O(texels), then O(1) per footprint.
 class MipTexture {
  public:
   static constexpr std::size_t kAllLevels = 64;
-  /// @param sheet  With texels.
-  /// @param levels  At most so many, the sheet's own texels among them.
-  explicit MipTexture(const materials::TextureImage& sheet, TexelMeaning texels = TexelMeaning::kColours,
+  /// @param image  With texels.
+  /// @param levels  Largest number of levels, the image itself included.
+  explicit MipTexture(const materials::TextureImage& image, TexelMeaning texels = TexelMeaning::kColours,
                       WrapMode sides = WrapMode::kClamp, std::size_t levels = kAllLevels);
 
-  const materials::TextureImage& sheet() const { return *sheet_; }
-  /// Linear reflectance, or the normal, mean over a patch. What is not finite gives the sheet's mean.
-  std::array<double, 3> mean(const TextureFootprint& patch) const;
+  const materials::TextureImage& image() const { return *image_; }
+  /// The mean over a footprint: linear reflectance, numbers, or the normal. Footprints that are not finite give the
+  /// mean of the image.
+  std::array<double, 3> mean(const TextureFootprint& footprint) const;
 
  private:
   using Texel = std::array<float, 3>;
   struct Level {
     std::size_t columns, rows;
-    std::vector<Texel> texels;  // none at the finest: there they are the sheet's
+    std::vector<Texel> texels;  // empty at level 0, which is the image
   };
 
   Texel texel(const Level& level, std::size_t column, std::size_t row) const;
@@ -55,7 +56,7 @@ class MipTexture {
   std::array<double, 3> smooth(const Level& level, Vec2 at) const;
   std::array<double, 3> disk(Vec2 at, double across_m) const;
 
-  const materials::TextureImage* sheet_;
+  const materials::TextureImage* image_;
   TexelMeaning texels_;
   WrapMode sides_;
   std::vector<Level> levels_;

@@ -1,4 +1,5 @@
-// From outside, a view's direction is given and its distance is solved for; inside, places are tried by looking about.
+// Views from outside have a fixed direction, and their distance is computed so that the scene fills the picture. Views
+// inside the scene are chosen among candidate places.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,14 +12,14 @@
 namespace citykiln::preview {
 namespace {
 
-// Pictures are at least this wide for their height; wider ones show more at the sides.
+// The aspect ratio for which the view fits; wider pictures show more at the sides.
 constexpr double kAspect = 16.0 / 9;
 
-// How many in a hundred of the scene's columns may lie outside a side of the picture: a lone peak or a stray far tile
-// must not make everything else small.
+// The share of the scene's columns that may lie outside each side of the picture, so that a lone peak or a far tile
+// does not make everything else small.
 constexpr double kOutside = 0.01;
 
-// Room at the edges.
+// The share of the picture that the scene fills.
 constexpr double kMargin = 0.94;
 
 struct View {
@@ -31,15 +32,15 @@ constexpr View kOutsideViews[] = {
     {"overview", {0.52, -0.85, 0.62}, 35}, {"top", {0, 0, 1}, 35},    {"north", {0, 1, 0.5}, 35},
     {"south", {0, -1, 0.5}, 35},           {"east", {1, 0, 0.5}, 35}, {"west", {-1, 0, 0.5}, 35}};
 
-// The largest of the values, leaving out the share that may lie outside.
+// The largest of the values without the share that may lie outside.
 double largest(std::vector<double>& values) {
   const auto nth = values.end() - 1 - static_cast<std::ptrdiff_t>(kOutside * static_cast<double>(values.size()));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }
 
-// Two opposite planes of a camera's frustum, pushed in until they touch the points: where the eye must be across and,
-// at most, along the view.
+// Two opposite planes of the frustum, moved until they touch the points: the position of the eye across the view, and
+// its largest position along it.
 struct Wedge {
   double across, along;
 };
@@ -54,47 +55,47 @@ Wedge wedge_about(const std::vector<Vec3>& points, Vec3 across, Vec3 forward, do
   return {(a - b) / 2, -(a + b) / (2 * half_slope)};
 }
 
-Camera outside_view(const SceneGrid& relief, const View& view) {
+Camera outside_view(const SceneGrid& grid, const View& view) {
   const Vec3 forward = unit(view.towards_eye) * -1,
              pole = view.towards_eye.x == 0 && view.towards_eye.y == 0 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
   const Vec3 right = unit(cross(forward, pole)), up = cross(right, forward);
   const double slope = std::tan(view.fov_deg * std::numbers::pi / 360) * kMargin;
-  const std::vector<Vec3> points = relief.points();
+  const std::vector<Vec3> points = grid.points();
   const Wedge sideways = wedge_about(points, right, forward, slope * kAspect),
               upright = wedge_about(points, up, forward, slope);
   const double along = std::min(sideways.along, upright.along);
   const Vec3 eye = right * sideways.across + up * upright.across + forward * along;
-  return {eye, eye + forward * std::max(1.0, dot(relief.core_point() - eye, forward)), view.fov_deg};
+  return {eye, eye + forward * std::max(1.0, dot(grid.core_point() - eye, forward)), view.fov_deg};
 }
 
-// How high an eye must stand to look at a target past the hills on the way and over the roofs below it.
-double clear_height_m(const SceneGrid& relief, Vec2 from, Vec3 target) {
+// The height from which the eye sees a target past the hills in between and over the roofs below it.
+double clear_height_m(const SceneGrid& grid, Vec2 from, Vec3 target) {
   constexpr double kOverHills_m = 40, kOverRoofs_m = 30;
   constexpr int kSteps = 16;
-  double height = std::max(target.z, relief.highest_m(from) + kOverRoofs_m);
+  double height = std::max(target.z, grid.highest_m(from) + kOverRoofs_m);
   for (int step = 1; step < kSteps; ++step) {
     const double share = static_cast<double>(step) / kSteps;
-    const double hill = relief.lowest_m(from + (in_plan(target) - from) * share) + kOverHills_m * (1 - share);
+    const double hill = grid.lowest_m(from + (in_plan(target) - from) * share) + kOverHills_m * (1 - share);
     height = std::max(height, target.z + (hill - target.z) / (1 - share));
   }
   return height;
 }
 
-// Over the roofs into the densest part, from the side that needs the least height; among equals from the south-west.
-Camera low_view(const SceneGrid& relief) {
+// A view over the roofs into the densest part, from the side that needs the least height; from the south-west on ties.
+Camera low_view(const SceneGrid& grid) {
   constexpr Vec2 kSides[] = {{-0.6, -0.8}, {0.7, -0.7}, {0, -1}, {-1, 0}, {1, 0}, {-0.7, 0.7}, {0.7, 0.7}, {0, 1}};
-  // as a man on a hill sees a town: some 15 degrees down
+  // some 15 degrees down, as a town is seen from a hill
   constexpr double kAway_m = 550, kRise = 0.27, kStoreys = 1.6;
-  const Vec3 ground = relief.core_point();
-  const double tall_m = std::max(0.0, relief.highest_m(in_plan(ground)) - ground.z);
+  const Vec3 ground = grid.core_point();
+  const double tall_m = std::max(0.0, grid.highest_m(in_plan(ground)) - ground.z);
   const double away_m = std::max(kAway_m, kStoreys * tall_m);
   const Vec3 target = ground + Vec3{0, 0, tall_m / 3};
   Camera best{{}, target, 45};
   best.eye.z = std::numeric_limits<double>::infinity();
   for (const Vec2 side : kSides) {
     const Vec2 from = in_plan(target) + unit(side) * away_m;
-    const double height = std::max(target.z + kRise * away_m, clear_height_m(relief, from, target));
-    // a few metres less are no reason to go round the town
+    const double height = std::max(target.z + kRise * away_m, clear_height_m(grid, from, target));
+    // prefer an earlier side unless another needs 20 m less
     if (height < best.eye.z - 20) best.eye = at_height(from, height);
   }
   return best;
@@ -103,12 +104,12 @@ Camera low_view(const SceneGrid& relief) {
 }  // namespace
 
 Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name) {
-  const SceneGrid relief(tiles);
-  if (name == "street") return street_view(tiles, relief);
-  if (name == "low") return low_view(relief);
+  const SceneGrid grid(tiles);
+  if (name == "street") return street_view(tiles, grid);
+  if (name == "low") return low_view(grid);
   std::string known = "street, low";
   for (const View& view : kOutsideViews) {
-    if (name == view.name) return outside_view(relief, view);
+    if (name == view.name) return outside_view(grid, view);
     known += std::string(", ") + view.name;
   }
   return Error{"--view " + name, "expected one of " + known};

@@ -1,4 +1,4 @@
-// Light along paths: sun and sky on diffuse surfaces, and what shines itself; water and glass mirror too; air between.
+// Light along paths: sun and sky on diffuse surfaces, emission, specular reflection of water and glass, air in between.
 #pragma once
 
 #include "preview/light.h"
@@ -6,19 +6,19 @@
 
 namespace citykiln::preview {
 
-/// Everything a path needs to know. Refers to its parts, which must outlive it.
+/// The inputs of a path. Refers to world and lights, which must outlive it.
 struct TraceContext {
   const World& world;
   const Lights& lights;
-  int bounces = 3;           ///< Surfaces that pass light on between the first and the sky.
-  double pixel_rad = 0.001;  ///< What one pixel covers: finer waves blur, finer paint is mixed.
+  int bounces = 3;           ///< Diffuse reflections after the first surface. >= 0.
+  double pixel_rad = 0.001;  ///< Angle of a pixel: shorter waves blur, finer textures are averaged. > 0.
 };
 
-/// Radiance towards `from` along a unit direction, one sample; each channel in [0, 12].
+/// One sample of the radiance towards `from` along a unit direction; each channel in [0, 12].
 ///
-/// Method: path tracing (Kajiya 1986). Each surface asks sun and sky for light by shadow rays; a cosine-weighted ray
-/// goes on, and what it finds of the sky is weighed against the shadow ray (balance heuristic; Veach, Guibas 1995).
-/// A smooth surface that is seen first, or in a mirror, is followed both ways: mirrored and body.
-Rgb trace(const TraceContext& stage, Vec3 from, Vec3 direction, PathDraw& draw);
+/// Method: path tracing (Kajiya 1986). Each surface samples sun and sky by shadow rays, and a cosine-weighted ray
+/// continues the path; sky light that this ray finds is combined with the shadow ray's by the balance heuristic (Veach,
+/// Guibas 1995). A smooth surface that is seen first, or in a mirror, is followed twice: specular and diffuse.
+Rgb trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDraw& draw);
 
 }  // namespace citykiln::preview

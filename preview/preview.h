@@ -1,4 +1,4 @@
-// A picture of a scene, of either form, by path tracing: sun, sky, lit windows, diffuse surfaces.
+// Renders a picture of baked tiles by path tracing: sun, sky, lit windows, diffuse and specular surfaces.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct Camera {
 
 struct Options {
   int width = 1280, height = 720;
-  int samples = 64;  ///< Paths a pixel.
+  int samples = 64;  ///< Paths per pixel.
   int bounces = 3;
   double exposure = 1;
   int threads = 0;
@@ -33,20 +33,20 @@ struct Image {
   std::vector<float> rgb;
 };
 
-/// The view `name` of a scene: "overview" (from the south-east, all of it), "street", "top", "north", "south", "east",
-/// "west", "low". Depends on the tiles' content only. An unknown name is an error that lists the known ones.
+/// A named view of a scene: "overview" (from the south-east, all of it), "street", "top", "north", "south", "east",
+/// "west", "low". A function of the tiles' content. Error: an unknown name; the message lists the known ones.
 Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name);
 
-/// Same tiles, same camera, same options: the same picture, bit for bit on one machine, for any number of threads,
-/// whichever form the tiles were read from.
+/// Renders a picture. Same tiles, camera and options: the same picture, bit for bit on one machine, for any number of
+/// threads, whether tiles were baked or read from .glb.
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera, const Options& options);
 
-/// How much longer than by day a picture is exposed, as eyes get used to the dark: 1 while the sun is up, twice as long
-/// for each degree below the horizon, down to 6.
+/// Factor of exposure for night pictures: 1 while the sun is up; it doubles per degree of sun depression, at most 6
+/// times.
 double adapted_exposure(const sky::Sky& sky);
 
-/// PNG (8 bit sRGB, filmic tone curve) or EXR (linear), by the name's ending, through OpenImageIO, which is loaded only
-/// now.
+/// Writes PNG (8 bit sRGB, filmic tone curve) or EXR (linear), by the name's extension, through OpenImageIO, which is
+/// loaded only then.
 Result<Done> write_image(const Image& image, const std::string& path);
 
 }  // namespace citykiln::preview

@@ -13,14 +13,14 @@ constexpr int kBlock_px = 32;
 
 int blocks(int pixels) { return (pixels + kBlock_px - 1) / kBlock_px; }
 
-// The camera's axes, and how far its picture reaches at distance 1.
+// The camera's axes, and the half size of its picture at distance 1.
 struct Lens {
   Vec3 forward, right, up;
   double half_width, half_height;
 };
 
 Lens lens_of(const Camera& camera, const Options& options) {
-  // an eye that looks at itself looks north
+  // a camera without direction looks north
   const Vec3 sight = unit(camera.look_at - camera.eye), forward = dot(sight, sight) > 0 ? sight : Vec3{0, 1, 0};
   // straight up or down, north is up
   const Vec3 pole = std::abs(forward.z) > 0.9999 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
@@ -29,12 +29,12 @@ Lens lens_of(const Camera& camera, const Options& options) {
   return {forward, right, cross(right, forward), half_height * options.width / options.height, half_height};
 }
 
-// A tent of one pixel's half width either way: smooth edges without blur.
+// Tent filter, one pixel to each side: smooth edges without blur.
 double tent(double u) { return u < 0.5 ? std::sqrt(2.0 * u) - 1 : 1 - std::sqrt(2.0 - 2.0 * u); }
 
-// Everything that a pixel needs.
+// The inputs of a pixel.
 struct Shot {
-  TraceContext stage;
+  TraceContext context;
   Lens lens;
   Vec3 eye;  // in the world's frame
   SampleGrid grid;
@@ -49,7 +49,7 @@ Rgb pixel(const Shot& shot, const Options& options, int x, int y) {
     const UnitPair at = draw.next();
     const double px = (2 * (x + 0.5 + tent(at.u)) / options.width - 1) * shot.lens.half_width;
     const double py = (1 - 2 * (y + 0.5 + tent(at.v)) / options.height) * shot.lens.half_height;
-    sum = sum + trace(shot.stage, shot.eye, unit(shot.lens.forward + shot.lens.right * px + shot.lens.up * py), draw);
+    sum = sum + trace(shot.context, shot.eye, unit(shot.lens.forward + shot.lens.right * px + shot.lens.up * py), draw);
   }
   return sum * (options.exposure / samples);
 }
@@ -78,8 +78,8 @@ Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const 
   const World world(tiles, camera.eye);
   const Lights lights(sky::generate(sky));
   const Lens lens = lens_of(camera, options);
-  const TraceContext stage{world, lights, std::max(options.bounces, 0), 2 * lens.half_height / options.height};
-  const Shot shot{stage, lens, camera.eye - world.origin(), grid_of(options.width, options.height, options.samples)};
+  const TraceContext context{world, lights, std::max(options.bounces, 0), 2 * lens.half_height / options.height};
+  const Shot shot{context, lens, camera.eye - world.origin(), grid_of(options.width, options.height, options.samples)};
   Image image{options.width, options.height,
               std::vector<float>(static_cast<std::size_t>(options.width) * options.height * 3)};
   const std::size_t count = static_cast<std::size_t>(blocks(options.width)) * blocks(options.height);

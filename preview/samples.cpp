@@ -6,14 +6,14 @@
 namespace citykiln::preview {
 namespace {
 
-// David Stafford's 13th variant of MurmurHash3's finish (2011).
+// David Stafford's 13th variant of MurmurHash3's finaliser (2011).
 std::uint64_t mix(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
   return x ^ (x >> 31);
 }
 
-// The bits of x at the even places.
+// Moves the bits of x to the even positions.
 std::uint64_t spread(std::uint32_t x) {
   std::uint64_t v = x;
   v = (v | (v << 16)) & 0x0000ffff0000ffffu;
@@ -47,7 +47,7 @@ std::uint32_t second_sobol(std::uint64_t index) {
   return v;
 }
 
-// Owen's scrambling of a number's binary digits, by a hash in which each bit depends on those above it alone.
+// Owen scrambling of binary digits, by a hash in which each bit depends only on those above it.
 double scrambled(std::uint32_t v, std::uint32_t key) {
   v = reversed(v);
   v ^= v * 0x3d20adeau;
@@ -58,7 +58,7 @@ double scrambled(std::uint32_t v, std::uint32_t key) {
   return reversed(v) * 0x1p-32;
 }
 
-// A digit 0 … 3 put elsewhere by one of the 24 orders of four.
+// Permutes a digit 0 … 3 by one of the 24 permutations of four.
 std::uint64_t shuffled(std::uint64_t digit, std::uint64_t hash) {
   constexpr std::array<std::uint8_t, 24> kOrders = {0xe4, 0xb4, 0xd8, 0x78, 0x9c, 0x6c, 0xe1, 0xb1,
                                                     0xc9, 0x39, 0x8d, 0x2d, 0xd2, 0x72, 0xc6, 0x36,
@@ -97,7 +97,7 @@ UnitPair PixelSamples::pair(std::uint32_t sample, std::uint32_t dimension) const
   std::uint64_t index = places_[dimension] << grid_.log2_samples;
   int shift = grid_.log2_samples - 2;
   for (; shift >= 0; shift -= 2) index |= shuffled((sample >> shift) & 3, mix((whole >> (shift + 2)) ^ key)) << shift;
-  // an odd power of two leaves half a digit
+  // an odd power of two leaves one bit
   if (shift == -1) index |= (sample & 1) ^ (mix((whole >> 1) ^ key) & 1);
   return {scrambled(reversed(static_cast<std::uint32_t>(index)), static_cast<std::uint32_t>(key)),
           scrambled(second_sobol(index), static_cast<std::uint32_t>(key >> 32))};

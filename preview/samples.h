@@ -1,5 +1,5 @@
-// Chance in the renderer: a pure function of (seed, pixel, sample, dimension), spread evenly within a pixel and between
-// neighbouring ones.
+// Random samples of the renderer: a pure function of (seed, pixel, sample, dimension), evenly distributed within a
+// pixel and between neighbouring pixels.
 #pragma once
 
 #include <array>
@@ -12,21 +12,21 @@ struct UnitPair {
   double u = 0, v = 0;
 };
 
-/// The size of what is sampled, which the order of samples depends on.
+/// The size of a picture in powers of two, on which the order of samples depends.
 struct SampleGrid {
   int log2_side = 0;     ///< Of the square of pixels that holds the picture.
-  int log2_samples = 0;  ///< Of the samples a pixel, rounded up.
+  int log2_samples = 0;  ///< Of the samples per pixel, rounded up.
 };
 
 /// The smallest grid for a picture. Sizes and samples below 1 count as 1.
 SampleGrid grid_of(int width, int height, int samples);
 
-/// All samples of one pixel. Cost to make: one hash a dimension and bit of the side.
+/// All samples of one pixel. Cost of construction: one hash per dimension and bit of the side.
 ///
-/// Method: Owen-scrambled Sobol points in the order of a shuffled Morton curve, so that every aligned square of pixels,
-/// too, has well spread points: what error is left looks like fine grain, not clumps.
-/// Source: Ahmed, Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of
-/// Pixels", SIGGRAPH Asia 2020; scrambling by hash as in Laine, Karras 2011 and Vegdahl 2021.
+/// Method: Owen-scrambled Sobol points in the order of a shuffled Morton curve, so that every aligned square of pixels
+/// has evenly distributed points, too, and the remaining error looks like fine grain instead of clumps. Source: Ahmed,
+/// Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels",
+/// SIGGRAPH Asia 2020; scrambling by hash as in Laine, Karras 2011 and Vegdahl 2021.
 class PixelSamples {
  public:
   PixelSamples(std::uint64_t seed, std::uint32_t x, std::uint32_t y, SampleGrid grid);
@@ -35,14 +35,14 @@ class PixelSamples {
   UnitPair pair(std::uint32_t sample, std::uint32_t dimension) const;
 
  private:
-  // more dimensions than this are drawn without order: by then a path carries little light
+  // higher dimensions are plain hashes: by then a path carries little light
   static constexpr std::uint32_t kOrdered = 20;
   std::uint64_t seed_, morton_;
   SampleGrid grid_;
   std::array<std::uint64_t, kOrdered> places_{};
 };
 
-/// The points of one path, taken in order.
+/// The points of one path, dimension by dimension.
 class PathDraw {
  public:
   PathDraw(const PixelSamples& pixel, std::uint32_t sample) : pixel_(&pixel), sample_(sample) {}

@@ -11,7 +11,7 @@ using materials::Material;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-Vec3 point_of(const bake::BakedTile& tile, const bake::Float3& p) { return tile.origin + Vec3{p[0], p[1], p[2]}; }
+Vec3 point_of(const bake::BakedTile& tile, const bake::Float3& p) { return tile.origin + bake::widened(p); }
 
 bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -96,11 +96,11 @@ std::vector<Vec3> SceneGrid::points() const {
   return points;
 }
 
-double SceneGrid::built_about(std::size_t column, int reach) const {
+double SceneGrid::built_about(std::size_t column, int radius) const {
   const int x = static_cast<int>(column) % kAcross, y = static_cast<int>(column) / kAcross;
   double sum = 0;
-  for (int j = std::max(y - reach, 0); j <= std::min(y + reach, kAcross - 1); ++j)
-    for (int i = std::max(x - reach, 0); i <= std::min(x + reach, kAcross - 1); ++i)
+  for (int j = std::max(y - radius, 0); j <= std::min(y + radius, kAcross - 1); ++j)
+    for (int i = std::max(x - radius, 0); i <= std::min(x + radius, kAcross - 1); ++i)
       sum += columns_[j * kAcross + i].built_m2;
   return sum;
 }
@@ -108,13 +108,13 @@ double SceneGrid::built_about(std::size_t column, int reach) const {
 void SceneGrid::find_core() {
   // a window of some 300 m
   const double column_m = std::max(box_.width(), box_.height()) / kAcross;
-  const int reach = std::clamp(static_cast<int>(150 / std::max(column_m, 1e-3)), 1, 12);
+  const int radius = std::clamp(static_cast<int>(150 / std::max(column_m, 1e-3)), 1, 12);
   std::size_t best = columns_.size();
   double most = 0;
   for (std::size_t i = 0; i < columns_.size(); ++i)
-    if (const double built = built_about(i, reach); built > most) most = built, best = i;
+    if (const double built = built_about(i, radius); built > most) most = built, best = i;
   const Vec2 at = best < columns_.size() ? middle_of(best) : box_.centre();
-  // the lowest of the column: the street, not the roof
+  // the lowest point of the column, which is on the street and not on a roof
   const std::vector<Vec3> all = points();
   const auto nearest =
       std::ranges::min_element(all, {}, [&](const Vec3& p) { return std::pair(distance(in_plan(p), at), p.z); });

@@ -1,4 +1,4 @@
-// A scene in rough: columns of a coarse grid, how high they reach and how much is built there. For choosing views.
+// A coarse grid of a scene: heights and built area of columns, from which named views are chosen.
 #pragma once
 
 #include <span>
@@ -9,24 +9,24 @@
 
 namespace citykiln::preview {
 
-/// Is it a wall or a roof? Is it a street?
+/// Whether a material is that of walls or roofs.
 bool is_built(materials::Material material);
+/// Whether a material is that of streets.
 bool is_street(materials::Material material);
 
-/// 96 by 96 columns over all positions that are not instanced. Without any, one column of 200 m about (0, 0). Cost:
-/// O(n).
+/// 96 by 96 columns over all positions that are not instanced. Without any, one column of 200 m about (0, 0). O(n).
 class SceneGrid {
  public:
   explicit SceneGrid(std::span<const bake::BakedTile> tiles);
 
-  /// The lowest and the highest point of every column that has any: the same weight for all land, however dense.
+  /// The lowest and the highest point of every column that has any: all land has the same weight, however dense.
   std::vector<Vec3> points() const;
-  /// The middle of the most densely built place of some 300 m, or of the scene where nothing is built, at the height of
-  /// the ground there.
+  /// The middle of the most densely built place of some 300 m, at the height of its ground; the middle of the scene
+  /// where nothing is built.
   Vec3 core_point() const { return core_; }
-  /// The highest point near a place; far below everything outside the scene.
+  /// The highest point near a place; -infinity outside the scene.
   double highest_m(Vec2 at) const;
-  /// The lowest point near a place, likewise.
+  /// The lowest point near a place; -infinity outside the scene.
   double lowest_m(Vec2 at) const;
 
  private:
@@ -40,7 +40,7 @@ class SceneGrid {
   Vec2 middle_of(std::size_t column) const;
   void add(const bake::BakedTile& tile, const bake::Primitive& primitive);
   void find_core();
-  double built_about(std::size_t column, int reach) const;
+  double built_about(std::size_t column, int radius) const;
 
   Box2 box_;
   std::vector<Column> columns_;

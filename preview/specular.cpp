@@ -11,10 +11,11 @@ namespace {
 
 constexpr float kSmooth = 0.3f;
 
-// Refractive indices 1.33 and 1.5; a window is two panes with a face each side, of which half shines through.
+// Reflectances for refractive indices 1.33 and 1.5; a window has two panes with two faces each, half of whose light is
+// seen.
 constexpr double kWaterF0 = 0.02, kGlassF0 = 0.08;
 
-// Below this width the highlight of the sun is narrower than its disk, and only noise is left of it.
+// With a smaller width the sun's highlight is narrower than its disk and only adds noise.
 constexpr double kLeastAlpha = 0.01;
 
 bool is_water(materials::Material m) { return m == materials::Material::kWater || m == materials::Material::kSea; }
@@ -24,7 +25,7 @@ double schlick(double f0, double cosine) {
   return f0 + (1 - f0) * c * c * c * c * c;
 }
 
-// Smith's share of facets that see a direction at this cosine.
+// Smith's masking: the share of facets visible from a direction at this cosine.
 double seen(double alpha, double cosine) {
   const double a2 = alpha * alpha, c2 = cosine * cosine;
   return 2 * cosine / (cosine + std::sqrt(a2 + (1 - a2) * c2));
@@ -32,7 +33,7 @@ double seen(double alpha, double cosine) {
 
 Vec3 mirrored(Vec3 to_eye, Vec3 normal) { return normal * (2 * dot(to_eye, normal)) - to_eye; }
 
-// The normal turned so far towards the eye that the eye sees its front.
+// The normal, turned towards the eye if it faces away.
 Vec3 facing(Vec3 normal, Vec3 to_eye) {
   constexpr double kLeast = 0.01;
   const double cosine = dot(normal, to_eye);
@@ -44,33 +45,33 @@ Vec3 facing(Vec3 normal, Vec3 to_eye) {
 bool is_smooth(const Hit& hit) { return hit.roughness < kSmooth; }
 
 SpecularLobe specular_lobe_of(const Hit& hit, Vec3 direction, Vec2 place, double pixel_rad) {
-  SpecularLobe mirror;
-  mirror.to_eye = direction * -1;
-  mirror.outside = hit.geometric_normal;
+  SpecularLobe lobe;
+  lobe.to_eye = direction * -1;
+  lobe.outside = hit.geometric_normal;
   double spread = 0;
   Vec3 normal = hit.shading_normal;
   const double upright = hit.geometric_normal.z;
   if (is_water(hit.material) && upright > 0.9) {
-    // seen flat, a pixel covers more along the view than across it: the mean of both
-    const double across_m = hit.distance_m * pixel_rad, cosine = std::max(0.02, dot(mirror.to_eye, normal));
+    // at grazing angles a pixel covers more along the view than across it: the geometric mean of both
+    const double across_m = hit.distance_m * pixel_rad, cosine = std::max(0.02, dot(lobe.to_eye, normal));
     const Waves waves = waves_at(place, std::max(across_m / std::sqrt(cosine), 1e-3));
     normal = waves.normal;
     spread = waves.slope_spread;
   }
-  mirror.normal = facing(normal, mirror.to_eye);
+  lobe.normal = facing(normal, lobe.to_eye);
   const double own = static_cast<double>(hit.roughness) * hit.roughness;
-  mirror.alpha = std::max(kLeastAlpha, std::sqrt(own * own + 2 * spread));
-  mirror.f0 = is_water(hit.material) ? kWaterF0 : kGlassF0;
-  mirror.fresnel = schlick(mirror.f0, dot(mirror.to_eye, mirror.normal));
-  return mirror;
+  lobe.alpha = std::max(kLeastAlpha, std::sqrt(own * own + 2 * spread));
+  lobe.f0 = is_water(hit.material) ? kWaterF0 : kGlassF0;
+  lobe.fresnel = schlick(lobe.f0, dot(lobe.to_eye, lobe.normal));
+  return lobe;
 }
 
-// The facet's normal as its slopes are spread; those that face away are turned to the eye.
+// Samples a facet's normal; those that face away are turned towards the eye.
 Vec3 SpecularLobe::draw(UnitPair chance) const {
   const double cos2 = (1 - chance.u) / (1 + (alpha * alpha - 1) * chance.u);
   const Vec3 facet = facing(around(normal, std::sqrt(std::clamp(cos2, 0.0, 1.0)), chance.v), to_eye);
   const Vec3 out = mirrored(to_eye, facet);
-  // what would go into the ground meets the next wave, which sends it on along the surface
+  // a ray into the surface hits the next wave, which reflects it along the surface
   constexpr double kLeastRise = 0.02;
   const double rise = dot(out, outside);
   return rise >= kLeastRise ? out : unit(out + outside * (kLeastRise - rise));

@@ -1,4 +1,4 @@
-// Smooth surfaces: water and glass send part of the light on as a mirror does, blurred by their roughness.
+// Specular reflection of water and glass, blurred by their roughness.
 #pragma once
 
 #include "preview/light.h"
@@ -6,26 +6,27 @@
 
 namespace citykiln::preview {
 
-/// Smoother than 0.3: seen as a mirror as well.
+/// Whether a surface reflects specularly: its roughness is below 0.3.
 bool is_smooth(const Hit& hit);
 
-/// A mirror of small facets (GGX: Walter et al., "Microfacet Models for Refraction", EGSR 2007) about a normal.
+/// A lobe of microfacets (GGX: Walter et al., "Microfacet Models for Refraction", EGSR 2007) about a normal.
 struct SpecularLobe {
-  Vec3 normal, to_eye, outside;  ///< Unit; `outside` is the true surface's normal, below which nothing is sent.
-  double alpha = 0;              ///< Width of the facets' slopes.
-  double f0 = 0;                 ///< Mirrored at normal incidence.
-  double fresnel = 0;            ///< Mirrored at this angle (Schlick 1994): what the body does not get.
+  Vec3 normal, to_eye, outside;  ///< Unit; `outside` is the geometric normal, below which nothing is reflected.
+  double alpha = 0;              ///< GGX width.
+  double f0 = 0;                 ///< Reflectance at normal incidence.
+  double fresnel = 0;            ///< Reflectance at this angle (Schlick 1994); the diffuse body gets the rest.
 
-  /// A direction that light comes from.
+  /// Samples a direction from which light comes.
   Vec3 draw(UnitPair chance) const;
-  /// What share of the light from a drawn direction reaches the eye.
+  /// The share of the light from a sampled direction that reaches the eye.
   double share(Vec3 drawn) const;
-  /// Radiance sent to the eye for radiance from a direction, per steradian of it.
+  /// Radiance towards the eye per radiance from a direction, per steradian.
   double glint(Vec3 from) const;
 };
 
-/// @param place  The hit in the plane: waves stay where they are. @param pixel_rad  What a pixel covers: waves finer
-/// than that blur the mirror instead of turning it.
+/// The lobe of a hit.
+/// @param place  The hit in the plane, since waves are a function of it.
+/// @param pixel_rad  Angle of a pixel: waves shorter than that widen the lobe instead of turning its normal.
 SpecularLobe specular_lobe_of(const Hit& hit, Vec3 direction, Vec2 place, double pixel_rad);
 
 }  // namespace citykiln::preview

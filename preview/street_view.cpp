@@ -9,16 +9,16 @@
 namespace citykiln::preview {
 namespace {
 
-// A person's, on a step.
+// Eye height of a person on a step.
 constexpr double kEye_m = 2.4;
 constexpr double kFov_deg = 60;
 
 constexpr int kPlaces = 64, kDirections = 24;
 
-// Places closer than this look alike.
+// Smallest distance between candidates.
 constexpr double kApart_m = 12;
 
-// Middles of street triangles, nearest to the core first, well apart.
+// Candidates: middles of street triangles, the nearest to the core first, at least kApart_m apart.
 std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core) {
   std::vector<std::pair<double, Vec3>> middles;
   for (const bake::BakedTile& tile : tiles)
@@ -26,8 +26,7 @@ std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core)
       if (!is_street(primitive.material)) continue;
       for (const auto& t : primitive.triangles) {
         Vec3 sum;
-        for (const std::uint32_t i : t)
-          sum = sum + Vec3{primitive.positions[i][0], primitive.positions[i][1], primitive.positions[i][2]};
+        for (const std::uint32_t i : t) sum = sum + bake::widened(primitive.positions[i]);
         const Vec3 middle = tile.origin + sum * (1.0 / 3);
         const double far = distance(in_plan(middle), in_plan(core));
         if (std::isfinite(far) && std::isfinite(middle.z)) middles.emplace_back(far, middle);
@@ -43,16 +42,16 @@ std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core)
   return places;
 }
 
-// Rays in the plane's frame.
+// Casts rays in the plane's frame.
 struct ViewProbe {
   const World& world;
 
-  // How far one sees, at most `limit`.
+  // Length of free sight, at most `limit`.
   double sight_m(Vec3 from, Vec3 direction, double limit) const {
     const auto hit = world.first_hit(from - world.origin(), direction);
     return hit ? std::min(hit->distance_m, limit) : limit;
   }
-  // Does the ray end on a wall this near?
+  // Whether the ray ends on a wall nearer than this.
   bool meets_wall(Vec3 from, Vec3 direction, double near) const {
     const auto hit = world.first_hit(from - world.origin(), direction);
     return hit && hit->distance_m < near && is_built(hit->material);
@@ -64,7 +63,7 @@ Vec3 level(int direction) {
   return {std::cos(angle), std::sin(angle), 0};
 }
 
-// How good a view is: sight along the street, walls beside it, and room between them.
+// The score of a view: length along the street, walls on both sides, and space between them.
 double worth(const ViewProbe& look, Vec3 eye, int direction) {
   constexpr double kFarEnough_m = 150, kNearEnough_m = 60, kTooNear_m = 15, kWide_m = 9;
   const double ahead = look.sight_m(eye, level(direction), kFarEnough_m);
@@ -74,14 +73,14 @@ double worth(const ViewProbe& look, Vec3 eye, int direction) {
   int walls = 0;
   for (const int aside : {-4, -3, -2, -1, 1, 2, 3, 4})
     walls += look.meets_wall(eye, unit(level(direction + aside) + Vec3{0, 0, 0.12}), kNearEnough_m) ? 1 : 0;
-  // the square: an alley is a street as well, but shows two walls
+  // squared, so that alleys, which show two walls only, score low
   return ahead * (1 + walls) * room * room;
 }
 
 }  // namespace
 
-Camera street_view(std::span<const bake::BakedTile> tiles, const SceneGrid& relief) {
-  const Vec3 core = relief.core_point();
+Camera street_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid) {
+  const Vec3 core = grid.core_point();
   const World world(tiles, core);
   const ViewProbe look{world};
   Camera best{core + Vec3{0, 0, kEye_m}, core + Vec3{0, 40, kEye_m}, kFov_deg};

@@ -1,4 +1,4 @@
-// Standing in a street: the one near the densest part of the scene that shows most of it.
+// The named view "street": from eye height, near the most densely built part of the scene.
 #pragma once
 
 #include "preview/preview.h"
@@ -6,9 +6,9 @@
 
 namespace citykiln::preview {
 
-/// Method: of 64 places on streets, nearest to the scene's core and well apart, each is tried in 24 directions by rays
-/// at eye height; the best has sight ahead, walls on both sides and free sky. Without streets, on the ground at the
-/// core. Total. Cost: one World.
-Camera street_view(std::span<const bake::BakedTile> tiles, const SceneGrid& relief);
+/// Method: of 64 places on streets, the nearest to the scene's core that are well apart, each is tried in 24 directions
+/// by rays at eye height; the best view is long, has walls on both sides and free sky. Without streets, the view is at
+/// the core. Total. Cost: one World.
+Camera street_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid);
 
 }  // namespace citykiln::preview

@@ -14,9 +14,9 @@ constexpr Matrix kIntoFilm = {{{0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0
 constexpr Matrix kOutOfFilm = {
     {{1.60475, -0.53108, -0.07367}, {-0.10208, 1.10813, -0.00605}, {-0.00327, -0.07276, 1.07602}}};
 
-// In the sky's unit, a clear zenith of 1, a matt wall of 0.18 in the midday sun shines with about 1.1: this puts that
-// grey a little above 0.18 of the screen's white, as one exposes for streets half in the shade, and a white wall just
-// below white.
+// In the sky's unit, a clear zenith of 1, a matt surface of reflectance 0.18 in the midday sun has about 1.1. This
+// exposure maps it slightly above 0.18 of the screen's white, for streets that are half in the shade, and white walls
+// just below white.
 constexpr double kExposure = 0.85;
 
 double times(const Row& row, const Row& v) { return row[0] * v[0] + row[1] * v[1] + row[2] * v[2]; }

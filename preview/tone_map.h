@@ -1,4 +1,4 @@
-// From light to what a screen shows.
+// Maps radiance to what a screen shows.
 #pragma once
 
 #include <array>
@@ -6,8 +6,8 @@
 
 namespace citykiln::preview {
 
-/// Linear RGB radiance to 8 bit sRGB: a fixed exposure, then a filmic curve that keeps hues as they
-/// near white. The same for every picture, so that pictures compare. Not finite or negative counts as black.
+/// Returns 8 bit sRGB of linear RGB radiance: a fixed exposure, then a filmic curve that keeps hues near white. It is
+/// the same for every picture, so that pictures can be compared. Values that are negative or not finite count as black.
 std::array<std::uint8_t, 3> tone_map(const float* rgb);
 
 }  // namespace citykiln::preview

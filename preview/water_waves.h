@@ -1,4 +1,4 @@
-// Waves: small enough to be seen by how they mirror alone.
+// Waves of water, which are visible only in reflections.
 #pragma once
 
 #include "compiler/geometry/vec.h"
@@ -7,12 +7,13 @@ namespace citykiln::preview {
 
 /// A wavy surface as one pixel sees it.
 struct Waves {
-  Vec3 normal{0, 0, 1};     ///< Unit; of the waves that are wide enough to be told apart.
-  double slope_spread = 0;  ///< Variance of the slope, in one direction, of all finer waves.
+  Vec3 normal{0, 0, 1};     ///< Unit; of the waves that are longer than the footprint.
+  double slope_spread = 0;  ///< Variance of the slope, in one direction, of all shorter waves.
 };
 
-/// Of a place in the plane, in metres: the same sea from wherever it is seen. `footprint_m` is how much of it a pixel
-/// covers. Smooth; the whole variance stays the same at any footprint.
+/// The waves at a place of the plane, metres: a function of the place, whatever the viewpoint. Smooth; the total
+/// variance is the same for any footprint.
+/// @param footprint_m  Length of the part of the surface that a pixel covers. > 0.
 Waves waves_at(Vec2 place, double footprint_m);
 
 }  // namespace citykiln::preview

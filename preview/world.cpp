@@ -13,15 +13,12 @@ namespace {
 
 RTCRay ray_of(Vec3 from, Vec3 direction) {
   RTCRay ray{};
-  ray.org_x = static_cast<float>(from.x), ray.org_y = static_cast<float>(from.y),
-  ray.org_z = static_cast<float>(from.z);
-  ray.dir_x = static_cast<float>(direction.x), ray.dir_y = static_cast<float>(direction.y);
-  ray.dir_z = static_cast<float>(direction.z);
+  set_ray(ray, from, direction);
   ray.tfar = std::numeric_limits<float>::infinity(), ray.mask = 0xffffffffu;
   return ray;
 }
 
-// Embree is built with asserts: one ray that is not finite ends the program.
+// Whether Embree accepts a ray: it is built with asserts, which fail on rays that are not finite.
 bool is_sound(const RTCRay& ray) {
   const auto finite = [](float x, float y, float z) {
     return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
@@ -30,7 +27,7 @@ bool is_sound(const RTCRay& ray) {
          (ray.dir_x != 0 || ray.dir_y != 0 || ray.dir_z != 0);
 }
 
-// Both normals towards where the ray came from; where smoothing has turned the shading normal away, the true one.
+// Turns both normals towards the ray's origin; the geometric one replaces a shading normal that points away.
 void turn_normals(Hit& hit, Vec3 direction) {
   if (dot(hit.geometric_normal, direction) > 0) {
     hit.geometric_normal = hit.geometric_normal * -1;
@@ -40,7 +37,7 @@ void turn_normals(Hit& hit, Vec3 direction) {
   if (!(dot(hit.shading_normal, hit.geometric_normal) > 0)) hit.shading_normal = hit.geometric_normal;
 }
 
-// What rounding a point on a plane to single precision moves it off the plane, at most.
+// An upper bound of how far rounding a point to single precision moves it off a plane.
 double rounding_off_plane_m(Vec3 p, Vec3 normal) {
   constexpr double kRounding = 0x1p-24;
   return kRounding * (std::abs(p.x * normal.x) + std::abs(p.y * normal.y) + std::abs(p.z * normal.z));
@@ -52,93 +49,95 @@ struct World::Scene {
   Vec3 origin;
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene top = rtcNewScene(device);
-  std::vector<std::unique_ptr<MipTexture>> textures;
-  std::vector<std::unique_ptr<MaterialTexture>> surfaces;
+  std::vector<std::unique_ptr<MipTexture>> marking_atlases;
+  std::vector<std::unique_ptr<MaterialTexture>> material_textures;
   std::vector<std::unique_ptr<FacadeAtlasTexture>> facade_atlas;
-  std::vector<MeshPart> fixed;                       // geometry ids 0 … n - 1
-  std::vector<std::unique_ptr<InstanceSet>> crowds;  // geometry ids n …
+  std::vector<MeshPart> parts;                              // geometry ids 0 … n - 1
+  std::vector<std::unique_ptr<InstanceSet>> instance_sets;  // geometry ids n …
 
   ~Scene() {
     rtcReleaseScene(top);
-    crowds.clear();
+    instance_sets.clear();
     rtcReleaseDevice(device);
   }
 
-  // Tiles with equal sheets share one.
-  const MipTexture* texture_of(const bake::BakedTile& tile) {
-    if (tile.sheet.texels.empty()) return nullptr;
-    const auto same = std::ranges::find_if(textures, [&](const auto& other) { return other->sheet() == tile.sheet; });
-    if (same != textures.end()) return same->get();
-    return textures.emplace_back(std::make_unique<MipTexture>(tile.sheet)).get();
+  // Tiles with equal marking atlases share one.
+  const MipTexture* marking_atlas_of(const bake::BakedTile& tile) {
+    if (tile.marking_atlas.texels.empty()) return nullptr;
+    const auto same =
+        std::ranges::find_if(marking_atlases, [&](const auto& other) { return other->image() == tile.marking_atlas; });
+    if (same != marking_atlases.end()) return same->get();
+    return marking_atlases.emplace_back(std::make_unique<MipTexture>(tile.marking_atlas)).get();
   }
 
   // Tiles with equal textures share them.
-  const MaterialTexture* surface_of(const bake::BakedTile& tile, materials::Material material) {
+  const MaterialTexture* material_of(const bake::BakedTile& tile, materials::Material material) {
     const auto own = std::ranges::find(tile.textures, material, &materials::Texture::material);
     if (own == tile.textures.end()) return nullptr;
-    const auto same = std::ranges::find_if(surfaces, [&](const auto& other) { return other->texture() == *own; });
-    if (same != surfaces.end()) return same->get();
-    return surfaces.emplace_back(std::make_unique<MaterialTexture>(*own)).get();
+    const auto same =
+        std::ranges::find_if(material_textures, [&](const auto& other) { return other->texture() == *own; });
+    if (same != material_textures.end()) return same->get();
+    return material_textures.emplace_back(std::make_unique<MaterialTexture>(*own)).get();
   }
 
-  std::vector<const MaterialTexture*> surfaces_of(const bake::BakedTile& tile, const bake::InstancedMesh& instanced) {
+  std::vector<const MaterialTexture*> materials_of(const bake::BakedTile& tile, const bake::InstancedMesh& instanced) {
     std::vector<const MaterialTexture*> of;
-    for (const bake::Primitive& primitive : instanced.primitives) of.push_back(surface_of(tile, primitive.material));
+    for (const bake::Primitive& primitive : instanced.primitives) of.push_back(material_of(tile, primitive.material));
     return of;
   }
 
-  // No two tiles have the same.
-  const FacadeAtlasTexture* imprint_of(const bake::BakedTile& tile) {
+  // No two tiles have equal facade atlases.
+  const FacadeAtlasTexture* facade_atlas_of(const bake::BakedTile& tile) {
     if (tile.facade_atlas.colour.texels.empty()) return nullptr;
     return facade_atlas.emplace_back(std::make_unique<FacadeAtlasTexture>(tile.facade_atlas)).get();
   }
 
-  void add_fixed(const bake::BakedTile& tile) {
-    const MipTexture* texture = texture_of(tile);
-    const FacadeAtlasTexture* impostor = imprint_of(tile);
+  void add_primitives(const bake::BakedTile& tile) {
+    const MipTexture* marking_atlas = marking_atlas_of(tile);
+    const FacadeAtlasTexture* facade_atlas = facade_atlas_of(tile);
     for (const bake::Primitive& primitive : tile.primitives)
       if (!primitive.triangles.empty())
-        fixed.push_back(
-            moved(primitive, tile.origin - origin, texture, surface_of(tile, primitive.material), impostor));
+        parts.push_back(mesh_part_of(primitive, tile.origin - origin, marking_atlas,
+                                     material_of(tile, primitive.material), facade_atlas));
   }
 
-  void add_crowds(const bake::BakedTile& tile) {
-    const MipTexture* texture = texture_of(tile);
+  void add_instances(const bake::BakedTile& tile) {
+    const MipTexture* marking_atlas = marking_atlas_of(tile);
     for (const bake::InstancedMesh& instanced : tile.instanced) {
-      const auto surfaces = surfaces_of(tile, instanced);
-      auto crowd =
-          std::ranges::find_if(crowds, [&](const auto& other) { return other->is_of(instanced, texture, surfaces); });
-      if (crowd == crowds.end())
-        crowd = crowds.insert(crowd, std::make_unique<InstanceSet>(device, instanced, texture, surfaces));
-      (*crowd)->add(instanced, tile.origin - origin);
+      const auto used = materials_of(tile, instanced);
+      auto set = std::ranges::find_if(instance_sets,
+                                      [&](const auto& other) { return other->is_of(instanced, marking_atlas, used); });
+      if (set == instance_sets.end())
+        set = instance_sets.insert(set, std::make_unique<InstanceSet>(device, instanced, marking_atlas, used));
+      (*set)->add(instanced, tile.origin - origin);
     }
   }
 
   void commit() {
-    for (const MeshPart& part : fixed) attach(device, top, part);
+    for (const MeshPart& part : parts) attach(device, top, part);
     unsigned first = 0;
-    for (const auto& crowd : crowds) {
-      crowd->attach_to(device, top, first);
-      first += static_cast<unsigned>(crowd->size());
+    for (const auto& set : instance_sets) {
+      set->attach_to(device, top, first);
+      first += static_cast<unsigned>(set->size());
     }
-    // closed edges: a ray between two triangles that share one meets one of them
+    // watertight edges: no ray passes between two triangles that share an edge
     rtcSetSceneFlags(top, RTC_SCENE_FLAG_ROBUST);
     rtcCommitScene(top);
   }
 
-  Hit hit_of(const RTCHit& found, const RayFootprint& beam) const {
-    if (found.instID[0] == RTC_INVALID_GEOMETRY_ID) return hit_on(fixed[found.geomID], found, beam);
+  Hit hit_of(const RTCHit& found, const RayFootprint& footprint) const {
+    if (found.instID[0] == RTC_INVALID_GEOMETRY_ID) return hit_on(parts[found.geomID], found, footprint);
     const auto after =
-        std::ranges::upper_bound(crowds, found.instID[0], {}, [](const auto& crowd) { return crowd->first(); });
-    return (*(after - 1))->hit_in_world(found, beam);
+        std::ranges::upper_bound(instance_sets, found.instID[0], {}, [](const auto& set) { return set->first(); });
+    return (*(after - 1))->hit_in_world(found, footprint);
   }
 };
 
 World::World(std::span<const bake::BakedTile> tiles, Vec3 near) : scene_(std::make_unique<Scene>()) {
   const auto whole = [](double v) { return std::isfinite(v) ? std::round(v) : 0; };
   scene_->origin = {whole(near.x), whole(near.y), whole(near.z)};
-  for (const bake::BakedTile& tile : tiles) scene_->add_fixed(tile);
-  for (const bake::BakedTile& tile : tiles) scene_->add_crowds(tile);
+  for (const bake::BakedTile& tile : tiles) scene_->add_primitives(tile);
+  for (const bake::BakedTile& tile : tiles) scene_->add_instances(tile);
   scene_->commit();
 }
 World::~World() = default;
@@ -170,7 +169,7 @@ bool World::is_blocked(Vec3 from, Vec3 direction) const {
 }
 
 Vec3 leave(const Hit& hit, Vec3 direction) {
-  // once for the point that is rounded when the ray is made, once for the plane that it must be clear of
+  // once for the origin, which the ray rounds, once for the plane
   const double off = 2 * hit.rounding_m;
   return hit.position + hit.geometric_normal * (dot(direction, hit.geometric_normal) > 0 ? off : -off);
 }

@@ -12,7 +12,7 @@ namespace {
 
 using WritePicture = decltype(&citykiln_write_picture);
 
-// Beside the program, or where the build put it.
+// Loads the module beside the program, or where the build put it.
 Result<WritePicture> load_module() {
   const std::filesystem::path beside =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "citykiln_image.so";
@@ -39,7 +39,7 @@ Result<Done> write_image(const Image& image, const std::string& path) {
     for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
       for (const std::uint8_t byte : tone_map(&image.rgb[i])) bytes.push_back(byte);
   }
-  // beside the final name, with its ending, then renamed
+  // a temporary name with the same extension, renamed at the end
   const std::string part = path.substr(0, path.size() - 4) + ".part" + path.substr(path.size() - 4);
   char error[512] = "";
   const void* pixels = is_exr ? static_cast<const void*>(image.rgb.data()) : bytes.data();

@@ -1,40 +1,24 @@
 #include "compiler/bake/bake.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <memory>
 
 #include "compiler/bake/bake_buildings.h"
+#include "compiler/bake/bake_ground.h"
 #include "compiler/bake/bake_instances.h"
 #include "compiler/bake/bake_structures.h"
 #include "compiler/bake/baking.h"
-#include "compiler/bake/ground_meshes.h"
 #include "compiler/bake/merge.h"
-#include "compiler/bake/skirt.h"
 #include "compiler/bake/tile_levels.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 
 namespace citykiln::bake {
 namespace {
 
-void bake_ground(Baking& baking, TileLevel& level, std::vector<Built> structures) {
-  scene::LandCover& cover = level.cover;
-  const std::size_t first_of_structures = cover.layouts.size();
-  for (const Built& built : structures)
-    for (const structures::MarkedMesh& marked : built.expanded.marked) cover.layouts.push_back(marked.layout);
-  Markings markings = lay_out_markings(cover, baking.texel_m());
-  for (std::size_t c = 0; c < level.cells.size(); ++c) {
-    const ground::GroundMesh& ground = level.cells[c];
-    baking.certify(length(Vec2{ground.error_m, ground.border_error_m}), bounds_of(ground.mesh));
-    std::vector<MaterialMesh> dressed = material_meshes(ground, cover, markings, baking.header, baking.tolerance_m);
-    for (MaterialMesh& mesh : dressed) add_skirt(mesh, level.seen[c].skirt, level.seen[c].skirt_m);
-    baking.take(std::move(dressed));
-  }
-  bake_structures(baking, structures, markings, first_of_structures);
-  baking.tile.sheet = std::move(markings.sheet);
-}
-
-// each mesh goes when it is merged: a tile is never there twice
+// Frees each mesh when it is merged, so that no tile is held twice.
 void merge_meshes(Baking& baking) {
   PrimitiveMap merged;
   for (MaterialMesh& each : baking.meshes) {
@@ -45,16 +29,16 @@ void merge_meshes(Baking& baking) {
   baking.tile.primitives = primitives_of(std::move(merged));
 }
 
-// Whole metres; the height of the lowest ground keeps offsets small.
+// Whole metres, at the height of the lowest ground, which keeps offsets small.
 Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
   const auto lowest = std::min_element(heights.heights.begin(), heights.heights.end());
   return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
 }
 
-// Near by, hedges are plants; else bands like others, whole, of the tile that they begin in.
+// The barriers that are bands. Hedges are bands where they are not plants, whole, in the tile of their first point.
 std::vector<props::Barrier> bands_of(const Baking& baking) {
   std::vector<props::Barrier> bands = baking.chunk.barriers;
-  const bool has_plants = baking.part || has_hedge_plants(baking.tolerance_m);
+  const bool has_plants = baking.part || has_detail(Detail::kHedgePlants, baking.tolerance_m);
   std::erase_if(bands, [&](const props::Barrier& b) {
     const bool is_band = !has_plants && scene::is_anchored(baking.header, baking.chunk.tile, b.axis.front());
     return b.kind == map::BarrierKind::kHedge && !is_band;
@@ -65,29 +49,31 @@ std::vector<props::Barrier> bands_of(const Baking& baking) {
 BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, TileLevel& level, const TilePart* part,
                      const PrototypeCache& prototypes, int threads, Report& report) {
   const double tolerance_m = level.tolerance_m;
-  const SharedByLevels& common = *level.common;
-  BakedTile tile{chunk.tile, origin_of(scene::box_of(header, chunk.tile), chunk.heights), tolerance_m, 0, {}, {}, {}};
+  const SharedByLevels& shared = *level.shared;
+  BakedTile tile{.tile = chunk.tile,
+                 .origin = origin_of(scene::box_of(header, chunk.tile), chunk.heights),
+                 .tolerance_m = tolerance_m};
   if (part) tile.viewpoint = Viewpoint{part->levels.view.eye, part->levels.view.focal_px, 0};
   Baking baking{header, chunk, tolerance_m, tile, part};
 
   std::vector<Built> structures = generate_structures(baking, report);
   report.append(level.cell_report);
   bake_ground(baking, level, std::move(structures));
-  bake_stairs(baking, common.stairs);
+  bake_stairs(baking, shared.stairs);
   bake_buildings(baking, level, prototypes.rulebook(), threads, report);
   bake_each(
       baking, bands_of(baking), "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
-      [&](const auto& b) { return props::generate(b, common.graded, tolerance_m); });
-  report.append(common.tree_report);
-  bake_tree_pits(baking, common);
-  Placed placed = placed_in(baking, common);
-  bake_canopy(baking, common, placed);
+      [&](const auto& b) { return props::generate(b, shared.graded, tolerance_m); });
+  report.append(shared.tree_report);
+  bake_tree_pits(baking, shared);
+  Placed placed = placed_in(baking, shared);
+  bake_canopy(baking, level, placed);
   name_placed(baking, placed);
 
   tile.features.assign(baking.features.begin(), baking.features.end());
   merge_meshes(baking);
   bake_trees(baking, placed.trees, prototypes);
-  bake_lamps(baking, placed.lamps, common.graded, report);
+  bake_lamps(baking, placed.lamps, shared.graded, report);
   tile.textures = textures_shown(tile, baking.texel_m(), prototypes.textures());
   return tile;
 }
@@ -115,10 +101,12 @@ std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::
 }
 
 std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std::size_t level) {
+  assert(level < prepared.levels.size());
   return prepared.levels[level].cells;
 }
 
 BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report) {
+  assert(level < prepared.levels.size() && prepared.levels[level].shared && "each level is baked once");
   TileLevel own = std::move(prepared.levels[level]);
   return bake_level(prepared.header, prepared.chunk, own, nullptr, *prepared.prototypes, threads, report);
 }
@@ -151,10 +139,10 @@ std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chu
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,
                             std::shared_ptr<const PrototypeCache> prototypes) {
   prototypes = cache_or_own(header, std::move(prototypes));
-  const std::vector<double> tolerances_m = tolerances_of(view, header, chunk);
-  std::vector<TileLevel> levels = levels_for_view(header, chunk, view, tolerances_m, threads);
+  const std::vector<int> parts = levels_of_parts(view, header, chunk);
+  std::vector<TileLevel> levels = levels_for_view(header, chunk, view, parts, threads);
   return for_each_slot<BakedTile>(levels.size(), threads, [&](std::size_t i) {
-    const TilePart part{view, tolerances_m, tolerances_m[i]};
+    const TilePart part{view, parts, parts[i]};
     Report ignored;
     return bake_level(header, chunk, levels[i], &part, *prototypes, threads, ignored);
   });

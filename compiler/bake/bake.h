@@ -1,4 +1,4 @@
-// Stage 11: fires the clay of one tile at a tolerance.
+// Stage 11: bakes one tile of a scene at a tolerance.
 #pragma once
 
 #include <memory>
@@ -14,34 +14,36 @@
 
 namespace citykiln::bake {
 
-/// A pure function of header, chunk and tolerance. Ledger "bake/bridge", "bake/building", "bake/tree", "bake/barrier",
-/// "bake/lamp" (mapped ones), "bake/derived lamp" (along lit streets): what the tolerance drops. Total. Cost: linear in
-/// what the tile holds at that tolerance, but for the ground's n log n.
-/// @param grove  Of the header, here and below. Who fires many tiles shares one; without, plants grow anew.
+/// Bakes a tile: a pure function of header, chunk and tolerance. Objects that the tolerance drops are counted in the
+/// accounts "bake/bridge", "bake/tunnel", "bake/building", "bake/tree", "bake/barrier", "bake/lamp" (mapped ones) and
+/// "bake/derived lamp" (along lit streets).
+///
+/// @param tolerance_m  > 0.
+/// @param prototypes  Of the same header, here and below; tiles may share one. Null: plants are generated for this
+/// call. Total. Cost: linear in what the tile holds at the tolerance, n log n in its ground.
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report,
                std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
-/// The same at every tolerance of a ladder, in its order: what levels have in common is made once. The report takes the
-/// levels one after another. Memory: all levels; whoever has no need of all at once prepares and fires them one by one.
+/// Bakes a tile at every tolerance of a ladder, in its order; what levels have in common is made once. The report gets
+/// the levels one after another. Memory: all levels at once, which prepare() and bake_prepared() avoid.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
                             int threads, Report& report, std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
-/// What the levels of a tile have in common, and their ground; each level's own part goes when it is fired.
+/// What the levels of a tile have in common, and the ground of each level that is not baked yet.
 struct PreparedTile;
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
                                       std::span<const double> ladder_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
-/// The `level`-th tile of the ladder that was prepared, as bake() makes it. Each level once, in any order and on any
-/// thread.
+/// Bakes one level of the ladder, with the same result as bake(). Call once per level, in any order, on any thread.
 BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report);
 
-/// The ground's cells of a level that has not been fired yet.
+/// The ground of each cell of a level that is not baked yet.
 std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std::size_t level);
 
-/// The tile for one eye, as parts: one a tolerance, finest first, each with what is made at it. Together they are the
-/// tile (commands/join_tiles.h). Each states its largest pixel error. Nothing is reported: what a level drops is too
-/// small to be seen. Total. Cost: what the parts hold.
+/// Bakes the tile for one viewpoint, as one part per tolerance, finest first; all parts together are the tile
+/// (commands/join_tiles.h). Each part states its largest error in pixels. Objects that are dropped are too small to be
+/// seen and are not counted. Total. Cost: what the parts hold.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,
                             std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 

@@ -1,5 +1,6 @@
 #include "compiler/bake/bake_buildings.h"
 
+#include <cassert>
 #include <functional>
 #include <utility>
 
@@ -9,39 +10,41 @@
 namespace citykiln::bake {
 namespace {
 
-// Buildings at several tolerances, with one report per tolerance. Buildings that `holds` rejects are left empty.
+// Generates buildings at several tolerances, in parallel; reports[i] gets the diagnoses of tolerance i in the order of
+// buildings. Buildings that `holds` denies get no meshes.
 std::vector<BuildingMeshes> generate_buildings(const scene::Header& header, const scene::Chunk& chunk,
                                                const buildings::Rulebook& rulebook,
                                                std::span<const double> tolerances_m, int threads,
                                                std::span<Report> reports,
                                                const std::function<bool(const buildings::Building&)>& holds) {
+  assert(reports.size() == tolerances_m.size());
   const std::vector<buildings::Building>& all = chunk.buildings;
   const buildings::SceneContext context{header.seed, sky::is_night(header.sky)};
-  std::vector<std::vector<Report>> told(all.size(), std::vector<Report>(tolerances_m.size()));
-  std::vector<BuildingMeshes> by_house = for_each_slot<BuildingMeshes>(all.size(), threads, [&](std::size_t i) {
+  std::vector<std::vector<Report>> diagnosed(all.size(), std::vector<Report>(tolerances_m.size()));
+  std::vector<BuildingMeshes> by_building = for_each_slot<BuildingMeshes>(all.size(), threads, [&](std::size_t i) {
     if (!holds(all[i])) return BuildingMeshes(tolerances_m.size());
-    return buildings::generate(all[i], rulebook, context, tolerances_m, told[i]);
+    return buildings::generate(all[i], rulebook, context, tolerances_m, diagnosed[i]);
   });
   std::vector<BuildingMeshes> by_level(tolerances_m.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t l = 0; l < tolerances_m.size(); ++l) {
-      by_level[l].push_back(std::move(by_house[i][l]));
-      reports[l].append(told[i][l]);
+      by_level[l].push_back(std::move(by_building[i][l]));
+      reports[l].append(diagnosed[i][l]);
     }
   return by_level;
 }
 
-// Pictures of facades go onto the tile's atlas, and the faces that show them to the house's other meshes.
-void put_on_atlas(Baking& baking, BuildingMeshes& houses) {
+// Packs the facade textures into the tile's atlas, and adds the faces that show them to the buildings' meshes.
+void put_on_atlas(Baking& baking, BuildingMeshes& buildings) {
   std::vector<impostor::Picture> pictures;
-  for (buildings::GeneratedBuilding& house : houses)
-    for (buildings::TexturedFace& face : house.textured_faces) pictures.push_back(std::move(face.picture));
+  for (buildings::GeneratedBuilding& building : buildings)
+    for (buildings::TexturedFace& face : building.textured_faces) pictures.push_back(std::move(face.picture));
   impostor::AtlasLayout layout = impostor::lay_out_atlas(pictures, baking.tolerance_m);
   std::size_t picture = 0;
-  for (buildings::GeneratedBuilding& house : houses)
-    for (buildings::TexturedFace& face : house.textured_faces) {
+  for (buildings::GeneratedBuilding& building : buildings)
+    for (buildings::TexturedFace& face : building.textured_faces) {
       for (Vec2& uv : face.mesh.uvs) uv = uv + layout.at_m[picture];
-      house.meshes.push_back(std::move(face.mesh));
+      building.meshes.push_back(std::move(face.mesh));
       ++picture;
     }
   baking.tile.facade_atlas = std::move(layout.atlas);
@@ -51,33 +54,32 @@ void put_on_atlas(Baking& baking, BuildingMeshes& houses) {
 
 void generate_textured_buildings(const scene::Header& header, const scene::Chunk& chunk,
                                  const buildings::Rulebook& rulebook, std::span<TileLevel> levels, int threads) {
-  std::vector<TileLevel*> textured_faces;
+  std::vector<TileLevel*> textured;
   std::vector<double> tolerances_m;
   for (TileLevel& level : levels)
     if (has_detail(Detail::kFacadeTextures, level.tolerance_m))
-      textured_faces.push_back(&level), tolerances_m.push_back(level.tolerance_m);
-  if (textured_faces.empty()) return;
-  std::vector<Report> reports(textured_faces.size());
-  std::vector<BuildingMeshes> houses =
+      textured.push_back(&level), tolerances_m.push_back(level.tolerance_m);
+  if (textured.empty()) return;
+  std::vector<Report> reports(textured.size());
+  std::vector<BuildingMeshes> meshes =
       generate_buildings(header, chunk, rulebook, tolerances_m, threads, reports, [](const auto&) { return true; });
-  for (std::size_t i = 0; i < textured_faces.size(); ++i)
-    textured_faces[i]->houses = std::move(houses[i]), textured_faces[i]->building_report = std::move(reports[i]);
+  for (std::size_t i = 0; i < textured.size(); ++i)
+    textured[i]->buildings = std::move(meshes[i]), textured[i]->building_report = std::move(reports[i]);
 }
 
 void bake_buildings(Baking& baking, TileLevel& level, const buildings::Rulebook& rulebook, int threads,
                     Report& report) {
   const std::vector<buildings::Building>& all = baking.chunk.buildings;
-  if (!level.houses)
-    level.houses =
-        std::move(generate_buildings(baking.header, baking.chunk, rulebook, std::span(&baking.tolerance_m, 1), threads,
-                                     std::span(&level.building_report, 1),
-                                     [&](const auto& b) { return baking.holds(bounds_of(b)); })
-                      .front());
+  if (!level.buildings)
+    level.buildings = std::move(generate_buildings(baking.header, baking.chunk, rulebook, std::span(&baking.tolerance_m, 1),
+                                                   threads, std::span(&level.building_report, 1),
+                                                   [&](const auto& b) { return baking.holds(bounds_of(b)); })
+                                    .front());
   report.append(level.building_report);
-  put_on_atlas(baking, *level.houses);
+  put_on_atlas(baking, *level.buildings);
   bake_each(
       baking, all, "building", report, [](const auto& b) { return bounds_of(b); },
-      [&](const auto& b) { return std::move((*level.houses)[static_cast<std::size_t>(&b - all.data())]); });
+      [&](const auto& b) { return std::move((*level.buildings)[static_cast<std::size_t>(&b - all.data())]); });
 }
 
 }  // namespace citykiln::bake

@@ -1,4 +1,5 @@
-// The houses of a tile: levels that show facades as pictures share what these are made of, and a tile has one atlas.
+// Buildings of a tile. Levels with baked facade textures share the meshes from which these are baked; all textures of a
+// level lie on one atlas.
 #pragma once
 
 #include <span>
@@ -8,12 +9,13 @@
 
 namespace citykiln::bake {
 
-/// The houses of those levels that show facades as pictures. The others' are made when they are fired.
+/// Generates the buildings of all levels with Detail::kFacadeTextures. Those of other levels are generated when the
+/// level is baked.
 /// @param rulebook  Parsed from the header's rules.
 void generate_textured_buildings(const scene::Header& header, const scene::Chunk& chunk,
                                  const buildings::Rulebook& rulebook, std::span<TileLevel> levels, int threads);
 
-/// Account "bake/building".
+/// Adds the buildings of a level. Account "bake/building".
 void bake_buildings(Baking& baking, TileLevel& level, const buildings::Rulebook& rulebook, int threads, Report& report);
 
 }  // namespace citykiln::bake

@@ -11,15 +11,14 @@
 namespace citykiln::bake {
 namespace {
 
-// A shared mesh and where it stands. Nothing is left of it below the tolerance. `size_m`: of what a scale of 1 stands
-// for.
+// Adds an instanced mesh, unless the tolerance drops it. @param size_m  The size of the mesh at a scale of 1.
 void bake_instances(Baking& baking, const std::string& name, std::vector<Primitive> primitives,
                     const impostor::Cutout& cutout, const std::vector<Placement>& placements, double size_m = 1) {
   if (primitives.empty() || placements.empty()) return;
-  InstancedMesh instanced{name, std::move(primitives), {}, {}, {}, {}, cutout};
+  InstancedMesh instanced{.name = name, .primitives = std::move(primitives), .cutout = cutout};
   for (const Placement& p : placements) {
     instanced.translations.push_back(offset_from(baking.tile.origin, p.at));
-    // half of the turn about z, from cos and sin of the whole
+    // half of the rotation about z, from cosine and sine of the whole
     const double c = std::sqrt(std::max(0.0, (1 + p.cos_yaw) / 2)), s = std::sqrt(std::max(0.0, (1 - p.cos_yaw) / 2));
     instanced.rotations.push_back(
         {0, 0, static_cast<float>(p.sin_yaw < 0 ? -s : s) + 0.0f, static_cast<float>(c) + 0.0f});
@@ -40,7 +39,7 @@ double tallest(const std::vector<Placement>& placements) {
   return tallest_m;
 }
 
-// The same for nearly all tiles, so that they have the same shapes.
+// The height of the prototype: the same for nearly all tiles, so that they share it.
 double height_m_for(plants::Prototype prototype, const std::vector<Placement>& placements) {
   const double species_m = plants::values_of(prototype.species).tallest_m, here_m = tallest(placements);
   return here_m <= species_m ? species_m : std::max(here_m, plants::kTallestPlant_m);
@@ -48,16 +47,16 @@ double height_m_for(plants::Prototype prototype, const std::vector<Placement>& p
 
 plants::PlacedPlants merged_variants(const plants::PlacedPlants& placed, double tolerance_m) {
   const int variants = plants::variants_at(tolerance_m);
-  plants::PlacedPlants apart;
+  plants::PlacedPlants merged;
   for (const auto& [prototype, placements] : placed) {
     const auto variant = static_cast<std::uint8_t>(prototype.variant % variants);
-    std::vector<Placement>& together = apart[{prototype.species, variant}];
-    together.insert(together.end(), placements.begin(), placements.end());
+    std::vector<Placement>& all = merged[{prototype.species, variant}];
+    all.insert(all.end(), placements.begin(), placements.end());
   }
-  return apart;
+  return merged;
 }
 
-// What stands of one kind; false where the tolerance leaves nothing of it.
+// Adds the lamps of one kind; returns false where the tolerance drops them.
 bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerrain& graded, props::LampKind kind) {
   constexpr const char* kNames[] = {"PostTopLamp", "ArmLamp"};
   std::vector<Placement> placements;
@@ -71,27 +70,26 @@ bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerr
 
 }  // namespace
 
-Placed placed_in(const Baking& baking, const SharedByLevels& common) {
-  Placed placed{common.trees, common.lamps};
+Placed placed_in(const Baking& baking, const SharedByLevels& shared) {
+  Placed placed{shared.trees, shared.lamps};
   if (has_detail(Detail::kGrassBlades, baking.tolerance_m))
-    for (const auto& [prototype, placements] : common.blades) placed.trees[prototype] = placements;
+    for (const auto& [prototype, placements] : shared.blades) placed.trees[prototype] = placements;
   if (!baking.part) return placed;
   for (auto& [prototype, placements] : placed.trees)
     std::erase_if(placements, [&](const Placement& p) { return !baking.holds(bounds_of(p)); });
   placed.lamps = {};
-  for (std::size_t i = 0; i < common.lamps.standing.size(); ++i) {
-    const props::StreetLamp& lamp = common.lamps.standing[i];
-    if (!baking.holds(bounds_of(props::place(lamp, common.graded)))) continue;
+  for (std::size_t i = 0; i < shared.lamps.standing.size(); ++i) {
+    const props::StreetLamp& lamp = shared.lamps.standing[i];
+    if (!baking.holds(bounds_of(props::place(lamp, shared.graded)))) continue;
     placed.lamps.standing.push_back(lamp);
-    if (i < common.lamps.mapped) ++placed.lamps.mapped;
+    if (i < shared.lamps.mapped) ++placed.lamps.mapped;
   }
   return placed;
 }
 
-void bake_canopy(Baking& baking, const SharedByLevels& common, Placed& placed) {
-  const auto found = common.canopies.find(baking.tolerance_m);
-  if (baking.part || found == common.canopies.end()) return;
-  plants::Canopy canopy = found->second;
+void bake_canopy(Baking& baking, const TileLevel& level, Placed& placed) {
+  if (!level.canopy) return;
+  plants::Canopy canopy = level.shared->canopies[*level.canopy];
   plants::remove_trees_below(canopy, baking.chunk.woods, placed.trees);
   baking.tile.plant_error_m = canopy.error_m;
   baking.take(std::move(canopy.meshes));
@@ -105,19 +103,20 @@ void name_placed(Baking& baking, const Placed& placed) {
 
 void bake_trees(Baking& baking, const plants::PlacedPlants& placed, const PrototypeCache& prototypes) {
   for (const auto& [prototype, placements] : merged_variants(placed, baking.tolerance_m)) {
-    const BakedPrototype& shape = prototypes.shape(prototype, height_m_for(prototype, placements), baking.tolerance_m);
-    baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, shape.error_per_m * tallest(placements));
-    bake_instances(baking, name_of(prototype), shape.primitives, shape.cutout, placements, kPrototypeHeight_m);
+    const BakedPrototype& baked =
+        prototypes.prototype(prototype, height_m_for(prototype, placements), baking.tolerance_m);
+    baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest(placements));
+    bake_instances(baking, name_of(prototype), baked.primitives, baked.cutout, placements, kPrototypeHeight_m);
   }
 }
 
-void bake_tree_pits(Baking& baking, const SharedByLevels& common) {
-  for (const props::TreePit& pit : common.pits) {
-    const Bounds bounds = bounds_of(Placement{at_height(pit.at, land_m(common.graded, pit.at)), 1, 0, pit.side_m, {}});
+void bake_tree_pits(Baking& baking, const SharedByLevels& shared) {
+  for (const props::TreePit& pit : shared.pits) {
+    const Bounds bounds = bounds_of(Placement{at_height(pit.at, land_m(shared.graded, pit.at)), 1, 0, pit.side_m, {}});
     if (!baking.holds(bounds)) continue;
-    props::GeneratedProp expanded = props::generate(pit, common.graded, baking.tolerance_m);
-    baking.certify(expanded.error_m, bounds);
-    baking.take(std::move(expanded.meshes));
+    props::GeneratedProp generated = props::generate(pit, shared.graded, baking.tolerance_m);
+    baking.certify(generated.error_m, bounds);
+    baking.take(std::move(generated.meshes));
   }
 }
 

@@ -1,4 +1,4 @@
-// Trees and lamps: one mesh of a kind, and where it stands.
+// Instanced objects of a tile: plants, street lamps; and what goes with them: canopies, tree pits.
 #pragma once
 
 #include "compiler/bake/baking.h"
@@ -7,7 +7,7 @@
 
 namespace citykiln::bake {
 
-/// What of the trees and lamps the firing holds.
+/// The placements that a tile, or a part of it, holds.
 struct Placed {
   plants::PlacedPlants trees;
   Lamps lamps;
@@ -15,20 +15,22 @@ struct Placed {
 
 Placed placed_in(const Baking& baking, const SharedByLevels& common);
 
-/// One surface instead of trees, where they stand closed and the tolerance is coarse (plants/canopy.h). Not for one
-/// eye: there each tree is as fine as it is near.
-void bake_canopy(Baking& baking, const SharedByLevels& common, Placed& placed);
+/// Replaces the trees of closed woods by one canopy surface where the level has one (plants/prototypes/canopy.h). Parts
+/// of a view have none, since there each tree has the tolerance of its distance.
+void bake_canopy(Baking& baking, const TileLevel& level, Placed& placed);
 
-/// What is placed is named before features are numbered, and fired after.
+/// Adds the features of placed objects; call before features are numbered, and the functions below after.
 void name_placed(Baking& baking, const Placed& placed);
 
-/// Of the grove's shapes; variants that the tolerance does not tell apart (plants::variants_at) are one.
+/// Adds plants as instances of cached prototypes. Variants that look alike at the tolerance (plants::variants_at) are
+/// merged.
 void bake_trees(Baking& baking, const plants::PlacedPlants& placed, const PrototypeCache& prototypes);
 
-/// Those of trees that the firing holds: a pit goes with its tree.
+/// Adds the tree pits; a pit is in the part of its tree.
 void bake_tree_pits(Baking& baking, const SharedByLevels& common);
 
-/// Accounts "bake/lamp", "bake/derived lamp". Only what somebody mapped is named where the tolerance drops it.
+/// Adds street lamps as instances. Accounts "bake/lamp" and "bake/derived lamp"; of dropped lamps only mapped ones are
+/// diagnosed.
 void bake_lamps(Baking& baking, const Lamps& lamps, const ground::GradedTerrain& graded, Report& report);
 
 }  // namespace citykiln::bake

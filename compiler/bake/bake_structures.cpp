@@ -7,22 +7,22 @@
 namespace citykiln::bake {
 namespace {
 
-// Those that are part of the chunk's tile. A span of which nothing is left counts as dropped.
-template <typename Expand>
+// Generates the spans that the chunk's tile bakes. A span without meshes counts as dropped.
+template <typename Generate>
 void generate_spans(const Baking& baking, const std::vector<structures::Span>& spans, const char* kind, Report& report,
-                    std::vector<Built>& all, Expand generate) {
+                    std::vector<Built>& all, Generate generate) {
   Account account;
   for (const structures::Span& span : spans) {
     const Bounds bounds = bounds_of(span);
     if (!scene::is_anchored(baking.header, baking.chunk.tile, span.axis.front()) || !baking.holds(bounds)) continue;
     ++account.in;
-    structures::GeneratedStructure expanded = generate(span, baking.tolerance_m);
-    if (expanded.meshes.empty() && expanded.marked.empty()) {
+    structures::GeneratedStructure generated = generate(span, baking.tolerance_m);
+    if (generated.meshes.empty() && generated.marked.empty()) {
       report.drop(account, Code::kBelowTolerance, span.id.osm, 0);
       continue;
     }
     ++account.out;
-    all.push_back({std::move(expanded), bounds});
+    all.push_back({std::move(generated), bounds});
   }
   report.account("bake", kind) = account;
 }
@@ -40,6 +40,7 @@ std::vector<Built> generate_structures(const Baking& baking, Report& report) {
 
 void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings,
                      std::size_t first_column) {
+  assert(first_column <= markings.columns.size());
   for (auto& [built, bounds] : structures) {
     baking.certify(built.error_m, bounds);
     for (structures::MarkedMesh& marked : built.marked) {

@@ -10,21 +10,23 @@
 
 namespace citykiln::bake {
 
-/// A bridge or a tunnel, expanded.
+/// A bridge or a tunnel, generated but not merged yet.
 struct Built {
-  structures::GeneratedStructure expanded;
+  structures::GeneratedStructure generated;
   Bounds bounds;
 };
 
-/// Those that are the tile's. A tunnel that is not bored was diagnosed when the map was compiled. Accounts
-/// "bake/bridge", "bake/tunnel".
+/// Generates the bridges and bored tunnels that this tile bakes. Other tunnels were diagnosed when the map was
+/// compiled. Accounts "bake/bridge", "bake/tunnel".
 std::vector<Built> generate_structures(const Baking& baking, Report& report);
 
-/// What is painted on bridges and in tunnels goes onto the tile's sheet, after what is painted on the ground.
+/// Adds bridges and tunnels.
+/// @param markings  Their columns are those from `first_column` on, in the structures' order.
 void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings,
                      std::size_t first_column);
 
-/// Stairs lie on the ground, which is a ramp below them: where the tolerance does not see them, that stays.
+/// Adds stairs. They lie on the ground, which is a ramp below them and replaces them where their error is within the
+/// tolerance.
 void bake_stairs(Baking& baking, const std::vector<structures::Stairs>& all);
 
 }  // namespace citykiln::bake

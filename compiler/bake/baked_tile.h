@@ -1,5 +1,5 @@
-// The fired form: meshes and instances of one tile at one tolerance, in single precision about the tile's origin, ready
-// to be written or looked at.
+// A baked tile: meshes and instances of one tile at one tolerance, in single precision about the tile's origin.
+// Exporters write it, the preview renders it.
 #pragma once
 
 #include <array>
@@ -23,25 +23,28 @@ using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
 
-/// All triangles of one key. Frame: x east, y north, z up, metres from the tile's origin (prototypes: from their own).
-/// Vertices are shared.
+inline Vec2 widened(const Float2& v) { return {v[0], v[1]}; }
+inline Vec3 widened(const Float3& v) { return {v[0], v[1], v[2]}; }
+
+/// All triangles with one key. Frame: x east, y north, z up, metres from the tile's origin; instanced meshes have their
+/// own. Triangles share vertices and are counter-clockwise from outside.
 struct Primitive {
   materials::Material material{};
   std::vector<Float3> positions;
-  std::vector<Float3> normals;           ///< One a position, unit length.
-  std::vector<materials::Tint> colours;  ///< One a position.
-  std::vector<std::uint32_t> features;   ///< One a position: index into BakedTile::features.
+  std::vector<Float3> normals;           ///< One per position, unit length.
+  std::vector<materials::Tint> colours;  ///< One per position.
+  std::vector<std::uint32_t> features;   ///< One per position: index into BakedTile::features.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// One a position, or empty: metres on the sheet, the atlas or the material's texture (dressed_mesh.h). On sheets
-  /// rounded once, to float32: by at most 0.5 mm up to 16 km; elsewhere multiples of
+  /// One per position, or empty: metres on the marking atlas, the facade atlas, the cutout or the material's texture.
+  /// On the marking atlas rounded once, to float32: by at most 0.5 mm up to 16 km; elsewhere multiples of
   /// materials::kTextureCoordinateStep_m.
   std::vector<Float2> uvs{};
-  /// By BakedTile::sheet, BakedTile::imprints or InstancedMesh::cutout: then it has uvs, and they texels.
+  /// Other than kByMaterial only with uvs, and where the tile or instanced mesh has the image.
   materials::ColourSource colour_source = materials::ColourSource::kByMaterial;
   bool operator==(const Primitive&) const = default;
 };
 
-/// What tells the primitives of a mesh apart, in the order in which they are kept.
+/// What distinguishes the primitives of a mesh, which are sorted by it.
 struct PrimitiveKey {
   materials::Material material{};
   bool has_uvs = false;
@@ -51,41 +54,42 @@ struct PrimitiveKey {
 
 inline PrimitiveKey key_of(const Primitive& p) { return {p.material, !p.uvs.empty(), p.colour_source}; }
 
-/// A mesh that stands in many places.
+/// A mesh and the places of its copies.
 struct InstancedMesh {
   std::string name;                   ///< "oak_3".
-  std::vector<Primitive> primitives;  ///< `features` empty: the instances have them.
-  std::vector<Float3> translations;
-  std::vector<Float4> rotations;  ///< Unit quaternions x, y, z, w.
-  std::vector<float> scales;
-  std::vector<std::uint32_t> features;
-  impostor::Cutout cutout{};  ///< What its primitives on cutouts show; no texels: there are none.
+  std::vector<Primitive> primitives;  ///< Without `features`, which each instance has.
+  std::vector<Float3> translations{};
+  std::vector<Float4> rotations{};  ///< Unit quaternions x, y, z, w.
+  std::vector<float> scales{};
+  std::vector<std::uint32_t> features{};
+  impostor::Cutout cutout{};  ///< Image of the primitives with ColourSource::kByCutout; no texels where there are none.
   bool operator==(const InstancedMesh&) const = default;
 };
 
-/// For which eye a tile was made (view_levels.h).
+/// The viewpoint for which a tile was baked (view_levels.h).
 struct Viewpoint {
   Vec3 eye;                ///< Plane metres.
   double focal_px = 0;     ///< Focal length.
-  double pixel_error = 0;  ///< Certified: no error is longer on the picture, but for what is as fine as it gets.
+  double pixel_error = 0;  ///< Certified bound of all errors in the picture, but for those of the finest tolerance.
   bool operator==(const Viewpoint&) const = default;
 };
 
+/// One tile at one tolerance.
 struct BakedTile {
   scene::TileKey tile;
-  Vec3 origin;                        ///< Plane metres, whole numbers; z too.
-  double tolerance_m = 0;             ///< Asked for.
-  double error_m = 0;                 ///< Certified: Hausdorff, both ways, to the full-detail shape; but for plants.
-  std::vector<OsmId> features;        ///< Sorted; index 0 is always the none feature.
-  std::vector<Primitive> primitives;  ///< Sorted by key, at most one each.
-  std::vector<InstancedMesh> instanced;
-  materials::TextureImage sheet{};  ///< What primitives on the sheet are coloured by; no texels: there are none.
-  impostor::Atlas facade_atlas{};   ///< Likewise: what facades of this level show as pictures.
-  /// Of primitives, shared ones too, that have uvs and are coloured by their material, by material, rising, where the
-  /// tolerance has any.
+  Vec3 origin;                          ///< Plane metres, whole numbers; z too.
+  double tolerance_m = 0;               ///< As asked for.
+  double error_m = 0;                   ///< Certified: Hausdorff, both ways, to the full-detail shape without plants.
+  std::vector<OsmId> features{};        ///< Sorted; index 0 is always the none feature.
+  std::vector<Primitive> primitives{};  ///< Sorted by key, at most one each.
+  std::vector<InstancedMesh> instanced{};
+  materials::TextureImage marking_atlas{};  ///< Markings of roads; no texels where there are none.
+  impostor::Atlas facade_atlas{};           ///< Baked facade textures; no texels where there are none.
+  /// Textures of the materials of primitives, instanced ones too, that have uvs and are coloured by their material.
+  /// Sorted by material.
   std::vector<materials::Texture> textures{};
-  std::optional<Viewpoint> viewpoint{};  ///< Then tolerance_m is the finest of many.
-  double plant_error_m = 0;  ///< Stated, not certified, and in no other error: of plants (plants/prototype_mesh.h).
+  std::optional<Viewpoint> viewpoint{};  ///< If there is one, tolerance_m is the finest of several.
+  double plant_error_m = 0;              ///< Of plants: stated, not certified (plants/prototypes/prototype_mesh.h).
   bool operator==(const BakedTile&) const = default;
 };
 

@@ -1,7 +1,8 @@
-// A tile while it is being fired: meshes that wait to be merged, and what they stray at most.
+// The state of a tile while it is baked: meshes that are not merged yet, and their largest error.
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <vector>
 
@@ -16,26 +17,29 @@ namespace citykiln::bake {
 
 using materials::MaterialMesh;
 
-/// What a tile becomes, while it is being fired.
+/// A tile, or one part of a tile for a view, while it is baked.
 struct Baking {
   const scene::Header& header;
   const scene::Chunk& chunk;
   double tolerance_m;
   BakedTile& tile;
-  const TilePart* part = nullptr;  // null: all of the tile
+  const TilePart* part = nullptr;  ///< Null: the whole tile.
   std::vector<MaterialMesh> meshes{};
   std::set<OsmId> features{OsmId{}};
 
-  bool holds(const Bounds& bounds) const { return !part || is_in(*part, bounds); }
-  // of sheets and textures, which all parts of a view share
-  double texel_m() const { return part ? part->levels.finest_m : tolerance_m; }
+  /// Whether an object is baked at this tolerance.
+  bool holds(const Bounds& bounds) const { return !part || is_in_part(*part, bounds); }
+  /// Texel size of marking atlas and textures, which all parts of a view share.
+  double texel_m() const { return part ? tolerance_m_of(part->levels.view, part->levels.finest) : tolerance_m; }
 
+  /// Adds meshes.
   void take(std::vector<MaterialMesh>&& more) {
     for (MaterialMesh& mesh : more) {
       features.insert(mesh.feature);
       meshes.push_back(std::move(mesh));
     }
   }
+  /// Raises the tile's stated error to that of an object.
   void certify(double error_m, const Bounds& bounds) {
     tile.error_m = std::max(tile.error_m, error_m);
     if (!part) return;
@@ -44,28 +48,32 @@ struct Baking {
   }
 };
 
-/// Expands every object of one kind; an object of which nothing is left counts as dropped by the tolerance.
-template <typename Object, typename BoundsOf, typename Expand>
+/// Generates every object of one kind. An object without meshes counts as dropped by the tolerance.
+template <typename Object, typename BoundsOf, typename Generate>
 void bake_each(Baking& baking, const std::vector<Object>& objects, const char* kind, Report& report, BoundsOf bounds_of,
-               Expand generate) {
+               Generate generate) {
   Account account;
   for (const Object& object : objects) {
     const Bounds bounds = bounds_of(object);
     if (!baking.holds(bounds)) continue;
     ++account.in;
-    auto expanded = generate(object);
-    baking.certify(expanded.error_m, bounds);
-    if (expanded.meshes.empty()) {
-      report.drop(account, Code::kBelowTolerance, object.id.osm, expanded.error_m);
+    auto generated = generate(object);
+    baking.certify(generated.error_m, bounds);
+    if (generated.meshes.empty()) {
+      report.drop(account, Code::kBelowTolerance, object.id.osm, generated.error_m);
       continue;
     }
     ++account.out;
-    baking.take(std::move(expanded.meshes));
+    baking.take(std::move(generated.meshes));
   }
   report.account("bake", kind) = account;
 }
 
-/// The feature's place in the tile's list.
-std::uint32_t number_of(const BakedTile& tile, OsmId feature);
+/// The index of a feature, which must be among the tile's.
+inline std::uint32_t number_of(const BakedTile& tile, OsmId feature) {
+  const auto found = std::ranges::lower_bound(tile.features, feature);
+  assert(found != tile.features.end() && *found == feature);
+  return static_cast<std::uint32_t>(found - tile.features.begin());
+}
 
 }  // namespace citykiln::bake

@@ -1,8 +1,10 @@
 #include "compiler/bake/border_tint.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/map/locate.h"
 
 namespace citykiln::bake {
@@ -27,8 +29,7 @@ std::vector<Corner> soft_corners(const ground::GroundMesh& ground,
     for (const std::uint32_t v : ground.mesh.triangles[f])
       if (!is_on_cell_border(ground.mesh.positions[v])) corners.push_back({v, surface});
   }
-  std::ranges::sort(corners);
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  sort_unique(corners);
   return corners;
 }
 
@@ -36,6 +37,7 @@ std::vector<Corner> soft_corners(const ground::GroundMesh& ground,
 
 BorderTints border_tints(const ground::GroundMesh& ground, const std::vector<ground::LandCoverPolygon>& surfaces,
                          std::uint64_t seed, plants::Month month) {
+  assert(ground.face_cover.size() == ground.mesh.triangles.size());
   const std::size_t count = ground.mesh.positions.size();
   BorderTints border{std::vector<TintFactor>(count), std::vector<bool>(count, false)};
   const std::vector<Corner> corners = soft_corners(ground, surfaces);
@@ -45,10 +47,10 @@ BorderTints border_tints(const ground::GroundMesh& ground, const std::vector<gro
     const double share = 1.0 / static_cast<double>(end - first);
     for (auto c = first; c != end; ++c) {
       const ground::LandCoverPolygon& surface = surfaces[c->surface];
-      const TintFactor shade = surface_tint(surface, values_of(surface.surface).material, seed, month);
-      sum = {sum.red + share * shade.red, sum.green + share * shade.green, sum.blue + share * shade.blue};
+      const TintFactor tint = surface_tint(surface, values_of(surface.surface).material, seed, month);
+      sum = {sum.red + share * tint.red, sum.green + share * tint.green, sum.blue + share * tint.blue};
     }
-    border.shades[first->vertex] = sum, border.is_shared[first->vertex] = end - first > 1;
+    border.tints[first->vertex] = sum, border.is_shared[first->vertex] = end - first > 1;
     first = end;
   }
   return border;

@@ -1,4 +1,4 @@
-// Where soft areas meet, their tints meet halfway.
+// Blends tints where areas with soft borders meet.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace citykiln::bake {
 
-/// The shade of each vertex that soft surfaces (ground_tint.h) share; elsewhere nothing.
+/// Tints of the vertices that surfaces with soft borders (ground_tint.h) share; undefined at other vertices.
 struct BorderTints {
-  std::vector<TintFactor> shades;
+  std::vector<TintFactor> tints;
   std::vector<bool> is_shared;
 };
 
-/// The mean of the surfaces about a vertex, whatever the order of faces. On the border of a cell nothing is shared: the
-/// cells on both sides must agree, and each sees its own faces alone.
+/// Returns for each shared vertex the mean of the surfaces about it, whatever the order of faces. On the border of a
+/// cell no vertex is shared: the cells on both sides must agree, and each has only its own faces.
 ///
-/// What this cannot do: it carries the tints, not the materials' colours and textures, and it reaches as far as the
-/// triangles at the border do; blending colours that way would paint large triangles in their neighbour's.
+/// Limits: only tints are blended, not the materials' colours and textures, and the transition is as wide as the
+/// triangles at the border. Blended colours would cover large triangles in their neighbour's colour.
 BorderTints border_tints(const ground::GroundMesh& ground, const std::vector<ground::LandCoverPolygon>& surfaces,
                          std::uint64_t seed, plants::Month month = plants::kMidsummer);
 

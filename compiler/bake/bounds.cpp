@@ -7,10 +7,10 @@ namespace {
 
 double beyond(double least, double most, double x) { return std::max({least - x, x - most, 0.0}); }
 
-// Parapets, abutments and frames of mouths reach no farther beyond a road's edges, nor above a bore's road.
-// Balconies, eaves and chimneys.
-constexpr double kAboutHouse_m = 3;
-constexpr double kAboutSpan_m = 2, kBore_m = 8;
+// Upper bound of how far balconies, eaves and chimneys stand out.
+constexpr double kBuildingMargin_m = 3;
+// Upper bounds of how far parapets, abutments and portals stand out from a road's edges, and of a bore's height.
+constexpr double kSpanMargin_m = 2, kBore_m = 8;
 
 }  // namespace
 
@@ -21,14 +21,15 @@ double distance_m(const Bounds& bounds, Vec3 place) {
 }
 
 Bounds bounds_of(const buildings::Building& building) {
-  return {box_of(building.footprint.outer).widened(kAboutHouse_m), building.bottom_m, building.top_m + kAboutHouse_m};
+  return {box_of(building.footprint.outer).widened(kBuildingMargin_m), building.bottom_m,
+          building.top_m + kBuildingMargin_m};
 }
 
 Bounds bounds_of(const structures::Span& span) {
-  Bounds bounds{box_of(span.axis).widened(roads::max_offset_m(span) + kAboutSpan_m)};
+  Bounds bounds{box_of(span.axis).widened(roads::max_offset_m(span) + kSpanMargin_m)};
   if (span.profile.empty()) return bounds;
   const auto [low, high] = std::ranges::minmax(span.profile, {}, &Knot::z_m);
-  bounds.low_m = low.z_m - kAboutSpan_m, bounds.high_m = high.z_m + kBore_m;
+  bounds.low_m = low.z_m - kSpanMargin_m, bounds.high_m = high.z_m + kBore_m;
   for (const structures::Pier& pier : span.piers) bounds.low_m = std::min(bounds.low_m, pier.foot_m);
   return bounds;
 }

@@ -1,4 +1,4 @@
-// Where things are: boxes of the plane between two heights.
+// Bounding volumes of objects: boxes of the plane between two heights.
 #pragma once
 
 #include <vector>
@@ -13,25 +13,25 @@
 
 namespace citykiln::bake {
 
-/// Heights of the plane; plan and heights closed.
+/// A closed box of the plane, and a closed interval of heights.
 struct Bounds {
   Box2 plan{};
   double low_m = 0, high_m = 0;
 };
 
-/// 0 for a place within.
+/// The distance from a point to the bounds; 0 inside.
 double distance_m(const Bounds& bounds, Vec3 place);
 
 Bounds bounds_of(const buildings::Building& building);
-/// As wide as whatever stands on its edges or about its mouths, as low as its piers' feet, as high as a bore.
+/// Includes parapets and portals; from the feet of piers to the top of a bore.
 Bounds bounds_of(const structures::Span& span);
-/// On the terrain near its axis, and its own height above that.
+/// From the lowest terrain near the axis to the barrier's height above the highest.
 Bounds bounds_of(const props::Barrier& barrier, const map::Heightfield& terrain);
-/// A mesh 1 m tall, and as wide, placed.
+/// Of a placed mesh that is 1 m tall and 1 m wide.
 Bounds bounds_of(const Placement& placement);
 Bounds bounds_of(const Mesh& mesh);
 
-/// The terrain in a box and a little around it.
+/// Of the terrain in a box.
 Bounds bounds_of(const map::Heightfield& terrain, const Box2& box);
 
 }  // namespace citykiln::bake

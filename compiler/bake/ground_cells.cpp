@@ -1,6 +1,8 @@
 #include "compiler/bake/ground_cells.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <optional>
 
 #include "compiler/contract/for_each_slot.h"
@@ -13,10 +15,10 @@ namespace {
 using ground::kNoLandCover;
 using ground::LandCoverPolygon;
 
-// What lies farther than this from a cell cannot touch it; a whole number keeps trimming independent of rounding.
-constexpr double kCellReach_m = 1;
+// Surfaces are trimmed so far beyond a cell; a whole number keeps trimming independent of rounding.
+constexpr double kCellHalo_m = 1;
 
-// The rings near a cell, and which surface of the tile each of the cell's surfaces is.
+// The surfaces near a cell, trimmed, and their indices among the tile's.
 struct CellSurfaces {
   std::vector<LandCoverPolygon> surfaces;
   std::vector<std::uint32_t> numbers;
@@ -26,7 +28,7 @@ CellSurfaces surfaces_near(std::span<const LandCoverPolygon> surfaces, std::span
                            const Box2& cell) {
   CellSurfaces near;
   for (const std::uint32_t i : candidates) {
-    LandCoverPolygon trimmed = ground::trimmed_to(surfaces[i], cell.widened(kCellReach_m));
+    LandCoverPolygon trimmed = ground::trimmed_to(surfaces[i], cell.widened(kCellHalo_m));
     if (trimmed.rings.empty()) continue;
     near.surfaces.push_back(std::move(trimmed));
     near.numbers.push_back(i);
@@ -34,7 +36,7 @@ CellSurfaces surfaces_near(std::span<const LandCoverPolygon> surfaces, std::span
   return near;
 }
 
-// The surfaces whose boxes touch each cell.
+// The indices of the surfaces whose boxes touch each cell.
 using Candidates = std::vector<std::vector<std::uint32_t>>;
 
 Candidates candidates_of(std::span<const LandCoverPolygon> surfaces, std::span<const Box2> cells) {
@@ -44,7 +46,7 @@ Candidates candidates_of(std::span<const LandCoverPolygon> surfaces, std::span<c
     for (const Ring& ring : surfaces[i].rings)
       for (const Vec2 p : ring) box.grow(p);
     for (std::size_t c = 0; c < cells.size(); ++c)
-      if (box.touches(cells[c].widened(kCellReach_m))) candidates[c].push_back(i);
+      if (box.touches(cells[c].widened(kCellHalo_m))) candidates[c].push_back(i);
   }
   return candidates;
 }
@@ -54,51 +56,53 @@ struct GeneratedCell {
   Report report;
 };
 
-// What one level of a cell is made of, and which level before it, or itself, knows the cell for it.
+GeneratedCell generate(const ground::PreparedCell& prepared, ground::GradedNormals& normals, const CellLevel& level,
+                       const CellSurfaces& near) {
+  GeneratedCell cell;
+  cell.ground = ground::generate_cell(prepared, normals, level.tolerance_m, level.sides_m, cell.report);
+  for (std::uint32_t& surface : cell.ground.face_cover)
+    if (surface != kNoLandCover) surface = near.numbers[surface];
+  return cell;
+}
+
+// The surfaces of one level near a cell, and the first level with the same surfaces and graded terrain.
 struct LevelInCell {
   CellSurfaces near;
   std::size_t source_level;
 };
 
-std::vector<LevelInCell> cell_levels(std::span<const GroundLevel> levels, std::span<const Candidates> candidates,
-                                     std::size_t c, const Box2& cell) {
-  std::vector<LevelInCell> made;
+std::vector<LevelInCell> levels_in_cell(std::span<const GroundLevel> levels, std::span<const Candidates> candidates,
+                                        std::size_t c, const Box2& cell) {
+  std::vector<LevelInCell> all;
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    made.push_back({surfaces_near(levels[level].surfaces, candidates[level][c], cell), level});
-    for (std::size_t before = 0; before < level && made.back().source_level == level; ++before)
-      if (&levels[before].graded == &levels[level].graded && made[before].near.surfaces == made.back().near.surfaces)
-        made.back().source_level = made[before].source_level;
+    all.push_back({surfaces_near(levels[level].surfaces, candidates[level][c], cell), level});
+    for (std::size_t before = 0; before < level && all.back().source_level == level; ++before)
+      if (&levels[before].graded == &levels[level].graded && all[before].near.surfaces == all.back().near.surfaces)
+        all.back().source_level = all[before].source_level;
   }
-  return made;
+  return all;
 }
 
-// The levels that one of them knows the cell for.
-void generate_known(std::span<const GroundLevel> levels, std::span<const LevelInCell> made, std::size_t source_level,
-                    const Box2& cell, std::vector<GeneratedCell>& expanded) {
-  const ground::GradedTerrain& graded = levels[source_level].graded;
-  const ground::PreparedCell known = ground::prepare_cell(made[source_level].near.surfaces, graded, cell);
-  ground::GradedNormals normals(graded);
-  for (std::size_t level = source_level; level < levels.size(); ++level) {
-    if (made[level].source_level != source_level) continue;
-    GeneratedCell& here = expanded[level];
-    here.ground = ground::generate_cell(known, normals, levels[level].tolerance_m, here.report);
-    for (std::uint32_t& surface : here.ground.face_cover)
-      if (surface != kNoLandCover) surface = made[level].near.numbers[surface];
+// Generates a cell at all levels; those with one source level share what it prepares.
+std::vector<GeneratedCell> generate_levels(std::span<const GroundLevel> levels, std::span<const LevelInCell> in_cell,
+                                           const Box2& cell) {
+  std::vector<GeneratedCell> generated(levels.size());
+  for (std::size_t source = 0; source < levels.size(); ++source) {
+    if (in_cell[source].source_level != source) continue;
+    const ground::GradedTerrain& graded = levels[source].graded;
+    const ground::PreparedCell prepared = ground::prepare_cell(in_cell[source].near.surfaces, graded, cell);
+    ground::GradedNormals normals(graded);
+    for (std::size_t level = source; level < levels.size(); ++level)
+      if (const double t = levels[level].tolerance_m; in_cell[level].source_level == source)
+        generated[level] = generate(prepared, normals, {cell, t, ground::all_sides(t)}, in_cell[level].near);
   }
-}
-
-std::vector<GeneratedCell> generate_ladder(std::span<const GroundLevel> levels, std::span<const Candidates> candidates,
-                                           std::size_t c, const Box2& cell) {
-  const std::vector<LevelInCell> made = cell_levels(levels, candidates, c, cell);
-  std::vector<GeneratedCell> expanded(levels.size());
-  for (std::size_t level = 0; level < levels.size(); ++level)
-    if (made[level].source_level == level) generate_known(levels, made, level, cell, expanded);
-  return expanded;
+  return generated;
 }
 
 }  // namespace
 
 std::vector<Box2> cells_of(const Box2& tile) {
+  assert(std::floor(tile.width() / map::kCell_m) * map::kCell_m == tile.width());
   std::vector<Box2> cells;
   for (double x = tile.min.x; x < tile.max.x; x += map::kCell_m)
     for (double y = tile.min.y; y < tile.max.y; y += map::kCell_m)
@@ -108,11 +112,13 @@ std::vector<Box2> cells_of(const Box2& tile) {
 
 std::vector<std::vector<ground::GroundMesh>> generate_cells(std::span<const GroundLevel> levels, const Box2& tile,
                                                             int threads, std::span<Report> reports) {
+  assert(reports.size() == levels.size());
   const std::vector<Box2> cells = cells_of(tile);
   std::vector<Candidates> candidates;
   for (const GroundLevel& level : levels) candidates.push_back(candidates_of(level.surfaces, cells));
-  auto slots = for_each_slot<std::vector<GeneratedCell>>(
-      cells.size(), threads, [&](std::size_t c) { return generate_ladder(levels, candidates, c, cells[c]); });
+  auto slots = for_each_slot<std::vector<GeneratedCell>>(cells.size(), threads, [&](std::size_t c) {
+    return generate_levels(levels, levels_in_cell(levels, candidates, c, cells[c]), cells[c]);
+  });
   std::vector<std::vector<ground::GroundMesh>> grounds(levels.size());
   for (std::vector<GeneratedCell>& slot : slots)
     for (std::size_t level = 0; level < levels.size(); ++level) {
@@ -136,15 +142,9 @@ std::vector<ground::GroundMesh> generate_cells(const ground::GradedTerrain& grad
   for (const CellLevel& level : cells) boxes.push_back(level.cell);
   const auto candidates = candidates_of(surfaces, boxes);
   std::vector<GeneratedCell> slots = for_each_slot<GeneratedCell>(cells.size(), threads, [&](std::size_t c) {
-    GeneratedCell slot;
-    const auto& [cell, tolerance_m, sides_m] = cells[c];
-    const CellSurfaces near = surfaces_near(surfaces, candidates[c], cell);
+    const CellSurfaces near = surfaces_near(surfaces, candidates[c], boxes[c]);
     ground::GradedNormals normals(graded);
-    const ground::PreparedCell known = ground::prepare_cell(near.surfaces, graded, cell);
-    slot.ground = ground::generate_cell(known, normals, tolerance_m, sides_m, slot.report);
-    for (std::uint32_t& surface : slot.ground.face_cover)
-      if (surface != kNoLandCover) surface = near.numbers[surface];
-    return slot;
+    return generate(ground::prepare_cell(near.surfaces, graded, boxes[c]), normals, cells[c], near);
   });
   std::vector<ground::GroundMesh> grounds;
   for (GeneratedCell& slot : slots) {

@@ -1,4 +1,4 @@
-// The ground of a tile: all its cells.
+// The ground of a tile, cell by cell.
 #pragma once
 
 #include <span>
@@ -10,41 +10,42 @@
 
 namespace citykiln::bake {
 
-/// The cells of a tile's box, by column, then row.
+/// The cells of a tile's box, by column, then row. The box is a whole number of cells.
 std::vector<Box2> cells_of(const Box2& tile);
 
-/// What the ground of a tile is at one level of a ladder.
+/// The inputs of a tile's ground at one level of a ladder.
 struct GroundLevel {
   const ground::GradedTerrain& graded;
   std::span<const ground::LandCoverPolygon> surfaces;
   double tolerance_m;
 };
 
-/// The ground of each cell, in the order of cells_of, level by level. Levels with one carving share what a cell knows
-/// where their surfaces near it are equal: the same bytes as level after level, in less time.
-/// @param reports  One a level.
-/// Memory: one cell's knowledge a thread, and the meshes of all levels.
+/// Generates the ground of each cell, in the order of cells_of, level by level. Levels with the same graded terrain
+/// share the arrangement of a cell where their surfaces near it are equal, which saves time and changes no byte.
+///
+/// @param reports  One per level.
+/// Memory: one cell's arrangement per thread, and the meshes of all levels.
 std::vector<std::vector<ground::GroundMesh>> generate_cells(std::span<const GroundLevel> levels, const Box2& tile,
                                                             int threads, std::span<Report> reports);
 
-/// One level of them.
+/// The same for one level.
 std::vector<ground::GroundMesh> generate_cells(const ground::GradedTerrain& graded,
                                                std::span<const ground::LandCoverPolygon> surfaces, const Box2& tile,
                                                double tolerance_m, int threads, Report& report);
 
-/// A cell, and how fine it is made.
+/// A cell and its tolerances: its own, and those of its sides.
 struct CellLevel {
   Box2 cell;
   double tolerance_m;
   ground::SideTolerances sides_m;
 };
 
-/// The ground of some cells of a tile, each at its own level.
+/// Generates the ground of some cells of a tile, each at its own tolerance.
 std::vector<ground::GroundMesh> generate_cells(const ground::GradedTerrain& graded,
                                                std::span<const ground::LandCoverPolygon> surfaces,
                                                std::span<const CellLevel> cells, int threads, Report& report);
 
-/// What each of a tile's cells is certified against, in the order of cells_of.
+/// The references against which the cells' errors are certified, in the order of cells_of.
 std::vector<ground::Reference> reference_cells(const ground::GradedTerrain& graded,
                                                std::span<const ground::LandCoverPolygon> surfaces, const Box2& tile,
                                                int threads);

@@ -12,7 +12,7 @@ bool is_town(LandCoverGroup group) {
   return group == LandCoverGroup::kTown || group == LandCoverGroup::kIndustry || group == LandCoverGroup::kGarden;
 }
 
-// Two lengths of waves, so that the line neither runs level nor in bows of one size.
+// Noise of two wavelengths keeps the snow line from running level, or in waves of one size.
 bool is_above(Vec3 at, double snow_line_m, std::uint64_t seed) {
   const double sway =
       0.6 * materials::noise_at(in_plan(at), 260, seed) + 0.4 * materials::noise_at(in_plan(at), 70, seed);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <numeric>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "compiler/bake/ground_material.h"
 #include "compiler/bake/ground_tint.h"
 #include "compiler/bake/ground_uvs.h"
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/materials/texture.h"
 #include "compiler/roads/markings/marking_atlas.h"
 
@@ -19,7 +21,7 @@ using ground::kNoLandCover;
 using materials::Material;
 using materials::MaterialMesh;
 
-// Everything that dressing a cell looks at.
+// The inputs of a cell's material meshes.
 struct CellContext {
   const ground::GroundMesh& ground;
   const scene::LandCover& cover;
@@ -30,7 +32,7 @@ struct CellContext {
   BorderTints border = border_tints(ground, cover.surfaces, header.seed, month);
 };
 
-// The piece that a surface is, or null.
+// The piece of a road that a surface is, or null.
 const roads::Piece* piece_of(const scene::LandCover& cover, std::uint32_t surface) {
   if (surface == kNoLandCover || cover.surfaces[surface].piece == 0) return nullptr;
   return &cover.pieces[cover.surfaces[surface].piece - 1];
@@ -40,16 +42,16 @@ map::LandCoverClass class_of(const scene::LandCover& cover, std::uint32_t surfac
   return surface == kNoLandCover ? map::LandCoverClass::kUnknown : cover.surfaces[surface].surface;
 }
 
-// Faces of one mesh are those of one surface, or of one run of a road's pieces, and of one material.
-struct MeshOf {
+// The key of a mesh: one surface, or one run of a road's pieces, and one material.
+struct MeshKey {
   bool is_run;
   std::uint32_t number;
   Material material;
-  auto operator<=>(const MeshOf&) const = default;
+  auto operator<=>(const MeshKey&) const = default;
 };
-MeshOf mesh_of(const scene::LandCover& cover, std::uint32_t surface, Material material) {
+MeshKey mesh_key(const scene::LandCover& cover, std::uint32_t surface, Material material) {
   const roads::Piece* piece = piece_of(cover, surface);
-  return piece ? MeshOf{true, piece->run, material} : MeshOf{false, surface, material};
+  return piece ? MeshKey{true, piece->run, material} : MeshKey{false, surface, material};
 }
 
 const Column* column_of(const Markings& markings, const roads::Piece* piece) {
@@ -58,7 +60,7 @@ const Column* column_of(const Markings& markings, const roads::Piece* piece) {
   return column.left_m < 0 ? nullptr : &column;
 }
 
-Vec2 on_sheet(const Column& column, Vec2 uv) {
+Vec2 on_atlas(const Column& column, Vec2 uv) {
   if (column.is_turned) uv = {column.width_m - uv.x, column.length_m - uv.y};
   return {column.left_m + uv.x, uv.y};
 }
@@ -75,7 +77,7 @@ Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
   return unit(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]));
 }
 
-// The flatter one of the face's own normal and of its corners' mean: rounding turns slivers any way.
+// The flatter one of the face's own normal and of its corners' mean, since rounding may turn slivers any way.
 Vec3 slope_of(const Mesh& mesh, std::size_t face) {
   const Triangle& t = mesh.triangles[face];
   const Vec3 own = normal_of(mesh, t), smooth = unit(mesh.normals[t[0]] + mesh.normals[t[1]] + mesh.normals[t[2]]);
@@ -101,58 +103,58 @@ std::vector<Material> materials_of_faces(const CellContext& d) {
   return all;
 }
 
-// What lies under a building is seen by nobody.
+// Ground under buildings needs no texture.
 bool shows_texture(const CellContext& d, std::uint32_t surface, Material material) {
   return class_of(d.cover, surface) != map::LandCoverClass::kBuilding && has_texture(material, d.tolerance_m);
 }
 
-// Where a face's corners lie on the sheet or on its material's texture.
-using Places = std::array<Vec2, 3>;
+// The uvs of a face's corners, on the marking atlas or on its material's texture.
+using FaceUvs = std::array<Vec2, 3>;
 
-template <typename Place>
-Places places(const CellContext& d, std::uint32_t face, Place place) {
+template <typename UvAt>
+FaceUvs each_corner(const CellContext& d, std::uint32_t face, UvAt uv_at) {
   const Triangle& t = d.ground.mesh.triangles[face];
-  const auto at = [&](std::size_t i) { return place(d.ground.mesh.positions[t[i]]); };
+  const auto at = [&](std::size_t i) { return uv_at(d.ground.mesh.positions[t[i]]); };
   return {at(0), at(1), at(2)};
 }
 
-Places less(Places places, Vec2 off) { return {places[0] - off, places[1] - off, places[2] - off}; }
+FaceUvs minus(FaceUvs uvs, Vec2 off) { return {uvs[0] - off, uvs[1] - off, uvs[2] - off}; }
 
-// All of a cell is told from one corner of it, so that its faces share vertices.
-Places places_on_land(const CellContext& d, std::uint32_t face, Material material) {
+// The whole cell subtracts the same periods, so that its faces share vertices.
+FaceUvs uvs_on_land(const CellContext& d, std::uint32_t face, Material material) {
   const std::uint32_t surface = d.ground.face_cover[face];
   const Vec2 east =
       surface == kNoLandCover ? Vec2{1, 0} : texture_direction(d.cover.surfaces[surface].id, material, d.header.seed);
-  const Places of_face = places(d, face, [&](Vec3 p) { return uv_on_land(in_plan(p), east); });
-  return less(of_face, periods_below_cell(in_plan(centre_of(d.ground.mesh, face)), east));
+  const FaceUvs of_face = each_corner(d, face, [&](Vec3 p) { return uv_on_land(in_plan(p), east); });
+  return minus(of_face, periods_below_cell(in_plan(centre_of(d.ground.mesh, face)), east));
 }
 
-// Nothing where the face shows neither.
-std::optional<Places> places_of(const CellContext& d, std::uint32_t face, Material material) {
+// Nothing where the face shows neither the marking atlas nor a texture.
+std::optional<FaceUvs> uvs_of(const CellContext& d, std::uint32_t face, Material material) {
   const std::uint32_t surface = d.ground.face_cover[face];
   const roads::Piece* piece = piece_of(d.cover, surface);
   if (const Column* column = column_of(d.markings, piece))
-    return places(d, face, [&](Vec3 p) { return on_sheet(*column, roads::uv_at(piece->frame, in_plan(p))); });
+    return each_corner(d, face, [&](Vec3 p) { return on_atlas(*column, roads::uv_at(piece->frame, in_plan(p))); });
   if (piece) {
-    const Places along = places(d, face, [&](Vec3 p) { return on_grid(roads::uv_at(piece->frame, in_plan(p))); });
-    return less(along, periods_below(along));
+    const FaceUvs along = each_corner(d, face, [&](Vec3 p) { return on_grid(roads::uv_at(piece->frame, in_plan(p))); });
+    return minus(along, periods_below(along));
   }
   if (!shows_texture(d, surface, material)) return std::nullopt;
   const Vec3 normal = slope_of(d.ground.mesh, face);
-  if (normal.z >= kSteepCosine) return places_on_land(d, face, material);
-  const Places on_wall = places(d, face, [&](Vec3 p) { return uv_on_wall(p, normal); });
-  return less(on_wall, periods_below(on_wall));
+  if (normal.z >= kSteepCosine) return uvs_on_land(d, face, material);
+  const FaceUvs on_wall = each_corner(d, face, [&](Vec3 p) { return uv_on_wall(p, normal); });
+  return minus(on_wall, periods_below(on_wall));
 }
 
 materials::Tint tint_at(const CellContext& d, std::uint32_t surface, Material material, std::uint32_t v) {
   const Vec2 place = in_plan(d.ground.mesh.positions[v]);
-  TintFactor shade;
-  if (surface != kNoLandCover) shade = surface_tint(d.cover.surfaces[surface], material, d.header.seed, d.month);
-  if (d.border.is_shared[v] && has_soft_border(class_of(d.cover, surface))) shade = d.border.shades[v];
-  return tint_of(shade, place_tint(place, material, d.header.seed));
+  TintFactor tint;
+  if (surface != kNoLandCover) tint = surface_tint(d.cover.surfaces[surface], material, d.header.seed, d.month);
+  if (d.border.is_shared[v] && has_soft_border(class_of(d.cover, surface))) tint = d.border.tints[v];
+  return tint_of(tint, place_tint(place, material, d.header.seed));
 }
 
-MaterialMesh dressed_as(const CellContext& d, std::uint32_t surface, Material material) {
+MaterialMesh empty_mesh(const CellContext& d, std::uint32_t surface, Material material) {
   MaterialMesh mesh;
   mesh.material = material;
   if (surface == kNoLandCover) return mesh;
@@ -161,36 +163,35 @@ MaterialMesh dressed_as(const CellContext& d, std::uint32_t surface, Material ma
   return mesh;
 }
 
-// Where the ground's vertices are in the meshes made of it.
+// The ground's vertices in the meshes made of it.
 struct VertexMap {
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
   std::vector<std::uint32_t> mesh, vertex;
   explicit VertexMap(std::size_t count) : mesh(count, kNowhere), vertex(count, 0) {}
 };
 
-// The last mesh's vertex for one of the ground's, with this place: the one it has, or a new one.
+// The last mesh's vertex for a vertex of the ground with a uv: the one it has, or a new one.
 std::uint32_t vertex_in(std::vector<MaterialMesh>& all, const CellContext& d, std::uint32_t surface, std::uint32_t v,
-                        const std::optional<Vec2>& uv, VertexMap& known) {
-  MaterialMesh& dressed = all.back();
-  const auto mesh = static_cast<std::uint32_t>(all.size());
-  const bool is_known = known.mesh[v] == mesh && (!uv || dressed.uvs[known.vertex[v]] == *uv);
-  if (is_known) return known.vertex[v];
-  known.mesh[v] = mesh;
-  known.vertex[v] = static_cast<std::uint32_t>(dressed.mesh.positions.size());
-  dressed.mesh.positions.push_back(d.ground.mesh.positions[v]);
-  dressed.mesh.normals.push_back(d.ground.mesh.normals[v]);
-  dressed.tints.push_back(tint_at(d, surface, dressed.material, v));
-  if (uv) dressed.uvs.push_back(*uv);
-  return known.vertex[v];
+                        const std::optional<Vec2>& uv, VertexMap& map) {
+  MaterialMesh& mesh = all.back();
+  const auto number = static_cast<std::uint32_t>(all.size());
+  if (map.mesh[v] == number && (!uv || mesh.uvs[map.vertex[v]] == *uv)) return map.vertex[v];
+  map.mesh[v] = number;
+  map.vertex[v] = static_cast<std::uint32_t>(mesh.mesh.positions.size());
+  mesh.mesh.positions.push_back(d.ground.mesh.positions[v]);
+  mesh.mesh.normals.push_back(d.ground.mesh.normals[v]);
+  mesh.tints.push_back(tint_at(d, surface, mesh.material, v));
+  if (uv) mesh.uvs.push_back(*uv);
+  return map.vertex[v];
 }
 
-void add_face(std::vector<MaterialMesh>& all, const CellContext& d, std::uint32_t face, VertexMap& known) {
-  const std::optional<Places> places = places_of(d, face, all.back().material);
+void add_face(std::vector<MaterialMesh>& all, const CellContext& d, std::uint32_t face, VertexMap& map) {
+  const std::optional<FaceUvs> uvs = uvs_of(d, face, all.back().material);
   Triangle triangle = d.ground.mesh.triangles[face];
   for (std::size_t i = 0; i < 3; ++i) {
     std::optional<Vec2> uv;
-    if (places) uv = (*places)[i];
-    triangle[i] = vertex_in(all, d, d.ground.face_cover[face], triangle[i], uv, known);
+    if (uvs) uv = (*uvs)[i];
+    triangle[i] = vertex_in(all, d, d.ground.face_cover[face], triangle[i], uv, map);
   }
   all.back().mesh.triangles.push_back(triangle);
 }
@@ -204,8 +205,7 @@ Markings lay_out_markings(const scene::LandCover& cover, double tolerance_m) {
     drawn.push_back(roads::canonical_layout(layout));
     unique.push_back(drawn.back().layout);
   }
-  std::ranges::sort(unique);
-  unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
+  sort_unique(unique);
   roads::MarkingAtlas atlas = roads::make_marking_atlas(unique, tolerance_m);
   Markings markings{std::move(atlas.sheet), {}};
   for (const roads::CanonicalLayout& d : drawn) {
@@ -219,27 +219,28 @@ Markings lay_out_markings(const scene::LandCover& cover, double tolerance_m) {
 void map_to_atlas(const Column& column, MaterialMesh& mesh) {
   if (column.left_m < 0) return;
   mesh.colour_source = materials::ColourSource::kByMarkingAtlas;
-  for (Vec2& uv : mesh.uvs) uv = on_sheet(column, uv);
+  for (Vec2& uv : mesh.uvs) uv = on_atlas(column, uv);
 }
 
 std::vector<MaterialMesh> material_meshes(const ground::GroundMesh& ground, const scene::LandCover& cover,
                                           const Markings& markings, const scene::Header& header, double tolerance_m) {
+  assert(ground.face_cover.size() == ground.mesh.triangles.size() && markings.columns.size() >= cover.layouts.size());
   const CellContext d{ground, cover, markings, header, tolerance_m};
   const std::vector<Material> materials = materials_of_faces(d);
-  const auto mesh_of_face = [&](std::uint32_t f) { return mesh_of(cover, ground.face_cover[f], materials[f]); };
+  const auto key_of_face = [&](std::uint32_t f) { return mesh_key(cover, ground.face_cover[f], materials[f]); };
   std::vector<std::uint32_t> order(ground.face_cover.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, {}, mesh_of_face);
+  std::ranges::stable_sort(order, {}, key_of_face);
 
-  std::vector<MaterialMesh> dressed;
-  VertexMap known(ground.mesh.positions.size());
-  std::optional<MeshOf> last;
+  std::vector<MaterialMesh> meshes;
+  VertexMap map(ground.mesh.positions.size());
+  std::optional<MeshKey> last;
   for (const std::uint32_t f : order) {
-    if (last != mesh_of_face(f)) dressed.push_back(dressed_as(d, ground.face_cover[f], materials[f]));
-    last = mesh_of_face(f);
-    add_face(dressed, d, f, known);
+    if (last != key_of_face(f)) meshes.push_back(empty_mesh(d, ground.face_cover[f], materials[f]));
+    last = key_of_face(f);
+    add_face(meshes, d, f, map);
   }
-  return dressed;
+  return meshes;
 }
 
 }  // namespace citykiln::bake

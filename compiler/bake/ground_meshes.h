@@ -1,4 +1,4 @@
-// What the ground is made of: materials, tints, and on roads the coordinates of what is painted there.
+// Divides the ground by material and gives it tints and texture coordinates.
 #pragma once
 
 #include <vector>
@@ -10,28 +10,29 @@
 
 namespace citykiln::bake {
 
-/// A pattern's column on the sheet.
+/// The place of a marking layout on the marking atlas.
 struct Column {
-  double left_m = 0;                 ///< Where u = 0 of the pattern lies; < 0: it has none.
-  bool is_turned = false;            ///< Drawn as its strip turned round.
-  double width_m = 0, length_m = 0;  ///< Of the pattern.
+  double left_m = 0;                 ///< Where the layout's u = 0 lies; < 0: the layout is not on the atlas.
+  bool is_turned = false;            ///< The atlas holds the layout turned by 180 degrees.
+  double width_m = 0, length_m = 0;  ///< Of the layout.
 };
 
-/// The markings of a tile, and where each of the cover's patterns is on the sheet.
+/// The marking atlas of a tile, and a column per marking layout.
 struct Markings {
-  materials::TextureImage sheet;
+  materials::TextureImage atlas;
   std::vector<Column> columns;
 };
 
-/// Patterns that look alike share a column. Same bytes for the same patterns in any order.
+/// Draws the marking atlas. Layouts that look alike share a column; the order of layouts does not change the atlas.
 Markings lay_out_markings(const scene::LandCover& cover, double tolerance_m);
 
-/// Moves a mesh from its pattern's coordinates onto the sheet; where the pattern has no column it stays plain.
+/// Moves a mesh's uvs from its layout to the marking atlas, if the layout is on it.
 void map_to_atlas(const Column& column, materials::MaterialMesh& mesh);
 
-/// A cell's ground: a mesh a surface, or one a run of a road's pieces, and for each material that slope and snow make
-/// of it (ground_material.h). Vertices have tints (ground_tint.h, border_shade.h), and places on the sheet where a
-/// piece is marked, else on their material's texture where the tolerance has any; on pieces of roads always.
+/// Divides a cell's ground into meshes: one per surface, or per run of a road's pieces, and material, which slope and
+/// snow may change (ground_material.h). Vertices have tints (ground_tint.h, border_tint.h). Marked pieces have uvs on
+/// the marking atlas, other pieces of roads on their material's texture, other surfaces on theirs where the tolerance
+/// has Detail::kMaterialTextures.
 std::vector<materials::MaterialMesh> material_meshes(const ground::GroundMesh& ground, const scene::LandCover& cover,
                                                      const Markings& markings, const scene::Header& header,
                                                      double tolerance_m);

@@ -15,7 +15,7 @@ using ground::LandCoverPolygon;
 using map::LandCoverGroup;
 using materials::Material;
 
-// Against ripe straw, the table's farmland: stubble, ploughed, sown, green, turning, ripe.
+// Relative to ripe straw, the colour of farmland in the material table: stubble, ploughed, sown, green, turning, ripe.
 constexpr TintFactor kCrops[] = {{0.92, 0.92, 0.95}, {0.60, 0.58, 0.80}, {0.52, 0.90, 0.52},
                                  {0.40, 0.70, 0.42}, {0.80, 0.96, 0.60}, {1.00, 0.96, 0.80}};
 
@@ -23,40 +23,40 @@ constexpr std::string_view kCropLetters = "bpogtr";
 
 struct SeasonalTint {
   char letter;
-  TintFactor shade;
+  TintFactor factor;
 };
-constexpr SeasonalTint kTurfs[] = {
-#define TURF(letter, red, green, blue) {letter, {red, green, blue}},
-#define YEAR(material, months)
-#define FIELD(month, fields)
+constexpr SeasonalTint kSeasonalTints[] = {
+#define TINT(letter, red, green, blue) {letter, {red, green, blue}},
+#define MONTHS(material, months)
+#define FIELDS(month, fields)
 #include "compiler/bake/seasonal_tints.inc"
-#undef TURF
-#undef YEAR
-#undef FIELD
+#undef TINT
+#undef MONTHS
+#undef FIELDS
 };
 
-struct Year {
+struct Months {
   Material material;
   std::string_view months;
 };
-constexpr Year kYears[] = {
-#define TURF(letter, red, green, blue)
-#define YEAR(material, months) {Material::material, months},
-#define FIELD(month, fields)
+constexpr Months kMonths[] = {
+#define TINT(letter, red, green, blue)
+#define MONTHS(material, months) {Material::material, months},
+#define FIELDS(month, fields)
 #include "compiler/bake/seasonal_tints.inc"
-#undef TURF
-#undef YEAR
-#undef FIELD
+#undef TINT
+#undef MONTHS
+#undef FIELDS
 };
 
 constexpr std::string_view kFields[] = {
-#define TURF(letter, red, green, blue)
-#define YEAR(material, months)
-#define FIELD(month, fields) fields,
+#define TINT(letter, red, green, blue)
+#define MONTHS(material, months)
+#define FIELDS(month, fields) fields,
 #include "compiler/bake/seasonal_tints.inc"
-#undef TURF
-#undef YEAR
-#undef FIELD
+#undef TINT
+#undef MONTHS
+#undef FIELDS
 };
 static_assert(std::size(kFields) == 12 && kFields[5] == kCropLetters);
 
@@ -66,10 +66,10 @@ TintFactor crop_in(plants::Month month, std::size_t field) {
   return kCrops[kCropLetters.find(kFields[index_of(month)][field])];
 }
 
-TintFactor turf_in(plants::Month month, Material material) {
-  const auto year = std::ranges::find(kYears, material, &Year::material);
-  if (year == std::end(kYears)) return {};
-  return std::ranges::find(kTurfs, year->months[index_of(month)], &SeasonalTint::letter)->shade;
+TintFactor seasonal_tint(plants::Month month, Material material) {
+  const auto year = std::ranges::find(kMonths, material, &Months::material);
+  if (year == std::end(kMonths)) return {};
+  return std::ranges::find(kSeasonalTints, year->months[index_of(month)], &SeasonalTint::letter)->factor;
 }
 
 bool is_green(Material material) {
@@ -91,7 +91,7 @@ bool is_green(Material material) {
 
 TintFactor times(TintFactor a, TintFactor b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }
 
-// -1: lush and bluish; 1: dry and yellowish.
+// @param dryness  -1: bluish green; 1: yellowish.
 TintFactor dried(double dryness) {
   if (dryness > 0) return {1, 1 - 0.07 * dryness, 1 - 0.30 * dryness};
   return {1 + 0.24 * dryness, 1 + 0.04 * dryness, 1 + 0.06 * dryness};
@@ -118,7 +118,7 @@ TintFactor surface_tint(const LandCoverPolygon& surface, Material material, std:
   const TintFactor plain{level, level, level};
   if (material == Material::kFarmland) return times(plain, crop_in(month, draw.below(std::size(kCrops), 1)));
   if (!is_green(material)) return plain;
-  return times(times(plain, dried(0.8 * (2 * draw.unit(1) - 1))), turf_in(month, material));
+  return times(times(plain, dried(0.8 * (2 * draw.unit(1) - 1))), seasonal_tint(month, material));
 }
 
 TintFactor place_tint(Vec2 place_m, Material material, std::uint64_t seed) {
@@ -137,7 +137,7 @@ TintFactor place_tint(Vec2 place_m, Material material, std::uint64_t seed) {
   const double depth = grows ? 0.10 + variation : variation;
   const double level = 1 - depth * std::clamp(0.5 + 0.9 * sum(kLight, seed), 0.0, 1.0);
   const TintFactor light{level, level, level};
-  // a field is sown as one
+  // a field is sown at once, so it dries evenly
   const double spread = material == Material::kFarmland ? 0.5 : 1.3;
   return grows ? times(light, dried(std::clamp(spread * sum(kDry, seed + 100), -1.0, 1.0))) : light;
 }

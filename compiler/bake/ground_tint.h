@@ -1,4 +1,4 @@
-// The tints of the ground: no two fields alike, and no large field of one colour.
+// Tints of the ground: they vary between fields and within large areas.
 #pragma once
 
 #include <cstdint>
@@ -9,27 +9,28 @@
 
 namespace citykiln::bake {
 
-/// What a material's colour is multiplied by, linear, each within 0 … 1.
+/// Multiplies a material's colour, linear, each within 0 … 1.
 struct TintFactor {
   double red = 1, green = 1, blue = 1;
 };
 
-/// What is paved is one surface, whatever ways it was mapped as.
+/// Whether a class is a paved surface; paved surfaces look the same whatever ways they were mapped as.
 bool is_paved(map::LandCoverClass surface);
 
-/// Grass, scrub, bare ground: what goes over into its neighbour without an edge. Fields and gardens have edges.
+/// Whether a class changes into its neighbour without a sharp edge: grass, scrub, bare ground. Fields and gardens have
+/// edges.
 bool has_soft_border(map::LandCoverClass surface);
 
-/// A surface's own: a field's crop, an area's brightness, drawn by its id, in a month (ground_years.inc). Paved ground
-/// has none.
+/// The tint of a surface in a month: of a field's crop (seasonal_tints.inc), of an area's brightness, drawn by its id.
+/// Paved ground has none.
 TintFactor surface_tint(const ground::LandCoverPolygon& surface, materials::Material material, std::uint64_t seed,
                         plants::Month month = plants::kMidsummer);
 
-/// The place's own, in waves of 35 to 300 m: lighter and darker, and where things grow drier and greener. A function of
-/// the place, so that tiles agree.
+/// The tint of a place: noise with wavelengths of 35 to 300 m, of brightness and, on vegetation, of dryness. A function
+/// of the place, so that tiles agree.
 TintFactor place_tint(Vec2 place_m, materials::Material material, std::uint64_t seed);
 
-/// Both, as COLOR_0.
+/// The product of both, as COLOR_0.
 materials::Tint tint_of(TintFactor surface, TintFactor place);
 
 }  // namespace citykiln::bake

@@ -1,5 +1,5 @@
-// Where the ground lies on its textures: metres, less whole periods of all textures, so that numbers stay small and
-// tiles that meet show one picture.
+// Texture coordinates of the ground, in metres. Whole periods of all textures are subtracted, so that numbers stay
+// small and textures continue from tile to tile.
 #pragma once
 
 #include <array>
@@ -11,22 +11,23 @@
 
 namespace citykiln::bake {
 
-/// The direction in which u grows over a surface: east; on what has rows, drawn by its id, and rows run across it.
+/// The direction of u on a surface: east, or, for materials with rows, drawn by the surface's id; rows run across it.
 Vec2 texture_direction(ObjectId surface, materials::Material material, std::uint64_t seed);
 
-/// On land: metres along the direction, and to its left. A multiple of materials::kTextureCoordinateStep_m.
+/// uv on land: metres along the direction (unit length), and to its left. A multiple of
+/// materials::kTextureCoordinateStep_m, here and below.
 Vec2 uv_on_land(Vec2 at, Vec2 direction);
-/// On a steep face: along the wall, east or north whichever is nearer, and up.
+/// uv on a steep face: metres along the wall, east or north, whichever is nearer, and up.
 Vec2 uv_on_wall(Vec3 at, Vec3 normal);
 
-/// A place moved to the nearest multiple of materials::kTextureCoordinateStep_m.
-Vec2 on_grid(Vec2 place);
+/// The nearest multiple of materials::kTextureCoordinateStep_m.
+Vec2 on_grid(Vec2 uv);
 
-/// The whole periods (materials::kTexturePeriod_m) below a triangle: taken off, its places stay under a period and its
-/// size.
-Vec2 periods_below(const std::array<Vec2, 3>& places);
+/// The whole periods (materials::kTexturePeriod_m) below a triangle's uvs. Without them its uvs are less than a period
+/// plus the triangle's size.
+Vec2 periods_below(const std::array<Vec2, 3>& uvs);
 
-/// The same for all of the cell that `at`, a place inside it, lies in.
+/// The whole periods below all uvs on land of the cell that holds the place `at`.
 Vec2 periods_below_cell(Vec2 at, Vec2 direction);
 
 }  // namespace citykiln::bake

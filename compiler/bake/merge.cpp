@@ -11,29 +11,29 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 Float3 single(Vec3 v) {
-  // + 0.0 turns a negative zero, which a text form cannot tell, into a positive one
+  // + 0.0 turns a negative zero, which text forms cannot represent, into a positive one
   return {static_cast<float>(v.x) + 0.0f, static_cast<float>(v.y) + 0.0f, static_cast<float>(v.z) + 0.0f};
 }
 
 Float2 single(Vec2 v) { return {static_cast<float>(v.x) + 0.0f, static_cast<float>(v.y) + 0.0f}; }
 
-// Of a place in single precision, well mixed in its low bits.
+// A hash of a position, well mixed in its low bits.
 std::size_t hash_of(const Float3& p) {
   std::uint64_t h = 0;
   for (const float c : p) h = (h ^ std::bit_cast<std::uint32_t>(c)) * 0x9e3779b97f4a7c15ull;
   return static_cast<std::size_t>(h >> 32 ^ h);
 }
 
-// The primitive's vertices of one mesh, found again by what they are.
+// Finds the vertices that one mesh has added to a primitive, so that equal ones are shared.
 struct Vertices {
-  const materials::MaterialMesh& dressed;
+  const materials::MaterialMesh& source;
   Primitive& primitive;
   Vec3 origin;
   std::uint32_t feature;
   std::uint32_t base = static_cast<std::uint32_t>(primitive.positions.size());
-  // linked lists, by place
-  std::vector<std::uint32_t> first = std::vector<std::uint32_t>(std::bit_ceil(dressed.mesh.positions.size()), kNone);
-  std::vector<std::uint32_t> next{};  // by vertex of the primitive, from `base` on
+  // linked lists of vertices with one hash
+  std::vector<std::uint32_t> first = std::vector<std::uint32_t>(std::bit_ceil(source.mesh.positions.size()), kNone);
+  std::vector<std::uint32_t> next{};  // by vertex of the primitive - base
 
   bool is(std::uint32_t v, const Float3& p, const Float3& normal, materials::Tint tint, const Float2* uv) const {
     return primitive.positions[v] == p && primitive.normals[v] == normal && primitive.colours[v] == tint &&
@@ -41,10 +41,10 @@ struct Vertices {
   }
 
   std::uint32_t vertex(std::uint32_t position, const Float3& normal) {
-    const Float3 p = offset_from(origin, dressed.mesh.positions[position]);
-    const materials::Tint tint = dressed.tints.empty() ? dressed.tint : dressed.tints[position];
-    const Float2 uv = dressed.uvs.empty() ? Float2{} : single(dressed.uvs[position]);
-    const Float2* const shown = dressed.uvs.empty() ? nullptr : &uv;
+    const Float3 p = offset_from(origin, source.mesh.positions[position]);
+    const materials::Tint tint = source.tints.empty() ? source.tint : source.tints[position];
+    const Float2 uv = source.uvs.empty() ? Float2{} : single(source.uvs[position]);
+    const Float2* const shown = source.uvs.empty() ? nullptr : &uv;
     std::uint32_t& head = first[hash_of(p) & (first.size() - 1)];
     for (std::uint32_t v = head; v != kNone; v = next[v - base])
       if (is(v, p, normal, tint, shown)) return v;
@@ -68,15 +68,15 @@ Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
 
 Float3 offset_from(Vec3 origin, Vec3 p) { return single(p - origin); }
 
-void merge(PrimitiveMap& merged, const materials::MaterialMesh& dressed, Vec3 origin, std::uint32_t feature) {
-  const Mesh& mesh = dressed.mesh;
-  assert(dressed.uvs.empty() ? dressed.colour_source == materials::ColourSource::kByMaterial
-                             : dressed.uvs.size() == mesh.positions.size());
-  assert(dressed.tints.empty() || dressed.tints.size() == mesh.positions.size());
-  const PrimitiveKey key{dressed.material, !dressed.uvs.empty(), dressed.colour_source};
+void merge(PrimitiveMap& merged, const materials::MaterialMesh& source, Vec3 origin, std::uint32_t feature) {
+  const Mesh& mesh = source.mesh;
+  assert(source.uvs.empty() ? source.colour_source == materials::ColourSource::kByMaterial
+                            : source.uvs.size() == mesh.positions.size());
+  assert(source.tints.empty() || source.tints.size() == mesh.positions.size());
+  const PrimitiveKey key{source.material, !source.uvs.empty(), source.colour_source};
   Primitive& primitive = merged[key];
   primitive.material = key.material, primitive.colour_source = key.colour_source;
-  Vertices vertices{dressed, primitive, origin, feature};
+  Vertices vertices{source, primitive, origin, feature};
   for (const Triangle& t : mesh.triangles) {
     const Vec3 flat = normal_of(mesh, t);
     if (flat == Vec3{}) continue;
@@ -88,7 +88,7 @@ void merge(PrimitiveMap& merged, const materials::MaterialMesh& dressed, Vec3 or
 }
 
 std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
-                                               const materials::TextureCache& shelf) {
+                                               const materials::TextureCache& textures) {
   std::set<materials::Material> shown;
   const auto look_at = [&](const std::vector<Primitive>& primitives) {
     for (const Primitive& p : primitives)
@@ -96,7 +96,7 @@ std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tol
   };
   look_at(tile.primitives);
   for (const InstancedMesh& instanced : tile.instanced) look_at(instanced.primitives);
-  return shelf.textures_of(std::vector(shown.begin(), shown.end()), tolerance_m);
+  return textures.textures_of(std::vector(shown.begin(), shown.end()), tolerance_m);
 }
 
 std::vector<Primitive> primitives_of(PrimitiveMap&& merged) {

@@ -1,4 +1,4 @@
-// Dressed meshes become few primitives: one a key, in single precision about an origin.
+// Merges meshes into primitives: one per key, in single precision about an origin.
 #pragma once
 
 #include <map>
@@ -11,24 +11,26 @@
 
 namespace citykiln::bake {
 
-/// The primitive of each key so far.
+/// The primitive of each key.
 using PrimitiveMap = std::map<PrimitiveKey, Primitive>;
 
-/// Adds a mesh. Flat meshes (without normals) get the normals of their triangles; no two vertices that it adds are
-/// alike: of the same place in single precision, normal, colour and uv. Triangles that single precision makes
-/// degenerate are left out. `feature` is the number written for every vertex. A mesh without triangles adds nothing.
-void merge(PrimitiveMap& merged, const materials::MaterialMesh& dressed, Vec3 origin, std::uint32_t feature);
+/// Adds a mesh to its key's primitive. A mesh without normals gets those of its triangles. Added vertices differ from
+/// each other in position (single precision), normal, colour or uv. Triangles that are degenerate in single precision
+/// are left out. A mesh without triangles adds nothing.
+/// @param feature  Written for every vertex.
+void merge(PrimitiveMap& merged, const materials::MaterialMesh& source, Vec3 origin, std::uint32_t feature);
 
-/// Sorted by key.
+/// The primitives that have triangles, sorted by key.
 std::vector<Primitive> primitives_of(PrimitiveMap&& merged);
 
-/// Meshes that stand in many places: about their own origin, without features, which the places have.
+/// Primitives of an instanced mesh: about the mesh's own origin, without features, which the instances have.
 std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes);
 
-/// The textures of what of a tile and of its shared meshes shows its material's, in the order of materials.
+/// The textures of all materials that the tile's primitives and instanced meshes show with uvs, sorted by material.
 std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
-                                               const materials::TextureCache& shelf);
+                                               const materials::TextureCache& textures);
 
+/// The offset of a point from an origin, in single precision.
 Float3 offset_from(Vec3 origin, Vec3 p);
 
 }  // namespace citykiln::bake

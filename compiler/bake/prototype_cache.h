@@ -1,4 +1,4 @@
-// What tiles have in common, each made once a run, when the first tile asks for it: the plants' shapes, and textures.
+// What the tiles of a run share, made once, when a tile first needs it: meshes of plant prototypes, and textures.
 #pragma once
 
 #include <map>
@@ -14,19 +14,19 @@
 
 namespace citykiln::bake {
 
-/// Shapes are of plants so tall that packed places, on a grid of 2^-10 m, tell a twig; a power of two, so that scales
-/// stay exact.
+/// Height of a plant prototype: packed positions, on a grid of 2^-10 m, then resolve twigs. A power of two, so that
+/// scales stay exact.
 inline constexpr double kPrototypeHeight_m = 32;
 
-/// What stands in many places, of a plant kPrototypeHeight_m tall.
+/// The mesh of a plant kPrototypeHeight_m tall.
 struct BakedPrototype {
-  std::vector<Primitive> primitives;  ///< Empty: the tolerance drops it.
+  std::vector<Primitive> primitives;  ///< Empty where the tolerance drops the plant.
   impostor::Cutout cutout;
-  double error_per_m = 0;
+  double error_per_m = 0;  ///< Error of a plant per metre of its height.
 };
 
-/// From any thread. Logically const: a shape is a function of the header's texts and what is asked for. Memory: what
-/// has been asked for; at 0.02 m some 2 MB a shape.
+/// A thread-safe cache of prototypes. Logically const: a prototype is a function of the header's species and of what is
+/// asked for, by exactly which it is kept. Memory: at 0.02 m some 2 MB per prototype.
 class PrototypeCache {
  public:
   explicit PrototypeCache(const scene::Header& header)
@@ -34,8 +34,8 @@ class PrototypeCache {
         textures_(header.seed),
         rulebook_(buildings::parse_rulebook(header.rules)) {}
 
-  /// Of a plant of no more than `height_m`, within the tolerance. As long as the grove is there.
-  const BakedPrototype& shape(plants::Prototype prototype, double height_m, double tolerance_m) const;
+  /// The prototype for plants of at most `height_m` within the tolerance, both > 0. Lives as long as the cache.
+  const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
   const materials::TextureCache& textures() const { return textures_; }
 
@@ -46,7 +46,7 @@ class PrototypeCache {
   using Key = std::tuple<plants::Prototype, double, double>;
   struct Slot {
     std::once_flag once;
-    BakedPrototype shape;
+    BakedPrototype baked;
   };
 
   Slot& slot(const Key& key) const;

@@ -1,5 +1,6 @@
 #include "compiler/bake/skirt.h"
 
+#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,7 @@ bool is_in_border(const Box2& tile, Vec3 a, Vec3 b) {
          (a.y == b.y && (a.y == tile.min.y || a.y == tile.max.y));
 }
 
-// Edges of upward faces, the face to their left.
+// Edges of upward faces in the tile's border, with the face to their left.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_in_border(const Mesh& mesh, const Box2& tile) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const Triangle& t : mesh.triangles) {
@@ -29,23 +30,25 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_in_border(const Mesh&
   return edges;
 }
 
-std::uint32_t add_lower(materials::MaterialMesh& dressed, std::uint32_t vertex, double depth_m) {
-  Mesh& mesh = dressed.mesh;
+// Adds a copy of a vertex, `depth_m` below it.
+std::uint32_t add_lower(materials::MaterialMesh& surface, std::uint32_t vertex, double depth_m) {
+  Mesh& mesh = surface.mesh;
   mesh.positions.push_back(mesh.positions[vertex] - Vec3{0, 0, depth_m});
   if (!mesh.normals.empty()) mesh.normals.push_back(mesh.normals[vertex]);
-  if (!dressed.tints.empty()) dressed.tints.push_back(dressed.tints[vertex]);
-  if (!dressed.uvs.empty()) dressed.uvs.push_back(dressed.uvs[vertex]);
+  if (!surface.tints.empty()) surface.tints.push_back(surface.tints[vertex]);
+  if (!surface.uvs.empty()) surface.uvs.push_back(surface.uvs[vertex]);
   return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 
 }  // namespace
 
-void add_skirt(materials::MaterialMesh& dressed, const Box2& tile, double depth_m) {
+void add_skirt(materials::MaterialMesh& surface, const Box2& tile, double depth_m) {
+  assert(depth_m >= 0);
   const double snapped_m = snapped(depth_m);
-  for (const auto& [a, b] : edges_in_border(dressed.mesh, tile)) {
-    const std::uint32_t below_a = add_lower(dressed, a, snapped_m), below_b = add_lower(dressed, b, snapped_m);
-    dressed.mesh.triangles.push_back({a, below_a, b});
-    dressed.mesh.triangles.push_back({b, below_a, below_b});
+  for (const auto& [a, b] : edges_in_border(surface.mesh, tile)) {
+    const std::uint32_t below_a = add_lower(surface, a, snapped_m), below_b = add_lower(surface, b, snapped_m);
+    surface.mesh.triangles.push_back({a, below_a, b});
+    surface.mesh.triangles.push_back({b, below_a, below_b});
   }
 }
 

@@ -1,8 +1,8 @@
-// Neighbouring tiles at different levels do not have the same border: each is off by up to its own tolerance. A skirt
-// hangs down from the ground along the tile's border and closes the gap.
+// Skirts close the gaps between neighbouring tiles of different levels, whose borders differ by up to their tolerances:
+// vertical strips that hang down from the ground along the tile's border.
 //
-//     finer ▔▔▔▔▔▔▔╲            seen from the coarser tile, the finer one's skirt fills what would be
-//                  ┆▁▁▁ coarser  a crack; where the coarser one is higher, its own does
+//     finer ▔▔▔▔▔▔▔╲            seen from the coarser tile, the finer one's skirt fills the
+//                  ┆▁▁▁ coarser  gap; where the coarser one is higher, its own does
 //                  ┆
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace citykiln::bake {
 
-/// How deep a skirt hangs, in tolerances: both tiles' errors, if none is more than five times coarser than the next, as
+/// Depth of a skirt in tolerances: the sum of both tiles' errors where the next level is at most five times coarser, as
 /// in the default ladder.
 inline constexpr double kSkirtDepthTolerances = 6;
 
-/// Adds upright faces, outwards, below every edge that lies in the border of the tile. Their vertices have the normals,
-/// tints and places of those above them, so they look like the ground beside them. They are no part of what is
-/// certified: they lie below the ground. O(triangles).
-void add_skirt(materials::MaterialMesh& dressed, const Box2& tile, double depth_m);
+/// Adds vertical faces, facing outwards, below every edge that lies in the border of the tile. Their vertices have the
+/// normals, tints and uvs of those above, so that they look like the ground beside them. They lie below the ground and
+/// are not part of its certified error. O(triangles).
+void add_skirt(materials::MaterialMesh& surface, const Box2& tile, double depth_m);
 
 }  // namespace citykiln::bake

@@ -1,7 +1,6 @@
-// The levels of a tile before they are fired: what they have in common is made once, and their ground together.
+// The levels of a tile before they are baked: what they share is made once, and their ground together.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,7 +9,6 @@
 #include "compiler/bake/ground_cells.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/generate.h"
-#include "compiler/contract/detail_tolerances.h"
 #include "compiler/plants/generate.h"
 #include "compiler/plants/prototypes/canopy.h"
 #include "compiler/props/generate.h"
@@ -21,50 +19,48 @@
 
 namespace citykiln::bake {
 
-/// What stands along streets. Mapped ones first.
+/// Street lamps, mapped ones first.
 struct Lamps {
   std::vector<props::StreetLamp> standing;
   std::size_t mapped = 0;
 };
 
-/// What the levels with or without Detail::kRoadSurfaces have in common: how the ground is carved, and what stands on
-/// it.
+/// What all levels with Detail::kRoadSurfaces share, and what all levels without it do: the graded terrain, and what
+/// stands on it.
 struct SharedByLevels {
   ground::GradedTerrain graded;
-  plants::PlacedPlants trees;
-  plants::PlacedPlants blades;  ///< With Detail::kGrassBlades; empty where there are none.
-  Report tree_report;
-  std::vector<props::TreePit> pits;
-  Lamps lamps;
-  std::vector<structures::Stairs> stairs;
-  std::map<double, plants::Canopy> canopies;  ///< Of whole tiles, by tolerances with Detail::kWoodCanopies.
+  plants::PlacedPlants trees{};
+  plants::PlacedPlants blades{};  ///< For levels with Detail::kGrassBlades; empty where no level has it.
+  Report tree_report{};
+  std::vector<props::TreePit> pits{};
+  Lamps lamps{};
+  std::vector<structures::Stairs> stairs{};
+  std::vector<plants::Canopy> canopies{};  ///< Of the levels with Detail::kWoodCanopies, in their order.
 };
 
-/// Whether hedges along lines are rows of plants at a tolerance, no bands. For one eye they are at all: a hedge may be
-/// near and far.
-inline bool has_hedge_plants(double tolerance_m) { return has_detail(Detail::kHedgePlants, tolerance_m); }
-
-/// One an object of the chunk.
+/// One per building of the chunk.
 using BuildingMeshes = std::vector<buildings::GeneratedBuilding>;
 
-/// One level's part of the ground, and its houses where levels share what those are made of.
+/// One level: its ground, and its buildings where levels share what these are made of.
 struct TileLevel {
   double tolerance_m;
-  std::shared_ptr<const SharedByLevels> common;
-  scene::LandCover cover;
-  std::vector<ViewCell> seen;
-  std::vector<ground::GroundMesh> cells{};
+  std::shared_ptr<const SharedByLevels> shared;
+  scene::LandCover cover{};
+  std::vector<ViewCell> seen{};
+  std::vector<ground::GroundMesh> cells{};  ///< One per entry of `seen`.
   Report cell_report{};
-  std::optional<BuildingMeshes> houses{};
+  std::optional<BuildingMeshes> buildings{};
   Report building_report{};
+  std::optional<std::size_t> canopy{};  ///< Index into SharedByLevels::canopies.
 };
 
-/// Whole tiles, with all but houses.
+/// Returns the levels of a whole tile, complete but for buildings. Cost: the ground's.
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
                                  std::span<const double> ladder_m, int threads);
 
-/// For one eye: a level a part, with the cells that have its tolerance.
+/// Returns a level per part of a tile for a view, with the cells of that level.
+/// @param parts  As levels_of_parts() returns them.
 std::vector<TileLevel> levels_for_view(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
-                                       std::span<const double> tolerances_m, int threads);
+                                       std::span<const int> parts, int threads);
 
 }  // namespace citykiln::bake

@@ -1,13 +1,14 @@
-// How fine each place of a scene is made for one eye: near finely, far coarsely, so that no error is longer on the
-// picture than so many pixels.
+// The tolerance of each part of a scene for one viewpoint: fine nearby, coarse far away, so that no error in the
+// picture is longer than a given number of pixels.
 //
 //     eye ·------- distance ------->| error      pixels = error / distance · focal length
 //
-// The ground has a tolerance a cell. On the side between two cells the smaller of theirs holds for both, so they meet
-// vertex for vertex as cells of one tolerance do. Only where one of them sees kerbs and lines and the other does not
-// (Detail::kRoadSurfaces) their heights differ: there skirts hang from both.
+// Level n has the tolerance 2^n · View::finest_m. The ground has a level per cell. The side between two cells has the
+// smaller of their tolerances, so that they meet vertex for vertex as cells of one tolerance do. Only where one of them
+// has Detail::kRoadSurfaces and the other does not their heights differ: there skirts hang from both.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "compiler/bake/bounds.h"
@@ -16,73 +17,82 @@
 
 namespace citykiln::bake {
 
-/// An eye, whichever way it looks.
+/// A viewpoint, whatever the direction of view.
 struct View {
   Vec3 eye;                ///< Plane metres.
-  double focal_px = 0;     ///< What is as long as it is far off is so many pixels long in the picture's middle. > 0.
+  double focal_px = 0;     ///< Focal length in pixels (focal_length_px). > 0.
   double pixel_error = 1;  ///< > 0.
-  double finest_m = 0.02;  ///< Nothing is made finer than this, however near. > 0.
+  double finest_m = 0.02;  ///< The smallest tolerance, however near the eye. > 0.
 };
 
-/// The focal length of a picture in pixels: a thing as long as it is far away is this many pixels long in the middle of
-/// the picture. Rounded to 2^-10 pixels.
+/// The focal length of a picture in pixels: an object as long as it is far away is this many pixels long in the middle
+/// of the picture. Rounded to 2^-10 pixels.
 double focal_length_px(int height_px, double vertical_fov_deg);
 
-/// The tolerance of what lies within the bounds: the largest power of two times the finest whose error is not longer
-/// than the view's pixels at the nearest place; the finest where even that is.
-double tolerance_m_for(const View& view, const Bounds& bounds);
+/// The tolerance of a level.
+double tolerance_m_of(const View& view, int level);
 
-/// How long an error is on the picture, at most. Of what is so near that it is made at the finest whatever its error,
-/// nothing: 0.
+/// The coarsest level whose error is not longer than the view's pixel error at the nearest point of the bounds; 0 where
+/// no level is fine enough.
+int level_for(const View& view, const Bounds& bounds);
+
+/// An upper bound of an error's length in the picture. 0 for bounds so near that they are baked at the finest tolerance
+/// whatever their error.
 double pixels_of(const View& view, double error_m, const Bounds& bounds);
 
+/// The levels of a scene's cells for a view.
 struct ViewLevels {
+  static constexpr int kNoLevel = std::numeric_limits<int>::max();
+
   View view;
   Box2 region;  ///< Of the scene.
   int columns = 0, rows = 0;
-  std::vector<double>
-      cells_m;          ///< The tolerance of each cell of the region, by column, then row; infinity: of no tile.
-  double finest_m = 0;  ///< Of these.
+  std::vector<int>
+      cells{};            ///< Level of each cell of the region, by column, then row; kNoLevel where there is no tile.
+  int finest = kNoLevel;  ///< The smallest of these.
 };
 
-/// @param scene  All of it: what lies beside a tile counts. Cells are as high as the terrain, 16 m more and less, as
-///               roads may be carved into it.
+/// Returns the levels of all cells. The bounds of a cell are its terrain, 16 m more and less, since roads may be cut
+/// into it or raised above it.
+/// @param scene  The whole scene: the cells beside a tile count.
 /// O(heights).
 ViewLevels levels_for(const scene::Scene& scene, const View& view);
 
-/// A cell as a view sees it.
+/// A cell at its level.
 struct ViewCell {
   CellLevel level;
-  Box2 skirt;          ///< Skirts hang from what lies in its sides.
-  double skirt_m = 0;  ///< How deep.
+  int number = 0;      ///< Of the level.
+  Box2 skirt;          ///< Skirts hang from the edges that lie in its sides.
+  double skirt_m = 0;  ///< Their depth.
 };
 
-/// Those of a tile, in the order of cells_of.
+/// The cells of a tile, in the order of cells_of.
 std::vector<ViewCell> cells_of(const ViewLevels& levels, const Box2& tile);
 
-/// Cells that see roads alike: with kerbs and lines, or without.
+/// Cells that all have Detail::kRoadSurfaces, or all do not.
 struct ViewZone {
   std::vector<CellLevel> cells;
-  double roads_m = 0;  ///< At what tolerance to ask for the cover and the graded terrain of all of them.
+  double roads_m = 0;  ///< The tolerance at which their land cover and graded terrain are made.
 };
 
-/// Those of a tile that have cells, the finer one first.
+/// The one or two zones of a tile, the finer one first.
 std::vector<ViewZone> zones_of(const ViewLevels& levels, const Box2& tile);
 
-/// The tolerances of a tile's parts, rising: those of its cells, and one that is fine enough for whatever stands there.
-std::vector<double> tolerances_of(const ViewLevels& levels, const scene::Header& header, const scene::Chunk& chunk);
+/// The levels of a tile's parts, rising: those of its cells, and one that is fine enough for every object of the tile.
+std::vector<int> levels_of_parts(const ViewLevels& levels, const scene::Header& header, const scene::Chunk& chunk);
 
-/// What of a tile is made at one of its tolerances: all of its parts together are the tile.
+/// One part of a tile: what is baked at one of its levels.
 struct TilePart {
   const ViewLevels& levels;
-  const std::vector<double>& tolerances_m;  ///< Of the tile.
-  double tolerance_m;                       ///< Of the part.
+  const std::vector<int>& of_tile;  ///< The levels of all parts, rising.
+  int level;                        ///< The part's.
 };
 
-/// True for the part with the largest tolerance that is fine enough. Each thing is in exactly one part.
-bool is_in(const TilePart& part, const Bounds& bounds);
+/// Whether an object is in the part: in the coarsest one that is fine enough. Each object is in exactly one part.
+bool is_in_part(const TilePart& part, const Bounds& bounds);
 
-/// At what tolerance a part asks for roads and their sheets: all that sees kerbs and lines must see the same ones.
-double roads_tolerance_m(const ViewLevels& levels, double tolerance_m);
+/// The tolerance at which a level's roads and markings are made: that of the finest level for all levels with
+/// Detail::kRoadSurfaces, so that they agree.
+double roads_tolerance_m(const ViewLevels& levels, int level);
 
 }  // namespace citykiln::bake

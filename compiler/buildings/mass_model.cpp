@@ -204,7 +204,10 @@ std::set<Vec2> points_between_ends(std::span<const Run> runs) {
 void add_underside(const Building& building, std::span<const Run> runs, MassModel& mass) {
   const std::set<Vec2> between = points_between_ends(runs);
   const auto remove_between = [&](grammars::Ring3& ring) {
-    std::erase_if(ring, [&](Vec3 p) { return between.contains(in_plan(p)); });
+    grammars::Ring3 kept;
+    for (const Vec3 p : ring)
+      if (!between.contains(in_plan(p))) kept.push_back(p);
+    ring = std::move(kept);
   };
   for (Face& face : grammars::faces_of(mass.roof)) {
     if (face.tag != FaceTag::kBottom) continue;

@@ -59,7 +59,7 @@ bake::BakedTile planted(const bake::PrototypeCache& prototypes, const std::vecto
   tile.features = {OsmId{}}, tile.primitives = {lawn()};
   for (const PlacedPlant& tree : trees) {
     const bake::BakedPrototype& shape =
-        prototypes.shape(tree.prototype, plants::values_of(tree.prototype.species).tallest_m, tolerance_m);
+        prototypes.prototype(tree.prototype, plants::values_of(tree.prototype.species).tallest_m, tolerance_m);
     if (shape.primitives.empty()) continue;
     const Vec2 half = direction_of(tree.turns / 2);
     tile.instanced.push_back({std::string(plants::values_of(tree.prototype.species).file),
@@ -138,10 +138,10 @@ std::vector<Chart> empty_charts() {
 void add_costs(const bake::PrototypeCache& prototypes, const scene::Header& header, double tolerance_m, Chart& chart) {
   double triangles = 0, bytes = 0, us = 0;
   for (const Species species : kTrees) {
-    prototypes.shape({species, 0}, 1000, 999);  // derives the prototype before the clock starts
+    prototypes.prototype({species, 0}, 1000, 999);  // derives the prototype before the clock starts
     const Stopwatch watch;
     const bake::BakedPrototype& shape =
-        prototypes.shape({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
+        prototypes.prototype({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
     us += watch.microseconds();
     for (const bake::Primitive& p : shape.primitives) triangles += static_cast<double>(p.triangles.size());
     const auto size = [&](const bake::BakedTile& tile) {

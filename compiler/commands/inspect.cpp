@@ -13,6 +13,7 @@
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/glb.h"
+#include "exporters/gltf/material_names.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
 

@@ -121,10 +121,10 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
   joined.features.assign(features.begin(), features.end());
 
   std::vector<const materials::TextureImage*> sheets;
-  for (const bake::BakedTile& tile : tiles) sheets.push_back(&tile.sheet);
+  for (const bake::BakedTile& tile : tiles) sheets.push_back(&tile.marking_atlas);
   Result<JoinedMarkingAtlases> joined_sheets = join_marking_atlases(sheets);
   if (!joined_sheets) return joined_sheets.error();
-  joined.sheet = std::move(joined_sheets->sheet);
+  joined.marking_atlas = std::move(joined_sheets->sheet);
 
   std::vector<const impostor::Atlas*> atlases;
   for (const bake::BakedTile& tile : tiles) atlases.push_back(&tile.facade_atlas);

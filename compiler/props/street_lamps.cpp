@@ -58,10 +58,6 @@ double offset_m(const Road& road, Side side) {
   return edge_m + kBeyondEdge_m;
 }
 
-bool stands_in(const Box2& box, Vec2 p) {
-  return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
-}
-
 // A straight piece of a road. length_m is snapped, as in the road's start_along_m.
 struct Piece {
   Vec2 a, b;
@@ -105,7 +101,8 @@ void add_lamps(std::vector<StreetLamp>& lamps, const Road& road, const Piece& pi
   if (piece.length_m <= 0 || !box_of(std::array{piece.a, piece.b}).touches(widened)) return;
   const Numbers numbers = numbers_near(piece, lighting, widened);
   for (std::int64_t number = numbers.first; number < numbers.end; ++number)
-    if (const StreetLamp lamp = lamp_on(road, piece, lighting, number); stands_in(box, lamp.at)) lamps.push_back(lamp);
+    if (const StreetLamp lamp = lamp_on(road, piece, lighting, number); box.contains_half_open(lamp.at))
+      lamps.push_back(lamp);
 }
 
 // A road with an influence radius around its axis, and the box of that area.

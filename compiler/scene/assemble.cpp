@@ -1,8 +1,10 @@
 #include "compiler/scene/assemble.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/ground/plan.h"
@@ -12,7 +14,7 @@
 namespace citykiln::scene {
 namespace {
 
-// The numbers of the objects that each tile needs, tiles in the order of tiles_of().
+// Indices of the objects in each tile, tiles in the order of tiles_of().
 using ByTile = std::vector<std::vector<std::uint32_t>>;
 
 // The grid of tiles over the region.
@@ -33,7 +35,7 @@ struct TileGrid {
     return static_cast<std::size_t>(column) * rows + row;
   }
 
-  // Of the tile that an object anchored here belongs to; anchors outside the region go to the nearest tile.
+  // The tile of an object anchored here; the nearest one for anchors outside the region.
   std::size_t owner(Vec2 anchor) const { return index(column(anchor.x), row(anchor.y)); }
 
  private:
@@ -42,7 +44,7 @@ struct TileGrid {
   }
 };
 
-// Each object into the one tile of its anchor.
+// Puts each object into the tile of its anchor.
 template <typename Object, typename Anchor>
 ByTile by_anchor(const TileGrid& grid, std::span<const Object> objects, Anchor anchor_of) {
   ByTile tiles(grid.tiles.size());
@@ -50,34 +52,27 @@ ByTile by_anchor(const TileGrid& grid, std::span<const Object> objects, Anchor a
   return tiles;
 }
 
-// Each object into every tile that its box touches, halo included.
+// Puts each object into every tile that its box, widened by kHalo_m, touches.
 template <typename Object, typename BoxOf>
 ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box) {
   ByTile tiles(grid.tiles.size());
   for (std::uint32_t i = 0; i < objects.size(); ++i) {
-    const Box2 reach = box(objects[i]).widened(kHalo_m);
-    if (reach.is_empty()) continue;
-    for (std::int32_t c = grid.column(reach.min.x); c <= grid.column(reach.max.x); ++c)
-      for (std::int32_t r = grid.row(reach.min.y); r <= grid.row(reach.max.y); ++r)
-        if (box_of(grid.header, grid.tiles[grid.index(c, r)]).touches(reach)) tiles[grid.index(c, r)].push_back(i);
+    const Box2 wide = box(objects[i]).widened(kHalo_m);
+    if (wide.is_empty()) continue;
+    for (std::int32_t c = grid.column(wide.min.x); c <= grid.column(wide.max.x); ++c)
+      for (std::int32_t r = grid.row(wide.min.y); r <= grid.row(wide.max.y); ++r)
+        if (box_of(grid.header, grid.tiles[grid.index(c, r)]).touches(wide)) tiles[grid.index(c, r)].push_back(i);
   }
   return tiles;
 }
 
-// Roads are known so far out that the arms of every junction that matters to the tile can be walked.
+// Chunks hold roads so far beyond their tile that the arms of every junction of the tile are among them.
 constexpr double kRoadHalo_m = 56;
 
 struct Sorted {
-  ByTile surfaces, roads, junctions, streams, near_buildings, buildings, bridges, tunnels, trees, tree_rows, lanes,
-      barriers, lamps;
+  ByTile surfaces, roads, junctions, watercourses, near_buildings, buildings, bridges, tunnels, trees, tree_rows,
+      corridors, barriers, lamps;
 };
-
-Box2 box_of_surface(const ground::LandCoverPolygon& surface) {
-  Box2 box;
-  for (const Ring& ring : surface.rings)
-    for (const Vec2 p : ring) box.grow(p);
-  return box;
-}
 
 Box2 box_of_road(const roads::Road& road) {
   return citykiln::box_of(road.axis).widened(max_offset_m(road) + kRoadHalo_m - kHalo_m);
@@ -87,44 +82,42 @@ Box2 box_of_strip(const roads::Strip& strip) {
   return citykiln::box_of(strip.axis).widened(ground::reach_m(strip) + ground::kGrading_m);
 }
 
-// by_touch() widens by more than matters to plants.
+// by_touch() widens by kHalo_m, which is more than plants need.
 Box2 near_tile(const Box2& box) { return box.widened(plants::kObstacleInfluence_m - kHalo_m); }
 
-// Where they carve the ground, and in the tile that they are part of, even if that is far off.
-ByTile by_touch_or_anchor(const TileGrid& grid, std::span<const structures::Span> spans) {
+// Adds objects to those of each tile; none is in a tile twice.
+void add_to(ByTile& tiles, const ByTile& more) {
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    tiles[t].insert(tiles[t].end(), more[t].begin(), more[t].end());
+    sort_unique(tiles[t]);
+  }
+}
+
+// Puts spans into the tiles whose ground they grade, and into the tile that bakes them.
+ByTile spans_by_tile(const TileGrid& grid, std::span<const structures::Span> spans) {
   ByTile tiles = by_touch(grid, spans, [](const structures::Span& s) {
     return citykiln::box_of(s.axis).widened(max_offset_m(s) + ground::kGrading_m);
   });
-  const ByTile anchored = by_anchor(grid, spans, [](const structures::Span& s) { return s.axis.front(); });
-  for (std::size_t t = 0; t < tiles.size(); ++t) {
-    tiles[t].insert(tiles[t].end(), anchored[t].begin(), anchored[t].end());
-    std::ranges::sort(tiles[t]);
-    tiles[t].erase(std::unique(tiles[t].begin(), tiles[t].end()), tiles[t].end());
-  }
+  add_to(tiles, by_anchor(grid, spans, [](const structures::Span& s) { return s.axis.front(); }));
   return tiles;
 }
 
-// Into the tile of their first point; hedges into all that they touch.
+// Puts barriers into the tile of their first point, hedges into all tiles that they touch.
 ByTile barriers_by_tile(const TileGrid& grid, std::span<const props::Barrier> barriers) {
-  const auto is_hedge = [&](std::uint32_t i) { return barriers[i].kind == map::BarrierKind::kHedge; };
-  ByTile tiles = by_anchor(grid, barriers, [](const props::Barrier& b) { return b.axis.front(); });
-  const ByTile touching =
-      by_touch(grid, barriers, [](const props::Barrier& b) { return near_tile(citykiln::box_of(b.axis)); });
-  for (std::size_t t = 0; t < tiles.size(); ++t) {
-    std::ranges::copy_if(touching[t], std::back_inserter(tiles[t]), is_hedge);
-    std::ranges::sort(tiles[t]);
-    tiles[t].erase(std::unique(tiles[t].begin(), tiles[t].end()), tiles[t].end());
-  }
-  return tiles;
+  ByTile hedges = by_touch(grid, barriers, [](const props::Barrier& b) {
+    return b.kind == map::BarrierKind::kHedge ? near_tile(citykiln::box_of(b.axis)) : Box2{};
+  });
+  add_to(hedges, by_anchor(grid, barriers, [](const props::Barrier& b) { return b.axis.front(); }));
+  return hedges;
 }
 
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 
 Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::LandCoverPolygon> junctions) {
   const auto stands = [](const auto& object) { return object.at; };
-  return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
+  return {by_touch(grid, std::span(recipes.surfaces), ground::box_of),
           by_touch(grid, std::span(recipes.roads), box_of_road),
-          by_touch(grid, junctions, box_of_surface),
+          by_touch(grid, junctions, ground::box_of),
           by_touch(grid, std::span(recipes.watercourses), box_of_strip),
           by_touch(grid, std::span(recipes.buildings),
                    [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
@@ -153,28 +146,28 @@ std::vector<Object> pick(const std::vector<Object>& objects, const std::vector<s
 }
 
 bool covers_tile(const ground::LandCoverPolygon& surface, const Box2& tile) {
-  return box_of_surface(surface).touches(tile.widened(1));
+  return ground::box_of(surface).touches(tile.widened(1));
 }
 
-// A junction whose arms the chunk's roads can tell.
+// Whether all arms of a junction are among the chunk's roads.
 bool has_all_arms(const roads::Junction& junction, const Box2& tile) {
-  const Box2 walked = citykiln::box_of(junction.nodes).widened(roads::kJunctionRadius_m),
+  const Box2 needed = citykiln::box_of(junction.nodes).widened(roads::kJunctionRadius_m),
              known = tile.widened(kRoadHalo_m);
-  return known.contains(walked.min) && known.contains(walked.max);
+  return known.contains(needed.min) && known.contains(needed.max);
 }
 
-// What each junction covers, and the pavements round its corners.
+// The polygons of each junction and of the pavements around its corners.
 struct JunctionCovers {
   std::vector<ground::LandCoverPolygon> surfaces, pavements;
 };
 
-// Areas, and the junctions and footprints of buildings that are not told in this chunk, trimmed.
+// Areas, and the junctions and footprints that the chunk has no recipe of, trimmed.
 std::vector<ground::LandCoverPolygon> surfaces_for(const Recipes& recipes, const Sorted& sorted,
                                                    const JunctionCovers& junctions, std::size_t t, const Box2& tile) {
-  const Box2 reach = tile.widened(kHalo_m);
+  const Box2 halo = tile.widened(kHalo_m);
   std::vector<ground::LandCoverPolygon> surfaces;
   const auto add = [&](const ground::LandCoverPolygon& whole) {
-    ground::LandCoverPolygon trimmed = ground::trimmed_to(whole, reach);
+    ground::LandCoverPolygon trimmed = ground::trimmed_to(whole, halo);
     if (!trimmed.rings.empty()) surfaces.push_back(std::move(trimmed));
   };
   for (const std::uint32_t i : sorted.surfaces[t]) add(recipes.surfaces[i]);
@@ -186,7 +179,7 @@ std::vector<ground::LandCoverPolygon> surfaces_for(const Recipes& recipes, const
   const std::vector<std::uint32_t>& own = sorted.buildings[t];
   for (const std::uint32_t i : sorted.near_buildings[t])
     if (recipes.buildings[i].stands_on_ground && !std::binary_search(own.begin(), own.end(), i))
-      add(footprint_surface(recipes.buildings[i]));
+      add(footprint_surface(recipes.buildings[i].id, recipes.buildings[i].footprint));
   std::stable_sort(surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return surfaces;
 }
@@ -202,13 +195,12 @@ std::vector<Strip> strips_for(const std::vector<Strip>& strips, const std::vecto
 
 std::vector<roads::Junction> junctions_for(const Recipes& recipes, const Sorted& sorted, std::size_t t,
                                            const Box2& tile) {
-  std::vector<roads::Junction> told;
+  std::vector<roads::Junction> complete;
   for (const std::uint32_t i : sorted.junctions[t])
-    if (has_all_arms(recipes.junctions[i], tile)) told.push_back(recipes.junctions[i]);
-  return told;
+    if (has_all_arms(recipes.junctions[i], tile)) complete.push_back(recipes.junctions[i]);
+  return complete;
 }
 
-// From all roads.
 JunctionCovers junction_covers(const Recipes& recipes, int threads) {
   const auto arms = roads::arms_of(recipes.junctions, recipes.roads);
   const auto each = [&](auto cover_of_junction) {
@@ -219,7 +211,7 @@ JunctionCovers junction_covers(const Recipes& recipes, int threads) {
   return {each(junction_surface), each(corner_pavement_surface)};
 }
 
-// What grows on them: woods, plantings.
+// The woods or plantings of these surfaces, which are sorted by id.
 template <typename Growing>
 std::vector<Growing> growing_on(const std::vector<ground::LandCoverPolygon>& surfaces,
                                 const std::vector<Growing>& all) {
@@ -234,14 +226,14 @@ std::vector<Growing> growing_on(const std::vector<ground::LandCoverPolygon>& sur
 
 Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCovers& junctions, const TileGrid& grid,
                std::size_t t) {
-  const Box2 tile = box_of(grid.header, grid.tiles[t]), reach = tile.widened(kHalo_m);
+  const Box2 tile = box_of(grid.header, grid.tiles[t]);
   Chunk chunk;
   chunk.tile = grid.tiles[t];
-  chunk.heights = map::window_of(recipes.heights, reach);
+  chunk.heights = map::window_of(recipes.heights, tile.widened(kHalo_m));
   chunk.surfaces = surfaces_for(recipes, sorted, junctions, t, tile);
   chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile, kRoadHalo_m);
   chunk.junctions = junctions_for(recipes, sorted, t, tile);
-  chunk.watercourses = strips_for(recipes.watercourses, sorted.streams[t], tile, kHalo_m);
+  chunk.watercourses = strips_for(recipes.watercourses, sorted.watercourses[t], tile, kHalo_m);
   chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);
   chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);
   chunk.buildings = pick(recipes.buildings, sorted.buildings[t]);
@@ -249,7 +241,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   chunk.woods = growing_on(chunk.surfaces, recipes.plants.woods);
   chunk.plantings = growing_on(chunk.surfaces, recipes.plants.plantings);
   chunk.tree_rows = pick(recipes.plants.rows, sorted.tree_rows[t]);
-  chunk.corridors = pick(recipes.plants.corridors, sorted.lanes[t]);
+  chunk.corridors = pick(recipes.plants.corridors, sorted.corridors[t]);
   chunk.barriers = pick(recipes.props.barriers, sorted.barriers[t]);
   chunk.lamps = pick(recipes.props.lamps, sorted.lamps[t]);
   return chunk;
@@ -258,6 +250,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
 }  // namespace
 
 Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads) {
+  assert(header.tile_m > 0 && header.region.width() > 0 && header.region.height() > 0);
   const TileGrid grid(header);
   const JunctionCovers junctions = junction_covers(recipes, threads);
   const Sorted sorted = sort_by_tile(grid, recipes, junctions.surfaces);

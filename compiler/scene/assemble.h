@@ -1,4 +1,4 @@
-// Stage 10: sorts all recipes into the chunks of their tiles.
+// Stage 10: sorts the recipes of the whole region into the chunks of their tiles.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace citykiln::scene {
 
-/// All that the stages planned, for the whole region.
+/// The recipes of the whole region, as the stages before made them.
 struct Recipes {
   map::Heightfield heights;
   std::vector<ground::LandCoverPolygon> surfaces;
@@ -23,10 +23,12 @@ struct Recipes {
   props::Props props;
 };
 
+/// Sorts the recipes into one chunk per tile; Chunk says which tiles hold an object that crosses a border.
+///
 /// @param only  If not empty, only these tiles become chunks.
-/// A chunk holds nothing that does not touch its tile widened by kHalo_m (roads a little farther, so that junctions can
-/// be told by them); what is in it was decided by the stages before, each with a reach of its own. Total. Cost: linear
-/// in vertices times tiles touched.
+///
+/// Guarantees: a chunk holds nothing beyond its tile widened by kHalo_m, but for roads, which it holds farther out, so
+/// that the arms of its junctions can be derived from them. Total. Cost: linear in vertices times tiles touched.
 Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads);
 
 }  // namespace citykiln::scene

@@ -1,4 +1,4 @@
-// How a chunk's ground is carved, from its recipes.
+// The graded terrain of a chunk, made of its recipes.
 #pragma once
 
 #include "compiler/ground/grading/graded_terrain.h"
@@ -6,8 +6,8 @@
 
 namespace citykiln::scene {
 
-/// The graded terrain of the chunk's tile and a little around it. It has kerbs with Detail::kRoadSurfaces.
-/// O(n log n).
+/// Returns the graded terrain of the chunk's tile and ground::kGrading_m around it, with kerbs where the tolerance has
+/// Detail::kRoadSurfaces. O(n log n).
 ground::GradedTerrain graded_terrain_of(const Header& header, const Chunk& chunk, double tolerance_m);
 
 }  // namespace citykiln::scene

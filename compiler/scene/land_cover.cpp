@@ -1,6 +1,7 @@
 #include "compiler/scene/land_cover.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include "compiler/contract/detail_tolerances.h"
@@ -15,7 +16,7 @@ namespace {
 
 using ground::LandCoverPolygon;
 
-// Surfaces that are one object's (the runs of a trimmed road) become one.
+// Joins equal ids, classes and pieces: the runs of a trimmed road are one surface.
 void join_equal(std::vector<LandCoverPolygon>& surfaces) {
   std::size_t kept = 0;
   for (std::size_t i = 1; i < surfaces.size(); ++i) {
@@ -34,26 +35,35 @@ void add(LandCoverPolygon surface, std::vector<LandCoverPolygon>& surfaces) {
 }
 
 LandCoverPolygon island_surface(const roads::TrafficIsland& island) {
-  // apart from all parts that a way is cut into, and from its junctions
+  // differs from the numbers of a way's parts, and from its junctions
   constexpr std::uint32_t kIslandPart = 0x40000000u;
   return {{island.id.osm, island.id.part | kIslandPart}, island.surface, ground::kStripArea_m2, {island.ring}};
 }
 
-// What is no road: areas, islands, junctions, water, buildings.
-std::vector<LandCoverPolygon> surfaces_without_roads(const Chunk& chunk) {
-  std::vector<LandCoverPolygon> surfaces = chunk.surfaces;
-  const auto arms = roads::arms_of(chunk.junctions, chunk.roads);
-  for (std::size_t j = 0; j < chunk.junctions.size(); ++j) {
-    // a manifest that names places where no road passes
-    if (arms[j].empty() || arms[j].size() != chunk.junctions[j].cuts.size()) continue;
-    add(junction_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
-    add(corner_pavement_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
+std::vector<LandCoverPolygon> surfaces_without_roads(const CoverRecipes& recipes) {
+  std::vector<LandCoverPolygon> surfaces(recipes.areas.begin(), recipes.areas.end());
+  const auto arms = roads::arms_of(recipes.junctions, recipes.roads);
+  for (std::size_t j = 0; j < recipes.junctions.size(); ++j) {
+    // in a foreign manifest a junction may have no road
+    if (arms[j].empty() || arms[j].size() != recipes.junctions[j].cuts.size()) continue;
+    add(junction_surface(recipes.junctions[j], recipes.roads, arms[j]), surfaces);
+    add(corner_pavement_surface(recipes.junctions[j], recipes.roads, arms[j]), surfaces);
   }
-  for (const roads::TrafficIsland& island : roads::islands_of(chunk.roads)) add(island_surface(island), surfaces);
-  for (const roads::Strip& stream : chunk.watercourses) add(ground::surface_of(stream), surfaces);
-  for (const buildings::Building& building : chunk.buildings)
-    if (building.stands_on_ground) add(footprint_surface(building), surfaces);
+  for (const roads::TrafficIsland& island : roads::islands_of(recipes.roads)) add(island_surface(island), surfaces);
+  for (const roads::Strip& stream : recipes.watercourses) add(ground::surface_of(stream), surfaces);
+  for (const LandCoverPolygon& footprint : recipes.footprints) add(footprint, surfaces);
   return surfaces;
+}
+
+CoverRecipes cover_recipes_of(const Chunk& chunk) {
+  CoverRecipes recipes{.areas = chunk.surfaces,
+                       .roads = chunk.roads,
+                       .junctions = chunk.junctions,
+                       .watercourses = chunk.watercourses,
+                       .footprints = {}};
+  for (const buildings::Building& building : chunk.buildings)
+    if (building.stands_on_ground) recipes.footprints.push_back(footprint_surface(building.id, building.footprint));
+  return recipes;
 }
 
 void sort_and_join(std::vector<LandCoverPolygon>& surfaces) {
@@ -62,7 +72,7 @@ void sort_and_join(std::vector<LandCoverPolygon>& surfaces) {
   join_equal(surfaces);
 }
 
-// A road's pieces, after those of the roads before it; returns the first run that is free.
+// Adds a road's pieces and returns the first unused run.
 std::uint32_t add_pieces(const roads::Road& road, roads::RoadPieces&& made, std::uint32_t first_run, LandCover& cover) {
   const auto first_pattern = static_cast<std::uint32_t>(cover.layouts.size());
   std::uint32_t next_run = first_run;
@@ -80,7 +90,7 @@ std::uint32_t add_pieces(const roads::Road& road, roads::RoadPieces&& made, std:
 }
 
 ObjectId id_of_junction(const roads::Road& main) {
-  // apart from all parts that a way is cut into
+  // differs from the numbers of a way's parts
   constexpr std::uint32_t kJunctionPart = 0x80000000u;
   return {main.id.osm, main.id.part | kJunctionPart};
 }
@@ -89,6 +99,7 @@ ObjectId id_of_junction(const roads::Road& main) {
 
 ground::LandCoverPolygon junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                           std::span<const roads::Arm> arms) {
+  assert(!arms.empty() && arms.size() == junction.cuts.size());
   const roads::Road& main = roads::main_road(roads, arms);
   const bool is_passed = roads::has_through_road(junction, roads, arms);
   ground::LandCoverPolygon surface{id_of_junction(main), main.surface,
@@ -101,33 +112,39 @@ ground::LandCoverPolygon junction_surface(const roads::Junction& junction, std::
 
 ground::LandCoverPolygon corner_pavement_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                                  std::span<const roads::Arm> arms) {
+  assert(!arms.empty() && arms.size() == junction.cuts.size());
   return {id_of_junction(roads::main_road(roads, arms)), map::LandCoverClass::kPavement, ground::kStripArea_m2,
           roads::stroke_corner_pavements(junction, roads, arms)};
 }
 
-ground::LandCoverPolygon footprint_surface(const buildings::Building& building) {
-  ground::LandCoverPolygon surface{building.id,
-                                   map::LandCoverClass::kBuilding,
-                                   static_cast<std::uint32_t>(std::min(area_m2(building.footprint), 4.0e9)),
-                                   {building.footprint.outer}};
-  surface.rings.insert(surface.rings.end(), building.footprint.holes.begin(), building.footprint.holes.end());
+ground::LandCoverPolygon footprint_surface(ObjectId id, const Polygon& footprint) {
+  ground::LandCoverPolygon surface{.id = id,
+                                   .surface = map::LandCoverClass::kBuilding,
+                                   .area_m2 = static_cast<std::uint32_t>(std::min(area_m2(footprint), 4.0e9)),
+                                   .rings = {footprint.outer}};
+  surface.rings.insert(surface.rings.end(), footprint.holes.begin(), footprint.holes.end());
   return surface;
 }
 
-std::vector<LandCoverPolygon> coarse_land_cover(const Chunk& chunk) {
-  std::vector<LandCoverPolygon> surfaces = surfaces_without_roads(chunk);
-  const std::vector<roads::StripEnds> ends = roads::ends_of(chunk.roads);
-  for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
-    add(ground::surface_of(chunk.roads[i], ends[i]), surfaces);
-    add(ground::pavement_of(chunk.roads[i], ends[i]), surfaces);
+std::vector<LandCoverPolygon> coarse_land_cover(const CoverRecipes& recipes) {
+  std::vector<LandCoverPolygon> surfaces = surfaces_without_roads(recipes);
+  const std::vector<roads::StripEnds> ends = roads::ends_of(recipes.roads);
+  for (std::size_t i = 0; i < recipes.roads.size(); ++i) {
+    add(ground::surface_of(recipes.roads[i], ends[i]), surfaces);
+    add(ground::pavement_of(recipes.roads[i], ends[i]), surfaces);
   }
   sort_and_join(surfaces);
   return surfaces;
 }
 
+std::vector<LandCoverPolygon> coarse_land_cover(const Chunk& chunk) {
+  return coarse_land_cover(cover_recipes_of(chunk));
+}
+
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m) {
+  assert(tolerance_m > 0);
   if (!has_detail(Detail::kRoadSurfaces, tolerance_m)) return {coarse_land_cover(chunk), {}, {}};
-  LandCover cover{surfaces_without_roads(chunk), {}, {}};
+  LandCover cover{surfaces_without_roads(cover_recipes_of(chunk)), {}, {}};
   const std::vector<roads::StripEnds> ends = roads::ends_of(chunk.roads);
   const auto gaps = roads::junction_intervals_of(chunk.roads, chunk.junctions);
   std::uint32_t next_run = 0;

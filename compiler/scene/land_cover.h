@@ -1,4 +1,4 @@
-// What covers a chunk's ground, from its recipes.
+// What covers the ground: polygons of land cover classes, made of the recipes of a chunk or of the whole map.
 #pragma once
 
 #include <span>
@@ -9,28 +9,42 @@
 
 namespace citykiln::scene {
 
+/// The land cover of a tile at a tolerance.
 struct LandCover {
-  std::vector<ground::LandCoverPolygon>
-      surfaces;  ///< Sorted by id, then class, then piece. Each id, class and piece once.
-  std::vector<roads::Piece>
-      pieces;  ///< LandCoverPolygon::piece 1, 2 …; pattern is one of `patterns`, run of one road alone.
-  std::vector<roads::MarkingLayout> layouts;  ///< Of marked pieces; some may be equal.
+  /// Sorted by id, class and piece, each combination of them once.
+  std::vector<ground::LandCoverPolygon> surfaces;
+  /// Pieces of roads by LandCoverPolygon::piece - 1. Piece::pattern indexes `layouts`; a run belongs to one road.
+  std::vector<roads::Piece> pieces;
+  /// Of marked pieces; some may be equal.
+  std::vector<roads::MarkingLayout> layouts;
 };
 
-/// Everything that covers the ground: surfaces, roads, the islands between them, junctions, streams, the footprints of
-/// buildings that stand on it. With Detail::kRoadSurfaces roads come in pieces. Total. O(n log n).
+/// Returns the polygons of areas, roads, junctions, traffic islands, watercourses and buildings that stand on the
+/// ground. With Detail::kRoadSurfaces roads are divided into pieces, else each is one surface from kerb to kerb.
+/// Total. O(n log n).
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m);
 
-/// The same with every road as one surface from kerb to kerb: for clearances, which no tolerance may change.
+/// The recipes that cover the ground, of a chunk or of the whole map.
+struct CoverRecipes {
+  std::span<const ground::LandCoverPolygon> areas;
+  std::span<const roads::Road> roads;
+  std::span<const roads::Junction> junctions;  ///< Their arms are among `roads`.
+  std::span<const roads::Strip> watercourses;
+  std::vector<ground::LandCoverPolygon> footprints;
+};
+
+/// Returns the same polygons with every road as one surface, whatever the tolerance: for clearances, which must be the
+/// same on all levels.
+std::vector<ground::LandCoverPolygon> coarse_land_cover(const CoverRecipes& recipes);
 std::vector<ground::LandCoverPolygon> coarse_land_cover(const Chunk& chunk);
 
-/// The ground that a junction covers: it lies over the strips of its roads, and is named after its main road.
+/// The polygon of a junction. It lies over the strips of its roads and has the id of its main road.
 ground::LandCoverPolygon junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                           std::span<const roads::Arm> arms);
-/// The pavements round its corners, of the same id; without rings where there are none.
+/// The pavements around a junction's corners, with the junction's id; no rings where there are none.
 ground::LandCoverPolygon corner_pavement_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                                  std::span<const roads::Arm> arms);
-/// The ground that a building covers.
-ground::LandCoverPolygon footprint_surface(const buildings::Building& building);
+/// The polygon that a building on the ground covers.
+ground::LandCoverPolygon footprint_surface(ObjectId id, const Polygon& footprint);
 
 }  // namespace citykiln::scene

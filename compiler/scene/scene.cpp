@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::scene {
@@ -10,12 +11,14 @@ namespace citykiln::scene {
 plants::Month month_of(const Header& header) { return plants::month_for(header.sky.time, header.origin.lat_deg); }
 
 Box2 box_of(const Header& header, TileKey tile) {
+  assert(header.tile_m > 0);
   const Vec2 min{tile.x * header.tile_m, tile.y * header.tile_m};
   return {{std::max(min.x, header.region.min.x), std::max(min.y, header.region.min.y)},
           {std::min(min.x + header.tile_m, header.region.max.x), std::min(min.y + header.tile_m, header.region.max.y)}};
 }
 
 std::vector<TileKey> tiles_of(const Header& header) {
+  assert(header.tile_m > 0);
   const auto number = [&](double v) { return static_cast<std::int32_t>(std::floor(v / header.tile_m)); };
   const auto last = [&](double v) { return static_cast<std::int32_t>(std::ceil(v / header.tile_m)) - 1; };
   std::vector<TileKey> tiles;
@@ -25,6 +28,7 @@ std::vector<TileKey> tiles_of(const Header& header) {
 }
 
 bool is_anchored(const Header& header, TileKey tile, Vec2 anchor) {
+  assert(header.tile_m > 0);
   const auto number = [&](double v, double least, double most) {
     return std::clamp(std::floor(v / header.tile_m), std::floor(least / header.tile_m),
                       std::ceil(most / header.tile_m) - 1);

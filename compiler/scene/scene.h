@@ -1,4 +1,4 @@
-// The clay: every object's recipe, by tile. The manifest (.kiln) is this, written down, and nothing else.
+// The scene: the recipe of every object, by tile. The manifest (.kiln) holds exactly this.
 #pragma once
 
 #include <cstdint>
@@ -31,42 +31,49 @@ struct TileKey {
 /// "3_-2".
 std::string to_string(TileKey tile);
 
-/// How far beyond a tile its chunk knows the ground: the largest reach of any expansion (plants), a whole number of
-/// metres.
+/// Chunks hold the ground so far beyond their tiles: the largest distance over which neighbours influence an object
+/// (plants). A whole number of metres.
 inline constexpr double kHalo_m = 48;
 
+/// What holds for the whole scene.
 struct Header {
   map::LonLat origin;    ///< Of the plane.
-  Box2 region;           ///< What was compiled, whole cells of map::kCell_m.
+  Box2 region;           ///< The compiled part of the plane: whole cells of map::kCell_m.
   double tile_m = 1024;  ///< A whole multiple of map::kCell_m.
   std::uint64_t seed = 0;
-  double resampling_error_m = 0;  ///< Of the heightfield against its sources.
+  double resampling_error_m = 0;  ///< Largest error of the heightfield against its sources.
   sky::Sky sky;
   std::vector<std::string> sources;            ///< File names of map and heightmaps, without folders.
   std::vector<std::string> attributions;       ///< "© OpenStreetMap contributors", then the heightmaps' credits.
   std::optional<double> snow_line_m{};         ///< Land above it, in the heights' datum, is under snow.
-  std::vector<buildings::RuleText> rules{};    ///< Those that the buildings' styles need, sorted by name.
-  std::vector<plants::SpeciesText> species{};  ///< Those that plants grow from, sorted by name.
+  std::vector<buildings::RuleText> rules{};    ///< Of the buildings' styles, sorted by name.
+  std::vector<plants::SpeciesText> species{};  ///< Of the plants' species, sorted by name.
   bool operator==(const Header&) const = default;
 };
 
-/// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces,
-/// roads and footprints are in every chunk they touch (widened by kHalo_m, roads by some metres more), trimmed;
-/// junctions in every chunk within 32 m; bridges and tunnels likewise, whole, and in the chunk of their first point, of
-/// which they are part (is_anchored); trees, tree rows, hedges and lanes, whole, in every chunk they touch widened by
-/// plants::kObstacleInfluence_m; everything else is in the chunk of its anchor alone.
+/// The recipes of one tile, which can be baked without any other chunk. Each vector is sorted by id.
+///
+/// Objects that cross a tile's border:
+/// - Surfaces, roads and footprints are in every chunk that they touch, trimmed. Chunks are widened by kHalo_m for
+/// this,
+///   for roads by a few metres more.
+/// - Junctions are in every chunk within 32 m.
+/// - Bridges and tunnels are in these chunks too, whole, and in the chunk of their first point (is_anchored), which
+///   alone bakes them.
+/// - Trees, tree rows, hedges and power-line corridors are, whole, in every chunk that they touch widened by
+///   plants::kObstacleInfluence_m.
+/// - Everything else is in the chunk of its anchor alone.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
-  std::vector<ground::LandCoverPolygon>
-      surfaces;  ///< Areas, and footprints of buildings that are anchored in other tiles.
+  /// Areas; footprints of buildings that are anchored in other tiles; junctions that are not in `junctions`.
+  std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<roads::Road> roads;
-  std::vector<roads::Strip> watercourses;  ///< Running water.
-  /// Sorted by first arm. All whose arms the roads can tell: those within roads::kJunctionHalo_m at least. Others that
-  /// cover ground of the tile are surfaces.
+  std::vector<roads::Strip> watercourses;
+  /// Sorted by first arm. Those whose arms are all in `roads`, which holds within roads::kJunctionHalo_m.
   std::vector<roads::Junction> junctions;
   std::vector<structures::Span> bridges, tunnels;
-  std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (coarse_land_cover).
+  std::vector<buildings::Building> buildings;  ///< Their footprints are not in `surfaces`.
   std::vector<plants::Tree> trees;
   std::vector<plants::Wood> woods;
   std::vector<plants::Planting> plantings;
@@ -77,23 +84,23 @@ struct Chunk {
   bool operator==(const Chunk&) const = default;
 };
 
+/// A compiled map.
 struct Scene {
   Header header;
   std::vector<Chunk> chunks;  ///< Sorted by tile.
   bool operator==(const Scene&) const = default;
 };
 
-/// In which plants and fields are shown: of the sky's time.
+/// The month of the sky's time: plants and fields are shown as they are then.
 plants::Month month_of(const Header& header);
 
 /// The part of the region that belongs to a tile.
 Box2 box_of(const Header& header, TileKey tile);
-/// Whether what is anchored at a place belongs to a tile; from outside the region, to the nearest one.
+/// Whether an object anchored at a place belongs to a tile. Places outside the region belong to the nearest tile.
 bool is_anchored(const Header& header, TileKey tile, Vec2 anchor);
 /// Keys of all tiles that the region touches, sorted.
 std::vector<TileKey> tiles_of(const Header& header);
-/// The chunk's junctions whose first place lies in its tile: each of a scene's junctions that its roads can tell is in
-/// one tile's.
+/// The chunk's junctions whose first place lies in its tile: no junction of a scene is in two tiles' lists.
 std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk);
 
 }  // namespace citykiln::scene

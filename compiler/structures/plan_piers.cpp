@@ -50,9 +50,7 @@ Site site_of(std::span<const Span> bridges, const ground::GradedTerrain& graded,
   Site site{graded, {}, {}, index_decks(bridges, kParapet_m + kMaxClear_m)};
   std::vector<Box2> boxes;
   for (const ground::LandCoverPolygon& obstacle : obstacles) {
-    Box2 box;
-    for (const Ring& ring : obstacle.rings)
-      for (const Vec2 p : ring) box.grow(p);
+    const Box2 box = ground::box_of(obstacle);
     if (box.is_empty() || map::values_of(obstacle.surface).priority < kWaterPriority) continue;
     site.obstacles.push_back(&obstacle);
     boxes.push_back(box);

@@ -1,5 +1,6 @@
 #include "exporters/gltf/compress_glb.h"
 
+#include <cassert>
 #include <cstring>
 #include <set>
 #include <stdexcept>
@@ -43,7 +44,7 @@ const Json& view_of(const Json& gltf, const Json& accessor) {
   return gltf.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
 }
 
-VertexAttribute stream_of(const GlbParts& plain, const std::string& name, const Json& accessor) {
+VertexAttribute attribute_of(const GlbParts& plain, const std::string& name, const Json& accessor) {
   const auto bytes = bytes_of_view(plain, view_of(plain.gltf, accessor));
   return {name, component_of(accessor), width_of(accessor), {bytes.begin(), bytes.end()}};
 }
@@ -52,24 +53,24 @@ std::vector<std::uint32_t> indices_of(const GlbParts& plain, const Json& accesso
   const auto bytes = bytes_of_view(plain, view_of(plain.gltf, accessor));
   const std::size_t stride = bytes_of(component_of(accessor));
   std::vector<std::uint32_t> indices(bytes.size() / stride);
-  // little end first, as numbers are
+  // little-endian
   for (std::size_t i = 0; i < indices.size(); ++i) std::memcpy(&indices[i], bytes.data() + i * stride, stride);
   return indices;
 }
 
-MeshArrays streams_of(const GlbParts& plain, const Json& primitive) {
+MeshArrays arrays_of(const GlbParts& plain, const Json& primitive) {
   const Json& accessors = plain.gltf.at("accessors");
   MeshArrays mesh;
   for (const auto& [name, number] : primitive.at("attributes").items()) {
     const Json& accessor = accessors.at(number.get<std::size_t>());
     mesh.count = accessor.at("count").get<std::size_t>();
-    mesh.streams.push_back(stream_of(plain, name, accessor));
+    mesh.attributes.push_back(attribute_of(plain, name, accessor));
   }
   mesh.indices = indices_of(plain, accessors.at(primitive.at("indices").get<std::size_t>()));
   return mesh;
 }
 
-// All primitives, mesh after mesh.
+// All primitives, mesh by mesh.
 std::vector<Json*> primitives_of(Json& gltf) {
   std::vector<Json*> primitives;
   if (!gltf.contains("meshes")) return primitives;
@@ -87,9 +88,9 @@ std::vector<Json*> accessors_of(Json& gltf, const Json& primitive) {
   return accessors;
 }
 
-// ---- what is not packed --------------------------------------------------------------------------------------------
+// ---- views that are not packed -------------------------------------------------------------------------------------
 
-// Every place of a file, other than accessors of primitives, that has the number of a view.
+// All references to buffer views, but for those of primitives' accessors.
 std::vector<Json*> other_views(Json& gltf) {
   std::vector<Json*> numbers;
   std::set<Json*> of_primitives;
@@ -121,7 +122,7 @@ void copy_mesh(const GlbParts& plain, Json& primitive, GlbParts& packed) {
 
 // ---- meshopt -------------------------------------------------------------------------------------------------------
 
-// The second buffer is not there: where in it views would lie.
+// Adds a view. The extension requires a second buffer, which does not exist, and offsets in it.
 void add_meshopt_view(const MeshoptView& view, Json& accessor, GlbParts& packed, std::size_t& fallback_bytes) {
   const bool is_attribute = view.mode == "ATTRIBUTES";
   const Json extension = {{"buffer", 0},
@@ -145,10 +146,10 @@ void add_meshopt_view(const MeshoptView& view, Json& accessor, GlbParts& packed,
 
 void add_meshopt(const MeshoptMesh& mesh, const Json& primitive, GlbParts& packed, std::size_t& fallback_bytes) {
   const std::vector<Json*> accessors = accessors_of(packed.gltf, primitive);
-  for (std::size_t i = 0; i < mesh.streams.size(); ++i) {
-    add_meshopt_view(mesh.streams[i].view, *accessors[i], packed, fallback_bytes);
-    (*accessors[i])["componentType"] = static_cast<int>(mesh.streams[i].component);
-    if (mesh.streams[i].component == Component::kShort) (*accessors[i])["normalized"] = true;
+  for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
+    add_meshopt_view(mesh.attributes[i].view, *accessors[i], packed, fallback_bytes);
+    (*accessors[i])["componentType"] = static_cast<int>(mesh.attributes[i].component);
+    if (mesh.attributes[i].component == Component::kShort) (*accessors[i])["normalized"] = true;
   }
   add_meshopt_view(mesh.indices, *accessors.back(), packed, fallback_bytes);
 }
@@ -157,7 +158,7 @@ void compress_meshopt(const GlbParts& plain, GlbParts& packed, int threads) {
   const std::vector<Json*> primitives = primitives_of(packed.gltf);
   const auto meshes = for_each_slot<MeshoptMesh>(primitives.size(), threads, [&](std::size_t i) {
     const Json& indices = plain.gltf["accessors"].at(primitives[i]->at("indices").get<std::size_t>());
-    return encode_meshopt(streams_of(plain, *primitives[i]), bytes_of(component_of(indices)));
+    return encode_meshopt(arrays_of(plain, *primitives[i]), bytes_of(component_of(indices)));
   });
   std::size_t fallback_bytes = 0;
   for (std::size_t i = 0; i < meshes.size(); ++i) add_meshopt(meshes[i], *primitives[i], packed, fallback_bytes);
@@ -182,7 +183,7 @@ void add_draco(const DracoMesh& mesh, Json& primitive, GlbParts& packed) {
 void compress_draco(const GlbParts& plain, GlbParts& packed, int threads) {
   const std::vector<Json*> primitives = primitives_of(packed.gltf);
   const auto meshes = for_each_slot<std::optional<DracoMesh>>(
-      primitives.size(), threads, [&](std::size_t i) { return encode_draco(streams_of(plain, *primitives[i])); });
+      primitives.size(), threads, [&](std::size_t i) { return encode_draco(arrays_of(plain, *primitives[i])); });
   for (std::size_t i = 0; i < meshes.size(); ++i)
     meshes[i] ? add_draco(*meshes[i], *primitives[i], packed) : copy_mesh(plain, *primitives[i], packed);
 }
@@ -191,22 +192,22 @@ void demand(Json& gltf, const char* extension) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) gltf[list].push_back(extension);
 }
 
-// ---- back ----------------------------------------------------------------------------------------------------------
+// ---- unpacking -----------------------------------------------------------------------------------------------------
 
-void put_stream(const VertexAttribute& stream, std::size_t count, Json& accessor, GlbParts& parts) {
-  accessor["bufferView"] = add_view(parts, stream.bytes);
-  accessor["count"] = count, accessor["componentType"] = static_cast<int>(stream.component);
+void put_attribute(const VertexAttribute& attribute, std::size_t count, Json& accessor, GlbParts& parts) {
+  accessor["bufferView"] = add_view(parts, attribute.bytes);
+  accessor["count"] = count, accessor["componentType"] = static_cast<int>(attribute.component);
   accessor.erase("byteOffset");
-  if (stream.component == Component::kFloat) accessor.erase("normalized");
+  if (attribute.component == Component::kFloat) accessor.erase("normalized");
 }
 
 void put_indices(const std::vector<std::uint32_t>& indices, Json& accessor, GlbParts& parts) {
   std::vector<unsigned char> bytes(indices.size() * 4);
   if (!indices.empty()) std::memcpy(bytes.data(), indices.data(), bytes.size());
-  put_stream({"", Component::kUnsignedInt, 1, std::move(bytes)}, indices.size(), accessor, parts);
+  put_attribute({"", Component::kUnsignedInt, 1, std::move(bytes)}, indices.size(), accessor, parts);
 }
 
-// A file while its meshes are unpacked. Each byte is unpacked once, so that no small file makes a large tile.
+// A file while its meshes are unpacked. Each byte is used once, so that no small file makes a large tile.
 struct Unpacking {
   GlbParts parts;
   std::size_t unread_bytes = parts.buffer.size();
@@ -233,8 +234,8 @@ void unpack_draco(Json& primitive, Unpacking& unpacking) {
   const auto mesh = decode_draco(unpacking.take(view), std::move(wanted), ids);
   if (!mesh) refuse("meshes that Draco can decode");
   const std::vector<Json*> accessors = accessors_of(parts.gltf, primitive);
-  for (std::size_t i = 0; i < mesh->streams.size(); ++i)
-    put_stream(mesh->streams[i], mesh->count, *accessors[i], parts);
+  for (std::size_t i = 0; i < mesh->attributes.size(); ++i)
+    put_attribute(mesh->attributes[i], mesh->count, *accessors[i], parts);
   put_indices(mesh->indices, *accessors.back(), parts);
   primitive.at("extensions").erase(kDraco);
 }
@@ -261,9 +262,9 @@ void unpack_meshopt(const Json& primitive, Unpacking& unpacking) {
     if (!is_meshopt(parts.gltf, accessor)) continue;
     MeshoptView view = take_meshopt(unpacking, accessor);
     const std::size_t count = view.count;
-    const auto stream = decode_meshopt({name, component_of(accessor), width_of(accessor), std::move(view)});
-    if (!stream) refuse("attributes that meshopt can decode");
-    put_stream(*stream, count, accessor, parts);
+    const auto attribute = decode_meshopt({name, component_of(accessor), width_of(accessor), std::move(view)});
+    if (!attribute) refuse("attributes that meshopt can decode");
+    put_attribute(*attribute, count, accessor, parts);
   }
   if (!is_meshopt(parts.gltf, *accessors.back())) return;
   const auto indices = decode_meshopt_indices(take_meshopt(unpacking, *accessors.back()));
@@ -271,7 +272,7 @@ void unpack_meshopt(const Json& primitive, Unpacking& unpacking) {
   put_indices(*indices, *accessors.back(), parts);
 }
 
-// Views whose bytes are now elsewhere point to none of a second buffer, which is no longer there.
+// Removes the second buffer, and the references to it of views that are unpacked.
 void forget_fallback(Json& gltf) {
   for (Json& view : gltf.at("bufferViews"))
     if (view.contains("extensions") && view.at("extensions").contains(kMeshopt))
@@ -282,6 +283,7 @@ void forget_fallback(Json& gltf) {
 }  // namespace
 
 std::vector<std::byte> compressed_glb(GlbParts plain, Compression compression, int threads) {
+  assert(compression != Compression::kNone);
   GlbParts packed{plain.gltf, {}};
   if (primitives_of(packed.gltf).empty()) return join_glb(std::move(plain));
   copy_other_views(plain, packed);

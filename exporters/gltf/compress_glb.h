@@ -1,4 +1,4 @@
-// From a plain .glb to one whose meshes are packed, and back.
+// Packs the meshes of a plain .glb, and unpacks them again.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,17 @@
 
 namespace citykiln::exporters {
 
-/// @param plain  As encode_glb writes one: an accessor, and it a buffer view, for each attribute. Its places and uvs
-///               lie on the grids of packed meshes (quantise.h), or stay unpacked numbers.
-/// Meshes are packed on their own, on at most `threads` threads; pictures, tables and instances stay as they are. Same
-/// input, same bytes, for any number of threads.
+/// Returns a .glb with packed meshes. Images, tables and instances stay as they are. Same bytes for any number of
+/// threads.
+/// @param plain  As encode_glb writes it: each attribute has an accessor with a buffer view of its own. Positions and
+/// uvs
+///               on the grids of packed meshes (quantise.h) stay exact.
+/// @param compression  Not kNone.
 std::vector<std::byte> compressed_glb(GlbParts plain, Compression compression, int threads);
 
-/// The plain .glb, with attributes in single precision; nothing where no mesh is packed.
-/// @param bytes  Two chunks that fill the file. Throws a std::exception where what is packed is not what it says.
+/// Returns the plain .glb, with attributes in single precision; nothing where no mesh is packed. Throws a
+/// std::exception where packed data are invalid.
+/// @param bytes  As expect_chunks() has accepted them.
 std::optional<std::vector<std::byte>> decompressed_glb(std::span<const std::byte> bytes);
 
 }  // namespace citykiln::exporters

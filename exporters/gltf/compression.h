@@ -1,4 +1,4 @@
-// How meshes are packed in a .glb, and the grids on which packed numbers lie.
+// The ways of packing meshes in a .glb, and the grids of packed attributes.
 #pragma once
 
 #include "compiler/contract/tolerance.h"
@@ -9,12 +9,12 @@ namespace citykiln::exporters {
 /// fastest to read.
 enum class Compression { kNone, kDraco, kMeshopt };
 
-/// Places of packed meshes. One grid for all tiles and levels: origins of tiles are whole metres, so it is the plane's
-/// own, and what two tiles share they still share.
+/// Step of positions: one grid for all tiles and levels. Origins of tiles are whole metres, so it is the plane's own
+/// grid, and positions that two tiles share stay equal.
 inline constexpr double kPackedPosition_m = kQuantum_m;
-/// On sheets and atlases: a tenth of their finest texel.
+/// Step of uvs on atlases: a tenth of their finest texel.
 inline constexpr double kPackedUv_m = 0x1p-9;
-/// Of each of the two numbers of a normal on an octahedron: at most 0.3° off.
+/// Bits of each of the two coordinates of an octahedral normal: an error of at most 0.3°.
 inline constexpr int kPackedNormalBits = 10;
 
 }  // namespace citykiln::exporters

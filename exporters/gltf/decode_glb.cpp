@@ -21,15 +21,15 @@ using bake::Float4;
 using bake::InstancedMesh;
 using tinygltf::Value;
 
-std::vector<OsmId> features_of(GltfReader& source) {
-  const auto extension = source.model.extensions.find("EXT_structural_metadata");
-  expect(extension != source.model.extensions.end(), "the table of OSM ids");
+std::vector<OsmId> features_of(GltfReader& reader) {
+  const auto extension = reader.model.extensions.find("EXT_structural_metadata");
+  expect(extension != reader.model.extensions.end(), "the table of OSM ids");
   const Value& tables = member(extension->second, "propertyTables");
   expect(tables.IsArray() && tables.ArrayLen() > 0, "the table of OSM ids");
   const Value& table = tables.Get(0);
   const Value& columns = member(table, "properties");
-  const auto ids = bytes_of(source, whole(member(member(columns, "id"), "values"))),
-             types = bytes_of(source, whole(member(member(columns, "type"), "values")));
+  const auto ids = bytes_of(reader, whole(member(member(columns, "id"), "values"))),
+             types = bytes_of(reader, whole(member(member(columns, "type"), "values")));
   const auto count = static_cast<std::size_t>(std::max(0, whole(member(table, "count"))));
   expect(count <= types.size() && count <= ids.size() / 8, "the table of OSM ids to be as long as it says");
   std::vector<OsmId> features(count);
@@ -41,19 +41,19 @@ std::vector<OsmId> features_of(GltfReader& source) {
   return features;
 }
 
-InstancedMesh extended(GltfReader& source, const tinygltf::Node& node, std::size_t features) {
+InstancedMesh extended(GltfReader& reader, const tinygltf::Node& node, std::size_t features) {
   const Value& attributes = member(node.extensions.at("EXT_mesh_gpu_instancing"), "attributes");
   const auto accessor = [&](const char* name) { return whole(member(attributes, name)); };
-  InstancedMesh out{node.name, primitives_of(source, node.mesh, features), {}, {}, {}, {}};
+  InstancedMesh out{node.name, primitives_of(reader, node.mesh, features), {}, {}, {}, {}};
   out.translations =
-      turned(values_of<Float3>(source, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+      turned(values_of<Float3>(reader, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
   out.rotations =
-      turned(values_of<Float4>(source, accessor("ROTATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4));
+      turned(values_of<Float4>(reader, accessor("ROTATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4));
   for (const Float3& s :
-       values_of<Float3>(source, accessor("SCALE"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
+       values_of<Float3>(reader, accessor("SCALE"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
     out.scales.push_back(s[0]);
   out.features = as_numbers(
-      values_of<float>(source, accessor("_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
+      values_of<float>(reader, accessor("_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
       features);
   const std::size_t n = out.translations.size();
   expect(out.rotations.size() == n && out.scales.size() == n && out.features.size() == n,
@@ -77,24 +77,24 @@ void add_single(const tinygltf::Node& node, std::size_t features, InstancedMesh&
   out.features.push_back(static_cast<std::uint32_t>(feature));
 }
 
-// Each mesh belongs to one kind of thing, whose nodes follow each other. Returns each one's cutout, by its picture.
-std::vector<std::optional<std::size_t>> add_instances(GltfReader& source, const tinygltf::Node& root, BakedTile& tile) {
-  std::vector<std::optional<std::size_t>> cutouts;  // one an entry of tile.instanced
+// Reads instanced meshes, whose nodes follow each other. Returns the cutout image of each.
+std::vector<std::optional<std::size_t>> add_instances(GltfReader& reader, const tinygltf::Node& root, BakedTile& tile) {
+  std::vector<std::optional<std::size_t>> cutouts;  // one per entry of tile.instanced
   int last_mesh = root.mesh;
   bool is_open = false;
   for (const int child : root.children) {
-    const tinygltf::Node& node = item(source.model.nodes, child, "a node that exists");
+    const tinygltf::Node& node = item(reader.model.nodes, child, "a node that exists");
     const bool is_extended = node.extensions.count("EXT_mesh_gpu_instancing") != 0;
     const bool goes_on = is_open && !is_extended && node.mesh == last_mesh;
-    expect(goes_on || node.mesh > last_mesh, "each mesh for one kind of thing, in order");
+    expect(goes_on || node.mesh > last_mesh, "each mesh in nodes that follow each other, in order");
     last_mesh = node.mesh, is_open = !is_extended;
-    if (!goes_on) cutouts.push_back(cutout_image_of(source.model, node.mesh));
+    if (!goes_on) cutouts.push_back(cutout_image_of(reader.model, node.mesh));
     if (is_extended) {
-      tile.instanced.push_back(extended(source, node, tile.features.size()));
+      tile.instanced.push_back(extended(reader, node, tile.features.size()));
       continue;
     }
     if (!goes_on)
-      tile.instanced.push_back({node.name, primitives_of(source, node.mesh, tile.features.size()), {}, {}, {}, {}});
+      tile.instanced.push_back({node.name, primitives_of(reader, node.mesh, tile.features.size()), {}, {}, {}, {}});
     add_single(node, tile.features.size(), tile.instanced.back());
   }
   return cutouts;
@@ -110,7 +110,7 @@ std::optional<bake::Viewpoint> viewpoint_of(const Value& extras) {
 
 BakedTile tile_of(const tinygltf::Model& model) {
   expect(!model.nodes.empty() && model.buffers.size() == 1, "a node for the tile, and one buffer");
-  GltfReader source{model, model.buffers.front().data.size()};
+  GltfReader reader{model, model.buffers.front().data.size()};
   const tinygltf::Node& root = model.nodes.front();
   BakedTile tile;
   const Value &key = member(root.extras, "tile"), &origin = member(root.extras, "origin_m");
@@ -120,14 +120,14 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
   tile.plant_error_m = number(member(root.extras, "plant_error_m"));
   tile.viewpoint = viewpoint_of(root.extras);
-  tile.features = features_of(source);
-  if (root.mesh >= 0) tile.primitives = primitives_of(source, root.mesh, tile.features.size());
-  const auto cutouts = add_instances(source, root, tile);
-  read_pictures(source, cutouts, tile);
+  tile.features = features_of(reader);
+  if (root.mesh >= 0) tile.primitives = primitives_of(reader, root.mesh, tile.features.size());
+  const auto cutouts = add_instances(reader, root, tile);
+  read_pictures(reader, cutouts, tile);
   return tile;
 }
 
-// Pictures are left where they are, for sheet_of.
+// Leaves images in the buffer, for read_pictures.
 bool leave_picture(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
                    void*) {
   return true;

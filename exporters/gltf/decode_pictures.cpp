@@ -12,72 +12,73 @@ namespace {
 using bake::BakedTile;
 using materials::ColourSource;
 
-// The size of a texel stands beside the picture.
+// Texel sizes are in the images' extras, since scales are rounded.
 double texel_m_of(const tinygltf::Image& image) {
   const double texel_m = number(member(image.extras, "texel_m"));
   expect(texel_m > 0 && std::isfinite(texel_m), "texels with a size");
   return texel_m;
 }
 
-materials::TextureImage picture_of(GltfReader& source, const tinygltf::Image& image) {
-  auto picture = decode_png(std::as_bytes(bytes_of(source, image.bufferView)), "");
+materials::TextureImage picture_of(GltfReader& reader, const tinygltf::Image& image) {
+  auto picture = decode_png(std::as_bytes(bytes_of(reader, image.bufferView)), "");
   if (!picture) throw FormatError{"a picture: " + to_string(picture.error())};
   picture->texel_m = texel_m_of(image);
   return std::move(*picture);
 }
 
-// The texture that a picture belongs to: the last one, or the next.
+// The texture that an image belongs to: the last one, or a new one.
 materials::Texture& texture_with(std::vector<materials::Texture>& textures, std::string_view name) {
   const auto material = material_named(name);
-  expect(material.has_value(), "pictures named after materials, and one sheet at most");
+  expect(material.has_value(), "images named after materials, and one marking atlas at most");
   if (!textures.empty() && textures.back().material == *material) return textures.back();
   expect(textures.empty() || textures.back().material < *material, "each material's pictures once, in order");
   return textures.emplace_back(materials::Texture{*material, {}, {}});
 }
 
-void read_texture(GltfReader& source, const tinygltf::Image& image, std::vector<materials::Texture>& textures) {
-  const auto colour_source = strip_suffix(image.name, "Colour"), shaped = strip_suffix(image.name, "Normal");
-  expect(colour_source || shaped, "pictures named after materials, and one sheet at most");
-  materials::Texture& texture = texture_with(textures, colour_source ? *colour_source : *shaped);
-  materials::TextureImage& place = colour_source ? texture.colour : texture.normal;
-  expect(place.texels.empty() && (shaped || texture.normal.texels.empty()), "each material's pictures once, in order");
-  place = picture_of(source, image);
-  expect(place.columns == place.rows, "textures that are square");
+void read_texture(GltfReader& reader, const tinygltf::Image& image, std::vector<materials::Texture>& textures) {
+  const auto coloured = strip_suffix(image.name, "Colour"), shaped = strip_suffix(image.name, "Normal");
+  expect(coloured || shaped, "images named after materials, and one marking atlas at most");
+  materials::Texture& texture = texture_with(textures, coloured ? *coloured : *shaped);
+  materials::TextureImage& target = coloured ? texture.colour : texture.normal;
+  expect(target.texels.empty() && (shaped || texture.normal.texels.empty()), "each material's pictures once, in order");
+  target = picture_of(reader, image);
+  expect(target.columns == target.rows, "textures that are square");
 }
 
-// A cutout: its colours, and its normals where these follow.
-impostor::Cutout read_cutout(GltfReader& source, std::size_t image) {
-  const auto& images = source.model.images;
-  const auto bytes = std::as_bytes(bytes_of(source, images[image].bufferView));
+// Reads a cutout: its colours, and its normals if these follow.
+impostor::Cutout read_cutout(GltfReader& reader, std::size_t image) {
+  const auto& images = reader.model.images;
+  const auto bytes = std::as_bytes(bytes_of(reader, images[image].bufferView));
   auto picture = decode_cutout_png(bytes, "");
   if (!picture) throw FormatError{"a picture: " + to_string(picture.error())};
   impostor::Cutout cutout{std::move(picture->colour), std::move(picture->opacity), {}};
   cutout.colour.texel_m = texel_m_of(images[image]);
   if (image + 1 < images.size() && images[image + 1].name == "cutoutNormal")
-    cutout.normal = picture_of(source, images[image + 1]);
+    cutout.normal = picture_of(reader, images[image + 1]);
   return cutout;
 }
 
-// From `first` on. Meshes may share them, each with a copy of its own: a small file must not make a large tile.
-void read_cutouts(GltfReader& source, std::size_t first, std::span<const std::optional<std::size_t>> wanted,
+// Reads the cutouts, from image `first` on. Each mesh gets a copy, so their texels are limited: a small file must not
+// make a large tile.
+void read_cutouts(GltfReader& reader, std::size_t first, std::span<const std::optional<std::size_t>> wanted,
                   BakedTile& tile) {
-  const auto& images = source.model.images;
+  const auto& images = reader.model.images;
   std::uint64_t texels = 0;
   for (std::size_t i = first; i < images.size(); ++i) {
     if (images[i].name == "cutoutNormal" && i > first && images[i - 1].name == "cutout") continue;
-    expect(images[i].name == "cutout", "pictures named after materials, and one sheet at most");
-    const impostor::Cutout cutout = read_cutout(source, i);
+    expect(images[i].name == "cutout", "images named after materials, and one marking atlas at most");
+    const impostor::Cutout cutout = read_cutout(reader, i);
     for (std::size_t k = 0; k < wanted.size(); ++k) {
       if (wanted[k] != i) continue;
       texels += cutout.colour.texels.size() + cutout.normal.texels.size();
-      expect(texels <= materials::kMaxImageTexels, "no more cutouts than a sheet has texels");
+      expect(texels <= materials::kMaxImageTexels, "cutouts of no more texels than an image may have");
       tile.instanced[k].cutout = cutout;
     }
   }
 }
 
 bool are_one_size(const impostor::Atlas& atlas) {
-  // by its name: clang before 16 lets no lambda have what a structured binding names
+  // clang before 16 cannot capture structured bindings
   const materials::TextureImage& colour = atlas.colour;
   const auto is_as_large = [&](const materials::TextureImage& other) {
     return colour.columns == other.columns && colour.rows == other.rows && colour.texel_m == other.texel_m;
@@ -95,26 +96,27 @@ std::optional<std::size_t> cutout_image_of(const tinygltf::Model& model, int mes
     if (primitive_key_named(m.name).colour_source != ColourSource::kByCutout) continue;
     const int texture = m.pbrMetallicRoughness.baseColorTexture.index;
     const int image = item(model.textures, texture, "a texture that exists").source;
-    expect(item(model.images, image, "a picture that exists").name == "cutout", "leaves on a cutout");
+    expect(item(model.images, image, "a picture that exists").name == "cutout", "a cutout image");
     expect(!number || *number == static_cast<std::size_t>(image), "one cutout a mesh");
     number = static_cast<std::size_t>(image);
   }
   return number;
 }
 
-void read_pictures(GltfReader& source, std::span<const std::optional<std::size_t>> cutouts, BakedTile& tile) {
-  const std::pair<const char*, materials::TextureImage*> sheets[] = {{"marking_atlas", &tile.sheet},
-                                                                     {"facade_atlas", &tile.facade_atlas.colour},
-                                                                     {"facade_atlas_surface", &tile.facade_atlas.surface},
-                                                                     {"facade_atlas_emission", &tile.facade_atlas.emission},
-                                                                     {"facade_atlas_normal", &tile.facade_atlas.normal}};
-  const auto& images = source.model.images;
+void read_pictures(GltfReader& reader, std::span<const std::optional<std::size_t>> cutouts, BakedTile& tile) {
+  const std::pair<const char*, materials::TextureImage*> images_of_tile[] = {
+      {"marking_atlas", &tile.marking_atlas},
+      {"facade_atlas", &tile.facade_atlas.colour},
+      {"facade_atlas_surface", &tile.facade_atlas.surface},
+      {"facade_atlas_emission", &tile.facade_atlas.emission},
+      {"facade_atlas_normal", &tile.facade_atlas.normal}};
+  const auto& images = reader.model.images;
   std::size_t i = 0;
-  for (const auto& [name, place] : sheets)
-    if (i < images.size() && images[i].name == name) *place = picture_of(source, images[i++]);
-  for (; i < images.size() && images[i].name != "cutout"; ++i) read_texture(source, images[i], tile.textures);
-  read_cutouts(source, i, cutouts, tile);
-  expect(are_one_size(tile.facade_atlas), "an atlas whose pictures are of one size");
+  for (const auto& [name, target] : images_of_tile)
+    if (i < images.size() && images[i].name == name) *target = picture_of(reader, images[i++]);
+  for (; i < images.size() && images[i].name != "cutout"; ++i) read_texture(reader, images[i], tile.textures);
+  read_cutouts(reader, i, cutouts, tile);
+  expect(are_one_size(tile.facade_atlas), "a facade atlas whose images are of one size");
 }
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,4 @@
-// Pictures out of a .glb: the sheet, the atlas, textures, cutouts.
+// Reads the images of a .glb: marking atlas, facade atlas, textures, cutouts.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,12 @@
 
 namespace citykiln::exporters {
 
-/// Which picture colours a mesh's primitives on cutouts, if any. Throws FormatError, here and below.
+/// The index of the image of a mesh's primitives with ColourSource::kByCutout, if it has any. Throws FormatError, here
+/// and below.
 std::optional<std::size_t> cutout_image_of(const tinygltf::Model& model, int mesh);
 
-/// The sheet, if any, the atlas's two to four, if any, then colours and normals of materials, then cutouts.
-/// @param cutouts  One an entry of tile.instanced, as cutout_image_of() says.
-void read_pictures(GltfReader& source, std::span<const std::optional<std::size_t>> cutouts, bake::BakedTile& tile);
+/// Reads all images into the tile, in the order in which add_pictures() writes them.
+/// @param cutouts  One per entry of tile.instanced, as cutout_image_of() returns them.
+void read_pictures(GltfReader& reader, std::span<const std::optional<std::size_t>> cutouts, bake::BakedTile& tile);
 
 }  // namespace citykiln::exporters

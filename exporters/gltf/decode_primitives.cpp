@@ -18,14 +18,14 @@ int attribute(const std::map<std::string, int>& attributes, const char* name) {
   return found->second;
 }
 
-// Metres, or 16 bits that count steps.
-std::vector<Float2> uvs_of(GltfReader& source, int accessor_number) {
-  if (item(source.model.accessors, accessor_number, "an accessor that exists").componentType ==
+// uvs in metres, from floats or from 16 bits that count steps.
+std::vector<Float2> uvs_of(GltfReader& reader, int accessor_number) {
+  if (item(reader.model.accessors, accessor_number, "an accessor that exists").componentType ==
       TINYGLTF_COMPONENT_TYPE_FLOAT)
-    return finite(values_of<Float2>(source, accessor_number, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2));
+    return finite(values_of<Float2>(reader, accessor_number, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2));
   std::vector<Float2> uvs;
   for (const auto& [u, v] : values_of<std::array<std::uint16_t, 2>>(
-           source, accessor_number, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2))
+           reader, accessor_number, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2))
     uvs.push_back({static_cast<float>(u * materials::kTextureCoordinateStep_m),
                    static_cast<float>(v * materials::kTextureCoordinateStep_m)});
   return uvs;
@@ -39,16 +39,16 @@ bool has_picture(const tinygltf::Model& model, ColourSource colour_source) {
          std::ranges::count(model.images, name, &tinygltf::Image::name) > 0;
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(GltfReader& source, int accessor, std::size_t vertices) {
-  const bool narrow = item(source.model.accessors, accessor, "an accessor that exists").componentType ==
+std::vector<std::array<std::uint32_t, 3>> triangles_of(GltfReader& reader, int accessor, std::size_t vertices) {
+  const bool narrow = item(reader.model.accessors, accessor, "an accessor that exists").componentType ==
                       TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
   std::vector<std::uint32_t> indices;
   if (narrow) {
     const auto values =
-        values_of<std::uint16_t>(source, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
+        values_of<std::uint16_t>(reader, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
     indices.assign(values.begin(), values.end());
   } else {
-    indices = values_of<std::uint32_t>(source, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
+    indices = values_of<std::uint32_t>(reader, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
   }
   expect(indices.size() % 3 == 0, "three indices a triangle");
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -59,20 +59,20 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(GltfReader& source, int a
   return triangles;
 }
 
-Primitive primitive_of(GltfReader& source, const tinygltf::Primitive& p, std::size_t features) {
+Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
   const bake::PrimitiveKey key =
-      primitive_key_named(item(source.model.materials, p.material, "a material that exists").name);
+      primitive_key_named(item(reader.model.materials, p.material, "a material that exists").name);
   out.material = key.material, out.colour_source = key.colour_source;
-  out.positions = turned(values_of<Float3>(source, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
+  out.positions = turned(values_of<Float3>(reader, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
                                            TINYGLTF_TYPE_VEC3));
   out.normals = turned(
-      values_of<Float3>(source, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
-  out.colours = values_of<materials::Tint>(source, attribute(p.attributes, "COLOR_0"),
+      values_of<Float3>(reader, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.colours = values_of<materials::Tint>(reader, attribute(p.attributes, "COLOR_0"),
                                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
-  if (p.attributes.count("TEXCOORD_0") != 0) out.uvs = uvs_of(source, attribute(p.attributes, "TEXCOORD_0"));
+  if (p.attributes.count("TEXCOORD_0") != 0) out.uvs = uvs_of(reader, attribute(p.attributes, "TEXCOORD_0"));
   if (p.attributes.count("_FEATURE_ID_0") != 0)
-    out.features = as_numbers(values_of<float>(source, attribute(p.attributes, "_FEATURE_ID_0"),
+    out.features = as_numbers(values_of<float>(reader, attribute(p.attributes, "_FEATURE_ID_0"),
                                                TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
                               features);
   const std::size_t n = out.positions.size();
@@ -80,18 +80,18 @@ Primitive primitive_of(GltfReader& source, const tinygltf::Primitive& p, std::si
              (out.uvs.empty() || out.uvs.size() == n),
          "as many values in each attribute");
   expect(out.colour_source == ColourSource::kByMaterial ||
-             (!out.uvs.empty() && has_picture(source.model, out.colour_source)),
-         "a sheet, and a place on it, for each corner that is on it");
-  out.triangles = triangles_of(source, p.indices, n);
+             (!out.uvs.empty() && has_picture(reader.model, out.colour_source)),
+         "an image, and uvs, for primitives that an image colours");
+  out.triangles = triangles_of(reader, p.indices, n);
   return out;
 }
 
 }  // namespace
 
-std::vector<Primitive> primitives_of(GltfReader& source, int mesh, std::size_t features) {
+std::vector<Primitive> primitives_of(GltfReader& reader, int mesh, std::size_t features) {
   std::vector<Primitive> primitives;
-  for (const tinygltf::Primitive& p : item(source.model.meshes, mesh, "a mesh that exists").primitives)
-    primitives.push_back(primitive_of(source, p, features));
+  for (const tinygltf::Primitive& p : item(reader.model.meshes, mesh, "a mesh that exists").primitives)
+    primitives.push_back(primitive_of(reader, p, features));
   return primitives;
 }
 

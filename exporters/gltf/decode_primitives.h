@@ -1,4 +1,4 @@
-// Meshes out of a .glb.
+// Reads the meshes of a .glb.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace citykiln::exporters {
 
-/// Of a mesh, by its number. Pictures are read after meshes: whether there is one is asked here. Throws FormatError.
-/// @param features  How many rows the property table has.
-std::vector<bake::Primitive> primitives_of(GltfReader& source, int mesh, std::size_t features);
+/// Reads the primitives of a mesh. Images are read later; here only their presence is checked. Throws FormatError.
+/// @param features  Number of rows of the property table.
+std::vector<bake::Primitive> primitives_of(GltfReader& reader, int mesh, std::size_t features);
 
 }  // namespace citykiln::exporters

@@ -6,6 +6,7 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -41,51 +42,51 @@ draco::DataType data_type_of(Component component) {
   return draco::DT_INVALID;
 }
 
-// Different values, and which each vertex has.
+// The distinct values of an attribute, and the index of each vertex's.
 struct Values {
   std::vector<unsigned char> bytes;
   std::vector<unsigned int> of_vertex;
   std::size_t count = 0;
 };
 
-Values different_values(const VertexAttribute& stream, std::size_t vertices) {
-  const std::size_t stride = stride_of(stream);
+Values different_values(const VertexAttribute& attribute, std::size_t vertices) {
+  const std::size_t stride = stride_of(attribute);
   Values values{{}, std::vector<unsigned int>(vertices), 0};
   values.count =
-      meshopt_generateVertexRemap(values.of_vertex.data(), nullptr, vertices, stream.bytes.data(), vertices, stride);
+      meshopt_generateVertexRemap(values.of_vertex.data(), nullptr, vertices, attribute.bytes.data(), vertices, stride);
   values.bytes.resize(values.count * stride);
-  meshopt_remapVertexBuffer(values.bytes.data(), stream.bytes.data(), vertices, stride, values.of_vertex.data());
+  meshopt_remapVertexBuffer(values.bytes.data(), attribute.bytes.data(), vertices, stride, values.of_vertex.data());
   return values;
 }
 
-// Gives a vertex a place of its own, though another has the same.
-void set_apart(unsigned int vertex, std::size_t stride, Values& places) {
-  const auto at = static_cast<std::ptrdiff_t>(places.of_vertex[vertex] * stride);
-  const std::vector<unsigned char> same(places.bytes.begin() + at,
-                                        places.bytes.begin() + at + static_cast<std::ptrdiff_t>(stride));
-  places.bytes.insert(places.bytes.end(), same.begin(), same.end());
-  places.of_vertex[vertex] = static_cast<unsigned int>(places.count++);
+// Gives a vertex a copy of its position, so that it shares none.
+void separate(unsigned int vertex, std::size_t stride, Values& positions) {
+  const auto at = static_cast<std::ptrdiff_t>(positions.of_vertex[vertex] * stride);
+  const std::vector<unsigned char> same(positions.bytes.begin() + at,
+                                        positions.bytes.begin() + at + static_cast<std::ptrdiff_t>(stride));
+  positions.bytes.insert(positions.bytes.end(), same.begin(), same.end());
+  positions.of_vertex[vertex] = static_cast<unsigned int>(positions.count++);
 }
 
-// Draco leaves out triangles two of whose corners are one place.
-void keep_thin_triangles(const MeshArrays& mesh, std::size_t stride, Values& places) {
+// Draco drops triangles two of whose corners share a position: gives these corners positions of their own.
+void keep_thin_triangles(const MeshArrays& mesh, std::size_t stride, Values& positions) {
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
     const unsigned int a = mesh.indices[t], b = mesh.indices[t + 1], c = mesh.indices[t + 2];
-    auto& place = places.of_vertex;
-    if (place[a] == place[b] || place[b] == place[c]) set_apart(b, stride, places);
-    if (place[a] == place[c]) set_apart(c, stride, places);
+    const auto& index = positions.of_vertex;
+    if (index[a] == index[b] || index[b] == index[c]) separate(b, stride, positions);
+    if (index[a] == index[c]) separate(c, stride, positions);
   }
 }
 
-int add_stream(const MeshArrays& mesh, const VertexAttribute& stream, draco::Mesh& out) {
-  const std::size_t stride = stride_of(stream);
-  Values values = different_values(stream, mesh.count);
-  if (stream.name == "POSITION") keep_thin_triangles(mesh, stride, values);
-  GeometryAttribute attribute;
-  const bool is_normalised = stream.component != Component::kFloat;
-  attribute.Init(type_of(stream.name), nullptr, static_cast<std::int8_t>(stream.width), data_type_of(stream.component),
-                 is_normalised, static_cast<std::int64_t>(stride), 0);
-  const int id = out.AddAttribute(attribute, false, static_cast<std::uint32_t>(values.count));
+int add_attribute(const MeshArrays& mesh, const VertexAttribute& attribute, draco::Mesh& out) {
+  const std::size_t stride = stride_of(attribute);
+  Values values = different_values(attribute, mesh.count);
+  if (attribute.name == "POSITION") keep_thin_triangles(mesh, stride, values);
+  GeometryAttribute target;
+  const bool is_normalised = attribute.component != Component::kFloat;
+  target.Init(type_of(attribute.name), nullptr, static_cast<std::int8_t>(attribute.width),
+              data_type_of(attribute.component), is_normalised, static_cast<std::int64_t>(stride), 0);
+  const int id = out.AddAttribute(target, false, static_cast<std::uint32_t>(values.count));
   for (std::size_t i = 0; i < values.count; ++i)
     out.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(static_cast<std::uint32_t>(i)),
                                          values.bytes.data() + i * stride);
@@ -95,8 +96,9 @@ int add_stream(const MeshArrays& mesh, const VertexAttribute& stream, draco::Mes
   return id;
 }
 
-// Draco counts steps from an origin on, in single precision: exact below 2^23. It hands origin and range on as texts of
-// six decimals: exact where the origin is a whole number and the range above 16.
+// Sets a grid of 2^exponent from an origin on. Draco computes steps in single precision, which is exact below 2^23, and
+// passes origin and range on as texts of six decimals, which is exact where the origin is a whole number and the range
+// is above 16.
 void set_grid(draco::ExpertEncoder& encoder, int id, int exponent, const std::vector<float>& origin, int least_bits) {
   const int bits = std::max(least_bits, 5 - exponent);
   const auto range = static_cast<float>(std::ldexp((1 << bits) - 1, exponent));
@@ -118,11 +120,11 @@ void set_steps(draco::ExpertEncoder& encoder, int id, const Steps& steps, std::s
   set_grid(encoder, id, steps.exponent, {origin.begin(), origin.end()}, bits);
 }
 
-void set_quantisation(draco::ExpertEncoder& encoder, int id, const VertexAttribute& stream) {
-  if (stream.name == "NORMAL") return encoder.SetAttributeQuantization(id, kPackedNormalBits);
-  // a grid that has -1 and 1
-  if (stream.name == "TANGENT") return set_grid(encoder, id, -11, {-1, -1, -1, -1}, 0);
-  if (const auto steps = steps_of(stream)) set_steps(encoder, id, *steps, stream.width);
+void set_quantisation(draco::ExpertEncoder& encoder, int id, const VertexAttribute& attribute) {
+  if (attribute.name == "NORMAL") return encoder.SetAttributeQuantization(id, kPackedNormalBits);
+  // a grid that contains -1 and 1
+  if (attribute.name == "TANGENT") return set_grid(encoder, id, -11, {-1, -1, -1, -1}, 0);
+  if (const auto steps = steps_of(attribute)) set_steps(encoder, id, *steps, attribute.width);
 }
 
 void add_triangles(const MeshArrays& mesh, draco::Mesh& out) {
@@ -134,19 +136,19 @@ void add_triangles(const MeshArrays& mesh, draco::Mesh& out) {
                  draco::PointIndex(mesh.indices[t + 2])});
 }
 
-bool read_stream(const draco::Mesh& mesh, int id, VertexAttribute& stream) {
-  const draco::PointAttribute* const attribute =
+bool read_attribute(const draco::Mesh& mesh, int id, VertexAttribute& attribute) {
+  const draco::PointAttribute* const source =
       id >= 0 ? mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id)) : nullptr;
-  const std::size_t stride = stride_of(stream);
-  if (attribute == nullptr || attribute->data_type() != data_type_of(stream.component) ||
-      attribute->num_components() != static_cast<int>(stream.width) ||
-      attribute->byte_stride() != static_cast<std::int64_t>(stride))
+  const std::size_t stride = stride_of(attribute);
+  if (source == nullptr || source->data_type() != data_type_of(attribute.component) ||
+      source->num_components() != static_cast<int>(attribute.width) ||
+      source->byte_stride() != static_cast<std::int64_t>(stride))
     return false;
-  stream.bytes.resize(mesh.num_points() * stride);
+  attribute.bytes.resize(mesh.num_points() * stride);
   for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {
-    const draco::AttributeValueIndex value = attribute->mapped_index(draco::PointIndex(i));
-    if (value.value() >= attribute->size()) return false;
-    attribute->GetValue(value, stream.bytes.data() + i * stride);
+    const draco::AttributeValueIndex value = source->mapped_index(draco::PointIndex(i));
+    if (value.value() >= source->size()) return false;
+    source->GetValue(value, attribute.bytes.data() + i * stride);
   }
   return true;
 }
@@ -157,10 +159,10 @@ std::optional<DracoMesh> encode_draco(const MeshArrays& mesh) {
   draco::Mesh plain;
   add_triangles(mesh, plain);
   DracoMesh out;
-  for (const VertexAttribute& stream : mesh.streams) out.ids.push_back(add_stream(mesh, stream, plain));
+  for (const VertexAttribute& attribute : mesh.attributes) out.ids.push_back(add_attribute(mesh, attribute, plain));
   draco::ExpertEncoder encoder(plain);
   encoder.SetTrackEncodedProperties(true);
-  for (std::size_t i = 0; i < mesh.streams.size(); ++i) set_quantisation(encoder, out.ids[i], mesh.streams[i]);
+  for (std::size_t i = 0; i < mesh.attributes.size(); ++i) set_quantisation(encoder, out.ids[i], mesh.attributes[i]);
   draco::EncoderBuffer buffer;
   if (!encoder.EncodeToBuffer(&buffer).ok()) return std::nullopt;
   out.bytes.assign(buffer.data(), buffer.data() + buffer.size());
@@ -178,8 +180,8 @@ std::optional<MeshArrays> decode_draco(std::span<const unsigned char> bytes, std
   if (!decoded.ok()) return std::nullopt;
   const draco::Mesh& mesh = *decoded.value();
   MeshArrays out{mesh.num_points(), std::move(wanted), {}};
-  for (std::size_t i = 0; i < out.streams.size(); ++i)
-    if (!read_stream(mesh, ids[i], out.streams[i])) return std::nullopt;
+  for (std::size_t i = 0; i < out.attributes.size(); ++i)
+    if (!read_attribute(mesh, ids[i], out.attributes[i])) return std::nullopt;
   for (std::uint32_t t = 0; t < mesh.num_faces(); ++t)
     for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(t))) out.indices.push_back(corner.value());
   return out;

@@ -1,4 +1,4 @@
-// KHR_draco_mesh_compression: a primitive as one stream of bytes.
+// KHR_draco_mesh_compression: a primitive as one run of bytes.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,17 @@ namespace citykiln::exporters {
 
 struct DracoMesh {
   std::vector<unsigned char> bytes;
-  std::vector<int> ids;                  ///< Draco's own of each stream, in their order.
-  std::size_t count = 0, triangles = 0;  ///< As decoded: vertices may be more or fewer than they were.
+  std::vector<int> ids;                  ///< Draco's id of each attribute, in the mesh's order.
+  std::size_t count = 0, triangles = 0;  ///< As decoded: vertices may be more or fewer than before.
 };
 
-/// Vertices and triangles in another order. Normals are on kPackedNormalBits of an octahedron, tangents in steps of
-/// 2^-11; all else is as it was, for numbers on the grid of packed meshes are packed as such. No triangle is left out,
-/// even where its corners are one place. Nothing: Draco will not have it; then it stays as it is.
+/// Packs a mesh; vertices and triangles change their order. Normals are octahedral with kPackedNormalBits, tangents
+/// multiples of 2^-11; attributes on the grids of packed meshes stay exact, as do all others. Every triangle is kept,
+/// even where its corners coincide. Returns nothing where Draco refuses the mesh, which then stays unpacked.
 std::optional<DracoMesh> encode_draco(const MeshArrays& mesh);
 
-/// The mesh that was encoded; `wanted` are streams without bytes. Nothing: the bytes are not what they say.
+/// Unpacks a mesh; returns nothing where the bytes are invalid.
+/// @param wanted  The attributes, without bytes. @param ids  One per attribute.
 std::optional<MeshArrays> decode_draco(std::span<const unsigned char> bytes, std::vector<VertexAttribute> wanted,
                                        std::span<const int> ids);
 

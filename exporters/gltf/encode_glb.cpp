@@ -5,6 +5,7 @@
 
 #include "exporters/file.h"
 #include "exporters/gltf/compress_glb.h"
+#include "exporters/gltf/encode_materials.h"
 #include "exporters/gltf/encode_pictures.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_axes.h"
@@ -21,7 +22,6 @@ using bake::Float3;
 using bake::Float4;
 using bake::InstancedMesh;
 using bake::Primitive;
-using materials::ColourSource;
 using tinygltf::Value;
 using Object = Value::Object;
 using Array = Value::Array;
@@ -57,7 +57,7 @@ int add_indices(GlbBuilder& f, const Primitive& p) {
                         TINYGLTF_TYPE_SCALAR, count);
 }
 
-// The extension that says: attribute _FEATURE_ID_0 numbers rows of property table 0.
+// A feature id extension: the attribute _FEATURE_ID_0 indexes rows of property table 0.
 Value feature_ids(GlbBuilder& f, const char* extension) {
   f.extensions.insert(extension);
   const Object ids = {
@@ -65,122 +65,17 @@ Value feature_ids(GlbBuilder& f, const char* extension) {
   return Value(Object{{"featureIds", Value(Array{Value(ids)})}});
 }
 
-// 16 bits count steps on textures from 0 to nearly four periods.
-constexpr double kMostSteps = 65535;
-
-bool has_quantised_uvs(const Primitive& p) {
-  const auto fits = [](float v) {
-    const double steps = v / materials::kTextureCoordinateStep_m;
-    return steps >= 0 && steps <= kMostSteps && steps == std::floor(steps);
-  };
-  return p.colour_source == ColourSource::kByMaterial &&
-         std::ranges::all_of(p.uvs, [&](const bake::Float2& uv) { return fits(uv[0]) && fits(uv[1]); });
-}
-
-MaterialKey material_key_of(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
-  if (p.colour_source == ColourSource::kByCutout) return {key_of(p), nullptr, false, cutout};
-  if (p.colour_source != ColourSource::kByMaterial) return {key_of(p)};
-  const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
-  if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, ColourSource::kByMaterial}};
-  return {key_of(p), &*found, has_quantised_uvs(p)};
-}
-
-// A picture shown by places of so many metres a unit.
-template <typename Info>
-Info shown(GlbBuilder& f, const materials::TextureImage& picture, double unit_m) {
-  const Array scale = {number(unit_m / (picture.columns * picture.texel_m)),
-                       number(unit_m / (picture.rows * picture.texel_m))};
-  f.extensions.insert("KHR_texture_transform");
-  Info info;
-  info.index = picture_number(f, &picture);
-  info.extensions["KHR_texture_transform"] = Value(Object{{"scale", Value(scale)}});
-  return info;
-}
-
-// What is on a sheet keeps the default colour, white: the sheet says how much light each place sends back.
-void set_colour(GlbBuilder& f, const MaterialKey& look, tinygltf::PbrMetallicRoughness& m) {
-  const auto& base = values_of(look.key.material).base_colour;
-  if (look.key.colour_source == ColourSource::kByMarkingAtlas)
-    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.sheet, 1);
-  if (look.key.colour_source == ColourSource::kByAtlas)
-    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.colour, 1);
-  if (look.cutout != nullptr) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.cutout->colour, 1);
-  if (look.key.colour_source != ColourSource::kByMaterial) return;
-  m.baseColorFactor = {base[0], base[1], base[2], 1};
-  if (look.texture == nullptr || look.texture->colour.texels.empty()) return;
-  const auto factor = colour_factor(*look.texture);
-  m.baseColorFactor = {factor[0], factor[1], factor[2], 1};
-  const double unit_m = look.has_quantised_uvs ? kMostSteps * materials::kTextureCoordinateStep_m : 1;
-  m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.texture->colour, unit_m);
-}
-
-const materials::TextureImage* normals_of(const GlbBuilder& f, const MaterialKey& look) {
-  const materials::TextureImage* normals = nullptr;
-  if (look.key.colour_source == ColourSource::kByAtlas) normals = &f.tile.facade_atlas.normal;
-  if (look.texture != nullptr) normals = &look.texture->normal;
-  if (look.cutout != nullptr) normals = &look.cutout->normal;
-  return normals == nullptr || normals->texels.empty() ? nullptr : normals;
-}
-
-// What is on the atlas keeps the default factors, 1.
-void set_surface(GlbBuilder& f, const MaterialKey& look, tinygltf::PbrMetallicRoughness& m) {
-  if (look.key.colour_source == ColourSource::kByAtlas) {
-    m.metallicRoughnessTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.surface, 1);
-    return;
-  }
-  const auto& values = values_of(look.key.material);
-  m.roughnessFactor = values.roughness, m.metallicFactor = values.metallic;
-}
-
-// What it sends out by itself: 1 is kEmission_cd_m2.
-void set_emission(GlbBuilder& f, const MaterialKey& look, tinygltf::Material& m) {
-  if (look.key.colour_source == ColourSource::kByAtlas && !f.tile.facade_atlas.emission.texels.empty()) {
-    m.emissiveTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.emission, 1);
-    m.emissiveFactor = {1, 1, 1};
-  }
-  const auto own = emission_of(look.key.material);
-  if (look.key.colour_source == ColourSource::kByMaterial && emits(look.key.material))
-    m.emissiveFactor = {own[0], own[1], own[2]};
-}
-
-int material_number(GlbBuilder& f, const MaterialKey& look) {
-  const auto same = std::ranges::find(f.looks, look);
-  if (same != f.looks.end()) return static_cast<int>(same - f.looks.begin());
-  tinygltf::Material m;
-  m.name = material_name(look.key, f.tile.textures);
-  set_colour(f, look, m.pbrMetallicRoughness);
-  if (const materials::TextureImage* normals = normals_of(f, look)) {
-    const double unit_m = look.has_quantised_uvs ? kMostSteps * materials::kTextureCoordinateStep_m : 1;
-    m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals, unit_m);
-  }
-  // leaves are flat; what is less than half there is not
-  if (look.cutout != nullptr) m.alphaMode = "MASK", m.doubleSided = true;
-  set_surface(f, look, m.pbrMetallicRoughness);
-  set_emission(f, look, m);
-  f.model.materials.push_back(m), f.looks.push_back(look);
-  return static_cast<int>(f.looks.size()) - 1;
-}
-
-int add_uvs(GlbBuilder& f, const Primitive& p, const MaterialKey& look) {
-  if (!look.has_quantised_uvs) return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
-  const auto step = [](float v) { return static_cast<std::uint16_t>(v / materials::kTextureCoordinateStep_m); };
-  const int steps = f.add_view_of(p.uvs, TINYGLTF_TARGET_ARRAY_BUFFER, [&](const bake::Float2& uv) {
-    return std::array{step(uv[0]), step(uv[1])};
-  });
-  return f.add_accessor(steps, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2, p.uvs.size(), true);
-}
-
 tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
   tinygltf::Primitive out;
   out.mode = TINYGLTF_MODE_TRIANGLES;
-  const MaterialKey look = material_key_of(f, p, cutout);
-  out.material = material_number(f, look);
+  const MaterialKey key = material_key_of(f, p, cutout);
+  out.material = material_number(f, key);
   out.attributes["POSITION"] = add_positions(f, p.positions);
   out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
   out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
                                               TINYGLTF_TARGET_ARRAY_BUFFER, true);
-  if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, look);
-  if (normals_of(f, look) != nullptr) out.attributes["TANGENT"] = f.add_turned(tangents_of(p), TINYGLTF_TYPE_VEC4);
+  if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, key);
+  if (normals_of(f, key) != nullptr) out.attributes["TANGENT"] = f.add_turned(tangents_of(p), TINYGLTF_TYPE_VEC4);
   if (!p.features.empty()) {
     out.attributes["_FEATURE_ID_0"] = f.add_as_floats(p.features);
     out.extensions["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");
@@ -203,7 +98,7 @@ int add_node(GlbBuilder& f, tinygltf::Node node) {
   return static_cast<int>(f.model.nodes.size()) - 1;
 }
 
-// One node for all, with its places as attributes.
+// Adds all instances as one node, with their placements as attributes.
 void add_extended(GlbBuilder& f, const InstancedMesh& instanced, int mesh, std::vector<int>& children) {
   tinygltf::Node node;
   node.name = instanced.name, node.mesh = mesh;
@@ -220,7 +115,7 @@ void add_extended(GlbBuilder& f, const InstancedMesh& instanced, int mesh, std::
   children.push_back(add_node(f, std::move(node)));
 }
 
-// A node a place, all with one mesh.
+// Adds one node per instance, all with one mesh.
 void add_single_nodes(GlbBuilder& f, const InstancedMesh& instanced, int mesh, std::vector<int>& children) {
   for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
     tinygltf::Node node;
@@ -234,7 +129,7 @@ void add_single_nodes(GlbBuilder& f, const InstancedMesh& instanced, int mesh, s
   }
 }
 
-// Which OSM element each feature is: row 0 is none.
+// The OSM element of each feature; row 0 is none.
 Value property_table(GlbBuilder& f) {
   std::vector<std::uint64_t> ids;
   std::vector<std::uint8_t> types;
@@ -285,7 +180,7 @@ Value extras_of(const BakedTile& tile, const scene::Header& header) {
 tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header) {
   tinygltf::Node root;
   root.name = "tile_" + std::to_string(tile.tile.x) + "_" + std::to_string(tile.tile.y);
-  // whole metres, so that tiles brought in side by side fit exactly
+  // whole metres, so that tiles imported side by side fit exactly
   root.translation = {tile.origin.x, tile.origin.z, 0.0 - tile.origin.y};
   root.extras = extras_of(tile, header);
   return root;
@@ -313,7 +208,7 @@ void fill(GlbBuilder& f, Instancing instancing) {
   f.model.defaultScene = 0;
 }
 
-// What meshes take in the buffer, or a little more: it is large, and should not be moved as it grows.
+// An upper bound of the meshes' bytes in the buffer, which is large and should not move while it grows.
 std::size_t bytes_of_meshes(const std::vector<Primitive>& primitives) {
   constexpr std::size_t kVertexBytes = 64, kTriangleBytes = 12, kPaddingBytes = 64;
   std::size_t bytes = 0;
@@ -323,7 +218,7 @@ std::size_t bytes_of_meshes(const std::vector<Primitive>& primitives) {
 }
 
 GlbParts plain_parts(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
-  GlbBuilder f{tile, header, {}, {}, {}, {}, {}};
+  GlbBuilder f{tile, header};
   f.buffer.reserve(bytes_of_meshes(tile.primitives));
   find_cutouts(f);
   fill(f, instancing);
@@ -334,15 +229,6 @@ GlbParts plain_parts(const BakedTile& tile, const scene::Header& header, Instanc
 }
 
 }  // namespace
-
-std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures) {
-  const std::string name(values_of(key.material).name);
-  if (key.colour_source == ColourSource::kByMarkingAtlas) return name + "Marked";
-  if (key.colour_source == ColourSource::kByAtlas) return name + "Facade";
-  if (key.colour_source == ColourSource::kByCutout) return name + "Cutout";
-  const bool is_textured = std::ranges::count(textures, key.material, &materials::Texture::material) > 0;
-  return !key.has_uvs && is_textured ? name + "Untextured" : name;
-}
 
 std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing,
                                   Compression compression, int threads) {

@@ -1,100 +1,94 @@
 #include "exporters/gltf/encode_pictures.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "exporters/gltf/png.h"
 
 namespace citykiln::exporters {
 namespace {
 
-using bake::BakedTile;
 using bake::InstancedMesh;
 using tinygltf::Value;
 
-int add_sampler(GlbBuilder& f, int wrap_across, int wrap_along) {
+// Images with one sampler.
+struct ImageGroup {
+  int wrap_u, wrap_v;
+};
+constexpr int kClamp = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, kRepeat = TINYGLTF_TEXTURE_WRAP_REPEAT;
+// Marking atlas (its strips lie side by side, so it repeats along v only), facade atlas, textures, cutouts.
+constexpr ImageGroup kGroups[] = {{kClamp, kRepeat}, {kClamp, kClamp}, {kRepeat, kRepeat}, {kClamp, kClamp}};
+
+struct TileImage {
+  const ImageGroup* group;
+  std::string name;
+  const materials::TextureImage* image;
+  std::span<const std::uint8_t> opacity{};  ///< Empty, or one per texel.
+};
+
+// All images that have texels, in the order of the file.
+std::vector<TileImage> images_of(const GlbBuilder& f) {
+  std::vector<TileImage> all;
+  const auto add = [&](const ImageGroup& group, const std::string& name, const materials::TextureImage& image,
+                       std::span<const std::uint8_t> opacity = {}) {
+    if (!image.texels.empty()) all.push_back({&group, name, &image, opacity});
+  };
+  add(kGroups[0], "marking_atlas", f.tile.marking_atlas);
+  const impostor::Atlas& facades = f.tile.facade_atlas;
+  add(kGroups[1], "facade_atlas", facades.colour), add(kGroups[1], "facade_atlas_surface", facades.surface);
+  add(kGroups[1], "facade_atlas_emission", facades.emission), add(kGroups[1], "facade_atlas_normal", facades.normal);
+  for (const materials::Texture& texture : f.tile.textures) {
+    const std::string name(values_of(texture.material).name);
+    add(kGroups[2], name + "Colour", texture.colour), add(kGroups[2], name + "Normal", texture.normal);
+  }
+  for (const impostor::Cutout* cutout : f.cutouts)
+    add(kGroups[3], "cutout", cutout->colour, cutout->opacity), add(kGroups[3], "cutoutNormal", cutout->normal);
+  return all;
+}
+
+int add_sampler(GlbBuilder& f, const ImageGroup& group) {
   tinygltf::Sampler sampler;
-  sampler.wrapS = wrap_across, sampler.wrapT = wrap_along;
+  sampler.wrapS = group.wrap_u, sampler.wrapT = group.wrap_v;
   sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
   sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
   f.model.samplers.push_back(sampler);
   return static_cast<int>(f.model.samplers.size()) - 1;
 }
 
-// A picture, its texels' size beside it: what scale it has is rounded. @param opacity  None, or one a texel.
-void add_picture(GlbBuilder& f, const materials::TextureImage& picture, const std::string& name, int sampler,
-                 std::span<const std::uint8_t> opacity = {}) {
-  if (picture.texels.empty()) return;
-  tinygltf::Image image;
-  image.name = name, image.mimeType = "image/png";
-  image.bufferView = f.add_view(opacity.empty() ? encode_png(picture) : encode_png(picture, opacity), 0);
-  image.extras = Value(Value::Object{{"texel_m", Value(picture.texel_m)}});
-  tinygltf::Texture texture;
-  texture.sampler = sampler, texture.source = static_cast<int>(f.model.images.size());
-  f.model.images.push_back(image), f.model.textures.push_back(texture);
-}
-
-void add_textures(GlbBuilder& f) {
-  if (f.tile.textures.empty()) return;
-  const int repeating = add_sampler(f, TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_REPEAT);
-  for (const materials::Texture& texture : f.tile.textures) {
-    const std::string name(values_of(texture.material).name);
-    add_picture(f, texture.colour, name + "Colour", repeating);
-    add_picture(f, texture.normal, name + "Normal", repeating);
-  }
-}
-
 }  // namespace
 
 void find_cutouts(GlbBuilder& f) {
-  for (const InstancedMesh& instanced : f.tile.instanced) {
-    const auto is_alike = [&](const impostor::Cutout* other) { return *other == instanced.cutout; };
-    if (!instanced.cutout.colour.texels.empty() && std::ranges::none_of(f.cutouts, is_alike))
+  for (const InstancedMesh& instanced : f.tile.instanced)
+    if (!instanced.cutout.colour.texels.empty() && cutout_like(f, instanced.cutout) == nullptr)
       f.cutouts.push_back(&instanced.cutout);
-  }
 }
 
 const impostor::Cutout* cutout_like(const GlbBuilder& f, const impostor::Cutout& cutout) {
-  const auto is_alike = [&](const impostor::Cutout* other) { return *other == cutout; };
-  const auto found = std::ranges::find_if(f.cutouts, is_alike);
+  const auto found = std::ranges::find_if(f.cutouts, [&](const auto* other) { return *other == cutout; });
   return found == f.cutouts.end() ? nullptr : *found;
 }
 
 int picture_number(const GlbBuilder& f, const materials::TextureImage* picture) {
-  const BakedTile& tile = f.tile;
-  int number = 0;
-  const auto is_it = [&](const materials::TextureImage& other) {
-    if (&other == picture) return true;
-    number += other.texels.empty() ? 0 : 1;
-    return false;
-  };
-  const impostor::Atlas& atlas = tile.facade_atlas;
-  if (is_it(tile.sheet) || is_it(atlas.colour) || is_it(atlas.surface) || is_it(atlas.emission) || is_it(atlas.normal))
-    return number;
-  for (const materials::Texture& texture : tile.textures)
-    if (is_it(texture.colour) || is_it(texture.normal)) return number;
-  for (const impostor::Cutout* cutout : f.cutouts)
-    if (is_it(cutout->colour) || is_it(cutout->normal)) break;
-  return number;
+  const std::vector<TileImage> images = images_of(f);
+  const auto found = std::ranges::find(images, picture, &TileImage::image);
+  assert(found != images.end());
+  return static_cast<int>(found - images.begin());
 }
 
 void add_pictures(GlbBuilder& f) {
-  // strips lie side by side, so that the sheet repeats along v alone
-  if (!f.tile.sheet.texels.empty())
-    add_picture(f, f.tile.sheet, "marking_atlas",
-                add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_REPEAT));
-  if (!f.tile.facade_atlas.colour.texels.empty()) {
-    const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
-    add_picture(f, f.tile.facade_atlas.colour, "facade_atlas", clamped);
-    add_picture(f, f.tile.facade_atlas.surface, "facade_atlas_surface", clamped);
-    add_picture(f, f.tile.facade_atlas.emission, "facade_atlas_emission", clamped);
-    add_picture(f, f.tile.facade_atlas.normal, "facade_atlas_normal", clamped);
-  }
-  add_textures(f);
-  if (f.cutouts.empty()) return;
-  const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
-  for (const impostor::Cutout* cutout : f.cutouts) {
-    add_picture(f, cutout->colour, "cutout", clamped, cutout->opacity);
-    add_picture(f, cutout->normal, "cutoutNormal", clamped);
+  const ImageGroup* group = nullptr;
+  int sampler = -1;
+  for (const TileImage& each : images_of(f)) {
+    if (each.group != group) sampler = add_sampler(f, *(group = each.group));
+    tinygltf::Image image;
+    image.name = each.name, image.mimeType = "image/png";
+    image.bufferView =
+        f.add_view(each.opacity.empty() ? encode_png(*each.image) : encode_png(*each.image, each.opacity), 0);
+    // KHR_texture_transform's scales are rounded
+    image.extras = Value(Value::Object{{"texel_m", Value(each.image->texel_m)}});
+    tinygltf::Texture texture;
+    texture.sampler = sampler, texture.source = static_cast<int>(f.model.images.size());
+    f.model.images.push_back(image), f.model.textures.push_back(texture);
   }
 }
 

@@ -1,20 +1,21 @@
-// Pictures into a .glb: the sheet, the atlas, textures, cutouts.
+// Writes the images of a .glb: marking atlas, facade atlas, textures, cutouts.
 #pragma once
 
 #include "exporters/gltf/glb_builder.h"
 
 namespace citykiln::exporters {
 
-/// What of the tile's cutouts are alike is written once: before any primitive is.
+/// Collects the cutouts of the tile, equal ones once. Call before primitives are added.
 void find_cutouts(GlbBuilder& f);
-/// The one that is written for it, if any.
+/// The collected cutout that equals this one; null where it has no texels.
 const impostor::Cutout* cutout_like(const GlbBuilder& f, const impostor::Cutout& cutout);
 
-/// The number of a picture among all: the sheet, the atlas, each texture's colours and normals, then cutouts'. Those
-/// without texels are none.
+/// The texture index of an image. Images without texels are not written and have none.
+/// @param picture  The address of an image of the tile or of a collected cutout.
 int picture_number(const GlbBuilder& f, const materials::TextureImage* picture);
 
-/// Appends them all, in that order, as PNG, with samplers.
+/// Appends all images as PNG, with samplers: the marking atlas, the facade atlas, colours and normals of each texture,
+/// then of each cutout.
 void add_pictures(GlbBuilder& f);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,4 @@
-// A baked tile as the bytes of its .glb, packed or not, and what report.json says of it.
+// Writes a baked tile as the bytes of its .glb, packed or not, and counts what report.json says about it.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace citykiln::exporters {
 
-/// A .glb and the error that it states: the error of packing is included.
+/// A .glb and the error that it states, packing included.
 struct EncodedTile {
   std::vector<std::byte> glb;
   double error_m = 0;

@@ -1,4 +1,4 @@
-// glTF 2.0, binary: one tile at one tolerance. y-up is made here and nowhere else.
+// glTF 2.0, binary: one tile at one tolerance. Only here the z-up frame becomes y-up (glb_axes.h).
 #pragma once
 
 #include <cstddef>
@@ -12,31 +12,34 @@
 
 namespace citykiln::exporters {
 
-/// How shared meshes are placed: by EXT_mesh_gpu_instancing (small; three.js, Cesium, glTFast), or by a node each
+/// How instances are written: by EXT_mesh_gpu_instancing (small; three.js, Cesium, glTFast), or by one node each
 /// (Blender, Godot).
 enum class Instancing { kExtension, kNodes };
 
-/// The material under which a primitive is written: "Asphalt"; "AsphaltMarked" where it is on the sheet,
-/// "PaintFacade" on the atlas, "BroadLeafCutout" on a cutout (alphaMode MASK, both sides); "AsphaltUntextured" where it
-/// has no uvs, and Asphalt has one of the tile's textures.
-std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures);
-
-/// One glTF mesh whose primitives are merged by key; instances as asked; features as _FEATURE_ID_0
-/// (EXT_mesh_features, EXT_instance_features) into a property table of UINT64 OSM ids and UINT8 element types
-/// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance, tile and the worst rounding to
-/// single precision in the root node's extras, and for which eye it was made, if for one; attribution in
-/// asset.copyright; uvs as TEXCOORD_0, metres, or on textures 16 bits in steps of materials::kTextureCoordinateStep_m;
-/// the sheet, the atlas and the textures as PNGs inside, shown with KHR_texture_transform from there to the picture:
-/// its row 0, v = 0, is the picture's top; each cutout once, for all shapes that have the same; TANGENT where there are
-/// normals. Same input, same bytes. Valid by Khronos' validator with 0 errors and 0 warnings. Packed, it holds
-/// quantised(tile) (quantise.h), whose error it states, vertices and triangles in another order, and normals of
-/// kPackedNormalBits. @param threads  Never changes a byte.
+/// Returns the .glb of a tile.
+///
+/// | data                | glTF                                                                                       |
+/// |---------------------|--------------------------------------------------------------------------------------------|
+/// | primitives          | one mesh, one primitive per key                                                            |
+/// | instances           | as `instancing` says                                                                       |
+/// | features            | _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into a property table of UINT64   |
+/// |                     | OSM ids and UINT8 element types (EXT_structural_metadata)                                  |
+/// | origin, tolerances, | the root node's extras: tile, origin_m (doubles), tolerance_m, error_m, plant_error_m,     |
+/// | errors              | rounding_m (largest error of single precision), plane, and viewpoint, if baked for one     |
+/// | attribution         | asset.copyright                                                                            |
+/// | uvs                 | TEXCOORD_0, metres; on textures 16 bits in steps of materials::kTextureCoordinateStep_m    |
+/// | images              | PNG in the buffer, each once, scaled to metres by KHR_texture_transform; row 0 is v = 0    |
+/// | normal maps         | with TANGENT                                                                               |
+///
+/// Guarantees: same input, same bytes, for any number of threads; valid by Khronos' validator with 0 errors and 0
+/// warnings. A packed .glb holds quantised(tile) (quantise.h) and states its error; its vertices and triangles are in
+/// another order, and its normals have kPackedNormalBits.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
                                   Compression compression = Compression::kNone, int threads = 1);
 
-/// A tile back from a .glb that encode_glb made, packed or not; read(encode(tile)) == tile for either way of instancing
-/// where it is not packed.
-/// Errors: anything else, never a crash.
+/// Reads a tile from a .glb that encode_glb wrote, packed or not. decode_glb(encode_glb(tile)) == tile for both ways of
+/// instancing, where it is not packed. Errors: anything else; never a crash, whatever the bytes (fuzzed).
+/// @param name  The file's name in error messages.
 Result<bake::BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name);
 
 Result<Done> write_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,

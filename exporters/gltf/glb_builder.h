@@ -1,4 +1,4 @@
-// A glTF model while it is filled.
+// A glTF model while a tile is written into it.
 #pragma once
 
 #include <algorithm>
@@ -15,36 +15,36 @@
 
 namespace citykiln::exporters {
 
-/// What a primitive shows, and how it says where.
+/// What distinguishes the glTF materials of a tile.
 struct MaterialKey {
-  bake::PrimitiveKey key;                       ///< Without uvs where they show nothing.
-  const materials::Texture* texture = nullptr;  ///< Of its material, if it shows one.
+  bake::PrimitiveKey primitive;                 ///< has_uvs is false where the uvs show no image.
+  const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it.
   bool has_quantised_uvs = false;
-  const impostor::Cutout* cutout = nullptr;  ///< If it is on one.
+  const impostor::Cutout* cutout = nullptr;  ///< The cutout, if the primitive shows one.
   bool operator==(const MaterialKey&) const = default;
 };
 
-/// One tile on its way.
+/// The model, and what primitives share.
 struct GlbBuilder {
   const bake::BakedTile& tile;
   const scene::Header& header;
-  tinygltf::Model model;          ///< Without its buffer's bytes: tinygltf would copy them, and again.
-  std::vector<std::byte> buffer;  ///< Those.
-  std::set<std::string> extensions;
-  std::vector<MaterialKey> looks;                ///< One a material.
-  std::vector<const impostor::Cutout*> cutouts;  ///< No two alike.
+  tinygltf::Model model{};          ///< Without its buffer's bytes, which tinygltf would copy several times.
+  std::vector<std::byte> buffer{};  ///< The bytes of its only buffer.
+  std::set<std::string> extensions{};
+  std::vector<MaterialKey> material_keys{};        ///< One per glTF material.
+  std::vector<const impostor::Cutout*> cutouts{};  ///< No two are equal.
 
-  /// Appends what `turn` makes of values as one buffer view, aligned to 8 bytes (property tables ask for it). Some at a
-  /// time: all of them are much.
-  template <typename T, typename Turn>
-  int add_view_of(const std::vector<T>& values, int target, Turn turn) {
+  /// Appends converted values as a buffer view, aligned to 8 bytes, as property tables require, and returns its index.
+  /// Converts 256 values at a time, to save memory.
+  template <typename T, typename Convert>
+  int add_view_of(const std::vector<T>& values, int target, Convert convert) {
     buffer.resize((buffer.size() + 7) / 8 * 8);
     tinygltf::BufferView view;
     view.buffer = 0, view.byteOffset = buffer.size(), view.target = target;
-    std::array<decltype(turn(values.front())), 256> some;
+    std::array<decltype(convert(values.front())), 256> some;
     for (std::size_t first = 0; first < values.size(); first += some.size()) {
       const auto from = std::span(values).subspan(first, std::min(some.size(), values.size() - first));
-      std::ranges::transform(from, some.begin(), turn);
+      std::ranges::transform(from, some.begin(), convert);
       append(std::as_bytes(std::span(some).first(from.size())));
     }
     view.byteLength = buffer.size() - view.byteOffset;
@@ -73,7 +73,7 @@ struct GlbBuilder {
     return add_accessor(add_view(values, target), component, type, values.size(), normalised);
   }
 
-  /// Places, directions and turns in glTF's frame.
+  /// Adds positions, directions or rotations in glTF's axes.
   template <typename T>
   int add_turned(const std::vector<T>& values, int type, int target = TINYGLTF_TARGET_ARRAY_BUFFER) {
     const int view = add_view_of(values, target, [](const T& v) { return to_gltf(v); });

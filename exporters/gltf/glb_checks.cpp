@@ -12,13 +12,7 @@
 namespace citykiln::exporters {
 namespace {
 
-std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint32_t>(bytes[at + i]);
-  return value;
-}
-
-// How deep brackets stand in each other.
+// The depth of nested brackets.
 int depth_of(std::span<const std::byte> json) {
   int depth = 0, deepest = 0;
   bool is_text = false;
@@ -32,11 +26,11 @@ int depth_of(std::span<const std::byte> json) {
   return deepest;
 }
 
-// A whole number of JSON, which must be there; `otherwise` where it may be left out.
+// An unsigned number, which must be present unless there is a default, `otherwise`.
 std::uint64_t json_number(const nlohmann::json& object, const char* name, std::optional<std::uint64_t> otherwise = {}) {
   if (otherwise && object.is_object() && !object.contains(name)) return *otherwise;
   expect(object.is_object() && object.contains(name) && object[name].is_number_unsigned(),
-         "a sheet inside the buffer, as citykiln writes it");
+         "images inside the buffer, as citykiln writes them");
   return object[name].get<std::uint64_t>();
 }
 
@@ -54,12 +48,12 @@ void expect_pictures_inside(std::span<const std::byte> bytes) {
              views = model.value("bufferViews", nlohmann::json::array());
   expect(model["images"].is_array() && buffers.is_array() && views.is_array() && buffers.size() == 1 &&
              buffers[0].is_object() && !buffers[0].contains("uri"),
-         "a sheet inside the buffer, as citykiln writes it");
+         "images inside the buffer, as citykiln writes them");
   for (const auto& image : model["images"]) {
     const std::uint64_t number = json_number(image, "bufferView");
     expect(number < views.size() && json_number(views[number], "buffer") == 0 &&
                json_number(views[number], "byteOffset", 0) < json_number(buffers[0], "byteLength"),
-           "a sheet inside the buffer, as citykiln writes it");
+           "images inside the buffer, as citykiln writes them");
   }
 }
 

@@ -1,4 +1,4 @@
-// What has to hold of a .glb before tinygltf may see it.
+// Checks of a .glb that must succeed before tinygltf reads it.
 #pragma once
 
 #include <cstddef>
@@ -6,12 +6,13 @@
 
 namespace citykiln::exporters {
 
-/// Two chunks that fill the file, and JSON that is not nested too deep: tinygltf reads up to eight bytes behind a chunk
-/// that is a little too long, and calls itself for each bracket. Throws FormatError, here and below.
+/// Checks that a JSON chunk and a binary chunk fill the file, and that the JSON is not nested too deep: tinygltf reads
+/// up to eight bytes behind a chunk that is slightly too long, and recurses for each bracket. Throws FormatError, here
+/// and below.
 void expect_chunks(std::span<const std::byte> bytes);
 
-/// tinygltf takes the address of a picture's first byte before anyone can ask whether it is in the buffer.
-/// @param bytes  As expect_chunks() found them good.
+/// Checks that images lie in the buffer: tinygltf takes the address of an image's first byte without a check.
+/// @param bytes  As expect_chunks() has accepted them.
 void expect_pictures_inside(std::span<const std::byte> bytes);
 
 }  // namespace citykiln::exporters

@@ -1,5 +1,6 @@
 #include "exporters/gltf/glb_parts.h"
 
+#include <cassert>
 #include <stdexcept>
 #include <string>
 
@@ -7,12 +8,6 @@ namespace citykiln::exporters {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 12, kChunkBytes = 8;
-
-std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint32_t>(bytes[at + i]);
-  return value;
-}
 
 void put_number(std::vector<std::byte>& bytes, std::size_t value) {
   for (std::size_t i = 0; i < 4; ++i) bytes.push_back(static_cast<std::byte>(value >> 8 * i));
@@ -24,6 +19,13 @@ void put(std::vector<std::byte>& bytes, const void* from, std::size_t size) {
 }
 
 }  // namespace
+
+std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at) {
+  assert(at + 4 <= bytes.size());
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint32_t>(bytes[at + i]);
+  return value;
+}
 
 std::string_view json_of_glb(std::span<const std::byte> bytes) {
   const auto json = bytes.subspan(kHeaderBytes + kChunkBytes, number_at(bytes, kHeaderBytes));

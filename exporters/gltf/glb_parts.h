@@ -1,7 +1,8 @@
-// A .glb taken apart: its JSON and its buffer.
+// A .glb divided into its JSON and its buffer.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
@@ -14,21 +15,25 @@ struct GlbParts {
   std::vector<std::byte> buffer;
 };
 
-/// The JSON, as it is written. @param bytes  Two chunks that fill the file, here and below.
+/// The 32 bit little-endian number at an offset, which must have four bytes.
+std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at);
+
+/// The text of the JSON chunk.
+/// @param bytes  As expect_chunks() has accepted them, here and below.
 std::string_view json_of_glb(std::span<const std::byte> bytes);
 
-/// Throws what nlohmann's json does where the first is none.
+/// Divides a .glb. Throws nlohmann's exceptions where the JSON is invalid.
 GlbParts split_glb(std::span<const std::byte> bytes);
 
-/// With the buffer's length, which `gltf` need not have. The buffer becomes the file where it has room for the rest.
+/// Joins the parts and sets the buffer's length. Reuses the buffer's memory for the file.
 std::vector<std::byte> join_glb(GlbParts parts);
 
-/// Appends bytes to the buffer, at a multiple of eight, and returns where.
+/// Appends bytes to the buffer, at a multiple of eight, and returns their offset.
 std::size_t append(GlbParts& parts, std::span<const unsigned char> bytes);
-/// The same as a new buffer view of `gltf`; its number.
+/// Appends bytes as a new buffer view and returns its index.
 std::size_t add_view(GlbParts& parts, std::span<const unsigned char> bytes);
 
-/// Bytes of a view into the buffer. Throws std::out_of_range where there are none such.
+/// The bytes of a buffer view. Throws std::out_of_range where it is not in the buffer.
 std::span<const unsigned char> bytes_of_view(const GlbParts& parts, const nlohmann::json& view);
 
 }  // namespace citykiln::exporters

@@ -4,13 +4,13 @@ namespace citykiln::exporters {
 
 using tinygltf::Value;
 
-std::span<const unsigned char> bytes_of(GltfReader& source, int view_number) {
-  const tinygltf::BufferView& view = item(source.model.bufferViews, view_number, "a buffer view that exists");
-  const auto& data = item(source.model.buffers, view.buffer, "a buffer that exists").data;
+std::span<const unsigned char> bytes_of(GltfReader& reader, int view_number) {
+  const tinygltf::BufferView& view = item(reader.model.bufferViews, view_number, "a buffer view that exists");
+  const auto& data = item(reader.model.buffers, view.buffer, "a buffer that exists").data;
   expect(view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset,
          "buffer views inside the buffer");
-  expect(view.byteLength <= source.unread_bytes, "each byte of the buffer to be used once");
-  source.unread_bytes -= view.byteLength;
+  expect(view.byteLength <= reader.unread_bytes, "each byte of the buffer to be used once");
+  reader.unread_bytes -= view.byteLength;
   return std::span(data).subspan(view.byteOffset, view.byteLength);
 }
 

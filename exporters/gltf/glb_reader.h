@@ -1,4 +1,4 @@
-// A glTF model while it is read, with doubt: whatever is not as citykiln writes it is told.
+// Checked access to a glTF model: anything that citykiln does not write throws FormatError.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@
 
 namespace citykiln::exporters {
 
-/// What is wrong with a file: thrown by what reads one, and turned into an Error at its door, decode_glb().
+/// The first fault of a file, as "expected …"; decode_glb() turns it into an Error.
 struct FormatError {
   std::string what;
 };
 
-/// @param what  "expected …"
+/// Throws unless the condition holds. @param what  Completes "expected …".
 inline void expect(bool holds, const char* what) {
   if (!holds) throw FormatError{what};
 }
@@ -30,21 +30,22 @@ const T& item(const std::vector<T>& items, int index, const char* what) {
   return items[static_cast<std::size_t>(index)];
 }
 
-/// Each byte of the buffer is read once, so that no small file makes a large tile.
+/// A model while it is read. Each byte of the buffer is read once, so that no small file makes a large tile.
 struct GltfReader {
   const tinygltf::Model& model;
   std::size_t unread_bytes;
 };
 
-/// The bytes of a buffer view, inside its buffer.
-std::span<const unsigned char> bytes_of(GltfReader& source, int view_number);
+/// The bytes of a buffer view, which must lie in its buffer.
+std::span<const unsigned char> bytes_of(GltfReader& reader, int view_number);
 
+/// The elements of an accessor, which must have this component type and type.
 template <typename T>
-std::vector<T> values_of(GltfReader& source, int accessor_number, int component, int type) {
-  const tinygltf::Accessor& accessor = item(source.model.accessors, accessor_number, "an accessor that exists");
+std::vector<T> values_of(GltfReader& reader, int accessor_number, int component, int type) {
+  const tinygltf::Accessor& accessor = item(reader.model.accessors, accessor_number, "an accessor that exists");
   expect(accessor.componentType == component && accessor.type == type && accessor.byteOffset == 0,
          "accessors as citykiln writes them");
-  const auto bytes = bytes_of(source, accessor.bufferView);
+  const auto bytes = bytes_of(reader, accessor.bufferView);
   expect(accessor.count <= bytes.size() / sizeof(T), "accessors inside their buffer view");
   std::vector<T> values(accessor.count);
   if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
@@ -58,7 +59,7 @@ std::vector<T> finite(std::vector<T> values) {
   return values;
 }
 
-/// In our own frame.
+/// Finite values, in the plane's axes.
 template <typename T>
 std::vector<T> turned(std::vector<T> values) {
   values = finite(std::move(values));
@@ -69,7 +70,7 @@ std::vector<T> turned(std::vector<T> values) {
 /// Feature ids, which are written as floats.
 std::vector<std::uint32_t> as_numbers(const std::vector<float>& values, std::size_t below);
 
-// Of extras and extensions.
+// values of extras and extensions
 const tinygltf::Value& member(const tinygltf::Value& value, const char* name);
 double number(const tinygltf::Value& value);
 int whole(const tinygltf::Value& value);

@@ -1,5 +1,9 @@
 #include "exporters/gltf/material_names.h"
 
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
 #include "exporters/gltf/glb_reader.h"
 
 namespace citykiln::exporters {
@@ -7,14 +11,29 @@ namespace {
 
 using materials::ColourSource;
 
-// What a material's name ends with says what colours it.
-constexpr std::pair<std::string_view, ColourSource> kEndings[] = {{"", ColourSource::kByMaterial},
-                                                                  {"Untextured", ColourSource::kByMaterial},
-                                                                  {"Marked", ColourSource::kByMarkingAtlas},
-                                                                  {"Facade", ColourSource::kByAtlas},
-                                                                  {"Cutout", ColourSource::kByCutout}};
+struct Suffix {
+  std::string_view text;
+  ColourSource colour_source;
+  bool is_untextured = false;
+};
+constexpr Suffix kSuffixes[] = {{"", ColourSource::kByMaterial},
+                                {"Untextured", ColourSource::kByMaterial, true},
+                                {"Marked", ColourSource::kByMarkingAtlas},
+                                {"Facade", ColourSource::kByAtlas},
+                                {"Cutout", ColourSource::kByCutout}};
 
 }  // namespace
+
+std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures) {
+  const bool is_by_material = key.colour_source == ColourSource::kByMaterial;
+  const bool is_untextured =
+      is_by_material && !key.has_uvs && std::ranges::count(textures, key.material, &materials::Texture::material) > 0;
+  const auto suffix = std::ranges::find_if(kSuffixes, [&](const Suffix& s) {
+    return s.colour_source == key.colour_source && s.is_untextured == is_untextured;
+  });
+  assert(suffix != std::end(kSuffixes));
+  return std::string(values_of(key.material).name) + std::string(suffix->text);
+}
 
 std::optional<materials::Material> material_named(std::string_view name) {
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
@@ -22,16 +41,16 @@ std::optional<materials::Material> material_named(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<std::string_view> strip_suffix(std::string_view name, std::string_view ending) {
-  if (!name.ends_with(ending)) return std::nullopt;
-  return name.substr(0, name.size() - ending.size());
+std::optional<std::string_view> strip_suffix(std::string_view name, std::string_view suffix) {
+  if (!name.ends_with(suffix)) return std::nullopt;
+  return name.substr(0, name.size() - suffix.size());
 }
 
 bake::PrimitiveKey primitive_key_named(const std::string& name) {
-  for (const auto& [ending, colour_source] : kEndings)
-    if (const auto beginning = strip_suffix(name, ending))
+  for (const Suffix& suffix : kSuffixes)
+    if (const auto beginning = strip_suffix(name, suffix.text))
       if (const auto material = material_named(*beginning))
-        return {*material, colour_source != ColourSource::kByMaterial, colour_source};
+        return {*material, suffix.colour_source != ColourSource::kByMaterial, suffix.colour_source};
   throw FormatError{"a material that citykiln has, not \"" + name + "\""};
 }
 

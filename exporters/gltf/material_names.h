@@ -1,7 +1,8 @@
-// What names in a .glb say: of materials, and of pictures.
+// Names of materials in a .glb.
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -9,13 +10,23 @@
 
 namespace citykiln::exporters {
 
+/// The name of the material of primitives with this key: the material's own, "Asphalt", with a suffix where needed:
+///
+/// | suffix     | primitives                                                                  |
+/// |------------|-----------------------------------------------------------------------------|
+/// | Marked     | on the marking atlas                                                        |
+/// | Facade     | on the facade atlas                                                         |
+/// | Cutout     | on a cutout: alphaMode MASK, double-sided                                   |
+/// | Untextured | without uvs, where one of the tile's textures belongs to the material       |
+std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures);
+
+/// The material of this name, if there is one.
 std::optional<materials::Material> material_named(std::string_view name);
 
-/// A name's beginning, where it ends so.
-std::optional<std::string_view> strip_suffix(std::string_view name, std::string_view ending);
+/// The name without the suffix; nothing where it has another.
+std::optional<std::string_view> strip_suffix(std::string_view name, std::string_view suffix);
 
-/// Inverse of material_name() (glb.h), but for whether there are uvs, which is not for the material to say. Throws
-/// FormatError.
+/// Inverse of material_name(); has_uvs is false where the name does not imply uvs. Throws FormatError.
 bake::PrimitiveKey primitive_key_named(const std::string& name);
 
 }  // namespace citykiln::exporters

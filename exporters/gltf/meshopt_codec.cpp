@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 
@@ -15,17 +16,17 @@ using Short4 = std::array<std::int16_t, 4>;
 
 bool is_direction(const std::string& name) { return name == "NORMAL" || name == "TANGENT"; }
 
-// First triangles that share corners follow each other, then corners in the order in which they are used.
+// Orders triangles so that neighbours follow each other, then vertices by their first use.
 void reorder(MeshArrays& mesh) {
   const std::size_t corners = mesh.indices.size();
   meshopt_optimizeVertexCacheStrip(mesh.indices.data(), mesh.indices.data(), corners, mesh.count);
-  std::vector<unsigned int> places(mesh.count);
-  const std::size_t used = meshopt_optimizeVertexFetchRemap(places.data(), mesh.indices.data(), corners, mesh.count);
-  meshopt_remapIndexBuffer(mesh.indices.data(), mesh.indices.data(), corners, places.data());
-  for (VertexAttribute& stream : mesh.streams) {
-    std::vector<unsigned char> ordered(used * stride_of(stream));
-    meshopt_remapVertexBuffer(ordered.data(), stream.bytes.data(), mesh.count, stride_of(stream), places.data());
-    stream.bytes = std::move(ordered);
+  std::vector<unsigned int> remap(mesh.count);
+  const std::size_t used = meshopt_optimizeVertexFetchRemap(remap.data(), mesh.indices.data(), corners, mesh.count);
+  meshopt_remapIndexBuffer(mesh.indices.data(), mesh.indices.data(), corners, remap.data());
+  for (VertexAttribute& attribute : mesh.attributes) {
+    std::vector<unsigned char> ordered(used * stride_of(attribute));
+    meshopt_remapVertexBuffer(ordered.data(), attribute.bytes.data(), mesh.count, stride_of(attribute), remap.data());
+    attribute.bytes = std::move(ordered);
   }
   mesh.count = used;
 }
@@ -37,16 +38,18 @@ MeshoptView packed(const void* values, std::size_t count, std::size_t stride, co
   return view;
 }
 
-MeshoptAttribute packed_direction(const VertexAttribute& stream, std::size_t count) {
+MeshoptAttribute packed_direction(const VertexAttribute& attribute, std::size_t count) {
   std::vector<float> wide(count * 4);
   for (std::size_t i = 0; i < count; ++i)
-    std::memcpy(&wide[i * 4], stream.bytes.data() + i * stride_of(stream), stride_of(stream));
+    std::memcpy(&wide[i * 4], attribute.bytes.data() + i * stride_of(attribute), stride_of(attribute));
   std::vector<Short4> shorts(count);
   meshopt_encodeFilterOct(shorts.data(), count, sizeof(Short4), kPackedNormalBits, wide.data());
-  return {stream.name, Component::kShort, stream.width, packed(shorts.data(), count, sizeof(Short4), "OCTAHEDRAL")};
+  return {attribute.name, Component::kShort, attribute.width,
+          packed(shorts.data(), count, sizeof(Short4), "OCTAHEDRAL")};
 }
 
-// What meshopt_encodeFilterExp chooses by the size of each vector is one exponent for all.
+// Encodes steps for the exponential filter with one exponent, where meshopt_encodeFilterExp would choose one per
+// vector.
 MeshoptView packed_steps(Steps steps, std::size_t count, std::size_t stride) {
   const auto exponent = static_cast<std::uint32_t>(steps.exponent) << 24;
   for (std::int32_t& s : steps.counts)
@@ -54,13 +57,13 @@ MeshoptView packed_steps(Steps steps, std::size_t count, std::size_t stride) {
   return packed(steps.counts.data(), count, stride, "EXPONENTIAL");
 }
 
-MeshoptAttribute packed_stream(const VertexAttribute& stream, std::size_t count) {
-  if (is_direction(stream.name)) return packed_direction(stream, count);
-  MeshoptAttribute out{stream.name, stream.component, stream.width, {}};
-  if (auto steps = steps_of(stream))
-    out.view = packed_steps(std::move(*steps), count, stride_of(stream));
+MeshoptAttribute packed_attribute(const VertexAttribute& attribute, std::size_t count) {
+  if (is_direction(attribute.name)) return packed_direction(attribute, count);
+  MeshoptAttribute out{attribute.name, attribute.component, attribute.width, {}};
+  if (auto steps = steps_of(attribute))
+    out.view = packed_steps(std::move(*steps), count, stride_of(attribute));
   else
-    out.view = packed(stream.bytes.data(), count, stride_of(stream), "NONE");
+    out.view = packed(attribute.bytes.data(), count, stride_of(attribute), "NONE");
   return out;
 }
 
@@ -72,7 +75,7 @@ MeshoptView packed_indices(const MeshArrays& mesh, std::size_t stride) {
   return view;
 }
 
-// A block of vertices has a header of two bits for each sixteen bytes that are alike: no file holds more than this.
+// Whether so few bytes can hold the view: a block of vertices has at least two bits per sixteen bytes.
 bool is_plausible(const MeshoptView& view) {
   constexpr std::size_t kMostTimes = 64;
   return view.count > 0 && view.stride > 0 && view.stride <= 256 && view.stride % 4 == 0 &&
@@ -84,7 +87,7 @@ void unfilter(const std::string& filter, std::vector<unsigned char>& bytes, std:
   if (filter == "OCTAHEDRAL") meshopt_decodeFilterOct(bytes.data(), count, stride);
 }
 
-// Of unit length, which whole numbers only nearly are; the fourth number, a sign, as it is.
+// A direction of unit length; the fourth component is a sign.
 std::array<float, 4> direction(const Short4& s) {
   const double x = s[0], y = s[1], z = s[2], length = std::sqrt(x * x + y * y + z * z);
   if (length == 0) return {0, 0, 1, 1};
@@ -106,15 +109,17 @@ std::vector<unsigned char> as_floats(const std::vector<unsigned char>& bytes, st
 }  // namespace
 
 MeshoptMesh encode_meshopt(MeshArrays mesh, std::size_t index_stride) {
+  assert(index_stride == 2 || index_stride == 4);
   reorder(mesh);
   MeshoptMesh out;
-  for (const VertexAttribute& stream : mesh.streams) out.streams.push_back(packed_stream(stream, mesh.count));
+  for (const VertexAttribute& attribute : mesh.attributes)
+    out.attributes.push_back(packed_attribute(attribute, mesh.count));
   out.indices = packed_indices(mesh, index_stride);
   return out;
 }
 
-std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& stream) {
-  const auto& [name, component, width, view] = stream;
+std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& attribute) {
+  const auto& [name, component, width, view] = attribute;
   VertexAttribute out{name, component, width, {}};
   const bool is_octahedral = view.filter == "OCTAHEDRAL";
   const bool fits = is_octahedral ? is_direction(name) && component == Component::kShort && view.stride == 8 &&
@@ -130,7 +135,7 @@ std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& stream) {
 }
 
 std::optional<std::vector<std::uint32_t>> decode_meshopt_indices(const MeshoptView& view) {
-  // a triangle takes a byte at least
+  // a triangle takes at least one byte
   const bool fits = view.mode == "TRIANGLES" && view.count % 3 == 0 && view.count / 3 <= view.bytes.size();
   if (!fits) return std::nullopt;
   std::vector<std::uint32_t> indices(view.count);

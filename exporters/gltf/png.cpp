@@ -13,7 +13,7 @@ namespace {
 
 using materials::TextureImage;
 
-// A picture as libpng takes it.
+// An image header for libpng.
 png_image picture_of(const TextureImage& sheet) {
   png_image picture{};
   picture.version = PNG_IMAGE_VERSION;
@@ -23,13 +23,13 @@ png_image picture_of(const TextureImage& sheet) {
 
 std::uint32_t packed(TextureImage::Texel texel) { return std::uint32_t{texel[0]} << 16 | texel[1] << 8 | texel[2]; }
 
-// The colours in order, and each one's number, to be looked up only.
+// Sorted colours, and the index of each.
 struct Palette {
   std::vector<TextureImage::Texel> colours;
   std::unordered_map<std::uint32_t, std::uint8_t> numbers;
 };
 
-// More than 256 are no palette, and given up.
+// Returns nothing where there are more than 256 colours.
 std::optional<Palette> palette_of(const TextureImage& sheet) {
   constexpr std::size_t kMost = 256;
   Palette palette;
@@ -53,12 +53,12 @@ std::vector<std::byte> written(png_image& picture, const void* pixels, const voi
   return bytes;
 }
 
-// No file holds more: eight pixels a byte, which deflate makes a thousandth of.
+// An upper bound: eight pixels per byte, which deflate compresses at most 1032 times.
 std::uint64_t most_texels_in(std::size_t bytes) {
   return std::min<std::uint64_t>(8 * 1032 * bytes, materials::kMaxImageTexels);
 }
 
-// Begins to read, if it is no larger than a sheet may be. libpng keeps the picture's address: it must stay where it is.
+// Reads the header and checks the size. libpng keeps the address of `picture`, which must not move.
 Result<Done> begin(png_image& picture, std::span<const std::byte> bytes, const std::string& name) {
   picture.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&picture, bytes.data(), bytes.size()) == 0)
@@ -67,7 +67,7 @@ Result<Done> begin(png_image& picture, std::span<const std::byte> bytes, const s
   if (std::max(picture.width, picture.height) <= materials::kMaxImageSide_px && texels <= most_texels_in(bytes.size()))
     return Done{};
   png_image_free(&picture);
-  return Error{name, "expected a picture of no more texels than a sheet may have"};
+  return Error{name, "expected a picture of no more texels than an image may have"};
 }
 
 }  // namespace

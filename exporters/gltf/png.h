@@ -1,4 +1,4 @@
-// PNG: the texels of a sheet, as files hold them.
+// PNG files of texture images.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,25 @@
 
 namespace citykiln::exporters {
 
-/// Row by row, 8 bit sRGB; with a palette where 256 colours do. Same texels, same bytes.
-/// @param sheet  With texels, no more than a sheet may have.
-std::vector<std::byte> encode_png(const materials::TextureImage& sheet);
+/// Encodes an image, 8 bit sRGB; with a palette where it has at most 256 colours. Same texels, same bytes.
+/// @param image  With texels, at most materials::kMostTexels.
+std::vector<std::byte> encode_png(const materials::TextureImage& image);
 
-/// The same with an opacity for each texel, which keeps its colour where it is 0.
-std::vector<std::byte> encode_png(const materials::TextureImage& sheet, std::span<const std::uint8_t> opacity);
+/// Encodes an image with an opacity per texel. Texels of opacity 0 keep their colour.
+std::vector<std::byte> encode_png(const materials::TextureImage& image, std::span<const std::uint8_t> opacity);
 
-/// decode(encode(sheet)) == sheet, but for texel_m, which is 0. Takes any PNG: what shines through shows black.
-/// Errors: what is no PNG, damaged, or has more texels than a sheet may; never a crash. Memory: at most
-/// kMaxImageTexels, and in proportion to the file.
+/// Decodes any PNG; transparent texels are blended with black. decode_png(encode_png(image)) == image but for texel_m,
+/// which is 0. Errors: no PNG, damage, or more texels than kMostTexels; never a crash. Memory: in proportion to the
+/// file, at most that of kMostTexels.
+/// @param name  The file's name in error messages.
 Result<materials::TextureImage> decode_png(std::span<const std::byte> bytes, const std::string& name);
 
-/// The same with opacities; what has none is opaque.
+/// An image with opacities.
 struct CutoutImage {
   materials::TextureImage colour;
-  std::vector<std::uint8_t> opacity;
+  std::vector<std::uint8_t> opacity;  ///< One per texel.
 };
+/// Decodes an image and its opacities; images without alpha are opaque.
 Result<CutoutImage> decode_cutout_png(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace citykiln::exporters

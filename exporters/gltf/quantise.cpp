@@ -12,7 +12,7 @@ namespace {
 using bake::Float3;
 using bake::Primitive;
 
-// + 0.0 turns a negative zero, which not every form can tell, into a positive one.
+// + 0.0 turns a negative zero, which not every format can represent, into a positive one.
 float on_grid(double step_m, float v) { return static_cast<float>(snapped_to(step_m, v)) + 0.0f; }
 
 double distance_m(const Float3& a, const Float3& b) {
@@ -20,7 +20,7 @@ double distance_m(const Float3& a, const Float3& b) {
   return std::sqrt(square(0) + square(1) + square(2));
 }
 
-// How far the place that moves most does so.
+// Returns the longest move of a position.
 double put_on_grid(std::vector<Primitive>& primitives) {
   double farthest_m = 0;
   for (Primitive& primitive : primitives) {

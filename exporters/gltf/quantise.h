@@ -1,4 +1,4 @@
-// A tile on the grids of packed meshes: what a compressed .glb loses is lost here, and stated.
+// Moves a tile onto the grids of packed meshes, and adds what that changes to its stated error.
 #pragma once
 
 #include <span>
@@ -7,16 +7,15 @@
 
 namespace citykiln::exporters {
 
-/// How far single precision may have moved a place at most: nothing where it is on the grid of kQuantum_m, as the
-/// ground is, half a last bit in each direction elsewhere, as on walls.
+/// An upper bound of how far single precision has moved a position: 0 where all are on the grid of kQuantum_m, as the
+/// ground is; elsewhere, as on walls, half of the last bit in each direction.
 double rounding_m(std::span<const bake::Primitive> primitives);
 
-/// The tile with all places on the grid of kPackedPosition_m, and uvs on that of kPackedUv_m; error_m is larger by the
-/// farthest that any place has moved, in the world: at most half a step times √3 (for copies: and their scale), and by
-/// the rounding before.
+/// Returns the tile with positions on the grid of kPackedPosition_m and uvs on that of kPackedUv_m. error_m grows by
+/// the longest move of a position, at most half a step times √3 (times the scale for instances), and by rounding_m().
 ///
-/// Guarantees: places that are on the grid stay, so borders, which are, meet as before; equal places stay equal; no
-/// triangle goes, even where its corners meet; quantised twice is quantised once. Total. O(n).
+/// Guarantees: positions on the grid stay, so that borders, which are on it, meet as before; equal positions stay
+/// equal; every triangle is kept, even where its corners coincide; quantising twice changes nothing more. Total. O(n).
 bake::BakedTile quantised(bake::BakedTile tile);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,4 @@
-// Tangents: which way a texture runs over a surface, for readers of its normals.
+// Tangents: the direction of a texture's u on a surface, for normal maps.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace citykiln::exporters {
 
-/// glTF's TANGENT, one a position, in the tile's own frame: the direction of growing u in the surface, at a right angle
-/// to the normal, unit length; then 1 or -1, by which cross(normal, tangent) points up in the picture, against v.
+/// Returns glTF's TANGENT for each position, in the tile's frame: the direction of growing u in the surface, orthogonal
+/// to the normal, unit length; then 1 or -1, so that cross(normal, tangent) times it points up in the image, against v.
 /// @param primitive  With uvs.
-/// Total: a corner of no triangle whose uvs tell a direction gets any. O(n).
+/// Total: vertices of triangles with degenerate uvs get any orthogonal direction. O(n).
 std::vector<bake::Float4> tangents_of(const bake::Primitive& primitive);
 
 }  // namespace citykiln::exporters

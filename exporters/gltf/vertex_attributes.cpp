@@ -19,14 +19,14 @@ constexpr double kMostSteps = 0x1p23 - 1;
 
 }  // namespace
 
-std::optional<Steps> steps_of(const VertexAttribute& stream) {
-  if (stream.component != Component::kFloat) return std::nullopt;
+std::optional<Steps> steps_of(const VertexAttribute& attribute) {
+  if (attribute.component != Component::kFloat) return std::nullopt;
   for (const Grid& grid : kGrids) {
-    if (stream.name != grid.name) continue;
-    Steps steps{grid.exponent, std::vector<std::int32_t>(stream.bytes.size() / sizeof(float))};
+    if (attribute.name != grid.name) continue;
+    Steps steps{grid.exponent, std::vector<std::int32_t>(attribute.bytes.size() / sizeof(float))};
     for (std::size_t i = 0; i < steps.counts.size(); ++i) {
       float v = 0;
-      std::memcpy(&v, stream.bytes.data() + i * sizeof(float), sizeof(float));
+      std::memcpy(&v, attribute.bytes.data() + i * sizeof(float), sizeof(float));
       const double count = std::ldexp(double{v}, -grid.exponent);
       if (!(std::abs(count) <= kMostSteps) || count != std::floor(count)) return std::nullopt;
       steps.counts[i] = static_cast<std::int32_t>(count);

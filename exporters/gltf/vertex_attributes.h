@@ -1,4 +1,4 @@
-// A primitive as glTF keeps it: an array for each attribute, and indices. What codecs take and give.
+// A primitive as glTF stores it: one array per attribute, and indices. The input and output of mesh codecs.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace citykiln::exporters {
 
-/// glTF's own numbers.
+/// glTF's component types, by its numbers.
 enum class Component : int {
   kUnsignedByte = 5121,
   kShort = 5122,
@@ -27,26 +27,29 @@ inline std::size_t bytes_of(Component component) {
 struct VertexAttribute {
   std::string name;  ///< "POSITION"
   Component component = Component::kFloat;
-  std::size_t width = 3;  ///< Numbers an element. An element takes whole multiples of four bytes.
+  std::size_t width = 3;  ///< Components per element. An element has a whole multiple of four bytes.
   std::vector<unsigned char> bytes;
   bool operator==(const VertexAttribute&) const = default;
 };
 
-inline std::size_t stride_of(const VertexAttribute& stream) { return stream.width * bytes_of(stream.component); }
+inline std::size_t stride_of(const VertexAttribute& attribute) {
+  return attribute.width * bytes_of(attribute.component);
+}
 
 struct MeshArrays {
-  std::size_t count = 0;                 ///< Vertices.
-  std::vector<VertexAttribute> streams;  ///< Each with `count` elements.
-  std::vector<std::uint32_t> indices;    ///< Three a triangle, each below count.
+  std::size_t count = 0;                    ///< Of vertices.
+  std::vector<VertexAttribute> attributes;  ///< Each with `count` elements.
+  std::vector<std::uint32_t> indices;       ///< Three per triangle, each below count.
 };
 
-/// The numbers of an attribute as whole steps of 2 to the power of `exponent`.
+/// The components of an attribute as whole multiples of 2^exponent.
 struct Steps {
   int exponent = 0;
-  std::vector<std::int32_t> counts;  ///< In 24 bits with their signs.
+  std::vector<std::int32_t> counts;  ///< Signed, of 24 bits.
 };
 
-/// For places, uvs and feature ids in single precision that all lie on the grid of packed meshes (compression.h).
-std::optional<Steps> steps_of(const VertexAttribute& stream);
+/// Returns the steps of positions, uvs and feature ids in single precision that all lie on the grids of packed meshes
+/// (compression.h); nothing for other attributes.
+std::optional<Steps> steps_of(const VertexAttribute& attribute);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,4 @@
-// Buildings in a chunk.
+// Codecs of buildings.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +32,9 @@ void serialise(auto& io, roofs::RoofShape& roof) {
 
 void serialise(auto& io, buildings::FacadeEdge& f) {
   auto number = 512u * f.doors + 2u * f.buried_storeys + (f.faces_street ? 1 : 0);
-  io.number("front", number);
+  io.number("facade edge", number);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
-    if (number >> 9 > 0xffff) io.fail("front");
+    if (number >> 9 > 0xffff) io.fail("facade edge");
   f = {(number & 1) != 0, static_cast<std::uint8_t>(number / 2 & 0xff), static_cast<std::uint16_t>(number >> 9)};
 }
 
@@ -46,7 +46,7 @@ void serialise(auto& io, buildings::PartyWall& w, std::size_t edges) {
     if (w.edge >= edges || !(w.from_m >= 0 && w.from_m < w.to_m)) io.fail("party edge");
 }
 
-// Heights in order, and a roof that fits: what expanding counts on.
+// Whether heights are in order and the roof fits, as generating a building requires.
 inline bool has_ordered_heights(const buildings::Building& b) {
   return b.bottom_m < b.top_m && b.bottom_m <= b.floor_m && b.floor_m <= eaves_m(b) && b.levels > 0 &&
          b.roof_shape.height_m >= 0 && b.roof_shape.overhang_m >= 0 && b.roof_shape.overhang_m <= 16;
@@ -58,7 +58,7 @@ void facade(auto& io, buildings::Building& b) {
   enumerator(io, "building class", b.building_class, static_cast<std::uint8_t>(map::BuildingClass::kCount));
   io.number("storeys", b.levels), io.number("year", b.year);
   flag(io, "shop", b.has_shop);
-  list(io, "fronts", b.facade_edges, 0, [&](buildings::FacadeEdge& f) { serialise(io, f); });
+  list(io, "facade edges", b.facade_edges, 0, [&](buildings::FacadeEdge& f) { serialise(io, f); });
   list(io, "party walls", b.party_walls, 0, [&](buildings::PartyWall& w) { serialise(io, w, edges); });
 }
 

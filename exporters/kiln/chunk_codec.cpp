@@ -7,7 +7,8 @@
 #include "exporters/kiln/field_codecs.h"
 #include "exporters/kiln/road_codec.h"
 
-// Writing and reading are one description: `describe` walks a chunk once, and a Writer or a Reader stands behind it.
+// Writing and reading share their code: serialise() visits all fields of a chunk in order, and passes them to a Writer
+// or a Reader.
 namespace citykiln::exporters {
 namespace {
 
@@ -15,7 +16,7 @@ using scene::Chunk;
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 
-// Standing water has one.
+// The level of standing water; other surfaces have none.
 void level(auto& io, ground::LandCoverPolygon& s) {
   bool is_levelled = s.level_m.has_value();
   flag(io, "levelled", is_levelled);
@@ -41,7 +42,7 @@ void species_mix(auto& io, Stream name, plants::SpeciesMix& species_mix) {
   species_mix = plants::SpeciesMix{number};
 }
 
-// Whole eighths of a metre, below 256 m.
+// A whole number of eighths of a metre, less than 256 m.
 void eighths(auto& io, Stream name, double& value, double least_m) {
   auto count = static_cast<std::uint16_t>(value * 8);
   io.number(name, count);
@@ -60,7 +61,7 @@ void serialise(auto& io, plants::Wood& w) {
   id(io, w.surface);
   species_mix(io, "wood", w.species_mix), io.number("wood", w.trees_per_ha), eighths(io, "wood", w.height_m, 0.125);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
-    // what would ask for a million trees a hectare, or none, is no wood
+    // a wood has some trees per hectare, but no million of them
     if (w.trees_per_ha < plants::kLeastTreesPerHa || w.trees_per_ha > plants::kMostTreesPerHa) io.fail("wood");
 }
 
@@ -97,15 +98,15 @@ void serialise(auto& io, props::Lamp& l) {
   io.point(l.at), io.metres("lamp height", l.height_m);
 }
 
-// Each height as its difference to what its western, southern and south-western neighbours foretell.
-std::int64_t foretold(const map::Heightfield& h, std::size_t i) {
+// The prediction of a height from its western, southern and south-western neighbours; the difference is written.
+std::int64_t predicted(const map::Heightfield& h, std::size_t i) {
   const auto across = static_cast<std::size_t>(h.columns);
   const std::int64_t west = i % across > 0 ? h.heights[i - 1] : 0, south = i >= across ? h.heights[i - across] : 0;
   if (i % across == 0) return south;
   return i < across ? west : west + south - h.heights[i - across - 1];
 }
 
-// Corner and steps are whole eighths of a metre.
+// Whether corner and steps are whole eighths of a metre.
 bool is_on_grid(const map::Heightfield& h) {
   const auto is_whole = [](double v, double step) { return std::floor(v / step) * step == v; };
   const auto fits = [&](double start, double step) {
@@ -134,18 +135,18 @@ void heights(Io& io, map::Heightfield& h) {
     if (!fits) return io.fail("field");
     h.heights.resize(size);
   }
-  // the zeros that all heights end in are written once
+  // the low bits that are zero in all heights are not written
   int shift = common_zeros(h);
   io.number("field", shift);
   if constexpr (Io::kReads)
     if (shift < 0 || shift > 30) return io.fail("field");
   for (std::size_t i = 0; i < size; ++i) {
-    std::int64_t off = (h.heights[i] - foretold(h, i)) >> shift;
+    std::int64_t off = (h.heights[i] - predicted(h, i)) >> shift;
     std::uint64_t zigzag = static_cast<std::uint64_t>(off) << 1 ^ static_cast<std::uint64_t>(off >> 63);
     io.number("heights", zigzag);
     if constexpr (Io::kReads) {
       const std::uint64_t undone = (zigzag >> 1 ^ (~(zigzag & 1) + 1)) << shift;
-      const auto height = static_cast<std::int64_t>(static_cast<std::uint64_t>(foretold(h, i)) + undone);
+      const auto height = static_cast<std::int64_t>(static_cast<std::uint64_t>(predicted(h, i)) + undone);
       h.heights[i] = static_cast<std::int32_t>(height);
       if (h.heights[i] != height) return io.fail("heights");
     }
@@ -189,7 +190,7 @@ std::span<const char* const> stream_names() { return kStreamNames; }
 
 Streams encode_chunk(const Chunk& chunk) {
   Writer writer;
-  // the description is one for both ways, so it takes what it may change
+  // codecs take their objects by reference, since readers change them
   Chunk copy = chunk;
   writer.point_step_m = step_of(copy);
   serialise(writer, copy);

@@ -1,4 +1,4 @@
-// A chunk of the scene as named streams, and back.
+// Encodes a chunk of the scene as named streams, and decodes it.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,18 @@
 
 namespace citykiln::exporters {
 
+/// The bytes of each stream that has any, by name.
 using Streams = std::map<std::string, std::vector<std::uint8_t>>;
 
-/// The names of all streams, in the order in which a chunk holds them. Part of the format: add at the end.
+/// The names of all streams in the order of a chunk. Part of the format: new ones are appended.
 std::span<const char* const> stream_names();
 
 /// Lossless for coordinates that are multiples of 2^-10 m.
 Streams encode_chunk(const scene::Chunk& chunk);
 
-/// Nothing where a stream is missing, too short or too long, or says what no chunk can be (an enumerator that does not
-/// exist, a grid of the wrong size, an axis of one point, a height that is not finite). `wrong` then names the stream.
+/// Returns nothing where a stream is missing, too short or too long, or holds a value that no chunk can have (an
+/// unknown enumerator, a grid of the wrong size, an axis of one point, a height that is not finite); `wrong` is then
+/// the name of the stream.
 std::optional<scene::Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, std::string& wrong);
 
 }  // namespace citykiln::exporters

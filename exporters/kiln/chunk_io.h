@@ -1,4 +1,4 @@
-// What stands behind the description of a chunk: a Writer, a Reader, or what only looks at its points.
+// The targets of a chunk's codecs: a Writer, a Reader, and a probe of its points' step.
 #pragma once
 
 #include <array>
@@ -18,17 +18,17 @@
 namespace citykiln::exporters {
 
 inline constexpr std::size_t kMaxReserve = 1u << 12;
-// The plane reaches 80 degrees of longitude from its origin: 16 000 km.
+// The plane extends over 80 degrees of longitude from its origin: 16 000 km.
 inline constexpr double kMaxCoordinate_m = 0x1p25;
 
-// Points that several rings and lines share are written once. A point is a step along the list of those that came
-// before (a shared border is followed forwards or backwards), a jump to one of them, or new.
+// A point that several rings and lines share is written once. It is new, the next or previous one in the list of points
+// (rings follow shared borders forwards or backwards), or a jump in that list.
 enum PointCode : std::uint64_t { kNewPoint, kNextPoint, kPreviousPoint, kFirstJump };
 
-// The map's own points lie on its step; a chunk with a finer point is written in the plane's finest.
+// Points of the map are multiples of kMapStep_m; a chunk with a finer point is written in steps of kQuantum_m.
 using map::kMapStep_m;
 
-/// Writes what it is shown.
+/// Writes values to the streams.
 struct Writer {
   static constexpr bool kReads = false;
   std::array<StreamWriter, kStreamNames.size()> streams;
@@ -59,14 +59,13 @@ struct Writer {
   void metres(Stream name, double& value) {
     of(name).put_delta(static_cast<std::int64_t>(std::floor(value / kQuantum_m + 0.5)));
   }
-  void real(Stream name, double& value) { of(name).put_double(value); }
   std::size_t count(Stream name, std::size_t size) {
     of(name).put(size);
     return size;
   }
 };
 
-/// Reads, and stops at the first thing that no chunk can be; `wrong` names its stream.
+/// Reads values from the streams. `wrong` is the name of the first stream with a value that no chunk can have.
 struct Reader {
   static constexpr bool kReads = true;
   std::array<std::optional<StreamReader>, kStreamNames.size()> streams;
@@ -96,7 +95,7 @@ struct Reader {
     if (!reader) fail(stream), reader.emplace();
     return *reader;
   }
-  // what a stream gives; where it has run out, zero, and the chunk is wrong
+  // reads a number; at the end of the stream it is zero, and the chunk is wrong
   template <typename T>
   T checked(Stream name, T (StreamReader::*get)()) {
     StreamReader& stream = of(name);
@@ -120,11 +119,7 @@ struct Reader {
   }
   void delta(Stream name, std::int64_t& value) { value = checked(name, &StreamReader::get_delta); }
   void metres(Stream name, double& value) { value = place(name, kQuantum_m); }
-  void real(Stream name, double& value) {
-    value = checked(name, &StreamReader::get_double);
-    if (!std::isfinite(value)) fail(name);
-  }
-  // no more things than the whole chunk has bytes: a thing takes at least one byte of some stream
+  // an object takes at least one byte of some stream, so there are no more of them than the chunk has bytes
   std::size_t total_bytes = 0;
   std::size_t count(Stream name, std::size_t) {
     const std::uint64_t size = whole(name);
@@ -137,7 +132,7 @@ struct Reader {
   }
 };
 
-/// Looks at every point of a chunk and leaves it as it is.
+/// Finds the step of a chunk's points; changes nothing.
 struct PointStepProbe {
   static constexpr bool kReads = false;
   double point_step_m = kMapStep_m;
@@ -149,7 +144,6 @@ struct PointStepProbe {
   void number(Stream, auto&) {}
   void delta(Stream, auto&) {}
   void metres(Stream, double&) {}
-  void real(Stream, double&) {}
   std::size_t count(Stream, std::size_t size) { return size; }
 };
 

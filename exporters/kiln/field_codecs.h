@@ -1,5 +1,7 @@
-// Fields that many things in a chunk have: numbers within bounds, lists, ids, lines, profiles. Written or read, as the
-// io behind them does; what no chunk can be fails there.
+// Codecs of fields that many objects of a chunk have: enumerators, lists, ids, lines, profiles.
+//
+// Each function is both writer and reader: `io` is a Writer or a Reader (chunk_io.h). A reader fails on values that no
+// chunk can have.
 #pragma once
 
 #include <algorithm>
@@ -54,7 +56,7 @@ void points(auto& io, Stream kind, std::vector<Vec2>& axis, std::size_t least) {
   list(io, kind, axis, least, [&](Vec2& p) { io.point(p); });
 }
 
-// In whole quanta, as a difference to the last one.
+// A whole number of quanta, as a difference to the last one.
 void quanta(auto& io, Stream name, double& value, double quantum) {
   auto count = static_cast<std::int64_t>(std::floor(value / quantum + 0.5));
   io.delta(name, count);
@@ -63,7 +65,7 @@ void quanta(auto& io, Stream name, double& value, double quantum) {
     if (std::abs(value) > kMaxCoordinate_m) io.fail(name), value = 0;
 }
 
-// How far from the knot before, in eighths of a metre.
+// A knot: its distance from the one before, in eighths of a metre, height and tilt.
 void knot(auto& io, Knot& k, const Knot* before) {
   const double from_m = before ? before->at_m : 0;
   auto steps = static_cast<std::uint64_t>((k.at_m - from_m) * 8);
@@ -83,14 +85,14 @@ void profile(auto& io, Profile& p) {
   });
 }
 
-// Whole quarters of a metre, below 64 m.
+// A whole number of quarter metres, less than 64 m.
 void quarters(auto& io, Stream name, double& value) {
   auto quarters = static_cast<std::uint8_t>(value * 4);
   io.number(name, quarters);
   value = quarters / 4.0;
 }
 
-// Several small numbers in one: each takes the bits that its count needs.
+// Several small numbers in one: mixed-radix digits, the first one the least significant.
 struct MixedRadix {
   std::uint64_t number;
   std::uint64_t take(std::uint64_t count) {
@@ -100,7 +102,7 @@ struct MixedRadix {
   }
 };
 
-// Steps of 2^-11 m, not below 0: the middle of what is counted in quanta.
+// A non-negative multiple of 2^-11 m: half of a number of quanta.
 void half_steps(auto& io, Stream name, double& value) {
   constexpr double kHalf_m = kQuantum_m / 2;
   auto steps = static_cast<std::uint64_t>(value / kHalf_m);
@@ -108,7 +110,7 @@ void half_steps(auto& io, Stream name, double& value) {
   value = static_cast<double>(steps) * kHalf_m;
 }
 
-// Two truths as one number.
+// Two flags as one number.
 void flags(auto& io, Stream name, bool& first, bool& second) {
   std::uint8_t number = static_cast<std::uint8_t>((first ? 1 : 0) + (second ? 2 : 0));
   io.number(name, number);

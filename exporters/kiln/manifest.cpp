@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -23,7 +24,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 using ByteSpan = std::span<const std::byte>;
-// before zstd, or behind it
+// before compression or after decompression
 using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
@@ -32,17 +33,17 @@ constexpr const char* kGeneratorVersion = "0.1.0";
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
     "1.0; see https://www.openstreetmap.org/copyright";
-// magic, major, minor, size of the header's frame; then the checksum of these and of that frame
+// offsets: magic, versions, size of the header's frame, then a checksum of these and of that frame
 constexpr std::size_t kMajorAt = 8, kHeaderSizeAt = 12, kChecksumAt = 16, kPreamble = 24;
 
-// FNV-1a, 64 bits: against rot, not against malice.
+// FNV-1a, 64 bits: detects damage, not manipulation.
 constexpr std::uint64_t kHashOfNothing = 0xcbf29ce484222325u;
 std::uint64_t checksum(ByteSpan bytes, std::uint64_t hash = kHashOfNothing) {
   for (const std::byte b : bytes) hash = (hash ^ static_cast<std::uint8_t>(b)) * 0x100000001b3u;
   return hash;
 }
 
-// Of the names of all materials, classes, species and mixes: a manifest numbers them.
+// A hash of the names of all materials, classes, species and mixes, since a manifest refers to them by number.
 std::uint64_t tables_hash() {
   std::string names;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
@@ -90,7 +91,7 @@ flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder
   return fbs::CreateIndexDirect(builder, &x.bytes(), &y.bytes(), &size.bytes(), &checksums);
 }
 
-// Rules, or species.
+// Rule files, or species files.
 template <typename Text>
 std::vector<flatbuffers::Offset<fbs::Rule>> rules_of(flatbuffers::FlatBufferBuilder& builder,
                                                      const std::vector<Text>& texts) {
@@ -113,7 +114,7 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
       static_cast<std::int32_t>(h.region.max.x), static_cast<std::int32_t>(h.region.max.y)};
   const auto sky = sky_of(builder, h.sky);
   const auto index = index_of(builder, scene, frames);
-  // not a number stands for none
+  // NaN: there is none
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
   const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species);
   builder.Finish(fbs::CreateHeaderDirect(builder, kGeneratorVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
@@ -132,7 +133,7 @@ std::uint64_t get(ByteSpan bytes, std::size_t at, int size) {
   return value;
 }
 
-// Of what stands before it, and of the header's frame.
+// The checksum of the first bytes and of the header's frame.
 std::uint64_t header_checksum(ByteSpan beginning, ByteSpan frame) {
   return checksum(frame, checksum(beginning.first(kChecksumAt)));
 }
@@ -145,7 +146,7 @@ std::vector<std::string> strings_of(const Texts* texts) {
   return strings;
 }
 
-// A FlatBuffer may name one text a million times.
+// The total size of texts: a FlatBuffer may refer to one text a million times.
 std::size_t size_of(const Texts* texts) {
   std::size_t size = 0;
   if (texts != nullptr)
@@ -173,7 +174,7 @@ std::size_t size_of(const Rules* rules) {
 
 bool is_whole_cells(const Box2& region, double tile_m) {
   const auto whole = [](double v) { return std::floor(v / map::kCell_m) * map::kCell_m == v; };
-  // 500 km on a side: no plane is wider
+  // 500 km to each side: no plane is wider
   constexpr double kWidest_m = 524288;
   return whole(region.min.x) && whole(region.min.y) && whole(region.max.x) && whole(region.max.y) &&
          region.width() > 0 && region.height() > 0 && region.min.x >= -kWidest_m && region.min.y >= -kWidest_m &&
@@ -185,7 +186,7 @@ Error damaged_header(const std::string& name) {
   return {name, "expected a citykiln manifest, found one whose header is damaged"};
 }
 
-// The header as plain data, or what is wrong with it.
+// Converts the header to plain data and checks its values.
 Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const std::string& name) {
   const Error damaged = damaged_header(name);
   if (h.region_m() == nullptr || h.region_m()->size() != 4 || h.sky() == nullptr || h.sky()->to_sun() == nullptr ||
@@ -242,7 +243,7 @@ std::string where_of(const std::string& name, scene::TileKey tile) {
   return fmt::format("{}, tile {}_{}", name, tile.x, tile.y);
 }
 
-// One chunk, unpacked and checked; check_index has found its bytes inside the body.
+// Decodes one chunk. Its bytes are inside the body, as check_index has found.
 Result<scene::Chunk> chunk_of(ByteSpan body, const Entry& entry, const UnpackingDictionary& dictionary,
                               const std::string& name) {
   const std::string where = where_of(name, entry.tile);
@@ -263,7 +264,7 @@ StreamReader reader_of(const flatbuffers::Vector<std::uint8_t>* stream) {
   return stream == nullptr ? StreamReader() : StreamReader({stream->data(), stream->size()});
 }
 
-// The index as plain data; nothing where a stream ends early or late, or holds a number beyond its type.
+// Converts the index to plain data; nothing where a stream ends early or late, or holds a number beyond its type.
 std::optional<std::vector<Entry>> entries_of(const fbs::Index* index) {
   if (index == nullptr || index->checksum() == nullptr) return std::nullopt;
   StreamReader x = reader_of(index->x()), y = reader_of(index->y()), size = reader_of(index->size());
@@ -276,14 +277,14 @@ std::optional<std::vector<Entry>> entries_of(const fbs::Index* index) {
     if (!fits(column) || !fits(row)) return std::nullopt;
     const scene::TileKey tile{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
     entries.push_back({tile, offset, size.get(), checksum});
-    // sizes that wrap around are found by check_index before the offset behind them is used
+    // check_index detects sizes whose sum overflows before their offsets are used
     offset += entries.back().size;
   }
   if (!x.is_finished() || !y.is_finished() || !size.is_finished()) return std::nullopt;
   return entries;
 }
 
-// The index as a whole: every tile once, in order, inside the region, its bytes there, and nothing behind the last.
+// Checks the index: every tile once, in order, inside the region, its bytes in the file, and no bytes after the last.
 Result<Done> check_index(std::span<const Entry> entries, const scene::Header& header, std::size_t body_size,
                          const std::string& name) {
   std::optional<scene::TileKey> last;
@@ -300,7 +301,7 @@ Result<Done> check_index(std::span<const Entry> entries, const scene::Header& he
   return Done{};
 }
 
-// None where the header holds none.
+// Null where the header has none.
 Result<UnpackingDictionary> dictionary_of(const fbs::Header& h, const std::string& name) {
   if (h.dictionary() == nullptr) return UnpackingDictionary();
   auto dictionary = unpacking_dictionary({h.dictionary()->data(), h.dictionary()->size()});
@@ -308,7 +309,7 @@ Result<UnpackingDictionary> dictionary_of(const fbs::Header& h, const std::strin
   return dictionary;
 }
 
-// The frame of the header: behind the fixed beginning, of this version, whole.
+// The frame of the header, after checks of magic number, version, size and checksum.
 Result<ByteSpan> header_frame(ByteSpan bytes, const std::string& name) {
   if (bytes.size() < kPreamble || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0)
     return Error{name, "expected a citykiln manifest, which begins with CITYKILN"};
@@ -325,7 +326,7 @@ bool is_wanted(std::span<const scene::TileKey> only, scene::TileKey tile) {
   return only.empty() || std::find(only.begin(), only.end(), tile) != only.end();
 }
 
-// The chunks that are wanted, of a body whose index is sound.
+// Decodes the chunks of `only`, or all of them. The index has passed check_index.
 Result<std::vector<scene::Chunk>> chunks_of(ByteSpan body, std::span<const Entry> entries,
                                             const UnpackingDictionary& dictionary, const std::string& name,
                                             std::span<const scene::TileKey> only) {
@@ -345,6 +346,7 @@ Result<std::vector<scene::Chunk>> chunks_of(ByteSpan body, std::span<const Entry
 }  // namespace
 
 Bytes encode_manifest(const scene::Scene& scene, int threads) {
+  assert(std::ranges::is_sorted(scene.chunks, {}, &scene::Chunk::tile));
   const std::size_t count = scene.chunks.size();
   const auto raws = for_each_slot<RawBytes>(count, threads, [&](std::size_t i) { return raw_chunk(scene.chunks[i]); });
   const RawBytes dictionary = train_dictionary(raws);

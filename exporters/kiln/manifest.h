@@ -1,5 +1,5 @@
-// The manifest, .kiln: the scene written down. Format: MANIFEST.md. A header, and one zstd frame a chunk, so that a
-// tile is read without the rest.
+// The manifest, .kiln: the scene as a file, in the format of MANIFEST.md. It has a header and one zstd frame per chunk,
+// so that one tile can be read without the others.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,13 @@
 
 namespace citykiln::exporters {
 
-/// Same scene, same bytes. Lossless: decode(encode(scene)) == scene.
+/// Same scene, same bytes. Lossless: decode_manifest(encode_manifest(scene)) == scene.
 std::vector<std::byte> encode_manifest(const scene::Scene& scene, int threads);
 
-/// @param name  How errors call the bytes, e.g. the file's name.
-/// @param only  If not empty, only these tiles' chunks are decoded; a tile that is not there is an error.
-/// Errors: anything that is not a whole manifest of this major version: never a crash, whatever the bytes (fuzzed).
+/// Decodes a manifest. Errors: anything but a whole manifest of this major version; never a crash, whatever the bytes
+/// (fuzzed).
+/// @param name  The file's name in error messages.
+/// @param only  If not empty, only these tiles' chunks are decoded; a missing tile is an error.
 Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std::string& name,
                                      std::span<const scene::TileKey> only);
 

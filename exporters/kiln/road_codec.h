@@ -1,4 +1,4 @@
-// Roads, junctions, waterways, bridges and tunnels in a chunk.
+// Codecs of roads, junctions, watercourses, bridges and tunnels.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace citykiln::exporters {
 
-// Kind, way and whether it is raised, as one number.
+// Kind, direction and whether the lane is raised, as one number.
 void serialise(auto& io, map::Lane& l) {
   constexpr std::uint64_t kWays = 3, kRaised = 2;
   auto number =
@@ -41,7 +41,7 @@ void serialise(auto& io, RoadKind& k) {
   }
 }
 
-// Kind and facing as one number.
+// Kind and direction as one number.
 void serialise(auto& io, map::TrackPoint& p) {
   constexpr std::uint64_t kFacings = 3;
   io.number("track vertex", p.vertex);
@@ -54,13 +54,13 @@ void serialise(auto& io, map::TrackPoint& p) {
     if (packed.number >= static_cast<std::uint64_t>(map::TrackPointKind::kCount)) io.fail("track sign");
 }
 
-// Steps of 2^-10 m, not as a difference: mostly zero.
-void passed(auto& io, double& value) {
+// A multiple of 2^-10 m, mostly zero and therefore not written as a difference.
+void start_offset(auto& io, double& value) {
   auto steps = static_cast<std::uint64_t>(value / kQuantum_m);
-  io.number("passed", steps);
+  io.number("start offset", steps);
   value = static_cast<double>(steps) * kQuantum_m;
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
-    if (value > kMaxCoordinate_m) io.fail("passed"), value = 0;
+    if (value > kMaxCoordinate_m) io.fail("start offset"), value = 0;
 }
 
 void serialise(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::uint32_t& number) {
@@ -71,7 +71,7 @@ void serialise(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::u
     if (number >= kinds.size()) return io.fail("road kind");
     set_kind(kinds[number], r);
   }
-  passed(io, r.start_along_m);
+  start_offset(io, r.start_along_m);
   list(io, "track points", r.points, 0, [&](map::TrackPoint& p) {
     serialise(io, p);
     if constexpr (std::remove_reference_t<decltype(io)>::kReads)
@@ -80,7 +80,7 @@ void serialise(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::u
   profile(io, r.profile);
 }
 
-// The kinds of all roads of a chunk, bridges and tunnels among them, and which of them is whose, as they come.
+// The kinds of all roads of a chunk, bridges and tunnels included, and the kind of each in the order of the chunk.
 struct KindsOfChunk {
   RoadKinds kinds;
   std::size_t next = 0;
@@ -105,32 +105,33 @@ KindsOfChunk kinds_of_chunk(Io& io, const scene::Chunk& c) {
   return all;
 }
 
-// How far from the pinch before on its side, in quarters of a metre, and whether the limit runs straight from there.
-void serialise(auto& io, roads::WidthLimit& p, const roads::WidthLimit* before) {
+// A width limit: its distance from the one before on its side, in quarters of a metre, whether the limit is straight in
+// between, and the largest half width.
+void serialise(auto& io, roads::WidthLimit& limit, const roads::WidthLimit* before) {
   const double from_m = before ? before->at_m : 0;
-  auto steps = static_cast<std::uint64_t>((p.at_m - from_m) * 4) * 2 + p.is_wall;
-  io.number("pinch steps", steps);
-  p.is_wall = steps % 2 != 0;
-  p.at_m = from_m + static_cast<double>(steps / 2) / 4;
-  auto half = static_cast<std::int64_t>(p.half_m * 32);
-  io.delta("pinch half", half);
-  p.half_m = static_cast<double>(half) / 32;
+  auto steps = static_cast<std::uint64_t>((limit.at_m - from_m) * 4) * 2 + limit.is_wall;
+  io.number("width limit steps", steps);
+  limit.is_wall = steps % 2 != 0;
+  limit.at_m = from_m + static_cast<double>(steps / 2) / 4;
+  auto half = static_cast<std::int64_t>(limit.half_m * 32);
+  io.delta("width limit half", half);
+  limit.half_m = static_cast<double>(half) / 32;
   if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
-    const bool follows = before ? p.at_m > from_m : !p.is_wall;
-    if (!follows || p.at_m > kMaxCoordinate_m) io.fail("pinch steps");
-    if (half <= 0 || p.half_m > kMaxCoordinate_m) io.fail("pinch half");
+    const bool follows = before ? limit.at_m > from_m : !limit.is_wall;
+    if (!follows || limit.at_m > kMaxCoordinate_m) io.fail("width limit steps");
+    if (half <= 0 || limit.half_m > kMaxCoordinate_m) io.fail("width limit half");
   }
 }
 
 void width_limits(auto& io, std::vector<roads::WidthLimit>& side) {
   std::size_t i = 0;
-  list(io, "width_limits", side, 0, [&](roads::WidthLimit& p) {
-    serialise(io, p, i > 0 ? &side[i - 1] : nullptr);
+  list(io, "width limits", side, 0, [&](roads::WidthLimit& limit) {
+    serialise(io, limit, i > 0 ? &side[i - 1] : nullptr);
     ++i;
   });
 }
 
-// Most roads are not narrowed and take no bytes.
+// Roads without width limits, which most are, take no bytes.
 template <typename Io>
 void narrowings(Io& io, std::vector<roads::Road>& roads) {
   std::vector<std::uint64_t> narrowed;
@@ -153,7 +154,7 @@ void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
   narrowings(io, roads);
 }
 
-// What rivers' areas reach is counted in these.
+// Unit of Strip::reach_m.
 inline constexpr double kReachStep_m = 16;
 
 void serialise(auto& io, roads::Strip& s) {
@@ -161,13 +162,13 @@ void serialise(auto& io, roads::Strip& s) {
   points(io, "road points", s.axis, 2);
   enumerator(io, "water class", s.surface, map::LandCoverClass::kCount);
   io.metres("water sides", s.left_m), io.metres("water sides", s.right_m);
-  passed(io, s.start_along_m);
+  start_offset(io, s.start_along_m);
   profile(io, s.profile);
   auto reach = static_cast<std::uint64_t>(s.reach_m / kReachStep_m);
-  io.number("water reach", reach);
+  io.number("water influence", reach);
   s.reach_m = static_cast<double>(reach) * kReachStep_m;
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
-    if (s.reach_m > kMaxCoordinate_m) io.fail("water reach"), s.reach_m = 0;
+    if (s.reach_m > kMaxCoordinate_m) io.fail("water influence"), s.reach_m = 0;
 }
 
 void serialise(auto& io, roads::Junction& j) {
@@ -185,7 +186,7 @@ void serialise(auto& io, structures::SpanEnd& end) {
   if (end.kind == structures::EndKind::kBesideRoad) quarters(io, "end cut", end.cut_m);
 }
 
-// How far from the pier before, or from the way's beginning, in quarters of a metre.
+// A pier: its distance from the one before, or from the way's start, in quarters of a metre, and its foot.
 void serialise(auto& io, structures::Pier& p, const structures::Pier* before) {
   const double from_m = before ? before->at_m : 0;
   auto steps = static_cast<std::uint64_t>((p.at_m - from_m) * 4);
@@ -196,7 +197,7 @@ void serialise(auto& io, structures::Pier& p, const structures::Pier* before) {
     if ((before && steps == 0) || p.at_m > kMaxCoordinate_m) io.fail("pier step");
 }
 
-// As steps from the end of the opening before, in quarters of a metre.
+// Openings: start and end, as distances from the end of the one before, in quarters of a metre.
 void openings(auto& io, std::vector<structures::ParapetGap>& side) {
   double last_m = 0;
   list(io, "openings", side, 0, [&](structures::ParapetGap& o) {
@@ -210,7 +211,7 @@ void openings(auto& io, std::vector<structures::ParapetGap>& side) {
   });
 }
 
-// From the lowest that a map may tell.
+// Counted from the lowest layer that OSM allows.
 void layer(auto& io, std::int8_t& value) {
   constexpr int kLowest = -10, kHighest = 10;
   auto above = static_cast<std::uint8_t>(value - kLowest);

@@ -1,4 +1,4 @@
-// What many roads of a chunk have in common, so that it is written once.
+// Properties that many roads of a chunk share, and which the manifest therefore holds once.
 #pragma once
 
 #include <compare>
@@ -20,15 +20,15 @@ struct RoadKind {
 RoadKind kind_of(const roads::Road& road);
 void set_kind(const RoadKind& kind, roads::Road& road);
 
-/// All kinds of the roads, each once, the commonest first, and which of them each road is. O(n log n).
+/// The kinds of roads, each once, the most frequent first, and the index of each road's kind. O(n log n).
 struct RoadKinds {
   std::vector<RoadKind> kinds;
   std::vector<std::uint32_t> of_road;
 };
 RoadKinds kinds_of(std::span<const roads::Road> roads);
 
-/// A cross-section that a road can have: lanes of a width, at least one between the kerbs, none of them raised, and the
-/// axis among them.
+/// Whether a road can have this cross-section: lanes wider than 0, at least one of them between the kerbs and none of
+/// those raised, and the axis between the kerbs.
 bool is_sound(const map::CrossSection& section);
 
 }  // namespace citykiln::exporters

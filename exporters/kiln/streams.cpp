@@ -1,11 +1,9 @@
 #include "exporters/kiln/streams.h"
 
-#include <bit>
-
 namespace citykiln::exporters {
 namespace {
 
-// Differences wrap around, so that nonsense in a file overflows nothing.
+// Differences wrap around, so that no file can cause signed overflow.
 std::int64_t wrapping_sum(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
 }
@@ -27,11 +25,6 @@ void StreamWriter::put_signed(std::int64_t value) {
 void StreamWriter::put_delta(std::int64_t value) {
   put_signed(wrapping_difference(value, last_));
   last_ = value;
-}
-
-void StreamWriter::put_double(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  for (int i = 0; i < 8; ++i) bytes_.push_back(static_cast<std::uint8_t>(bits >> 8 * i));
 }
 
 std::uint8_t StreamReader::get_byte() {
@@ -59,18 +52,5 @@ std::int64_t StreamReader::get_signed() {
 }
 
 std::int64_t StreamReader::get_delta() { return last_ = wrapping_sum(last_, get_signed()); }
-
-double StreamReader::get_double() {
-  std::uint64_t bits = 0;
-  for (int i = 0; i < 8; ++i) bits |= static_cast<std::uint64_t>(get_byte()) << 8 * i;
-  return std::bit_cast<double>(bits);
-}
-
-std::size_t StreamReader::get_count(const StreamReader& of) {
-  const std::uint64_t count = get();
-  if (count <= of.remaining()) return static_cast<std::size_t>(count);
-  good_ = false;
-  return 0;
-}
 
 }  // namespace citykiln::exporters

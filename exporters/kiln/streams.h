@@ -1,4 +1,4 @@
-// Numbers as runs of variable-length integers, one run a property: what makes a manifest small, and safe to read.
+// Numbers as variable-length integers, one stream per property: it keeps manifests small and safe to read.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,13 @@
 
 namespace citykiln::exporters {
 
-/// Writes integers, seven bits a byte, least first (LEB128); signed ones zigzag.
+/// Writes integers as LEB128: seven bits per byte, least significant first; signed ones in zigzag order.
 class StreamWriter {
  public:
   void put(std::uint64_t value);
   void put_signed(std::int64_t value);
-  /// The difference to the number put last by put_delta.
+  /// Writes the difference to the number of the last put_delta().
   void put_delta(std::int64_t value);
-  void put_double(double value);  ///< Eight bytes, little end first.
-  void put_byte(std::uint8_t value) { bytes_.push_back(value); }
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
  private:
@@ -26,7 +24,7 @@ class StreamWriter {
   std::int64_t last_ = 0;
 };
 
-/// Reads what StreamWriter wrote. Beyond the end, or in nonsense, it gives zeros and is no longer good().
+/// Reads what StreamWriter wrote. Past the end, and for numbers beyond 64 bits, it returns zeros and good() is false.
 class StreamReader {
  public:
   StreamReader() = default;
@@ -35,16 +33,13 @@ class StreamReader {
   std::uint64_t get();
   std::int64_t get_signed();
   std::int64_t get_delta();
-  double get_double();
-  std::uint8_t get_byte();
-  /// A count of things that take at least one byte each of this stream or of `of`: never more than there is.
-  std::size_t get_count(const StreamReader& of);
-  std::size_t get_count() { return get_count(*this); }
   std::size_t remaining() const { return bytes_.size() - at_; }
   bool good() const { return good_; }
   bool is_finished() const { return good_ && remaining() == 0; }
 
  private:
+  std::uint8_t get_byte();
+
   std::span<const std::uint8_t> bytes_;
   std::size_t at_ = 0;
   std::int64_t last_ = 0;

@@ -1,4 +1,4 @@
-// Bytes as zstd frames (RFC 8878), on their own or with a dictionary that many small ones share.
+// zstd frames (RFC 8878), with or without a dictionary that many small frames share.
 #pragma once
 
 #include <cstddef>
@@ -10,31 +10,31 @@
 
 #include "compiler/contract/result.h"
 
-// zstd's own digested dictionaries
+// zstd's digested dictionaries
 struct ZSTD_CDict_s;
 struct ZSTD_DDict_s;
 
 namespace citykiln::exporters {
 
-/// A dictionary in zstd's format, trained on `samples`: a 64th of their bytes, at most 32 kB. Empty where it would not
-/// pay (fewer than 64 samples) or the trainer finds nothing in common. Same samples in the same order, same bytes.
-/// Cost: grows with the bytes of at most 2 MB of samples, every n-th of all.
+/// Trains a dictionary in zstd's format: a 64th of the samples' bytes, at most 32 kB. Empty where it would not pay
+/// (fewer than 64 samples) or the trainer finds nothing in common. Same samples in the same order, same bytes. Cost:
+/// that of at most 2 MB of samples, every n-th of all.
 std::vector<std::uint8_t> train_dictionary(std::span<const std::vector<std::uint8_t>> samples);
 
-/// A dictionary made ready once, then shared by all threads. Null for none, and for unpacking where the bytes are no
-/// sound dictionary in zstd's format.
+/// A digested dictionary, which all threads may share. Null for an empty one; for unpacking also where the bytes are no
+/// valid dictionary in zstd's format.
 using PackingDictionary = std::shared_ptr<const ZSTD_CDict_s>;
 using UnpackingDictionary = std::shared_ptr<const ZSTD_DDict_s>;
 PackingDictionary packing_dictionary(std::span<const std::uint8_t> dictionary);
 UnpackingDictionary unpacking_dictionary(std::span<const std::uint8_t> dictionary);
 
-/// One frame that states its raw size, and no dictionary's number.
+/// Packs bytes as one frame that states its raw size and no dictionary id.
 std::vector<std::byte> packed(std::span<const std::uint8_t> raw, const PackingDictionary& dictionary);
 
-/// No frame of a city's tile comes near this; one that states more is not believed.
+/// Frames that state more are refused; a tile of a city has far less.
 constexpr std::uint64_t kMostRawBytes = 1u << 28;
 
-/// Errors, at `where`: no frame, one that does not state its size or too large a one, damage.
+/// Unpacks a frame. Errors, at `where`: no frame, a frame that states no size or too large a one, damage.
 Result<std::vector<std::uint8_t>> unpacked(std::span<const std::byte> frame, const UnpackingDictionary& dictionary,
                                            const std::string& where);
 

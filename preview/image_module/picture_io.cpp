@@ -12,8 +12,7 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-// The file's bytes, into memory: OpenImageIO's own files do not say that the disk is full. Returns what went wrong, or
-// "".
+// Encodes the file in memory, since OpenImageIO does not report a full disk. Returns the error, or "".
 std::string encode(const char* path, int width, int height, const void* pixels, bool is_float, Bytes& bytes) {
   OIIO::Filesystem::IOVecOutput into(bytes);
   auto out = OIIO::ImageOutput::create(path, &into);
@@ -31,7 +30,7 @@ std::string save(const char* path, const Bytes& bytes) {
   std::FILE* file = std::fopen(path, "wb");
   if (file == nullptr) return std::strerror(errno);
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  // what was buffered is written, or fails, now
+  // flushes, and may fail
   return std::fclose(file) == 0 && written ? "" : std::strerror(errno);
 }
 

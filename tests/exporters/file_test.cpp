@@ -40,13 +40,13 @@ class File : public testing::Test {
   const ScratchFolder folder_;
 };
 
-// Whatever tests write after this meets a full disk behind `bytes` bytes. Only for the child of a death test.
+// Limits files to `bytes` bytes, as a full disk would. Only for the child of a death test.
 void fill_disk(rlim_t bytes) {
   std::signal(SIGXFSZ, SIG_IGN);
   const rlimit limit{bytes, bytes};
   ::setrlimit(RLIMIT_FSIZE, &limit);
 }
-// Ends the child of a death test with what it has to say.
+// Ends the child of a death test with a message.
 [[noreturn]] void say(const std::string& words) {
   std::cerr << words << std::endl;
   std::_Exit(0);
@@ -128,7 +128,7 @@ TEST_F(File, WhatCannotBeReadIsNamed) {
 
 TEST_F(File, APipeIsRefused) {
   ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
-  // both ends open here, so that nobody waits
+  // opens both ends, so that neither blocks
   const std::fstream ends(at("pipe"));
   EXPECT_EQ(refusal(read_file(at("pipe"))), at("pipe") + ": cannot be opened: Illegal seek");
 }

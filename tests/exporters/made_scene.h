@@ -1,4 +1,4 @@
-// Small scenes of invented objects, as varied as the clay allows, for tests of what writes and reads them.
+// Small scenes of random objects that use every field of the recipes, for tests of writers and readers.
 #pragma once
 
 #include <cstdint>

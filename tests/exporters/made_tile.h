@@ -1,4 +1,4 @@
-// A small fired tile with all that a tile can have, for tests of what writes and reads tiles.
+// Small baked tiles that use every field of a tile, for tests of writers and readers.
 #pragma once
 
 #include <random>
@@ -48,7 +48,7 @@ inline bake::BakedTile made_tile(std::uint32_t seed) {
   return tile;
 }
 
-/// A sheet of few colours, whose texels' size is no sum of halves.
+/// An image of few colours, whose texel size is not a binary fraction.
 inline materials::TextureImage made_sheet(std::mt19937& dice) {
   materials::TextureImage sheet{0.02 + 0.001 * (dice() % 10), 5 + static_cast<std::uint32_t>(dice()) % 20, 48, {}};
   for (std::uint32_t i = 0; i < sheet.columns * sheet.rows; ++i) {
@@ -58,12 +58,12 @@ inline materials::TextureImage made_sheet(std::mt19937& dice) {
   return sheet;
 }
 
-/// The same with a road on a sheet, one that has places along it only, and a copied mesh of which a part is on the
-/// sheet.
+/// The same with a road on the marking atlas, a road with uvs on its material, and an instanced mesh of which a part is
+/// on the marking atlas.
 inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 1000);
   bake::BakedTile tile = made_tile(seed);
-  tile.sheet = made_sheet(dice);
+  tile.marking_atlas = made_sheet(dice);
   const auto laid_out = [&](materials::Material material, materials::ColourSource colour_source,
                             std::uint32_t features) {
     bake::Primitive p = made_primitive(dice, material, 12, features);
@@ -91,8 +91,8 @@ inline void make_leafy(std::mt19937& dice, bake::InstancedMesh& tree, bool has_n
   if (has_normals) tree.cutout.normal = made_sheet(dice);
 }
 
-/// The same with facades on an atlas, beside the sheet, and leaves on cutouts, two alike.
-inline bake::BakedTile made_imprinted_tile(std::uint32_t seed) {
+/// The same with a facade atlas and leaves on cutouts, two of which are equal.
+inline bake::BakedTile made_facade_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 3000);
   bake::BakedTile tile = made_marked_tile(seed);
   tile.facade_atlas.colour = made_sheet(dice);

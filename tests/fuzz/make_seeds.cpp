@@ -38,8 +38,8 @@ void write_made_glbs(const std::filesystem::path& folder, const citykiln::bake::
 
 void write_made_seeds(const std::filesystem::path& folder) {
   for (std::uint32_t seed = 0; seed < 4; ++seed) {
-    const auto tile = made_imprinted_tile(seed);
-    const auto png = encode_png(tile.sheet);
+    const auto tile = made_facade_tile(seed);
+    const auto png = encode_png(tile.marking_atlas);
     write_made_glbs(folder / "glb", tile, seed);
     write_seed(folder / "png", "made_" + std::to_string(seed), {span_of(png).begin(), span_of(png).end()});
   }

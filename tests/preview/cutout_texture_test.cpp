@@ -1,4 +1,4 @@
-// Rays pass where a cutout has nothing; leaves are lit through.
+// Rays pass through holes of cutouts; leaves transmit light.
 #include "preview/cutout_texture.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace citykiln::preview {
 namespace {
 
-// A square of 2 m upright over the origin, of which the left half is there.
+// A vertical square of 2 m over the origin, of which the left half is opaque.
 bake::BakedTile half_leaf() {
   bake::Primitive leaf{materials::Material::kBroadLeaf, {}, {}, {}, {}, {}};
   add_quad(leaf, {-1, 0, 0}, {1, 0, 0}, {1, 0, 2}, {-1, 0, 2});

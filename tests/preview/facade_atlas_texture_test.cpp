@@ -56,7 +56,7 @@ TEST(FacadeAtlasTexture, SaysColourAndRoughness) {
   EXPECT_NEAR(right.roughness, 0.2, 1e-6);
 }
 
-// u runs east here and v north: what comes forward that way faces the other.
+// u runs east here and v north, so a normal against v points south.
 TEST(FacadeAtlasTexture, SaysWhichWayItLeans) {
   bake::BakedTile tile = textured_faces(1);
   EXPECT_NEAR(seen_at(tile, {8, 16}, 0).shading_normal.z, 1, 1e-6);
@@ -67,7 +67,7 @@ TEST(FacadeAtlasTexture, SaysWhichWayItLeans) {
   EXPECT_NEAR(normal.z, std::sqrt(0.5), 0.005);
 }
 
-// Neighbours on an atlas have nothing to do with each other.
+// Neighbours on an atlas are unrelated.
 TEST(FacadeAtlasTexture, FromAfarPicturesStayApart) {
   EXPECT_NEAR(seen_at(textured_faces(1), {13.5, 16}, 3).albedo[0], 0, 1e-6);
   EXPECT_NEAR(seen_at(textured_faces(1), {18.5, 16}, 3).albedo[0], 1, 1e-6);

@@ -92,7 +92,7 @@ TEST(MipTexture, AWidePatchIsTheMeanOfTheWhole) {
   }
 }
 
-// White left half: a patch drawn out along v keeps the edge, one drawn out along u mixes it.
+// White left half: a footprint drawn out along v keeps the edge, one drawn out along u mixes it.
 TEST(MipTexture, ALongPatchMixesAlongItself) {
   TextureImage sheet{kTexel_m, 64, 64, {}};
   for (int i = 0; i < 64 * 64; ++i)
@@ -121,14 +121,14 @@ TextureImage squares() {
   return sheet;
 }
 
-TEST(SheetOnTheGround, IsSeenAtItsPlaceOrientationAndScale) {
+TEST(MarkingAtlasOnTheGround, IsSeenAtItsPlaceOrientationAndScale) {
   bake::BakedTile ground = tile({1000, 2000, 50}, {marked_road()});
-  ground.sheet = squares();
+  ground.marking_atlas = squares();
   const std::vector tiles = {ground};
   const World world(tiles, {1003, 2004, 60});
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) {
-      // the sheet is 8 m wide and long: v = 100 is half of a turn and 12 whole ones
+      // the atlas is 8 m wide and long: v = 100 is 12.5 repetitions
       const Vec3 above{1000 + 2.0 * column + 1, 2000 + 2.0 * ((row + 2) % 4) + 1, 60};
       const auto hit = world.first_hit(above - world.origin(), {0, 0, -1}, 0);
       ASSERT_TRUE(hit);
@@ -139,10 +139,10 @@ TEST(SheetOnTheGround, IsSeenAtItsPlaceOrientationAndScale) {
     }
 }
 
-TEST(SheetOnTheGround, IsTintedByTheCorners) {
+TEST(MarkingAtlasOnTheGround, IsTintedByTheCorners) {
   bake::BakedTile ground = tile({0, 0, 0}, {marked_road()});
   for (materials::Tint& tint : ground.primitives[0].colours) tint = {51, 102, 255, 255};
-  ground.sheet = TextureImage{1, 1, 1, {{200, 200, 200}}};
+  ground.marking_atlas = TextureImage{1, 1, 1, {{200, 200, 200}}};
   const std::vector tiles = {ground};
   const auto hit = World(tiles, {}).first_hit({10, 10, 5}, {0, 0, -1});
   ASSERT_TRUE(hit);
@@ -150,9 +150,9 @@ TEST(SheetOnTheGround, IsTintedByTheCorners) {
   expect_near(hit->albedo, {white * 0.2, white * 0.4, white});
 }
 
-TEST(SheetOnTheGround, FarAwayItIsItsMean) {
+TEST(MarkingAtlasOnTheGround, FarAwayItIsItsMean) {
   bake::BakedTile ground = tile({0, 0, 0}, {marked_road()});
-  ground.sheet = squares();
+  ground.marking_atlas = squares();
   const std::vector tiles = {ground};
   const World world(tiles, {});
   const Vec3 road{20.7, 30.4, 0}, steep{20.7, 30.4, 4000}, flat{20.7, -3000, 30};
@@ -160,16 +160,16 @@ TEST(SheetOnTheGround, FarAwayItIsItsMean) {
     const auto hit = world.first_hit(eye, unit(road - eye), eye.z == 30 ? 0.002 : 0.01);
     ASSERT_TRUE(hit);
     // across a flat view some of what lies across stays
-    EXPECT_NEAR(hit->albedo[1], mean_of(ground.sheet)[1], 0.03);
+    EXPECT_NEAR(hit->albedo[1], mean_of(ground.marking_atlas)[1], 0.03);
   }
 }
 
 // Columns of colour along v, seen flat along v: they stay apart, though a pixel covers many metres of road.
-TEST(SheetOnTheGround, SeenFlatItStaysSharpAcross) {
+TEST(MarkingAtlasOnTheGround, SeenFlatItStaysSharpAcross) {
   bake::BakedTile ground = tile({0, 0, 0}, {marked_road()});
-  ground.sheet = TextureImage{kTexel_m, 32, 4, {}};
+  ground.marking_atlas = TextureImage{kTexel_m, 32, 4, {}};
   for (int i = 0; i < 32 * 4; ++i)
-    ground.sheet.texels.push_back(i % 32 < 8 ? TextureImage::Texel{255, 255, 255} : TextureImage::Texel{});
+    ground.marking_atlas.texels.push_back(i % 32 < 8 ? TextureImage::Texel{255, 255, 255} : TextureImage::Texel{});
   const std::vector tiles = {ground};
   const World world(tiles, {});
   const auto seen = [&](double x) {
@@ -180,12 +180,12 @@ TEST(SheetOnTheGround, SeenFlatItStaysSharpAcross) {
   EXPECT_NEAR(seen(3), 0, 1e-6);
 }
 
-TEST(SheetOnTheGround, CopiesShowTheSheetOfTheirTile) {
+TEST(MarkingAtlasOnTheGround, InstancesShowTheAtlasOfTheirTile) {
   const std::vector<bake::Primitive> shape = {marked_road()};
   const auto stands = [&](Vec3 origin, std::uint8_t grey) {
     bake::BakedTile at = tile(origin, {});
     at.instanced = {{"Road", shape, {{0, 0, 0}}, {{0, 0, 0, 1}}, {0.5f}, {0}}};
-    at.sheet = TextureImage{1, 1, 1, {{grey, grey, grey}}};
+    at.marking_atlas = TextureImage{1, 1, 1, {{grey, grey, grey}}};
     return at;
   };
   const std::vector tiles = {stands({0, 0, 0}, 200), stands({100, 0, 0}, 90), stands({200, 0, 0}, 200)};
@@ -193,15 +193,15 @@ TEST(SheetOnTheGround, CopiesShowTheSheetOfTheirTile) {
   for (const bake::BakedTile& one : tiles) {
     const auto hit = world.first_hit(one.origin + Vec3{5, 5, 5}, {0, 0, -1});
     ASSERT_TRUE(hit);
-    expect_near(hit->albedo, linear(one.sheet.texels[0]));
+    expect_near(hit->albedo, linear(one.marking_atlas.texels[0]));
   }
 }
 
-TEST(SheetOnTheGround, OtherRoadsKeepTheirMaterial) {
+TEST(MarkingAtlasOnTheGround, OtherRoadsKeepTheirMaterial) {
   bake::Primitive plain = marked_road();
   plain.colour_source = materials::ColourSource::kByMaterial;
   bake::BakedTile ground = tile({0, 0, 0}, {plain});
-  ground.sheet = squares();
+  ground.marking_atlas = squares();
   const std::vector tiles = {ground};
   const auto hit = World(tiles, {}).first_hit({10, 10, 5}, {0, 0, -1});
   ASSERT_TRUE(hit);

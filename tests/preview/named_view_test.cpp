@@ -16,7 +16,7 @@ using materials::Material;
 
 constexpr const char* kViews[] = {"overview", "street", "top", "north", "south", "east", "west", "low"};
 
-// The ground has corners every 50 m, as fired ground does.
+// Ground with vertices every 50 m, as baked ground has.
 bake::Primitive meadow() {
   bake::Primitive grass{Material::kGrass, {}, {}, {}, {}, {}};
   for (double y = -500; y < 500; y += 50)

@@ -1,4 +1,4 @@
-// Light that can be worked out by hand: a sky of the same white everywhere, a sun of known radiance.
+// Light that can be computed by hand: a uniform white sky, a sun of known radiance.
 #include "preview/path_trace.h"
 
 #include <gtest/gtest.h>
@@ -17,14 +17,14 @@ using materials::Material;
 constexpr double kPi = std::numbers::pi;
 
 // White of radiance `sky_radiance` from everywhere above, and a sun.
-sky::SkyModel even_dome(double sky_radiance, Vec3 to_sun = {0, 0, 1}, double sun_radiance = 0) {
-  sky::SkyModel dome;
-  dome.to_sun = unit(to_sun);
-  dome.sun_cos_radius = std::cos(0.004652);
-  dome.sun_radiance = {sun_radiance, sun_radiance, sun_radiance};
+sky::SkyModel even_sky(double sky_radiance, Vec3 to_sun = {0, 0, 1}, double sun_radiance = 0) {
+  sky::SkyModel model;
+  model.to_sun = unit(to_sun);
+  model.sun_cos_radius = std::cos(0.004652);
+  model.sun_radiance = {sun_radiance, sun_radiance, sun_radiance};
   // chromaticity of D65; all of Perez' coefficients 0
-  dome.zenith = {sky_radiance * 11, 0.3127, 0.3290};
-  return dome;
+  model.zenith = {sky_radiance * 11, 0.3127, 0.3290};
+  return model;
 }
 
 // Mean radiance seen from a point in a direction.
@@ -60,16 +60,16 @@ bake::Primitive bowl(Vec3 centre, double radius, Material material) {
 }
 
 TEST(Trace, AnEvenSkyIsEven) {
-  const Lights lights(even_dome(1));
+  const Lights lights(even_sky(1));
   const Rgb white = lights.falling({0, 0, 1});
   EXPECT_NEAR(white[1], 1, 0.1);
   for (const Vec3 d : {Vec3{1, 0, 0.01}, Vec3{-1, 2, 0.5}, Vec3{0, 0, 1}})
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(lights.seen(unit(d))[c], white[c], 1e-9);
 }
 
-// The furnace: what lies open under an even sky sends back its albedo of it, neither more nor less.
+// The furnace test: an open surface under a uniform sky reflects exactly its albedo of it.
 TEST(Trace, OpenGroundSendsBackItsAlbedoOfAnEvenSky) {
-  const Lights lights(even_dome(1));
+  const Lights lights(even_sky(1));
   const Rgb white = lights.falling({0, 0, 1});
   for (const Material material : {Material::kSnow, Material::kPaint, Material::kGrass, Material::kBrick})
     for (const int bounces : {0, 3}) {
@@ -79,10 +79,10 @@ TEST(Trace, OpenGroundSendsBackItsAlbedoOfAnEvenSky) {
     }
 }
 
-// In a bowl every place sees the sky by half, and by half a bowl that shines the same everywhere: after n bounces
+// In a bowl every place sees the sky with half of its hemisphere, and the bowl with the other half: after n bounces
 // a/2 + (a/2)² + … of the sky, n + 1 terms.
 TEST(Trace, ABowlShinesAsItsBouncesAddUp) {
-  const Lights lights(even_dome(1));
+  const Lights lights(even_sky(1));
   const Rgb white = lights.falling({0, 0, 1});
   const std::vector tiles = {tile({0, 0, 0}, {bowl({0, 0, 0}, 10, Material::kPaint)})};
   const double half = albedo_of(Material::kPaint)[0] / 2;
@@ -98,8 +98,8 @@ TEST(Trace, ABowlShinesAsItsBouncesAddUp) {
 TEST(Trace, SunlitGroundHasItsIrradiance) {
   for (const double elevation_deg : {12.0, 45.0, 80.0}) {
     const double e = elevation_deg * kPi / 180;
-    const sky::SkyModel dome = even_dome(0.5, {std::cos(e) * 0.6, std::cos(e) * 0.8, std::sin(e)}, 30000);
-    const Lights lights(dome);
+    const sky::SkyModel model = even_sky(0.5, {std::cos(e) * 0.6, std::cos(e) * 0.8, std::sin(e)}, 30000);
+    const Lights lights(model);
     const double solid_angle = 2 * kPi * (1 - std::cos(0.004652));
     EXPECT_NEAR(lights.sun_solid_angle(), solid_angle, 1e-12);
     const std::vector tiles = {tile({0, 0, 0}, {floor({-9, -9, 0}, {9, 9, 0}, Material::kConcrete)})};
@@ -116,7 +116,7 @@ TEST(Trace, SunlitGroundHasItsIrradiance) {
 TEST(Trace, AShadowLiesWhereTheSunSays) {
   const double e = 35 * kPi / 180, reach = 10 / std::tan(e);
   const Vec2 towards{0.6, 0.8};
-  const Lights lights(even_dome(0.05, {towards.x * std::cos(e), towards.y * std::cos(e), std::sin(e)}, 30000));
+  const Lights lights(even_sky(0.05, {towards.x * std::cos(e), towards.y * std::cos(e), std::sin(e)}, 30000));
   // far from the plane's origin, where single precision is coarse
   const Vec3 at{20480, -30720, 700};
   const std::vector tiles = {tile(
@@ -137,7 +137,7 @@ TEST(Trace, AShadowLiesWhereTheSunSays) {
 // Light comes from outside alone: a room without windows is black, at any distance from the plane's origin,
 // but for the air in it.
 TEST(Trace, AClosedRoomIsBlack) {
-  const Lights lights(even_dome(1, {0.3, 0.4, 0.8}, 30000));
+  const Lights lights(even_sky(1, {0.3, 0.4, 0.8}, 30000));
   for (const Vec3 at : {Vec3{0, 0, 0}, Vec3{20480, -30720, 700}}) {
     const std::vector tiles = {tile(at, {box({-4.1, -3.3, 0.2}, {5.7, 6.1, 3.9}, Material::kPaint)})};
     for (const Vec3 to : {Vec3{5.6, 6, 3.8}, Vec3{0, 0, 0.2}, Vec3{-4, 6, 0.3}, Vec3{5.7, 0, 3.89}})
@@ -146,7 +146,7 @@ TEST(Trace, AClosedRoomIsBlack) {
 }
 
 TEST(Trace, NotFiniteRaysSeeNothingBad) {
-  const Lights lights(even_dome(1));
+  const Lights lights(even_sky(1));
   const double nan = std::nan(""), far = std::numeric_limits<double>::infinity();
   const std::vector tiles = {tile({0, 0, 0}, {floor({-9, -9, 0}, {9, 9, 0}, Material::kGrass)})};
   const World world(tiles, {0, 0, 0});

@@ -1,4 +1,4 @@
-// Renders species at several tolerances, one row a species, and prints triangles, bytes, time and error of each.
+// Renders species side by side at several tolerances, one row per species, and prints the size of each:
 //   plant_gallery OUT.png PIXELS TOLERANCE,… SPECIES,… [DISTANCE in heights, 0: 2 m before the trunk [TIME]]
 #include <chrono>
 #include <cstdio>
@@ -85,7 +85,7 @@ int run(char** argv, double away, const std::string& time) {
       const double height_m = plants::values_of(species).height_m, tolerance_m = std::atof(tolerances[column].c_str());
       const auto start = std::chrono::steady_clock::now();
       const bake::BakedPrototype& shape =
-          prototypes.shape({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
+          prototypes.prototype({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
       const bake::BakedTile tile = planted(shape, names[row], height_m, tolerance_m);
       std::size_t triangles = 0;

@@ -62,6 +62,7 @@ TEST(Render, WhatShinesIsSeenByNight) {
   const std::vector tiles = {tile({}, {floor({-60, -60, 0}, {60, 60, 0}, Material::kOfficeCeiling)})};
   const sky::Sky night{"", unit(Vec3{0, -0.9, -0.4}), 2.6};
   const Image image = render(tiles, night, {{0, 0, 10}, {0, 1, 0}, 30}, small(8, 8, 4));
+  ASSERT_FALSE(image.rgb.empty());
   for (std::size_t i = 0; i < image.rgb.size(); i += 3) EXPECT_NEAR(image.rgb[i], 100.0 / 6250, 1e-4);
 }
 
@@ -78,6 +79,7 @@ TEST(Render, ExposureMultiplies) {
   const Image one = render(tiles, kAfternoon, over_the_lake({0, 0, 0}), options);
   options.exposure = 2;
   const Image bright = render(tiles, kAfternoon, over_the_lake({0, 0, 0}), options);
+  ASSERT_FALSE(one.rgb.empty());
   for (std::size_t i = 0; i < one.rgb.size(); ++i) EXPECT_FLOAT_EQ(bright.rgb[i], 2 * one.rgb[i]);
 }
 
@@ -103,7 +105,7 @@ TEST(Render, NoSkyShinesThroughASeam) {
   const Vec3 at{20480, -20480, 300};
   const auto side = [&](double shift) {
     bake::Primitive ground{Material::kAsphalt, {}, {}, {}, {}, {}};
-    // the same corners seen from two origins, at heights and places of the grid that fired positions lie on
+    // the same corners seen from two origins, at heights and places on the grid of baked positions
     const double edge = 1024 - shift;
     for (int i = 0; i < 64; ++i) {
       const auto height = [](int k) { return std::round(1024 * (3 * std::sin(k * 1.7))) / 1024; };
@@ -131,7 +133,7 @@ bake::Float4 turned(double angle) {
   return {0, 0, static_cast<float>(std::sin(angle / 2)), static_cast<float>(std::cos(angle / 2))};
 }
 
-// Copies look like the mesh itself written out where they stand: turned, scaled, from far away.
+// Instances look like the transformed mesh itself, also when rotated, scaled and far away.
 TEST(Render, CopiesLookLikeTheMeshWrittenOut) {
   const Vec3 at{20480, 10240, 500};
   const std::vector<bake::Primitive> shape = {box({-1, -2, 0}, {1, 2, 3}, Material::kPlaster),
@@ -172,7 +174,7 @@ TEST(Render, CopiesLookLikeTheMeshWrittenOut) {
   EXPECT_LT(differing, a.rgb.size() / 50);
 }
 
-// The same shape in two tiles is kept once; its places are about each tile's own origin.
+// A mesh that two tiles share is kept once; its instances are relative to each tile's origin.
 TEST(Render, CopiesInAnotherTileStandAboutItsOrigin) {
   const auto with_hut = [](Vec3 origin, Vec3 place) {
     bake::BakedTile t = tile(origin, {});

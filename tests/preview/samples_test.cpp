@@ -9,7 +9,7 @@
 namespace citykiln::preview {
 namespace {
 
-// Everything that paths use before chance loses its order.
+// The dimensions of PixelSamples that are stratified.
 constexpr std::uint32_t kOrderedDimensions = 20;
 
 // How many of the 2^k boxes of 2^-a by 2^(a-k) hold a point, summed over all shapes; each should hold one.
@@ -52,7 +52,7 @@ TEST(PixelSamples, AllOfAPixelAreOneInEveryBox) {
   }
 }
 
-// Digits are base 4: after any power of four, what has been drawn is spread as evenly as it can be.
+// Digits are base 4: any power of four of the first samples is stratified.
 TEST(PixelSamples, TheFirstPowersOfFourAreOneInEveryBox) {
   const SampleGrid grid = grid_of(64, 64, 256);
   for (std::uint32_t dimension = 0; dimension < kOrderedDimensions; ++dimension)
@@ -60,7 +60,7 @@ TEST(PixelSamples, TheFirstPowersOfFourAreOneInEveryBox) {
       EXPECT_EQ(boxes_hit(first_points(PixelSamples(3, 11, 40, grid), 1u << k, dimension), k), (k + 1) << k);
 }
 
-// That is what the order is for: error that neighbours share is grain, not clumps.
+// Stratification across pixels turns the error into fine grain instead of clumps.
 TEST(PixelSamples, SquaresOfPixelsAreOneInEveryBoxTogether) {
   const SampleGrid grid = grid_of(64, 64, 1);
   for (std::uint32_t dimension = 0; dimension < kOrderedDimensions; ++dimension) {

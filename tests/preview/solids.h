@@ -1,4 +1,4 @@
-// Plain solids as fired tiles, for pictures whose light can be worked out by hand.
+// Simple solids as baked tiles, whose light can be computed by hand.
 #pragma once
 
 #include <initializer_list>

@@ -15,16 +15,16 @@ Bytes toned(float r, float g, float b) {
   return tone_map(rgb);
 }
 
-TEST(Tone, BlackIsZero) { EXPECT_EQ(toned(0, 0, 0), (Bytes{0, 0, 0})); }
+TEST(ToneMap, BlackIsZero) { EXPECT_EQ(toned(0, 0, 0), (Bytes{0, 0, 0})); }
 
-TEST(Tone, GreyStaysGrey) {
+TEST(ToneMap, GreyStaysGrey) {
   for (float v = 1e-4f; v < 100; v *= 1.1f) {
     const Bytes shown = toned(v, v, v);
     EXPECT_LE(std::ranges::max(shown) - std::ranges::min(shown), 1) << v;
   }
 }
 
-TEST(Tone, MoreLightIsNeverDarker) {
+TEST(ToneMap, MoreLightIsNeverDarker) {
   const std::array<float, 3> hues[] = {{1, 1, 1}, {1, 0.2f, 0.1f}, {0.1f, 0.4f, 1}, {0.3f, 1, 0.2f}};
   for (const auto& hue : hues) {
     Bytes before{};
@@ -36,21 +36,21 @@ TEST(Tone, MoreLightIsNeverDarker) {
   }
 }
 
-TEST(Tone, MuchLightIsWhite) { EXPECT_EQ(toned(1000, 1000, 1000), (Bytes{255, 255, 255})); }
+TEST(ToneMap, MuchLightIsWhite) { EXPECT_EQ(toned(1000, 1000, 1000), (Bytes{255, 255, 255})); }
 
-// A matt wall of 0.18 in the midday sun shines with 1.1: sRGB 118 is a grey of 0.18.
-TEST(Tone, ASunlitGreyWallIsALittleAboveMiddleGrey) {
+// A matt wall of reflectance 0.18 in the midday sun has the radiance 1.1; sRGB 118 is a grey of 0.18.
+TEST(ToneMap, ASunlitGreyWallIsALittleAboveMiddleGrey) {
   const Bytes shown = toned(1.1f, 1.1f, 1.1f);
   EXPECT_GT(shown[0], 118);
   EXPECT_LT(shown[0], 220);
 }
 
-TEST(Tone, NotFiniteOrNegativeIsBlack) {
+TEST(ToneMap, NotFiniteOrNegativeIsBlack) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
   for (const float v : {nan, -nan, far, -far, -1.0f}) EXPECT_EQ(toned(v, v, v), (Bytes{0, 0, 0})) << v;
 }
 
-TEST(Tone, OneBadChannelSpoilsNoOther) {
+TEST(ToneMap, OneBadChannelSpoilsNoOther) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
   for (const float bad : {nan, far, -far, -1.0f}) {
     EXPECT_EQ(toned(bad, 0.5f, 0.5f), toned(0, 0.5f, 0.5f)) << bad;

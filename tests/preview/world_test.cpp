@@ -12,7 +12,7 @@ namespace {
 
 using materials::Material;
 
-// Heights on the grid that fired positions lie on, 2^-10 m.
+// Heights on the grid of baked positions, 2^-10 m.
 double height_m(int k) { return std::round(1024 * 3 * std::sin(k * 1.7)) / 1024; }
 
 // Hilly ground west (0) or east (1) of a line 1024 m east of `at`, cut every 16 m to the north.
@@ -77,7 +77,7 @@ TEST(World, ARayThatLeavesASurfaceDoesNotMeetItAgain) {
   }
 }
 
-// Small triangles are planes to a hair; far from the world's origin, places on them are not.
+// Rounding matters for positions far from the world's origin, even on small triangles.
 TEST(World, ARayThatLeavesASmallTriangleFarAwayDoesNotMeetItAgain) {
   bake::Primitive slope{Material::kRock, {}, {}, {}, {}, {}};
   for (int y = 0; y < 30; ++y)
@@ -98,7 +98,7 @@ TEST(World, ARayThatLeavesASmallTriangleFarAwayDoesNotMeetItAgain) {
   EXPECT_EQ(met, 0);
 }
 
-// One half as large lies on the same picture, seen half as fine: hits are at the same places of it.
+// A copy of half the size shows the same image at half the resolution, so hits have the same uvs.
 TEST(World, SharedMeshesShowTheirTilesTextures) {
   bake::Primitive bark = floor({0, 0, 0}, {4, 4, 0}, Material::kPlatedBark);
   for (const bake::Float3& p : bark.positions) bark.uvs.push_back({p[0] / 2, p[1] / 2});

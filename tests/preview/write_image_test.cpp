@@ -50,7 +50,7 @@ TEST_F(WriteImage, ExrIsWrittenAndNothingElse) {
   EXPECT_EQ(bytes_of(at("a.exr")).substr(0, 4), "\x76\x2f\x31\x01");
 }
 
-// Time and place are no part of a picture.
+// Image files contain neither time nor path.
 TEST_F(WriteImage, SamePictureSameBytes) {
   for (const char* ending : {".png", ".exr"}) {
     ASSERT_TRUE(write_image(small_image(), at((std::string("a") + ending))));
@@ -98,7 +98,7 @@ TEST_F(WriteImage, AFolderInItsPlaceIsOneClearLineAndLeavesNoPart) {
   EXPECT_EQ(names(), (std::set<std::string>{"a.exr", "a.png"}));
 }
 
-// A full disk: nothing half written stays.
+// On a full disk no half-written file stays.
 TEST_F(WriteImage, AFullDiskIsOneClearLineAndLeavesNoPart) {
   for (const char* ending : {".png", ".exr"}) {
     fs::create_symlink("/dev/full", at((std::string("a.part") + ending)));

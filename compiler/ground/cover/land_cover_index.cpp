@@ -11,29 +11,6 @@ namespace {
 // Half a grid step: the sides of buckets lie between the plane's grid lines.
 constexpr double kOffGrid_m = 0x1p-11;
 
-struct BucketRange {
-  int first_column, last_column, first_row, last_row;
-};
-
-int bucket_index(double offset_m, double bucket_m, int count) {
-  return static_cast<int>(std::clamp(offset_m / bucket_m, 0.0, count - 1.0));
-}
-
-int column_of(const LandCoverIndex& map, double x) { return bucket_index(x - map.corner.x, map.bucket_m, map.columns); }
-int row_of(const LandCoverIndex& map, double y) { return bucket_index(y - map.corner.y, map.bucket_m, map.rows); }
-
-BucketRange buckets_of(const LandCoverIndex& map, const Box2& box) {
-  return {column_of(map, box.min.x), column_of(map, box.max.x), row_of(map, box.min.y), row_of(map, box.max.y)};
-}
-
-Vec2 corner_of(const LandCoverIndex& map, int column, int row) {
-  return map.corner + Vec2{column * map.bucket_m, row * map.bucket_m};
-}
-
-std::size_t bucket_at(const LandCoverIndex& map, int column, int row) {
-  return static_cast<std::size_t>(row) * map.columns + column;
-}
-
 // An edge and a bucket it comes near, numbered within the bucket range of the polygon.
 struct BucketEdge {
   std::uint32_t bucket;
@@ -42,7 +19,7 @@ struct BucketEdge {
 
 // Returns false only where all corners of the bucket lie on one side of the edge.
 bool may_pass(const LandCoverIndex& map, int column, int row, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a, centre = corner_of(map, column, row) + Vec2{map.bucket_m / 2, map.bucket_m / 2};
+  const Vec2 along = b - a, centre = map.corner_of(column, row) + Vec2{map.bucket_m / 2, map.bucket_m / 2};
   return std::abs(cross(along, centre - a)) <=
          (map.bucket_m / 2 + kOffGrid_m) * (std::abs(along.x) + std::abs(along.y));
 }
@@ -54,19 +31,19 @@ struct Sorted {
 };
 
 Sorted sort_edges(const LandCoverIndex& map, const LandCoverPolygon& surface, const Box2& box) {
-  Sorted sorted{buckets_of(map, box), {}};
+  Sorted sorted{map.range(box), {}};
   const BucketRange& range = sorted.range;
   const int across = range.last_column - range.first_column + 1;
   for (const Ring& ring : surface.rings)
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
       const Box2 edge = box_of(std::array{ring[j], ring[i]});
       if (!edge.touches(map.box)) continue;
-      const BucketRange near = buckets_of(map, edge);
-      for (int r = near.first_row; r <= near.last_row; ++r)
-        for (int c = near.first_column; c <= near.last_column; ++c)
-          if (may_pass(map, c, r, ring[j], ring[i]))
-            sorted.edges.push_back({static_cast<std::uint32_t>((r - range.first_row) * across + c - range.first_column),
-                                    {ring[j], ring[i]}});
+      const BucketRange near = map.range(edge);
+      for_each_bucket(near, [&](int c, int r) {
+        if (may_pass(map, c, r, ring[j], ring[i]))
+          sorted.edges.push_back({static_cast<std::uint32_t>((r - range.first_row) * across + c - range.first_column),
+                                  {ring[j], ring[i]}});
+      });
     }
   std::ranges::stable_sort(sorted.edges, {}, &BucketEdge::bucket);
   return sorted;
@@ -87,20 +64,20 @@ struct Windings {
 
   // Returns how many columns, from the west, have their corner west of where the edge crosses row r.
   int columns_west(Vec2 a, Vec2 b, int r) const {
-    const double y = corner_of(map, 0, r).y, x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
+    const double y = map.corner_of(0, r).y, x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
     int count = static_cast<int>(std::clamp(std::ceil((x - map.corner.x) / map.bucket_m) - range.first_column, 0.0,
                                             static_cast<double>(across())));
-    const auto is_west = [&](int column) { return is_west_of(a, b, corner_of(map, range.first_column + column, r)); };
+    const auto is_west = [&](int column) { return is_west_of(a, b, map.corner_of(range.first_column + column, r)); };
     while (count > 0 && !is_west(count - 1)) --count;
     while (count < across() && is_west(count)) ++count;
     return count;
   }
 
   void add_edge(Vec2 a, Vec2 b) {
-    const BucketRange rows = buckets_of(map, box_of(std::array{a, b}));
+    const BucketRange rows = map.range(box_of(std::array{a, b}));
     const int last = std::min(rows.last_row + 1, range.last_row);
     for (int r = std::max(rows.first_row, range.first_row); r <= last; ++r) {
-      const double y = corner_of(map, 0, r).y;
+      const double y = map.corner_of(0, r).y;
       if ((a.y <= y) == (b.y <= y)) continue;
       const int winding = a.y <= y ? 1 : -1;
       row(r)[0] += winding, row(r)[columns_west(a, b, r)] -= winding;
@@ -146,8 +123,7 @@ void find_in_buckets(const LandCoverIndex& map, std::uint32_t number, std::vecto
       }
       const auto count = static_cast<std::uint32_t>(all_edges.size()) - first;
       if (count == 0 && windings[at] <= 0) continue;
-      found.push_back(
-          {static_cast<std::size_t>(r) * map.columns + c, {number, windings[at], priority, first, count, about}});
+      found.push_back({map.index(c, r), {number, windings[at], priority, first, count, about}});
     }
 }
 
@@ -182,7 +158,7 @@ double squared_distance(const Box2& box, Vec2 p) {
 }
 
 double squared_distance(const LandCoverIndex& map, int column, int row, Vec2 p) {
-  return squared_distance({corner_of(map, column, row), corner_of(map, column + 1, row + 1)}, p);
+  return squared_distance({map.corner_of(column, row), map.corner_of(column + 1, row + 1)}, p);
 }
 
 // Returns the squared distance to the entry's edges if it is below `nearest`, else `nearest`. Only squares are
@@ -203,7 +179,7 @@ double squared_distance(const LandCoverIndex& map, const BucketEntry& entry, Vec
 
 // Stores the entries sorted by bucket, and their edges in the same order, so that a query reads memory in a row.
 void take(LandCoverIndex& map, std::span<const Found> found, std::span<const LandCoverIndex::Edge> edges) {
-  map.bucket_starts.assign(static_cast<std::size_t>(map.columns) * map.rows + 1, 0);
+  map.bucket_starts.assign(map.size() + 1, 0);
   map.edges.reserve(edges.size());
   for (const Found& f : found) {
     ++map.bucket_starts[f.bucket + 1];
@@ -216,21 +192,21 @@ void take(LandCoverIndex& map, std::span<const Found> found, std::span<const Lan
 }
 
 std::span<const BucketEntry> entries_at(const LandCoverIndex& map, int column, int row) {
-  const std::size_t bucket = bucket_at(map, column, row);
+  const std::size_t bucket = map.index(column, row);
   return std::span(map.entries)
       .subspan(map.bucket_starts[bucket], map.bucket_starts[bucket + 1] - map.bucket_starts[bucket]);
 }
 
 // Returns per bucket whether no bucket with entries lies within kIndexNear_m.
 std::vector<bool> far_buckets(const LandCoverIndex& map) {
-  std::vector<bool> is_far(static_cast<std::size_t>(map.columns) * map.rows, true);
+  std::vector<bool> is_far(map.size(), true);
   const int near = static_cast<int>(std::ceil(kIndexNear_m / map.bucket_m));
   for (int row = 0; row < map.rows; ++row)
     for (int column = 0; column < map.columns; ++column) {
       if (entries_at(map, column, row).empty()) continue;
       for (int r = std::max(row - near, 0); r <= std::min(row + near, map.rows - 1); ++r)
         for (int c = std::max(column - near, 0); c <= std::min(column + near, map.columns - 1); ++c)
-          is_far[bucket_at(map, c, r)] = false;
+          is_far[map.index(c, r)] = false;
     }
   return is_far;
 }
@@ -239,9 +215,13 @@ std::vector<bool> far_buckets(const LandCoverIndex& map) {
 
 LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, const Box2& box, double bucket_m) {
   assert(!box.is_empty() && bucket_m > 0);
-  LandCoverIndex map{surfaces, box, box.min - Vec2{kOffGrid_m, kOffGrid_m}, bucket_m, 0, 0, {}, {}, {}, {}};
-  map.columns = std::max(1, static_cast<int>(std::ceil((box.width() + kOffGrid_m) / bucket_m)));
-  map.rows = std::max(1, static_cast<int>(std::ceil((box.height() + kOffGrid_m) / bucket_m)));
+  const auto count = [&](double side_m) {
+    return std::max(1, static_cast<int>(std::ceil((side_m + kOffGrid_m) / bucket_m)));
+  };
+  LandCoverIndex map;
+  static_cast<BucketGrid&>(map) = {box.min - Vec2{kOffGrid_m, kOffGrid_m}, bucket_m, count(box.width()),
+                                   count(box.height())};
+  map.surfaces = surfaces, map.box = box;
   std::vector<std::uint32_t> order(surfaces.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return covers(surfaces[a], surfaces[b]); });
@@ -257,26 +237,26 @@ LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, cons
 
 std::uint32_t land_cover_at(const LandCoverIndex& map, Vec2 p) {
   assert(map.box.contains(p));
-  const int column = column_of(map, p.x), row = row_of(map, p.y);
+  const int column = map.column(p.x), row = map.row(p.y);
   for (const BucketEntry& entry : entries_at(map, column, row))
-    if (covers_point(map, entry, corner_of(map, column, row), p)) return entry.surface;
+    if (covers_point(map, entry, map.corner_of(column, row), p)) return entry.surface;
   return kNoLandCover;
 }
 
 double clearance_m(const LandCoverIndex& map, Vec2 p, int priority, double reach_m) {
   assert(map.box.contains(p) && reach_m >= 0);
-  const int own_column = column_of(map, p.x), own_row = row_of(map, p.y);
-  if (reach_m <= kIndexNear_m && map.is_far[bucket_at(map, own_column, own_row)]) return reach_m;
+  const int own_column = map.column(p.x), own_row = map.row(p.y);
+  if (reach_m <= kIndexNear_m && map.is_far[map.index(own_column, own_row)]) return reach_m;
   double nearest = squared(reach_m);
   for (const BucketEntry& entry : entries_at(map, own_column, own_row)) {
     // sorted from the top down: all that follow have a lower priority
     if (entry.priority < priority) break;
-    if (covers_point(map, entry, corner_of(map, own_column, own_row), p)) return 0;
+    if (covers_point(map, entry, map.corner_of(own_column, own_row), p)) return 0;
     nearest = squared_distance(map, entry, p, nearest);
   }
   // edges in other buckets may be nearer still
   const double near_m = std::sqrt(nearest);
-  const BucketRange range = buckets_of(map, {{p.x - near_m, p.y - near_m}, {p.x + near_m, p.y + near_m}});
+  const BucketRange range = map.range({{p.x - near_m, p.y - near_m}, {p.x + near_m, p.y + near_m}});
   for (int row = range.first_row; row <= range.last_row; ++row)
     for (int column = range.first_column; column <= range.last_column; ++column) {
       const std::span<const BucketEntry> entries = entries_at(map, column, row);

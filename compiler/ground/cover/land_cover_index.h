@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/geometry/box.h"
+#include "compiler/geometry/bucket_grid.h"
 #include "compiler/ground/recipe.h"
 
 namespace citykiln::ground {
@@ -22,16 +22,13 @@ struct BucketEntry {
 };
 
 /// Polygons sorted into square buckets of a box. Refers to the polygons, which must outlive it.
-struct LandCoverIndex {
+/// The lattice lies off the plane's grid, so that no vertex lies on a bucket's side.
+struct LandCoverIndex : BucketGrid {
   struct Edge {
     Vec2 a, b;
   };
   std::span<const LandCoverPolygon> surfaces;
   Box2 box;
-  Vec2 corner;  ///< South-west corner of the first bucket, off the plane's grid, so that no vertex lies on a bucket's
-                ///< side.
-  double bucket_m = 0;
-  int columns = 0, rows = 0;
   std::vector<std::uint32_t>
       bucket_starts;  ///< columns · rows + 1 offsets into entries, which are sorted from the top down in each bucket.
   std::vector<BucketEntry> entries;

@@ -16,7 +16,7 @@ map::Heightfield hills() {
   return field;
 }
 
-ground::GradedTerrain carved(bool has_kerbs) {
+ground::GradedTerrain graded_terrain(bool has_kerbs) {
   roads::Road road;
   road.id = {{OsmType::kWay, 99}, 0};
   road.axis = {{-40, 30}, {90, 60}, {300, 70}};
@@ -50,7 +50,7 @@ void expect_equal(const ground::GroundMesh& one, const ground::GroundMesh& other
 }
 
 TEST(GroundOfALadder, IsThatOfItsLevels) {
-  const ground::GradedTerrain fine = carved(true), coarse = carved(false);
+  const ground::GradedTerrain fine = graded_terrain(true), coarse = graded_terrain(false);
   const std::vector<LandCoverPolygon> with = surfaces(true), without = surfaces(false);
   const std::vector<GroundLevel> levels = {{fine, with, 0.02}, {coarse, without, 0.5},  {fine, without, 0.1},
                                            {fine, with, 0.1},  {coarse, without, 12.5}, {coarse, with, 2.5}};
@@ -66,14 +66,15 @@ TEST(GroundOfALadder, IsThatOfItsLevels) {
   }
 }
 
-// Surfaces are numbered by the level they are of.
+// Faces refer to the surfaces of their own level.
 TEST(GroundOfALadder, NamesTheSurfacesOfEachLevel) {
-  const ground::GradedTerrain graded = carved(false);
+  const ground::GradedTerrain graded = graded_terrain(false);
   const std::vector<LandCoverPolygon> some = surfaces(false);
   const std::vector<LandCoverPolygon> turned(some.rbegin(), some.rend());
   const std::vector<GroundLevel> levels = {{graded, some, 0.5}, {graded, turned, 0.5}};
   std::vector<Report> reports(levels.size());
   const auto grounds = generate_cells(levels, kTile, 1, reports);
+  ASSERT_FALSE(grounds[0].empty());
   for (std::size_t c = 0; c < grounds[0].size(); ++c) {
     ASSERT_EQ(grounds[0][c].face_cover.size(), grounds[1][c].face_cover.size());
     for (std::size_t f = 0; f < grounds[0][c].face_cover.size(); ++f) {

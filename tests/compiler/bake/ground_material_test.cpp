@@ -8,7 +8,7 @@ namespace {
 using map::LandCoverClass;
 using materials::Material;
 
-// A face whose steepest line rises by so much a metre.
+// A face of this slope, in metres per metre.
 GroundFace face(LandCoverClass surface, double rise, double z_m = 100, bool is_beside_road = false) {
   return {surface, unit(Vec3{-rise, 0, 1}), {64, 64, z_m}, is_beside_road};
 }

@@ -51,7 +51,7 @@ TEST(Markings, OfAStripDrawnEitherWayShareAColumn) {
   EXPECT_EQ(markings.columns[0].width_m, 7);
 }
 
-TEST(DressGround, PutsMarkedPiecesOnTheSheet) {
+TEST(GroundMeshes, PutsMarkedPiecesOnTheMarkingAtlas) {
   const OnePiece one(0);
   const Markings markings = lay_out_markings(one.cover, 0.05);
   const auto meshes = material_meshes(one.ground, one.cover, markings, {}, 0.05);
@@ -69,7 +69,7 @@ TEST(DressGround, PutsMarkedPiecesOnTheSheet) {
   }
 }
 
-TEST(DressGround, TellsTheMetresOfPiecesThatAreNotMarkedLessWholePeriods) {
+TEST(GroundMeshes, TellsTheMetresOfPiecesThatAreNotMarkedLessWholePeriods) {
   const OnePiece one(roads::kNoMarkingLayout);
   const auto meshes = material_meshes(one.ground, one.cover, lay_out_markings(one.cover, 0.05), {}, 0.05);
   ASSERT_EQ(meshes.size(), 1u);
@@ -99,7 +99,7 @@ struct Slope {
   }
 };
 
-TEST(DressGround, SteepFacesAreMeshesOfRockOfTheSameFeature) {
+TEST(GroundMeshes, SteepFacesAreMeshesOfRockOfTheSameFeature) {
   const auto meshes = Slope(map::LandCoverClass::kMeadow, 3).dressed(0.02);
   ASSERT_EQ(meshes.size(), 2u);
   EXPECT_EQ(meshes[0].material, materials::Material::kMeadow);
@@ -112,7 +112,7 @@ TEST(DressGround, SteepFacesAreMeshesOfRockOfTheSameFeature) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(meshes[1].uvs[i].y, meshes[1].mesh.positions[i].z);
 }
 
-TEST(DressGround, UprightLandIsMasonryAndTellsItsHeight) {
+TEST(GroundMeshes, UprightLandIsMasonryAndTellsItsHeight) {
   Slope quay(map::LandCoverClass::kMeadow, 0);
   quay.ground.mesh.positions = {{10, 20, 0}, {14, 20, 0}, {14, 20, 3}};
   quay.ground.mesh.normals.assign(3, {0, -1, 0});
@@ -123,13 +123,14 @@ TEST(DressGround, UprightLandIsMasonryAndTellsItsHeight) {
   EXPECT_EQ(meshes[0].uvs, (std::vector<Vec2>{{10, 0}, {14, 0}, {14, 3}}));
 }
 
-TEST(DressGround, ASliverIsNotSteepWhereTheLandAboutItIsNot) {
+TEST(GroundMeshes, ASliverIsNotSteepWhereTheLandAboutItIsNot) {
   Slope land(map::LandCoverClass::kMeadow, 0);
   land.ground.mesh.positions[1].z = 300;
+  EXPECT_FALSE(land.dressed(0.02).empty());
   for (const auto& mesh : land.dressed(0.02)) EXPECT_EQ(mesh.material, materials::Material::kMeadow);
 }
 
-TEST(DressGround, SnowIsAskedForByTheHeader) {
+TEST(GroundMeshes, SnowIsAskedForByTheHeader) {
   const Slope high(map::LandCoverClass::kMeadow, 0.2);
   EXPECT_EQ(high.dressed(0.02).size(), 1u);
   const auto meshes = high.dressed(0.02, -100);
@@ -137,23 +138,27 @@ TEST(DressGround, SnowIsAskedForByTheHeader) {
   EXPECT_EQ(meshes[0].material, materials::Material::kSnow);
 }
 
-TEST(DressGround, EachVertexHasATintAndAPlaceWhereThereIsATexture) {
+TEST(GroundMeshes, EachVertexHasATintAndAPlaceWhereThereIsATexture) {
   const Slope slope(map::LandCoverClass::kFarmland, 0.1);
-  for (const double tolerance_m : {0.02, 0.1, 0.25, 2.5})
+  for (const double tolerance_m : {0.02, 0.1, 0.25, 2.5}) {
+    EXPECT_FALSE(slope.dressed(tolerance_m).empty());
     for (const auto& mesh : slope.dressed(tolerance_m)) {
       EXPECT_EQ(mesh.mesh.positions.size(), 6u);
       EXPECT_EQ(mesh.tints.size(), 6u);
       EXPECT_EQ(mesh.uvs.size(), has_detail(Detail::kMaterialTextures, tolerance_m) ? 6u : 0u);
     }
+  }
 }
 
-TEST(DressGround, LevelsHaveTheSameTints) {
+TEST(GroundMeshes, LevelsHaveTheSameTints) {
   const Slope slope(map::LandCoverClass::kFarmland, 0.1);
   EXPECT_EQ(slope.dressed(0.02)[0].tints, slope.dressed(12.5)[0].tints);
 }
 
-TEST(DressGround, WhatLiesUnderBuildingsHasNoPlaces) {
-  for (const auto& mesh : Slope(map::LandCoverClass::kBuilding, 0).dressed(0.02)) EXPECT_TRUE(mesh.uvs.empty());
+TEST(GroundMeshes, WhatLiesUnderBuildingsHasNoPlaces) {
+  const auto meshes = Slope(map::LandCoverClass::kBuilding, 0).dressed(0.02);
+  EXPECT_FALSE(meshes.empty());
+  for (const auto& mesh : meshes) EXPECT_TRUE(mesh.uvs.empty());
 }
 
 }  // namespace

@@ -29,9 +29,9 @@ TEST(TextureDirection, RowsOfFieldsRunEachTheirOwnWay) {
 
 bool is_whole(double v, double of) { return std::floor(v / of) * of == v; }
 
-// A point on the border of two cells, of two tiles or of one, is told from either: the same place on the texture, to
+// A point on the border of two cells has the same uv from both, of one tile or of two: the same texel, to
 // the last bit of single precision.
-TEST(TexturePlace, CellsThatMeetShowOnePicture) {
+TEST(GroundUvs, CellsThatMeetShowOnePicture) {
   for (int id = 0; id < 50; ++id)
     for (const double border_m : {-1024.0, 0.0, 128.0, 50048.0}) {
       const Vec2 d = texture_direction(field(id), id % 2 ? Material::kFarmland : Material::kGrass, 1);
@@ -45,7 +45,7 @@ TEST(TexturePlace, CellsThatMeetShowOnePicture) {
     }
 }
 
-TEST(TexturePlace, OfACellFits16Bits) {
+TEST(GroundUvs, OfACellFits16Bits) {
   for (int id = 0; id < 100; ++id) {
     const Vec2 d = texture_direction(field(id), Material::kFarmland, 1);
     const Vec2 corner{-128.0 * id, 640.0 - 128 * id}, inside = corner + Vec2{60, 70};
@@ -61,18 +61,18 @@ TEST(TexturePlace, OfACellFits16Bits) {
   }
 }
 
-TEST(TexturePlace, KeepsDistances) {
+TEST(GroundUvs, KeepsDistances) {
   const Vec2 d = texture_direction(field(3), Material::kFarmland, 1);
   const Vec2 a{10, 20}, b{47, -3};
   EXPECT_NEAR(distance(uv_on_land(a, d), uv_on_land(b, d)), distance(a, b), 2 * kTextureCoordinateStep_m);
 }
 
-TEST(TexturePlace, OnAWallRunsAlongItAndUp) {
+TEST(GroundUvs, OnAWallRunsAlongItAndUp) {
   EXPECT_EQ(uv_on_wall({5, 7, 30}, {0.9, 0.1, 0.2}), (Vec2{7, 30}));
   EXPECT_EQ(uv_on_wall({5, 7, 30}, {0.1, -0.9, 0.2}), (Vec2{5, 30}));
 }
 
-TEST(TexturePlace, WholePeriodsAreTakenOffATriangle) {
+TEST(GroundUvs, WholePeriodsAreTakenOffATriangle) {
   const Vec2 off = periods_below({Vec2{130, -1}, Vec2{190, 63}, Vec2{140, 5}});
   EXPECT_EQ(off, (Vec2{128, -64}));
 }

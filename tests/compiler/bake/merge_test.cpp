@@ -13,19 +13,19 @@ using materials::MaterialMesh;
 
 /// Two triangles that share an edge: a square of 2 m, flat unless normals are asked for.
 MaterialMesh square(Material material, bool is_smooth = true) {
-  MaterialMesh dressed;
-  dressed.mesh.positions = {{0, 0, 5}, {2, 0, 5}, {2, 2, 5}, {0, 2, 5}};
-  if (is_smooth) dressed.mesh.normals.assign(4, {0, 0, 1});
-  dressed.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  dressed.material = material;
-  return dressed;
+  MaterialMesh surface;
+  surface.mesh.positions = {{0, 0, 5}, {2, 0, 5}, {2, 2, 5}, {0, 2, 5}};
+  if (is_smooth) surface.mesh.normals.assign(4, {0, 0, 1});
+  surface.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  surface.material = material;
+  return surface;
 }
 
 MaterialMesh laid_out(Material material, ColourSource colour_source) {
-  MaterialMesh dressed = square(material);
-  dressed.uvs = {{0, 100}, {2, 100}, {2, 102}, {0, 102}};
-  dressed.colour_source = colour_source;
-  return dressed;
+  MaterialMesh surface = square(material);
+  surface.uvs = {{0, 100}, {2, 100}, {2, 102}, {0, 102}};
+  surface.colour_source = colour_source;
+  return surface;
 }
 
 std::vector<Primitive> merged(const std::vector<MaterialMesh>& meshes) {
@@ -61,9 +61,9 @@ TEST(Merge, EachVertexHasTheUvOfItsPosition) {
 }
 
 TEST(Merge, EachVertexHasTheTintOfItsPosition) {
-  MaterialMesh dressed = square(Material::kGrass);
-  dressed.tints = {{1, 0, 0, 255}, {2, 0, 0, 255}, {3, 0, 0, 255}, {4, 0, 0, 255}};
-  const auto primitives = merged({dressed});
+  MaterialMesh surface = square(Material::kGrass);
+  surface.tints = {{1, 0, 0, 255}, {2, 0, 0, 255}, {3, 0, 0, 255}, {4, 0, 0, 255}};
+  const auto primitives = merged({surface});
   for (std::size_t v = 0; v < 4; ++v) {
     const Float3& at = primitives[0].positions[v];
     const int corner = at[1] == 0 ? (at[0] == 0 ? 1 : 2) : (at[0] == 0 ? 4 : 3);
@@ -103,11 +103,11 @@ TEST(Merge, SharesVerticesOfOneNormal) {
 
 /// Two squares side by side, as rules make walls of pieces: each with corners of its own.
 MaterialMesh side_by_side() {
-  MaterialMesh dressed = square(Material::kPlaster, false);
+  MaterialMesh surface = square(Material::kPlaster, false);
   for (const Vec3& p : square(Material::kPlaster).mesh.positions)
-    dressed.mesh.positions.push_back(p + Vec3{2 + 1e-12, 0, 0});
-  dressed.mesh.triangles.push_back({4, 5, 6}), dressed.mesh.triangles.push_back({4, 6, 7});
-  return dressed;
+    surface.mesh.positions.push_back(p + Vec3{2 + 1e-12, 0, 0});
+  surface.mesh.triangles.push_back({4, 5, 6}), surface.mesh.triangles.push_back({4, 6, 7});
+  return surface;
 }
 
 TEST(Merge, NoTwoVerticesOfAMeshAreAlike) {
@@ -145,6 +145,7 @@ TEST(Merge, APlaceWithTwoUvsIsTwoVertices) {
 TEST(Merge, UvsAreRoundedByHalfAMillimetreAtMost) {
   MaterialMesh far = laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas);
   for (Vec2& uv : far.uvs) uv.y = 16383.123456 + uv.y / 1000;
+  ASSERT_FALSE(merged({far}).empty());
   for (const Primitive& p : merged({far}))
     for (std::size_t v = 0; v < p.uvs.size(); ++v)
       EXPECT_NEAR(p.uvs[v][1], 16383.123456 + (p.positions[v][1] + 100.0) / 1000, 0.0005);

@@ -26,24 +26,26 @@ scene::Chunk planted(int trees) {
   return chunk;
 }
 
-TEST(PrototypeCache, MakesAShapeOnceForAllThreads) {
+TEST(PrototypeCache, MakesAPrototypeOnceForAllThreads) {
   const PrototypeCache prototypes(header_of({}));
   const auto shapes = for_each_slot<const BakedPrototype*>(16, 4, [&](std::size_t i) {
-    return &prototypes.shape({Species::kBush, static_cast<std::uint8_t>(i % 2)}, 5, 0.1);
+    return &prototypes.prototype({Species::kBush, static_cast<std::uint8_t>(i % 2)}, 5, 0.1);
   });
   for (std::size_t i = 2; i < shapes.size(); ++i) EXPECT_EQ(shapes[i], shapes[i % 2]);
   EXPECT_NE(shapes[0]->primitives, shapes[1]->primitives);
-  EXPECT_NE(&prototypes.shape({Species::kBush, 0}, 5, 0.2), shapes[0]);
+  EXPECT_NE(&prototypes.prototype({Species::kBush, 0}, 5, 0.2), shapes[0]);
 }
 
 TEST(PrototypeCache, GrowsFromTheHeadersTextsAndElseFromThoseShipped) {
   const auto shipped = plants::shipped_species();
   const PrototypeCache own(header_of({shipped.begin(), shipped.end()})), none(header_of({}));
-  EXPECT_EQ(own.shape({Species::kOak, 1}, 28, 0.5).primitives, none.shape({Species::kOak, 1}, 28, 0.5).primitives);
+  EXPECT_EQ(own.prototype({Species::kOak, 1}, 28, 0.5).primitives,
+            none.prototype({Species::kOak, 1}, 28, 0.5).primitives);
   const PrototypeCache other(
       header_of({{"oak", "module oak_leaf\nn: 1\naxiom: F(5)[+(40)F(3)~oak_leaf(2)]-(30)F(3)~oak_leaf(2)\n"}}));
-  EXPECT_NE(other.shape({Species::kOak, 1}, 28, 0.5).primitives, none.shape({Species::kOak, 1}, 28, 0.5).primitives);
-  EXPECT_FALSE(other.shape({Species::kOak, 1}, 28, 0.5).primitives.empty());
+  EXPECT_NE(other.prototype({Species::kOak, 1}, 28, 0.5).primitives,
+            none.prototype({Species::kOak, 1}, 28, 0.5).primitives);
+  EXPECT_FALSE(other.prototype({Species::kOak, 1}, 28, 0.5).primitives.empty());
 }
 
 TEST(PrototypeCache, GivesATileTheSameTreesSharedOrNot) {
@@ -60,13 +62,13 @@ TEST(PrototypeCache, GivesATileTheSameTreesSharedOrNot) {
 TEST(PrototypeCache, GrowsInTheMonthOfTheHeadersSky) {
   scene::Header winter = header_of({});
   winter.origin = {13, 52}, winter.sky.time = "2026-01-15T12:00";
-  EXPECT_NE(PrototypeCache(winter).shape({Species::kOak, 0}, 28, 12.5).primitives,
-            PrototypeCache(header_of({})).shape({Species::kOak, 0}, 28, 12.5).primitives);
-  EXPECT_EQ(PrototypeCache(winter).shape({Species::kFir, 0}, 40, 12.5).primitives,
-            PrototypeCache(header_of({})).shape({Species::kFir, 0}, 40, 12.5).primitives);
+  EXPECT_NE(PrototypeCache(winter).prototype({Species::kOak, 0}, 28, 12.5).primitives,
+            PrototypeCache(header_of({})).prototype({Species::kOak, 0}, 28, 12.5).primitives);
+  EXPECT_EQ(PrototypeCache(winter).prototype({Species::kFir, 0}, 40, 12.5).primitives,
+            PrototypeCache(header_of({})).prototype({Species::kFir, 0}, 40, 12.5).primitives);
 }
 
-// However few variants a level has, each tree stands, once, and where it stood, and is as high as it was.
+// Each tree stands once, in its place and with its height.
 TEST(PrototypeCache, LosesNoTreeWhereVariantsAreFewer) {
   const scene::Chunk chunk = planted(20);
   Report report;

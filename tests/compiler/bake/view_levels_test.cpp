@@ -58,7 +58,7 @@ TEST(ViewLevels, AnErrorIsNoLongerThanThePixelsAskedFor) {
   const View view = made_view(0.75);
   for (std::uint32_t i = 0; i < 2000; ++i) {
     const Bounds bounds = somewhere(draw, i);
-    const double tolerance_m = tolerance_m_for(view, bounds);
+    const double tolerance_m = tolerance_m_of(view, level_for(view, bounds));
     EXPECT_GE(tolerance_m, view.finest_m);
     const double pixels = tolerance_m / distance_m(bounds, view.eye) * view.focal_px;
     EXPECT_TRUE(pixels <= view.pixel_error || tolerance_m == view.finest_m);
@@ -67,15 +67,15 @@ TEST(ViewLevels, AnErrorIsNoLongerThanThePixelsAskedFor) {
   }
 }
 
-TEST(ViewLevels, EachThingIsInOnePart) {
+TEST(ViewLevels, EachObjectIsInOnePart) {
   const scene::Scene scene = made_scene();
   const ViewLevels levels = levels_for(scene, made_view(1));
-  const std::vector<double> tolerances = tolerances_of(levels, scene.header, scene.chunks[0]);
+  const std::vector<int> of_tile = levels_of_parts(levels, scene.header, scene.chunks[0]);
   const Draw draw(5, StableId{6}, "bounds");
   for (std::uint32_t i = 0; i < 500; ++i) {
     int parts = 0;
-    for (const double tolerance_m : tolerances)
-      if (is_in({levels, tolerances, tolerance_m}, somewhere(draw, i))) ++parts;
+    for (const int level : of_tile)
+      if (is_in_part({levels, of_tile, level}, somewhere(draw, i))) ++parts;
     EXPECT_EQ(parts, 1);
   }
 }
@@ -104,6 +104,7 @@ TEST(ViewLevels, BothCellsOfASideHaveOneToleranceThere) {
 TEST(ViewLevels, ZonesHoldEveryCellOnce) {
   const scene::Scene scene = made_scene();
   const ViewLevels levels = levels_for(scene, made_view(1));
+  ASSERT_FALSE(scene.chunks.empty());
   for (const scene::Chunk& chunk : scene.chunks) {
     const Box2 tile = scene::box_of(scene.header, chunk.tile);
     double area_m2 = 0;

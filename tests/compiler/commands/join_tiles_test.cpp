@@ -97,7 +97,7 @@ bake::BakedTile marked_at(Vec3 origin, std::uint8_t grey) {
   }
   tile.instanced[0].primitives.push_back(tile.primitives.back());
   tile.instanced[0].primitives.back().features.clear();
-  tile.sheet = {0.5, 2, 1, {{grey, grey, grey}, {grey, grey, grey}}};
+  tile.marking_atlas = {0.5, 2, 1, {{grey, grey, grey}, {grey, grey, grey}}};
   return tile;
 }
 
@@ -127,7 +127,7 @@ TEST(JoinTiles, HasOnePrimitiveForEachKeySorted) {
   ASSERT_TRUE(joined);
   ASSERT_EQ(joined->primitives.size(), 3u);
   EXPECT_TRUE(std::ranges::is_sorted(joined->primitives, {}, bake::key_of));
-  EXPECT_EQ(joined->sheet, tiles[1].sheet);
+  EXPECT_EQ(joined->marking_atlas, tiles[1].marking_atlas);
 }
 
 TEST(JoinTiles, StatesTheFinestToleranceAndLargestPixelErrorOfAView) {

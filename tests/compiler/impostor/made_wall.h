@@ -1,4 +1,4 @@
-// A wall in the plane y = 0, seen from the south, for tests of imprints.
+// A wall in the plane y = 0, seen from the south, for tests of impostors.
 #pragma once
 
 #include <vector>

@@ -95,7 +95,7 @@ TEST(LocateAreas, ALakeThatReachesFarOutIsKeptNearAndCoversTheSamePlaces) {
   EXPECT_TRUE(contains(lake.polygon, {300, 100}));
   EXPECT_FALSE(contains(lake.polygon, {-300, 100}));
   EXPECT_FALSE(contains(lake.polygon, {300, -400}));
-  // its rank among overlapping surfaces is that of the whole
+  // its rank among overlapping polygons is that of the whole polygon
   EXPECT_GT(lake.area_m2, 1e11);
 }
 

@@ -112,7 +112,7 @@ TEST(LocateFootprints, AnOutlineCoveredByItsPartsIsMarked) {
   EXPECT_TRUE(features.footprints[0].has_parts);
   EXPECT_TRUE(features.footprints[1].is_part);
   EXPECT_FALSE(features.footprints[1].has_parts);
-  // a lone part of a fiftieth of the house does not replace it
+  // a single part with a fiftieth of the outline's area does not replace it
   EXPECT_FALSE(features.footprints[3].has_parts);
   EXPECT_FALSE(features.footprints[5].has_parts);
 }

@@ -1,4 +1,4 @@
-// Every real extract, located: promises that hold for all, and places we know.
+// Every real extract: guarantees for all, and known places.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ struct Located {
       if (area.surface == LandCoverClass::kSea && contains(area.polygon, p)) return true;
     return false;
   }
-  // Of the region, by 100 × 100 places.
+  // The share of the region, by 100 × 100 samples.
   double sea_share() const {
     int sea = 0;
     for (int i = 0; i < 100; ++i)
@@ -127,7 +127,7 @@ TEST(LocateReal, ShuffledElementsGiveTheSameFeatures) {
   }
 }
 
-// Ways, relations and parts as counted by osmium, data/INDEX.md; Chicago: one of them says building=no.
+// Ways, relations and parts as counted by osmium (data/INDEX.md); one in Chicago is building=no.
 TEST(LocateReal, FootprintsAreCountedByTags) {
   NEEDS_DATA();
   const struct {
@@ -183,7 +183,7 @@ TEST(LocateReal, MonacosSeaIsSeaAndItsRockIsNot) {
     EXPECT_FALSE(monaco.is_sea({7.4203, 43.7313})) << "palace";
     EXPECT_FALSE(monaco.is_sea({7.4130, 43.7395})) << "hillside";
   }
-  // 0.4897 by two implementations that were written apart
+  // 0.4897 by two independent implementations
   EXPECT_NEAR(located_extract("monaco/monaco-2023.osm.pbf").sea_share(), 0.49, 0.01);
 }
 
@@ -222,7 +222,7 @@ TEST(LocateReal, ChicagosBoxIsThatOfItsBuildings) {
   EXPECT_NEAR(box.north, 41.8907, 0.003);
   EXPECT_NEAR(box.west, -87.6384, 0.003);
   EXPECT_NEAR(box.east, -87.6054, 0.003);
-  // Lake Michigan lies east of the shore
+  // Lake Michigan is east of the shore
   const Vec2 lake = chicago.plane.forward({-87.6065, 41.8800});
   bool is_lake = false;
   for (const AreaFeature& area : chicago.features.areas)

@@ -80,7 +80,7 @@ Vec2 precisely_snapped(LonLat origin, source::Location place) {
   return {snap(p.x), snap(p.y)};
 }
 
-// A walk over places of OSM's grid, without chance.
+// Deterministic places of OSM's grid.
 source::Location nth_place(LonLat origin, std::int64_t n) {
   return {static_cast<std::int32_t>(std::lround(origin.lon_deg * 1e7) + n * 7919 % 2000003 - 1000001),
           static_cast<std::int32_t>(std::lround(origin.lat_deg * 1e7) + n * 104729 % 2000029 - 1000014)};
@@ -95,8 +95,7 @@ TEST(Plane, SnappedForwardIsTheNearestPointOfTheGrid) {
   }
 }
 
-// Places about Wellington where the double lies on the other side of a tie than the true value, four of 12 million that
-// were tried.
+// Places near Wellington where the double is on the other side of a tie than the exact value: four of 12 million tried.
 TEST(Plane, NearTiesAreDecidedInHigherPrecision) {
   const LonLat origin{174.87, -41.26};
   const Plane plane(origin);
@@ -106,7 +105,7 @@ TEST(Plane, NearTiesAreDecidedInHigherPrecision) {
     EXPECT_EQ(plane.snapped_forward(place), precisely_snapped(origin, place)) << place.lon_e7;
 }
 
-// What the width of the window about ties rests on.
+// The bound on which the width of the window about ties is based.
 TEST(Plane, TheDoubleIsWithin8NanometresOfTheTruth) {
   for (const LonLat origin : kOrigins) {
     const Plane plane(origin);

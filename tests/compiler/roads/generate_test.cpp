@@ -50,7 +50,7 @@ TEST(RoadStrip, IsJoinedToWhereItGoesOn) {
                bent = apart + 9 * std::tan(0.25 * std::acos(-1.0) / 2);
   const Vec2 beyond{200, 100};
   EXPECT_NEAR(area_of(stroke(carriageway_of(road({{0, 0}, {100, 0}})), {false, {}, beyond})), bent, 9);
-  // its own half of the joint and the other's make a whole: nothing is open between them
+  // both halves of the joint make a whole without a gap
   std::vector<Ring> both = stroke(carriageway_of(road({{0, 0}, {100, 0}})), {false, {}, beyond});
   for (Ring& ring : stroke(carriageway_of(road({{100, 0}, beyond})), {false, Vec2{0, 0}, {}})) both.push_back(ring);
   EXPECT_NEAR(area_of(both), area_of(stroke_of(road({{0, 0}, {100, 0}, beyond}))), 0.01);

@@ -1,4 +1,4 @@
-// Buildings as tests of roads need them.
+// Buildings for tests of roads.
 #pragma once
 
 #include <algorithm>

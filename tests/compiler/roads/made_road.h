@@ -1,4 +1,4 @@
-// Roads as tests need them.
+// Roads for tests.
 #pragma once
 
 #include "compiler/roads/recipe.h"

@@ -1,4 +1,4 @@
-// An extract as roads see it.
+// An extract located for tests of roads.
 #pragma once
 
 #include <string>

@@ -34,7 +34,7 @@ BakedTile through(const BakedTile& tile, Compression compression, Instancing ins
   return back ? *back : BakedTile{};
 }
 
-// All that a corner is but for its normal; -1 for what it has not.
+// All attributes of a vertex but its normal; -1 for missing ones.
 using Corner = std::array<float, 10>;
 using Corners = std::array<Corner, 3>;
 
@@ -46,7 +46,7 @@ Corner corner_of(const Primitive& p, std::uint32_t v) {
   return {at[0], at[1], at[2], feature, uv[0], uv[1], float(r), float(g), float(b), float(a)};
 }
 
-// Triangles in an order of their own, each from its least corner on, with their corners' normals.
+// Sorted triangles, each from its smallest corner on, with the normals of their corners.
 std::multimap<Corners, std::array<Float3, 3>> triangles_of(const Primitive& p) {
   std::multimap<Corners, std::array<Float3, 3>> triangles;
   for (auto t : p.triangles) {
@@ -79,7 +79,7 @@ void expect_same(const std::vector<Primitive>& found, const std::vector<Primitiv
   for (std::size_t i = 0; i < found.size(); ++i) expect_same(found[i], expected[i]);
 }
 
-// But for the order of vertices and triangles, and for the last bits of normals.
+// Compares tiles but for the order of vertices and triangles, and for the last bits of normals.
 void expect_same(BakedTile found, BakedTile expected) {
   expect_same(found.primitives, expected.primitives);
   ASSERT_EQ(found.instanced.size(), expected.instanced.size());
@@ -91,10 +91,10 @@ void expect_same(BakedTile found, BakedTile expected) {
   EXPECT_EQ(found, expected);
 }
 
-// Places as walls and roofs have them: on no grid.
+// Positions that are on no grid, as those of walls and roofs.
 BakedTile off_grid(std::uint32_t seed) {
   std::mt19937 dice(seed);
-  BakedTile tile = made_imprinted_tile(seed);
+  BakedTile tile = made_facade_tile(seed);
   const auto jog = [&](std::vector<Primitive>& primitives) {
     for (Primitive& p : primitives)
       for (Float3& at : p.positions)
@@ -109,7 +109,7 @@ TEST(CompressedGlb, HoldsTheQuantisedTileTriangleForTriangle) {
   for (std::uint32_t seed = 0; seed < 10; ++seed)
     for (const Compression compression : kBoth)
       for (const Instancing instancing : {Instancing::kExtension, Instancing::kNodes})
-        for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed), made_imprinted_tile(seed),
+        for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed), made_facade_tile(seed),
                                       made_textured_tile(seed), off_grid(seed)})
           ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression, instancing), quantised(tile))) << seed;
 }
@@ -141,7 +141,7 @@ TEST(CompressedGlb, FarPlacesAreKept) {
     ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
 }
 
-// Places on a border between two tiles, in the plane.
+// Positions on a border between two tiles, in the plane.
 std::vector<Vec3> border() {
   std::mt19937 dice(7);
   std::vector<Vec3> places;
@@ -149,7 +149,7 @@ std::vector<Vec3> border() {
   return places;
 }
 
-// A tile of its own origin and extent that has the border.
+// A tile with this border, and an origin and extent of its own.
 BakedTile beside_border(std::uint32_t seed, Vec3 origin, double tolerance_m) {
   std::mt19937 dice(seed);
   BakedTile tile = off_grid(seed);
@@ -247,6 +247,7 @@ TEST(Quantised, TwiceIsOnce) { EXPECT_EQ(quantised(quantised(off_grid(1))), quan
 TEST(CompressedGlbDamage, EveryTruncationIsRefused) {
   for (const Compression compression : kBoth) {
     const Bytes bytes = encoded(made_tile(2), compression);
+    ASSERT_FALSE(bytes.empty());
     for (std::size_t size = 0; size < bytes.size(); ++size)
       ASSERT_FALSE(decode_glb(std::span(bytes).first(size), "cut")) << size;
   }
@@ -256,6 +257,7 @@ TEST(CompressedGlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
   std::mt19937 dice(4);
   for (const Compression compression : kBoth) {
     const Bytes bytes = encoded(made_marked_tile(3), compression);
+    ASSERT_FALSE(bytes.empty());
     for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 13) {
       Bytes changed = bytes;
       changed[at] ^= static_cast<std::byte>(1 + dice() % 255);

@@ -48,7 +48,7 @@ Bytes with_json(const Bytes& bytes, std::string json) {
   return changed;
 }
 
-// What the reader says of a tile in whose JSON a text, which must be there, is another.
+// The error for a tile in whose JSON one text is replaced by another.
 std::string refusal_with(Instancing instancing, const std::string& text, const std::string& other,
                          const BakedTile& tile = made_tile(1)) {
   const Bytes bytes = encoded(tile, instancing);
@@ -63,7 +63,7 @@ TEST(Glb, ReadsBackWhatItWroteEitherWayOfInstancing) {
   for (std::uint32_t seed = 0; seed < 100; ++seed)
     for (const Instancing instancing : kBoth) {
       for (const BakedTile& tile :
-           {made_tile(seed), made_marked_tile(seed), made_imprinted_tile(seed), made_textured_tile(seed)}) {
+           {made_tile(seed), made_marked_tile(seed), made_facade_tile(seed), made_textured_tile(seed)}) {
         const auto back = decoded(encoded(tile, instancing));
         ASSERT_TRUE(back) << refusal(back);
         ASSERT_EQ(*back, tile);
@@ -75,7 +75,7 @@ nlohmann::json gltf_of(const BakedTile& tile) {
   return nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
 }
 
-TEST(GlbSheet, IsWrittenOnceForAllThatIsOnIt) {
+TEST(GlbMarkingAtlas, IsWrittenOnceForAllThatIsOnIt) {
   const auto gltf = gltf_of(made_marked_tile(1));
   EXPECT_EQ(gltf["images"].size(), 1u);
   EXPECT_EQ(gltf["textures"].size(), 1u);
@@ -84,7 +84,7 @@ TEST(GlbSheet, IsWrittenOnceForAllThatIsOnIt) {
             nlohmann::json::parse(R"([{"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 10497}])"));
 }
 
-TEST(GlbSheet, MarkedMaterialsShowItInMetres) {
+TEST(GlbMarkingAtlas, MarkedMaterialsShowItInMetres) {
   const BakedTile tile = made_marked_tile(1);
   const auto gltf = gltf_of(tile);
   int marked = 0;
@@ -96,13 +96,13 @@ TEST(GlbSheet, MarkedMaterialsShowItInMetres) {
     ++marked;
     EXPECT_EQ(colours.value("baseColorFactor", nlohmann::json({1, 1, 1, 1})), nlohmann::json({1, 1, 1, 1}));
     const auto scale = colours["baseColorTexture"]["extensions"]["KHR_texture_transform"]["scale"];
-    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.sheet.columns * tile.sheet.texel_m));
-    EXPECT_EQ(scale[1].get<double>(), 1 / (tile.sheet.rows * tile.sheet.texel_m));
+    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.marking_atlas.columns * tile.marking_atlas.texel_m));
+    EXPECT_EQ(scale[1].get<double>(), 1 / (tile.marking_atlas.rows * tile.marking_atlas.texel_m));
   }
   EXPECT_EQ(marked, 3);
 }
 
-TEST(GlbSheet, TilesWithoutOneDoNotMentionIt) {
+TEST(GlbMarkingAtlas, TilesWithoutOneDoNotMentionIt) {
   const std::string json = json_of(encoded(made_tile(1), Instancing::kExtension));
   for (const char* word : {"TEXCOORD_0", "KHR_texture_transform", "images", "textures", "samplers", "Marked"})
     EXPECT_EQ(json.find(word), std::string::npos) << word;
@@ -115,8 +115,8 @@ nlohmann::json material_called(const nlohmann::json& gltf, const std::string& na
   return {};
 }
 
-TEST(GlbImprints, SayColourRoughnessAndMetalness) {
-  const BakedTile tile = made_imprinted_tile(1);
+TEST(GlbFacadeAtlas, SayColourRoughnessAndMetalness) {
+  const BakedTile tile = made_facade_tile(1);
   const auto gltf = gltf_of(tile);
   const auto pbr = material_called(gltf, "PaintFacade")["pbrMetallicRoughness"];
   for (const char* factor : {"baseColorFactor", "roughnessFactor", "metallicFactor"})
@@ -133,18 +133,19 @@ TEST(GlbImprints, SayColourRoughnessAndMetalness) {
   EXPECT_EQ(picture("metallicRoughnessTexture"), "facade_atlas_surface");
 }
 
-TEST(GlbImprints, ShineByAPictureOfTheirOwn) {
-  const auto lit = material_called(gltf_of(made_imprinted_tile(1)), "PaintFacade");
+TEST(GlbFacadeAtlas, ShineByAPictureOfTheirOwn) {
+  const auto lit = material_called(gltf_of(made_facade_tile(1)), "PaintFacade");
   EXPECT_EQ(lit["emissiveFactor"], nlohmann::json({1.0, 1.0, 1.0}));
   EXPECT_TRUE(lit.contains("emissiveTexture"));
-  const auto dark = material_called(gltf_of(made_imprinted_tile(2)), "PaintFacade");
+  const auto dark = material_called(gltf_of(made_facade_tile(2)), "PaintFacade");
   EXPECT_FALSE(dark.contains("emissiveFactor") || dark.contains("emissiveTexture"));
 }
 
-TEST(GlbImprints, LeanByAPictureOfTheirOwnWithTangents) {
+TEST(GlbFacadeAtlas, LeanByAPictureOfTheirOwnWithTangents) {
   for (const auto& [seed, leans] : {std::pair{1u, true}, {2u, false}}) {
-    const auto gltf = gltf_of(made_imprinted_tile(seed));
+    const auto gltf = gltf_of(made_facade_tile(seed));
     EXPECT_EQ(material_called(gltf, "PaintFacade").contains("normalTexture"), leans);
+    EXPECT_FALSE(gltf["meshes"][0]["primitives"].empty());
     for (const auto& primitive : gltf["meshes"][0]["primitives"]) {
       if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] != "PaintFacade") continue;
       EXPECT_EQ(primitive["attributes"].contains("TANGENT"), leans);
@@ -163,8 +164,8 @@ TEST(GlbMaterials, ShineAsTheTableSays) {
   EXPECT_FALSE(material_called(gltf, "Grass").contains("emissiveFactor"));
 }
 
-TEST(GlbImprints, AreRefusedWhereOneOfTwoPicturesIsMissing) {
-  const BakedTile tile = made_imprinted_tile(1);
+TEST(GlbFacadeAtlas, AreRefusedWhereOneOfTwoPicturesIsMissing) {
+  const BakedTile tile = made_facade_tile(1);
   const auto refused = [&](const char* name, const char* other) {
     return refusal_with(Instancing::kExtension, name, other, tile);
   };
@@ -173,7 +174,7 @@ TEST(GlbImprints, AreRefusedWhereOneOfTwoPicturesIsMissing) {
   EXPECT_NE(refused("\"imprintsNormal\"", "\"imprintsMormal\""), "accepted");
 }
 
-TEST(GlbSheet, MaterialsOnItHaveNamesOfTheirOwn) {
+TEST(GlbMarkingAtlas, MaterialsOnItHaveNamesOfTheirOwn) {
   std::set<std::string> names;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
     for (const auto colour_source : {materials::ColourSource::kByMaterial, materials::ColourSource::kByMarkingAtlas,
@@ -181,7 +182,7 @@ TEST(GlbSheet, MaterialsOnItHaveNamesOfTheirOwn) {
       EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, colour_source}, {})).second);
 }
 
-// What the primitive of a material has as its attributes.
+// The attributes of the primitive of a material.
 nlohmann::json attributes_of(const nlohmann::json& gltf, const std::string& name) {
   for (const auto& primitive : gltf["meshes"][0]["primitives"])
     if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] == name) return primitive["attributes"];
@@ -194,7 +195,7 @@ TEST(GlbTextures, RepeatBothWays) {
   ASSERT_EQ(gltf["samplers"].size(), 2u);
   EXPECT_EQ(gltf["samplers"][1]["wrapS"], 10497);
   EXPECT_EQ(gltf["samplers"][1]["wrapT"], 10497);
-  // the sheet, four colours, and normals of water, rock, masonry and bark
+  // the marking atlas, four colours, and normals of water, rock, masonry and bark
   EXPECT_EQ(gltf["images"].size(), 9u);
   EXPECT_EQ(gltf["images"][0]["name"], "marking_atlas");
   EXPECT_EQ(gltf["textures"][0]["sampler"], 0);
@@ -204,6 +205,7 @@ TEST(GlbTextures, RepeatBothWays) {
 TEST(GlbTextures, ShowTheirPictureTimesTheFactor) {
   const BakedTile tile = made_textured_tile(1);
   const auto gltf = gltf_of(tile);
+  ASSERT_FALSE(tile.textures.empty());
   for (const materials::Texture& texture : tile.textures) {
     const std::string name(values_of(texture.material).name);
     const auto material = material_called(gltf, name);
@@ -250,7 +252,7 @@ TEST(GlbTextures, WhatHasNoPlacesOnThemKeepsItsColour) {
   EXPECT_EQ(plain["baseColorFactor"][0].get<float>(), values_of(materials::Material::kStone).base_colour[0]);
 }
 
-// DESIGN 8.15: a byte budget a tile. Whatever materials it has, all of them together fit; and all kinds of bark.
+// The byte budget of a tile holds the textures of all materials together, all kinds of bark included.
 TEST(GlbTextures, OfAllMaterialsFitTheBudget) {
   std::vector<materials::Material> ground, bark;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m) {
@@ -323,6 +325,7 @@ TEST(Glb, ATileWithoutGroundOrInstancesIsWhole) {
 TEST(GlbDamage, EveryTruncationIsRefused) {
   for (const BakedTile& tile : {made_tile(2), made_marked_tile(2)}) {
     const Bytes bytes = encoded(tile, Instancing::kExtension);
+    ASSERT_FALSE(bytes.empty());
     for (std::size_t size = 0; size < bytes.size(); ++size)
       ASSERT_FALSE(decoded(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
   }
@@ -333,6 +336,7 @@ TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
   std::mt19937 dice(4);
   for (const Instancing instancing : kBoth) {
     const Bytes bytes = encoded(instancing == Instancing::kNodes ? made_tile(3) : made_marked_tile(3), instancing);
+    ASSERT_FALSE(bytes.empty());
     for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 5) {
       Bytes changed = bytes;
       changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
@@ -390,20 +394,20 @@ std::string marked_refusal_with(const std::string& text, const std::string& othe
 
 std::string images_of(const BakedTile& tile) { return gltf_of(tile)["images"].dump(); }
 
-TEST(GlbSheetDamage, WhatIsOnASheetThatIsNotThereIsRefused) {
+TEST(GlbMarkingAtlasDamage, AMissingImageIsRefused) {
   const std::string expected = "tile.glb: expected a sheet, and a place on it, for each corner that is on it";
   EXPECT_EQ(marked_refusal_with("\"images\"", "\"imagos\""), expected);
   EXPECT_EQ(marked_refusal_with("\"name\":\"Grass\"", "\"name\":\"GrassMarked\""), expected);
 }
 
-TEST(GlbSheetDamage, PlacesForOtherCornersAreRefused) {
+TEST(GlbMarkingAtlasDamage, PlacesForOtherCornersAreRefused) {
   bake::BakedTile tile = made_marked_tile(1);
   tile.primitives.back().uvs.pop_back();
   EXPECT_EQ(refusal(decoded(encoded(tile, Instancing::kExtension))),
             "tile.glb: expected as many values in each attribute");
 }
 
-TEST(GlbSheetDamage, PlacesThatAreNotFiniteAreRefused) {
+TEST(GlbMarkingAtlasDamage, PlacesThatAreNotFiniteAreRefused) {
   for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     bake::BakedTile tile = made_marked_tile(1);
     tile.primitives.back().uvs.back()[1] = bad;
@@ -411,7 +415,7 @@ TEST(GlbSheetDamage, PlacesThatAreNotFiniteAreRefused) {
   }
 }
 
-TEST(GlbSheetDamage, ASecondSheetIsRefused) {
+TEST(GlbMarkingAtlasDamage, ASecondMarkingAtlasIsRefused) {
   const std::string images = images_of(made_marked_tile(1)), one = images.substr(1, images.size() - 2);
   EXPECT_EQ(marked_refusal_with(images, "[" + one + "," + one + "]"),
             "tile.glb: expected pictures named after materials, and one sheet at most");
@@ -435,6 +439,7 @@ TEST(GlbTextureDamage, AChangedByteOfTheJsonIsRefusedOrMakesAnotherTile) {
   std::mt19937 dice(5);
   const Bytes bytes = encoded(made_textured_tile(3), Instancing::kExtension);
   const std::size_t end = 20 + json_of(bytes).size();
+  ASSERT_GT(end, 0u);
   for (std::size_t at = 0; at < end; at += 1 + dice() % 5) {
     Bytes changed = bytes;
     changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
@@ -446,7 +451,7 @@ TEST(GlbTextureDamage, AChangedByteOfTheJsonIsRefusedOrMakesAnotherTile) {
   }
 }
 
-TEST(GlbSheetDamage, TexelsWithoutASizeAreRefused) {
+TEST(GlbMarkingAtlasDamage, TexelsWithoutASizeAreRefused) {
   EXPECT_EQ(marked_refusal_with("\"texel_m\"", "\"texel_n\""),
             "tile.glb: expected the extras and extensions that citykiln writes");
   for (const char* bad : {"-0.", "0,\"other\":0."})
@@ -454,7 +459,7 @@ TEST(GlbSheetDamage, TexelsWithoutASizeAreRefused) {
               "tile.glb: expected texels with a size");
 }
 
-TEST(GlbSheetDamage, APictureThatIsNoneIsRefused) {
+TEST(GlbMarkingAtlasDamage, APictureThatIsNoneIsRefused) {
   Bytes bytes = encoded(made_marked_tile(1), Instancing::kExtension);
   const std::string signature = "\x89PNG", header = "IHDR";
   const auto find = [&](const std::string& word) {
@@ -469,7 +474,7 @@ TEST(GlbSheetDamage, APictureThatIsNoneIsRefused) {
   }
 }
 
-TEST(GlbSheetDamage, APictureOutsideTheBufferIsRefused) {
+TEST(GlbMarkingAtlasDamage, APictureOutsideTheBufferIsRefused) {
   const std::string expected = "tile.glb: expected a sheet inside the buffer, as citykiln writes it";
   const auto gltf = gltf_of(made_marked_tile(1));
   const auto view = gltf["images"][0]["bufferView"].get<std::size_t>();

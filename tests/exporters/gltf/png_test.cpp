@@ -28,7 +28,7 @@ void put_number(Bytes& bytes, std::size_t at, std::uint32_t value) {
   for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::byte>(value >> 8 * (3 - i));
 }
 
-// The checksum of PNG's chunks, as its specification has it.
+// The checksum of PNG chunks, as in the specification.
 std::uint32_t crc(std::span<const std::byte> bytes) {
   std::uint32_t c = 0xffffffffu;
   for (const std::byte b : bytes) {
@@ -89,6 +89,7 @@ TEST(PngDamage, WhatIsNoPngIsRefused) {
 TEST(PngDamage, AChangedByteIsRefusedOrMakesAnotherPicture) {
   std::mt19937 dice(4);
   const Bytes bytes = encode_png(made(30, 20, 50));
+  ASSERT_FALSE(bytes.empty());
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     Bytes changed = bytes;
     changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
@@ -98,7 +99,7 @@ TEST(PngDamage, AChangedByteIsRefusedOrMakesAnotherPicture) {
   }
 }
 
-// A header that asks for more than there can be takes no memory.
+// A header that states an impossible size takes no memory.
 TEST(PngDamage, SizesBeyondTheFileAreRefused) {
   constexpr std::size_t kWidth = 16, kHeight = 20, kType = 12, kEnd = 29;
   const std::pair<std::uint32_t, std::uint32_t> sizes[] = {{16385, 1}, {1, 16385}, {16384, 16384}, {8000, 8000}};

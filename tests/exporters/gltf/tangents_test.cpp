@@ -9,7 +9,7 @@ namespace {
 
 Vec3 vec(const bake::Float4& t) { return {t[0], t[1], t[2]}; }
 
-// A square of land or of a wall, with places told by two of its directions.
+// A square of land or of a wall, with uvs along two of its directions.
 bake::Primitive square(Vec3 across, Vec3 up, Vec3 u, Vec3 v) {
   bake::Primitive p;
   const Vec3 normal = unit(cross(across, up));
@@ -53,6 +53,7 @@ TEST(Tangents, OfWallsThatFaceEitherWayPointEast) {
 TEST(Tangents, AreUnitVectorsWhateverUvsSay) {
   bake::Primitive p = square({4, 0, 0}, {0, 4, 0}, {}, {});
   p.positions.push_back({9, 9, 9}), p.normals.push_back({0.6f, 0, 0.8f}), p.uvs.push_back({0, 0});
+  EXPECT_EQ(tangents_of(p).size(), p.positions.size());
   for (const bake::Float4& t : tangents_of(p)) {
     EXPECT_NEAR(length(vec(t)), 1, 1e-6);
     EXPECT_EQ(std::abs(t[3]), 1);

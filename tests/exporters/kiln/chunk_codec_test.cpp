@@ -22,7 +22,7 @@ roads::Road one_lane(ObjectId id, Polyline axis) {
   return road;
 }
 
-// Which stream of a chunk with these streams is wrong; "" where none is.
+// The name of the wrong stream of a chunk; "" where none is.
 std::string wrong_in(const Streams& streams) {
   std::string wrong;
   decode_chunk(streams, kTile, wrong);
@@ -57,12 +57,13 @@ TEST(ChunkCodec, ReadsBackWhatItWrote) {
 
 TEST(ChunkCodec, WritesNoStreamThatTheListDoesNotName) {
   const auto names = stream_names();
+  EXPECT_FALSE(encode_chunk(made(0)).empty());
   for (std::uint64_t seed = 0; seed < 50; ++seed)
     for (const auto& [name, bytes] : encode_chunk(made(seed)))
       EXPECT_TRUE(std::find(names.begin(), names.end(), name) != names.end()) << name;
 }
 
-// Whatever the bytes: refused, or a chunk that is written and read as itself.
+// Any bytes are refused, or make a chunk that can be written and read back.
 TEST(ChunkCodec, WhateverItAcceptsIsAChunk) {
   std::mt19937_64 dice(1);
   int accepted = 0;
@@ -86,6 +87,7 @@ TEST(ChunkCodec, WhateverItAcceptsIsAChunk) {
 
 TEST(ChunkCodec, AStreamTooShortOrTooLongIsNamed) {
   const Streams whole = encode_chunk(made(7));
+  ASSERT_FALSE(whole.empty());
   for (const auto& [name, bytes] : whole) {
     Streams longer = whole, shorter = whole;
     longer[name].push_back(0);
@@ -196,8 +198,8 @@ TEST(ChunkCodec, AHeightBeyond32BitsIsNamed) {
   EXPECT_EQ(wrong_in(streams), "heights");
 }
 
-// 100 000 rings of as many points as the chunk has bytes, none of which is there: a reader that believes counts would
-// ask for a terabyte.
+// 100 000 rings of as many points as the chunk has bytes, none of which exists: a reader that trusts counts would
+// allocate a terabyte.
 TEST(ChunkCodec, CountsAreNotBelievedBeforeTheirThings) {
   Streams streams = empty_streams();
   streams["x"].assign(1 << 20, 0);

@@ -112,13 +112,9 @@ class Stream:
         self.last += self.signed()
         return self.last
 
-    def real(self):
-        self.at += 8
-        return struct.unpack_from("<d", self.data, self.at - 8)[0]
-
 
 class Chunk:
-    """One tile, walked in the page's order; each thing as a tuple of what the page lists."""
+    """One tile, read in the order of the page; each object is a tuple of the fields that the page lists."""
 
     def __init__(self, raw):
         names, head = stream_names(), Stream(raw)
@@ -135,7 +131,7 @@ class Chunk:
         self.roads = self.all("roads", self.road)
         self.narrowed = self.all("narrowed roads", self.narrowed_road)
         self.junctions = self.all("junctions", self.junction)
-        self.waters = self.all("streams", self.water)
+        self.waters = self.all("watercourses", self.water)
         self.bridges = self.all("bridges", self.span)
         self.tunnels = self.all("tunnels", self.span)
         self.buildings = self.all("buildings", self.building)
@@ -143,7 +139,7 @@ class Chunk:
         self.woods = self.all("woods", lambda: (self.id(), self.several("wood", 3)))
         self.plantings = self.all("plantings", lambda: (self.id(), self.several("planting", 5)))
         self.tree_rows = self.all("tree rows", lambda: (self.id(), self.points("tree row points"), self.several("tree row", 3)))
-        self.lanes = self.all("power corridors", lambda: (self.id(), self.points("power corridor points"), self.plain("power corridor")))
+        self.corridors = self.all("power corridors", lambda: (self.id(), self.points("power corridor points"), self.plain("power corridor")))
         self.barriers = self.all("barriers", self.barrier)
         self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height")))
 
@@ -186,8 +182,8 @@ class Chunk:
         for i in range(columns * rows):
             west = heights[i - 1] if i % columns else 0
             south = heights[i - columns] if i >= columns else 0
-            foretold = south if i % columns == 0 else west if i < columns else west + south - heights[i - columns - 1]
-            heights.append(foretold + self.streams["heights"].signed() * 2**shift)
+            predicted = south if i % columns == 0 else west if i < columns else west + south - heights[i - columns - 1]
+            heights.append(predicted + self.streams["heights"].signed() * 2**shift)
         return [height / 64 for height in heights]
 
     def surface(self):
@@ -203,14 +199,14 @@ class Chunk:
                                           self.streams["knot tilt"].step() / 1024))
 
     def road(self):
-        return (self.id(), self.points("road points"), self.road_kinds[self.plain("road kind")], self.plain("passed") / 1024,
+        return (self.id(), self.points("road points"), self.road_kinds[self.plain("road kind")], self.plain("start offset") / 1024,
                 self.all("track points", lambda: (self.plain("track vertex"), divmod(self.plain("track sign"), 3))), self.profile())
 
     def narrowed_road(self):
-        return self.plain("narrowed road"), *(self.all("width_limits", self.pinch) for side in ("left", "right"))
+        return self.plain("narrowed road"), *(self.all("width limits", self.width_limit) for side in ("left", "right"))
 
-    def pinch(self):
-        return divmod(self.plain("pinch steps"), 2), self.streams["pinch half"].step() / 32
+    def width_limit(self):
+        return divmod(self.plain("width limit steps"), 2), self.streams["width limit half"].step() / 32
 
     def road_kind(self):
         return (self.plain("road surface"), self.plain("road traits"), self.plain("axis offset") / 2048, self.all("lanes", self.lane))
@@ -221,8 +217,8 @@ class Chunk:
 
     def water(self):
         return (self.id(), self.points("road points"), self.plain("water class"), self.metres("water sides"),
-                self.metres("water sides"), self.plain("passed") / 1024, self.profile(),
-                16 * self.plain("water reach"))
+                self.metres("water sides"), self.plain("start offset") / 1024, self.profile(),
+                16 * self.plain("water influence"))
 
     def junction(self):
         return (self.plain("junction family"), self.points("junction places"),
@@ -264,7 +260,7 @@ class Chunk:
                 self.plain("building stands"), self.plain("wall"), self.plain("roof"), self.colour(), self.colour(),
                 self.roof_shape())
         style = [self.plain(name) for name in ("style", "building class", "storeys", "year", "shop")]
-        return (*seen, style, self.all("fronts", lambda: self.plain("front")), self.all("party walls", self.party_wall))
+        return (*seen, style, self.all("facade edges", lambda: self.plain("facade edge")), self.all("party walls", self.party_wall))
 
     def barrier(self):
         return (self.id(), self.points("barrier points"), self.plain("barrier kind"),
@@ -272,7 +268,7 @@ class Chunk:
 
 
 class Manifest:
-    """Tile to Chunk; every hash, size and place on the way is checked."""
+    """Maps tiles to chunks; checks every hash, size and offset."""
 
     def __init__(self, manifest):
         assert manifest[:8] == b"CITYKILN"

@@ -162,6 +162,7 @@ TEST(Manifest, ASceneWithoutTilesIsWhole) {
 
 TEST(Manifest, EveryTruncationIsRefused) {
   const Bytes bytes = encode_manifest(made(2), 1);
+  ASSERT_FALSE(bytes.empty());
   for (std::size_t size = 0; size < bytes.size(); ++size)
     ASSERT_FALSE(decoded(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
 }
@@ -176,6 +177,7 @@ TEST(Manifest, NoChangedByteIsReadAsAnotherScene) {
   const scene::Scene scene = made(3);
   const Bytes bytes = encode_manifest(scene, 1);
   std::mt19937_64 dice(3);
+  ASSERT_FALSE(bytes.empty());
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     Bytes changed = bytes;
     changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
@@ -231,7 +233,7 @@ TEST(Manifest, ALaterMinorFormatIsRead) {
   EXPECT_EQ(*back, scene);
 }
 
-// One text, named a thousand times over: a header of a few kB would fill a thousand times that.
+// One text, referred to a thousand times: a header of a few kB would unpack to a thousand times that.
 TEST(Manifest, TextsTakeNoMoreThanTheirHeader) {
   const Bytes bytes = encode_manifest(made(4), 1);
   const fbs::HeaderT header = header_of(bytes);
@@ -249,7 +251,7 @@ TEST(Manifest, TextsTakeNoMoreThanTheirHeader) {
             "town.kiln: expected a citykiln manifest, found one whose header is damaged");
 }
 
-// What is wrong with a manifest whose index is changed so, in words.
+// The error for a manifest with a changed index.
 std::string index_refusal(void (*change)(Index&), std::vector<scene::TileKey> only = {}) {
   const Bytes bytes = encode_manifest(made(5), 1);
   Index index = index_of(bytes);
@@ -309,7 +311,7 @@ TEST(ManifestIndex, SizesBeyondBeliefAreRefused) {
             "town.kiln, tile 0_0: expected its bytes, found the end of the file");
 }
 
-// What is wrong with a manifest whose second tile holds these bytes, in words.
+// The error for a manifest whose second tile holds these bytes.
 std::string chunk_refusal(const RawBytes& raw) {
   return refusal(decoded(with_second_frame(encode_manifest(made(5), 1), packed(raw, nullptr))));
 }

@@ -1,5 +1,5 @@
-// How many bytes of manifest a building is: its recipe, packed with its neighbours'; rules, which are written once, and
-// what the ground is made of do not count.
+// Bytes of the manifest per building: of its recipe, packed with those of its neighbours, without rule files and
+// ground.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ scene::Scene scene_of(const std::vector<Building>& all) {
   return scene;
 }
 
-// What the buildings add to the same chunks without any.
+// The bytes that buildings add to chunks without any.
 std::size_t bytes_of(const std::vector<Building>& all) {
   scene::Scene scene = scene_of(all);
   const std::size_t whole = encode_manifest(scene, 1).size();

@@ -9,7 +9,7 @@ namespace {
 
 using RawBytes = std::vector<std::uint8_t>;
 
-// Like chunks: much of each is in many others.
+// Samples that share much of their content, as chunks do.
 std::vector<RawBytes> samples(std::size_t count, std::size_t words) {
   std::mt19937_64 dice(7);
   std::vector<RawBytes> all(count);
@@ -70,6 +70,7 @@ TEST(ZstdFrame, SizesThatAreNotStatedAreRefused) {
 
 TEST(ZstdFrame, EveryTruncationIsRefused) {
   const auto frame = packed(samples(1, 40)[0], nullptr);
+  ASSERT_FALSE(frame.empty());
   for (std::size_t size = 0; size < frame.size(); ++size)
     EXPECT_FALSE(unpacked(std::span(frame).first(size), nullptr, "here")) << size;
 }

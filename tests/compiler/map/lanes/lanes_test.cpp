@@ -1,4 +1,4 @@
-// Cross-sections of real ways, and what holds for all of them.
+// Cross-sections of real ways, and properties of all.
 #include "compiler/map/lanes/lanes.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ std::string drawn(const std::string& tags, DrivingSide side = DrivingSide::kRigh
   return to_string(read(tags, side).section);
 }
 
-// What two sections must share to be drawn alike: every bit of every lane.
+// The bits of every lane: equal for sections that are drawn alike.
 std::string all_of(const CrossSection& section) {
   std::string text = to_string(section) + fmt::format(" axis {:a}", section.axis_offset_m);
   for (const Lane& lane : section.lanes) text += fmt::format(" {:a}.{}", lane.width_m, lane.turns);
@@ -379,7 +379,7 @@ CrossSection mirrored(CrossSection section) {
   return section;
 }
 
-// The same road drawn from its other end. Lists and turns stay: they are told as who drives sees them.
+// The same road drawn from its other end. Lists and turns stay, since they are given as drivers see them.
 Tags turned_round(const Tags& tags) {
   Tags result;
   for (const auto& [key, value] : tags) {
@@ -400,7 +400,7 @@ CrossSection turned_round(CrossSection section) {
   return section;
 }
 
-// What cannot be said of the mirror image: lanes counted from the left without their number, ways relative to the way.
+// Tags without a mirror image: lanes counted from the left without a total, and positions relative to the way.
 bool has_mirror(const Tags& tags) {
   const auto is_absolute = [](const auto& tag) {
     return tag.first.starts_with("placement") || tag.first.ends_with(":oneway");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/plants/generate.h"
+
 namespace citykiln::plants {
 namespace {
 

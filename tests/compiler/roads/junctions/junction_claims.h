@@ -1,4 +1,4 @@
-// What must hold of outlines, asked of GEOS: another geometry library than the one that made them.
+// Checks of outlines by GEOS, a library independent of the one that makes them.
 #pragma once
 
 #include <geos_c.h>

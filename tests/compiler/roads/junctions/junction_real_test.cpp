@@ -34,7 +34,7 @@ std::vector<std::string> extracts() {
   return names;
 }
 
-// Things by the squares of the plane that they come near.
+// Objects in a grid of buckets, by their boxes.
 template <typename Thing>
 class Squares {
  public:
@@ -83,7 +83,7 @@ Shape united(std::span<const Ring> rings) {
   return united(std::move(parts));
 }
 
-// A map as its roads' centre lines, stroked at their lanes' widths, and as what is made of it.
+// The roads of a map, and the outlines made of them.
 struct Paved {
   Squares<Road> roads;
   Squares<Polygon> outlines;
@@ -101,7 +101,7 @@ Paved paved(std::span<const Road> roads, std::span<const std::vector<Polygon>> o
   return paved;
 }
 
-// What an outline covers that no road's strip does: corners, and what is between close roads.
+// The area of an outline outside all strips: corners, and the area between close roads.
 double beyond_strips_m2(const Polygon& outline, Paved& paved) {
   const Box2 box = box_of(outline.outer);
   std::vector<GEOSGeometry*> strips;
@@ -111,7 +111,7 @@ double beyond_strips_m2(const Polygon& outline, Paved& paved) {
   return area_of(Shape(GEOSDifference(shape(outline).get(), united(std::move(strips)).get())));
 }
 
-// An arm's centre line up to its cut, or to the next place of its junction.
+// An arm's centre line up to its cut, or to the next node of its junction.
 Polyline line_inside(const Junction& junction, std::span<const Road> roads, const Arm& arm, const Cut& cut) {
   if (cut.length_m != kWholeLink_m) return arm_axis(roads, arm, cut.length_m);
   const Polyline& axis = roads[arm.road].axis;
@@ -123,7 +123,7 @@ Polyline line_inside(const Junction& junction, std::span<const Road> roads, cons
   return line;
 }
 
-// What a junction's arms cover up to their cuts, and no outline does: left to the roads' strips.
+// The area of a junction's arms up to their cuts that no outline covers.
 double left_to_strips_m2(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                          Paved& paved) {
   std::vector<Ring> rings;
@@ -143,7 +143,7 @@ double left_to_strips_m2(const Junction& junction, std::span<const Road> roads, 
   return area_of(Shape(GEOSDifference(united(rings).get(), united(std::move(outlines)).get())));
 }
 
-// How far a junction is from its arms' centre lines stroked.
+// The difference between a junction and its stroked centre lines.
 struct Difference {
   std::size_t junction = 0;
   double beyond_m2 = 0, left_m2 = 0;
@@ -162,7 +162,7 @@ std::vector<Difference> differences(std::span<const Junction> junctions, std::sp
   return found;
 }
 
-// The ten of one kind that differ most, and where to look at them.
+// Prints the ten largest differences of one kind and their positions.
 void print_worst(const char* kind, std::vector<Difference> all, std::span<const Junction> junctions,
                  std::span<const Road> roads, const map::Plane& plane) {
   const auto arms = arms_of(junctions, roads);
@@ -176,7 +176,7 @@ void print_worst(const char* kind, std::vector<Difference> all, std::span<const 
   }
 }
 
-// For scale, osm2streets crosses itself on 4.3 to 6.0 % of each of these, SUMO on 0.4 to 12.2 %.
+// For comparison: osm2streets' outlines cross themselves on 4.3 to 6.0 % of each map, SUMO's on 0.4 to 12.2 %.
 class JunctionsReal : public testing::TestWithParam<std::string> {};
 
 TEST_P(JunctionsReal, AreSimpleWithoutSpikesApartAndWithinReach) {

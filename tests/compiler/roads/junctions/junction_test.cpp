@@ -35,7 +35,7 @@ Outlined outlined(const std::vector<Road>& roads) {
 
 class Junctions : public testing::Test {
  protected:
-  // Every case keeps every promise, whatever else it shows.
+  // Checks the guarantees of every case, whatever else it tests.
   Outlined sound(const std::vector<Road>& roads) {
     Outlined all = outlined(roads);
     const Faults faults = faults_of(all.junctions, all.outlines, roads);
@@ -65,9 +65,9 @@ TEST_F(Junctions, TwoWidthsMeetInOne) {
 TEST_F(Junctions, ACrossingIsCutSquareBehindItsRoundedCorners) {
   const Outlined all = sound({road(1, {{-50, 0}, {0, 0}, {50, 0}}), road(2, {{0, -50}, {0, 0}, {0, 50}})});
   ASSERT_EQ(all.junctions.size(), 1u);
-  // half the other road and the kerb's radius
+  // half the other road and the kerb radius
   for (const Cut& cut : all.junctions[0].cuts) EXPECT_EQ(cut, (Cut{8, 5}));
-  // a cross of arms 6 wide and 16 long, and four corners outside of a circle of 5
+  // a cross with arms 6 m wide and 16 m long, and four corners with a radius of 5 m
   EXPECT_NEAR(area_m2(all.outlines[0][0]), 2 * 16 * 6 - 36 + 4 * 25 * (1 - std::numbers::pi / 4), 0.6);
 }
 
@@ -122,7 +122,7 @@ TEST_F(Junctions, ADualCarriagewayCrossedIsOneJunction) {
                               road(3, {{0, -60}, {0, 0}, {0, 16}, {0, 70}})});
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(all.junctions[0].nodes.size(), 2u);
-  // arms side by side are cut where the street's kerbs are, not where they never meet
+  // arms side by side are cut at the street's kerbs, not at the intersection far out
   for (const Cut& cut : all.junctions[0].cuts) EXPECT_TRUE(cut.length_m == kWholeLink_m || cut.length_m < 10);
 }
 
@@ -140,7 +140,7 @@ TEST_F(Junctions, PavementsGoRoundCornersThatBothArmsHaveThem) {
   const auto arms = arms_of(all.junctions, roads);
   const std::vector<Ring> rings = stroke_corner_pavements(all.junctions[0], roads, arms[0]);
   ASSERT_EQ(rings.size(), 1u);
-  // about the kerb's centre at 8, 8: a kerb 5 off and the pavement's edge 3 off
+  // about the centre (8, 8) of the kerb: the kerb at 5 m, the pavement's edge at 3 m
   const Polygon corner{rings[0], {}};
   const Vec2 inward = unit(Vec2{-1, -1});
   EXPECT_TRUE(contains(corner, Vec2{8, 8} + inward * 3.1));
@@ -180,7 +180,7 @@ TEST_F(Junctions, AnIslandBetweenTwoOnewaysIsInsideOne) {
 }
 
 TEST_F(Junctions, BentArmsHaveRoundedCorners) {
-  // as a street leaves a roundabout: 30 degrees in its first 6 m, then away
+  // like a street that leaves a roundabout: 30 degrees within its first 6 m, then away
   const Outlined all = sound({road(1, {{-60, 0}, {0, 0}, {60, 0}}), road(2, {{0, 0}, {5, 3}, {8, 8}, {8, 60}}, 5)});
   ASSERT_EQ(all.junctions.size(), 1u);
   const auto& cuts = all.junctions[0].cuts;
@@ -230,7 +230,7 @@ TEST_F(Junctions, AMiniRoundaboutCoversItsDisk) {
              road(2, {{0, 0}, {0, 50}}, 5)});
   ASSERT_EQ(all.outlines.size(), 1u);
   ASSERT_EQ(all.outlines[0].size(), 1u);
-  // half the wide road, and a little more
+  // half the wide road and a margin
   for (const Vec2 p : {Vec2{5.9, 0}, Vec2{-4.1, -4.1}, Vec2{0, -5.9}, Vec2{4.1, 4.1}})
     EXPECT_TRUE(contains(all.outlines[0][0], p)) << p.x << ' ' << p.y;
 }
@@ -264,7 +264,7 @@ TEST_F(Junctions, DoNotDependOnTheOrderOfRoads) {
   EXPECT_NEAR(area_m2(after.outlines[0][0]), area_m2(before.outlines[0][0]), 0.01);
 }
 
-// Streets every 15 to 40 m, so that junctions are close enough to merge.
+// Streets every 15 to 40 m, close enough for their junctions to merge.
 std::vector<Road> random_town(std::mt19937_64& chance) {
   std::vector<Road> roads;
   const auto lines = [&] {
@@ -309,7 +309,8 @@ TEST_F(Junctions, DependOnNothingFartherThanEightReaches) {
   EXPECT_GT(compared, 0u);
 }
 
-// 1 to 12 arms, angles down to 0.01°, lengths from 1 mm, widths to 60 m; now and then a second place close by.
+// Random junctions: 1 to 12 arms, angles down to 0.01°, lengths from 1 mm, widths to 60 m; some with a second node
+// nearby.
 std::vector<Road> random_roads(std::mt19937_64& chance) {
   const auto unit = [&] { return static_cast<double>(chance() % 1000001) / 1e6; };
   std::vector<Road> roads;

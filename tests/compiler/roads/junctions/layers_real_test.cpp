@@ -22,7 +22,7 @@ struct Extract {
 
 class LayersReal : public testing::TestWithParam<Extract> {};
 
-// Ways that a shared node took from the layer that they say.
+// The number of ways that shared nodes put into another layer than their tag.
 std::size_t overridden(const RoadLayer& layer, const map::Features& features) {
   return static_cast<std::size_t>(std::ranges::count_if(layer.roads, [&](const Road& road) {
     const int told = std::ranges::lower_bound(features.tracks, road.id, {}, &map::Track::id)->layer;

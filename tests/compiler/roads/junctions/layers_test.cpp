@@ -59,7 +59,7 @@ TEST(RoadLayers, BridgesThatShareANodeMeetOnTheirLayer) {
 }
 
 TEST(RoadLayers, ASharedNodeOverridesTheLayer) {
-  // the third meets the first by way of the second
+  // the second way connects the third with the first
   const auto layers = layers_of({track(1, Passage::kBridge, 3, kEastward, {1, 2, 3}),
                                  track(2, Passage::kBridge, 2, kNorthward, {4, 2, 5}),
                                  track(3, Passage::kBridge, 1, {{0, 60}, {0, 90}}, {5, 6})});
@@ -70,7 +70,7 @@ TEST(RoadLayers, ASharedNodeOverridesTheLayer) {
 }
 
 TEST(RoadLayers, OneAboveAnotherDoesNotMeetIt) {
-  // at one place, but of two nodes
+  // at one position, but with two nodes
   const auto layers = layers_of(
       {track(1, Passage::kBridge, 1, kEastward, {1, 2, 3}), track(2, Passage::kBridge, 2, kNorthward, {4, 5, 6})});
   ASSERT_EQ(layers.size(), 2u);
@@ -78,7 +78,7 @@ TEST(RoadLayers, OneAboveAnotherDoesNotMeetIt) {
 }
 
 TEST(RoadLayers, ATunnelDoesNotMeetTheBridgeItRunsInto) {
-  // the highest of the one's nodes is the lowest of the other's: they are neighbours wherever nodes are sorted
+  // the highest node of one is the lowest of the other, so they are neighbours in every sorted list of nodes
   const auto layers = layers_of({track(1, Passage::kBridge, 0, kEastward, {1, 2, 9}),
                                  track(2, Passage::kTunnel, 0, {{60, 0}, {60, 60}}, {9, 10}),
                                  track(3, Passage::kBridge, 0, {{0, 0}, {0, 60}}, {2, 5})});
@@ -111,7 +111,7 @@ TEST(RoadLayers, AtAnAbutmentTheEndsSimplyMeet) {
   EXPECT_TRUE(layers[0].junctions.empty());
 }
 
-// A tangle of ways between nodes of a grid, of any passage and layer.
+// Random ways of any passage and layer between the nodes of a grid.
 map::Features tangle(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   map::Features features;
@@ -165,7 +165,7 @@ TEST(RoadLayers, AreSortedAndCountTheirNodes) {
     Report report;
     const auto layers = plan_layers(tangle(seed), report);
     const auto name = [](const RoadLayer& layer) { return std::pair(layer.layer, layer.passage); };
-    // strictly: none is there twice
+    // strictly: no duplicates
     EXPECT_TRUE(std::ranges::is_sorted(layers, std::ranges::less_equal{}, name));
     std::size_t junctions = 0, nodes = 0;
     for (const RoadLayer& layer : layers)

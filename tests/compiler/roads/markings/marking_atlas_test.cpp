@@ -41,7 +41,7 @@ TEST(MarkingAtlas, ColumnsAndTheirGuttersNeverOverlap) {
   for (const int count : {1, 7, 100, 600}) {
     const std::vector<MarkingLayout> layouts = carriageways(count);
     const MarkingAtlas atlas = make_marking_atlas(layouts, 0.03);
-    // in texels: where a gutter may begin
+    // in texels: where the next gutter may begin
     double free = 0;
     EXPECT_NE(atlas.left_m[0], kNoColumn_m);
     for (std::size_t i = 0; i < layouts.size() && atlas.left_m[i] != kNoColumn_m; ++i) {
@@ -107,7 +107,7 @@ TEST(MarkingAtlas, MarksLieInTheirColumn) {
   EXPECT_EQ(at(atlas.sheet, column + 20, 200), base_colour_of(strip));
 }
 
-// FNV-1a of all texels, as computed on the machine that wrote this: other CPUs and compilers must agree.
+// FNV-1a of all texels; all CPUs and compilers must agree.
 TEST(MarkingAtlas, HasTheSameBytesOnEveryMachine) {
   std::vector<MarkingLayout> layouts;
   for (const char* section : {"SddS vv^^", "cddc vv^^", "bdtdb vv-^^", "d/c ^^^"})

@@ -1,4 +1,4 @@
-// Patterns written as the cross-sections of compiler/map/cross_section.h: "cddc vv^^", raised where in bars, "|c| |^|".
+// Marking layouts in the notation of compiler/map/cross_section.h: "cddc vv^^"; raised lanes in bars, "|c| |^|".
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What is painted on patterns, written as cross-sections, and what holds for any.
+// Marks of layouts written as cross-sections, and properties of all layouts.
 #include "compiler/roads/markings/markings.h"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ Extent extent_of(const Ring& ring) {
 // ---- lines between lanes
 // ---------------------------------------------------------------------------------------------
 
-// Lines along the way from left to right: u, then | unbroken, : broken, doubled where broad.
+// Lines along the way from left to right: u, then | solid, : broken, doubled where broad.
 std::string lines_of(const MarkingLayout& layout) {
   std::map<std::pair<double, double>, double> painted_m;
   for (const Mark& mark : marks_of(layout)) {
@@ -72,13 +72,13 @@ constexpr Section kSections[] = {
     {LandCoverClass::kTertiaryRoad, "p v", "1.94|", "1.94|"},
     {LandCoverClass::kTertiaryRoad, "p ^", "0.06|", "0.06|"},
     {LandCoverClass::kCyclePath, "|c| |^|", "", ""},
-    // quiet: no lines between cars, close dashes beside cyclists
+    // quiet street: no lines between cars, dense dashes beside cyclists
     {LandCoverClass::kResidentialRoad, "dd v^", "", ""},
     {LandCoverClass::kServiceRoad, "d -", "", ""},
     {LandCoverClass::kResidentialRoad, "pdd vv^", "", ""},
     {LandCoverClass::kResidentialRoad, "cd v^", "1.5:", "1.5:"},
     {LandCoverClass::kPedestrianStreet, "f -", "", ""},
-    // nothing to paint on
+    // unpaved
     {LandCoverClass::kUnpavedRoad, "dd v^", "", ""},
     {LandCoverClass::kPavement, "|s| |-|", "", ""},
 };
@@ -166,7 +166,7 @@ TEST(Markings, StopLinesCrossTheLanesThatArrive) {
   strip.stretch = StretchKind::kStart;
   EXPECT_EQ(stop_of(strip).low, (Vec2{0, 0}));
   EXPECT_EQ(stop_of(strip).high, (Vec2{3.25, 0.5}));
-  // a wide lane of both directions: the half one drives in
+  // a wide two-way lane: the half in which traffic arrives
   strip = layout(LandCoverClass::kResidentialRoad, "d -");
   strip.lanes[0].width_m = 5;
   strip.stretch = StretchKind::kEnd;
@@ -216,7 +216,7 @@ TEST(Markings, RailsStandAtTheirGauge) {
 // ---- arrows
 // ----------------------------------------------------------------------------------------------------------
 
-// Where a lone arrow's head points: the corner of its last triangle that is the tip, less the middle of its tail.
+// The direction of a single arrow's head: from the middle of its tail to its tip.
 Vec2 pointing(MarkingLayout strip, std::uint16_t turns) {
   strip.lanes[0].turns = turns;
   for (const Mark& mark : marks_of(strip)) {
@@ -247,13 +247,13 @@ TEST(Markings, ArrowsPointWhereDriversTurn) {
       const Vec2 forward = pointing(strip, claim.turn);
       EXPECT_EQ(sign(forward.x), claim.right) << claim.turn;
       EXPECT_EQ(sign(forward.y), claim.ahead) << claim.turn;
-      // who drives against the way sees the same, so u and v turn over
+      // traffic against the way sees the same, so u and v are reversed
       strip.lanes[0].way = map::LaneDirection::kBackward;
       strip.stretch = StretchKind::kStart;
       const Vec2 backward = pointing(strip, claim.turn);
       EXPECT_EQ(sign(backward.x), -claim.right) << claim.turn;
       EXPECT_EQ(sign(backward.y), -claim.ahead) << claim.turn;
-      // and where a lane leaves the junction there is none
+      // and none where a lane leaves the junction
       strip.stretch = StretchKind::kEnd;
       EXPECT_EQ(pointing(strip, claim.turn), (Vec2{0, 0})) << claim.turn;
     }
@@ -322,9 +322,9 @@ MarkingLayout random_layout(std::mt19937& random) {
 constexpr std::uint32_t kRows = 60, kColumns = 250;
 
 using Painted =
-    std::map<materials::TextureImage::Texel, std::vector<double>>;  // by colour, how much lies on each texel
+    std::map<materials::TextureImage::Texel, std::vector<double>>;  // by colour, the covered share of each texel
 
-// u from left_m to right_m in kColumns texels; `flip` says how marks are seen.
+// u from left_m to right_m in kColumns texels; `flip` transforms the marks.
 template <class Flip>
 Painted painted(const Marks& marks, double across_m, double texel_m, Flip flip) {
   Painted sums;
@@ -418,7 +418,7 @@ TEST(Markings, MarksStayOnTheirStrip) {
 }
 
 TEST(Markings, DashesContinueAcrossTheLayoutsEnds) {
-  // twice as long, dashes and gaps still alternate as they do within: the gap over the end is like any other
+  // repeated once, dashes and gaps still alternate: the gap across the end equals the others
   std::size_t compared = 0;
   for (const char* section : {"dd v^", "dd ^^", "cd v^"}) {
     for (const LandCoverClass surface :
@@ -442,7 +442,7 @@ TEST(Markings, DashesContinueAcrossTheLayoutsEnds) {
 }
 
 TEST(Markings, HatchingContinuesAcrossTheLayoutsEnds) {
-  // a stripe that leaves at the end comes in at the start: moved on by a period the buffer looks the same
+  // a stripe that ends at the end continues at the start: shifted by a period the buffer looks the same
   MarkingLayout strip = layout(LandCoverClass::kSecondaryRoad, "d/c ^^^");
   for (const auto& [width_m, period_m] : std::map<double, double>{{0.5, 1.0}, {1.25, 1.5}}) {
     strip.lanes[1].width_m = width_m;

@@ -13,7 +13,7 @@ using map::LandCoverClass;
 
 Road street(std::int64_t id, Polyline axis) { return made_road(id, std::move(axis), 6); }
 
-// Two streets, and a slip lane from one into the other.
+// Two streets and a slip lane between them.
 std::vector<Road> with_slip_lane(double side_m) {
   return {street(1, {{0, 0}, {side_m, 0}, {100, 0}}), street(2, {{0, -100}, {0, 0}, {0, side_m}, {0, 100}}),
           street(3, {{side_m, 0}, {0, side_m}})};
@@ -55,7 +55,7 @@ TEST(Islands, DoNotDependOnTheOrderOfRoads) {
 TEST(Islands, HaveNoDeadEndsInThem) {
   std::vector<Road> roads = with_slip_lane(20);
   roads.push_back(street(4, {{0, 0}, {4, 4}}));
-  // the ring would run out and back along it: it touches itself, and is no island
+  // the ring would run along the dead end and back: it touches itself, so it is no island
   EXPECT_TRUE(islands_of(roads).empty());
 }
 

@@ -50,7 +50,7 @@ TEST(JunctionIntervals, ARoadThatGoesThroughHasNone) {
   ASSERT_EQ(intervals[1].size(), 1u);
   EXPECT_EQ(intervals[1][0].at_m, 0);
   EXPECT_GT(intervals[1][0].after_m, 4);
-  // the lesser road gives way
+  // the minor road gives way
   EXPECT_EQ(intervals[1][0].after, Control::kGiveWay);
 }
 
@@ -66,7 +66,7 @@ TEST(JunctionIntervals, SignalsApplyToAllArms) {
 
 TEST(JunctionIntervals, ASignAppliesToTrafficThatFacesIt) {
   std::vector<Road> roads = meeting(LandCoverClass::kPrimaryRoad);
-  // on the side road, 15 m before the junction, for those who come towards it: against its way
+  // on the side road, 15 m before the junction, for traffic towards it, which runs against the way
   roads[1].axis = {{100, 0}, {100, 15}, {100, 100}};
   roads[1].points = {{1, map::TrackPointKind::kStop, -1}};
   EXPECT_EQ(junction_intervals_of(roads, junctions_of(roads))[1][0].after, Control::kStop);

@@ -13,7 +13,7 @@
 namespace citykiln::roads {
 namespace {
 
-// Roads lie far from the borders of tiles.
+// The roads are far from the borders of tiles.
 constexpr double kTile_m = 0x1p20;
 constexpr Vec2 kAway = {1000, 1000};
 
@@ -54,14 +54,14 @@ RoadPieces pieces_of_whole(const Road& road) {
 TEST(Pieces, CoverWhatTheStripCovers) {
   std::mt19937_64 dice(1);
   for (int i = 0; i < 200; ++i) {
-    // any bend, any length: joints fill what no mitre fits
+    // all bends and lengths: joints fill the wedges that no mitre fits
     const Road road = random_road(dice, i % 2 == 0 ? 0.6 : 3, i % 4 < 2 ? 20 : 1);
     std::vector<Ring> pieces, strip = stroke_pavements(road);
     for (const Piece& piece : pieces_of_whole(road).pieces) pieces.push_back(piece.ring);
     const double strip_m2 = covered_m2(strip);
     ASSERT_GT(strip_m2, 0);
     const bool is_smooth = i % 2 == 0;
-    // round the outside of sharp bends a joint of three corners stands for a disk
+    // outside sharp bends a joint with three corners replaces a disk
     EXPECT_NEAR(covered_m2(pieces), strip_m2, (is_smooth ? 0.002 : 0.1) * strip_m2) << i;
   }
 }
@@ -77,7 +77,7 @@ TEST(Pieces, MeetEdgeToEdgeOnASmoothRoad) {
       pieces.push_back(piece.ring);
       sum += signed_area_m2(piece.ring);
     }
-    // a road that crosses itself covers some ground twice
+    // a road that crosses itself covers some area twice
     if (covered_m2(stroke_pavements(road)) < 0.98 * 13 * length_m(road.axis)) continue;
     EXPECT_NEAR(covered_m2(pieces), sum, 0.02) << i;
     ++compared;
@@ -94,7 +94,7 @@ TEST(Pieces, CarryMetresAcrossAndAlong) {
   EXPECT_EQ(uv_at(first, kAway + Vec2{0, -4}), (Vec2{8, 0}));
   EXPECT_EQ(uv_at(first, kAway + Vec2{50, 1}).x, 3);
   EXPECT_NEAR(uv_at(first, kAway + Vec2{50, 0}).y, 50, 1e-9);
-  // the whole mitre is one v
+  // v is constant along the mitre
   const Vec2 mitre = unit(Vec2{1, 0} + unit(Vec2{80, 60}));
   for (const double offset : {-4.0, -1.0, 2.0, 4.0}) {
     const Vec2 p = kAway + Vec2{100, 0} + left_of(mitre) * (offset / dot(mitre, Vec2{1, 0}));
@@ -144,7 +144,7 @@ TEST(Pieces, GiveWayWhereTheRoadDoes) {
   std::vector<Ring> pieces;
   for (const Piece& piece : pieces_of_whole(road).pieces) {
     pieces.push_back(piece.ring);
-    // u goes from edge to edge however narrow the strip is
+    // u covers the strip from edge to edge at every width
     const Vec2 left = kAway + Vec2{40, 0} + Vec2{0, piece.frame.start.left_m};
     if (piece.frame.start.v_m != 40) continue;
     EXPECT_NEAR(uv_at(piece.frame, left).x, 0, 1e-9);

@@ -35,7 +35,7 @@ TEST(Stretches, RoadsEndAtJunctionsWithTheirApproach) {
   EXPECT_EQ(text_of(runs), "along 0-8, start 8-20, along 20-178, end 178-190, along 190-200");
   EXPECT_EQ(runs[1].control, Control::kGiveWay);
   EXPECT_EQ(runs[3].control, Control::kStop);
-  // the stop line is where the road ends
+  // the stop line is at the end of the road
   EXPECT_EQ(runs[3].zero_m + kLayoutLength_m, runs[3].to_m);
   EXPECT_EQ(runs[1].zero_m, runs[1].from_m);
 }
@@ -75,7 +75,7 @@ TEST(Stretches, RailsKnowWhereRoadsCrossThem) {
   EXPECT_EQ(text_of(stretches_of(road, {}, kTile_m)), "along 0-45, level 45-54, along 54-200");
 }
 
-// Two tiles that one approach touches must both know what it depends on, or neither draws it.
+// Two tiles that an approach touches must both know what it depends on, or neither draws it.
 TEST(Stretches, ApproachesAcrossABorderNeedBothTilesToKnowThem) {
   const std::vector<JunctionInterval> intervals = {junction_at(0, 8)};
   const auto is_drawn = [&](double x) {
@@ -83,7 +83,7 @@ TEST(Stretches, ApproachesAcrossABorderNeedBothTilesToKnowThem) {
     return stretches_of(road, intervals, 1024).size() > 1;
   };
   EXPECT_TRUE(is_drawn(100));
-  // the approach lies across x = 1024, and what it depends on reaches 40 m from the junction
+  // the approach crosses x = 1024, and what it depends on extends 40 m from the junction
   EXPECT_TRUE(is_drawn(1024 - 14));
   EXPECT_FALSE(is_drawn(1024 - 7));
   EXPECT_TRUE(is_drawn(1024 - 40));

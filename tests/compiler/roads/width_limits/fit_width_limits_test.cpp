@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWhole = 200;
 
-// Opens and closes at random; half the time it rests or creeps, as along walls.
+// A random limit; half the time constant or slowly changing, as along walls.
 std::vector<std::int16_t> made_limit(std::mt19937_64& dice, std::size_t size) {
   std::vector<std::int16_t> limit;
   int at = static_cast<int>(dice() % (kWhole + 20)), step = 0;
@@ -67,7 +67,7 @@ TEST(FitWidthLimits, AreOneForACornerAndTwoForAWall) {
 }
 
 TEST(FitWidthLimits, DependOnTheirOwnBlockAlone) {
-  // along a wall that curves away each line begins where the one before ends
+  // along a curving wall each line begins where the previous one ends
   for (int head = 0; head < 40; ++head) {
     std::vector<std::int16_t> limit;
     for (int i = 0; i < 1500; ++i) limit.push_back(static_cast<std::int16_t>(190 - (i - 750) * (i - 750) / 4000));

@@ -20,7 +20,7 @@ namespace {
 
 const std::filesystem::path kData = CITYKILN_DATA;
 
-// What the rings and a footprint share.
+// The area that the rings and a footprint share.
 double shared_m2(std::span<const Ring> rings, const Polygon& footprint) {
   const Box2 box = box_of(footprint.outer);
   std::vector<GEOSGeometry*> near;
@@ -38,7 +38,7 @@ double shared_m2(std::span<const Ring> rings, const Box2& box, const StandingFoo
   return shared;
 }
 
-// Under buildings, road by road: where roads lie over each other it counts for each.
+// The area under buildings, summed over roads, even where these overlap.
 struct Under {
   double carriageway_m2 = 0, pavement_m2 = 0;
 };

@@ -30,7 +30,7 @@ Road street(std::int64_t id, Polyline axis) {
   return made_road(id, std::move(axis), 7, map::LandCoverClass::kResidentialRoad, 2, 2);
 }
 
-// A road that bends here and there, once in a while sharply.
+// A road with random bends, some sharp.
 Road winding_street(std::mt19937_64& dice) {
   const auto unit = [&] { return static_cast<double>(dice() % 1000) / 1000; };
   Polyline axis = {{0, 0}};
@@ -54,7 +54,7 @@ double distance_m(const Ring& ring, const Polyline& axis) {
   return d;
 }
 
-// Houses of all sizes and directions about a road, none closer to its axis than asked for.
+// Houses of random size and direction along a road, at a minimum distance from its axis.
 Footprints houses_about(const Road& road, double least_m, std::mt19937_64& dice) {
   const auto unit = [&] { return static_cast<double>(dice() % 1000) / 1000; };
   const Box2 box = box_of(road.axis).widened(12);
@@ -84,7 +84,7 @@ TEST(LimitWidths, KeepsEdgesOutOfFootprintsWhereTheLeastWidthAllows) {
   double before = 0;
   for (int run = 0; run < 60; ++run) {
     const Road road = winding_street(dice);
-    // the axis may lie beside the middle; the least half width is about the middle
+    // the axis may be off the middle; the minimum half width is measured from the middle
     const double least_m = std::abs(left_m(road) - right_m(road)) / 2 + 1.3;
     const Footprints houses = houses_about(road, least_m, dice);
     const Roads after = narrowed({road}, houses);
@@ -163,7 +163,7 @@ TEST(LimitWidths, DoesNotDependOnTheOrderOfItsInput) {
 }
 
 TEST(LimitWidths, GoesOnWhereRoadsJoin) {
-  // a house that ends 3/4 m before the joint, seen by both
+  // a house that ends 3/4 m before the joint limits both roads
   const Footprints houses = {made_box(1, {90, 3}, {99.1, 20})};
   for (const bool is_turned : {false, true}) {
     Polyline second = {{100, 0}, {200, 0}};
@@ -225,7 +225,7 @@ TEST(LimitWidths, DependsOnNothingFarOff) {
   const Road all = narrowed(roads, houses)[0];
   houses.erase(houses.begin(), houses.begin() + 20);
   const Road some = narrowed(roads, houses)[0];
-  // a taper and a block from the last house that is gone
+  // farther than a taper and a block from the last removed house
   for (double along = 200 + 8 * 5.5 + 64; along < 600; along += 0.25)
     ASSERT_EQ(road_edges_at(all, along).left_m, road_edges_at(some, along).left_m) << along;
 }

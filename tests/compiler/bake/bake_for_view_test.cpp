@@ -46,7 +46,7 @@ struct Baked {
   std::vector<BakedTile> parts = bake(scene.header, scene.chunks[0], levels, 1);
 };
 
-// In plan, of faces that look upwards.
+// The plan area of faces that look upwards.
 double area_m2(const Primitive& primitive, const auto& is_counted) {
   double twice = 0;
   for (const auto& t : primitive.triangles) {
@@ -56,7 +56,7 @@ double area_m2(const Primitive& primitive, const auto& is_counted) {
   return twice / 2;
 }
 
-TEST(BakeForEye, PartsTogetherAreTheTileOnce) {
+TEST(BakeForView, PartsTogetherAreTheTileOnce) {
   const Baked baked;
   ASSERT_GE(baked.parts.size(), 4u);
   std::map<OsmId, double> roofs_m2;
@@ -81,8 +81,8 @@ TEST(BakeForEye, PartsTogetherAreTheTileOnce) {
   }
 }
 
-// A low house has its roof as long as its height may be seen.
-TEST(BakeForEye, DropsLowHousesWhereTheyAreFarAlone) {
+// A low house has its roof where its height is visible.
+TEST(BakeForView, DropsLowHousesWhereTheyAreFarAlone) {
   const Baked baked;
   std::map<OsmId, double> nearest_m, areas_m2;
   for (const buildings::Building& b : baked.scene.chunks[0].buildings)
@@ -93,6 +93,7 @@ TEST(BakeForEye, DropsLowHousesWhereTheyAreFarAlone) {
         areas_m2[house.first] +=
             area_m2(primitive, [&](std::uint32_t feature) { return part.features[feature] == house.first; });
   // half a metre is 1.5 pixels at 300 m; tolerances are powers of two
+  EXPECT_FALSE(nearest_m.empty());
   for (const auto& [id, away_m] : nearest_m) {
     if (away_m < 300) {
       EXPECT_EQ(areas_m2[id], 200) << id.id << " at " << away_m;
@@ -103,7 +104,7 @@ TEST(BakeForEye, DropsLowHousesWhereTheyAreFarAlone) {
   }
 }
 
-TEST(BakeForEye, StatesAPixelErrorThatIsNotOverWhatWasAskedFor) {
+TEST(BakeForView, StatesAPixelErrorThatIsNotOverWhatWasAskedFor) {
   const Baked baked;
   double largest_px = 0;
   for (const BakedTile& part : baked.parts) {
@@ -116,7 +117,7 @@ TEST(BakeForEye, StatesAPixelErrorThatIsNotOverWhatWasAskedFor) {
   EXPECT_GT(largest_px, 0) << "low houses are dropped, which is an error";
 }
 
-TEST(BakeForEye, SameBytesForAnyNumberOfThreads) {
+TEST(BakeForView, SameBytesForAnyNumberOfThreads) {
   const Baked baked;
   EXPECT_EQ(bake(baked.scene.header, baked.scene.chunks[0], baked.levels, 3), baked.parts);
 }

@@ -37,20 +37,21 @@ std::vector<BakedTile> baked(const scene::Scene& scene, const std::vector<double
   return bake(scene.header, scene.chunks[0], ladder_m, 2, report);
 }
 
-// The tile's faces that the atlas colours.
+// The tile's faces on the facade atlas.
 const Primitive* textured_faces(const BakedTile& tile) {
   for (const Primitive& p : tile.primitives)
     if (p.colour_source == materials::ColourSource::kByAtlas) return &p;
   return nullptr;
 }
 
-TEST(Imprints, FacadesLieOnTheTilesAtlas) {
+TEST(FacadeAtlas, FacadesLieOnTheTilesAtlas) {
   for (const BakedTile& tile : baked(with_blocks(5), {0.5, 2.5})) {
     const materials::TextureImage& colour = tile.facade_atlas.colour;
     ASSERT_FALSE(colour.texels.empty());
     EXPECT_EQ(colour.texel_m, tile.tolerance_m);
     const Primitive* facades = textured_faces(tile);
     ASSERT_NE(facades, nullptr);
+    EXPECT_FALSE(facades->uvs.empty());
     for (const Float2& uv : facades->uvs) {
       EXPECT_TRUE(uv[0] > 0 && uv[0] < colour.columns * colour.texel_m);
       EXPECT_TRUE(uv[1] > 0 && uv[1] < colour.rows * colour.texel_m);
@@ -58,7 +59,7 @@ TEST(Imprints, FacadesLieOnTheTilesAtlas) {
   }
 }
 
-TEST(Imprints, ShineByNight) {
+TEST(FacadeAtlas, ShineByNight) {
   scene::Scene scene = with_blocks(2);
   EXPECT_TRUE(baked(scene, {0.5}).front().facade_atlas.emission.texels.empty());
   scene.header.sky.to_sun = {0, -0.96, -0.28};
@@ -66,13 +67,13 @@ TEST(Imprints, ShineByNight) {
   EXPECT_EQ(atlas.emission.texels.size(), atlas.colour.texels.size());
 }
 
-TEST(Imprints, FineLevelsHaveNone) {
+TEST(FacadeAtlas, FineLevelsHaveNone) {
   const BakedTile tile = std::move(baked(with_blocks(2), {0.1}).front());
   EXPECT_EQ(tile.facade_atlas, impostor::Atlas{});
   EXPECT_EQ(textured_faces(tile), nullptr);
 }
 
-TEST(Imprints, EveryHouseIsThereThoughAllOfItIsPictures) {
+TEST(FacadeAtlas, EveryHouseIsThereThoughAllOfItIsPictures) {
   const scene::Scene scene = with_blocks(5);
   Report report;
   const double tolerance_m = 2.5;
@@ -81,9 +82,10 @@ TEST(Imprints, EveryHouseIsThereThoughAllOfItIsPictures) {
   EXPECT_EQ(tiles[0].features.size(), 6u);
 }
 
-TEST(Imprints, LevelsTogetherAreTheLevelsAlone) {
+TEST(FacadeAtlas, LevelsTogetherAreTheLevelsAlone) {
   const scene::Scene scene = with_blocks(4);
   const std::vector<BakedTile> together = baked(scene, {0.1, 0.5, 2.5, 12.5});
+  EXPECT_FALSE(together.empty());
   for (const BakedTile& tile : together) EXPECT_EQ(baked(scene, {tile.tolerance_m}).front(), tile);
 }
 
