@@ -40,7 +40,9 @@ Drawn draw(Context& context, double scale) {
 // Records that every number in the interval would have the same effect.
 void record(Context& context, const Drawn& drawn, DrawRange same) {
   const RandomSource& random = context.random;
-  if (random.of_shape) context.run.record_draw({random.node, drawn.index, drawn.scale, same.low, same.high});
+  if (!random.of_shape) return;
+  context.run.record_draw(
+      {.node = random.node, .index = drawn.index, .scale = drawn.scale, .low = same.low, .high = same.high});
 }
 
 double finite(double number, TextPosition position, Context& context) {

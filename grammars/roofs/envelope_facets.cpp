@@ -24,7 +24,7 @@ InsetFacets envelope_facets(std::span<const Vec2> convex_ring, std::span<const P
     Ring part = lowest_part(convex_ring, planes, i);
     if (part.empty()) continue;
     for (const Vec2 p : part) inset.span_m = std::max(inset.span_m, planes[i].at(p));
-    inset.facets.push_back({std::move(part), planes[i], 0, static_cast<std::uint32_t>(i)});
+    inset.facets.push_back({.ring = std::move(part), .plane = planes[i], .face = static_cast<std::uint32_t>(i)});
   }
   return inset;
 }

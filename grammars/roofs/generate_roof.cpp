@@ -57,7 +57,7 @@ Ring box_about(const RoofInput& input) {
 }
 
 Roof flat_roof(const RoofInput& input, double rise_m) {
-  const Facet all{box_about(input), {input.footprint.outer.front(), {}, 0}, 0, 0};
+  const Facet all{.ring = box_about(input), .plane = {input.footprint.outer.front(), {}, 0}};
   return finished(raise_facets(input.footprint, plan_on(input, {all})), Form::kFlat, with_eaves_m(input, rise_m));
 }
 

@@ -37,7 +37,8 @@ std::vector<Facet> lift_section(const InsetFacets& inset, const Section& section
     for (std::uint32_t k = 0; k < bands; ++k) {
       const Plane plane = lifted(facet.plane, section.corners[k], section.corners[k + 1], inset.span_m, rise_m);
       for (Ring& ring : band(facet, section, k, inset.span_m))
-        facets.push_back({std::move(ring), plane, facet.surface, facet.face * bands + k});
+        facets.push_back(
+            {.ring = std::move(ring), .plane = plane, .surface = facet.surface, .face = facet.face * bands + k});
     }
   return facets;
 }

@@ -127,8 +127,11 @@ PlanCells inner_cells(const Arrangement& arrangement, const Delaunay& delaunay, 
     const Region& region = walk.region(f);
     if (!region.is_in_footprint && !region.is_in_eaves) continue;
     cell_of[f] = static_cast<std::uint32_t>(plan.cells.size());
-    plan.cells.push_back(
-        {faces[f].vertices, faces[f].neighbours, region.facet, region.facet == kNoFacet, region.is_in_footprint});
+    plan.cells.push_back({.points = faces[f].vertices,
+                          .neighbours = faces[f].neighbours,
+                          .facet = region.facet,
+                          .is_uncovered = region.facet == kNoFacet,
+                          .is_over_footprint = region.is_in_footprint});
   }
   for (PlanCell& cell : plan.cells)
     for (std::uint32_t& neighbour : cell.neighbours) neighbour = neighbour == kNoFace ? kNoFace : cell_of[neighbour];

@@ -33,7 +33,7 @@ struct Wing {
 
 Facet facet_over(const Ring& ring, std::uint32_t edge, std::uint32_t first_face) {
   const auto n = static_cast<std::uint32_t>(ring.size());
-  return {{}, distance_left_of(ring[edge % n], ring[(edge + 1) % n]), 0, first_face + edge % n};
+  return {.ring = {}, .plane = distance_left_of(ring[edge % n], ring[(edge + 1) % n]), .face = first_face + edge % n};
 }
 
 Wing wing_at(const Ring& ring, std::uint32_t edge, std::uint32_t first_face) {

@@ -81,10 +81,9 @@ Facet strip(const StripAxis& axis, Vec2 low, Vec2 high, double rise_m, double fr
   const auto position = [&](double along_m, double aside_m) {
     return axis.origin + axis.along * along_m + left_of(axis.along) * aside_m;
   };
-  return {{position(from_m, -half_m), position(to_m, -half_m), position(to_m, half_m), position(from_m, half_m)},
-          {position(low.x * axis.length_m, 0), axis.along * slope, low.y * rise_m},
-          0,
-          0};
+  return {
+      .ring = {position(from_m, -half_m), position(to_m, -half_m), position(to_m, half_m), position(from_m, half_m)},
+      .plane = {position(low.x * axis.length_m, 0), axis.along * slope, low.y * rise_m}};
 }
 
 std::vector<Facet> facets_along(const StripAxis& axis, const Section& section, double rise_m, double reach_m,
@@ -112,8 +111,9 @@ std::vector<Facet> crossing(const OrientedBox& box, double rise_m, double reach_
       // half an arm, to the left or right of its ridge
       const Vec2 aside = left_of(ridge) * side, end = middle + ridge * far_m, corner = end + aside * far_m;
       Ring ring = side > 0 ? Ring{middle, end, corner} : Ring{middle, corner, end};
-      facets.push_back(
-          {std::move(ring), {middle, aside * -slope, rise_m}, 0, static_cast<std::uint32_t>(facets.size())});
+      facets.push_back({.ring = std::move(ring),
+                        .plane = {middle, aside * -slope, rise_m},
+                        .face = static_cast<std::uint32_t>(facets.size())});
     }
   return facets;
 }

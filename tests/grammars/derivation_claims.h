@@ -48,7 +48,8 @@ std::string broken_claim(const Program& program, const Shape& shape, DeriveOptio
   if (!is_finite(whole) || !is_finite(cut)) return "a vertex is not finite";
   if (!are_same(whole, derive(program, shape, options))) return "twice is not the same";
   if (!(cut.error_m <= tolerance_m) || whole.error_m != 0) return "the error is over the tolerance";
-  if (!prune_early && (whole.shapes != cut.shapes || whole.steps != cut.steps || whole.limits.size() != cut.limits.size()))
+  if (!prune_early &&
+      (whole.shapes != cut.shapes || whole.steps != cut.steps || whole.limits.size() != cut.limits.size()))
     return "a tolerance changes what is counted";
   // with fewer shapes a limit may not apply
   if (prune_early && !whole.limits.empty()) return "";

@@ -281,7 +281,7 @@ Shape made_shape(Choices& choices, const Polygon& footprint) {
   made.roof.form = static_cast<roofs::Form>(choices.below(static_cast<std::size_t>(roofs::Form::kCount)));
   made.roof.overhang_m = choices.one_in(2) ? 0.5 : 0;
   made.party = {choices.below(4)};
-  return mass_of(made);
+  return mass_model_of(made);
 }
 
 }  // namespace citykiln::grammars

@@ -140,7 +140,7 @@ bool add_building(bake::Merged& merged, Order order, double tolerance_m) {
   const bool is_lot = !order.text("lot", "").empty(), shows_names = !order.text("names", "").empty();
   const MadeMass made = mass_in(order);
   roofs::Form became{};
-  Shape start = mass_of(made, &became);
+  Shape start = mass_model_of(made, &became);
   if (is_lot) start = lot(made.footprint, 0, 0, made.id, made.street);
   Derivation derivation = derive(*program, start, options_of(order, made, became, tolerance_m));
   for (const Warning& warning : derivation.warnings)
