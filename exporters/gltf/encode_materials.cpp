@@ -101,7 +101,7 @@ int material_number(GlbBuilder& f, const MaterialKey& key) {
   const auto same = std::ranges::find(f.material_keys, key);
   if (same != f.material_keys.end()) return static_cast<int>(same - f.material_keys.begin());
   tinygltf::Material m;
-  m.name = material_name(key.key, f.tile.textures);
+  m.name = material_name(key.primitive, f.tile.textures);
   set_colour(f, key, m.pbrMetallicRoughness);
   if (const materials::TextureImage* normals = normals_of(f, key))
     m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals, uv_unit_m(key));
