@@ -111,7 +111,7 @@ def write_osm(path, plants, centre):
 
 
 def write_heights(path, h):
-    """16-bit grey PNG, rows from the north; what a compile is told of it."""
+    """Writes a 16-bit grey PNG, rows from the north; returns the options of its --dem argument."""
     raw = b"".join(b"\0" + struct.pack(f">{COUNT}H", *(min(65535, max(0, round((v + BASE) / SCALE))) for v in row)) for row in reversed(h))
     chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     with open(path, "wb") as file:

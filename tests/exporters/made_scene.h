@@ -11,7 +11,7 @@
 
 namespace citykiln::exporters {
 
-/// Throws the dice for a scene; every seed another scene, the same on every machine.
+/// Makes a random scene from a seed, the same on every machine.
 class SceneMaker {
  public:
   explicit SceneMaker(std::uint64_t seed) : dice_(seed) {}
