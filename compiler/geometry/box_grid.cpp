@@ -12,7 +12,7 @@ BoxGrid grid_of(std::span<const Box2> boxes, double bucket_m) {
 
 BoxGrid grid_of(std::span<const Box2> boxes, double bucket_m,
                 const std::function<bool(std::uint32_t, const Box2&)>& is_in) {
-  assert(bucket_m > 0);
+  assert(bucket_m > 0 && std::ranges::all_of(boxes, [](const Box2& box) { return !box.is_empty(); }));
   BoxGrid grid;
   for (const Box2& box : boxes) grid.box.grow(box.min), grid.box.grow(box.max);
   if (boxes.empty()) return grid;

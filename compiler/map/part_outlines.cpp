@@ -27,18 +27,20 @@ Vec2 centre_of_largest_triangle(const Polygon& polygon) {
 }  // namespace
 
 std::vector<std::uint32_t> part_outlines(std::span<const Footprint> footprints) {
+  std::vector<std::uint32_t> wholes;
   std::vector<Box2> boxes;
-  for (const Footprint& f : footprints) boxes.push_back(f.is_part ? Box2{} : box_of(f.polygon.outer));
+  for (std::uint32_t i = 0; i < footprints.size(); ++i)
+    if (!footprints[i].is_part) wholes.push_back(i), boxes.push_back(box_of(footprints[i].polygon.outer));
   const BoxGrid grid = grid_of(boxes, kBucket_m);
   std::vector<std::uint32_t> outlines(footprints.size(), kNoOutline);
   for (std::size_t i = 0; i < footprints.size(); ++i) {
     if (!footprints[i].is_part || footprints[i].polygon.outer.size() < 3) continue;
     const Vec2 inside = centre_of_largest_triangle(footprints[i].polygon);
     auto smallest = std::tuple(0.0, ObjectId{}, kNoOutline);
-    for (const std::uint32_t o : boxes_about(grid, inside)) {
-      const Footprint& outline = footprints[o];
-      if (!boxes[o].contains(inside) || !contains(outline.polygon, inside)) continue;
-      const auto candidate = std::tuple(area_m2(outline.polygon), outline.id, o);
+    for (const std::uint32_t near : boxes_about(grid, inside)) {
+      const Footprint& outline = footprints[wholes[near]];
+      if (!boxes[near].contains(inside) || !contains(outline.polygon, inside)) continue;
+      const auto candidate = std::tuple(area_m2(outline.polygon), outline.id, wholes[near]);
       if (std::get<2>(smallest) == kNoOutline || candidate < smallest) smallest = candidate;
     }
     outlines[i] = std::get<2>(smallest);
