@@ -32,9 +32,6 @@ std::vector<OwnedSegment> random_triangles(std::uint64_t seed, int count, double
   return segments;
 }
 
-std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 int sign(std::int64_t v) { return (v > 0) - (v < 0); }
 
 bool on_segment(GridPoint a, GridPoint b, GridPoint p) {
