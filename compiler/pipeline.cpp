@@ -47,7 +47,7 @@ Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
 /// The graded terrain of the whole map, without the rounded street corners that only baking knows.
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region);
 
-/// Land cover polygons that keep piers away, and all other land cover.
+/// The land cover of the whole map, where piers look for free ground. All footprints count, those of parts too.
 std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features);
 
 }  // namespace
@@ -242,21 +242,14 @@ ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2&
 }
 
 std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features) {
-  std::vector<ground::LandCoverPolygon> standing = recipes.surfaces;
-  for (const roads::Strip& stream : recipes.watercourses) standing.push_back(ground::surface_of(stream));
-  const std::vector<roads::StripEnds> ends = roads::ends_of(recipes.roads);
-  for (std::size_t i = 0; i < recipes.roads.size(); ++i) {
-    standing.push_back(ground::surface_of(recipes.roads[i], ends[i]));
-    standing.push_back(ground::pavement_of(recipes.roads[i], ends[i]));
-  }
-  const auto arms = roads::arms_of(recipes.junctions, recipes.roads);
-  for (std::size_t j = 0; j < recipes.junctions.size(); ++j)
-    standing.push_back(scene::junction_surface(recipes.junctions[j], recipes.roads, arms[j]));
-  for (const map::Footprint& footprint : features.footprints) {
-    standing.push_back({footprint.id, map::LandCoverClass::kBuilding, 0, {footprint.polygon.outer}});
-    for (const Ring& hole : footprint.polygon.holes) standing.back().rings.push_back(hole);
-  }
-  return standing;
+  scene::CoverRecipes cover{.areas = recipes.surfaces,
+                            .roads = recipes.roads,
+                            .junctions = recipes.junctions,
+                            .watercourses = recipes.watercourses,
+                            .footprints = {}};
+  for (const map::Footprint& footprint : features.footprints)
+    cover.footprints.push_back(scene::footprint_surface(footprint.id, footprint.polygon));
+  return scene::coarse_land_cover(cover);
 }
 
 /// Error: a tile in `only` is not a tile of the map.
