@@ -102,7 +102,7 @@ void add_arm(Mesh& metal, Mesh& glass, int detail) {
 }  // namespace
 
 GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m) {
-  assert(height_m > 0 && tolerance_m >= 0);
+  assert(height_m >= 0 && tolerance_m >= 0);
   if (height_m <= tolerance_m) return {{}, height_m};
   const bool has_arm = kind == LampKind::kArm;
   const Details& errors = has_arm ? kArmErrors : kPostTopErrors;

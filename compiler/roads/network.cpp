@@ -161,7 +161,7 @@ bool has_signals(std::span<const Road> roads, std::span<const Arm> arms) {
 
 Polyline arm_axis(std::span<const Road> roads, const Arm& arm, double length_m) {
   assert(arm.road < roads.size() && arm.vertex < roads[arm.road].axis.size());
-  assert(length_m > 0);
+  assert(length_m >= 0);
   const Polyline& axis = roads[arm.road].axis;
   Polyline path = {axis[arm.vertex]};
   double left_m = length_m;

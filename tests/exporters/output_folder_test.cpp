@@ -7,7 +7,7 @@
 
 #include "tests/scratch_folder.h"
 
-namespace citykiln::commands {
+namespace citykiln::exporters {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,4 +61,4 @@ TEST_F(OutputFolderOfARun, CannotBeAFileNorStandWhereNoneCan) {
 }
 
 }  // namespace
-}  // namespace citykiln::commands
+}  // namespace citykiln::exporters

@@ -165,7 +165,6 @@ std::vector<LandCoverPolygon> paved_of(std::span<const LandCoverPolygon> surface
 GradedTerrain::GradedTerrain(map::Heightfield&& field) : terrain(std::move(field)) {}
 
 GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts) {
-  assert(!parts.box.is_empty());
   GradedTerrain graded(std::move(terrain));
   graded.roads = index_road_influence(parts.roads, parts.has_kerbs);
   graded.decks = index_span_influence(parts.decks), graded.bores = index_span_influence(parts.bores);

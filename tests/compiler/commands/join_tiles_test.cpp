@@ -107,7 +107,7 @@ TEST(JoinTiles, ShowsEveryRoadWithItsOwnMarkings) {
   ASSERT_TRUE(joined);
   ASSERT_EQ(joined->primitives.size(), 3u);
   const auto shown = [&](const bake::Primitive& road, std::size_t v) {
-    return joined->sheet.texels.at(static_cast<std::size_t>(road.uvs[v][0] / 0.5))[0];
+    return joined->marking_atlas.texels.at(static_cast<std::size_t>(road.uvs[v][0] / 0.5))[0];
   };
   const bake::Primitive& marked = joined->primitives[2];
   ASSERT_EQ(marked.uvs.size(), 6u);
@@ -133,7 +133,7 @@ TEST(JoinTiles, HasOnePrimitiveForEachKeySorted) {
 TEST(JoinTiles, StatesTheFinestToleranceAndLargestPixelErrorOfAView) {
   std::vector parts = {tile_at({0, 0, 0}, way(5), 0.1), tile_at({0, 0, 0}, way(3), 0.2)};
   parts[1].tolerance_m = 0.05;
-  for (bake::BakedTile& part : parts) part.viewpoint = bake::SeenFrom{{1, 2, 3}, 900, part.error_m * 4};
+  for (bake::BakedTile& part : parts) part.viewpoint = bake::Viewpoint{{1, 2, 3}, 900, part.error_m * 4};
   const Result<bake::BakedTile> joined = join_tiles(parts);
   ASSERT_TRUE(joined);
   EXPECT_EQ(joined->tolerance_m, 0.05);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/compiler/commands/made_ground.h"
+#include "tests/compiler/verify/made_ground.h"
 
 namespace citykiln::verify {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compiler/ground/grading/road_influence.h"
-#include "tests/compiler/commands/made_ground.h"
+#include "tests/compiler/verify/made_ground.h"
 
 namespace citykiln::verify {
 namespace {

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "exporters/gltf/material_names.h"
 #include "exporters/gltf/png.h"
 #include "tests/exporters/made_tile.h"
 

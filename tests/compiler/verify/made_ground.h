@@ -7,7 +7,7 @@
 #include "compiler/bake/baked_tile.h"
 #include "compiler/map/land_cover_class.h"
 
-namespace citykiln::commands {
+namespace citykiln::verify {
 
 inline constexpr OsmId kGroundFeature{OsmType::kWay, 1};
 
@@ -26,4 +26,4 @@ inline bake::BakedTile made_ground(map::LandCoverClass surface, std::array<float
 
 inline constexpr Box2 kMadeBox{{0, 0}, {64, 64}};
 
-}  // namespace citykiln::commands
+}  // namespace citykiln::verify
