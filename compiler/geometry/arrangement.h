@@ -26,7 +26,6 @@ struct GridPoint {
 
 /// Exact for snapped points.
 inline GridPoint grid_point(Vec2 p) {
-  assert(std::abs(p.x) < 0x1p19 && std::abs(p.y) < 0x1p19);
   return {static_cast<std::int64_t>(std::floor(p.x / kQuantum_m + 0.5)),
           static_cast<std::int64_t>(std::floor(p.y / kQuantum_m + 0.5))};
 }

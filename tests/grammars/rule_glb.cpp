@@ -106,32 +106,32 @@ bool has(const std::string& name, std::initializer_list<const char*> words) {
 }
 
 // Pieces of one name differ a little, so that their borders are visible.
-Appearance look_by_name(const std::string& name, StableId id) {
+Appearance appearance_by_name(const std::string& name, StableId id) {
   constexpr double kColours[][3] = {{0.80, 0.74, 0.62}, {0.66, 0.58, 0.48}, {0.55, 0.60, 0.62},
                                     {0.72, 0.55, 0.45}, {0.58, 0.62, 0.50}, {0.86, 0.83, 0.76}};
   Appearance appearance;
-  look.name = has(name, {"Glass", "Window"}) ? "glass" : has(name, {"Roof", "Tiles"}) ? "roof_tile" : "paint";
-  if (look.name == "glass") return look;
+  appearance.name = has(name, {"Glass", "Window"}) ? "glass" : has(name, {"Roof", "Tiles"}) ? "roof_tile" : "paint";
+  if (appearance.name == "glass") return appearance;
   constexpr double kTiles[3] = {0.50, 0.31, 0.25};
   const double* colour =
-      look.name == "roof_tile"
+      appearance.name == "roof_tile"
           ? kTiles
           : kColours[static_cast<std::uint64_t>(stable_id(StableId{}, name.c_str(), 0)) % std::size(kColours)];
   const double shade = 0.82 + 0.18 * static_cast<double>(static_cast<std::uint64_t>(id) % 4) / 3;
-  look.red = colour[0] * shade, look.green = colour[1] * shade, look.blue = colour[2] * shade;
-  return look;
+  appearance.red = colour[0] * shade, appearance.green = colour[1] * shade, appearance.blue = colour[2] * shade;
+  return appearance;
 }
 
 void colour_by_names(Derivation& derivation) {
   for (Terminal& terminal : derivation.terminals) {
     if (derivation.appearances[terminal.appearance] != Appearance{}) continue;
-    const Appearance appearance = look_by_name(terminal.name, terminal.id);
+    const Appearance appearance = appearance_by_name(terminal.name, terminal.id);
     terminal.appearance = static_cast<std::uint32_t>(derivation.appearances.size());
-    derivation.appearances.push_back(look);
+    derivation.appearances.push_back(appearance);
   }
 }
 
-bool add_building(bake::Merged& merged, Order order, double tolerance_m) {
+bool add_building(bake::PrimitiveMap& merged, Order order, double tolerance_m) {
   std::filesystem::path file = order.style;
   if (!file.has_parent_path()) file = std::string(CITYKILN_SOURCE) + "/grammars/rules/" + order.style + ".cga";
   const auto program =
@@ -158,7 +158,7 @@ bool add_building(bake::Merged& merged, Order order, double tolerance_m) {
   return true;
 }
 
-void add_floor(bake::Merged& merged, materials::Material material, double south, double north, double z) {
+void add_floor(bake::PrimitiveMap& merged, materials::Material material, double south, double north, double z) {
   const double far = 400;
   Mesh quad{{{-far, south, z}, {far, south, z}, {far, north, z}, {-far, north, z}}, {}, {{0, 1, 2}, {0, 2, 3}}};
   bake::merge(merged, {quad, material, materials::kNoTint, {}}, {}, 0);
@@ -168,7 +168,7 @@ void add_floor(bake::Merged& merged, materials::Material material, double south,
 
 int main(int count, char** arguments) {
   if (count < 4) return std::fputs("usage: rule_glb OUT.glb TOLERANCE \"STYLE KEY=VALUE …\" …\n", stderr), 2;
-  bake::Merged merged;
+  bake::PrimitiveMap merged;
   add_floor(merged, materials::Material::kAsphalt, -12, -3, -0.12);
   add_floor(merged, materials::Material::kPaving, -3, 0, 0);
   add_floor(merged, materials::Material::kPaving, -15, -12, 0);
