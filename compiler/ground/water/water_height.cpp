@@ -103,7 +103,6 @@ double reach_m(const roads::Strip& stream) {
 
 WaterIndex index_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                         const Box2& box) {
-  assert(!box.is_empty());
   WaterIndex index;
   for (const LandCoverPolygon& surface : surfaces)
     if (surface.level_m) index.standing.push_back(surface);

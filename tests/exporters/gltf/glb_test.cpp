@@ -170,9 +170,9 @@ TEST(GlbFacadeAtlas, AreRefusedWhereOneOfTwoPicturesIsMissing) {
   const auto refused = [&](const char* name, const char* other) {
     return refusal_with(Instancing::kExtension, name, other, tile);
   };
-  EXPECT_NE(refused("\"imprints\"", "\"GrassColour\""), "accepted");
-  EXPECT_NE(refused("\"imprintsSurface\"", "\"GrassColour\""), "accepted");
-  EXPECT_NE(refused("\"imprintsNormal\"", "\"imprintsMormal\""), "accepted");
+  EXPECT_NE(refused("\"facade_atlas\"", "\"GrassColour\""), "accepted");
+  EXPECT_NE(refused("\"facade_atlas_surface\"", "\"GrassColour\""), "accepted");
+  EXPECT_NE(refused("\"facade_atlas_normal\"", "\"facade_atlas_mormal\""), "accepted");
 }
 
 TEST(GlbMarkingAtlas, MaterialsOnItHaveNamesOfTheirOwn) {
@@ -376,7 +376,7 @@ TEST(GlbDamage, OtherFilesAreNotOpened) {
 }
 
 TEST(GlbDamage, ANodeWithoutMeshIsRefused) {
-  const std::string expected = "tile.glb: expected each mesh for one kind of thing, in order";
+  const std::string expected = "tile.glb: expected each mesh in nodes that follow each other, in order";
   EXPECT_EQ(refusal_with(Instancing::kNodes, "\"mesh\":1", "\"mess\":1"), expected);
   EXPECT_EQ(refusal_with(Instancing::kNodes, "\"mesh\":1", "\"mesh\":0"), expected);
   EXPECT_EQ(refusal_with(Instancing::kExtension, "\"mesh\":2", "\"mesh\":1"), expected);
@@ -396,7 +396,7 @@ std::string marked_refusal_with(const std::string& text, const std::string& othe
 std::string images_of(const BakedTile& tile) { return gltf_of(tile)["images"].dump(); }
 
 TEST(GlbMarkingAtlasDamage, AMissingImageIsRefused) {
-  const std::string expected = "tile.glb: expected a sheet, and a place on it, for each corner that is on it";
+  const std::string expected = "tile.glb: expected an image, and uvs, for primitives that an image colours";
   EXPECT_EQ(marked_refusal_with("\"images\"", "\"imagos\""), expected);
   EXPECT_EQ(marked_refusal_with("\"name\":\"Grass\"", "\"name\":\"GrassMarked\""), expected);
 }
@@ -419,7 +419,7 @@ TEST(GlbMarkingAtlasDamage, PlacesThatAreNotFiniteAreRefused) {
 TEST(GlbMarkingAtlasDamage, ASecondMarkingAtlasIsRefused) {
   const std::string images = images_of(made_marked_tile(1)), one = images.substr(1, images.size() - 2);
   EXPECT_EQ(marked_refusal_with(images, "[" + one + "," + one + "]"),
-            "tile.glb: expected pictures named after materials, and one sheet at most");
+            "tile.glb: expected images named after materials, and one marking atlas at most");
 }
 
 std::string textured_refusal_with(const std::string& text, const std::string& other) {
@@ -427,7 +427,7 @@ std::string textured_refusal_with(const std::string& text, const std::string& ot
 }
 
 TEST(GlbTextureDamage, PicturesOfNoMaterialTwiceOrOutOfOrderAreRefused) {
-  const std::string named = "tile.glb: expected pictures named after materials, and one sheet at most",
+  const std::string named = "tile.glb: expected images named after materials, and one marking atlas at most",
                     once = "tile.glb: expected each material's pictures once, in order";
   EXPECT_EQ(textured_refusal_with("\"GrassColour\"", "\"GrossColour\""), named);
   EXPECT_EQ(textured_refusal_with("\"GrassColour\"", "\"Grass\""), named);
@@ -476,7 +476,7 @@ TEST(GlbMarkingAtlasDamage, APictureThatIsNoneIsRefused) {
 }
 
 TEST(GlbMarkingAtlasDamage, APictureOutsideTheBufferIsRefused) {
-  const std::string expected = "tile.glb: expected a sheet inside the buffer, as citykiln writes it";
+  const std::string expected = "tile.glb: expected images inside the buffer, as citykiln writes them";
   const auto gltf = gltf_of(made_marked_tile(1));
   const auto view = gltf["images"][0]["bufferView"].get<std::size_t>();
   const std::string offset = "\"byteOffset\":" + gltf["bufferViews"][view]["byteOffset"].dump();

@@ -107,7 +107,7 @@ TEST(PngDamage, SizesBeyondTheFileAreRefused) {
     Bytes bytes = encode_png(made(4, 4, 2));
     put_number(bytes, kWidth, width), put_number(bytes, kHeight, height);
     put_number(bytes, kEnd, crc(std::span(bytes).subspan(kType, kEnd - kType)));
-    EXPECT_EQ(refusal(decode_png(bytes, "p")), "p: expected a picture of no more texels than a sheet may have");
+    EXPECT_EQ(refusal(decode_png(bytes, "p")), "p: expected a picture of no more texels than an image may have");
   }
 }
 
