@@ -19,7 +19,7 @@ struct Suffix {
 constexpr Suffix kSuffixes[] = {{"", ColourSource::kByMaterial},
                                 {"Untextured", ColourSource::kByMaterial, true},
                                 {"Marked", ColourSource::kByMarkingAtlas},
-                                {"Facade", ColourSource::kByAtlas},
+                                {"FacadeAtlas", ColourSource::kByAtlas},
                                 {"Cutout", ColourSource::kByCutout}};
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace citykiln::exporters {
 /// | suffix     | primitives                                                                  |
 /// |------------|-----------------------------------------------------------------------------|
 /// | Marked     | on the marking atlas                                                        |
-/// | Facade     | on the facade atlas                                                         |
+/// | FacadeAtlas | on the facade atlas                                                        |
 /// | Cutout     | on a cutout: alphaMode MASK, double-sided                                   |
 /// | Untextured | without uvs, where one of the tile's textures belongs to the material       |
 std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures);

@@ -119,7 +119,7 @@ nlohmann::json material_called(const nlohmann::json& gltf, const std::string& na
 TEST(GlbFacadeAtlas, SayColourRoughnessAndMetalness) {
   const BakedTile tile = made_facade_tile(1);
   const auto gltf = gltf_of(tile);
-  const auto pbr = material_called(gltf, "PaintFacade")["pbrMetallicRoughness"];
+  const auto pbr = material_called(gltf, "PaintFacadeAtlas")["pbrMetallicRoughness"];
   for (const char* factor : {"baseColorFactor", "roughnessFactor", "metallicFactor"})
     EXPECT_EQ(pbr.value(factor, nlohmann::json(1)).flatten().begin().value(), 1) << factor;
   const auto picture = [&](const char* place) {
@@ -135,20 +135,20 @@ TEST(GlbFacadeAtlas, SayColourRoughnessAndMetalness) {
 }
 
 TEST(GlbFacadeAtlas, ShineByAPictureOfTheirOwn) {
-  const auto lit = material_called(gltf_of(made_facade_tile(1)), "PaintFacade");
+  const auto lit = material_called(gltf_of(made_facade_tile(1)), "PaintFacadeAtlas");
   EXPECT_EQ(lit["emissiveFactor"], nlohmann::json({1.0, 1.0, 1.0}));
   EXPECT_TRUE(lit.contains("emissiveTexture"));
-  const auto dark = material_called(gltf_of(made_facade_tile(2)), "PaintFacade");
+  const auto dark = material_called(gltf_of(made_facade_tile(2)), "PaintFacadeAtlas");
   EXPECT_FALSE(dark.contains("emissiveFactor") || dark.contains("emissiveTexture"));
 }
 
 TEST(GlbFacadeAtlas, LeanByAPictureOfTheirOwnWithTangents) {
   for (const auto& [seed, leans] : {std::pair{1u, true}, {2u, false}}) {
     const auto gltf = gltf_of(made_facade_tile(seed));
-    EXPECT_EQ(material_called(gltf, "PaintFacade").contains("normalTexture"), leans);
+    EXPECT_EQ(material_called(gltf, "PaintFacadeAtlas").contains("normalTexture"), leans);
     EXPECT_FALSE(gltf["meshes"][0]["primitives"].empty());
     for (const auto& primitive : gltf["meshes"][0]["primitives"]) {
-      if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] != "PaintFacade") continue;
+      if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] != "PaintFacadeAtlas") continue;
       EXPECT_EQ(primitive["attributes"].contains("TANGENT"), leans);
     }
   }
