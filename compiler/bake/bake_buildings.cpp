@@ -71,10 +71,11 @@ void bake_buildings(Baking& baking, TileLevel& level, const buildings::Rulebook&
                     Report& report) {
   const std::vector<buildings::Building>& all = baking.chunk.buildings;
   if (!level.buildings)
-    level.buildings = std::move(generate_buildings(baking.header, baking.chunk, rulebook, std::span(&baking.tolerance_m, 1),
-                                                   threads, std::span(&level.building_report, 1),
-                                                   [&](const auto& b) { return baking.holds(bounds_of(b)); })
-                                    .front());
+    level.buildings =
+        std::move(generate_buildings(baking.header, baking.chunk, rulebook, std::span(&baking.tolerance_m, 1), threads,
+                                     std::span(&level.building_report, 1),
+                                     [&](const auto& b) { return baking.holds(bounds_of(b)); })
+                      .front());
   report.append(level.building_report);
   put_on_atlas(baking, *level.buildings);
   bake_each(

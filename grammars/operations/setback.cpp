@@ -111,8 +111,12 @@ void tag(std::vector<Face>& faces, FaceTag as) {
   for (Face& face : faces) face.tag = as;
 }
 
+// Larger offsets leave the range of the plane's grid.
+constexpr double kMaxOffset_m = 100000;
+
 void add_offset(const Face& face, double by_m, std::string_view which, std::vector<Face>& faces, double& reach_m) {
-  Cut cut = cut_bands(face, std::vector<double>(edges_of(face).size(), std::abs(by_m)), by_m > 0);
+  Cut cut =
+      cut_bands(face, std::vector<double>(edges_of(face).size(), std::min(std::abs(by_m), kMaxOffset_m)), by_m > 0);
   reach_m = std::max(reach_m, cut.reach_m);
   tag(cut.moved, FaceTag::kInside);
   for (auto& bands : cut.bands) tag(bands, FaceTag::kBorder);

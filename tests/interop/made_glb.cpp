@@ -1,5 +1,5 @@
-// made_glb FOLDER writes marked.glb and marked_nodes.glb: tiles with every feature of the format, marking atlases too, and
-// both ways of instancing, for other programs to read.
+// made_glb FOLDER writes marked.glb and marked_nodes.glb: tiles with every feature of the format, marking atlases too,
+// and both ways of instancing, for other programs to read.
 #include <cstdio>
 
 #include "exporters/gltf/glb.h"

@@ -214,7 +214,7 @@ std::vector<bool> far_buckets(const LandCoverIndex& map) {
 }  // namespace
 
 LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, const Box2& box, double bucket_m) {
-  assert(!box.is_empty() && bucket_m > 0);
+  assert(bucket_m > 0);
   const auto count = [&](double side_m) {
     return std::max(1, static_cast<int>(std::ceil((side_m + kOffGrid_m) / bucket_m)));
   };
