@@ -70,9 +70,18 @@ std::vector<double> within(std::vector<double> depths_m, const std::vector<FaceE
   return depths_m;
 }
 
+// Offsets are computed on the plane's grid. Larger faces come from rules that scale without bound: they have no bands.
+constexpr double kMaxExtent_m = 100000;
+
+bool fits_grid(const Polygon& polygon) {
+  return std::ranges::all_of(polygon.outer,
+                             [](Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)) <= kMaxExtent_m; });
+}
+
 Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward) {
   const FaceFrame frame = frame_of(face);
   const Polygon polygon = flat(face, frame);
+  if (!fits_grid(polygon)) return {};
   const std::vector<FaceEdge> edges = edges_of(face);
   const OffsetPolygon offset = outward ? outset(polygon, depth_m) : inset(polygon, within(depth_m, edges));
   Cut cut;
@@ -111,8 +120,8 @@ void tag(std::vector<Face>& faces, FaceTag as) {
   for (Face& face : faces) face.tag = as;
 }
 
-// Larger offsets leave the range of the plane's grid.
-constexpr double kMaxOffset_m = 100000;
+// With mitres up to 64 times as long, larger offsets would leave the range of the grid.
+constexpr double kMaxOffset_m = 1000;
 
 void add_offset(const Face& face, double by_m, std::string_view which, std::vector<Face>& faces, double& reach_m) {
   Cut cut =

@@ -57,15 +57,6 @@ TEST(RunReport, IsTheSameWhateverTheOrderOfDiagnoses) {
   EXPECT_EQ(report_of(one, {}), report_of(other, {}));
 }
 
-TEST(RunReport, CountsJunctionsOffTheGroundWhereTheyWerePlanned) {
-  Report report;
-  const char* key = "\"junctions_off_ground\"";
-  EXPECT_EQ(report_of(report, {}).find(key), std::string::npos);
-  Account& account = report.account("roads", "junction_off_ground");
-  account.in = 5, account.merged = 2, account.out = 3;
-  EXPECT_NE(report_of(report, {}).find(std::string(key) + ": 3"), std::string::npos);
-}
-
 TEST(RunReport, RefusesOtherFilesWithTheirName) {
   const RunFolder folder;
   for (const char* text : {"", "{}", "[1]", R"({"tiles": 3})", R"({"tiles": [{}]})"}) {
