@@ -86,6 +86,6 @@ for path in sorted((DATA / "broken").glob("*")):
 
 
 if __name__ == "__main__":
-    if not validator_is_there():
+    if not validator_is_installed():
         print("the glTF validator is not there (npm ci --prefix tests/interop): tiles are not validated")
     unittest.main()
