@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/contract/nearest_name.h"
 #include "compiler/contract/parse.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_raster.h"
@@ -207,9 +208,14 @@ Result<Done> apply_json(const Setting& setting, const json& value, CompileSpec& 
 
 Result<Done> apply_key(const std::string& key, const json& value, CompileSpec& spec) {
   for (const Setting& setting : kSettings) {
-    if (setting.name == key) return apply_json(setting, value, spec);
+    if (setting.name != key) continue;
+    const Result<Done> done = apply_json(setting, value, spec);
+    return done ? done : Error{"", fmt::format("\"{}\": {}", key, to_string(done.error()))};
   }
-  return Error{"", fmt::format("unknown setting \"{}\"; see citykiln compile --help", key)};
+  std::vector<std::string> known;
+  for (const Setting& setting : kSettings) known.emplace_back(setting.name);
+  return Error{
+      "", fmt::format("unknown setting \"{}\"{} (citykiln compile --help lists all)", key, did_you_mean(key, known))};
 }
 
 }  // namespace
@@ -219,9 +225,8 @@ std::span<const Setting> settings() { return kSettings; }
 Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec) {
   CompileSpec changed = spec;
   const Result<Done> done = setting.apply(changed, text);
-  if (!done) return Error{"--" + std::string(setting.name), to_string(done.error())};
-  spec = std::move(changed);
-  return Done{};
+  if (done) spec = std::move(changed);
+  return done;
 }
 
 Result<CompileSpec> read_spec(const std::string& path) {
@@ -247,8 +252,10 @@ Result<CompileSpec> read_spec(const std::string& path) {
 }
 
 Result<Done> is_complete(const CompileSpec& spec) {
-  if (spec.map_path.empty()) return Error{"", "no map is given; expected a file such as town.osm.pbf"};
-  if (spec.outputs.folder.empty()) return Error{"", "no output folder is given; add -o FOLDER"};
+  if (spec.map_path.empty())
+    return Error{"", "no map is given; expected a file such as town.osm.pbf, or the setting \"map\" in spec.json"};
+  if (spec.outputs.folder.empty())
+    return Error{"", "no output folder is given; add -o FOLDER, or the setting \"out\" to spec.json"};
   return Done{};
 }
 
@@ -263,13 +270,21 @@ Result<Compress> parse_compress(std::string_view text) {
   return expected("none, draco or meshopt", text);
 }
 
+Result<double> parse_tolerance(std::string_view text) {
+  const auto tolerance_m = number_in<double>(text);
+  if (tolerance_m && *tolerance_m > 0 && *tolerance_m <= kCoarsest_m) return *tolerance_m;
+  return expected(fmt::format("a tolerance in metres, above 0 and at most {}, such as 0.1", kCoarsest_m), text);
+}
+
 Result<std::vector<double>> parse_ladder(std::string_view text) {
   std::vector<double> ladder_m;
   for (const std::string_view part : split(text, ',')) {
-    const Result<double> tolerance_m = parse_number(part);
+    const Result<double> tolerance_m = parse_tolerance(part);
     const double last = ladder_m.empty() ? 0 : ladder_m.back();
     if (!tolerance_m || !(*tolerance_m > last))
-      return expected("increasing tolerances above 0 in metres, such as 0.1,0.5,2.5", text);
+      return expected(
+          fmt::format("increasing tolerances in metres, above 0 and at most {}, such as 0.1,0.5,2.5", kCoarsest_m),
+          text);
     ladder_m.push_back(*tolerance_m);
   }
   return ladder_m;

@@ -62,7 +62,7 @@ struct Setting {
 /// All settings in the order of the help text.
 std::span<const Setting> settings();
 
-/// Applies one setting. An error names the setting and the expected value; the spec is then unchanged.
+/// Applies one setting. An error says what value is expected, and not which setting it is; the spec is then unchanged.
 Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec);
 
 /// Reads spec.json: an object whose keys are names of settings and whose values are strings, numbers, booleans, or
@@ -73,7 +73,9 @@ Result<CompileSpec> read_spec(const std::string& path);
 /// Error: the spec has no map or no output folder.
 Result<Done> is_complete(const CompileSpec& spec);
 
-/// Parses increasing numbers above zero: "0.02,0.1,0.5".
+/// Parses a tolerance above 0 and at most kCoarsest_m: "0.5".
+Result<double> parse_tolerance(std::string_view text);
+/// Parses increasing tolerances: "0.1,0.5,2.5".
 Result<std::vector<double>> parse_ladder(std::string_view text);
 /// Parses "3_-2".
 Result<scene::TileKey> parse_tile(std::string_view text);

@@ -173,7 +173,7 @@ Verb bake_verb() {
       {"manifest", "SCENE.kiln", "manifest to bake, such as out/scene.kiln", false, store_text(request->manifest_path)},
       {"--tolerance", "M",
        "largest geometric error in metres of one .glb file, such as 0.1; with --eye the smallest (default there: 0.02)",
-       false, store_number(request->tolerance_m, {})},
+       false, store_tolerance(request->tolerance_m)},
       {"-o,--out", "FILE.glb|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
        store_text(request->out_path)},
       {"--eye", "X,Y,Z",
@@ -189,6 +189,9 @@ Verb bake_verb() {
        store_number(request->fov_deg, kFieldsOfView_deg)},
   };
   add_settings(verb, *request);
+  verb.examples = {"citykiln bake out/town/scene.kiln --tile 0_0 --tolerance 0.1 -o tile.glb",
+                   "citykiln bake out/town/scene.kiln --eye 0,-200,+1.7 --size 1920x1080 -o view.glb",
+                   "citykiln bake out/town/scene.kiln --lods 0.5,2.5 -o out/coarse"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

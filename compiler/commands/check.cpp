@@ -132,6 +132,7 @@ Verb check_verb() {
   Verb verb{"check", "measures whether the outputs of a run keep their guarantees", {}, {}};
   verb.options = {{"folder", "OUT", "output folder of compile, with its manifest", false, store_text(request->folder)},
                   threads_option(request->threads)};
+  verb.examples = {"citykiln check out/town"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

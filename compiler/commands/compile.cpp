@@ -29,7 +29,8 @@ Result<CompileSpec> spec_of(const Request& request) {
     spec = std::move(*read);
   }
   for (const auto& [setting, text] : request.given) {
-    if (const Result<Done> done = apply(*setting, text, spec); !done) return done.error();
+    const Result<Done> done = apply(*setting, text, spec);
+    if (!done) return Error{"--" + std::string(setting->name), to_string(done.error())};
   }
   if (const Result<Done> complete = is_complete(spec); !complete) return complete.error();
   return spec;
@@ -110,6 +111,9 @@ Verb compile_verb() {
   verb.options.push_back({"--spec", "FILE",
                           "JSON file of settings, such as {\"tile\": 512}; settings on the command line override it",
                           false, store_text(request->spec_path)});
+  verb.examples = {"citykiln compile monaco.osm.pbf --dem N43E007.hgt -o out/monaco",
+                   "citykiln compile monaco.osm.pbf --bbox 7.415,43.73,7.43,43.745 --lods 0.1,0.5 -o out/centre",
+                   "citykiln compile --spec examples/town/spec.json -o out/town"};
   verb.run = [request](const Console& console) -> Result<Exit> {
     const Result<CompileSpec> spec = spec_of(*request);
     if (!spec) return spec.error();

@@ -185,6 +185,8 @@ Verb inspect_verb() {
       {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
        store_text(request->geojson_path)},
   };
+  verb.examples = {"citykiln inspect out/town/scene.kiln",
+                   "citykiln inspect out/town/scene.kiln --layer buildings --geojson buildings.geojson"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

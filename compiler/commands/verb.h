@@ -33,6 +33,7 @@ struct Verb {
   std::string name, help;
   std::vector<Option> options;
   std::function<Result<Exit>(const Console& console)> run;  ///< Called after all options were taken.
+  std::vector<std::string> examples{};                      ///< Whole command lines for the help.
 };
 
 Verb compile_verb();
@@ -55,6 +56,9 @@ Take append_text(std::vector<std::string>& texts);
 /// Stores a number of the range.
 Take store_number(double& number, NumberRange range);
 Take store_number(std::optional<double>& number, NumberRange range);
+/// Stores a tolerance: metres above 0, at most kCoarsest_m.
+Take store_tolerance(double& tolerance_m);
+Take store_tolerance(std::optional<double>& tolerance_m);
 /// Stores an integer of at least `least`.
 template <typename Whole>
 Take store_whole(Whole& number, int least) {
