@@ -108,6 +108,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
 
   // describe the sky and the sources, and sort all recipes into tiles
   timer.enter("sort into tiles");
+  recipes.texts = features.texts;
   Result<scene::Header> header = make_header(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
   if (!header) return header.error();
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);

@@ -133,6 +133,12 @@ Result<Done> set_snow_line(CompileSpec& spec, std::string_view text) {
   return spec.snow_line_m ? Result<Done>(Done{}) : expected("a height in metres, such as 2800", text);
 }
 
+Result<Done> set_tags(CompileSpec& spec, std::string_view text) {
+  if (text != "true" && text != "false") return expected("true or false", text);
+  spec.map.keeps_tags = text == "true";
+  return Done{};
+}
+
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
   if (text != "true" && text != "false") return expected("true or false", text);
   spec.is_strict = text == "true";
@@ -175,6 +181,8 @@ constexpr Setting kSettings[] = {
      set_snow_line},
     {"rules", "FOLDER", "folder of rule files (.cga) that replace shipped files of the same name", false,
      set_text<&CompileSpec::rules_folder>},
+    {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",
+     false, set_tags},
     {"threads", "N", "number of threads; 0 uses all processors (default: 0)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }},
     {"strict", "", "exit with code 2 if map or height data had to be corrected or left out", false, set_strict},

@@ -71,6 +71,7 @@ BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, Til
   name_placed(baking, placed);
 
   tile.features.assign(baking.features.begin(), baking.features.end());
+  tile.attributes = attributes_of(chunk, tile.features);
   merge_meshes(baking);
   bake_trees(baking, placed.trees, prototypes);
   bake_lamps(baking, placed.lamps, shared.graded, report);

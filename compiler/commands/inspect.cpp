@@ -6,6 +6,8 @@
 #include <span>
 
 #include "compiler/commands/geojson.h"
+#include "compiler/commands/map_layers.h"
+#include "compiler/commands/scene_layers.h"
 #include "compiler/commands/verb.h"
 #include "compiler/map/locate.h"
 #include "compiler/roads/junctions/layers.h"
@@ -93,7 +95,7 @@ Json describe(const source::OsmData& osm, std::span<const roads::RoadLayer> off_
   json["road_layers_off_ground"] = Json::array();
   for (const roads::RoadLayer& layer : off_ground)
     json["road_layers_off_ground"].push_back({{"layer", layer.layer},
-                                              {"passage", passage_name(layer.passage)},
+                                              {"passage", layer.passage == map::Passage::kBridge ? "bridge" : "tunnel"},
                                               {"roads", layer.roads.size()},
                                               {"junctions", layer.junctions.size()}});
   json["diagnoses"] = Json::object();

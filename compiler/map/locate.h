@@ -14,6 +14,7 @@ struct Options {
   std::optional<source::LonLatBox> bbox;    ///< Else the extract's header box, else the box of its roads or buildings.
   std::optional<LonLat> origin;             ///< Else the centre of the box, rounded to 0.01°.
   std::optional<DrivingSide> driving_side;  ///< Else each way's by the place of its first node (driving_side.h).
+  bool keeps_tags = false;                  ///< Whether Features::texts have all tags of each element.
 };
 
 /// Returns the box that is compiled, in degrees. Total: an empty extract gives a box of zero size at 0, 0.

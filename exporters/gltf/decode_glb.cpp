@@ -8,6 +8,7 @@
 #include "exporters/gltf/compress_glb.h"
 #include "exporters/gltf/decode_pictures.h"
 #include "exporters/gltf/decode_primitives.h"
+#include "exporters/gltf/decode_property_table.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_checks.h"
 #include "exporters/gltf/glb_reader.h"
@@ -20,26 +21,6 @@ using bake::Float3;
 using bake::Float4;
 using bake::InstancedMesh;
 using tinygltf::Value;
-
-std::vector<OsmId> features_of(GltfReader& reader) {
-  const auto extension = reader.model.extensions.find("EXT_structural_metadata");
-  expect(extension != reader.model.extensions.end(), "the table of OSM ids");
-  const Value& tables = member(extension->second, "propertyTables");
-  expect(tables.IsArray() && tables.ArrayLen() > 0, "the table of OSM ids");
-  const Value& table = tables.Get(0);
-  const Value& columns = member(table, "properties");
-  const auto ids = bytes_of(reader, whole(member(member(columns, "id"), "values"))),
-             types = bytes_of(reader, whole(member(member(columns, "type"), "values")));
-  const auto count = static_cast<std::size_t>(std::max(0, whole(member(table, "count"))));
-  expect(count <= types.size() && count <= ids.size() / 8, "the table of OSM ids to be as long as it says");
-  std::vector<OsmId> features(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    expect(types[i] < 4, "OSM types from 0 to 3");
-    features[i].type = static_cast<OsmType>(types[i]);
-    std::memcpy(&features[i].id, ids.data() + 8 * i, 8);
-  }
-  return features;
-}
 
 InstancedMesh extended(GltfReader& reader, const tinygltf::Node& node, std::size_t features) {
   const Value& attributes = member(node.extensions.at("EXT_mesh_gpu_instancing"), "attributes");
@@ -120,7 +101,7 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
   tile.plant_error_m = number(member(root.extras, "plant_error_m"));
   tile.viewpoint = viewpoint_of(root.extras);
-  tile.features = features_of(reader);
+  read_property_table(reader, tile);
   if (root.mesh >= 0) tile.primitives = primitives_of(reader, root.mesh, tile.features.size());
   const auto cutouts = add_instances(reader, root, tile);
   read_pictures(reader, cutouts, tile);

@@ -22,8 +22,8 @@ enum class Instancing { kExtension, kNodes };
 /// |---------------------|--------------------------------------------------------------------------------------------|
 /// | primitives          | one mesh, one primitive per key                                                            |
 /// | instances           | as `instancing` says                                                                       |
-/// | features            | _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into a property table of UINT64   |
-/// |                     | OSM ids and UINT8 element types (EXT_structural_metadata)                                  |
+/// | features            | _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into a property table             |
+/// |                     | (property_table.h, EXT_structural_metadata)                                                |
 /// | origin, tolerances, | the root node's extras: tile, origin_m (doubles), tolerance_m, error_m, plant_error_m,     |
 /// | errors              | rounding_m (largest error of single precision), plane, and viewpoint, if baked for one     |
 /// | attribution         | asset.copyright                                                                            |
