@@ -45,14 +45,22 @@ Result<Done> set_dem(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+bool is_box_on_earth(const source::LonLatBox& box) {
+  const bool is_on_earth = box.west >= -180 && box.east <= 180 && box.south >= -90 && box.north <= 90;
+  return is_on_earth && box.west < box.east && box.south < box.north;
+}
+
 Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
   Result<std::vector<double>> n = parse_numbers(text, 4);
   if (!n) return n.error();
   const source::LonLatBox box{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
-  const bool is_on_earth = box.west >= -180 && box.east <= 180 && box.south >= -90 && box.north <= 90;
-  if (!is_on_earth || box.west >= box.east || box.south >= box.north) {
-    return expected(
+  if (!is_box_on_earth(box)) {
+    Error error = expected(
         "west,south,east,north in degrees with west < east and south < north, such as 7.40,43.72,7.44,43.75", text);
+    if (is_box_on_earth({box.south, box.west, box.north, box.east}))
+      error.message += fmt::format("; latitude and longitude swapped? Try {},{},{},{}", box.south, box.west, box.north,
+                                   box.east);
+    return error;
   }
   spec.map.bbox = box;
   return Done{};
@@ -149,8 +157,9 @@ constexpr Setting kSettings[] = {
     {"map", "FILE", "OpenStreetMap extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false,
      set_text<&CompileSpec::map_path>},
     {"dem", "FILE[,key=value...]",
-     "heightmap (.hgt, GeoTIFF, ASCII grid, PNG), such as N43E007.hgt or a.png,bounds=7/43/8/44,scale=0.1; keys: "
-     "bounds=W/S/E/N, scale=, offset=, encoding=terrarium|mapbox, tile=Z/X/Y, credit=",
+     "heightmaps (.hgt, GeoTIFF, ASCII grid, PNG), one or several, such as N43E007.hgt or "
+     "a.png,bounds=7/43/8/44,scale=0.1; keys: bounds=W/S/E/N, scale=, offset=, encoding=terrarium|mapbox, tile=Z/X/Y, "
+     "credit= (default: the ground is level)",
      true, set_dem},
     {"bbox", "W,S,E,N",
      "area to compile in degrees, such as 7.40,43.72,7.44,43.75 (default: the extract's bounding box)", false,

@@ -91,15 +91,36 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
   return exit;
 }
 
+bool is_map_file(std::string_view path) {
+  constexpr std::string_view kSuffixes[] = {".osm", ".osm.gz", ".osm.bz2", ".osm.pbf", ".pbf"};
+  return std::ranges::any_of(kSuffixes, [&](std::string_view suffix) { return path.ends_with(suffix); });
+}
+
+Result<Done> give(Request& request, const Setting& setting, const std::string& text) {
+  request.given.emplace_back(&setting, text);
+  return Done{};
+}
+
+/// A map among the files after --dem: the map may stand last on the command line.
+Result<Done> give_map(Request& request, const std::string& text) {
+  for (const auto& [setting, path] : request.given)
+    if (setting->name == "map") return Error{"--dem", fmt::format("found a second map, {}, after {}", text, path)};
+  return give(request, *std::ranges::find(settings(), "map", &Setting::name), text);
+}
+
 Option option_of(const Setting& setting, Request& request) {
+  const bool is_dem = setting.name == "dem";
   std::string flags = "--" + std::string(setting.name);
   if (setting.name == "map") flags = "map";
   if (setting.name == "out") flags = "-o,--out";
-  return {flags, std::string(setting.value), std::string(setting.help), setting.repeats,
-          [&request, &setting](const std::string& text) -> Result<Done> {
-            request.given.emplace_back(&setting, text);
-            return Done{};
-          }};
+  return {flags,
+          std::string(setting.value),
+          std::string(setting.help),
+          setting.repeats,
+          [&request, &setting, is_dem](const std::string& text) {
+            return is_dem && is_map_file(text) ? give_map(request, text) : give(request, setting, text);
+          },
+          is_dem};
 }
 
 }  // namespace

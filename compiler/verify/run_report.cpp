@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+
+#include "compiler/map/lonlat_box.h"
 
 namespace citykiln::verify {
 namespace {
@@ -141,13 +144,23 @@ Json files_of(const WrittenFiles& written) {
   return files;
 }
 
-Json tiles_of(const WrittenFiles& written) {
+/// West, south, east, north in degrees, to OSM's grid of 1e-7.
+Json box_deg_of(const Box2& box, const map::Plane& plane) {
+  const source::LonLatBox degrees = map::lonlat_box_of(box, plane);
+  Json sides = Json::array();
+  for (const double side : {degrees.west, degrees.south, degrees.east, degrees.north})
+    sides.push_back(std::floor(side * 1e7 + 0.5) / 1e7);
+  return sides;
+}
+
+Json tiles_of(const WrittenFiles& written, const scene::Header& header, const map::Plane& plane) {
   Json tiles = Json::array();
   for (const WrittenTile& tile : written.tiles) {
     tiles.push_back({{"file", tile.file.name},
                      {"bytes", tile.file.bytes},
                      {"x", tile.tile.x},
                      {"y", tile.tile.y},
+                     {"box_deg", box_deg_of(scene::box_of(header, tile.tile), plane)},
                      {"level", tile.level},
                      {"tolerance_m", tile.tolerance_m},
                      {"error_m", tile.error_m},
@@ -198,12 +211,14 @@ std::uint64_t WrittenFiles::bytes() const {
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
                         const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights) {
   assert(std::ranges::all_of(written.tiles, [&](const WrittenTile& t) { return t.level < outputs.ladder_m.size(); }));
+  const map::Plane plane(header.origin);
   Json json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
   json["sources"] = header.sources;
   json["origin"] = {{"lon_deg", header.origin.lon_deg}, {"lat_deg", header.origin.lat_deg}};
   json["region_m"] = {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y};
+  json["region_deg"] = box_deg_of(header.region, plane);
   json["tile_m"] = header.tile_m;
   json["seed"] = header.seed;
   json["resampling_error_m"] = header.resampling_error_m;
@@ -217,7 +232,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["ledger"] = ledger_of(report);
   json["diagnoses"] = diagnoses_of(report);
   json["files"] = files_of(written);
-  json["tiles"] = tiles_of(written);
+  json["tiles"] = tiles_of(written, header, plane);
   return json.dump(1) + "\n";
 }
 

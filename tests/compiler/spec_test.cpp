@@ -75,6 +75,13 @@ TEST(Spec, ErrorsSayTheExpectedValue) {
   }
 }
 
+TEST(Spec, AsksWhetherABoxIsInTheOtherOrder) {
+  // Sydney as latitude, longitude: 151 is no latitude
+  EXPECT_NE(objection("bbox", "-33.9,151.1,-33.8,151.3").find("swapped? Try 151.1,-33.9,151.3,-33.8"),
+            std::string::npos);
+  EXPECT_EQ(objection("bbox", "3,1,2,2").find("swapped"), std::string::npos);
+}
+
 TEST(Spec, SaysWhatIsNotSupportedYet) {
   EXPECT_NE(objection("emit", "kiln,usd").find("yet"), std::string::npos);
   EXPECT_NE(objection("emit", "3dtiles").find("yet"), std::string::npos);
