@@ -17,8 +17,8 @@ void bake_ground(Baking& baking, TileLevel& level, std::vector<Built> structures
   for (std::size_t c = 0; c < level.cells.size(); ++c) {
     const ground::GroundMesh& ground = level.cells[c];
     baking.certify(length(Vec2{ground.error_m, ground.border_error_m}), bounds_of(ground.mesh));
-    std::vector<MaterialMesh> meshes = material_meshes(ground, cover, markings, baking.header, baking.tolerance_m);
-    for (MaterialMesh& mesh : meshes) add_skirt(mesh, level.seen[c].skirt, level.seen[c].skirt_m);
+    std::vector<LayeredMesh> meshes = material_meshes(ground, cover, markings, baking.header, baking.tolerance_m);
+    for (LayeredMesh& each : meshes) add_skirt(each.mesh, level.seen[c].skirt, level.seen[c].skirt_m);
     baking.take(std::move(meshes));
   }
   bake_structures(baking, structures, markings, first_of_structures);
