@@ -109,9 +109,17 @@ Result<Done> set_world(CompileSpec&, std::string_view text) {
   return expected("plane", text);
 }
 
-Result<Done> set_instancing(CompileSpec& spec, std::string_view text) {
-  if (text != "ext" && text != "nodes") return expected("ext or nodes", text);
-  spec.outputs.instances_as_nodes = text == "nodes";
+Result<Done> set_target(CompileSpec& spec, std::string_view text) {
+  const auto target = target_named(text);
+  if (!target) return expected(targets_with([](const TargetValues&) { return true; }), text);
+  spec.outputs.target = *target;
+  return Done{};
+}
+
+Result<Done> set_split(CompileSpec& spec, std::string_view text) {
+  const auto split = split_named(text);
+  if (!split) return expected("tile, layer or building", text);
+  spec.outputs.split = *split;
   return Done{};
 }
 
@@ -179,9 +187,13 @@ constexpr Setting kSettings[] = {
     {"world", "plane", "shape of the world; only plane is supported (default: plane)", false, set_world},
     {"compress", "none|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_compress(text), spec.outputs.compress); }},
-    {"instancing", "ext|nodes",
-     "plants and lamps: ext uses EXT_mesh_gpu_instancing, nodes writes a glTF node for each (default: ext)", false,
-     set_instancing},
+    {"target", "generic|blender|godot|three|cesium|unreal|unity",
+     "program that reads the .glb files; generic uses nothing that a reader may lack (default: generic)", false,
+     set_target},
+    {"split", "tile|layer|building",
+     "nodes of a tile: one, one for each layer (ground, roads, water, buildings ...), or one for each building too "
+     "(default: layer)",
+     false, set_split},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
     {"time", "ISO", "date and time of the sky in UTC, such as 2026-06-21T15:00 (default: midsummer, 15:00 solar time)",
      false, set_time},
@@ -273,7 +285,18 @@ Result<Done> is_complete(const CompileSpec& spec) {
     return Error{"", "no map is given; expected a file such as town.osm.pbf, or the setting \"map\" in spec.json"};
   if (spec.outputs.folder.empty())
     return Error{"", "no output folder is given; add -o FOLDER, or the setting \"out\" to spec.json"};
-  return Done{};
+  return fits_target(spec.outputs);
+}
+
+Result<Done> fits_target(const Outputs& outputs) {
+  bool (*const reads)(const TargetValues&) =
+      outputs.compress == Compress::kDraco     ? [](const TargetValues& t) { return t.reads_draco; }
+      : outputs.compress == Compress::kMeshopt ? [](const TargetValues& t) { return t.reads_meshopt; }
+                                               : [](const TargetValues&) { return true; };
+  const TargetValues& target = values_of(outputs.target);
+  if (reads(target)) return Done{};
+  return Error{"--compress", fmt::format("{} cannot be read by the target {}; add --target {}",
+                                         name_of(outputs.compress), target.name, targets_with(reads))};
 }
 
 std::string_view name_of(Compress compress) {

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "compiler/contract/result.h"
+#include "compiler/contract/split.h"
+#include "compiler/contract/target.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/locate.h"
 #include "compiler/scene/scene.h"
@@ -27,9 +29,10 @@ Result<Compress> parse_compress(std::string_view text);
 /// The files that a run writes into its folder.
 struct Outputs {
   std::string folder;
-  bool manifest = true;             ///< scene.kiln
-  bool glb = true;                  ///< glb/<x>_<y>_L<n>.glb
-  bool instances_as_nodes = false;  ///< A glTF node per plant and lamp, for readers without EXT_mesh_gpu_instancing.
+  bool manifest = true;  ///< scene.kiln
+  bool glb = true;       ///< glb/<x>_<y>_L<n>.glb
+  Target target = Target::kGeneric;
+  Split split = Split::kLayer;
   Compress compress = Compress::kNone;
   std::vector<double> ladder_m{kDefaultLadder_m.begin(),
                                kDefaultLadder_m.end()};  ///< Tolerances, increasing; level n has the n-th.
@@ -70,8 +73,11 @@ Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& s
 /// column), an unknown key, an invalid value.
 Result<CompileSpec> read_spec(const std::string& path);
 
-/// Error: the spec has no map or no output folder.
+/// Error: the spec has no map or no output folder, or its outputs do not fit their target.
 Result<Done> is_complete(const CompileSpec& spec);
+
+/// Error: the target's reader cannot read the compression.
+Result<Done> fits_target(const Outputs& outputs);
 
 /// Parses a tolerance above 0 and at most kCoarsest_m: "0.5".
 Result<double> parse_tolerance(std::string_view text);

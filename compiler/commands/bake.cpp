@@ -31,7 +31,7 @@ struct Request {
   std::optional<double> fov_deg;
   PictureSize size;
   double pixel_error = 1;
-  CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, instancing, threads.
+  CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, target, split, compress, threads.
 };
 
 /// All tiles of the scene joined to one.
@@ -52,8 +52,7 @@ Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, double toler
 Result<double> write_one_file(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
   const Outputs& outputs = request.spec.outputs;
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(tile, header, verify::instancing_of(outputs.instances_as_nodes),
-                             verify::compression_of(outputs.compress), request.spec.threads);
+      exporters::encode_tile(tile, header, verify::glb_options_of(outputs), request.spec.threads);
   if (const Result<Done> done = exporters::write_file(request.out_path, encoded.glb); !done) return done.error();
   return encoded.error_m;
 }
@@ -145,6 +144,7 @@ Result<Exit> run(const Request& request, const Console& console) {
   if (request.manifest_path.empty()) return Error{"", "no manifest is given; expected a file such as out/scene.kiln"};
   if (request.out_path.empty())
     return Error{"", "no output is given; add -o FILE.glb with --tolerance or --eye, or -o FOLDER without"};
+  if (const Result<Done> fits = fits_target(request.spec.outputs); !fits) return fits.error();
   if (request.eye || request.eye_lonlat) return bake_view_to_file(request, console);
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
@@ -153,8 +153,8 @@ Result<Exit> run(const Request& request, const Console& console) {
 void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
-    if (name != "only" && name != "emit" && name != "lods" && name != "instancing" && name != "compress" &&
-        name != "world" && name != "threads") {
+    if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
+        name != "compress" && name != "world" && name != "threads") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);

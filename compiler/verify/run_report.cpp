@@ -189,7 +189,8 @@ RunRecord record_of(const Json& report) {
                             .triangles = tile.at("triangles"),
                             .instances = tile.at("instances")});
   }
-  record.instances_as_nodes = report.at("instancing") == "nodes";
+  if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
+  if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
   for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
@@ -222,7 +223,8 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["tile_m"] = header.tile_m;
   json["seed"] = header.seed;
   json["resampling_error_m"] = header.resampling_error_m;
-  json["instancing"] = outputs.instances_as_nodes ? "nodes" : "ext";
+  json["target"] = values_of(outputs.target).name;
+  json["split"] = name_of(outputs.split);
   json["compress"] = name_of(outputs.compress);
   json["counts"] = counts_of(scene);
   json["levels"] = levels_of(written, outputs);
@@ -250,13 +252,11 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
   return json.dump(1) + "\n";
 }
 
-exporters::Compression compression_of(Compress compress) {
-  if (compress == Compress::kDraco) return exporters::Compression::kDraco;
-  return compress == Compress::kMeshopt ? exporters::Compression::kMeshopt : exporters::Compression::kNone;
-}
-
-exporters::Instancing instancing_of(bool instances_as_nodes) {
-  return instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
+exporters::GlbOptions glb_options_of(const Outputs& outputs) {
+  const auto compression = outputs.compress == Compress::kDraco     ? exporters::Compression::kDraco
+                           : outputs.compress == Compress::kMeshopt ? exporters::Compression::kMeshopt
+                                                                    : exporters::Compression::kNone;
+  return {.target = outputs.target, .split = outputs.split, .compression = compression};
 }
 
 bool has_mended_or_dropped(const Report& report) {

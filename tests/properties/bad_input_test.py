@@ -228,7 +228,7 @@ class BadInput(ProgramTest):
 
     def test_wrong_settings_are_named(self):
         for arguments in (["--tile", "100"], ["--lods", "1,0.5"], ["--lods", "500"], ["--bbox", "1,2,3"], ["--only", "x"], ["--time", "noon"],
-                          ["--seed", "-1"], ["--instancing", "maybe"], ["--compress", "zip"]):
+                          ["--seed", "-1"], ["--target", "maya"], ["--split", "road"], ["--compress", "zip"]):
             with self.subTest(arguments):
                 self.fails(self.good_map(), *arguments, words=[arguments[0]])
 
