@@ -9,6 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compiler/verify/written_tile_json.h"
+#include "exporters/settle_folder.h"
+
 namespace citykiln::verify {
 namespace {
 
@@ -143,17 +146,7 @@ Json files_of(const WrittenFiles& written) {
 
 Json tiles_of(const WrittenFiles& written) {
   Json tiles = Json::array();
-  for (const WrittenTile& tile : written.tiles) {
-    tiles.push_back({{"file", tile.file.name},
-                     {"bytes", tile.file.bytes},
-                     {"x", tile.tile.x},
-                     {"y", tile.tile.y},
-                     {"level", tile.level},
-                     {"tolerance_m", tile.tolerance_m},
-                     {"error_m", tile.error_m},
-                     {"triangles", tile.triangles},
-                     {"instances", tile.instances}});
-  }
+  for (const WrittenTile& tile : written.tiles) tiles.push_back(json_of(tile));
   return tiles;
 }
 
@@ -167,15 +160,7 @@ bool balances(const Json& account) {
 
 RunRecord record_of(const Json& report) {
   RunRecord record;
-  for (const Json& tile : report.at("tiles")) {
-    record.tiles.push_back({.file = {tile.at("file"), tile.at("bytes")},
-                            .tile = {tile.at("x"), tile.at("y")},
-                            .level = tile.at("level"),
-                            .tolerance_m = tile.at("tolerance_m"),
-                            .error_m = tile.at("error_m"),
-                            .triangles = tile.at("triangles"),
-                            .instances = tile.at("instances")});
-  }
+  for (const Json& tile : report.at("tiles")) record.tiles.push_back(written_tile(tile));
   record.instances_as_nodes = report.at("instancing") == "nodes";
   // reports of older versions have no such key
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
@@ -249,9 +234,19 @@ bool has_mended_or_dropped(const Report& report) {
                              [](const Diagnosis& d) { return severity_of(d.code) != Severity::kNote; });
 }
 
+bool is_violated(const Strictness& strict, const Report& report) {
+  if (strict.codes.empty()) return strict.is_on && has_mended_or_dropped(report);
+  return std::ranges::any_of(report.diagnoses(), [&](const Diagnosis& d) {
+    return std::ranges::find(strict.codes, d.code) != strict.codes.end();
+  });
+}
+
 Result<RunRecord> read_report(const std::string& folder) {
+  if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
   const std::string path = folder + "/report.json";
   std::ifstream file(path, std::ios::binary);
+  if (!file && exporters::has_unfinished_run(folder))
+    return Error{folder, "holds an unfinished run; repeat the command that writes it"};
   if (!file) return Error{path, "cannot be read; expected the folder of a finished run"};
   try {
     return record_of(Json::parse(file));
