@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/contract/code_names.h"
 #include "compiler/contract/nearest_name.h"
 #include "compiler/contract/parse.h"
 #include "compiler/sky/plan.h"
@@ -156,8 +157,13 @@ Result<Done> set_tags(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
-  if (text != "true" && text != "false") return expected("true or false", text);
-  spec.is_strict = text == "true";
+  spec.strict = {.is_on = text != "false", .codes = {}};
+  if (text == "true" || text == "false") return Done{};
+  for (const std::string_view name : split(text, ',')) {
+    const std::optional<Code> code = code_named(name);
+    if (!code) return expected("diagnosis codes as in report.json, such as MissingNode,RoofFallback", name);
+    spec.strict.codes.push_back(*code);
+  }
   return Done{};
 }
 
@@ -206,7 +212,10 @@ constexpr Setting kSettings[] = {
      false, set_tags},
     {"threads", "N", "number of threads; 0 uses all processors (default: 0)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }},
-    {"strict", "", "exit with code 2 if map or height data had to be corrected or left out", false, set_strict},
+    {"strict", "[=CODE,...]",
+     "exit with code 2 if map or height data had to be corrected or left out; with codes, such as "
+     "--strict=MissingNode,RoofFallback, if one of these was diagnosed",
+     false, set_strict},
 };
 
 /// The value as it would be written on the command line.

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
 
+#include "compiler/commands/interrupt_notice.h"
 #include "compiler/commands/join_tiles.h"
+#include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
 #include "compiler/commands/write_outputs.h"
@@ -125,26 +128,44 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.out_path);
   if (!folder) return folder.error();
 
+  const InterruptNotice notice;
   Report report;
   const Outputs& outputs = request.spec.outputs;
-  const Result<verify::WrittenFiles> written =
+  const Result<WrittenOutputs> written =
       write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
   if (!written) return written.error();
-  const std::string json = verify::report_json(scene->header, *scene, report, *written, outputs,
+  const std::string json = verify::report_json(scene->header, *scene, report, written->files, outputs,
                                                {verify::measure_heights(*scene, request.spec.threads)});
-  if (const Result<Done> done = folder->commit(json); !done) return done.error();
+  if (const Result<Done> done = commit_outputs(*written, json, scene->header, *folder); !done) return done.error();
 
   console.print_line(
-      fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->bytes() * 1e-6));
+      fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->files.bytes() * 1e-6));
+  print_notes(request.out_path, *written, folder->files(), console);
   console.print_json(json);
   return Exit::kDone;
 }
 
-Result<Exit> run(const Request& request, const Console& console) {
-  if (request.manifest_path.empty()) return Error{"", "no manifest is given; expected a file such as out/scene.kiln"};
+/// Error: the output does not fit the options: one file is of one tolerance or one eye, a folder has all levels.
+Result<Done> output_fits(const Request& request) {
+  const bool is_one_file = request.tolerance_m || request.eye || request.eye_lonlat;
   if (request.out_path.empty())
     return Error{"", "no output is given; add -o FILE.glb with --tolerance or --eye, or -o FOLDER without"};
-  if (const Result<Done> fits = fits_target(request.spec.outputs); !fits) return fits.error();
+  if (!is_one_file && request.out_path.ends_with(".glb"))
+    return Error{request.out_path, "names one file, which needs a tolerance: add --tolerance M, such as 0.1, or --eye"};
+  std::error_code none;
+  if (is_one_file && std::filesystem::is_directory(request.out_path, none))
+    return Error{request.out_path, "is a folder; --tolerance and --eye write one file: give -o FILE.glb"};
+  return fits_target(request.spec.outputs);
+}
+
+Result<Exit> run(const Request& asked, const Console& console) {
+  if (asked.manifest_path.empty())
+    return Error{"", "no manifest is given; expected a file such as out/scene.kiln, or the folder of a run"};
+  if (const Result<Done> fits = output_fits(asked); !fits) return fits.error();
+  const Result<std::string> manifest_path = manifest_of(asked.manifest_path);
+  if (!manifest_path) return manifest_path.error();
+  Request request = asked;
+  request.manifest_path = *manifest_path;
   if (request.eye || request.eye_lonlat) return bake_view_to_file(request, console);
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
@@ -170,7 +191,8 @@ Verb bake_verb() {
   const auto request = std::make_shared<Request>();
   Verb verb{"bake", "bakes a manifest to one .glb file, or to a folder as compile does", {}, {}};
   verb.options = {
-      {"manifest", "SCENE.kiln", "manifest to bake, such as out/scene.kiln", false, store_text(request->manifest_path)},
+      {"manifest", "SCENE.kiln|OUT", "manifest to bake, such as out/scene.kiln, or the folder of a run", false,
+       store_text(request->manifest_path)},
       {"--tolerance", "M",
        "largest geometric error in metres of one .glb file, such as 0.1; with --eye the smallest (default there: 0.02)",
        false, store_tolerance(request->tolerance_m)},

@@ -15,17 +15,15 @@ namespace {
 
 constexpr const char* kVersion = "citykiln " CITYKILN_VERSION;
 
-int fail(const Error& error) {
-  // prints a single line, even if a library's message has several
-  std::string line = to_string(error);
-  std::ranges::replace(line, '\n', ' ');
-  fmt::print(stderr, "citykiln: {}\n", line);
+int fail(const Error& error, const Console& console) {
+  console.print_error(error);
   return static_cast<int>(Exit::kFailed);
 }
 
 /// Declares one option of the table to CLI11.
 void declare(CLI::App& app, const Option& option) {
-  if (option.value.empty()) {
+  // a switch, or one that can have a value: --strict, --strict=CODE
+  if (option.value.empty() || option.value.starts_with("[=")) {
     app.add_flag(option.flags, option.help);
     return;
   }
@@ -57,9 +55,9 @@ Result<Done> take(const CLI::App& command, const Verb& verb) {
 }
 
 int run(const CLI::App& command, const Verb& verb, const Console& console) {
-  if (const Result<Done> taken = take(command, verb); !taken) return fail(taken.error());
+  if (const Result<Done> taken = take(command, verb); !taken) return fail(taken.error(), console);
   const Result<Exit> exit = verb.run(console);
-  return exit ? static_cast<int>(*exit) : fail(exit.error());
+  return exit ? static_cast<int>(*exit) : fail(exit.error(), console);
 }
 
 /// All long flags of a verb: "--out" of "-o,--out".
@@ -97,7 +95,10 @@ int run(std::span<const Verb> verbs, int argc, const char* const* argv) {
   CLI::App app("citykiln compiles OpenStreetMap extracts and heightmaps to 3D city tiles", "citykiln");
   app.set_version_flag("--version", kVersion);
   app.require_subcommand(1);
-  Console console;
+  // known before parsing, so that errors of the command line are JSON too
+  const bool is_json =
+      std::ranges::count(std::span(argv, static_cast<std::size_t>(argc)), std::string_view("--json")) > 0;
+  Console console{.is_json = is_json};
   for (const Verb& verb : verbs) declare(app, verb, console);
   const std::span words(argv + 1, static_cast<std::size_t>(argc - 1));
   if (const Result<Done> known = are_known(verbs, words); !known) return fail(known.error());
@@ -111,9 +112,9 @@ int run(std::span<const Verb> verbs, int argc, const char* const* argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& problem) {
-    return fail({"", problem.what()});
+    return fail({"", problem.what()}, console);
   } catch (const std::bad_alloc&) {
-    return fail({"", "out of memory"});
+    return fail({"", "out of memory"}, console);
   }
   return static_cast<int>(Exit::kFailed);
 }

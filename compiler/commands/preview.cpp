@@ -55,8 +55,8 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<preview::Camera> camera = camera_of(request, *loaded);
   if (!camera) return camera.error();
 
-  on_progress("render", 0);
   preview::Options options = request.options;
+  options.on_progress = [&](double share) { on_progress("render", share); };
   options.width = request.size.width, options.height = request.size.height;
   options.threads = request.load.threads;
   options.exposure *= preview::adapted_exposure(*sky);

@@ -23,7 +23,9 @@ using Take = std::function<Result<Done>(const std::string& text)>;
 /// One option of a verb.
 struct Option {
   std::string flags;  ///< "-o,--out"; a name without dashes is a positional argument.
-  std::string value;  ///< Name of the value in the help, "FILE"; empty for a switch, which passes "true".
+  /// Name of the value in the help, "FILE"; empty for a switch, which passes "true"; "[=CODE]" for a switch that can
+  /// have a value.
+  std::string value;
   std::string help;
   bool repeats = false;
   Take take;  ///< Called for each value, in the order of the table.

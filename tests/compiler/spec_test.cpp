@@ -125,7 +125,7 @@ TEST(SpecFile, SaysTheSameAsTheCommandLine) {
   EXPECT_EQ(spec->map.bbox, (source::LonLatBox{1, 2, 3, 4}));
   EXPECT_EQ(spec->tile_m, 512);
   EXPECT_EQ(spec->outputs.ladder_m, (std::vector{0.5, 4.0}));
-  EXPECT_TRUE(spec->is_strict);
+  EXPECT_TRUE(spec->strict.is_on);
 }
 
 TEST(SpecFile, ErrorsNameFileAndPlace) {
