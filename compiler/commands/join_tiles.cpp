@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "compiler/bake/image_uvs.h"
 #include "compiler/commands/join_facade_atlases.h"
 #include "compiler/commands/join_marking_atlases.h"
 
@@ -83,7 +84,8 @@ void add_instanced(bake::InstancedMesh& to, const bake::InstancedMesh& from, con
 bake::Primitive& primitive_of(bake::BakedTile& joined, const bake::PrimitiveKey& key) {
   const auto place = std::ranges::lower_bound(joined.primitives, key, {}, bake::key_of);
   if (place != joined.primitives.end() && bake::key_of(*place) == key) return *place;
-  return *joined.primitives.insert(place, bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.colour_source});
+  return *joined.primitives.insert(place,
+                                   bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.colour_source, key.layer});
 }
 
 /// An instanced mesh with texture coordinates of the joined atlases.
@@ -165,6 +167,8 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
     if (tile.viewpoint && (!joined.viewpoint || joined.viewpoint->pixel_error < tile.viewpoint->pixel_error))
       joined.viewpoint = tile.viewpoint;
   }
+  std::ranges::stable_sort(joined.instanced, {}, [](const bake::InstancedMesh& i) { return bake::layer_of(i); });
+  bake::snap_image_uvs(joined);
   if (reach_m > kExactReach_m) {
     return Error{"", fmt::format("the tiles extend over {:.0f} km, but one file is exact to 16 km only; bake fewer "
                                  "tiles, or bake to a folder",

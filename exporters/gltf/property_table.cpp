@@ -124,6 +124,11 @@ Value number_of(std::int64_t v) {
   return fits ? Value(static_cast<int>(v)) : Value(static_cast<double>(v));
 }
 
+std::string type_name(OsmType type) {
+  constexpr const char* kNames[] = {"none", "node", "way", "relation"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
 // The tags as an object of texts; empty where they are no JSON object.
 Value tags_object(const std::string& json) {
   Object tags;
@@ -166,13 +171,18 @@ Value property_table(GlbBuilder& builder) {
   return Value(Object{{"schema", Value(schema)}, {"propertyTables", Value(Array{Value(table)})}});
 }
 
+std::string feature_name(const bake::BakedTile& tile, std::uint32_t feature) {
+  assert(feature < tile.features.size());
+  const OsmId id = tile.features[feature];
+  return id.type == OsmType::kNone ? "none" : fmt::format("{}_{}", type_name(id.type), id.id);
+}
+
 Value extras_of(const bake::BakedTile& tile, std::uint32_t feature) {
   assert(feature < tile.features.size());
-  constexpr const char* kTypes[] = {"none", "node", "way", "relation"};
   const OsmId id = tile.features[feature];
   Object extras = {{"feature", whole(feature)}};
   if (id.type != OsmType::kNone)
-    extras["osm_id"] = number_of(id.id), extras["osm_type"] = text(kTypes[static_cast<std::size_t>(id.type)]);
+    extras["osm_id"] = number_of(id.id), extras["osm_type"] = text(type_name(id.type));
   if (feature < tile.attributes.size()) add_attributes(tile.attributes[feature], extras);
   return Value(std::move(extras));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "compiler/bake/baked_tile.h"
 #include "exporters/gltf/glb_builder.h"
@@ -23,6 +24,9 @@ namespace citykiln::exporters {
 /// Columns without a value are left out: name and tags that are all empty, and all of class to tags where the tile has
 /// no attributes.
 tinygltf::Value property_table(GlbBuilder& builder);
+
+/// The name of the node of a feature: "way_1234"; "none" for the none feature.
+std::string feature_name(const bake::BakedTile& tile, std::uint32_t feature);
 
 /// The extras of a node that shows one feature: {feature, osm_id, osm_type, class, name, height_m, tags}, where
 /// osm_type is "node", "way" or "relation" and tags is an object. Values that are not known are left out; the none
