@@ -44,6 +44,7 @@ TEST(ClipPolygon, OutsideOfTheBoxNothingIsLeft) {
 TEST(ClipPolygon, TilesShareBordersAndTogetherAreTheWhole) {
   std::mt19937 chance(7);
   const auto coordinate = [&] { return static_cast<double>(chance() % 65536) / 128; };
+  int with_area = 0;
   for (int round = 0; round < 40; ++round) {
     Ring ring;
     for (int i = 0; i < 12; ++i) ring.push_back({coordinate(), coordinate()});
@@ -56,13 +57,15 @@ TEST(ClipPolygon, TilesShareBordersAndTogetherAreTheWhole) {
           std::ranges::move(copied_rings(polygon), std::back_inserter(pieces));
         }
     const std::vector<Polygon> whole = united(std::vector<Ring>{ring}), joined = united(pieces);
-    EXPECT_GT(total_m2(whole), 0);
+    // some rings run clockwise about all that they enclose
+    if (!whole.empty()) ++with_area;
     // each vertex may move by 2^-10 m, along edges of at most 725 m
     EXPECT_NEAR(total_m2(joined), total_m2(whole), 12 * 725 * 0x1p-9);
     EXPECT_NEAR(total_m2(joined), sum_m2, 0x1p-20);
     for (const Polygon& polygon : joined)
       for (const Ring& simple : copied_rings(polygon)) EXPECT_TRUE(is_simple(simple));
   }
+  EXPECT_GT(with_area, 30);
 }
 
 }  // namespace

@@ -10,7 +10,9 @@ namespace {
 Features located_with(const std::string& text, bool keeps_tags) {
   Report report;
   const source::LonLatBox box{7.41, 43.72, 7.43, 43.74};
-  return locate(MapText(text).take(), Plane(kTestOrigin), box, {.keeps_tags = keeps_tags}, report);
+  Options options;
+  options.keeps_tags = keeps_tags;
+  return locate(MapText(text).take(), Plane(kTestOrigin), box, options, report);
 }
 
 constexpr const char* kTown = R"(n5 3:4 natural=tree name=Old~Oak
