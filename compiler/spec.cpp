@@ -161,8 +161,11 @@ constexpr Setting kSettings[] = {
      "levels of detail: largest geometric error of each in metres, finest first (default: 0.02,0.1,0.5,2.5,12.5)",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.ladder_m); }},
     {"world", "plane", "shape of the world; only plane is supported (default: plane)", false, set_world},
-    {"compress", "none|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
+    {"compress", "none|quantize|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_compress(text), spec.outputs.compress); }},
+    {"layout", "embedded|shared",
+     "shared: plants, lamps and images of all tiles are files in glb/shared (default: embedded in each .glb)", false,
+     [](CompileSpec& spec, std::string_view text) { return put(parse_layout(text), spec.outputs.layout); }},
     {"instancing", "ext|nodes",
      "plants and lamps: ext uses EXT_mesh_gpu_instancing, nodes writes a glTF node for each (default: ext)", false,
      set_instancing},
@@ -253,14 +256,23 @@ Result<Done> is_complete(const CompileSpec& spec) {
 }
 
 std::string_view name_of(Compress compress) {
+  if (compress == Compress::kQuantize) return "quantize";
   if (compress == Compress::kDraco) return "draco";
   return compress == Compress::kMeshopt ? "meshopt" : "none";
 }
 
 Result<Compress> parse_compress(std::string_view text) {
-  for (const Compress compress : {Compress::kNone, Compress::kDraco, Compress::kMeshopt})
+  for (const Compress compress : {Compress::kNone, Compress::kQuantize, Compress::kDraco, Compress::kMeshopt})
     if (text == name_of(compress)) return compress;
-  return expected("none, draco or meshopt", text);
+  return expected("none, quantize, draco or meshopt", text);
+}
+
+std::string_view name_of(Layout layout) { return layout == Layout::kShared ? "shared" : "embedded"; }
+
+Result<Layout> parse_layout(std::string_view text) {
+  for (const Layout layout : {Layout::kEmbedded, Layout::kShared})
+    if (text == name_of(layout)) return layout;
+  return expected("embedded or shared", text);
 }
 
 Result<std::vector<double>> parse_ladder(std::string_view text) {

@@ -20,9 +20,14 @@
 namespace citykiln {
 
 /// Compression of meshes in .glb files (exporters/gltf/compression.h).
-enum class Compress { kNone, kDraco, kMeshopt };
-std::string_view name_of(Compress compress);  ///< "none", "draco", "meshopt": the values of the setting.
+enum class Compress { kNone, kQuantize, kDraco, kMeshopt };
+std::string_view name_of(Compress compress);  ///< "none", "quantize", "draco", "meshopt".
 Result<Compress> parse_compress(std::string_view text);
+
+/// Where meshes of prototypes and images are (exporters/gltf/shared_layout.h).
+enum class Layout { kEmbedded, kShared };
+std::string_view name_of(Layout layout);  ///< "embedded", "shared".
+Result<Layout> parse_layout(std::string_view text);
 
 /// The files that a run writes into its folder.
 struct Outputs {
@@ -31,6 +36,7 @@ struct Outputs {
   bool glb = true;                  ///< glb/<x>_<y>_L<n>.glb
   bool instances_as_nodes = false;  ///< A glTF node per plant and lamp, for readers without EXT_mesh_gpu_instancing.
   Compress compress = Compress::kNone;
+  Layout layout = Layout::kEmbedded;
   std::vector<double> ladder_m{kDefaultLadder_m.begin(),
                                kDefaultLadder_m.end()};  ///< Tolerances, increasing; level n has the n-th.
 };

@@ -154,7 +154,7 @@ void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
     if (name != "only" && name != "emit" && name != "lods" && name != "instancing" && name != "compress" &&
-        name != "world" && name != "threads") {
+        name != "layout" && name != "world" && name != "threads") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);

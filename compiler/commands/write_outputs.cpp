@@ -8,6 +8,7 @@
 
 #include "compiler/pipeline.h"
 #include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/shared_layout.h"
 #include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
@@ -22,6 +23,7 @@ Result<verify::WrittenFile> write(const std::string& name, const std::vector<std
 /// An encoded tile that waits until the tiles before it are written.
 struct ReadyTile {
   std::vector<std::byte> glb;
+  std::vector<exporters::SharedFile> shared;
   verify::WrittenTile record;
 };
 
@@ -30,8 +32,11 @@ ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene
   exporters::EncodedTile encoded =
       exporters::encode_tile(tile, header, verify::instancing_of(outputs.instances_as_nodes),
                              verify::compression_of(outputs.compress), threads);
-  const verify::WrittenFile file{exporters::glb_name(tile.tile, level), encoded.glb.size()};
-  return {std::move(encoded.glb),
+  exporters::SharedGlb divided = outputs.layout == Layout::kShared ? exporters::share_prototypes(encoded.glb)
+                                                                   : exporters::SharedGlb{std::move(encoded.glb), {}};
+  const verify::WrittenFile file{exporters::glb_name(tile.tile, level), divided.glb.size()};
+  return {std::move(divided.glb),
+          std::move(divided.files),
           {.file = file,
            .tile = tile.tile,
            .level = level,
@@ -41,9 +46,23 @@ ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene
            .instances = exporters::instances_of(tile)}};
 }
 
+// Writes the files that no tile before has written.
+Result<Done> write_shared(const std::vector<exporters::SharedFile>& shared, exporters::OutputFolder& folder,
+                          std::vector<verify::WrittenFile>& written) {
+  for (const exporters::SharedFile& file : shared) {
+    const std::string name = "glb/" + file.name;
+    if (std::ranges::find(written, name, &verify::WrittenFile::name) != written.end()) continue;
+    const Result<verify::WrittenFile> done = write(name, file.bytes, folder);
+    if (!done) return done.error();
+    written.push_back(*done);
+  }
+  return Done{};
+}
+
 Result<std::vector<verify::WrittenTile>> write_glbs(const scene::Scene& scene, const Outputs& outputs, int threads,
                                                     exporters::OutputFolder& folder, Report& report,
-                                                    const OnProgress& on_progress) {
+                                                    const OnProgress& on_progress,
+                                                    std::vector<verify::WrittenFile>& files) {
   const std::size_t levels = outputs.ladder_m.size();
   std::vector<ReadyTile> slots(scene.chunks.size() * levels);
   std::vector<verify::WrittenTile> written;
@@ -56,6 +75,7 @@ Result<std::vector<verify::WrittenTile>> write_glbs(const scene::Scene& scene, c
       [&](ChunkLevel at) -> Result<Done> {
         const ReadyTile ready = std::exchange(slots[at.chunk * levels + at.level], {});
         written.push_back(ready.record);
+        if (Result<Done> done = write_shared(ready.shared, folder, files); !done) return done;
         return folder.write(ready.record.file.name, ready.glb);
       });
   if (!baked) return baked.error();
@@ -77,7 +97,8 @@ Result<verify::WrittenFiles> write_outputs(const scene::Scene& scene, const Outp
   }
   if (!outputs.glb) return written;
 
-  Result<std::vector<verify::WrittenTile>> tiles = write_glbs(scene, outputs, threads, folder, report, on_progress);
+  Result<std::vector<verify::WrittenTile>> tiles =
+      write_glbs(scene, outputs, threads, folder, report, on_progress, written.files);
   if (!tiles) return tiles.error();
   written.tiles = std::move(*tiles);
   return written;

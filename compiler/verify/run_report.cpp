@@ -178,6 +178,7 @@ RunRecord record_of(const Json& report) {
   }
   record.instances_as_nodes = report.at("instancing") == "nodes";
   // reports of older versions have no such key
+  if (const auto layout = parse_layout(report.value("layout", "embedded")); layout) record.layout = *layout;
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
   for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
   for (const auto& [name, account] : report.at("ledger").items()) {
@@ -209,6 +210,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["resampling_error_m"] = header.resampling_error_m;
   json["instancing"] = outputs.instances_as_nodes ? "nodes" : "ext";
   json["compress"] = name_of(outputs.compress);
+  json["layout"] = name_of(outputs.layout);
   json["counts"] = counts_of(scene);
   json["levels"] = levels_of(written, outputs);
   json["heights"] = heights_of(heights);
@@ -236,6 +238,7 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
 }
 
 exporters::Compression compression_of(Compress compress) {
+  if (compress == Compress::kQuantize) return exporters::Compression::kQuantize;
   if (compress == Compress::kDraco) return exporters::Compression::kDraco;
   return compress == Compress::kMeshopt ? exporters::Compression::kMeshopt : exporters::Compression::kNone;
 }

@@ -64,6 +64,7 @@ struct RunRecord {
   std::vector<WrittenTile> tiles;
   bool instances_as_nodes = false;
   Compress compress = Compress::kNone;
+  Layout layout = Layout::kEmbedded;
   bool has_manifest = false;
   std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers do not balance.
 };

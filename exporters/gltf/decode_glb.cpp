@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <limits>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_checks.h"
 #include "exporters/gltf/glb_reader.h"
+#include "exporters/gltf/shared_layout.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -163,9 +165,11 @@ Result<BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string
 }
 
 Result<BakedTile> read_glb(const std::string& path) {
-  const auto bytes = read_file(path);
+  auto bytes = read_file(path);
   if (!bytes) return bytes.error();
-  return decode_glb(*bytes, path);
+  const auto whole = with_shared_files(std::move(*bytes), std::filesystem::path(path).parent_path().string(), path);
+  if (!whole) return whole.error();
+  return decode_glb(*whole, path);
 }
 
 }  // namespace citykiln::exporters

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exporters/gltf/material_names.h"
+#include "exporters/gltf/object_runs.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -16,19 +17,6 @@ int attribute(const std::map<std::string, int>& attributes, const char* name) {
   const auto found = attributes.find(name);
   expect(found != attributes.end(), "the attributes that citykiln writes");
   return found->second;
-}
-
-// uvs in metres, from floats or from 16 bits that count steps.
-std::vector<Float2> uvs_of(GltfReader& reader, int accessor_number) {
-  if (item(reader.model.accessors, accessor_number, "an accessor that exists").componentType ==
-      TINYGLTF_COMPONENT_TYPE_FLOAT)
-    return finite(values_of<Float2>(reader, accessor_number, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2));
-  std::vector<Float2> uvs;
-  for (const auto& [u, v] : values_of<std::array<std::uint16_t, 2>>(
-           reader, accessor_number, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2))
-    uvs.push_back({static_cast<float>(u * materials::kTextureCoordinateStep_m),
-                   static_cast<float>(v * materials::kTextureCoordinateStep_m)});
-  return uvs;
 }
 
 bool has_picture(const tinygltf::Model& model, ColourSource colour_source) {
@@ -70,7 +58,9 @@ Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::si
       values_of<Float3>(reader, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
   out.colours = values_of<materials::Tint>(reader, attribute(p.attributes, "COLOR_0"),
                                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
-  if (p.attributes.count("TEXCOORD_0") != 0) out.uvs = uvs_of(reader, attribute(p.attributes, "TEXCOORD_0"));
+  if (p.attributes.count("TEXCOORD_0") != 0)
+    out.uvs = finite(values_of<Float2>(reader, attribute(p.attributes, "TEXCOORD_0"), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                       TINYGLTF_TYPE_VEC2));
   if (p.attributes.count("_FEATURE_ID_0") != 0)
     out.features = as_numbers(values_of<float>(reader, attribute(p.attributes, "_FEATURE_ID_0"),
                                                TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
@@ -86,12 +76,18 @@ Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::si
   return out;
 }
 
+// Large primitives are written in parts, which follow each other.
+void add_part(std::vector<Primitive>& primitives, Primitive&& part) {
+  const bool goes_on = !primitives.empty() && key_of(primitives.back()) == key_of(part);
+  goes_on ? append_part(primitives.back(), std::move(part)) : primitives.push_back(std::move(part));
+}
+
 }  // namespace
 
 std::vector<Primitive> primitives_of(GltfReader& reader, int mesh, std::size_t features) {
   std::vector<Primitive> primitives;
   for (const tinygltf::Primitive& p : item(reader.model.meshes, mesh, "a mesh that exists").primitives)
-    primitives.push_back(primitive_of(reader, p, features));
+    add_part(primitives, primitive_of(reader, p, features));
   return primitives;
 }
 

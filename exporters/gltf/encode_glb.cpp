@@ -11,6 +11,7 @@
 #include "exporters/gltf/glb_axes.h"
 #include "exporters/gltf/glb_builder.h"
 #include "exporters/gltf/glb_parts.h"
+#include "exporters/gltf/object_runs.h"
 #include "exporters/gltf/quantise.h"
 #include "exporters/gltf/tangents.h"
 
@@ -46,7 +47,7 @@ int add_positions(GlbBuilder& f, const std::vector<Float3>& positions) {
 int add_indices(GlbBuilder& f, const Primitive& p) {
   constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
   const std::size_t count = p.triangles.size() * 3;
-  if (p.positions.size() >= 65535)
+  if (p.positions.size() > 65535)
     return f.add_accessor(f.add_view(p.triangles, kTarget), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
                           count);
   const auto narrow = [](const auto& t) {
@@ -74,7 +75,8 @@ tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& p, const impost
   out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
   out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
                                               TINYGLTF_TARGET_ARRAY_BUFFER, true);
-  if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, key);
+  if (!p.uvs.empty())
+    out.attributes["TEXCOORD_0"] = f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
   if (normals_of(f, key) != nullptr) out.attributes["TANGENT"] = f.add_turned(tangents_of(p), TINYGLTF_TYPE_VEC4);
   if (!p.features.empty()) {
     out.attributes["_FEATURE_ID_0"] = f.add_as_floats(p.features);
@@ -88,7 +90,16 @@ int add_mesh(GlbBuilder& f, const std::string& name, const std::vector<Primitive
              const impostor::Cutout* cutout = nullptr) {
   tinygltf::Mesh mesh;
   mesh.name = name;
-  for (const Primitive& p : primitives) mesh.primitives.push_back(primitive_of(f, p, cutout));
+  // parts of so many vertices that 16 bits can number them; 65535 is reserved
+  constexpr std::size_t kMostVertices = 65535;
+  for (const Primitive& p : primitives) {
+    if (p.positions.size() <= kMostVertices) {
+      mesh.primitives.push_back(primitive_of(f, p, cutout));
+      continue;
+    }
+    for (const ObjectRun& run : joined_runs(object_runs(p), kMostVertices))
+      mesh.primitives.push_back(primitive_of(f, part_of(p, run), cutout));
+  }
   f.model.meshes.push_back(std::move(mesh));
   return static_cast<int>(f.model.meshes.size()) - 1;
 }

@@ -20,20 +20,20 @@ enum class Instancing { kExtension, kNodes };
 ///
 /// | data                | glTF                                                                                       |
 /// |---------------------|--------------------------------------------------------------------------------------------|
-/// | primitives          | one mesh, one primitive per key                                                            |
+/// | primitives          | one mesh, one primitive per key, or more where 16 bits cannot number the vertices of one   |
 /// | instances           | as `instancing` says                                                                       |
 /// | features            | _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into a property table of UINT64   |
 /// |                     | OSM ids and UINT8 element types (EXT_structural_metadata)                                  |
 /// | origin, tolerances, | the root node's extras: tile, origin_m (doubles), tolerance_m, error_m, plant_error_m,     |
 /// | errors              | rounding_m (largest error of single precision), plane, and viewpoint, if baked for one     |
 /// | attribution         | asset.copyright                                                                            |
-/// | uvs                 | TEXCOORD_0, metres; on textures 16 bits in steps of materials::kTextureCoordinateStep_m    |
+/// | uvs                 | TEXCOORD_0, metres                                                                         |
 /// | images              | PNG in the buffer, each once, scaled to metres by KHR_texture_transform; row 0 is v = 0    |
 /// | normal maps         | with TANGENT                                                                               |
 ///
 /// Guarantees: same input, same bytes, for any number of threads; valid by Khronos' validator with 0 errors and 0
-/// warnings. A packed .glb holds quantised(tile) (quantise.h) and states its error; its vertices and triangles are in
-/// another order, and its normals have kPackedNormalBits.
+/// warnings. A packed .glb holds quantised(tile) (quantise.h) and states its error; but by kQuantize its vertices and
+/// triangles are in another order; its normals have kPackedNormalBits.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
                                   Compression compression = Compression::kNone, int threads = 1);
 

@@ -19,8 +19,7 @@ namespace citykiln::exporters {
 struct MaterialKey {
   bake::PrimitiveKey primitive;                 ///< has_uvs is false where the uvs show no image.
   const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it.
-  bool has_quantised_uvs = false;
-  const impostor::Cutout* cutout = nullptr;  ///< The cutout, if the primitive shows one.
+  const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one.
   bool operator==(const MaterialKey&) const = default;
 };
 
