@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "exporters/gltf/material_names.h"
-#include "exporters/gltf/object_runs.h"
+#include "exporters/gltf/split_buildings.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -47,6 +47,15 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(GltfReader& reader, int a
   return triangles;
 }
 
+// The layer in the extras of a primitive, or else of its mesh.
+bake::Layer layer_in(const tinygltf::Value& primitive, const tinygltf::Value& mesh) {
+  const tinygltf::Value& name = member(primitive.IsObject() && primitive.Has("layer") ? primitive : mesh, "layer");
+  expect(name.IsString(), "the name of a layer");
+  const auto layer = bake::layer_named(name.Get<std::string>());
+  expect(layer.has_value(), "the name of a layer");
+  return *layer;
+}
+
 Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
   const bake::PrimitiveKey key =
@@ -76,18 +85,21 @@ Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::si
   return out;
 }
 
-// Large primitives are written in parts, which follow each other.
-void add_part(std::vector<Primitive>& primitives, Primitive&& part) {
-  const bool goes_on = !primitives.empty() && key_of(primitives.back()) == key_of(part);
-  goes_on ? append_part(primitives.back(), std::move(part)) : primitives.push_back(std::move(part));
-}
-
 }  // namespace
 
-std::vector<Primitive> primitives_of(GltfReader& reader, int mesh, std::size_t features) {
+std::vector<Primitive> primitives_of(GltfReader& reader, int mesh_number, std::size_t features) {
+  const tinygltf::Mesh& mesh = item(reader.model.meshes, mesh_number, "a mesh that exists");
+  expect(!mesh.primitives.empty(), "a primitive in each mesh");
   std::vector<Primitive> primitives;
-  for (const tinygltf::Primitive& p : item(reader.model.meshes, mesh, "a mesh that exists").primitives)
-    add_part(primitives, primitive_of(reader, p, features));
+  for (const tinygltf::Primitive& p : mesh.primitives) {
+    Primitive primitive = primitive_of(reader, p, features);
+    primitive.layer = layer_in(p.extras, mesh.extras);
+    // large primitives are written in parts, which follow each other
+    if (!primitives.empty() && key_of(primitives.back()) == key_of(primitive))
+      append_primitive(primitives.back(), primitive);
+    else
+      primitives.push_back(std::move(primitive));
+  }
   return primitives;
 }
 

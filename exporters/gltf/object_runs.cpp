@@ -15,11 +15,6 @@ std::vector<T> slice(const std::vector<T>& values, std::size_t first, std::size_
   return {values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(last)};
 }
 
-template <typename T>
-void append(std::vector<T>& values, const std::vector<T>& more) {
-  values.insert(values.end(), more.begin(), more.end());
-}
-
 // The smallest vertex of each triangle and all that follow.
 std::vector<std::uint32_t> smallest_from(const Primitive& primitive) {
   std::vector<std::uint32_t> smallest(primitive.triangles.size());
@@ -64,6 +59,7 @@ std::vector<ObjectRun> joined_runs(const std::vector<ObjectRun>& runs, std::size
 Primitive part_of(const Primitive& primitive, const ObjectRun& run) {
   Primitive part;
   part.material = primitive.material, part.colour_source = primitive.colour_source;
+  part.layer = primitive.layer;
   part.positions = slice(primitive.positions, run.first_vertex, run.last_vertex);
   part.normals = slice(primitive.normals, run.first_vertex, run.last_vertex);
   part.colours = slice(primitive.colours, run.first_vertex, run.last_vertex);
@@ -73,15 +69,6 @@ Primitive part_of(const Primitive& primitive, const ObjectRun& run) {
   for (auto& triangle : part.triangles)
     for (std::uint32_t& vertex : triangle) vertex -= static_cast<std::uint32_t>(run.first_vertex);
   return part;
-}
-
-void append_part(Primitive& primitive, Primitive&& part) {
-  const auto first = static_cast<std::uint32_t>(primitive.positions.size());
-  for (auto& triangle : part.triangles)
-    for (std::uint32_t& vertex : triangle) vertex += first;
-  append(primitive.positions, part.positions), append(primitive.normals, part.normals);
-  append(primitive.colours, part.colours), append(primitive.features, part.features);
-  append(primitive.uvs, part.uvs), append(primitive.triangles, part.triangles);
 }
 
 }  // namespace citykiln::exporters

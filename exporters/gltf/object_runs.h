@@ -21,10 +21,7 @@ std::vector<ObjectRun> object_runs(const bake::Primitive& primitive);
 /// Returns runs joined to as few as possible with at most `most_vertices` each; a run with more stays alone.
 std::vector<ObjectRun> joined_runs(const std::vector<ObjectRun>& runs, std::size_t most_vertices);
 
-/// Returns the part of a primitive that is one run.
+/// Returns the part of a primitive that is one run; append_primitive() (split_buildings.h) is the inverse.
 bake::Primitive part_of(const bake::Primitive& primitive, const ObjectRun& run);
-
-/// Appends a part: the inverse of part_of, run after run.
-void append_part(bake::Primitive& primitive, bake::Primitive&& part);
 
 }  // namespace citykiln::exporters

@@ -11,6 +11,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/gltf/glb_checks.h"
 #include "exporters/gltf/glb_parts.h"
@@ -24,13 +25,6 @@ using Json = nlohmann::json;
 constexpr const char *kDraco = "KHR_draco_mesh_compression", *kMeshopt = "EXT_meshopt_compression";
 
 // ---- sharing -------------------------------------------------------------------------------------------------------
-
-// FNV-1a.
-std::uint64_t hash_of(std::span<const unsigned char> bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ull;
-  for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3ull;
-  return hash;
-}
 
 std::span<const unsigned char> bytes_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()};
@@ -87,7 +81,7 @@ struct Sharing {
 
   // Returns the URI, or nothing where the tile has this file already: each byte is used once.
   std::optional<std::string> add_file(std::vector<std::byte> bytes, std::string_view suffix) {
-    const std::string name = fmt::format("shared/{:016x}_{}.{}", hash_of(bytes_of(bytes)), bytes.size(), suffix);
+    const std::string name = fmt::format("shared/{}_{}.{}", hash_text(content_hash(bytes)), bytes.size(), suffix);
     if (bytes.empty() || std::ranges::find(files, name, &SharedFile::name) != files.end()) return std::nullopt;
     files.push_back({name, std::move(bytes)});
     return name;
