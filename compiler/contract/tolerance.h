@@ -9,6 +9,9 @@ namespace citykiln {
 /// it, which skirts rely on (bake/skirt.h); triangles fall by at most eight from one to the next.
 inline constexpr std::array kDefaultLadder_m = {0.1, 0.5, 1.2, 2.5, 12.5};
 
+/// The largest tolerance of a level, metres: beyond it nothing of a city is left but the ground.
+inline constexpr double kCoarsest_m = 100;
+
 /// The grid step of coordinates and heights of baked vertices. A power of two, so that float32 offsets from a tile's
 /// origin are exact up to 16 km.
 inline constexpr double kQuantum_m = 0x1p-10;
