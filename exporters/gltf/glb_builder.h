@@ -11,6 +11,7 @@
 
 #include "compiler/bake/baked_tile.h"
 #include "exporters/gltf/glb_axes.h"
+#include "exporters/gltf/picture_formats.h"
 #include "exporters/gltf/tinygltf_config.h"
 
 namespace citykiln::exporters {
@@ -28,6 +29,7 @@ struct MaterialKey {
 struct GlbBuilder {
   const bake::BakedTile& tile;
   const scene::Header& header;
+  PictureFormats pictures = PictureFormats::kPng;
   tinygltf::Model model{};          ///< Without its buffer's bytes, which tinygltf would copy several times.
   std::vector<std::byte> buffer{};  ///< The bytes of its only buffer.
   std::set<std::string> extensions{};
