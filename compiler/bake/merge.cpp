@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <set>
 
 namespace citykiln::bake {
@@ -24,6 +25,14 @@ std::size_t hash_of(const Float3& p) {
   return static_cast<std::size_t>(h >> 32 ^ h);
 }
 
+// Whether two normals differ by less than a tenth of a degree, as those of triangles in one plane do.
+bool are_alike(const Float3& a, const Float3& b) {
+  constexpr float kMostDifference = 0x1p-10f;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (std::abs(a[c] - b[c]) > kMostDifference) return false;
+  return true;
+}
+
 // Finds the vertices that one mesh has added to a primitive, so that equal ones are shared.
 struct Vertices {
   const materials::MaterialMesh& source;
@@ -36,7 +45,7 @@ struct Vertices {
   std::vector<std::uint32_t> next{};  // by vertex of the primitive - base
 
   bool is(std::uint32_t v, const Float3& p, const Float3& normal, materials::Tint tint, const Float2* uv) const {
-    return primitive.positions[v] == p && primitive.normals[v] == normal && primitive.colours[v] == tint &&
+    return primitive.positions[v] == p && are_alike(primitive.normals[v], normal) && primitive.colours[v] == tint &&
            (uv == nullptr || primitive.uvs[v] == *uv);
   }
 
@@ -68,14 +77,15 @@ Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
 
 Float3 offset_from(Vec3 origin, Vec3 p) { return single(p - origin); }
 
-void merge(PrimitiveMap& merged, const materials::MaterialMesh& source, Vec3 origin, std::uint32_t feature) {
+void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint32_t feature) {
+  const materials::MaterialMesh& source = part.mesh;
   const Mesh& mesh = source.mesh;
   assert(source.uvs.empty() ? source.colour_source == materials::ColourSource::kByMaterial
                             : source.uvs.size() == mesh.positions.size());
   assert(source.tints.empty() || source.tints.size() == mesh.positions.size());
-  const PrimitiveKey key{source.material, !source.uvs.empty(), source.colour_source};
+  const PrimitiveKey key{part.layer, source.material, !source.uvs.empty(), source.colour_source};
   Primitive& primitive = merged[key];
-  primitive.material = key.material, primitive.colour_source = key.colour_source;
+  primitive.material = key.material, primitive.colour_source = key.colour_source, primitive.layer = key.layer;
   Vertices vertices{source, primitive, origin, feature};
   for (const Triangle& t : mesh.triangles) {
     const Vec3 flat = normal_of(mesh, t);
@@ -106,9 +116,9 @@ std::vector<Primitive> primitives_of(PrimitiveMap&& merged) {
   return primitives;
 }
 
-std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes) {
+std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes, Layer layer) {
   PrimitiveMap merged;
-  for (const materials::MaterialMesh& mesh : meshes) merge(merged, mesh, {}, 0);
+  for (const materials::MaterialMesh& mesh : meshes) merge(merged, {mesh, layer}, {}, 0);
   std::vector<Primitive> primitives = primitives_of(std::move(merged));
   for (Primitive& primitive : primitives) primitive.features.clear();
   return primitives;

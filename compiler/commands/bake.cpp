@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
 
+#include "compiler/commands/interrupt_notice.h"
 #include "compiler/commands/join_tiles.h"
+#include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
 #include "compiler/commands/write_outputs.h"
@@ -31,7 +34,7 @@ struct Request {
   std::optional<double> fov_deg;
   PictureSize size;
   double pixel_error = 1;
-  CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, instancing, threads.
+  CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, target, split, compress, threads.
 };
 
 /// All tiles of the scene joined to one.
@@ -52,8 +55,7 @@ Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, double toler
 Result<double> write_one_file(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
   const Outputs& outputs = request.spec.outputs;
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(tile, header, verify::instancing_of(outputs.instances_as_nodes),
-                             verify::compression_of(outputs.compress), request.spec.threads);
+      exporters::encode_tile(tile, header, verify::glb_options_of(outputs), request.spec.threads);
   if (const Result<Done> done = exporters::write_file(request.out_path, encoded.glb); !done) return done.error();
   return encoded.error_m;
 }
@@ -126,25 +128,44 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.out_path);
   if (!folder) return folder.error();
 
+  const InterruptNotice notice;
   Report report;
   const Outputs& outputs = request.spec.outputs;
-  const Result<verify::WrittenFiles> written =
+  const Result<WrittenOutputs> written =
       write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
   if (!written) return written.error();
-  const std::string json = verify::report_json(scene->header, *scene, report, *written, outputs,
+  const std::string json = verify::report_json(scene->header, *scene, report, written->files, outputs,
                                                {verify::measure_heights(*scene, request.spec.threads)});
-  if (const Result<Done> done = folder->commit(json); !done) return done.error();
+  if (const Result<Done> done = commit_outputs(*written, json, scene->header, *folder); !done) return done.error();
 
   console.print_line(
-      fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->bytes() * 1e-6));
+      fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->files.bytes() * 1e-6));
+  print_notes(request.out_path, *written, folder->files(), console);
   console.print_json(json);
   return Exit::kDone;
 }
 
-Result<Exit> run(const Request& request, const Console& console) {
-  if (request.manifest_path.empty()) return Error{"", "no manifest is given; expected a file such as out/scene.kiln"};
+/// Error: the output does not fit the options: one file is of one tolerance or one eye, a folder has all levels.
+Result<Done> output_fits(const Request& request) {
+  const bool is_one_file = request.tolerance_m || request.eye || request.eye_lonlat;
   if (request.out_path.empty())
     return Error{"", "no output is given; add -o FILE.glb with --tolerance or --eye, or -o FOLDER without"};
+  if (!is_one_file && request.out_path.ends_with(".glb"))
+    return Error{request.out_path, "names one file, which needs a tolerance: add --tolerance M, such as 0.1, or --eye"};
+  std::error_code none;
+  if (is_one_file && std::filesystem::is_directory(request.out_path, none))
+    return Error{request.out_path, "is a folder; --tolerance and --eye write one file: give -o FILE.glb"};
+  return fits_target(request.spec.outputs);
+}
+
+Result<Exit> run(const Request& asked, const Console& console) {
+  if (asked.manifest_path.empty())
+    return Error{"", "no manifest is given; expected a file such as out/scene.kiln, or the folder of a run"};
+  if (const Result<Done> fits = output_fits(asked); !fits) return fits.error();
+  const Result<std::string> manifest_path = manifest_of(asked.manifest_path);
+  if (!manifest_path) return manifest_path.error();
+  Request request = asked;
+  request.manifest_path = *manifest_path;
   if (request.eye || request.eye_lonlat) return bake_view_to_file(request, console);
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
@@ -153,8 +174,8 @@ Result<Exit> run(const Request& request, const Console& console) {
 void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
-    if (name != "only" && name != "emit" && name != "lods" && name != "instancing" && name != "compress" &&
-        name != "world" && name != "threads") {
+    if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
+        name != "compress" && name != "layout" && name != "world" && name != "threads") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);
@@ -170,10 +191,11 @@ Verb bake_verb() {
   const auto request = std::make_shared<Request>();
   Verb verb{"bake", "bakes a manifest to one .glb file, or to a folder as compile does", {}, {}};
   verb.options = {
-      {"manifest", "SCENE.kiln", "manifest to bake, such as out/scene.kiln", false, store_text(request->manifest_path)},
+      {"manifest", "SCENE.kiln|OUT", "manifest to bake, such as out/scene.kiln, or the folder of a run", false,
+       store_text(request->manifest_path)},
       {"--tolerance", "M",
        "largest geometric error in metres of one .glb file, such as 0.1; with --eye the smallest (default there: 0.02)",
-       false, store_number(request->tolerance_m, {})},
+       false, store_tolerance(request->tolerance_m)},
       {"-o,--out", "FILE.glb|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
        store_text(request->out_path)},
       {"--eye", "X,Y,Z",
@@ -189,6 +211,9 @@ Verb bake_verb() {
        store_number(request->fov_deg, kFieldsOfView_deg)},
   };
   add_settings(verb, *request);
+  verb.examples = {"citykiln bake out/town/scene.kiln --tile 0_0 --tolerance 0.1 -o tile.glb",
+                   "citykiln bake out/town/scene.kiln --eye 0,-200,+1.7 --size 1920x1080 -o view.glb",
+                   "citykiln bake out/town/scene.kiln --lods 0.5,2.5 -o out/coarse"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

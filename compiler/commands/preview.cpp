@@ -55,8 +55,8 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<preview::Camera> camera = camera_of(request, *loaded);
   if (!camera) return camera.error();
 
-  on_progress("render", 0);
   preview::Options options = request.options;
+  options.on_progress = [&](double share) { on_progress("render", share); };
   options.width = request.size.width, options.height = request.size.height;
   options.threads = request.load.threads;
   options.exposure *= preview::adapted_exposure(*sky);
@@ -77,7 +77,7 @@ std::vector<Option> tile_options(LoadRequest& load) {
       {"inputs", "SCENE.kiln|OUT|FILE.glb...", "what to render: a manifest, a run's folder, or .glb files", true,
        append_text(load.paths)},
       {"--tolerance", "M", "tolerance in metres at which a manifest is baked (default: 0.1)", false,
-       store_number(load.tolerance_m, {})},
+       store_tolerance(load.tolerance_m)},
       {"--level", "N", "level of detail of a folder's tiles, 0 is the finest (default: 0)", false,
        store_whole(load.level, 0)},
       {"--only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true,
@@ -128,6 +128,9 @@ Verb preview_verb() {
       "preview", "renders a picture of a manifest, a run's folder or .glb files", tile_options(request->load), {}};
   for (Option& option : camera_options(*request)) verb.options.push_back(std::move(option));
   for (Option& option : picture_options(*request)) verb.options.push_back(std::move(option));
+  verb.examples = {"citykiln preview out/town -o town.png",
+                   "citykiln preview out/town --view street --time 2026-12-21T22:00 -o night.png",
+                   "citykiln preview out/town/scene.kiln --eye 0,-200,+60 --look 0,0,+5 --spp 256 -o town.exr"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

@@ -27,6 +27,11 @@ struct Texture {
   bool operator==(const Texture&) const = default;
 };
 
+/// The colours, or the normals of a material of one colour.
+inline const TextureImage& shown_image(const Texture& texture) {
+  return texture.colour.texels.empty() ? texture.normal : texture.colour;
+}
+
 /// Returns the period of a texture, metres.
 double side_m(const Texture& texture);
 

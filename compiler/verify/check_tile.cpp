@@ -22,6 +22,7 @@
 #include "compiler/verify/measure_trunks.h"
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/shared_layout.h"
 
 namespace citykiln::verify {
 namespace {
@@ -172,11 +173,14 @@ void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std:
 bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t level,
               std::span<const std::byte> bytes) {
   Report ignored;
-  const RunRecord& record = loaded.record;
+  Outputs outputs;
+  outputs.target = loaded.record.target, outputs.split = loaded.record.split;
+  outputs.compress = loaded.record.compress;
   const bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(baked, loaded.scene.header, instancing_of(record.instances_as_nodes),
-                             compression_of(record.compress), kOneThread);
+      exporters::encode_tile(baked, loaded.scene.header, glb_options_of(outputs), kOneThread);
+  if (loaded.record.layout == Layout::kShared)
+    return std::ranges::equal(exporters::share_prototypes(encoded.glb).glb, bytes);
   return std::ranges::equal(encoded.glb, bytes);
 }
 
@@ -186,7 +190,7 @@ Result<Done> check_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std
   const std::string path = loaded.folder + "/" + file.name;
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
-  const Result<bake::BakedTile> written = exporters::decode_glb(*bytes, path);
+  const Result<bake::BakedTile> written = exporters::read_glb(path);
   if (!written) return written.error();
   check_area(tile, bake::ground_of(prepared, level), file.name);
   tile.results().glb_bytes.test(is_baked(loaded, prepared, level, *bytes), file.name);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
+#include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_axes.h"
 #include "exporters/gltf/picture_formats.h"
 #include "exporters/gltf/tinygltf_config.h"
@@ -20,8 +21,7 @@ namespace citykiln::exporters {
 struct MaterialKey {
   bake::PrimitiveKey primitive;                 ///< has_uvs is false where the uvs show no image.
   const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it.
-  bool has_quantised_uvs = false;
-  const impostor::Cutout* cutout = nullptr;  ///< The cutout, if the primitive shows one.
+  const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one.
   bool operator==(const MaterialKey&) const = default;
 };
 
@@ -29,7 +29,7 @@ struct MaterialKey {
 struct GlbBuilder {
   const bake::BakedTile& tile;
   const scene::Header& header;
-  PictureFormats pictures = PictureFormats::kPng;
+  const GlbOptions& options;
   tinygltf::Model model{};          ///< Without its buffer's bytes, which tinygltf would copy several times.
   std::vector<std::byte> buffer{};  ///< The bytes of its only buffer.
   std::set<std::string> extensions{};
@@ -53,6 +53,10 @@ struct GlbBuilder {
     model.bufferViews.push_back(view);
     return static_cast<int>(model.bufferViews.size()) - 1;
   }
+
+  /// Whether uvs are metres, which KHR_texture_transform scales. Else they are multiples of their image's size, which
+  /// all readers understand.
+  bool has_uvs_in_metres() const { return options.compression != Compression::kNone; }
 
   void append(std::span<const std::byte> bytes) { buffer.insert(buffer.end(), bytes.begin(), bytes.end()); }
 
