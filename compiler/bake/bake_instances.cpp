@@ -39,12 +39,6 @@ double tallest(const std::vector<Placement>& placements) {
   return tallest_m;
 }
 
-// The height of the prototype: the same for nearly all tiles, so that they share it.
-double height_m_for(plants::Prototype prototype, const std::vector<Placement>& placements) {
-  const double species_m = plants::values_of(prototype.species).tallest_m, here_m = tallest(placements);
-  return here_m <= species_m ? species_m : std::max(here_m, plants::kTallestPlant_m);
-}
-
 plants::PlacedPlants merged_variants(const plants::PlacedPlants& placed, double tolerance_m) {
   const int variants = plants::variants_at(tolerance_m);
   plants::PlacedPlants merged;
@@ -104,10 +98,11 @@ void name_placed(Baking& baking, const Placed& placed) {
 
 void bake_trees(Baking& baking, const plants::PlacedPlants& placed, const PrototypeCache& prototypes) {
   for (const auto& [prototype, placements] : merged_variants(placed, baking.tolerance_m)) {
-    const BakedPrototype& baked =
-        prototypes.prototype(prototype, height_m_for(prototype, placements), baking.tolerance_m);
+    if (placements.empty()) continue;
+    const double height_m = prototype_height_m(tallest(placements));
+    const BakedPrototype& baked = prototypes.prototype(prototype, height_m, baking.tolerance_m);
     baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest(placements));
-    bake_instances(baking, name_of(prototype), baked.primitives, baked.cutout, placements, kPrototypeHeight_m);
+    bake_instances(baking, name_of(prototype), baked.primitives, baked.cutout, placements, height_m);
   }
 }
 

@@ -6,6 +6,14 @@
 
 namespace citykiln::bake {
 
+double prototype_height_m(double tallest_m) {
+  assert(tallest_m > 0);
+  double height_m = 1;
+  while (height_m < tallest_m) height_m *= 2;
+  while (height_m / 2 >= tallest_m) height_m /= 2;
+  return height_m;
+}
+
 // Nodes of a map stay where they are.
 PrototypeCache::Slot& PrototypeCache::slot(const Key& key) const {
   const std::lock_guard lock(mutex_);
@@ -20,7 +28,7 @@ const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, dou
     const plants::GrownPlant& grown = grown_plants_.grown(prototype);
     plants::PrototypeMesh plant = plants::prototype_mesh(grown, prototype.species, height_m, tolerance_m);
     for (materials::MaterialMesh& dressed : plant.meshes)
-      for (Vec3& p : dressed.mesh.positions) p = p * kPrototypeHeight_m;
+      for (Vec3& p : dressed.mesh.positions) p = p * height_m;
     slot.baked = {instanced_primitives(plant.meshes, Layer::kPlants), std::move(plant.cutout), plant.error_per_m};
   });
   return slot.baked;

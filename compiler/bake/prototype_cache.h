@@ -14,11 +14,11 @@
 
 namespace citykiln::bake {
 
-/// Height of a plant prototype: packed positions, on a grid of 2^-10 m, then resolve twigs. A power of two, so that
-/// scales stay exact.
-inline constexpr double kPrototypeHeight_m = 32;
+/// The height of the prototype for plants of at most this height: the next power of two, so that scales are exact, and
+/// between 1/2 and 1 for the tallest plant of a tile.
+double prototype_height_m(double tallest_m);
 
-/// The mesh of a plant kPrototypeHeight_m tall.
+/// The mesh of a plant as tall as was asked for.
 struct BakedPrototype {
   std::vector<Primitive> primitives;  ///< Empty where the tolerance drops the plant.
   impostor::Cutout cutout;
@@ -34,7 +34,8 @@ class PrototypeCache {
         textures_(header.seed),
         rulebook_(buildings::parse_rulebook(header.rules)) {}
 
-  /// The prototype for plants of at most `height_m` within the tolerance, both > 0. Lives as long as the cache.
+  /// The prototype `height_m` tall, for plants of at most that height within the tolerance, both > 0. Lives as long as
+  /// the cache.
   const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
   const materials::TextureCache& textures() const { return textures_; }

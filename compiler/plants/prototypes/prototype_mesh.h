@@ -1,8 +1,7 @@
 // Levels of detail of a grown plant, as meshes of a plant 1 m tall (levels.md).
 //
-//     tolerance / height   … 0.04    stems as tubes, leaves as cards, merged within the tolerance (leaf_clusters.h)
-//                     0.04 … 0.28    crossed cards (crossed_cards.h)
-//                     0.28 … 1       a hull of 36 triangles (crown_hull.h)
+//     tolerance / height   … 0.28    stems as tubes, leaves as cards, merged within the tolerance (leaf_clusters.h)
+//                     0.28 … 1       a hull of 12 triangles (crown_hull.h)
 //                        1 …         nothing
 #pragma once
 
@@ -14,8 +13,8 @@
 
 namespace citykiln::plants {
 
-/// Least tolerances, as shares of the height, of crossed cards, of the hull, and of a hedge's box.
-inline constexpr double kCardsFrom = 0.04, kHullFrom = 0.28, kBoxFrom = 0.12;
+/// Least tolerances, as shares of the height, of the hull and of a hedge's box.
+inline constexpr double kHullFrom = 0.28, kBoxFrom = 0.12;
 
 struct PrototypeMesh {
   /// Origin at the foot of the trunk, z up, 1 m tall in summer. Empty: dropped.
@@ -30,7 +29,7 @@ struct PrototypeMesh {
 /// @param height_m, tolerance_m  > 0.
 ///
 /// Error: certified in both directions for stems and leaf cards, except that stems of a radius below the tolerance are
-/// left out whatever their length; stated for crossed cards; bounded for hulls. Cost: O(n log n), some 10 ms.
+/// left out whatever their length; bounded for hulls. Cost: O(n log n), some 10 ms.
 PrototypeMesh prototype_mesh(const GrownPlant& grown, Species species, double height_m, double tolerance_m);
 
 /// Number of variants of a species used at a tolerance: fine meshes are large, and hulls look alike.
