@@ -12,6 +12,7 @@
 #include "compiler/bake/baked_tile.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_axes.h"
+#include "exporters/gltf/picture_formats.h"
 #include "exporters/gltf/tinygltf_config.h"
 
 namespace citykiln::exporters {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "exporters/gltf/material_names.h"
-#include "exporters/gltf/png.h"
+#include "exporters/gltf/picture_formats.h"
 #include "tests/exporters/made_tile.h"
 
 namespace citykiln::exporters {
@@ -389,23 +389,23 @@ TEST(GlbTextures, WhatHasNoPlacesOnThemKeepsItsColour) {
 
 // The byte budget of a tile holds the textures of all materials together, all kinds of bark included.
 TEST(GlbTextures, OfAllMaterialsFitTheBudget) {
-  std::vector<materials::Material> ground, bark;
-  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m) {
-    const auto material = static_cast<materials::Material>(m);
-    (is_bark(material) ? bark : ground).push_back(material);
-  }
-  const auto bytes_at = [&](std::span<const materials::Material> materials, double tolerance_m) {
+  std::vector<materials::Material> all;
+  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
+    all.push_back(static_cast<materials::Material>(m));
+  const auto bytes_at = [&](double tolerance_m, PictureFormats formats) {
     std::size_t bytes = 0;
-    for (const materials::Texture& texture : materials::textures_of(materials, tolerance_m, 0))
-      for (const materials::TextureImage* sheet : {&texture.colour, &texture.normal})
-        if (!sheet->texels.empty()) bytes += encode_png(*sheet).size();
+    for (const materials::Texture& texture : materials::textures_of(all, tolerance_m, 0)) {
+      const auto add = [&](const materials::TextureImage& image, PictureContent content) {
+        if (!image.texels.empty()) bytes += encode_picture(image, {}, content, formats).bytes.size();
+      };
+      add(texture.colour, PictureContent::kColour), add(texture.normal, PictureContent::kExact);
+    }
     return bytes;
   };
-  EXPECT_LE(bytes_at(ground, 0.02), 320'000u);
-  EXPECT_LE(bytes_at(ground, 0.1), 64'000u);
-  EXPECT_LE(bytes_at(bark, 0.02), 200'000u);
-  EXPECT_LE(bytes_at(bark, 0.1), 20'000u);
-  EXPECT_EQ(bytes_at(ground, 0.5) + bytes_at(bark, 0.5), 0u);
+  EXPECT_LE(bytes_at(0.1, PictureFormats::kPngAndJpeg), 850'000u);
+  EXPECT_LE(bytes_at(0.1, PictureFormats::kWebp), 600'000u);
+  EXPECT_LE(bytes_at(0.02, PictureFormats::kPngAndJpeg), 1'100'000u);
+  EXPECT_EQ(bytes_at(0.5, PictureFormats::kPngAndJpeg), 0u);
 }
 
 TEST(Glb, BothWaysOfInstancingAreOneTile) {
