@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/bake/baked_tile.h"
+#include "compiler/bake/bake.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/ground/profiles/measure_profiles.h"
@@ -48,11 +48,14 @@ using CollectTile = std::function<Result<Done>(ChunkLevel at)>;
 /// Adds dropped objects to `report`. Memory: kInFlightPerThread levels for each thread, their tiles' ground, and the
 /// ground of one more tile.
 /// @param ladder_m  Tolerances, increasing, > 0.
+/// @param most_instances  As for bake::prepare().
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                        const OnProgress& on_progress, const OnBakedTile& take);
+                        const OnProgress& on_progress, const OnBakedTile& take,
+                        std::size_t most_instances = bake::kAnyInstances);
 
 /// Like the above, with parallel processing: `make` is called as soon as a tile is baked, `take` in order.
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                        const OnProgress& on_progress, const ProcessTile& make, const CollectTile& take);
+                        const OnProgress& on_progress, const ProcessTile& make, const CollectTile& take,
+                        std::size_t most_instances = bake::kAnyInstances);
 
 }  // namespace citykiln

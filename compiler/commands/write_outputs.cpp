@@ -55,7 +55,8 @@ Result<std::vector<verify::WrittenTile>> write_glbs(const scene::Scene& scene, c
         const ReadyTile ready = std::exchange(slots[at.chunk * levels + at.level], {});
         written.push_back(ready.record);
         return folder.write(ready.record.file.name, ready.glb);
-      });
+      },
+      verify::most_instances_of(outputs.target));
   if (!baked) return baked.error();
   return written;
 }

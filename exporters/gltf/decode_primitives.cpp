@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
 
 namespace citykiln::exporters {
@@ -104,6 +105,8 @@ std::vector<Primitive> primitives_of(GltfReader& reader, int mesh_number, std::s
   for (const tinygltf::Primitive& p : mesh.primitives) {
     primitives.push_back(primitive_of(reader, p, features));
     primitives.back().layer = layer_in(p.extras, mesh.extras);
+    if (primitives.back().colour_source == ColourSource::kByCutout)
+      primitives.back() = without_backs(primitives.back());
   }
   return primitives;
 }

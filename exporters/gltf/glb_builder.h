@@ -22,6 +22,7 @@ struct MaterialKey {
   const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it.
   bool has_quantised_uvs = false;
   const impostor::Cutout* cutout = nullptr;  ///< The cutout, if the primitive shows one.
+  bool has_backs = false;                    ///< Faces of its own for both sides (leaf_backs.h).
   bool operator==(const MaterialKey&) const = default;
 };
 
