@@ -14,7 +14,9 @@
 #include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/plan_water_heights.h"
+#include "compiler/map/choose_extent.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/lonlat_box.h"
 #include "compiler/map/resample.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
@@ -29,6 +31,7 @@
 #include "compiler/structures/plan.h"
 #include "compiler/structures/plan_parapet_gaps.h"
 #include "compiler/structures/plan_piers.h"
+#include "compiler/structures/within_extent.h"
 
 namespace citykiln {
 namespace {
@@ -63,9 +66,13 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   const Result<source::OsmData> osm = source::read_osm(spec.map_path, spec.threads, report);
   if (!osm) return osm.error();
   timer.enter("project and classify");
-  const source::LonLatBox box = map::choose_box(*osm, spec.map);
-  const map::Plane plane(spec.map.origin.value_or(map::default_origin(box)));
-  const map::Features features = map::locate(*osm, plane, box, spec.map, report);
+  const Result<source::LonLatBox> box = map::choose_extent(*osm, spec.map.bbox, report);
+  if (!box) return box.error();
+  const map::Plane plane(spec.map.origin.value_or(map::default_origin(*box)));
+  const bool has_box = spec.map.bbox || osm->header_box;
+  const Result<Done> worthwhile = map::is_worth_baking(map::region_of(plane, *box), *osm, has_box);
+  if (!worthwhile) return worthwhile.error();
+  const map::Features features = map::locate(*osm, plane, *box, spec.map, report);
   if (is_empty(features)) return Error{spec.map_path, "contains nothing to compile in this area"};
 
   // resample the heightmaps
@@ -99,6 +106,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   const ground::GradedTerrain graded = grade_whole_map(recipes, features.region);
   recipes.structures.bridges =
       structures::place_piers(std::move(recipes.structures.bridges), graded, pier_obstacles(recipes, features), report);
+  recipes.structures = structures::within_extent(std::move(recipes.structures), features.region, report);
   timer.enter("buildings");
   recipes.buildings = buildings::plan(features, graded, report);
   timer.enter("plants");
@@ -108,6 +116,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
 
   // describe the sky and the sources, and sort all recipes into tiles
   timer.enter("sort into tiles");
+  recipes.texts = features.texts;
   Result<scene::Header> header = make_header(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
   if (!header) return header.error();
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
@@ -115,7 +124,8 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   header->rules = std::move(*rules);
   header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
-  return CompileResult{std::move(scene), std::move(report), measured, timer.finish()};
+  map::Places places = map::places_of(*osm, report);
+  return CompileResult{std::move(scene), std::move(report), measured, timer.finish(), std::move(places)};
 }
 
 namespace {
@@ -124,16 +134,23 @@ namespace {
 struct BakeStep {
   std::size_t tile = 0;
   std::optional<std::size_t> level;
+  bool exists = false;  ///< There is nothing to do.
 };
 
 /// All steps in order. The levels of a tile are separate steps, so none waits for the others; each tile is prepared
 /// while the tile before it is baked.
-std::vector<BakeStep> bake_steps(std::size_t tiles, std::size_t levels) {
+std::vector<BakeStep> bake_steps(const scene::Scene& scene, std::size_t levels, const ExistsTile& exists) {
   std::vector<BakeStep> steps;
+  const auto preparation = [&](std::size_t tile) {
+    bool all_exist = true;
+    for (std::size_t level = 0; level < levels; ++level) all_exist = all_exist && exists({tile, level});
+    return BakeStep{tile, std::nullopt, all_exist};
+  };
+  const std::size_t tiles = scene.chunks.size();
   for (std::size_t tile = 0; tile < tiles; ++tile) {
-    if (tile == 0) steps.push_back({tile, std::nullopt});
-    if (tile + 1 < tiles) steps.push_back({tile + 1, std::nullopt});
-    for (std::size_t level = 0; level < levels; ++level) steps.push_back({tile, level});
+    if (tile == 0) steps.push_back(preparation(tile));
+    if (tile + 1 < tiles) steps.push_back(preparation(tile + 1));
+    for (std::size_t level = 0; level < levels; ++level) steps.push_back({tile, level, exists({tile, level})});
   }
   return steps;
 }
@@ -146,16 +163,16 @@ struct TileInFlight {
 }  // namespace
 
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                        const OnProgress& on_progress, const ProcessTile& process, const CollectTile& take,
-                        std::size_t most_instances) {
+                        const OnProgress& on_progress, const TileHandlers& handlers, std::size_t most_instances) {
   assert(!ladder_m.empty() && ladder_m.front() > 0 && std::ranges::is_sorted(ladder_m));
-  const std::vector<BakeStep> steps = bake_steps(scene.chunks.size(), ladder_m.size());
+  const std::vector<BakeStep> steps = bake_steps(scene, ladder_m.size(), handlers.exists);
   std::vector<Report> reports(steps.size());
   std::vector<TileInFlight> in_flight(scene.chunks.size());
   Result<Done> done = Done{};
   const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene.header);
   const auto make = [&](std::size_t i) {
     TileInFlight& tile = in_flight[steps[i].tile];
+    if (steps[i].exists) return;
     // the first thread that needs the tile prepares it; other threads join that work
     tile.once.call([&] {
       tile.prepared =
@@ -163,14 +180,15 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
     });
     if (!steps[i].level) return;
     const ChunkLevel at{steps[i].tile, *steps[i].level};
-    process(at, bake::bake_prepared(*tile.prepared, at.level, threads, reports[i]));
+    handlers.process(at, bake::bake_prepared(*tile.prepared, at.level, threads, reports[i]));
   };
   const auto hand_on = [&](std::size_t i) {
     if (!steps[i].level) return true;
-    on_progress("bake", static_cast<double>(steps[i].tile) / static_cast<double>(scene.chunks.size()));
     if (*steps[i].level + 1 == ladder_m.size()) in_flight[steps[i].tile].prepared.reset();
-    report.append(std::exchange(reports[i], {}));
-    done = take({steps[i].tile, *steps[i].level});
+    const Report diagnosed = std::exchange(reports[i], {});
+    report.append(diagnosed);
+    done = handlers.take({steps[i].tile, *steps[i].level}, diagnosed);
+    on_progress("bake", static_cast<double>(i + 1) / static_cast<double>(steps.size()));
     return static_cast<bool>(done);
   };
   for_each_in_order(steps.size(), threads, make, hand_on);
@@ -181,14 +199,14 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
                         const OnProgress& on_progress, const OnBakedTile& take, std::size_t most_instances) {
   std::vector<std::optional<bake::BakedTile>> slots(scene.chunks.size() * ladder_m.size());
   const auto slot = [&](ChunkLevel at) -> auto& { return slots[at.chunk * ladder_m.size() + at.level]; };
-  return bake_scene(
-      scene, ladder_m, threads, report, on_progress,
-      [&](ChunkLevel at, bake::BakedTile&& tile) { slot(at) = std::move(tile); },
-      [&](ChunkLevel at) {
-        const bake::BakedTile tile = *std::exchange(slot(at), std::nullopt);
-        return take(tile, at.level);
-      },
-      most_instances);
+  return bake_scene(scene, ladder_m, threads, report, on_progress,
+                    {.exists = [](ChunkLevel) { return false; },
+                     .process = [&](ChunkLevel at, bake::BakedTile&& tile) { slot(at) = std::move(tile); },
+                     .take =
+                         [&](ChunkLevel at, const Report&) {
+                           const bake::BakedTile tile = *std::exchange(slot(at), std::nullopt);
+                           return take(tile, at.level);
+                         }});
 }
 
 namespace {
@@ -200,38 +218,16 @@ bool is_empty(const map::Features& f) {
          f.points.empty();
 }
 
-/// The smallest box in degrees that holds the corners, side middles and centre of a box of the plane (its sides are
-/// curves in degrees).
-source::LonLatBox lonlat_box_of(const Box2& region, const map::Plane& plane) {
-  source::LonLatBox box{180, 90, -180, -90};
-  for (const double x : {region.min.x, region.centre().x, region.max.x}) {
-    for (const double y : {region.min.y, region.centre().y, region.max.y}) {
-      const map::LonLat place = plane.backward({x, y});
-      box = {std::min(box.west, place.lon_deg), std::min(box.south, place.lat_deg), std::max(box.east, place.lon_deg),
-             std::max(box.north, place.lat_deg)};
-    }
-  }
-  return box;
-}
-
 /// The heights of the region. Error: heightmaps were given and none covers any of it.
 Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                       std::vector<std::string>& credits, Report& report) {
-  const source::LonLatBox window = lonlat_box_of(region, plane);
+  if (spec.rasters.empty()) report.add(Code::kNoHeightmap, {});
+  const source::LonLatBox window = map::lonlat_box_of(region, plane);
   const Result<std::vector<source::Raster>> rasters = source::read_heightmaps(spec.rasters, &window, report);
   if (!rasters) return rasters.error();
   for (const source::RasterSpec& raster : spec.rasters) credits.push_back(raster.credit);
 
-  Report here;
-  Result<map::Heightfield> heights = map::resample(*rasters, plane, region, here);
-  report.append(here);
-  const auto covers_nothing = [](const Diagnosis& d) { return d.code == Code::kNoHeight && d.size >= 1; };
-  if (heights && !rasters->empty() && std::ranges::any_of(here.diagnoses(), covers_nothing)) {
-    return Error{spec.rasters.front().path,
-                 fmt::format("does not cover any part of the map, which lies in {:.4f},{:.4f},{:.4f},{:.4f} (W,S,E,N)",
-                             window.west, window.south, window.east, window.north)};
-  }
-  return heights;
+  return map::resample(*rasters, plane, region, report);
 }
 
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region) {

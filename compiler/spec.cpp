@@ -8,6 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/contract/code_names.h"
+#include "compiler/contract/nearest_name.h"
 #include "compiler/contract/parse.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_raster.h"
@@ -44,14 +46,22 @@ Result<Done> set_dem(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+bool is_box_on_earth(const source::LonLatBox& box) {
+  const bool is_on_earth = box.west >= -180 && box.east <= 180 && box.south >= -90 && box.north <= 90;
+  return is_on_earth && box.west < box.east && box.south < box.north;
+}
+
 Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
   Result<std::vector<double>> n = parse_numbers(text, 4);
   if (!n) return n.error();
   const source::LonLatBox box{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
-  const bool is_on_earth = box.west >= -180 && box.east <= 180 && box.south >= -90 && box.north <= 90;
-  if (!is_on_earth || box.west >= box.east || box.south >= box.north) {
-    return expected(
+  if (!is_box_on_earth(box)) {
+    Error error = expected(
         "west,south,east,north in degrees with west < east and south < north, such as 7.40,43.72,7.44,43.75", text);
+    if (is_box_on_earth({box.south, box.west, box.north, box.east}))
+      error.message += fmt::format("; latitude and longitude swapped? Try {},{},{},{}", box.south, box.west, box.north,
+                                   box.east);
+    return error;
   }
   spec.map.bbox = box;
   return Done{};
@@ -140,9 +150,20 @@ Result<Done> set_snow_line(CompileSpec& spec, std::string_view text) {
   return spec.snow_line_m ? Result<Done>(Done{}) : expected("a height in metres, such as 2800", text);
 }
 
-Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
+Result<Done> set_tags(CompileSpec& spec, std::string_view text) {
   if (text != "true" && text != "false") return expected("true or false", text);
-  spec.is_strict = text == "true";
+  spec.map.keeps_tags = text == "true";
+  return Done{};
+}
+
+Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
+  spec.strict = {.is_on = text != "false", .codes = {}};
+  if (text == "true" || text == "false") return Done{};
+  for (const std::string_view name : split(text, ',')) {
+    const std::optional<Code> code = code_named(name);
+    if (!code) return expected("diagnosis codes as in report.json, such as MissingNode,RoofFallback", name);
+    spec.strict.codes.push_back(*code);
+  }
   return Done{};
 }
 
@@ -150,8 +171,9 @@ constexpr Setting kSettings[] = {
     {"map", "FILE", "OpenStreetMap extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false,
      set_text<&CompileSpec::map_path>},
     {"dem", "FILE[,key=value...]",
-     "heightmap (.hgt, GeoTIFF, ASCII grid, PNG), such as N43E007.hgt or a.png,bounds=7/43/8/44,scale=0.1; keys: "
-     "bounds=W/S/E/N, scale=, offset=, encoding=terrarium|mapbox, tile=Z/X/Y, credit=",
+     "heightmaps (.hgt, GeoTIFF, ASCII grid, PNG), one or several, such as N43E007.hgt or "
+     "a.png,bounds=7/43/8/44,scale=0.1; keys: bounds=W/S/E/N, scale=, offset=, encoding=terrarium|mapbox, tile=Z/X/Y, "
+     "credit= (default: the ground is level)",
      true, set_dem},
     {"bbox", "W,S,E,N",
      "area to compile in degrees, such as 7.40,43.72,7.44,43.75 (default: the extract's bounding box)", false,
@@ -186,9 +208,14 @@ constexpr Setting kSettings[] = {
      set_snow_line},
     {"rules", "FOLDER", "folder of rule files (.cga) that replace shipped files of the same name", false,
      set_text<&CompileSpec::rules_folder>},
+    {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",
+     false, set_tags},
     {"threads", "N", "number of threads; 0 uses all processors (default: 0)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }},
-    {"strict", "", "exit with code 2 if map or height data had to be corrected or left out", false, set_strict},
+    {"strict", "[=CODE,...]",
+     "exit with code 2 if map or height data had to be corrected or left out; with codes, such as "
+     "--strict=MissingNode,RoofFallback, if one of these was diagnosed",
+     false, set_strict},
 };
 
 /// The value as it would be written on the command line.
@@ -219,9 +246,14 @@ Result<Done> apply_json(const Setting& setting, const json& value, CompileSpec& 
 
 Result<Done> apply_key(const std::string& key, const json& value, CompileSpec& spec) {
   for (const Setting& setting : kSettings) {
-    if (setting.name == key) return apply_json(setting, value, spec);
+    if (setting.name != key) continue;
+    const Result<Done> done = apply_json(setting, value, spec);
+    return done ? done : Error{"", fmt::format("\"{}\": {}", key, to_string(done.error()))};
   }
-  return Error{"", fmt::format("unknown setting \"{}\"; see citykiln compile --help", key)};
+  std::vector<std::string> known;
+  for (const Setting& setting : kSettings) known.emplace_back(setting.name);
+  return Error{
+      "", fmt::format("unknown setting \"{}\"{} (citykiln compile --help lists all)", key, did_you_mean(key, known))};
 }
 
 }  // namespace
@@ -231,9 +263,8 @@ std::span<const Setting> settings() { return kSettings; }
 Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec) {
   CompileSpec changed = spec;
   const Result<Done> done = setting.apply(changed, text);
-  if (!done) return Error{"--" + std::string(setting.name), to_string(done.error())};
-  spec = std::move(changed);
-  return Done{};
+  if (done) spec = std::move(changed);
+  return done;
 }
 
 Result<CompileSpec> read_spec(const std::string& path) {
@@ -259,8 +290,10 @@ Result<CompileSpec> read_spec(const std::string& path) {
 }
 
 Result<Done> is_complete(const CompileSpec& spec) {
-  if (spec.map_path.empty()) return Error{"", "no map is given; expected a file such as town.osm.pbf"};
-  if (spec.outputs.folder.empty()) return Error{"", "no output folder is given; add -o FOLDER"};
+  if (spec.map_path.empty())
+    return Error{"", "no map is given; expected a file such as town.osm.pbf, or the setting \"map\" in spec.json"};
+  if (spec.outputs.folder.empty())
+    return Error{"", "no output folder is given; add -o FOLDER, or the setting \"out\" to spec.json"};
   return fits_target(spec.outputs);
 }
 
@@ -286,13 +319,21 @@ Result<Compress> parse_compress(std::string_view text) {
   return expected("none, draco or meshopt", text);
 }
 
+Result<double> parse_tolerance(std::string_view text) {
+  const auto tolerance_m = number_in<double>(text);
+  if (tolerance_m && *tolerance_m > 0 && *tolerance_m <= kCoarsest_m) return *tolerance_m;
+  return expected(fmt::format("a tolerance in metres, above 0 and at most {}, such as 0.1", kCoarsest_m), text);
+}
+
 Result<std::vector<double>> parse_ladder(std::string_view text) {
   std::vector<double> ladder_m;
   for (const std::string_view part : split(text, ',')) {
-    const Result<double> tolerance_m = parse_number(part);
+    const Result<double> tolerance_m = parse_tolerance(part);
     const double last = ladder_m.empty() ? 0 : ladder_m.back();
     if (!tolerance_m || !(*tolerance_m > last))
-      return expected("increasing tolerances above 0 in metres, such as 0.1,0.5,2.5", text);
+      return expected(
+          fmt::format("increasing tolerances in metres, above 0 and at most {}, such as 0.1,0.5,2.5", kCoarsest_m),
+          text);
     ladder_m.push_back(*tolerance_m);
   }
   return ladder_m;

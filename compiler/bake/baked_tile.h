@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "compiler/bake/feature_attributes.h"
 #include "compiler/bake/layer.h"
 #include "compiler/contract/stable_id.h"
 #include "compiler/impostor/atlas.h"
@@ -93,8 +94,9 @@ struct BakedTile {
   /// Textures of the materials of primitives, instanced ones too, that have uvs and are coloured by their material.
   /// Sorted by material.
   std::vector<materials::Texture> textures{};
-  std::optional<Viewpoint> viewpoint{};  ///< If there is one, tolerance_m is the finest of several.
-  double plant_error_m = 0;              ///< Of plants: stated, not certified (plants/prototypes/prototype_mesh.h).
+  std::optional<Viewpoint> viewpoint{};         ///< If there is one, tolerance_m is the finest of several.
+  std::vector<FeatureAttributes> attributes{};  ///< One per feature, or none at all.
+  double plant_error_m = 0;  ///< Of plants: stated, not certified (plants/prototypes/prototype_mesh.h).
   bool operator==(const BakedTile&) const = default;
 };
 

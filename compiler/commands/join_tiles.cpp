@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "compiler/bake/image_uvs.h"
 #include "compiler/commands/join_facade_atlases.h"
@@ -105,6 +106,22 @@ bake::InstancedMesh& instanced_of(bake::BakedTile& joined, const bake::Instanced
       bake::InstancedMesh{like.name, std::move(primitives), {}, {}, {}, {}, like.cutout});
 }
 
+/// The attributes of the joined tile's features. A tile knows less of objects of its neighbours, so that the attributes
+/// with a height and a name are taken.
+std::vector<bake::FeatureAttributes> joined_attributes(const std::vector<OsmId>& features,
+                                                       std::span<const bake::BakedTile> tiles) {
+  if (std::ranges::all_of(tiles, [](const auto& tile) { return tile.attributes.empty(); })) return {};
+  std::vector<bake::FeatureAttributes> joined(features.size());
+  const auto rank = [](const bake::FeatureAttributes& a) { return std::tie(a.height_m, a.name, a.tags, a.kind); };
+  for (const bake::BakedTile& tile : tiles)
+    for (std::size_t i = 0; i < tile.attributes.size(); ++i) {
+      const auto place = std::ranges::lower_bound(features, tile.features[i]) - features.begin();
+      bake::FeatureAttributes& known = joined[static_cast<std::size_t>(place)];
+      if (rank(known) < rank(tile.attributes[i])) known = tile.attributes[i];
+    }
+  return joined;
+}
+
 /// Adds one texture for each material: tiles of one tolerance and seed have equal textures.
 void add_textures(bake::BakedTile& joined, std::span<const bake::BakedTile> tiles) {
   std::map<materials::Material, const materials::Texture*> first;
@@ -121,6 +138,7 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
   std::set<OsmId> features;
   for (const bake::BakedTile& tile : tiles) features.insert(tile.features.begin(), tile.features.end());
   joined.features.assign(features.begin(), features.end());
+  joined.attributes = joined_attributes(joined.features, tiles);
 
   std::vector<const materials::TextureImage*> sheets;
   for (const bake::BakedTile& tile : tiles) sheets.push_back(&tile.marking_atlas);

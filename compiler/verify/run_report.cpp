@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+
+#include "compiler/map/lonlat_box.h"
+#include "compiler/verify/written_tile_json.h"
+#include "exporters/settle_folder.h"
 
 namespace citykiln::verify {
 namespace {
@@ -141,18 +146,20 @@ Json files_of(const WrittenFiles& written) {
   return files;
 }
 
-Json tiles_of(const WrittenFiles& written) {
+/// West, south, east, north in degrees, to OSM's grid of 1e-7.
+Json box_deg_of(const Box2& box, const map::Plane& plane) {
+  const source::LonLatBox degrees = map::lonlat_box_of(box, plane);
+  Json sides = Json::array();
+  for (const double side : {degrees.west, degrees.south, degrees.east, degrees.north})
+    sides.push_back(std::floor(side * 1e7 + 0.5) / 1e7);
+  return sides;
+}
+
+Json tiles_of(const WrittenFiles& written, const scene::Header& header, const map::Plane& plane) {
   Json tiles = Json::array();
   for (const WrittenTile& tile : written.tiles) {
-    tiles.push_back({{"file", tile.file.name},
-                     {"bytes", tile.file.bytes},
-                     {"x", tile.tile.x},
-                     {"y", tile.tile.y},
-                     {"level", tile.level},
-                     {"tolerance_m", tile.tolerance_m},
-                     {"error_m", tile.error_m},
-                     {"triangles", tile.triangles},
-                     {"instances", tile.instances}});
+    tiles.push_back(json_of(tile));
+    tiles.back()["box_deg"] = box_deg_of(scene::box_of(header, tile.tile), plane);
   }
   return tiles;
 }
@@ -167,15 +174,7 @@ bool balances(const Json& account) {
 
 RunRecord record_of(const Json& report) {
   RunRecord record;
-  for (const Json& tile : report.at("tiles")) {
-    record.tiles.push_back({.file = {tile.at("file"), tile.at("bytes")},
-                            .tile = {tile.at("x"), tile.at("y")},
-                            .level = tile.at("level"),
-                            .tolerance_m = tile.at("tolerance_m"),
-                            .error_m = tile.at("error_m"),
-                            .triangles = tile.at("triangles"),
-                            .instances = tile.at("instances")});
-  }
+  for (const Json& tile : report.at("tiles")) record.tiles.push_back(written_tile(tile));
   if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
   if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
@@ -199,12 +198,14 @@ std::uint64_t WrittenFiles::bytes() const {
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
                         const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights) {
   assert(std::ranges::all_of(written.tiles, [&](const WrittenTile& t) { return t.level < outputs.ladder_m.size(); }));
+  const map::Plane plane(header.origin);
   Json json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
   json["sources"] = header.sources;
   json["origin"] = {{"lon_deg", header.origin.lon_deg}, {"lat_deg", header.origin.lat_deg}};
   json["region_m"] = {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y};
+  json["region_deg"] = box_deg_of(header.region, plane);
   json["tile_m"] = header.tile_m;
   json["seed"] = header.seed;
   json["resampling_error_m"] = header.resampling_error_m;
@@ -219,7 +220,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["ledger"] = ledger_of(report);
   json["diagnoses"] = diagnoses_of(report);
   json["files"] = files_of(written);
-  json["tiles"] = tiles_of(written);
+  json["tiles"] = tiles_of(written, header, plane);
   return json.dump(1) + "\n";
 }
 
@@ -254,9 +255,19 @@ bool has_mended_or_dropped(const Report& report) {
                              [](const Diagnosis& d) { return severity_of(d.code) != Severity::kNote; });
 }
 
+bool is_violated(const Strictness& strict, const Report& report) {
+  if (strict.codes.empty()) return strict.is_on && has_mended_or_dropped(report);
+  return std::ranges::any_of(report.diagnoses(), [&](const Diagnosis& d) {
+    return std::ranges::find(strict.codes, d.code) != strict.codes.end();
+  });
+}
+
 Result<RunRecord> read_report(const std::string& folder) {
+  if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
   const std::string path = folder + "/report.json";
   std::ifstream file(path, std::ios::binary);
+  if (!file && exporters::has_unfinished_run(folder))
+    return Error{folder, "holds an unfinished run; repeat the command that writes it"};
   if (!file) return Error{path, "cannot be read; expected the folder of a finished run"};
   try {
     return record_of(Json::parse(file));

@@ -57,8 +57,11 @@ exporters::GlbOptions glb_options_of(const Outputs& outputs);
 /// The most instances a tile should have for its target (bake::prepare()).
 std::size_t most_instances_of(Target target);
 
-/// True if a diagnosis is kMended or kDropped, which --strict reports by the exit code.
+/// True if a diagnosis is kMended or kDropped.
 bool has_mended_or_dropped(const Report& report);
+/// Whether --strict reports a run by the exit code: a diagnosis has one of its codes, or is kMended or kDropped if it
+/// has none.
+bool is_violated(const Strictness& strict, const Report& report);
 
 /// The part of report.json that `check` and `preview` need.
 struct RunRecord {
@@ -69,6 +72,7 @@ struct RunRecord {
   bool has_manifest = false;
   std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers do not balance.
 };
+/// Finishes an interrupted commit first (exporters/settle_folder.h).
 Result<RunRecord> read_report(const std::string& folder);
 
 }  // namespace citykiln::verify

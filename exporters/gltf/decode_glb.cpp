@@ -8,6 +8,7 @@
 #include "exporters/gltf/compress_glb.h"
 #include "exporters/gltf/decode_nodes.h"
 #include "exporters/gltf/decode_pictures.h"
+#include "exporters/gltf/decode_property_table.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_checks.h"
 #include "exporters/gltf/glb_reader.h"
@@ -18,26 +19,6 @@ namespace {
 
 using bake::BakedTile;
 using tinygltf::Value;
-
-std::vector<OsmId> features_of(GltfReader& reader) {
-  const auto extension = reader.model.extensions.find("EXT_structural_metadata");
-  expect(extension != reader.model.extensions.end(), "the table of OSM ids");
-  const Value& tables = member(extension->second, "propertyTables");
-  expect(tables.IsArray() && tables.ArrayLen() > 0, "the table of OSM ids");
-  const Value& table = tables.Get(0);
-  const Value& columns = member(table, "properties");
-  const auto ids = bytes_of(reader, whole(member(member(columns, "id"), "values"))),
-             types = bytes_of(reader, whole(member(member(columns, "type"), "values")));
-  const auto count = static_cast<std::size_t>(std::max(0, whole(member(table, "count"))));
-  expect(count <= types.size() && count <= ids.size() / 8, "the table of OSM ids to be as long as it says");
-  std::vector<OsmId> features(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    expect(types[i] < 4, "OSM types from 0 to 3");
-    features[i].type = static_cast<OsmType>(types[i]);
-    std::memcpy(&features[i].id, ids.data() + 8 * i, 8);
-  }
-  return features;
-}
 
 // The image that a primitive's uvs lie on; null where they show none.
 const materials::TextureImage* image_of(const BakedTile& tile, const bake::Primitive& p,
@@ -87,7 +68,7 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
   tile.plant_error_m = number(member(root.extras, "plant_error_m"));
   tile.viewpoint = viewpoint_of(root.extras);
-  tile.features = features_of(reader);
+  read_property_table(reader, tile);
   const auto cutouts = read_nodes(reader, tile);
   read_pictures(reader, cutouts, tile);
   const auto& used = model.extensionsUsed;

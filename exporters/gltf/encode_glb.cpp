@@ -7,6 +7,7 @@
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_builder.h"
 #include "exporters/gltf/glb_parts.h"
+#include "exporters/gltf/property_table.h"
 #include "exporters/gltf/quantise.h"
 
 namespace citykiln::exporters {
@@ -20,29 +21,6 @@ using Array = Value::Array;
 
 Value text(const std::string& s) { return Value(s); }
 Value number(double v) { return Value(v); }
-Value whole(std::size_t v) { return Value(static_cast<int>(v)); }
-
-// The OSM element of each feature; row 0 is none.
-Value property_table(GlbBuilder& f) {
-  std::vector<std::uint64_t> ids;
-  std::vector<std::uint8_t> types;
-  for (const OsmId& id : f.tile.features)
-    ids.push_back(static_cast<std::uint64_t>(id.id)), types.push_back(static_cast<std::uint8_t>(id.type));
-  const auto property = [](const char* name, const char* type, const char* what) {
-    return Value(Object{
-        {"name", text(name)}, {"description", text(what)}, {"type", text("SCALAR")}, {"componentType", text(type)}});
-  };
-  const Object osm = {{"id", property("OSM id", "UINT64", "id of the OpenStreetMap element")},
-                      {"type", property("OSM type", "UINT8", "0 none, 1 node, 2 way, 3 relation")}};
-  const Object schema = {{"id", text("citykiln")},
-                         {"classes", Value(Object{{"osm", Value(Object{{"properties", Value(osm)}})}})}};
-  const Object rows = {{"id", Value(Object{{"values", Value(f.add_view(ids, 0))}})},
-                       {"type", Value(Object{{"values", Value(f.add_view(types, 0))}})}};
-  const Object table = {
-      {"name", text("osm")}, {"class", text("osm")}, {"count", whole(ids.size())}, {"properties", Value(rows)}};
-  f.extensions.insert("EXT_structural_metadata");
-  return Value(Object{{"schema", Value(schema)}, {"propertyTables", Value(Array{Value(table)})}});
-}
 
 std::string joined(const std::vector<std::string>& texts) {
   std::string all;
@@ -52,7 +30,7 @@ std::string joined(const std::vector<std::string>& texts) {
 
 Value vector(Vec3 v) { return Value(Array{number(v.x), number(v.y), number(v.z)}); }
 
-Value extras_of(const BakedTile& tile, const scene::Header& header) {
+Value tile_extras(const BakedTile& tile, const scene::Header& header) {
   const Object plane = {{"projection", text("transverse Mercator, WGS84, scale 1 at the origin")},
                         {"lon_0", number(header.origin.lon_deg)},
                         {"lat_0", number(header.origin.lat_deg)}};
@@ -75,7 +53,7 @@ tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header) {
   root.name = "tile_" + std::to_string(tile.tile.x) + "_" + std::to_string(tile.tile.y);
   // whole metres, so that tiles imported side by side fit exactly
   root.translation = {tile.origin.x, tile.origin.z, 0.0 - tile.origin.y};
-  root.extras = extras_of(tile, header);
+  root.extras = tile_extras(tile, header);
   return root;
 }
 

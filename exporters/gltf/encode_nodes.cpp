@@ -6,7 +6,7 @@
 
 #include "exporters/gltf/encode_meshes.h"
 #include "exporters/gltf/encode_pictures.h"
-#include "exporters/gltf/feature_extras.h"
+#include "exporters/gltf/property_table.h"
 #include "exporters/gltf/split_buildings.h"
 
 namespace citykiln::exporters {
@@ -50,7 +50,7 @@ void add_single_nodes(GlbBuilder& f, const InstancedMesh& instanced, int mesh, s
     const Float4 q = to_gltf(instanced.rotations[i]);
     node.translation = {t[0], t[1], t[2]}, node.rotation = {q[0], q[1], q[2], q[3]};
     node.scale.assign(3, instanced.scales[i]);
-    node.extras = Value(Value::Object{{"feature", Value(static_cast<int>(instanced.features[i]))}});
+    node.extras = extras_of(f.tile, instanced.features[i]);
     parent.push_back(add_node(f, std::move(node)));
   }
 }
@@ -68,7 +68,7 @@ void add_buildings(GlbBuilder& f, std::span<const Primitive> primitives, tinyglt
   if (!split.rest.empty()) layer.mesh = add_mesh(f, layer.name, split.rest);
   for (const auto& [feature, building] : split.buildings) {
     tinygltf::Node node;
-    node.name = feature_name(f.tile, feature), node.extras = feature_extras(f.tile, feature);
+    node.name = feature_name(f.tile, feature), node.extras = extras_of(f.tile, feature);
     node.mesh = add_mesh(f, node.name, building);
     layer.children.push_back(add_node(f, std::move(node)));
   }

@@ -25,17 +25,17 @@ struct GlbOptions {
 ///
 /// | data                | glTF                                                                                       |
 /// |---------------------|--------------------------------------------------------------------------------------------|
-/// | primitives          | nodes by layer, tile or building (encode_nodes.h), one primitive per key | | instances | a
-/// node each, or EXT_mesh_gpu_instancing, as the target's reader knows                      | | features            |
-/// _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into a property table of UINT64   | |                     |
-/// OSM ids and UINT8 element types (EXT_structural_metadata)                                  | | origin, tolerances, |
-/// the root node's extras: tile, origin_m (doubles), tolerance_m, error_m, plant_error_m,     | | errors              |
-/// rounding_m (largest error of single precision), plane, and viewpoint, if baked for one     | | attribution         |
-/// asset.copyright                                                                            | | uvs                 |
-/// TEXCOORD_0 in units of the image, row 0 is v = 0. In packed meshes metres, on textures 16  | |                     |
-/// bits in steps of materials::kTextureCoordinateStep_m, scaled by KHR_texture_transform      | | images              |
-/// PNG in the buffer, each once; the size of a texel is in its extras                         | | normal maps         |
-/// with TANGENT                                                                               |
+/// | primitives          | nodes by layer, tile or building (encode_nodes.h), one primitive per key                   |
+/// | instances           | a node each, or EXT_mesh_gpu_instancing, as the target's reader knows                      |
+/// | features            | _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into a property table             |
+/// |                     | (property_table.h, EXT_structural_metadata)                                                |
+/// | origin, tolerances, | the root node's extras: tile, origin_m (doubles), tolerance_m, error_m, plant_error_m,     |
+/// | errors              | rounding_m (largest error of single precision), plane, and viewpoint, if baked for one     |
+/// | attribution         | asset.copyright                                                                            |
+/// | uvs                 | TEXCOORD_0 in units of the image, row 0 is v = 0. In packed meshes metres, on textures 16  |
+/// |                     | bits in steps of materials::kTextureCoordinateStep_m, scaled by KHR_texture_transform      |
+/// | images              | PNG in the buffer, each once; the size of a texel is in its extras                         |
+/// | normal maps         | with TANGENT                                                                               |
 ///
 /// @param tile  Its primitives and instanced meshes sorted by layer.
 ///

@@ -82,6 +82,68 @@ TEST(Glb, ReadsBackWhatItWroteForEachTargetAndSplit) {
 
 nlohmann::json gltf_of(const BakedTile& tile) { return nlohmann::json::parse(json_of(encoded(tile, kExtension))); }
 
+TEST(GlbPropertyTable, HasTheAttributesOfEachFeature) {
+  const Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  const auto gltf = nlohmann::json::parse(json_of(bytes));
+  const auto& metadata = gltf["extensions"]["EXT_structural_metadata"];
+  const auto& table = metadata["propertyTables"][0];
+  EXPECT_EQ(table["count"], 4);
+  const auto& properties = metadata["schema"]["classes"]["osm"]["properties"];
+  ASSERT_EQ(properties.size(), 6u);
+  for (const auto& [name, property] : properties.items()) EXPECT_TRUE(table["properties"].contains(name)) << name;
+  EXPECT_EQ(metadata["schema"]["enums"]["class"]["values"],
+            nlohmann::json::parse(R"([{"name":"none","value":0},{"name":"Apartments","value":1},
+                                      {"name":"Park","value":2},{"name":"oak","value":3}])"));
+  const auto& names = gltf["bufferViews"][table["properties"]["name"]["values"].get<std::size_t>()];
+  const std::string buffer(reinterpret_cast<const char*>(bytes.data()) + 28 + json_of(bytes).size(),
+                           bytes.size() - 28 - json_of(bytes).size());
+  EXPECT_EQ(buffer.substr(names["byteOffset"].get<std::size_t>(), names["byteLength"].get<std::size_t>()),
+            "Château «Ω»Parc");
+}
+
+TEST(GlbPropertyTable, LeavesOutColumnsWithoutValues) {
+  BakedTile tile = made_tile(1);
+  for (bake::FeatureAttributes& row : tile.attributes) row.name.clear(), row.tags.clear();
+  auto gltf = nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
+  EXPECT_EQ(gltf["extensions"]["EXT_structural_metadata"]["propertyTables"][0]["properties"].size(), 4u);
+  EXPECT_TRUE(*decoded(encoded(tile, Instancing::kExtension)) == tile);
+  tile.attributes.clear();
+  gltf = nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
+  EXPECT_EQ(gltf["extensions"]["EXT_structural_metadata"]["propertyTables"][0]["properties"].size(), 2u);
+  EXPECT_TRUE(*decoded(encoded(tile, Instancing::kExtension)) == tile);
+}
+
+TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
+  const BakedTile tile = made_tile(1);
+  const auto gltf = nlohmann::json::parse(json_of(encoded(tile, Instancing::kNodes)));
+  std::set<std::string> seen;
+  for (const auto& node : gltf["nodes"])
+    if (node.contains("extras") && node["extras"].contains("feature")) seen.insert(node["extras"].dump());
+  ASSERT_GT(seen.size(), 1u);
+  for (const std::string& extras : seen)
+    EXPECT_TRUE(extras == R"({"feature":0})" ||
+                extras == R"({"class":"oak","feature":1,"height_m":12.3,"osm_id":5,"osm_type":"node"})" ||
+                extras == R"({"class":"Apartments","feature":2,"height_m":31.0,"name":"Château «Ω»","osm_id":-12,)"
+                          R"("osm_type":"way","tags":{"building":"yes"}})" ||
+                extras == R"({"class":"Park","feature":3,"name":"Parc","osm_id":9007199254740993.0,)"
+                          R"("osm_type":"relation"})")
+        << extras;
+}
+
+TEST(GlbPropertyTableDamage, TextsOutsideTheirViewAndOtherEncodingsAreRefused) {
+  for (const char* text : {R"("stringOffsetType":"UINT16")", R"("valueType":"UINT16")"})
+    EXPECT_NE(json_of(encoded(made_tile(1), Instancing::kExtension)).find(text), std::string::npos) << text;
+  EXPECT_NE(refusal_with(Instancing::kExtension, R"("stringOffsetType":"UINT16")", R"("stringOffsetType":"UINT32")"),
+            "accepted");
+  Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  const std::string name = "Château";
+  const auto at = std::search(bytes.begin(), bytes.end(), name.begin(), name.end(),
+                              [](std::byte b, char c) { return b == static_cast<std::byte>(c); });
+  ASSERT_NE(at, bytes.end());
+  *(at + 3) = std::byte{0xff};
+  EXPECT_EQ(refusal(decoded(bytes)), "tile.glb: expected texts in UTF-8");
+}
+
 TEST(GlbMarkingAtlas, IsWrittenOnceForAllThatIsOnIt) {
   const auto gltf = gltf_of(made_marked_tile(1));
   EXPECT_EQ(gltf["images"].size(), 1u);
