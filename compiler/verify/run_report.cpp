@@ -256,6 +256,11 @@ exporters::GlbOptions glb_options_of(const Outputs& outputs) {
   return {.target = outputs.target, .split = outputs.split, .compression = compression_of(outputs.compress)};
 }
 
+std::size_t most_instances_of(Target target) {
+  const std::size_t most = values_of(target).most_nodes;
+  return most == 0 ? bake::kAnyInstances : most;
+}
+
 bool has_mended_or_dropped(const Report& report) {
   return std::ranges::any_of(report.diagnoses(),
                              [](const Diagnosis& d) { return severity_of(d.code) != Severity::kNote; });

@@ -92,6 +92,18 @@ TEST(Spec, SaysWhatIsNotSupportedYet) {
   EXPECT_NE(objection("world", "cylinder:8000").find("yet"), std::string::npos);
 }
 
+TEST(Spec, RefusesACompressionThatTheTargetCannotRead) {
+  Outputs outputs;
+  EXPECT_TRUE(fits_target(outputs));
+  outputs.compress = Compress::kMeshopt;
+  const Result<Done> refused = fits_target(outputs);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(to_string(refused.error()),
+            "--compress: meshopt cannot be read by the target generic; add --target three, cesium or unity");
+  outputs.target = Target::kThree;
+  EXPECT_TRUE(fits_target(outputs));
+}
+
 TEST(Spec, IsUnchangedByInvalidValues) {
   CompileSpec spec;
   ASSERT_FALSE(apply(setting_named("emit"), "kiln,obj", spec));
