@@ -57,8 +57,8 @@ Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
     Error error = expected(
         "west,south,east,north in degrees with west < east and south < north, such as 7.40,43.72,7.44,43.75", text);
     if (is_box_on_earth({box.south, box.west, box.north, box.east}))
-      error.message += fmt::format("; latitude and longitude swapped? Try {},{},{},{}", box.south, box.west, box.north,
-                                   box.east);
+      error.message +=
+          fmt::format("; latitude and longitude swapped? Try {},{},{},{}", box.south, box.west, box.north, box.east);
     return error;
   }
   spec.map.bbox = box;

@@ -28,7 +28,9 @@ void declare(CLI::App& app, const Option& option) {
   }
   CLI::Option* declared = app.add_option(option.flags, option.help)->type_name(option.value);
   const bool stands_by_place = option.flags.front() != '-';
-  if (option.repeats) declared->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(stands_by_place || option.takes_several);
+  if (option.repeats)
+    declared->expected(1, CLI::detail::expected_max_vector_size)
+        ->allow_extra_args(stands_by_place || option.takes_several);
 }
 
 CLI::App& declare(CLI::App& app, const Verb& verb, Console& console) {

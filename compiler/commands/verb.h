@@ -26,7 +26,7 @@ struct Option {
   std::string value;  ///< Name of the value in the help, "FILE"; empty for a switch, which passes "true".
   std::string help;
   bool repeats = false;
-  Take take;  ///< Called for each value, in the order of the table.
+  Take take;                   ///< Called for each value, in the order of the table.
   bool takes_several = false;  ///< Several values may follow the flag once.
 };
 
