@@ -14,7 +14,9 @@
 #include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/plan_water_heights.h"
+#include "compiler/map/choose_extent.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/lonlat_box.h"
 #include "compiler/map/resample.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
@@ -29,6 +31,7 @@
 #include "compiler/structures/plan.h"
 #include "compiler/structures/plan_parapet_gaps.h"
 #include "compiler/structures/plan_piers.h"
+#include "compiler/structures/within_extent.h"
 
 namespace citykiln {
 namespace {
@@ -63,9 +66,13 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   const Result<source::OsmData> osm = source::read_osm(spec.map_path, spec.threads, report);
   if (!osm) return osm.error();
   timer.enter("project and classify");
-  const source::LonLatBox box = map::choose_box(*osm, spec.map);
-  const map::Plane plane(spec.map.origin.value_or(map::default_origin(box)));
-  const map::Features features = map::locate(*osm, plane, box, spec.map, report);
+  const Result<source::LonLatBox> box = map::choose_extent(*osm, spec.map.bbox, report);
+  if (!box) return box.error();
+  const map::Plane plane(spec.map.origin.value_or(map::default_origin(*box)));
+  const bool has_box = spec.map.bbox || osm->header_box;
+  const Result<Done> worthwhile = map::is_worth_baking(map::region_of(plane, *box), *osm, has_box);
+  if (!worthwhile) return worthwhile.error();
+  const map::Features features = map::locate(*osm, plane, *box, spec.map, report);
   if (is_empty(features)) return Error{spec.map_path, "contains nothing to compile in this area"};
 
   // resample the heightmaps
@@ -99,6 +106,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   const ground::GradedTerrain graded = grade_whole_map(recipes, features.region);
   recipes.structures.bridges =
       structures::place_piers(std::move(recipes.structures.bridges), graded, pier_obstacles(recipes, features), report);
+  recipes.structures = structures::within_extent(std::move(recipes.structures), features.region, report);
   timer.enter("buildings");
   recipes.buildings = buildings::plan(features, graded, report);
   timer.enter("plants");
@@ -108,6 +116,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
 
   // describe the sky and the sources, and sort all recipes into tiles
   timer.enter("sort into tiles");
+  recipes.texts = features.texts;
   Result<scene::Header> header = make_header(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
   if (!header) return header.error();
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
@@ -208,38 +217,16 @@ bool is_empty(const map::Features& f) {
          f.points.empty();
 }
 
-/// The smallest box in degrees that holds the corners, side middles and centre of a box of the plane (its sides are
-/// curves in degrees).
-source::LonLatBox lonlat_box_of(const Box2& region, const map::Plane& plane) {
-  source::LonLatBox box{180, 90, -180, -90};
-  for (const double x : {region.min.x, region.centre().x, region.max.x}) {
-    for (const double y : {region.min.y, region.centre().y, region.max.y}) {
-      const map::LonLat place = plane.backward({x, y});
-      box = {std::min(box.west, place.lon_deg), std::min(box.south, place.lat_deg), std::max(box.east, place.lon_deg),
-             std::max(box.north, place.lat_deg)};
-    }
-  }
-  return box;
-}
-
 /// The heights of the region. Error: heightmaps were given and none covers any of it.
 Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                       std::vector<std::string>& credits, Report& report) {
-  const source::LonLatBox window = lonlat_box_of(region, plane);
+  if (spec.rasters.empty()) report.add(Code::kNoHeightmap, {});
+  const source::LonLatBox window = map::lonlat_box_of(region, plane);
   const Result<std::vector<source::Raster>> rasters = source::read_heightmaps(spec.rasters, &window, report);
   if (!rasters) return rasters.error();
   for (const source::RasterSpec& raster : spec.rasters) credits.push_back(raster.credit);
 
-  Report here;
-  Result<map::Heightfield> heights = map::resample(*rasters, plane, region, here);
-  report.append(here);
-  const auto covers_nothing = [](const Diagnosis& d) { return d.code == Code::kNoHeight && d.size >= 1; };
-  if (heights && !rasters->empty() && std::ranges::any_of(here.diagnoses(), covers_nothing)) {
-    return Error{spec.rasters.front().path,
-                 fmt::format("does not cover any part of the map, which lies in {:.4f},{:.4f},{:.4f},{:.4f} (W,S,E,N)",
-                             window.west, window.south, window.east, window.north)};
-  }
-  return heights;
+  return map::resample(*rasters, plane, region, report);
 }
 
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region) {

@@ -13,6 +13,8 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
+#include "compiler/contract/split.h"
+#include "compiler/contract/target.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/locate.h"
 #include "compiler/scene/scene.h"
@@ -28,9 +30,10 @@ Result<Compress> parse_compress(std::string_view text);
 /// The files that a run writes into its folder.
 struct Outputs {
   std::string folder;
-  bool manifest = true;             ///< scene.kiln
-  bool glb = true;                  ///< glb/<x>_<y>_L<n>.glb
-  bool instances_as_nodes = false;  ///< A glTF node per plant and lamp, for readers without EXT_mesh_gpu_instancing.
+  bool manifest = true;  ///< scene.kiln
+  bool glb = true;       ///< glb/<x>_<y>_L<n>.glb
+  Target target = Target::kGeneric;
+  Split split = Split::kLayer;
   Compress compress = Compress::kNone;
   std::vector<double> ladder_m{kDefaultLadder_m.begin(),
                                kDefaultLadder_m.end()};  ///< Tolerances, increasing; level n has the n-th.
@@ -71,7 +74,7 @@ struct Setting {
 /// All settings in the order of the help text.
 std::span<const Setting> settings();
 
-/// Applies one setting. An error names the setting and the expected value; the spec is then unchanged.
+/// Applies one setting. An error says what value is expected, and not which setting it is; the spec is then unchanged.
 Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec);
 
 /// Reads spec.json: an object whose keys are names of settings and whose values are strings, numbers, booleans, or
@@ -79,10 +82,15 @@ Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& s
 /// column), an unknown key, an invalid value.
 Result<CompileSpec> read_spec(const std::string& path);
 
-/// Error: the spec has no map or no output folder.
+/// Error: the spec has no map or no output folder, or its outputs do not fit their target.
 Result<Done> is_complete(const CompileSpec& spec);
 
-/// Parses increasing numbers above zero: "0.02,0.1,0.5".
+/// Error: the target's reader cannot read the compression.
+Result<Done> fits_target(const Outputs& outputs);
+
+/// Parses a tolerance above 0 and at most kCoarsest_m: "0.5".
+Result<double> parse_tolerance(std::string_view text);
+/// Parses increasing tolerances: "0.1,0.5,2.5".
 Result<std::vector<double>> parse_ladder(std::string_view text);
 /// Parses "3_-2".
 Result<scene::TileKey> parse_tile(std::string_view text);

@@ -10,6 +10,8 @@
 #include "compiler/bake/bake_instances.h"
 #include "compiler/bake/bake_structures.h"
 #include "compiler/bake/baking.h"
+#include "compiler/bake/clip_to_extent.h"
+#include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
 #include "compiler/bake/tile_levels.h"
 #include "compiler/contract/detail_tolerances.h"
@@ -21,9 +23,9 @@ namespace {
 // Frees each mesh when it is merged, so that no tile is held twice.
 void merge_meshes(Baking& baking) {
   PrimitiveMap merged;
-  for (MaterialMesh& each : baking.meshes) {
-    const MaterialMesh mesh = std::move(each);
-    merge(merged, mesh, baking.tile.origin, number_of(baking.tile, mesh.feature));
+  for (LayeredMesh& each : baking.meshes) {
+    const LayeredMesh part = std::move(each);
+    merge(merged, part, baking.tile.origin, number_of(baking.tile, part.mesh.feature));
   }
   baking.meshes.clear();
   baking.tile.primitives = primitives_of(std::move(merged));
@@ -46,6 +48,21 @@ std::vector<props::Barrier> bands_of(const Baking& baking) {
   return bands;
 }
 
+// A barrier, clipped to the extent and closed there.
+props::GeneratedProp generate_within(const props::Barrier& barrier, const ground::GradedTerrain& graded,
+                                     double tolerance_m, const Box2& extent) {
+  props::GeneratedProp generated = props::generate(barrier, graded, tolerance_m);
+  std::vector<MaterialMesh*> meshes;
+  for (MaterialMesh& mesh : generated.meshes) meshes.push_back(&mesh);
+  Mesh caps = clip_solid_to_extent(meshes, extent);
+  if (!caps.triangles.empty()) {
+    const MaterialMesh& band = generated.meshes.front();
+    generated.meshes.push_back({std::move(caps), band.material, band.tint, band.feature});
+  }
+  std::erase_if(generated.meshes, [](const MaterialMesh& mesh) { return mesh.mesh.triangles.empty(); });
+  return generated;
+}
+
 BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, TileLevel& level, const TilePart* part,
                      const PrototypeCache& prototypes, int threads, Report& report) {
   const double tolerance_m = level.tolerance_m;
@@ -62,8 +79,9 @@ BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, Til
   bake_stairs(baking, shared.stairs);
   bake_buildings(baking, level, prototypes.rulebook(), threads, report);
   bake_each(
-      baking, bands_of(baking), "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
-      [&](const auto& b) { return props::generate(b, shared.graded, tolerance_m); });
+      baking, Layer::kProps, bands_of(baking), "barrier", report,
+      [&](const auto& b) { return bounds_of(b, chunk.heights); },
+      [&](const auto& b) { return generate_within(b, shared.graded, tolerance_m, header.region); });
   report.append(shared.tree_report);
   bake_tree_pits(baking, shared);
   Placed placed = placed_in(baking, shared);
@@ -71,9 +89,11 @@ BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, Til
   name_placed(baking, placed);
 
   tile.features.assign(baking.features.begin(), baking.features.end());
+  tile.attributes = attributes_of(chunk, tile.features);
   merge_meshes(baking);
-  bake_trees(baking, placed.trees, prototypes);
   bake_lamps(baking, placed.lamps, shared.graded, report);
+  bake_trees(baking, placed.trees, prototypes);
+  snap_image_uvs(tile);
   tile.textures = textures_shown(tile, baking.texel_m(), prototypes.textures());
   return tile;
 }

@@ -2,23 +2,48 @@
 
 #include <utility>
 
+#include "compiler/bake/clip_to_extent.h"
 #include "compiler/structures/tunnel.h"
 
 namespace citykiln::bake {
 namespace {
 
+bool is_empty(const structures::GeneratedStructure& generated) {
+  return generated.meshes.empty() && generated.marked.empty();
+}
+
+enum class Body { kSolid, kHollow };
+
+// Removes what lies outside the extent. Bridges are closed there; tunnels are open, so that their inside is seen.
+void clip(structures::GeneratedStructure& generated, OsmId feature, const Box2& extent, Body body) {
+  std::vector<MaterialMesh*> meshes;
+  for (MaterialMesh& mesh : generated.meshes) meshes.push_back(&mesh);
+  for (structures::MarkedMesh& marked : generated.marked) meshes.push_back(&marked.mesh);
+  Mesh caps;
+  if (body == Body::kSolid)
+    caps = clip_solid_to_extent(meshes, extent);
+  else
+    clip_to_extent(meshes, extent);
+  if (!caps.triangles.empty())
+    generated.meshes.push_back({std::move(caps), materials::Material::kConcrete, materials::kNoTint, feature});
+  std::erase_if(generated.meshes, [](const MaterialMesh& mesh) { return mesh.mesh.triangles.empty(); });
+  std::erase_if(generated.marked, [](const auto& marked) { return marked.mesh.mesh.triangles.empty(); });
+}
+
 // Generates the spans that the chunk's tile bakes. A span without meshes counts as dropped.
 template <typename Generate>
-void generate_spans(const Baking& baking, const std::vector<structures::Span>& spans, const char* kind, Report& report,
-                    std::vector<Built>& all, Generate generate) {
+void generate_spans(const Baking& baking, const std::vector<structures::Span>& spans, const char* kind, Body body,
+                    Report& report, std::vector<Built>& all, Generate generate) {
   Account account;
   for (const structures::Span& span : spans) {
     const Bounds bounds = bounds_of(span);
     if (!scene::is_anchored(baking.header, baking.chunk.tile, span.axis.front()) || !baking.holds(bounds)) continue;
     ++account.in;
     structures::GeneratedStructure generated = generate(span, baking.tolerance_m);
-    if (generated.meshes.empty() && generated.marked.empty()) {
-      report.drop(account, Code::kBelowTolerance, span.id.osm, 0);
+    const bool is_too_small = is_empty(generated);
+    clip(generated, span.id.osm, baking.header.region, body);
+    if (is_empty(generated)) {
+      report.drop(account, is_too_small ? Code::kBelowTolerance : Code::kOutsideBounds, span.id.osm, 0);
       continue;
     }
     ++account.out;
@@ -33,8 +58,8 @@ std::vector<Built> generate_structures(const Baking& baking, Report& report) {
   std::vector<Built> all;
   std::vector<structures::Span> bored = baking.chunk.tunnels;
   std::erase_if(bored, [](const structures::Span& tunnel) { return !tunnel.is_bored; });
-  generate_spans(baking, baking.chunk.bridges, "bridge", report, all, structures::generate);
-  generate_spans(baking, bored, "tunnel", report, all, structures::generate_tunnel);
+  generate_spans(baking, baking.chunk.bridges, "bridge", Body::kSolid, report, all, structures::generate);
+  generate_spans(baking, bored, "tunnel", Body::kHollow, report, all, structures::generate_tunnel);
   return all;
 }
 
@@ -47,7 +72,7 @@ void bake_structures(Baking& baking, std::vector<Built>& structures, const Marki
       map_to_atlas(markings.columns[first_column++], marked.mesh);
       built.meshes.push_back(std::move(marked.mesh));
     }
-    baking.take(std::move(built.meshes));
+    baking.take(std::move(built.meshes), Layer::kStructures);
   }
 }
 
@@ -58,7 +83,8 @@ void bake_stairs(Baking& baking, const std::vector<structures::Stairs>& all) {
     if (stairs.error_m <= baking.tolerance_m)
       baking.certify(stairs.error_m, bounds);
     else
-      baking.take({{stairs.mesh, materials::Material::kStone, materials::kNoTint, stairs.feature}});
+      baking.take(
+          {{{stairs.mesh, materials::Material::kStone, materials::kNoTint, stairs.feature}, Layer::kStructures}});
   }
 }
 

@@ -16,8 +16,8 @@ struct Built {
   Bounds bounds;
 };
 
-/// Generates the bridges and bored tunnels that this tile bakes. Other tunnels were diagnosed when the map was
-/// compiled. Accounts "bake/bridge", "bake/tunnel".
+/// Generates the bridges and bored tunnels that this tile bakes, clipped to the extent. Other tunnels were diagnosed
+/// when the map was compiled. Accounts "bake/bridge", "bake/tunnel".
 std::vector<Built> generate_structures(const Baking& baking, Report& report);
 
 /// Adds bridges and tunnels.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 
+#include "compiler/bake/ground_beyond.h"
 #include "compiler/bake/skirt.h"
 #include "compiler/contract/detail_tolerances.h"
 
@@ -100,6 +101,23 @@ void generate_grounds(std::span<TileLevel> levels, const Box2& box, int threads)
     levels[i].cells = std::move(cells[i]), levels[i].cell_report = std::move(reports[i]);
 }
 
+// The level of the first cell that a box touches.
+int number_beside(std::span<const ViewCell> cells, const Box2& box) {
+  const auto cell = std::ranges::find_if(cells, [&](const ViewCell& c) { return c.level.cell.touches(box); });
+  return cell == cells.end() ? cells.front().number : cell->number;
+}
+
+// The ground under buildings across the extent's border. Each piece has skirts of its own on all sides.
+void generate_beyond(TileLevel& level, const Box2& box, int threads) {
+  level.seen_beyond.push_back({.level = {box, level.tolerance_m, ground::all_sides(level.tolerance_m)},
+                               .skirt = box,
+                               .skirt_m = kSkirtDepthTolerances * level.tolerance_m});
+  std::vector<ground::GroundMesh> ground =
+      generate_cells(level.shared->graded, level.cover.surfaces, std::array{level.seen_beyond.back().level}, threads,
+                     level.cell_report);
+  level.beyond.push_back(std::move(ground.front()));
+}
+
 }  // namespace
 
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
@@ -115,6 +133,9 @@ std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk
     if (has_canopy(tolerance_m)) level.canopy = canopies++;
   }
   generate_grounds(levels, box, threads);
+  const std::vector<Box2> beyond = ground_beyond(header, chunk);
+  for (TileLevel& level : levels)
+    for (const Box2& outside : beyond) generate_beyond(level, outside, threads);
   return levels;
 }
 
@@ -134,6 +155,8 @@ std::vector<TileLevel> levels_for_view(const scene::Header& header, const scene:
     std::vector<CellLevel> cells;
     for (const ViewCell& cell : level.seen) cells.push_back(cell.level);
     level.cells = generate_cells(level.shared->graded, level.cover.surfaces, cells, threads, level.cell_report);
+    for (const Box2& outside : ground_beyond(header, chunk))
+      if (number_beside(all, outside) == parts[i]) generate_beyond(level, outside, threads);
   }
   return levels;
 }

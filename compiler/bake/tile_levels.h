@@ -47,7 +47,9 @@ struct TileLevel {
   std::shared_ptr<const SharedByLevels> shared;
   scene::LandCover cover{};
   std::vector<ViewCell> seen{};
-  std::vector<ground::GroundMesh> cells{};  ///< One per entry of `seen`.
+  std::vector<ground::GroundMesh> cells{};   ///< One per entry of `seen`.
+  std::vector<ViewCell> seen_beyond{};       ///< Ground outside of the extent, under buildings (ground_beyond.h).
+  std::vector<ground::GroundMesh> beyond{};  ///< One per entry of `seen_beyond`.
   Report cell_report{};
   std::optional<BuildingMeshes> buildings{};
   Report building_report{};

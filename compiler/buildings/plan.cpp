@@ -12,6 +12,7 @@
 #include "compiler/buildings/street_sides.h"
 #include "compiler/buildings/style.h"
 #include "compiler/buildings/vertical_support.h"
+#include "compiler/geometry/centroid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/building_classes.h"
 #include "compiler/map/part_outlines.h"
@@ -227,6 +228,12 @@ Site site_of(const map::Features& features, const ground::GradedTerrain& ground,
           .doors = index_doors(features.points)};
 }
 
+// A building belongs to the region by its centroid, and all parts of an outline with it.
+bool is_in_region(std::size_t i, const Site& site, const Box2& region) {
+  const std::uint32_t outline = site.outlines[i];
+  return region.contains(centroid(site.footprints[outline == map::kNoOutline ? i : outline].polygon));
+}
+
 }  // namespace
 
 std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
@@ -238,6 +245,8 @@ std::vector<Building> plan(const map::Features& features, const ground::GradedTe
     ++account.in;
     if (footprint.polygon.outer.size() < 3) {
       report.drop(account, Code::kDegenerateRing, footprint.id.osm);
+    } else if (!is_in_region(i, site, features.region)) {
+      report.drop(account, Code::kOutsideBounds, footprint.id.osm);
     } else if (footprint.has_parts) {
       ++account.merged;
       report.add(Code::kOutlineReplacedByParts, footprint.id.osm);

@@ -13,6 +13,9 @@ namespace citykiln::buildings {
 /// Returns one building per footprint, sorted by id. Outlines that are replaced by their parts (has_parts) count as
 /// merged in the ledger "buildings/footprint".
 ///
+/// A building is in the region if its centroid is, and then it is whole; a part belongs to it with its outline. Others
+/// are dropped, kOutsideBounds.
+///
 /// Heights are measured from the lowest ground along the walls; heights of a part from the lowest ground along the
 /// outline it belongs to (map/part_outlines.h). A building on the ground whose eaves are less than kMinWall_m above its
 /// highest ground is raised (kHeightRaised). Walls extend kFoundation_m below the lowest ground. Buildings that

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "compiler/commands/ground_height.h"
 #include "compiler/commands/interrupt_notice.h"
 #include "compiler/commands/join_tiles.h"
 #include "compiler/commands/run_paths.h"
@@ -30,11 +31,11 @@ struct Request {
   std::string manifest_path, out_path;
   std::optional<double>
       tolerance_m;  ///< Of the one file; with an eye the finest tolerance. None: a folder with levels.
-  std::optional<Vec3> eye, eye_lonlat;  ///< Viewer position of the one file.
+  std::optional<GivenPoint> eye, eye_lonlat;  ///< Viewer position of the one file.
   std::optional<double> fov_deg;
   PictureSize size;
   double pixel_error = 1;
-  CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, instancing, threads.
+  CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, target, split, compress, threads.
 };
 
 /// All tiles of the scene joined to one.
@@ -55,8 +56,7 @@ Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, double toler
 Result<double> write_one_file(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
   const Outputs& outputs = request.spec.outputs;
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(tile, header, verify::instancing_of(outputs.instances_as_nodes),
-                             verify::compression_of(outputs.compress), request.spec.threads);
+      exporters::encode_tile(tile, header, verify::glb_options_of(outputs), request.spec.threads);
   if (const Result<Done> done = exporters::write_file(request.out_path, encoded.glb); !done) return done.error();
   return encoded.error_m;
 }
@@ -77,9 +77,11 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   return Exit::kDone;
 }
 
-Result<bake::View> view_of(const Request& request, const scene::Header& header) {
-  const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, header);
+Result<bake::View> view_of(const Request& request, const scene::Scene& scene, const Console& console) {
+  const GroundHeight ground_m = [&](Vec2 place) { return ground_height_m(scene, place); };
+  const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, scene.header, ground_m);
   if (!eye) return eye.error();
+  note_if_below_ground(**eye, ground_m, console);
   bake::View view{
       **eye, bake::focal_length_px(request.size.height, request.fov_deg.value_or(preview::Camera{}.vertical_fov_deg))};
   view.pixel_error = request.pixel_error;
@@ -108,7 +110,7 @@ Result<bake::BakedTile> bake_for_view(const Request& request, const scene::Scene
 Result<Exit> bake_view_to_file(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, {});
   if (!scene) return scene.error();
-  const Result<bake::View> view = view_of(request, scene->header);
+  const Result<bake::View> view = view_of(request, *scene, console);
   if (!view) return view.error();
   const Result<bake::BakedTile> tile = bake_for_view(request, *scene, *view, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
@@ -156,7 +158,7 @@ Result<Done> output_fits(const Request& request) {
   std::error_code none;
   if (is_one_file && std::filesystem::is_directory(request.out_path, none))
     return Error{request.out_path, "is a folder; --tolerance and --eye write one file: give -o FILE.glb"};
-  return Done{};
+  return fits_target(request.spec.outputs);
 }
 
 Result<Exit> run(const Request& asked, const Console& console) {
@@ -175,8 +177,8 @@ Result<Exit> run(const Request& asked, const Console& console) {
 void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
-    if (name != "only" && name != "emit" && name != "lods" && name != "instancing" && name != "compress" &&
-        name != "world" && name != "threads") {
+    if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
+        name != "compress" && name != "world" && name != "threads") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);
@@ -196,11 +198,12 @@ Verb bake_verb() {
        store_text(request->manifest_path)},
       {"--tolerance", "M",
        "largest geometric error in metres of one .glb file, such as 0.1; with --eye the smallest (default there: 0.02)",
-       false, store_number(request->tolerance_m, {})},
+       false, store_tolerance(request->tolerance_m)},
       {"-o,--out", "FILE.glb|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
        store_text(request->out_path)},
       {"--eye", "X,Y,Z",
-       "one .glb file for a viewer at this place in plane metres, such as 0,-200,150; detail falls with distance",
+       "one .glb file for a viewer at this place in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the "
+       "ground; detail falls with distance",
        false, store_point(request->eye)},
       {"--eye-lonlat", "LON,LAT,HEIGHT", "the same in degrees and metres, such as 7.42,43.73,150", false,
        store_point(request->eye_lonlat)},
@@ -212,6 +215,9 @@ Verb bake_verb() {
        store_number(request->fov_deg, kFieldsOfView_deg)},
   };
   add_settings(verb, *request);
+  verb.examples = {"citykiln bake out/town/scene.kiln --tile 0_0 --tolerance 0.1 -o tile.glb",
+                   "citykiln bake out/town/scene.kiln --eye 0,-200,+1.7 --size 1920x1080 -o view.glb",
+                   "citykiln bake out/town/scene.kiln --lods 0.5,2.5 -o out/coarse"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

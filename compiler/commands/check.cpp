@@ -144,6 +144,7 @@ Verb check_verb() {
   verb.options = {{"folder", "OUT", "output folder of compile, with its manifest; OUT/scene.kiln means the same", false,
                    store_text(request->folder)},
                   threads_option(request->threads)};
+  verb.examples = {"citykiln check out/town"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

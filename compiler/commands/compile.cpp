@@ -30,7 +30,8 @@ Result<CompileSpec> spec_of(const Request& request) {
     spec = std::move(*read);
   }
   for (const auto& [setting, text] : request.given) {
-    if (const Result<Done> done = apply(*setting, text, spec); !done) return done.error();
+    const Result<Done> done = apply(*setting, text, spec);
+    if (!done) return Error{"--" + std::string(setting->name), to_string(done.error())};
   }
   if (const Result<Done> complete = is_complete(spec); !complete) return complete.error();
   return spec;
@@ -96,15 +97,36 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
   return exit;
 }
 
+bool is_map_file(std::string_view path) {
+  constexpr std::string_view kSuffixes[] = {".osm", ".osm.gz", ".osm.bz2", ".osm.pbf", ".pbf"};
+  return std::ranges::any_of(kSuffixes, [&](std::string_view suffix) { return path.ends_with(suffix); });
+}
+
+Result<Done> give(Request& request, const Setting& setting, const std::string& text) {
+  request.given.emplace_back(&setting, text);
+  return Done{};
+}
+
+/// A map among the files after --dem: the map may stand last on the command line.
+Result<Done> give_map(Request& request, const std::string& text) {
+  for (const auto& [setting, path] : request.given)
+    if (setting->name == "map") return Error{"--dem", fmt::format("found a second map, {}, after {}", text, path)};
+  return give(request, *std::ranges::find(settings(), "map", &Setting::name), text);
+}
+
 Option option_of(const Setting& setting, Request& request) {
+  const bool is_dem = setting.name == "dem";
   std::string flags = "--" + std::string(setting.name);
   if (setting.name == "map") flags = "map";
   if (setting.name == "out") flags = "-o,--out";
-  return {flags, std::string(setting.value), std::string(setting.help), setting.repeats,
-          [&request, &setting](const std::string& text) -> Result<Done> {
-            request.given.emplace_back(&setting, text);
-            return Done{};
-          }};
+  return {flags,
+          std::string(setting.value),
+          std::string(setting.help),
+          setting.repeats,
+          [&request, &setting, is_dem](const std::string& text) {
+            return is_dem && is_map_file(text) ? give_map(request, text) : give(request, setting, text);
+          },
+          is_dem};
 }
 
 }  // namespace
@@ -116,6 +138,9 @@ Verb compile_verb() {
   verb.options.push_back({"--spec", "FILE",
                           "JSON file of settings, such as {\"tile\": 512}; settings on the command line override it",
                           false, store_text(request->spec_path)});
+  verb.examples = {"citykiln compile monaco.osm.pbf --dem N43E007.hgt -o out/monaco",
+                   "citykiln compile monaco.osm.pbf --bbox 7.415,43.73,7.43,43.745 --lods 0.1,0.5 -o out/centre",
+                   "citykiln compile --spec examples/town/spec.json -o out/town"};
   verb.run = [request](const Console& console) -> Result<Exit> {
     const Result<CompileSpec> spec = spec_of(*request);
     if (!spec) return spec.error();

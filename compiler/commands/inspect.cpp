@@ -7,7 +7,9 @@
 #include <span>
 
 #include "compiler/commands/geojson.h"
+#include "compiler/commands/map_layers.h"
 #include "compiler/commands/run_paths.h"
+#include "compiler/commands/scene_layers.h"
 #include "compiler/commands/verb.h"
 #include "compiler/map/locate.h"
 #include "compiler/roads/junctions/layers.h"
@@ -96,7 +98,7 @@ Json describe(const source::OsmData& osm, std::span<const roads::RoadLayer> off_
   json["road_layers_off_ground"] = Json::array();
   for (const roads::RoadLayer& layer : off_ground)
     json["road_layers_off_ground"].push_back({{"layer", layer.layer},
-                                              {"passage", passage_name(layer.passage)},
+                                              {"passage", layer.passage == map::Passage::kBridge ? "bridge" : "tunnel"},
                                               {"roads", layer.roads.size()},
                                               {"junctions", layer.junctions.size()}});
   json["diagnoses"] = Json::object();
@@ -211,6 +213,8 @@ Verb inspect_verb() {
       {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
        store_text(request->geojson_path)},
   };
+  verb.examples = {"citykiln inspect out/town/scene.kiln",
+                   "citykiln inspect out/town/scene.kiln --layer buildings --geojson buildings.geojson"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

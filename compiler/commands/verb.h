@@ -28,13 +28,15 @@ struct Option {
   std::string value;
   std::string help;
   bool repeats = false;
-  Take take;  ///< Called for each value, in the order of the table.
+  Take take;                   ///< Called for each value, in the order of the table.
+  bool takes_several = false;  ///< Several values may follow the flag once.
 };
 
 struct Verb {
   std::string name, help;
   std::vector<Option> options;
   std::function<Result<Exit>(const Console& console)> run;  ///< Called after all options were taken.
+  std::vector<std::string> examples{};                      ///< Whole command lines for the help.
 };
 
 Verb compile_verb();
@@ -57,6 +59,9 @@ Take append_text(std::vector<std::string>& texts);
 /// Stores a number of the range.
 Take store_number(double& number, NumberRange range);
 Take store_number(std::optional<double>& number, NumberRange range);
+/// Stores a tolerance: metres above 0, at most kCoarsest_m.
+Take store_tolerance(double& tolerance_m);
+Take store_tolerance(std::optional<double>& tolerance_m);
 /// Stores an integer of at least `least`.
 template <typename Whole>
 Take store_whole(Whole& number, int least) {

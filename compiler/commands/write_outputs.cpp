@@ -33,9 +33,7 @@ struct ReadyTile {
 
 ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene::Header& header,
                      const Outputs& outputs, int threads) {
-  exporters::EncodedTile encoded =
-      exporters::encode_tile(tile, header, verify::instancing_of(outputs.instances_as_nodes),
-                             verify::compression_of(outputs.compress), threads);
+  exporters::EncodedTile encoded = exporters::encode_tile(tile, header, verify::glb_options_of(outputs), threads);
   const verify::WrittenFile file{exporters::glb_name(tile.tile, level), encoded.glb.size()};
   return {std::move(encoded.glb),
           {.file = file,

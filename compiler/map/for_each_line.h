@@ -8,7 +8,7 @@ namespace citykiln::map {
 
 /// Calls make(way, *row, LocatedLine&&) for every way that is_of_kind, has a row, has a length and is near the region.
 /// Ways tagged area=yes are left to locate_areas(). Keeps the account "map/<account_name>" and diagnoses what is
-/// dropped. O(ways).
+/// dropped or leaves the region. O(ways).
 template <typename IsOfKind, typename RowOf, typename Make>
 void for_each_line(const ReadContext& context, const char* account_name, IsOfKind is_of_kind, RowOf row_of, Make make) {
   Account account;
@@ -25,7 +25,7 @@ void for_each_line(const ReadContext& context, const char* account_name, IsOfKin
     else if (!is_near(context, line.axis))
       context.report.drop(account, Code::kOutsideBounds, id);
     else
-      make(way, *row, std::move(line)), ++account.out;
+      tell_cut(context, id, line.axis), make(way, *row, std::move(line)), ++account.out;
   }
   context.report.account("map", account_name) = account;
 }

@@ -5,47 +5,17 @@
 #include <cmath>
 
 #include "compiler/map/feature_readers.h"
+#include "compiler/map/map_box.h"
 
 namespace citykiln::map {
 namespace {
 
 using source::LonLatBox;
 
-// A file without a box takes that of its roads or buildings, without the outermost 2 %: long relations drag in far
-// nodes.
-constexpr double kLeftOutShare = 0.02;
-
-struct Coordinates {
-  std::vector<std::int32_t> lon, lat;
-};
-
-Coordinates coordinates_of(const source::OsmData& osm, std::string_view key) {
-  Coordinates places;
-  for (const source::Way& way : osm.ways) {
-    if (osm.value_of(way.tags, key).empty()) continue;
-    for (const source::NodeRef& node : osm.nodes_of(way))
-      places.lon.push_back(node.at.lon_e7), places.lat.push_back(node.at.lat_e7);
-  }
-  return places;
-}
-
-double quantile_deg(std::vector<std::int32_t>& values, double share) {
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth * 1e-7;
-}
-
-LonLatBox middle_of(Coordinates places) {
-  const double cut = kLeftOutShare / 2;
-  return {quantile_deg(places.lon, cut), quantile_deg(places.lat, cut), quantile_deg(places.lon, 1 - cut),
-          quantile_deg(places.lat, 1 - cut)};
-}
-
-// The number of nodes that is enough to locate the extract.
-constexpr std::size_t kEnoughPoints = 400;
-
 double to_cell_down(double v) { return std::floor(v / kCell_m) * kCell_m; }
 double to_cell_up(double v) { return std::ceil(v / kCell_m) * kCell_m; }
+
+}  // namespace
 
 // The sides of the box are curves in the plane, so points along them are included.
 Box2 region_of(const Plane& plane, const LonLatBox& box) {
@@ -65,16 +35,8 @@ Box2 region_of(const Plane& plane, const LonLatBox& box) {
   return region;
 }
 
-}  // namespace
-
 LonLatBox choose_box(const source::OsmData& osm, const Options& options) {
-  if (options.bbox) return *options.bbox;
-  if (osm.header_box) return *osm.header_box;
-  Coordinates buildings = coordinates_of(osm, "building");
-  if (buildings.lon.size() >= kEnoughPoints) return middle_of(std::move(buildings));
-  Coordinates roads = coordinates_of(osm, "highway");
-  if (roads.lon.size() >= kEnoughPoints) return middle_of(std::move(roads));
-  return osm.node_box;
+  return options.bbox ? *options.bbox : map_box(osm).box;
 }
 
 LonLat default_origin(const LonLatBox& box) {
@@ -102,6 +64,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   };
   sort_by_id(features.tracks, features.footprints, features.areas, features.waterways, features.barriers,
              features.points, features.tree_rows, features.power_lines);
+  features.texts = element_texts(osm, features, options.keeps_tags);
   return features;
 }
 

@@ -11,16 +11,20 @@
 namespace citykiln::map {
 
 struct Options {
-  std::optional<source::LonLatBox> bbox;    ///< Else the extract's header box, else the box of its roads or buildings.
+  std::optional<source::LonLatBox> bbox;    ///< Else the map's own box (map_box.h).
   std::optional<LonLat> origin;             ///< Else the centre of the box, rounded to 0.01°.
   std::optional<DrivingSide> driving_side;  ///< Else each way's by the place of its first node (driving_side.h).
+  bool keeps_tags = false;                  ///< Whether Features::texts have all tags of each element.
 };
 
-/// Returns the box that is compiled, in degrees. Total: an empty extract gives a box of zero size at 0, 0.
+/// Returns the box asked for, else the map's, in degrees. Total: an empty extract gives a box of zero size at 0, 0.
 source::LonLatBox choose_box(const source::OsmData& osm, const Options& options);
 
 /// Returns the default origin of a box: its centre, rounded to 0.01°.
 LonLat default_origin(const source::LonLatBox& box);
+
+/// Returns the region of a box: the cells of kCell_m that contain it.
+Box2 region_of(const Plane& plane, const source::LonLatBox& box);
 
 /// Puts every element into the plane and reads its tags by the tables of the .inc files.
 ///

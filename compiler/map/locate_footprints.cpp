@@ -1,4 +1,7 @@
+#include <utility>
+
 #include "compiler/map/building_tags.h"
+#include "compiler/map/coincident_footprints.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/part_outlines.h"
 #include "compiler/map/tag_values.h"
@@ -43,8 +46,11 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
       footprints.push_back(footprint);
     });
   }
-  context.report.account("map", "footprint") = account;
+  // before parts are assigned to outlines, since only one of two equal outlines gets them
+  footprints = without_duplicates(std::move(footprints), account, context.report);
   mark_outlines(footprints);
+  footprints = without_enclosed_parts(std::move(footprints), account, context.report);
+  context.report.account("map", "footprint") = account;
   return footprints;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "compiler/geometry/clip_polyline.h"
+#include "compiler/geometry/snap.h"
 #include "compiler/map/clip_ring.h"
 #include "compiler/map/tag_values.h"
 
@@ -103,5 +105,13 @@ Passage tagged_passage(const ReadContext& context, source::Range tags) {
 }
 
 bool is_near(const ReadContext& context, const Polyline& line) { return box_of(line).touches(context.region); }
+
+void tell_cut(const ReadContext& context, OsmId id, const Polyline& line) {
+  const Box2 box = box_of(line);
+  if (context.region.contains(box.min) && context.region.contains(box.max)) return;
+  double outside_m = length_m(line);
+  for (const Polyline& part : clipped_to(line, context.region, kMapStep_m)) outside_m -= length_m(part);
+  context.report.add(Code::kCutAtBounds, id, std::max(0.0, snapped_to(kMapStep_m, outside_m)));
+}
 
 }  // namespace citykiln::map

@@ -83,4 +83,7 @@ Passage tagged_passage(const ReadContext& context, source::Range tags);
 /// True where the box of a line touches the region.
 bool is_near(const ReadContext& context, const Polyline& line);
 
+/// Diagnoses kCutAtBounds where a line leaves the region.
+void tell_cut(const ReadContext& context, OsmId id, const Polyline& line);
+
 }  // namespace citykiln::map

@@ -7,9 +7,11 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/features.h"
+#include "compiler/map/lonlat_box.h"
 #include "compiler/map/precise_plane.h"
 #include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
@@ -169,15 +171,16 @@ double resampling_error_m(const Heightfield& field, const Raster& raster, const 
   return std::ceil(largest / kHeightQuantum_m) * kHeightQuantum_m;
 }
 
+std::string text_of(const source::LonLatBox& box) {
+  return fmt::format("{:.4f},{:.4f},{:.4f},{:.4f}", box.west, box.south, box.east, box.north);
+}
+
 Error covers_nothing(std::span<const Raster> rasters, const Plane& plane, const Box2& region) {
-  const LonLat centre = plane.backward(region.centre());
-  const Raster& first = rasters.front();
-  const auto& g = first.from_grid;
-  return {first.file_name,
-          fmt::format("expected heights for the map about {:.3f}, {:.3f} (longitude, latitude), found samples from "
-                      "{:.3f}, {:.3f} to {:.3f}, {:.3f}{}",
-                      centre.lon_deg, centre.lat_deg, g[0], g[3] + g[5] * (first.rows - 1),
-                      g[0] + g[1] * (first.columns - 1), g[3], first.system_wkt.empty() ? "" : " of its own system")};
+  std::string boxes;
+  for (const Raster& raster : rasters) boxes += (boxes.empty() ? "" : " and ") + text_of(raster.file_box);
+  return {rasters.front().file_name,
+          fmt::format("no heightmap covers any part of the map: heights lie in {}, the map lies in {} (W,S,E,N)", boxes,
+                      text_of(lonlat_box_of(region, plane)))};
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "compiler/geometry/clip_polyline.h"
+#include "compiler/map/plane.h"
+
 namespace citykiln::props {
 namespace {
 
@@ -10,19 +13,31 @@ bool is_of_other_room(map::PointKind kind) {
   return kind == map::PointKind::kTree || kind == map::PointKind::kEntrance || kind == map::PointKind::kAddress;
 }
 
+// Barriers end so far outside of the region that baking clips all of their width at its border. More than any barrier's
+// half width.
+constexpr double kBeyondRegion_m = 4;
+
+// A barrier within the region. Each of its parts has a number.
+void add_barrier(const map::Barrier& barrier, const Box2& region, Props& props, Account& account, Report& report) {
+  ++account.in;
+  const std::vector<Polyline> parts = clipped_to(barrier.axis, region.widened(kBeyondRegion_m), map::kMapStep_m);
+  if (parts.empty()) return report.drop(account, Code::kOutsideBounds, barrier.id.osm);
+  account.out += parts.size(), account.split += parts.size() - 1;
+  for (std::uint32_t i = 0; i < parts.size(); ++i)
+    props.barriers.push_back({.id = {barrier.id.osm, barrier.id.part + i},
+                              .axis = parts[i],
+                              .kind = barrier.kind,
+                              .height_m = barrier.height_m,
+                              .width_m = barrier.width_m});
+}
+
 }  // namespace
 
 Props plan(const map::Features& features, Report& report) {
   Props props;
   Account barriers, points;
-  for (const map::Barrier& barrier : features.barriers) {
-    ++barriers.in, ++barriers.out;
-    props.barriers.push_back({.id = barrier.id,
-                              .axis = barrier.axis,
-                              .kind = barrier.kind,
-                              .height_m = barrier.height_m,
-                              .width_m = barrier.width_m});
-  }
+  for (const map::Barrier& barrier : features.barriers)
+    add_barrier(barrier, features.region, props, barriers, report);
   for (const map::PointFeature& point : features.points) {
     if (is_of_other_room(point.kind)) continue;
     ++points.in;

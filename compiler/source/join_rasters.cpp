@@ -25,6 +25,10 @@ Extent around(const Extent& a, const Extent& b) {
   return {std::min(a.west, b.west), std::min(a.north, b.north), std::max(a.east, b.east), std::max(a.south, b.south)};
 }
 
+LonLatBox around(const LonLatBox& a, const LonLatBox& b) {
+  return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east), std::max(a.north, b.north)};
+}
+
 bool is_empty(const Raster& raster) { return raster.columns == 0 || raster.rows == 0; }
 
 bool has_same_steps(const Raster& a, const Raster& b) {
@@ -90,7 +94,7 @@ std::optional<Raster> joined(const Raster& a, const Raster& b) {
   const Extent of_a{0, 0, a.columns, a.rows};
   if (!of_b || !fill_a_rectangle(of_a, *of_b)) return std::nullopt;
   const Extent whole = around(of_a, *of_b);
-  Raster both{a.file_name, a.credit, whole.east - whole.west, whole.south - whole.north, {}, {}, a.system_wkt, {}};
+  Raster both{a.file_name, a.credit, whole.east - whole.west, whole.south - whole.north, {}, {}, a.system_wkt, {}, around(a.file_box, b.file_box)};
   place(a, b, *of_b, whole, both);
   both.heights_m.assign(static_cast<std::size_t>(both.columns) * both.rows, kVoid);
   copy_into(a, of_a, whole, both);

@@ -35,6 +35,7 @@ struct Raster {
   std::array<double, 6> from_grid{};
   std::string system_wkt;  ///< Empty: longitude and latitude on WGS84 in degrees.
   Vec2 spacing_m;          ///< Distance of samples east and north at the centre (spacing_m_of).
+  LonLatBox file_box{};    ///< Of all samples in the file, in degrees; zeros if its system cannot be converted.
 
   bool has_all_samples() const { return heights_m.size() == static_cast<std::size_t>(columns) * rows; }
   float at(int column, int row) const {

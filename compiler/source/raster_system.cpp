@@ -106,6 +106,20 @@ Vec2 spacing_m_of(const Raster& raster) {
   return snapped(east_and_north_m(offset_m(places[0], places[1]), offset_m(places[0], places[2])));
 }
 
+LonLatBox lonlat_box_of(const Raster& raster) {
+  const QuietGdal quiet;
+  const Transform transform = raster.system_wkt.empty() ? nullptr : to_wgs84(raster.system_wkt);
+  LonLatBox box{180, 90, -180, -90};
+  for (const double across : {0.0, 0.5, 1.0})
+    for (const double down : {0.0, 0.5, 1.0}) {
+      Place place = place_of(raster, (raster.columns - 1) * across, (raster.rows - 1) * down);
+      if (!raster.system_wkt.empty() && (!transform || !transform->Transform(1, &place.x, &place.y))) continue;
+      box = {std::min(box.west, place.x), std::min(box.south, place.y), std::max(box.east, place.x),
+             std::max(box.north, place.y)};
+    }
+  return box.west <= box.east ? box : LonLatBox{};
+}
+
 Result<ToRasterSystem> to_system_of(const Raster& raster) {
   if (raster.system_wkt.empty()) return ToRasterSystem([](double&, double&) {});
   const QuietGdal quiet;

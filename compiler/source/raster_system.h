@@ -20,4 +20,7 @@ std::string web_mercator_wkt();
 /// are the smaller of its two spacings. 0 if the middle is not on Earth.
 Vec2 spacing_m_of(const Raster& raster);
 
+/// The box of all samples in longitude and latitude, in degrees, from nine of them; zeros if no place can be converted.
+LonLatBox lonlat_box_of(const Raster& raster);
+
 }  // namespace citykiln::source

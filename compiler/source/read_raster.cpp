@@ -155,6 +155,7 @@ Result<Raster> read(const RasterSpec& spec, const LonLatBox* box) {
   raster.rows = (*dataset)->GetRasterYSize();
   if (const std::optional<Error> error = place(**dataset, spec, raster)) return *error;
 
+  raster.file_box = lonlat_box_of(raster);
   PixelWindow window{0, 0, raster.columns, raster.rows};
   if (box) {
     const Result<PixelWindow> needed = window_of(raster, *box);

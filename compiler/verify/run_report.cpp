@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compiler/map/lonlat_box.h"
 #include "compiler/verify/written_tile_json.h"
 #include "exporters/settle_folder.h"
 
@@ -144,9 +146,21 @@ Json files_of(const WrittenFiles& written) {
   return files;
 }
 
-Json tiles_of(const WrittenFiles& written) {
+/// West, south, east, north in degrees, to OSM's grid of 1e-7.
+Json box_deg_of(const Box2& box, const map::Plane& plane) {
+  const source::LonLatBox degrees = map::lonlat_box_of(box, plane);
+  Json sides = Json::array();
+  for (const double side : {degrees.west, degrees.south, degrees.east, degrees.north})
+    sides.push_back(std::floor(side * 1e7 + 0.5) / 1e7);
+  return sides;
+}
+
+Json tiles_of(const WrittenFiles& written, const scene::Header& header, const map::Plane& plane) {
   Json tiles = Json::array();
-  for (const WrittenTile& tile : written.tiles) tiles.push_back(json_of(tile));
+  for (const WrittenTile& tile : written.tiles) {
+    tiles.push_back(json_of(tile));
+    tiles.back()["box_deg"] = box_deg_of(scene::box_of(header, tile.tile), plane);
+  }
   return tiles;
 }
 
@@ -161,7 +175,8 @@ bool balances(const Json& account) {
 RunRecord record_of(const Json& report) {
   RunRecord record;
   for (const Json& tile : report.at("tiles")) record.tiles.push_back(written_tile(tile));
-  record.instances_as_nodes = report.at("instancing") == "nodes";
+  if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
+  if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
   for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
@@ -183,16 +198,19 @@ std::uint64_t WrittenFiles::bytes() const {
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
                         const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights) {
   assert(std::ranges::all_of(written.tiles, [&](const WrittenTile& t) { return t.level < outputs.ladder_m.size(); }));
+  const map::Plane plane(header.origin);
   Json json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
   json["sources"] = header.sources;
   json["origin"] = {{"lon_deg", header.origin.lon_deg}, {"lat_deg", header.origin.lat_deg}};
   json["region_m"] = {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y};
+  json["region_deg"] = box_deg_of(header.region, plane);
   json["tile_m"] = header.tile_m;
   json["seed"] = header.seed;
   json["resampling_error_m"] = header.resampling_error_m;
-  json["instancing"] = outputs.instances_as_nodes ? "nodes" : "ext";
+  json["target"] = values_of(outputs.target).name;
+  json["split"] = name_of(outputs.split);
   json["compress"] = name_of(outputs.compress);
   json["counts"] = counts_of(scene);
   json["levels"] = levels_of(written, outputs);
@@ -202,7 +220,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["ledger"] = ledger_of(report);
   json["diagnoses"] = diagnoses_of(report);
   json["files"] = files_of(written);
-  json["tiles"] = tiles_of(written);
+  json["tiles"] = tiles_of(written, header, plane);
   return json.dump(1) + "\n";
 }
 
@@ -220,13 +238,11 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
   return json.dump(1) + "\n";
 }
 
-exporters::Compression compression_of(Compress compress) {
-  if (compress == Compress::kDraco) return exporters::Compression::kDraco;
-  return compress == Compress::kMeshopt ? exporters::Compression::kMeshopt : exporters::Compression::kNone;
-}
-
-exporters::Instancing instancing_of(bool instances_as_nodes) {
-  return instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
+exporters::GlbOptions glb_options_of(const Outputs& outputs) {
+  const auto compression = outputs.compress == Compress::kDraco     ? exporters::Compression::kDraco
+                           : outputs.compress == Compress::kMeshopt ? exporters::Compression::kMeshopt
+                                                                    : exporters::Compression::kNone;
+  return {.target = outputs.target, .split = outputs.split, .compression = compression};
 }
 
 bool has_mended_or_dropped(const Report& report) {

@@ -53,8 +53,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
 std::string timing_json(std::span<const StageCost> costs, int threads);
 
 /// The settings of a run as types of the .glb exporter.
-exporters::Compression compression_of(Compress compress);
-exporters::Instancing instancing_of(bool instances_as_nodes);
+exporters::GlbOptions glb_options_of(const Outputs& outputs);
 
 /// True if a diagnosis is kMended or kDropped.
 bool has_mended_or_dropped(const Report& report);
@@ -65,7 +64,8 @@ bool is_violated(const Strictness& strict, const Report& report);
 /// The part of report.json that `check` and `preview` need.
 struct RunRecord {
   std::vector<WrittenTile> tiles;
-  bool instances_as_nodes = false;
+  Target target = Target::kGeneric;
+  Split split = Split::kLayer;
   Compress compress = Compress::kNone;
   bool has_manifest = false;
   std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers do not balance.

@@ -5,7 +5,7 @@ import resource
 import subprocess
 import unittest
 
-from citykiln_program import PROGRAM, ROOT, ProgramTest, run
+from citykiln_program import PROGRAM, ROOT, ProgramTest, report_of, run
 
 MAP = """<?xml version="1.0" encoding="UTF-8"?>
 <osm version="0.6">
@@ -170,6 +170,55 @@ class BadInput(ProgramTest):
                 done = run("inspect", broken)
                 self.assertIn(done.returncode, (0, 1), f"byte {place} of {path.name}: {done.stderr}")
 
+    # ---- the box
+
+    def test_a_box_as_latitude_longitude(self):
+        self.fails(self.good_map(), "--bbox", "48,10,48.01,10.01", words=["--bbox", "swapped? Try 10.0000,48.0000,10.0100,48.0100"])
+        self.fails(self.good_map(), "--bbox=-33.9,151.1,-33.8,151.3", words=["--bbox", "swapped?"])
+
+    def test_a_box_beside_the_map_states_both(self):
+        self.fails(self.good_map(), "--bbox", "20,50,20.1,50.1", words=["20.0000,50.0000", "10.0000,48.0010,10.0020,48.0014"])
+
+    def test_a_box_far_larger_than_the_map_is_clipped(self):
+        report = report_of(self.compiled("clipped", self.good_map(), "--bbox", "0,40,20,56", "--lods", "2.5"))
+        self.assertIn("BoxClipped", report["diagnoses"])
+        self.assertLessEqual(report["region_m"][2] - report["region_m"][0], 512)
+
+    # ---- maps with far nodes
+
+    def test_one_stray_node_does_not_widen_the_extent(self):
+        nodes = "".join(f'<node id="{200 + i}" lat="48.0014" lon="{10.0021 + i * 1e-4:.4f}"/>' for i in range(20))
+        paths = "".join(f'<way id="{100 + i}"><nd ref="5"/><nd ref="{200 + i}"/><tag k="highway" v="path"/></way>' for i in range(20))
+        far_node = '<node id="99" lat="58.0" lon="0.5"/>'
+        far_way = '<way id="98"><nd ref="6"/><nd ref="99"/><tag k="highway" v="service"/></way>'
+        text = MAP.replace('<way id="7">', nodes + far_node + '<way id="7">').replace("</osm>", paths + far_way + "</osm>")
+        report = report_of(self.compiled("stray", self.written("stray.osm", text), "--lods", "2.5"))
+        self.assertEqual(report["diagnoses"]["StrayNode"]["objects"], ["n99"])
+        self.assertLessEqual(report["region_m"][2] - report["region_m"][0], 1024)
+        self.assertIn("w98", report["diagnoses"]["CutAtBounds"]["objects"])
+
+    def test_a_map_scattered_over_the_world_is_refused(self):
+        far = MAP.replace('id="5" lat="48.0014" lon="10.0000"', 'id="5" lat="40.0014" lon="1.0000"')
+        self.fails(self.written("far.osm", far), words=["far.osm", "km", "--bbox"])
+
+    # ---- heightmaps
+
+    def test_a_heightmap_elsewhere_states_where_both_lie(self):
+        grid = self.written("elsewhere.asc", "ncols 2\nnrows 2\nxllcenter 20\nyllcenter 50\ncellsize 1\n1 2\n3 4\n")
+        self.fails(self.good_map(), "--dem", grid, words=["elsewhere.asc", "20.0000,50.0000,21.0000,51.0000", "10.0000,48.0000"])
+
+    def test_several_heightmaps_follow_one_option(self):
+        grids = [self.written(f"{name}.asc", f"ncols 2\nnrows 2\nxllcenter {west}\nyllcenter 47.5\ncellsize 1\n1 2\n3 4\n")
+                 for name, west in (("a", 9.5), ("b", 10.5))]
+        last = self.compiled("last", "--dem", *grids, self.good_map(), "--lods", "2.5")
+        first = self.compiled("first", self.good_map(), "--dem", *grids, "--lods", "2.5")
+        self.assertEqual(report_of(last)["sources"], ["good.osm", "a.asc", "b.asc"])
+        self.assertEqual(report_of(first)["sources"], ["good.osm", "a.asc", "b.asc"])
+        self.assertNotIn("NoHeightmap", report_of(first)["diagnoses"])
+
+    def test_no_heightmap_is_a_note(self):
+        self.assertEqual(report_of(self.good_outputs())["diagnoses"]["NoHeightmap"]["severity"], "note")
+
     # ---- the command line
 
     def test_planned_settings_say_not_yet(self):
@@ -178,14 +227,26 @@ class BadInput(ProgramTest):
                 self.fails(self.good_map(), *arguments, words=[arguments[0], "yet"])
 
     def test_wrong_settings_are_named(self):
-        for arguments in (["--tile", "100"], ["--lods", "1,0.5"], ["--bbox", "1,2,3"], ["--only", "x"], ["--time", "noon"],
-                          ["--seed", "-1"], ["--instancing", "maybe"], ["--compress", "zip"]):
+        for arguments in (["--tile", "100"], ["--lods", "1,0.5"], ["--lods", "500"], ["--bbox", "1,2,3"], ["--only", "x"], ["--time", "noon"],
+                          ["--seed", "-1"], ["--target", "maya"], ["--split", "road"], ["--compress", "zip"]):
             with self.subTest(arguments):
                 self.fails(self.good_map(), *arguments, words=[arguments[0]])
 
     def test_a_spec_with_an_unknown_key(self):
         spec = self.written("spec.json", '{"map": "a.osm", "tiles": 512}')
-        self.assertOneLine(run("compile", "--spec", spec), "spec.json", "tiles")
+        self.assertOneLine(run("compile", "--spec", spec), "spec.json", "tiles", "did you mean tile?")
+
+    def test_a_spec_with_a_wrong_value_names_the_setting(self):
+        spec = self.written("spec.json", '{"map": "a.osm", "tile": 500}')
+        self.assertOneLine(run("compile", "--spec", spec), 'spec.json: "tile": expected', '"500"')
+
+    def test_mistyped_verbs_and_options(self):
+        self.assertOneLine(run("complie", "a.osm"), "complie", "did you mean compile?")
+        self.assertOneLine(run("compile", "a.osm", "--lod", "1"), "--lod", "did you mean --lods?")
+
+    def test_tolerances_beyond_a_hundred_metres(self):
+        for tolerance in ("500", "1e9", "0"):
+            self.assertOneLine(run("preview", "scene.kiln", "--tolerance", tolerance, "-o", "a.png"), "--tolerance", "at most 100")
 
     def test_a_spec_that_is_not_json(self):
         spec = self.written("spec.json", '{"map": \n  nonsense}')

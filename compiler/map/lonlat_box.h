@@ -1,0 +1,14 @@
+// Boxes of the plane in longitude and latitude.
+#pragma once
+
+#include "compiler/geometry/box.h"
+#include "compiler/map/plane.h"
+#include "compiler/source/osm_data.h"
+
+namespace citykiln::map {
+
+/// Returns the smallest box in degrees that holds the corners, side middles and centre of a box of the plane (its sides
+/// are curves in degrees).
+source::LonLatBox lonlat_box_of(const Box2& box, const Plane& plane);
+
+}  // namespace citykiln::map

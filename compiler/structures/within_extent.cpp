@@ -1,0 +1,36 @@
+#include "compiler/structures/within_extent.h"
+
+#include <array>
+
+#include "compiler/ground/grading/road_influence.h"
+
+namespace citykiln::structures {
+namespace {
+
+bool reaches(const Span& span, const Box2& extent) {
+  const Box2 near = extent.widened(roads::max_offset_m(span) + ground::kGrading_m);
+  for (std::size_t i = 0; i + 1 < span.axis.size(); ++i)
+    if (box_of(std::array{span.axis[i], span.axis[i + 1]}).touches(near)) return true;
+  return false;
+}
+
+void keep_within(std::vector<Span>& spans, const Box2& extent, Account& account, Report& report) {
+  account.in = spans.size();
+  for (const Span& span : spans)
+    if (!reaches(span, extent)) report.drop(account, Code::kOutsideBounds, span.id.osm);
+  std::erase_if(spans, [&](const Span& span) { return !reaches(span, extent); });
+  account.out = spans.size();
+}
+
+}  // namespace
+
+Structures within_extent(Structures structures, const Box2& extent, Report& report) {
+  Account bridges, tunnels;
+  keep_within(structures.bridges, extent, bridges, report);
+  keep_within(structures.tunnels, extent, tunnels, report);
+  report.account("extent", "bridge") = bridges;
+  report.account("extent", "tunnel") = tunnels;
+  return structures;
+}
+
+}  // namespace citykiln::structures
