@@ -30,6 +30,7 @@ Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t
 
 /// Returns a stand as an instanced mesh with one instance, at its first plant. No primitives where the tolerance drops
 /// the plants. O(plants · triangles of a prototype).
+/// @param height_m  Of the prototype.
 /// @param origin   The tile's.
 /// @param feature  Index into BakedTile::features.
 InstancedMesh stand_mesh(const BakedPrototype& prototype, double height_m, const std::vector<Placement>& plants,
