@@ -125,7 +125,7 @@ TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
                 extras == R"({"class":"oak","feature":1,"height_m":12.3,"osm_id":5,"osm_type":"node"})" ||
                 extras == R"({"class":"Apartments","feature":2,"height_m":31.0,"name":"Château «Ω»","osm_id":-12,)"
                           R"("osm_type":"way","tags":{"building":"yes"}})" ||
-                extras == R"({"class":"Park","feature":3,"name":"Parc","osm_id":9007199254740993.0,)"
+                extras == R"({"class":"Park","feature":3,"name":"Parc","osm_id":9.007199254740992e+15,)"
                           R"("osm_type":"relation"})")
         << extras;
 }
