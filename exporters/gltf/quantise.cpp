@@ -94,7 +94,7 @@ bake::BakedTile quantised(bake::BakedTile tile) {
   for (bake::InstancedMesh& instanced : tile.instanced) {
     double moved_m = 0;
     for (Primitive& primitive : instanced.primitives)
-      moved_m = std::max(moved_m, quantise(step_m * kPrototypeStepRatio, instanced.cutout.colour.texel_m,
+      moved_m = std::max(moved_m, quantise(step_m * kPrototypeStepRatio, instanced.cutout->colour.texel_m,
                                            tile.tolerance_m, primitive));
     for (const float scale : instanced.scales) of_instances_m = std::max(of_instances_m, moved_m * std::abs(scale));
   }
