@@ -14,7 +14,7 @@ namespace {
 
 // Adds an instanced mesh, unless the tolerance drops it. @param size_m  The size of the mesh at a scale of 1.
 void bake_instances(Baking& baking, const std::string& name, std::vector<Primitive> primitives,
-                    const impostor::Cutout& cutout, const std::vector<Placement>& placements, double size_m = 1) {
+                    const impostor::SharedCutout& cutout, const std::vector<Placement>& placements, double size_m = 1) {
   if (primitives.empty() || placements.empty()) return;
   InstancedMesh instanced{.name = name, .primitives = std::move(primitives), .cutout = cutout};
   for (const Placement& p : placements) {

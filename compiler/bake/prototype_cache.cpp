@@ -20,16 +20,27 @@ PrototypeCache::Slot& PrototypeCache::slot(const Key& key) const {
   return slots_[key];
 }
 
+const PrototypeCache::Leaves& PrototypeCache::leaves() const {
+  std::call_once(leaves_once_, [&] {
+    leaves_.atlas = plants::leaf_atlas(month_);
+    leaves_.cutout = impostor::SharedCutout(std::move(leaves_.atlas.cutout));
+  });
+  return leaves_;
+}
+
 const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, double height_m,
                                                 double tolerance_m) const {
   assert(height_m > 0 && tolerance_m > 0);
   Slot& slot = this->slot({prototype, height_m, tolerance_m});
   std::call_once(slot.once, [&] {
     const plants::GrownPlant& grown = grown_plants_.grown(prototype);
-    plants::PrototypeMesh plant = plants::prototype_mesh(grown, prototype.species, height_m, tolerance_m);
+    plants::PrototypeMesh plant =
+        plants::prototype_mesh(grown, leaves().atlas, prototype.species, height_m, tolerance_m);
     for (materials::MaterialMesh& dressed : plant.meshes)
       for (Vec3& p : dressed.mesh.positions) p = p * height_m;
-    slot.baked = {instanced_primitives(plant.meshes, Layer::kPlants), std::move(plant.cutout), plant.error_per_m};
+    slot.baked.primitives = instanced_primitives(plant.meshes, Layer::kPlants);
+    if (plant.shows_leaf_atlas) slot.baked.cutout = leaves().cutout;
+    slot.baked.error_per_m = plant.error_per_m;
   });
   return slot.baked;
 }

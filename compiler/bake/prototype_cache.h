@@ -21,8 +21,8 @@ double prototype_height_m(double tallest_m);
 /// The mesh of a plant as tall as was asked for.
 struct BakedPrototype {
   std::vector<Primitive> primitives;  ///< Empty where the tolerance drops the plant.
-  impostor::Cutout cutout;
-  double error_per_m = 0;  ///< Error of a plant per metre of its height.
+  impostor::SharedCutout cutout;      ///< The leaf atlas, if the primitives show it.
+  double error_per_m = 0;             ///< Error of a plant per metre of its height.
 };
 
 /// A thread-safe cache of prototypes. Logically const: a prototype is a function of the header's species and of what is
@@ -30,7 +30,8 @@ struct BakedPrototype {
 class PrototypeCache {
  public:
   explicit PrototypeCache(const scene::Header& header)
-      : grown_plants_(header.species, month_of(header)),
+      : month_(month_of(header)),
+        grown_plants_(header.species, month_),
         textures_(header.seed),
         rulebook_(buildings::parse_rulebook(header.rules)) {}
 
@@ -50,9 +51,18 @@ class PrototypeCache {
     BakedPrototype baked;
   };
 
-  Slot& slot(const Key& key) const;
+  struct Leaves {
+    plants::LeafAtlas atlas;
+    impostor::SharedCutout cutout;
+  };
 
+  Slot& slot(const Key& key) const;
+  const Leaves& leaves() const;
+
+  plants::Month month_;
   plants::GrownPlantCache grown_plants_;
+  mutable std::once_flag leaves_once_;
+  mutable Leaves leaves_;
   materials::TextureCache textures_;
   buildings::Rulebook rulebook_;
   mutable std::mutex mutex_;

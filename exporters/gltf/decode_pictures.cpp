@@ -59,22 +59,16 @@ impostor::Cutout read_cutout(GltfReader& reader, std::size_t image) {
   return cutout;
 }
 
-// Reads the cutouts, from image `first` on. Each mesh gets a copy, so their texels are limited: a small file must not
-// make a large tile.
+// Reads the cutouts, from image `first` on.
 void read_cutouts(GltfReader& reader, std::size_t first, std::span<const std::optional<std::size_t>> wanted,
                   BakedTile& tile) {
   const auto& images = reader.model.images;
-  std::uint64_t texels = 0;
   for (std::size_t i = first; i < images.size(); ++i) {
     if (images[i].name == "cutoutNormal" && i > first && images[i - 1].name == "cutout") continue;
     expect(images[i].name == "cutout", "images named after materials, and one marking atlas at most");
-    const impostor::Cutout cutout = read_cutout(reader, i);
-    for (std::size_t k = 0; k < wanted.size(); ++k) {
-      if (wanted[k] != i) continue;
-      texels += cutout.colour.texels.size() + cutout.normal.texels.size();
-      expect(texels <= materials::kMaxImageTexels, "cutouts of no more texels than an image may have");
-      tile.instanced[k].cutout = cutout;
-    }
+    const impostor::SharedCutout cutout(read_cutout(reader, i));
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+      if (wanted[k] == i) tile.instanced[k].cutout = cutout;
   }
 }
 

@@ -64,7 +64,7 @@ void add_texture(GlbBuilder& f, int sampler) {
   tinygltf::Texture texture;
   texture.sampler = sampler;
   const auto source = static_cast<int>(f.model.images.size());
-  if (f.pictures == PictureFormats::kWebp) {
+  if (f.pictures() == PictureFormats::kWebp) {
     texture.extensions[kWebpExtension] = Value(Value::Object{{"source", Value(source)}});
     f.extensions.insert(kWebpExtension);
   } else {
@@ -77,12 +77,13 @@ void add_texture(GlbBuilder& f, int sampler) {
 
 void find_cutouts(GlbBuilder& f) {
   for (const InstancedMesh& instanced : f.tile.instanced)
-    if (!instanced.cutout.colour.texels.empty() && cutout_like(f, instanced.cutout) == nullptr)
-      f.cutouts.push_back(&instanced.cutout);
+    if (!instanced.cutout->colour.texels.empty() && cutout_like(f, *instanced.cutout) == nullptr)
+      f.cutouts.push_back(&*instanced.cutout);
 }
 
 const impostor::Cutout* cutout_like(const GlbBuilder& f, const impostor::Cutout& cutout) {
-  const auto found = std::ranges::find_if(f.cutouts, [&](const auto* other) { return *other == cutout; });
+  const auto found =
+      std::ranges::find_if(f.cutouts, [&](const auto* other) { return other == &cutout || *other == cutout; });
   return found == f.cutouts.end() ? nullptr : *found;
 }
 
@@ -98,7 +99,7 @@ void add_pictures(GlbBuilder& f) {
   int sampler = -1;
   for (const TileImage& each : images_of(f)) {
     if (each.group != group) sampler = add_sampler(f, *(group = each.group));
-    EncodedPicture picture = encode_picture(*each.image, each.opacity, each.content, f.pictures);
+    EncodedPicture picture = encode_picture(*each.image, each.opacity, each.content, f.pictures());
     tinygltf::Image image;
     image.name = each.name, image.mimeType = picture.mime_type, image.bufferView = f.add_view(picture.bytes, 0);
     // KHR_texture_transform's scales are rounded

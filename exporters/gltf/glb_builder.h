@@ -59,6 +59,11 @@ struct GlbBuilder {
   /// all readers understand.
   bool has_uvs_in_metres() const { return options.compression != Compression::kNone; }
 
+  PictureFormats pictures() const {
+    if (options.has_exact_pictures) return PictureFormats::kPng;
+    return values_of(options.target).reads_webp ? PictureFormats::kWebp : PictureFormats::kPngAndJpeg;
+  }
+
   void append(std::span<const std::byte> bytes) { buffer.insert(buffer.end(), bytes.begin(), bytes.end()); }
 
   template <typename T>

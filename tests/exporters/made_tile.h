@@ -92,10 +92,11 @@ inline void make_leafy(std::mt19937& dice, bake::InstancedMesh& tree, bool has_n
   for (const bake::Float3& at : leaves.positions) leaves.uvs.push_back({at[0], at[2]});
   leaves.colour_source = materials::ColourSource::kByCutout;
   tree.primitives.push_back(leaves);
-  tree.cutout.colour = made_sheet(dice);
-  for (std::size_t i = 0; i < tree.cutout.colour.texels.size(); ++i)
-    tree.cutout.opacity.push_back(static_cast<std::uint8_t>(dice()));
-  if (has_normals) tree.cutout.normal = made_sheet(dice);
+  impostor::Cutout cutout{made_sheet(dice), {}, {}};
+  for (std::size_t i = 0; i < cutout.colour.texels.size(); ++i)
+    cutout.opacity.push_back(static_cast<std::uint8_t>(dice()));
+  if (has_normals) cutout.normal = made_sheet(dice);
+  tree.cutout = std::move(cutout);
 }
 
 /// A primitive of buildings, whose features ascend.

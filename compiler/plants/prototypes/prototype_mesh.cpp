@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/materials/texture.h"
 #include "compiler/plants/prototypes/crown_hull.h"
 #include "compiler/plants/prototypes/leaf_clusters.h"
-#include "compiler/plants/prototypes/sprays.h"
 #include "compiler/plants/prototypes/stems.h"
 
 namespace citykiln::plants {
@@ -48,25 +48,7 @@ MaterialMesh bark_of(const GrownPlant& grown, Material material, double toleranc
   return {std::move(stems.mesh), material, grown.appearance.bark, {}, std::move(stems.uvs)};
 }
 
-// Leaf cards and the atlas of their pictures; coordinates are in units of a spray, whatever the card's size.
-struct SprayedLeaves {
-  MaterialMesh mesh;
-  impostor::Cutout cutout;
-};
-
-// What a card shows.
-struct Shown {
-  std::uint8_t spray;
-  bool is_clump;
-  auto operator<=>(const Shown&) const = default;
-};
-
-// The part of the atlas that shows a picture, from its top left corner.
-struct AtlasPart {
-  Vec2 at_m, size_m;
-};
-
-void add_card(MaterialMesh& leaves, const Card& card, const AtlasPart& part) {
+void add_card(MaterialMesh& leaves, const Card& card, const LeafPlace& part) {
   Mesh& mesh = leaves.mesh;
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const auto corners = corners_of(card);
@@ -79,22 +61,16 @@ void add_card(MaterialMesh& leaves, const Card& card, const AtlasPart& part) {
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-SprayedLeaves sprayed(const std::vector<Card>& cards, const Foliage& foliage, const Appearance& appearance) {
-  std::map<Shown, std::size_t> numbers;
-  for (const Card& card : cards) numbers.emplace(Shown{card.spray, card.is_clump}, 0);
-  std::vector<impostor::Picture> pictures;
-  std::vector<AtlasPart> parts;
-  for (auto& [shown, number] : numbers) {
-    number = pictures.size();
-    pictures.push_back(
-        picture_of_spray(foliage.sprays[shown.spray], appearance.leaf_material, appearance.leaf_share, shown.is_clump));
-    parts.push_back({{}, Vec2{double(pictures.back().columns), double(pictures.back().rows)} * kSprayTexel});
+// Leaf cards with coordinates on the atlas.
+MaterialMesh leaves_of(const std::vector<Card>& cards, const GrownPlant& grown, const LeafAtlas& atlas) {
+  std::map<std::pair<std::uint8_t, bool>, LeafPlace> places;
+  MaterialMesh leaves;
+  leaves.material = grown.appearance.leaf_material, leaves.colour_source = materials::ColourSource::kByCutout;
+  for (const Card& card : cards) {
+    const auto [place, is_new] = places.try_emplace({card.spray, card.is_clump});
+    if (is_new) place->second = place_of(atlas, grown.foliage.sprays[card.spray], card.is_clump, grown.appearance);
+    add_card(leaves, card, place->second);
   }
-  impostor::CutoutLayout layout = impostor::lay_out_cutout(std::move(pictures), kSprayTexel);
-  for (std::size_t i = 0; i < parts.size(); ++i) parts[i].at_m = layout.at_m[i];
-  SprayedLeaves leaves{{}, std::move(layout.cutout)};
-  leaves.mesh.material = appearance.leaf_material, leaves.mesh.colour_source = materials::ColourSource::kByCutout;
-  for (const Card& card : cards) add_card(leaves.mesh, card, parts[numbers.at({card.spray, card.is_clump})]);
   return leaves;
 }
 
@@ -109,16 +85,15 @@ double cluster_width(double share) {
 
 // Tubes and leaf cards.
 // @param share  The tolerance over the height.
-PrototypeMesh detailed_mesh(const GrownPlant& grown, Material bark, double share) {
+PrototypeMesh detailed_mesh(const GrownPlant& grown, const LeafAtlas& atlas, Material bark, double share) {
   const double tolerance_m = share * grown.height_m;
   PrototypeMesh plant;
   if (!grown.skeleton.segments.empty()) plant.meshes.push_back(bark_of(grown, bark, tolerance_m, plant.error_per_m));
   if (grown.foliage.cards.empty()) return plant;
   const Clusters clusters = cluster(grown.foliage, cluster_width(share) * grown.height_m);
   plant.error_per_m = std::max(plant.error_per_m, clusters.error_m);
-  SprayedLeaves leaves = sprayed(clusters.cards, grown.foliage, grown.appearance);
-  plant.meshes.push_back(std::move(leaves.mesh));
-  plant.cutout = std::move(leaves.cutout);
+  plant.meshes.push_back(leaves_of(clusters.cards, grown, atlas));
+  plant.shows_leaf_atlas = true;
   return plant;
 }
 
@@ -128,20 +103,21 @@ PrototypeMesh hull_mesh(const GrownPlant& grown, Species species) {
   const Appearance& appearance = grown.appearance;
   const double shade = is_hedge(species) ? kBoxShade : std::lerp(kTwigsHullShade, kHullShade, appearance.leaf_share);
   CrownHull hull = is_hedge(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);
-  PrototypeMesh plant{{}, {}, hull.error_m};
+  PrototypeMesh plant{{}, false, hull.error_m};
   plant.meshes.push_back({std::move(hull.mesh), appearance.leaf_material, shaded(appearance.leaf, shade), {}});
   return plant;
 }
 
 }  // namespace
 
-PrototypeMesh prototype_mesh(const GrownPlant& grown, Species species, double height_m, double tolerance_m) {
+PrototypeMesh prototype_mesh(const GrownPlant& grown, const LeafAtlas& atlas, Species species, double height_m,
+                             double tolerance_m) {
   assert(height_m > 0 && tolerance_m > 0);
   const double height_share = grown.appearance.height_share, share = tolerance_m / (height_m * height_share);
-  if (!(share < 1) || !(grown.height_m > 0)) return {{}, {}, height_share};
+  if (!(share < 1) || !(grown.height_m > 0)) return {{}, false, height_share};
   const double hull_from = is_hedge(species) ? kBoxFrom : kHullFrom;
   const Material bark = has_texture(grown.bark, tolerance_m) ? grown.bark : Material::kBark;
-  PrototypeMesh plant = share < hull_from ? detailed_mesh(grown, bark, share) : hull_mesh(grown, species);
+  PrototypeMesh plant = share < hull_from ? detailed_mesh(grown, atlas, bark, share) : hull_mesh(grown, species);
   scale(plant, height_share / grown.height_m);
   return plant;
 }

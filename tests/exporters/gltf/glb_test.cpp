@@ -32,7 +32,11 @@ scene::Header header() {
   h.origin = {7.25, 43.5}, h.attributions = {"© OpenStreetMap contributors", "hills"};
   return h;
 }
-Bytes encoded(const BakedTile& tile, const GlbOptions& options) { return encode_glb(tile, header(), options); }
+// With exact pictures, so that the tile can be read back.
+Bytes encoded(const BakedTile& tile, GlbOptions options) {
+  options.has_exact_pictures = true;
+  return encode_glb(tile, header(), options);
+}
 Result<BakedTile> decoded(const Bytes& bytes) { return decode_glb(bytes, "tile.glb"); }
 std::string refusal(const Result<BakedTile>& result) { return result ? "accepted" : to_string(result.error()); }
 
@@ -395,6 +399,20 @@ TEST(GlbTextures, WhatHasNoPlacesOnThemKeepsItsColour) {
   const auto plain = material_called(gltf, "StoneUntextured")["pbrMetallicRoughness"];
   EXPECT_FALSE(plain.contains("baseColorTexture"));
   EXPECT_EQ(plain["baseColorFactor"][0].get<float>(), values_of(materials::Material::kStone).base_colour[0]);
+}
+
+TEST(GlbTextures, AreInTheFormatsThatTheTargetReads) {
+  const BakedTile tile = made_textured_tile(1);
+  const auto types_for = [&](Target target) {
+    const Bytes bytes = encode_glb(tile, header(), {.target = target});
+    std::set<std::string> types;
+    for (const auto& image : nlohmann::json::parse(json_of(bytes)).at("images")) types.insert(image.at("mimeType"));
+    const auto back = decode_glb(bytes, "");
+    EXPECT_TRUE(back && back->textures.size() == tile.textures.size());
+    return types;
+  };
+  EXPECT_EQ(types_for(Target::kGeneric), (std::set<std::string>{"image/jpeg", "image/png"}));
+  EXPECT_EQ(types_for(Target::kThree), (std::set<std::string>{"image/webp"}));
 }
 
 // The byte budget of a tile holds the textures of all materials together, all kinds of bark included.

@@ -23,6 +23,11 @@ const GrownPlantCache& nursery() {
   return nursery;
 }
 
+const LeafAtlas& midsummer_leaves() {
+  static const LeafAtlas atlas = leaf_atlas(kMidsummer);
+  return atlas;
+}
+
 std::vector<Species> all_species() {
   std::vector<Species> all;
   for (const SpeciesText& text : shipped_species())
@@ -32,7 +37,8 @@ std::vector<Species> all_species() {
 }
 
 PrototypeMesh mesh_of(Species species, double tolerance_m) {
-  return prototype_mesh(nursery().grown({species, 0}), species, values_of(species).tallest_m, tolerance_m);
+  return prototype_mesh(nursery().grown({species, 0}), midsummer_leaves(), species, values_of(species).tallest_m,
+                        tolerance_m);
 }
 
 bool has_trunk(Species species) {
@@ -98,8 +104,8 @@ TEST(PrototypeMesh, LosesAtMostSevenEighthsOfItsTrianglesFromOneDefaultLevelToTh
     for (const double tolerance_m : kDefaultLadder_m) {
       double sum = 0;
       for (const Species species : kTrees)
-        sum += static_cast<double>(
-            triangles_of(prototype_mesh(nursery().grown({species, 0}), species, height_m, tolerance_m)));
+        sum += static_cast<double>(triangles_of(
+            prototype_mesh(nursery().grown({species, 0}), midsummer_leaves(), species, height_m, tolerance_m)));
       EXPECT_LE(last / sum, 8) << height_m << " m tall at " << tolerance_m;
       EXPECT_TRUE(last == 0 || sum < last);
       EXPECT_GE(sum, 8 * std::size(kTrees));
@@ -113,10 +119,12 @@ TEST_P(EachPlant, IsDeterministic) {
       grow(*std::ranges::find(shipped_species(), values_of(GetParam()).file, &SpeciesText::name), {GetParam(), 3});
   EXPECT_EQ(again.skeleton.segments.size(), nursery().grown({GetParam(), 3}).skeleton.segments.size());
   const double tolerance_m = 0.1 * values_of(GetParam()).tallest_m;
-  const PrototypeMesh a = prototype_mesh(again, GetParam(), values_of(GetParam()).tallest_m, tolerance_m);
-  const PrototypeMesh b =
-      prototype_mesh(nursery().grown({GetParam(), 3}), GetParam(), values_of(GetParam()).tallest_m, tolerance_m);
-  EXPECT_EQ(a.cutout, b.cutout);
+  const PrototypeMesh a =
+      prototype_mesh(again, midsummer_leaves(), GetParam(), values_of(GetParam()).tallest_m, tolerance_m);
+  const PrototypeMesh b = prototype_mesh(nursery().grown({GetParam(), 3}), midsummer_leaves(), GetParam(),
+                                         values_of(GetParam()).tallest_m, tolerance_m);
+  ASSERT_EQ(a.meshes.size(), b.meshes.size());
+  for (std::size_t i = 0; i < a.meshes.size(); ++i) EXPECT_EQ(a.meshes[i].uvs, b.meshes[i].uvs);
 }
 
 Vec3 in_ellipse(const Card& card, double turn, double share) {
@@ -199,7 +207,7 @@ TEST(PrototypeMesh, IsDroppedWhereThePlantIsLowerThanTheTolerance) {
 
 TEST(PrototypeMesh, OfAnUnreadableTextIsEmpty) {
   const GrownPlant grown = grow({"oak", "axiom: ["}, {Species::kOak, 0});
-  EXPECT_TRUE(prototype_mesh(grown, Species::kOak, 20, 0.1).meshes.empty());
+  EXPECT_TRUE(prototype_mesh(grown, midsummer_leaves(), Species::kOak, 20, 0.1).meshes.empty());
 }
 
 TEST(Sprays, CoverMoreOfACardAsAClump) {
