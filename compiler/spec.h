@@ -4,6 +4,7 @@
 // defines them all.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -22,6 +23,10 @@
 
 namespace citykiln {
 
+/// The default tolerances of the levels of detail, finest first, metres. None is more than five times the one before
+/// it, which skirts rely on (bake/skirt.h); triangles fall by at most eight from one to the next.
+inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, 12.5};
+
 /// Compression of meshes in .glb files (exporters/gltf/compression.h).
 enum class Compress { kNone, kDraco, kMeshopt };
 std::string_view name_of(Compress compress);  ///< "none", "draco", "meshopt": the values of the setting.
@@ -35,8 +40,8 @@ struct Outputs {
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
   Compress compress = Compress::kNone;
-  std::vector<double> ladder_m{kDefaultLadder_m.begin(),
-                               kDefaultLadder_m.end()};  ///< Tolerances, increasing; level n has the n-th.
+  std::vector<double> ladder_m{kDefaultLevels_m.begin(),
+                               kDefaultLevels_m.end()};  ///< Tolerances, increasing; level n has the n-th.
 };
 
 /// When a run ends with exit code 2.

@@ -61,7 +61,7 @@ TEST(Season, DoesNotChangeEvergreens) {
   }
 }
 
-// With leaf cards, crossed cards and hulls: no leaf material, and less coverage than in summer.
+// With leaf cards, clumps and hulls: no leaf material, and less coverage than in summer.
 TEST(Season, HasBareTreesWithoutLeaves) {
   for (const Species species : {Species::kOak, Species::kBirch, Species::kMaple, Species::kWillow})
     for (const double share : {0.005, 0.1, 0.5}) {
