@@ -36,7 +36,7 @@ class SpecFile {
 
 TEST(Spec, HasTheDefaultTolerances) {
   const CompileSpec spec;
-  EXPECT_EQ(spec.outputs.ladder_m, std::vector(kDefaultLadder_m.begin(), kDefaultLadder_m.end()));
+  EXPECT_EQ(spec.outputs.ladder_m, std::vector(kDefaultLevels_m.begin(), kDefaultLevels_m.end()));
   EXPECT_EQ(spec.tile_m, 1024);
 }
 
