@@ -42,6 +42,7 @@ Files in $out:
   glb/          $(find "$out/glb" -name '*.glb' | wc -l) glTF tiles, $(megabytes "$out"/glb/*.glb): <x>_<y>_L<level>.glb, level 0 (0.1 m) is the finest
   scene.kiln    the manifest, $(megabytes "$out/scene.kiln"): a recipe for every object
   report.json   counts of objects, and what was repaired or dropped
+  findings.json every finding with its place, for QGIS
   timing.json   time and memory of each stage
 
 What to open next:

@@ -116,6 +116,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
 
   // describe the sky and the sources, and sort all recipes into tiles
   timer.enter("sort into tiles");
+  recipes.texts = features.texts;
   Result<scene::Header> header = make_header(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
   if (!header) return header.error();
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
@@ -123,7 +124,8 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   header->rules = std::move(*rules);
   header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
-  return CompileResult{std::move(scene), std::move(report), measured, timer.finish()};
+  map::Places places = map::places_of(*osm, report);
+  return CompileResult{std::move(scene), std::move(report), measured, timer.finish(), std::move(places)};
 }
 
 namespace {
@@ -132,16 +134,23 @@ namespace {
 struct BakeStep {
   std::size_t tile = 0;
   std::optional<std::size_t> level;
+  bool exists = false;  ///< There is nothing to do.
 };
 
 /// All steps in order. The levels of a tile are separate steps, so none waits for the others; each tile is prepared
 /// while the tile before it is baked.
-std::vector<BakeStep> bake_steps(std::size_t tiles, std::size_t levels) {
+std::vector<BakeStep> bake_steps(const scene::Scene& scene, std::size_t levels, const ExistsTile& exists) {
   std::vector<BakeStep> steps;
+  const auto preparation = [&](std::size_t tile) {
+    bool all_exist = true;
+    for (std::size_t level = 0; level < levels; ++level) all_exist = all_exist && exists({tile, level});
+    return BakeStep{tile, std::nullopt, all_exist};
+  };
+  const std::size_t tiles = scene.chunks.size();
   for (std::size_t tile = 0; tile < tiles; ++tile) {
-    if (tile == 0) steps.push_back({tile, std::nullopt});
-    if (tile + 1 < tiles) steps.push_back({tile + 1, std::nullopt});
-    for (std::size_t level = 0; level < levels; ++level) steps.push_back({tile, level});
+    if (tile == 0) steps.push_back(preparation(tile));
+    if (tile + 1 < tiles) steps.push_back(preparation(tile + 1));
+    for (std::size_t level = 0; level < levels; ++level) steps.push_back({tile, level, exists({tile, level})});
   }
   return steps;
 }
@@ -154,29 +163,31 @@ struct TileInFlight {
 }  // namespace
 
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                        const OnProgress& on_progress, const ProcessTile& process, const CollectTile& take) {
+                        const OnProgress& on_progress, const TileHandlers& handlers) {
   assert(!ladder_m.empty() && ladder_m.front() > 0 && std::ranges::is_sorted(ladder_m));
-  const std::vector<BakeStep> steps = bake_steps(scene.chunks.size(), ladder_m.size());
+  const std::vector<BakeStep> steps = bake_steps(scene, ladder_m.size(), handlers.exists);
   std::vector<Report> reports(steps.size());
   std::vector<TileInFlight> in_flight(scene.chunks.size());
   Result<Done> done = Done{};
   const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene.header);
   const auto make = [&](std::size_t i) {
     TileInFlight& tile = in_flight[steps[i].tile];
+    if (steps[i].exists) return;
     // the first thread that needs the tile prepares it; other threads join that work
     tile.once.call([&] {
       tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, threads, prototypes);
     });
     if (!steps[i].level) return;
     const ChunkLevel at{steps[i].tile, *steps[i].level};
-    process(at, bake::bake_prepared(*tile.prepared, at.level, threads, reports[i]));
+    handlers.process(at, bake::bake_prepared(*tile.prepared, at.level, threads, reports[i]));
   };
   const auto hand_on = [&](std::size_t i) {
     if (!steps[i].level) return true;
-    on_progress("bake", static_cast<double>(steps[i].tile) / static_cast<double>(scene.chunks.size()));
     if (*steps[i].level + 1 == ladder_m.size()) in_flight[steps[i].tile].prepared.reset();
-    report.append(std::exchange(reports[i], {}));
-    done = take({steps[i].tile, *steps[i].level});
+    const Report diagnosed = std::exchange(reports[i], {});
+    report.append(diagnosed);
+    done = handlers.take({steps[i].tile, *steps[i].level}, diagnosed);
+    on_progress("bake", static_cast<double>(i + 1) / static_cast<double>(steps.size()));
     return static_cast<bool>(done);
   };
   for_each_in_order(steps.size(), threads, make, hand_on);
@@ -187,13 +198,14 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
                         const OnProgress& on_progress, const OnBakedTile& take) {
   std::vector<std::optional<bake::BakedTile>> slots(scene.chunks.size() * ladder_m.size());
   const auto slot = [&](ChunkLevel at) -> auto& { return slots[at.chunk * ladder_m.size() + at.level]; };
-  return bake_scene(
-      scene, ladder_m, threads, report, on_progress,
-      [&](ChunkLevel at, bake::BakedTile&& tile) { slot(at) = std::move(tile); },
-      [&](ChunkLevel at) {
-        const bake::BakedTile tile = *std::exchange(slot(at), std::nullopt);
-        return take(tile, at.level);
-      });
+  return bake_scene(scene, ladder_m, threads, report, on_progress,
+                    {.exists = [](ChunkLevel) { return false; },
+                     .process = [&](ChunkLevel at, bake::BakedTile&& tile) { slot(at) = std::move(tile); },
+                     .take =
+                         [&](ChunkLevel at, const Report&) {
+                           const bake::BakedTile tile = *std::exchange(slot(at), std::nullopt);
+                           return take(tile, at.level);
+                         }});
 }
 
 namespace {

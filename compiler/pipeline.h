@@ -11,6 +11,7 @@
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/ground/profiles/measure_profiles.h"
+#include "compiler/map/places.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
 #include "compiler/stage_timer.h"
@@ -22,6 +23,7 @@ struct CompileResult {
   Report report;
   ground::ProfileMeasures profiles;  ///< Height consistency of the planned lines.
   std::vector<StageCost> costs;
+  map::Places places;  ///< Of the elements that the report's diagnoses name.
 };
 
 /// Compiles a map and heightmaps to a scene of recipes, with the ledger and diagnoses of all stages.
@@ -41,8 +43,10 @@ struct ChunkLevel {
 };
 /// Processes a baked tile in parallel with others; must write to a place of its own only.
 using ProcessTile = std::function<void(ChunkLevel at, bake::BakedTile&& tile)>;
-/// Receives the processed tile. An error ends baking.
-using CollectTile = std::function<Result<Done>(ChunkLevel at)>;
+/// Receives the processed tile, and what was diagnosed while it was baked. An error ends baking.
+using CollectTile = std::function<Result<Done>(ChunkLevel at, const Report& diagnosed)>;
+/// Whether a tile exists already and is not baked.
+using ExistsTile = std::function<bool(ChunkLevel at)>;
 
 /// Bakes every chunk at every tolerance and passes the tiles to `take`, one at a time, ordered by tile, then level.
 /// Adds dropped objects to `report`. Memory: kInFlightPerThread levels for each thread, their tiles' ground, and the
@@ -51,8 +55,16 @@ using CollectTile = std::function<Result<Done>(ChunkLevel at)>;
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                         const OnProgress& on_progress, const OnBakedTile& take);
 
-/// Like the above, with parallel processing: `make` is called as soon as a tile is baked, `take` in order.
+/// What to do with tiles in parallel baking.
+struct TileHandlers {
+  ExistsTile exists;    ///< Called before baking; gives the same answer each time.
+  ProcessTile process;  ///< Called as soon as a tile is baked; not for tiles that exist.
+  CollectTile take;     ///< Called for all tiles in order, one at a time.
+};
+
+/// Like the above, with parallel processing. A tile is prepared for all levels of the ladder if one of them is baked,
+/// so that a level never depends on which others exist.
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                        const OnProgress& on_progress, const ProcessTile& make, const CollectTile& take);
+                        const OnProgress& on_progress, const TileHandlers& handlers);
 
 }  // namespace citykiln

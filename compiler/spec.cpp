@@ -8,6 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/contract/code_names.h"
+#include "compiler/contract/nearest_name.h"
 #include "compiler/contract/parse.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_raster.h"
@@ -108,9 +110,17 @@ Result<Done> set_world(CompileSpec&, std::string_view text) {
   return expected("plane", text);
 }
 
-Result<Done> set_instancing(CompileSpec& spec, std::string_view text) {
-  if (text != "ext" && text != "nodes") return expected("ext or nodes", text);
-  spec.outputs.instances_as_nodes = text == "nodes";
+Result<Done> set_target(CompileSpec& spec, std::string_view text) {
+  const auto target = target_named(text);
+  if (!target) return expected(targets_with([](const TargetValues&) { return true; }), text);
+  spec.outputs.target = *target;
+  return Done{};
+}
+
+Result<Done> set_split(CompileSpec& spec, std::string_view text) {
+  const auto split = split_named(text);
+  if (!split) return expected("tile, layer or building", text);
+  spec.outputs.split = *split;
   return Done{};
 }
 
@@ -140,9 +150,20 @@ Result<Done> set_snow_line(CompileSpec& spec, std::string_view text) {
   return spec.snow_line_m ? Result<Done>(Done{}) : expected("a height in metres, such as 2800", text);
 }
 
-Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
+Result<Done> set_tags(CompileSpec& spec, std::string_view text) {
   if (text != "true" && text != "false") return expected("true or false", text);
-  spec.is_strict = text == "true";
+  spec.map.keeps_tags = text == "true";
+  return Done{};
+}
+
+Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
+  spec.strict = {.is_on = text != "false", .codes = {}};
+  if (text == "true" || text == "false") return Done{};
+  for (const std::string_view name : split(text, ',')) {
+    const std::optional<Code> code = code_named(name);
+    if (!code) return expected("diagnosis codes as in report.json, such as MissingNode,RoofFallback", name);
+    spec.strict.codes.push_back(*code);
+  }
   return Done{};
 }
 
@@ -172,9 +193,13 @@ constexpr Setting kSettings[] = {
     {"world", "plane", "shape of the world; only plane is supported (default: plane)", false, set_world},
     {"compress", "none|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_compress(text), spec.outputs.compress); }},
-    {"instancing", "ext|nodes",
-     "plants and lamps: ext uses EXT_mesh_gpu_instancing, nodes writes a glTF node for each (default: ext)", false,
-     set_instancing},
+    {"target", "generic|blender|godot|three|cesium|unreal|unity",
+     "program that reads the .glb files; generic uses nothing that a reader may lack (default: generic)", false,
+     set_target},
+    {"split", "tile|layer|building",
+     "nodes of a tile: one, one for each layer (ground, roads, water, buildings ...), or one for each building too "
+     "(default: layer)",
+     false, set_split},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
     {"time", "ISO", "date and time of the sky in UTC, such as 2026-06-21T15:00 (default: midsummer, 15:00 solar time)",
      false, set_time},
@@ -183,9 +208,14 @@ constexpr Setting kSettings[] = {
      set_snow_line},
     {"rules", "FOLDER", "folder of rule files (.cga) that replace shipped files of the same name", false,
      set_text<&CompileSpec::rules_folder>},
+    {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",
+     false, set_tags},
     {"threads", "N", "number of threads; 0 uses all processors (default: 0)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }},
-    {"strict", "", "exit with code 2 if map or height data had to be corrected or left out", false, set_strict},
+    {"strict", "[=CODE,...]",
+     "exit with code 2 if map or height data had to be corrected or left out; with codes, such as "
+     "--strict=MissingNode,RoofFallback, if one of these was diagnosed",
+     false, set_strict},
 };
 
 /// The value as it would be written on the command line.
@@ -216,9 +246,14 @@ Result<Done> apply_json(const Setting& setting, const json& value, CompileSpec& 
 
 Result<Done> apply_key(const std::string& key, const json& value, CompileSpec& spec) {
   for (const Setting& setting : kSettings) {
-    if (setting.name == key) return apply_json(setting, value, spec);
+    if (setting.name != key) continue;
+    const Result<Done> done = apply_json(setting, value, spec);
+    return done ? done : Error{"", fmt::format("\"{}\": {}", key, to_string(done.error()))};
   }
-  return Error{"", fmt::format("unknown setting \"{}\"; see citykiln compile --help", key)};
+  std::vector<std::string> known;
+  for (const Setting& setting : kSettings) known.emplace_back(setting.name);
+  return Error{
+      "", fmt::format("unknown setting \"{}\"{} (citykiln compile --help lists all)", key, did_you_mean(key, known))};
 }
 
 }  // namespace
@@ -228,9 +263,8 @@ std::span<const Setting> settings() { return kSettings; }
 Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec) {
   CompileSpec changed = spec;
   const Result<Done> done = setting.apply(changed, text);
-  if (!done) return Error{"--" + std::string(setting.name), to_string(done.error())};
-  spec = std::move(changed);
-  return Done{};
+  if (done) spec = std::move(changed);
+  return done;
 }
 
 Result<CompileSpec> read_spec(const std::string& path) {
@@ -256,9 +290,22 @@ Result<CompileSpec> read_spec(const std::string& path) {
 }
 
 Result<Done> is_complete(const CompileSpec& spec) {
-  if (spec.map_path.empty()) return Error{"", "no map is given; expected a file such as town.osm.pbf"};
-  if (spec.outputs.folder.empty()) return Error{"", "no output folder is given; add -o FOLDER"};
-  return Done{};
+  if (spec.map_path.empty())
+    return Error{"", "no map is given; expected a file such as town.osm.pbf, or the setting \"map\" in spec.json"};
+  if (spec.outputs.folder.empty())
+    return Error{"", "no output folder is given; add -o FOLDER, or the setting \"out\" to spec.json"};
+  return fits_target(spec.outputs);
+}
+
+Result<Done> fits_target(const Outputs& outputs) {
+  bool (*const reads)(const TargetValues&) =
+      outputs.compress == Compress::kDraco     ? [](const TargetValues& t) { return t.reads_draco; }
+      : outputs.compress == Compress::kMeshopt ? [](const TargetValues& t) { return t.reads_meshopt; }
+                                               : [](const TargetValues&) { return true; };
+  const TargetValues& target = values_of(outputs.target);
+  if (reads(target)) return Done{};
+  return Error{"--compress", fmt::format("{} cannot be read by the target {}; add --target {}",
+                                         name_of(outputs.compress), target.name, targets_with(reads))};
 }
 
 std::string_view name_of(Compress compress) {
@@ -272,13 +319,21 @@ Result<Compress> parse_compress(std::string_view text) {
   return expected("none, draco or meshopt", text);
 }
 
+Result<double> parse_tolerance(std::string_view text) {
+  const auto tolerance_m = number_in<double>(text);
+  if (tolerance_m && *tolerance_m > 0 && *tolerance_m <= kCoarsest_m) return *tolerance_m;
+  return expected(fmt::format("a tolerance in metres, above 0 and at most {}, such as 0.1", kCoarsest_m), text);
+}
+
 Result<std::vector<double>> parse_ladder(std::string_view text) {
   std::vector<double> ladder_m;
   for (const std::string_view part : split(text, ',')) {
-    const Result<double> tolerance_m = parse_number(part);
+    const Result<double> tolerance_m = parse_tolerance(part);
     const double last = ladder_m.empty() ? 0 : ladder_m.back();
     if (!tolerance_m || !(*tolerance_m > last))
-      return expected("increasing tolerances above 0 in metres, such as 0.1,0.5,2.5", text);
+      return expected(
+          fmt::format("increasing tolerances in metres, above 0 and at most {}, such as 0.1,0.5,2.5", kCoarsest_m),
+          text);
     ladder_m.push_back(*tolerance_m);
   }
   return ladder_m;

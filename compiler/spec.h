@@ -11,7 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
+#include "compiler/contract/split.h"
+#include "compiler/contract/target.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/locate.h"
 #include "compiler/scene/scene.h"
@@ -27,12 +30,19 @@ Result<Compress> parse_compress(std::string_view text);
 /// The files that a run writes into its folder.
 struct Outputs {
   std::string folder;
-  bool manifest = true;             ///< scene.kiln
-  bool glb = true;                  ///< glb/<x>_<y>_L<n>.glb
-  bool instances_as_nodes = false;  ///< A glTF node per plant and lamp, for readers without EXT_mesh_gpu_instancing.
+  bool manifest = true;  ///< scene.kiln
+  bool glb = true;       ///< glb/<x>_<y>_L<n>.glb
+  Target target = Target::kGeneric;
+  Split split = Split::kLayer;
   Compress compress = Compress::kNone;
   std::vector<double> ladder_m{kDefaultLadder_m.begin(),
                                kDefaultLadder_m.end()};  ///< Tolerances, increasing; level n has the n-th.
+};
+
+/// When a run ends with exit code 2.
+struct Strictness {
+  bool is_on = false;
+  std::vector<Code> codes;  ///< Diagnoses that count; none: those of data that was mended or dropped.
 };
 
 struct CompileSpec {
@@ -46,14 +56,16 @@ struct CompileSpec {
   std::string rules_folder;           ///< Rule files that replace shipped ones of the same name; "" for none.
   std::string time;                   ///< Of the sky, ISO 8601, UTC; see sky::plan.
   int threads = 0;                    ///< 0: all processors. Does not change outputs.
-  bool is_strict = false;             ///< Exit code 2 if data was mended or dropped.
+  Strictness strict;
   Outputs outputs;
 };
 
 /// One row of the table of settings.
 struct Setting {
-  std::string_view name;   ///< "tile"
-  std::string_view value;  ///< Format of the value: "M", "W,S,E,N"; empty for a switch, which takes "true" or "false".
+  std::string_view name;  ///< "tile"
+  /// Format of the value: "M", "W,S,E,N"; empty for a switch, which takes "true" or "false". A switch that can have a
+  /// value begins with "[=": "[=CODE,...]".
+  std::string_view value;
   std::string_view help;
   bool repeats = false;  ///< May be given several times; the values accumulate.
   Result<Done> (*apply)(CompileSpec& spec, std::string_view text);
@@ -62,7 +74,7 @@ struct Setting {
 /// All settings in the order of the help text.
 std::span<const Setting> settings();
 
-/// Applies one setting. An error names the setting and the expected value; the spec is then unchanged.
+/// Applies one setting. An error says what value is expected, and not which setting it is; the spec is then unchanged.
 Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec);
 
 /// Reads spec.json: an object whose keys are names of settings and whose values are strings, numbers, booleans, or
@@ -70,10 +82,15 @@ Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& s
 /// column), an unknown key, an invalid value.
 Result<CompileSpec> read_spec(const std::string& path);
 
-/// Error: the spec has no map or no output folder.
+/// Error: the spec has no map or no output folder, or its outputs do not fit their target.
 Result<Done> is_complete(const CompileSpec& spec);
 
-/// Parses increasing numbers above zero: "0.02,0.1,0.5".
+/// Error: the target's reader cannot read the compression.
+Result<Done> fits_target(const Outputs& outputs);
+
+/// Parses a tolerance above 0 and at most kCoarsest_m: "0.5".
+Result<double> parse_tolerance(std::string_view text);
+/// Parses increasing tolerances: "0.1,0.5,2.5".
 Result<std::vector<double>> parse_ladder(std::string_view text);
 /// Parses "3_-2".
 Result<scene::TileKey> parse_tile(std::string_view text);

@@ -1,5 +1,6 @@
 #include "exporters/output_folder.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,41 +10,73 @@
 #include <system_error>
 #include <utility>
 
+#include "exporters/content_hash.h"
 #include "exporters/file.h"
+#include "exporters/settle_folder.h"
 
 namespace citykiln::exporters {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kMark = "report.json";
+constexpr const char* kJournalName = "journal";
+
+Error failed(const std::string& path, const char* what) {
+  return {path, what + (": " + std::generic_category().message(errno))};
+}
+
+/// The journal of an interrupted run, as text; empty if there is none.
+std::string journal_text(const std::string& path) {
+  const Result<std::vector<std::byte>> bytes = read_file(path);
+  return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : std::string();
+}
 
 }  // namespace
 
 Result<OutputFolder> OutputFolder::open(const std::string& path) {
   OutputFolder folder(path);
   if (const Result<Done> made = folder.make_folder(path); !made) return made.error();
-  if (access(path.c_str(), W_OK | X_OK) != 0) {
-    return Error{path, "cannot be written: " + std::generic_category().message(errno)};
-  }
-  std::error_code problem;
-  fs::remove(fs::path(path) / kMark, problem);
-  if (problem) return Error{path, "the report of an earlier run cannot be removed: " + problem.message()};
+  if (access(path.c_str(), W_OK | X_OK) != 0) return failed(path, "cannot be written");
+  const Result<int> lock = lock_folder(path, false);
+  if (!lock) return lock.error();
+  if (*lock < 0) return Error{path, "another run is being written into this folder"};
+  folder.lock_ = *lock;
+  if (const Result<Done> done = settle_locked(path); !done) return done.error();
+  if (const Result<Done> done = folder.begin(); !done) return done.error();
   return folder;
+}
+
+Result<Done> OutputFolder::begin() {
+  staging_ = (fs::path(path_) / kStagingName).string();
+  if (Result<Done> made = make_folder(staging_); !made) return made;
+  const std::string path = staging_ + "/" + kJournalName, text = journal_text(path);
+  staged_ = read_journal(text);
+  journal_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (journal_ < 0) return failed(path_, "cannot be written");
+  // ends a torn line
+  if (!text.empty() && text.back() != '\n' && ::write(journal_, "\n", 1) != 1) return failed(path, "cannot be written");
+  return Done{};
 }
 
 OutputFolder::OutputFolder(OutputFolder&& other) noexcept
     : path_(std::move(other.path_)),
+      staging_(std::move(other.staging_)),
       made_folders_(std::move(other.made_folders_)),
-      made_files_(std::move(other.made_files_)),
+      staged_(std::move(other.staged_)),
+      files_(std::move(other.files_)),
+      lock_(std::exchange(other.lock_, -1)),
+      journal_(std::exchange(other.journal_, -1)),
       is_open_(std::exchange(other.is_open_, false)) {}
 
 OutputFolder::~OutputFolder() {
-  if (!is_open_) return;
   std::error_code ignored;
-  for (const std::string& file : made_files_) fs::remove(file, ignored);
-  // folders last made first; one that holds what is not ours stays
-  for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder) fs::remove(*folder, ignored);
+  if (is_open_ && !has_keyed_files()) {
+    if (!staging_.empty()) fs::remove_all(staging_, ignored);
+    // folders last made first; one that holds something else stays
+    for (auto made = made_folders_.rbegin(); made != made_folders_.rend(); ++made) fs::remove(*made, ignored);
+  }
+  for (const int descriptor : {journal_, lock_})
+    if (descriptor >= 0) ::close(descriptor);
 }
 
 Result<Done> OutputFolder::make_folder(const std::string& path) {
@@ -59,19 +92,55 @@ Result<Done> OutputFolder::make_folder(const std::string& path) {
   return Done{};
 }
 
-Result<Done> OutputFolder::write(const std::string& name, std::span<const std::byte> bytes) {
-  assert(is_open_);
-  const fs::path file = fs::path(path_) / name;
-  if (Result<Done> made = make_folder(file.parent_path().string()); !made) return made;
-  Result<Done> written = exporters::write_file(file.string(), bytes);
-  if (written) made_files_.push_back(file.string());
-  return written;
+const StagedFile* OutputFolder::find_whole(const std::string& name, std::uint64_t key) const {
+  assert(key != 0);
+  const auto found = staged_.find(name);
+  if (found == staged_.end() || found->second.key != key) return nullptr;
+  return is_whole(staging_, found->second.file) ? &found->second : nullptr;
 }
 
-Result<Done> OutputFolder::commit(const std::string& report_json) {
-  Result<Done> written = write(kMark, bytes_of(report_json));
-  is_open_ = !written;
-  return written;
+void OutputFolder::take_over(const StagedFile& staged) { files_[staged.file.name] = staged.file; }
+
+Result<Done> OutputFolder::stage(const std::string& name, std::span<const std::byte> bytes) {
+  assert(is_open_ && name != kFileListName && name != kJournalName);
+  const fs::path file = fs::path(staging_) / name;
+  if (Result<Done> made = make_folder(file.parent_path().string()); !made) return made;
+  return write_file(file.string(), bytes);
+}
+
+Result<Done> OutputFolder::write(const std::string& name, std::span<const std::byte> bytes, std::uint64_t key,
+                                 const std::string& note) {
+  if (Result<Done> done = stage(name, bytes); !done) return done;
+  const StagedFile staged = {{name, bytes.size(), hash_text(content_hash(bytes))}, key, note};
+  const std::string line = journal_line(staged);
+  if (::write(journal_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
+    return failed(staging_ + "/" + kJournalName, "cannot be written");
+  // this run does not read its own notes
+  files_[name] = staged.file, staged_[name] = {staged.file, key, {}};
+  return Done{};
+}
+
+Result<Done> OutputFolder::write_varying(const std::string& name, std::span<const std::byte> bytes) {
+  Result<Done> done = stage(name, bytes);
+  if (done) files_[name] = {.name = name};
+  return done;
+}
+
+FileList OutputFolder::files() const {
+  FileList list;
+  for (const auto& [name, file] : files_) list.push_back(file);
+  return list;
+}
+
+bool OutputFolder::has_keyed_files() const {
+  return std::ranges::any_of(staged_, [](const auto& entry) { return entry.second.key != 0; });
+}
+
+Result<Done> OutputFolder::commit() {
+  const std::string list = file_list_json(files());
+  if (Result<Done> done = write_file(staging_ + "/" + kFileListName, bytes_of(list)); !done) return done;
+  is_open_ = false;
+  return settle_locked(path_);
 }
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }

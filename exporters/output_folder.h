@@ -1,21 +1,45 @@
-// The folder of a run: it holds whole files or none, and report.json, written last, marks the run as complete.
+// The folder of a run, and how a run replaces an earlier one in it without a moment at which the folder holds half a
+// run.
+//
+//     OUT/files.json         the list: name, size and hash of every file of the finished run
+//     OUT/scene.kiln …       its files
+//     OUT/.new/              the files of the run in progress, by their final names, and two files about it:
+//     OUT/.new/journal         a line for each file that is whole: name, size, hash, key, note
+//     OUT/.new/files.json      the new list; written when all files are whole
+//
+//     step                                              if the process ends here
+//     1. write files into .new, a journal line each     OUT is as before; a run with equal keys takes over whole files
+//     2. write .new/files.json                          -
+//     3. rename each file of the new list into OUT      settle() (settle_folder.h) does steps 3 to 5 again
+//     4. remove files that only the old list names      the same
+//     5. rename .new/files.json to OUT, remove .new     the same
+//
+// Only files that a list names are replaced or removed. A file of someone else that is in the way is renamed to
+// NAME.old. A key says what the bytes of a file are a function of; equal keys mean equal bytes.
+//
+// The renames need no disk space, and all writing happens before step 2, so a full disk leaves OUT as it was. Files are
+// not flushed to the disk: after a power failure the hashes show which files are whole.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "compiler/contract/result.h"
+#include "exporters/file_list.h"
+#include "exporters/journal.h"
 
 namespace citykiln::exporters {
 
-/// Files and folders that it has made are removed when it ends without commit().
+/// Writes one run. Ends without commit(): OUT stays as it was; .new stays if it holds files with keys, for the next
+/// run, else it is removed with all folders made.
 class OutputFolder {
  public:
-  /// Makes the folder where it is missing, and removes the report of an earlier run. Errors, before any work is done: a
-  /// folder that cannot be made or written.
+  /// Makes the folder where it is missing, and finishes an interrupted commit. Errors, before any work is done: a
+  /// folder that cannot be made or written; another process that is writing a run into it.
   static Result<OutputFolder> open(const std::string& path);
   ~OutputFolder();
   OutputFolder(OutputFolder&& other) noexcept;
@@ -23,19 +47,38 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Writes a file. @param name  Relative to the folder, "glb/0_0_L1.glb".
-  Result<Done> write(const std::string& name, std::span<const std::byte> bytes);
+  /// The file of this name and key that an interrupted run left whole, verified by its hash; or null. May be called
+  /// from several threads while nothing is written. @param key  Not 0.
+  const StagedFile* find_whole(const std::string& name, std::uint64_t key) const;
+  /// Makes a file that find_whole() returned a file of this run.
+  void take_over(const StagedFile& staged);
 
-  /// Writes report.json; from then on the files stay.
-  Result<Done> commit(const std::string& report_json);
+  /// Writes a file of this run. @param name  Relative to the folder, "glb/0_0_L1.glb".
+  Result<Done> write(const std::string& name, std::span<const std::byte> bytes, std::uint64_t key = 0,
+                     const std::string& note = {});
+  /// Writes a file whose bytes differ between equal runs, such as times.
+  Result<Done> write_varying(const std::string& name, std::span<const std::byte> bytes);
+
+  /// The files of this run so far, sorted by name.
+  FileList files() const;
+  /// Whether a later run can take over files if this one ends without commit().
+  bool has_keyed_files() const;
+
+  /// Replaces the earlier run by this one, steps 2 to 5.
+  Result<Done> commit();
 
  private:
   explicit OutputFolder(std::string path) : path_(std::move(path)) {}
   Result<Done> make_folder(const std::string& path);
+  Result<Done> begin();
+  Result<Done> stage(const std::string& name, std::span<const std::byte> bytes);
 
-  std::string path_;
-  std::vector<std::string> made_folders_, made_files_;
-  bool is_open_ = true;  ///< False once committed or moved from.
+  std::string path_, staging_;
+  std::vector<std::string> made_folders_;
+  std::map<std::string, StagedFile> staged_;  ///< By name: whole files of an interrupted run and of this run.
+  std::map<std::string, ListedFile> files_;   ///< By name: of this run.
+  int lock_ = -1, journal_ = -1;              ///< File descriptors.
+  bool is_open_ = true;                       ///< False once committed or moved from.
 };
 
 /// The bytes of a JSON text.

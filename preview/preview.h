@@ -1,6 +1,7 @@
 // Renders a picture of baked tiles by path tracing: sun, sky, lit windows, diffuse and specular surfaces.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,8 @@ struct Options {
   double exposure = 1;
   int threads = 0;
   std::uint64_t seed = 0;
+  /// Called with the finished share, 0 to 1, by one thread at a time. Empty: not called.
+  std::function<void(double share)> on_progress{};
 };
 
 /// Linear RGB, row by row from the top.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "compiler/contract/for_each_slot.h"
@@ -83,8 +84,14 @@ Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const 
   Image image{options.width, options.height,
               std::vector<float>(static_cast<std::size_t>(options.width) * options.height * 3)};
   const std::size_t count = static_cast<std::size_t>(blocks(options.width)) * blocks(options.height);
-  for_each_index(count, options.threads,
-                 [&](std::size_t block) { render_block(shot, options, static_cast<int>(block), image); });
+  std::mutex progress;
+  std::size_t finished = 0;
+  for_each_index(count, options.threads, [&](std::size_t block) {
+    render_block(shot, options, static_cast<int>(block), image);
+    if (!options.on_progress) return;
+    const std::lock_guard one_at_a_time(progress);
+    options.on_progress(static_cast<double>(++finished) / static_cast<double>(count));
+  });
   return image;
 }
 

@@ -11,6 +11,7 @@
 #include "compiler/bake/bake_structures.h"
 #include "compiler/bake/baking.h"
 #include "compiler/bake/clip_to_extent.h"
+#include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
 #include "compiler/bake/tile_levels.h"
 #include "compiler/contract/detail_tolerances.h"
@@ -22,9 +23,9 @@ namespace {
 // Frees each mesh when it is merged, so that no tile is held twice.
 void merge_meshes(Baking& baking) {
   PrimitiveMap merged;
-  for (MaterialMesh& each : baking.meshes) {
-    const MaterialMesh mesh = std::move(each);
-    merge(merged, mesh, baking.tile.origin, number_of(baking.tile, mesh.feature));
+  for (LayeredMesh& each : baking.meshes) {
+    const LayeredMesh part = std::move(each);
+    merge(merged, part, baking.tile.origin, number_of(baking.tile, part.mesh.feature));
   }
   baking.meshes.clear();
   baking.tile.primitives = primitives_of(std::move(merged));
@@ -78,7 +79,8 @@ BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, Til
   bake_stairs(baking, shared.stairs);
   bake_buildings(baking, level, prototypes.rulebook(), threads, report);
   bake_each(
-      baking, bands_of(baking), "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
+      baking, Layer::kProps, bands_of(baking), "barrier", report,
+      [&](const auto& b) { return bounds_of(b, chunk.heights); },
       [&](const auto& b) { return generate_within(b, shared.graded, tolerance_m, header.region); });
   report.append(shared.tree_report);
   bake_tree_pits(baking, shared);
@@ -87,9 +89,11 @@ BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, Til
   name_placed(baking, placed);
 
   tile.features.assign(baking.features.begin(), baking.features.end());
+  tile.attributes = attributes_of(chunk, tile.features);
   merge_meshes(baking);
-  bake_trees(baking, placed.trees, prototypes);
   bake_lamps(baking, placed.lamps, shared.graded, report);
+  bake_trees(baking, placed.trees, prototypes);
+  snap_image_uvs(tile);
   tile.textures = textures_shown(tile, baking.texel_m(), prototypes.textures());
   return tile;
 }

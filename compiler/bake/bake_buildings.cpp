@@ -79,7 +79,7 @@ void bake_buildings(Baking& baking, TileLevel& level, const buildings::Rulebook&
   report.append(level.building_report);
   put_on_atlas(baking, *level.buildings);
   bake_each(
-      baking, all, "building", report, [](const auto& b) { return bounds_of(b); },
+      baking, Layer::kBuildings, all, "building", report, [](const auto& b) { return bounds_of(b); },
       [&](const auto& b) { return std::move((*level.buildings)[static_cast<std::size_t>(&b - all.data())]); });
 }
 

@@ -64,7 +64,8 @@ bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerr
     if (lamp.kind == kind) placements.push_back(props::place(lamp, graded));
   const props::GeneratedProp lamp = props::lamp_mesh(kind, tallest(placements), baking.tolerance_m);
   for (const Placement& p : placements) baking.certify(lamp.error_m, bounds_of(p));
-  bake_instances(baking, kNames[static_cast<std::size_t>(kind)], instanced_primitives(lamp.meshes), {}, placements);
+  bake_instances(baking, kNames[static_cast<std::size_t>(kind)], instanced_primitives(lamp.meshes, Layer::kProps), {},
+                 placements);
   return !lamp.meshes.empty();
 }
 
@@ -92,7 +93,7 @@ void bake_canopy(Baking& baking, const TileLevel& level, Placed& placed) {
   plants::Canopy canopy = level.shared->canopies[*level.canopy];
   plants::remove_trees_below(canopy, baking.chunk.woods, placed.trees);
   baking.tile.plant_error_m = canopy.error_m;
-  baking.take(std::move(canopy.meshes));
+  baking.take(std::move(canopy.meshes), Layer::kPlants);
 }
 
 void name_placed(Baking& baking, const Placed& placed) {
@@ -116,7 +117,7 @@ void bake_tree_pits(Baking& baking, const SharedByLevels& shared) {
     if (!baking.holds(bounds)) continue;
     props::GeneratedProp generated = props::generate(pit, shared.graded, baking.tolerance_m);
     baking.certify(generated.error_m, bounds);
-    baking.take(std::move(generated.meshes));
+    baking.take(std::move(generated.meshes), Layer::kProps);
   }
 }
 

@@ -72,7 +72,7 @@ void bake_structures(Baking& baking, std::vector<Built>& structures, const Marki
       map_to_atlas(markings.columns[first_column++], marked.mesh);
       built.meshes.push_back(std::move(marked.mesh));
     }
-    baking.take(std::move(built.meshes));
+    baking.take(std::move(built.meshes), Layer::kStructures);
   }
 }
 
@@ -83,7 +83,8 @@ void bake_stairs(Baking& baking, const std::vector<structures::Stairs>& all) {
     if (stairs.error_m <= baking.tolerance_m)
       baking.certify(stairs.error_m, bounds);
     else
-      baking.take({{stairs.mesh, materials::Material::kStone, materials::kNoTint, stairs.feature}});
+      baking.take(
+          {{{stairs.mesh, materials::Material::kStone, materials::kNoTint, stairs.feature}, Layer::kStructures}});
   }
 }
 

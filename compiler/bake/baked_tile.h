@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "compiler/bake/feature_attributes.h"
+#include "compiler/bake/layer.h"
 #include "compiler/contract/stable_id.h"
 #include "compiler/impostor/atlas.h"
 #include "compiler/impostor/cutout.h"
@@ -36,28 +38,30 @@ struct Primitive {
   std::vector<std::uint32_t> features;   ///< One per position: index into BakedTile::features.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// One per position, or empty: metres on the marking atlas, the facade atlas, the cutout or the material's texture.
-  /// On the marking atlas rounded once, to float32: by at most 0.5 mm up to 16 km; elsewhere multiples of
-  /// materials::kTextureCoordinateStep_m.
+  /// On textures multiples of materials::kTextureCoordinateStep_m, elsewhere of materials::uv_step_m(image), rounded to
+  /// float32.
   std::vector<Float2> uvs{};
   /// Other than kByMaterial only with uvs, and where the tile or instanced mesh has the image.
   materials::ColourSource colour_source = materials::ColourSource::kByMaterial;
+  Layer layer{};  ///< The same for all primitives of an instanced mesh.
   bool operator==(const Primitive&) const = default;
 };
 
 /// What distinguishes the primitives of a mesh, which are sorted by it.
 struct PrimitiveKey {
+  Layer layer{};
   materials::Material material{};
   bool has_uvs = false;
   materials::ColourSource colour_source = materials::ColourSource::kByMaterial;
   auto operator<=>(const PrimitiveKey&) const = default;
 };
 
-inline PrimitiveKey key_of(const Primitive& p) { return {p.material, !p.uvs.empty(), p.colour_source}; }
+inline PrimitiveKey key_of(const Primitive& p) { return {p.layer, p.material, !p.uvs.empty(), p.colour_source}; }
 
 /// A mesh and the places of its copies.
 struct InstancedMesh {
   std::string name;                   ///< "oak_3".
-  std::vector<Primitive> primitives;  ///< Without `features`, which each instance has.
+  std::vector<Primitive> primitives;  ///< Not empty; without `features`, which each instance has.
   std::vector<Float3> translations{};
   std::vector<Float4> rotations{};  ///< Unit quaternions x, y, z, w.
   std::vector<float> scales{};
@@ -65,6 +69,8 @@ struct InstancedMesh {
   impostor::Cutout cutout{};  ///< Image of the primitives with ColourSource::kByCutout; no texels where there are none.
   bool operator==(const InstancedMesh&) const = default;
 };
+
+inline Layer layer_of(const InstancedMesh& instanced) { return instanced.primitives.front().layer; }
 
 /// The viewpoint for which a tile was baked (view_levels.h).
 struct Viewpoint {
@@ -82,14 +88,15 @@ struct BakedTile {
   double error_m = 0;                   ///< Certified: Hausdorff, both ways, to the full-detail shape without plants.
   std::vector<OsmId> features{};        ///< Sorted; index 0 is always the none feature.
   std::vector<Primitive> primitives{};  ///< Sorted by key, at most one each.
-  std::vector<InstancedMesh> instanced{};
+  std::vector<InstancedMesh> instanced{};   ///< Sorted by layer.
   materials::TextureImage marking_atlas{};  ///< Markings of roads; no texels where there are none.
   impostor::Atlas facade_atlas{};           ///< Baked facade textures; no texels where there are none.
   /// Textures of the materials of primitives, instanced ones too, that have uvs and are coloured by their material.
   /// Sorted by material.
   std::vector<materials::Texture> textures{};
-  std::optional<Viewpoint> viewpoint{};  ///< If there is one, tolerance_m is the finest of several.
-  double plant_error_m = 0;              ///< Of plants: stated, not certified (plants/prototypes/prototype_mesh.h).
+  std::optional<Viewpoint> viewpoint{};         ///< If there is one, tolerance_m is the finest of several.
+  std::vector<FeatureAttributes> attributes{};  ///< One per feature, or none at all.
+  double plant_error_m = 0;  ///< Of plants: stated, not certified (plants/prototypes/prototype_mesh.h).
   bool operator==(const BakedTile&) const = default;
 };
 

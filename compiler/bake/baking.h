@@ -24,7 +24,7 @@ struct Baking {
   double tolerance_m;
   BakedTile& tile;
   const TilePart* part = nullptr;  ///< Null: the whole tile.
-  std::vector<MaterialMesh> meshes{};
+  std::vector<LayeredMesh> meshes{};
   std::set<OsmId> features{OsmId{}};
 
   /// Whether an object is baked at this tolerance.
@@ -33,10 +33,16 @@ struct Baking {
   double texel_m() const { return part ? tolerance_m_of(part->levels.view, part->levels.finest) : tolerance_m; }
 
   /// Adds meshes.
-  void take(std::vector<MaterialMesh>&& more) {
+  void take(std::vector<LayeredMesh>&& more) {
+    for (LayeredMesh& each : more) {
+      features.insert(each.mesh.feature);
+      meshes.push_back(std::move(each));
+    }
+  }
+  void take(std::vector<MaterialMesh>&& more, Layer layer) {
     for (MaterialMesh& mesh : more) {
       features.insert(mesh.feature);
-      meshes.push_back(std::move(mesh));
+      meshes.push_back({std::move(mesh), layer});
     }
   }
   /// Raises the tile's stated error to that of an object.
@@ -48,10 +54,10 @@ struct Baking {
   }
 };
 
-/// Generates every object of one kind. An object without meshes counts as dropped by the tolerance.
+/// Generates every object of one kind, for one layer. An object without meshes counts as dropped by the tolerance.
 template <typename Object, typename BoundsOf, typename Generate>
-void bake_each(Baking& baking, const std::vector<Object>& objects, const char* kind, Report& report, BoundsOf bounds_of,
-               Generate generate) {
+void bake_each(Baking& baking, Layer layer, const std::vector<Object>& objects, const char* kind, Report& report,
+               BoundsOf bounds_of, Generate generate) {
   Account account;
   for (const Object& object : objects) {
     const Bounds bounds = bounds_of(object);
@@ -64,7 +70,7 @@ void bake_each(Baking& baking, const std::vector<Object>& objects, const char* k
       continue;
     }
     ++account.out;
-    baking.take(std::move(generated.meshes));
+    baking.take(std::move(generated.meshes), layer);
   }
   report.account("bake", kind) = account;
 }

@@ -42,16 +42,18 @@ map::LandCoverClass class_of(const scene::LandCover& cover, std::uint32_t surfac
   return surface == kNoLandCover ? map::LandCoverClass::kUnknown : cover.surfaces[surface].surface;
 }
 
-// The key of a mesh: one surface, or one run of a road's pieces, and one material.
+// The key of a mesh: one surface, or one run of a road's pieces; one material and one layer.
 struct MeshKey {
   bool is_run;
   std::uint32_t number;
   Material material;
+  Layer layer;
   auto operator<=>(const MeshKey&) const = default;
 };
 MeshKey mesh_key(const scene::LandCover& cover, std::uint32_t surface, Material material) {
   const roads::Piece* piece = piece_of(cover, surface);
-  return piece ? MeshKey{true, piece->run, material} : MeshKey{false, surface, material};
+  const Layer layer = layer_of(class_of(cover, surface));
+  return piece ? MeshKey{true, piece->run, material, layer} : MeshKey{false, surface, material, layer};
 }
 
 const Column* column_of(const Markings& markings, const roads::Piece* piece) {
@@ -154,13 +156,14 @@ materials::Tint tint_at(const CellContext& d, std::uint32_t surface, Material ma
   return tint_of(tint, place_tint(place, material, d.header.seed));
 }
 
-MaterialMesh empty_mesh(const CellContext& d, std::uint32_t surface, Material material) {
-  MaterialMesh mesh;
+LayeredMesh empty_mesh(const CellContext& d, std::uint32_t surface, Material material) {
+  LayeredMesh part{{}, layer_of(class_of(d.cover, surface))};
+  MaterialMesh& mesh = part.mesh;
   mesh.material = material;
-  if (surface == kNoLandCover) return mesh;
+  if (surface == kNoLandCover) return part;
   mesh.feature = d.cover.surfaces[surface].id.osm;
   if (column_of(d.markings, piece_of(d.cover, surface))) mesh.colour_source = materials::ColourSource::kByMarkingAtlas;
-  return mesh;
+  return part;
 }
 
 // The ground's vertices in the meshes made of it.
@@ -171,9 +174,9 @@ struct VertexMap {
 };
 
 // The last mesh's vertex for a vertex of the ground with a uv: the one it has, or a new one.
-std::uint32_t vertex_in(std::vector<MaterialMesh>& all, const CellContext& d, std::uint32_t surface, std::uint32_t v,
+std::uint32_t vertex_in(std::vector<LayeredMesh>& all, const CellContext& d, std::uint32_t surface, std::uint32_t v,
                         const std::optional<Vec2>& uv, VertexMap& map) {
-  MaterialMesh& mesh = all.back();
+  MaterialMesh& mesh = all.back().mesh;
   const auto number = static_cast<std::uint32_t>(all.size());
   if (map.mesh[v] == number && (!uv || mesh.uvs[map.vertex[v]] == *uv)) return map.vertex[v];
   map.mesh[v] = number;
@@ -185,15 +188,15 @@ std::uint32_t vertex_in(std::vector<MaterialMesh>& all, const CellContext& d, st
   return map.vertex[v];
 }
 
-void add_face(std::vector<MaterialMesh>& all, const CellContext& d, std::uint32_t face, VertexMap& map) {
-  const std::optional<FaceUvs> uvs = uvs_of(d, face, all.back().material);
+void add_face(std::vector<LayeredMesh>& all, const CellContext& d, std::uint32_t face, VertexMap& map) {
+  const std::optional<FaceUvs> uvs = uvs_of(d, face, all.back().mesh.material);
   Triangle triangle = d.ground.mesh.triangles[face];
   for (std::size_t i = 0; i < 3; ++i) {
     std::optional<Vec2> uv;
     if (uvs) uv = (*uvs)[i];
     triangle[i] = vertex_in(all, d, d.ground.face_cover[face], triangle[i], uv, map);
   }
-  all.back().mesh.triangles.push_back(triangle);
+  all.back().mesh.mesh.triangles.push_back(triangle);
 }
 
 }  // namespace
@@ -222,8 +225,8 @@ void map_to_atlas(const Column& column, MaterialMesh& mesh) {
   for (Vec2& uv : mesh.uvs) uv = on_atlas(column, uv);
 }
 
-std::vector<MaterialMesh> material_meshes(const ground::GroundMesh& ground, const scene::LandCover& cover,
-                                          const Markings& markings, const scene::Header& header, double tolerance_m) {
+std::vector<LayeredMesh> material_meshes(const ground::GroundMesh& ground, const scene::LandCover& cover,
+                                         const Markings& markings, const scene::Header& header, double tolerance_m) {
   assert(ground.face_cover.size() == ground.mesh.triangles.size() && markings.columns.size() >= cover.layouts.size());
   const CellContext d{ground, cover, markings, header, tolerance_m};
   const std::vector<Material> materials = materials_of_faces(d);
@@ -232,7 +235,7 @@ std::vector<MaterialMesh> material_meshes(const ground::GroundMesh& ground, cons
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::stable_sort(order, {}, key_of_face);
 
-  std::vector<MaterialMesh> meshes;
+  std::vector<LayeredMesh> meshes;
   VertexMap map(ground.mesh.positions.size());
   std::optional<MeshKey> last;
   for (const std::uint32_t f : order) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "compiler/bake/layer.h"
 #include "compiler/ground/generate.h"
 #include "compiler/materials/material_mesh.h"
 #include "compiler/materials/texture_image.h"
@@ -29,12 +30,11 @@ Markings lay_out_markings(const scene::LandCover& cover, double tolerance_m);
 /// Moves a mesh's uvs from its layout to the marking atlas, if the layout is on it.
 void map_to_atlas(const Column& column, materials::MaterialMesh& mesh);
 
-/// Divides a cell's ground into meshes: one per surface, or per run of a road's pieces, and material, which slope and
-/// snow may change (ground_material.h). Vertices have tints (ground_tint.h, border_tint.h). Marked pieces have uvs on
-/// the marking atlas, other pieces of roads on their material's texture, other surfaces on theirs where the tolerance
-/// has Detail::kMaterialTextures.
-std::vector<materials::MaterialMesh> material_meshes(const ground::GroundMesh& ground, const scene::LandCover& cover,
-                                                     const Markings& markings, const scene::Header& header,
-                                                     double tolerance_m);
+/// Divides a cell's ground into meshes: one per surface, or per run of a road's pieces, material and layer. Slope and
+/// snow may change materials (ground_material.h). Vertices have tints (ground_tint.h, border_tint.h). Marked pieces
+/// have uvs on the marking atlas, other pieces of roads on their material's texture, other surfaces on theirs where the
+/// tolerance has Detail::kMaterialTextures.
+std::vector<LayeredMesh> material_meshes(const ground::GroundMesh& ground, const scene::LandCover& cover,
+                                         const Markings& markings, const scene::Header& header, double tolerance_m);
 
 }  // namespace citykiln::bake

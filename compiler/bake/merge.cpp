@@ -68,14 +68,15 @@ Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
 
 Float3 offset_from(Vec3 origin, Vec3 p) { return single(p - origin); }
 
-void merge(PrimitiveMap& merged, const materials::MaterialMesh& source, Vec3 origin, std::uint32_t feature) {
+void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint32_t feature) {
+  const materials::MaterialMesh& source = part.mesh;
   const Mesh& mesh = source.mesh;
   assert(source.uvs.empty() ? source.colour_source == materials::ColourSource::kByMaterial
                             : source.uvs.size() == mesh.positions.size());
   assert(source.tints.empty() || source.tints.size() == mesh.positions.size());
-  const PrimitiveKey key{source.material, !source.uvs.empty(), source.colour_source};
+  const PrimitiveKey key{part.layer, source.material, !source.uvs.empty(), source.colour_source};
   Primitive& primitive = merged[key];
-  primitive.material = key.material, primitive.colour_source = key.colour_source;
+  primitive.material = key.material, primitive.colour_source = key.colour_source, primitive.layer = key.layer;
   Vertices vertices{source, primitive, origin, feature};
   for (const Triangle& t : mesh.triangles) {
     const Vec3 flat = normal_of(mesh, t);
@@ -106,9 +107,9 @@ std::vector<Primitive> primitives_of(PrimitiveMap&& merged) {
   return primitives;
 }
 
-std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes) {
+std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes, Layer layer) {
   PrimitiveMap merged;
-  for (const materials::MaterialMesh& mesh : meshes) merge(merged, mesh, {}, 0);
+  for (const materials::MaterialMesh& mesh : meshes) merge(merged, {mesh, layer}, {}, 0);
   std::vector<Primitive> primitives = primitives_of(std::move(merged));
   for (Primitive& primitive : primitives) primitive.features.clear();
   return primitives;

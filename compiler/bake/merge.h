@@ -18,13 +18,13 @@ using PrimitiveMap = std::map<PrimitiveKey, Primitive>;
 /// each other in position (single precision), normal, colour or uv. Triangles that are degenerate in single precision
 /// are left out. A mesh without triangles adds nothing.
 /// @param feature  Written for every vertex.
-void merge(PrimitiveMap& merged, const materials::MaterialMesh& source, Vec3 origin, std::uint32_t feature);
+void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint32_t feature);
 
 /// The primitives that have triangles, sorted by key.
 std::vector<Primitive> primitives_of(PrimitiveMap&& merged);
 
 /// Primitives of an instanced mesh: about the mesh's own origin, without features, which the instances have.
-std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes);
+std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes, Layer layer);
 
 /// The textures of all materials that the tile's primitives and instanced meshes show with uvs, sorted by material.
 std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,

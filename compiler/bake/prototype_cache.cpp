@@ -21,7 +21,7 @@ const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, dou
     plants::PrototypeMesh plant = plants::prototype_mesh(grown, prototype.species, height_m, tolerance_m);
     for (materials::MaterialMesh& dressed : plant.meshes)
       for (Vec3& p : dressed.mesh.positions) p = p * kPrototypeHeight_m;
-    slot.baked = {instanced_primitives(plant.meshes), std::move(plant.cutout), plant.error_per_m};
+    slot.baked = {instanced_primitives(plant.meshes, Layer::kPlants), std::move(plant.cutout), plant.error_per_m};
   });
   return slot.baked;
 }

@@ -139,7 +139,7 @@ void add_costs(const House& house, double tolerance_m, int threads, Costs& costs
   costs.ms += 1000 * (of_tile.seconds() - bare_s);
   costs.triangles += triangles_of(tile) - triangles_of(bare);
   const auto bytes = [&](const bake::BakedTile& t) {
-    return static_cast<double>(encode_glb(t, house.header, exporters::Instancing::kExtension).size());
+    return static_cast<double>(exporters::encode_glb(t, house.header, {}).size());
   };
   costs.bytes += bytes(tile) - bytes(bare);
 }

@@ -145,7 +145,7 @@ void add_costs(const bake::PrototypeCache& prototypes, const scene::Header& head
     us += watch.microseconds();
     for (const bake::Primitive& p : shape.primitives) triangles += static_cast<double>(p.triangles.size());
     const auto size = [&](const bake::BakedTile& tile) {
-      return static_cast<double>(encode_glb(tile, header, exporters::Instancing::kExtension).size());
+      return static_cast<double>(exporters::encode_glb(tile, header, {}).size());
     };
     bytes += size(planted(prototypes, one_tree(species), tolerance_m)) - size(planted(prototypes, {}, tolerance_m));
   }

@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
 
+#include "compiler/commands/ground_height.h"
+#include "compiler/commands/interrupt_notice.h"
 #include "compiler/commands/join_tiles.h"
+#include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
 #include "compiler/commands/write_outputs.h"
@@ -27,11 +31,11 @@ struct Request {
   std::string manifest_path, out_path;
   std::optional<double>
       tolerance_m;  ///< Of the one file; with an eye the finest tolerance. None: a folder with levels.
-  std::optional<Vec3> eye, eye_lonlat;  ///< Viewer position of the one file.
+  std::optional<GivenPoint> eye, eye_lonlat;  ///< Viewer position of the one file.
   std::optional<double> fov_deg;
   PictureSize size;
   double pixel_error = 1;
-  CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, instancing, threads.
+  CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, target, split, compress, threads.
 };
 
 /// All tiles of the scene joined to one.
@@ -52,8 +56,7 @@ Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, double toler
 Result<double> write_one_file(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
   const Outputs& outputs = request.spec.outputs;
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(tile, header, verify::instancing_of(outputs.instances_as_nodes),
-                             verify::compression_of(outputs.compress), request.spec.threads);
+      exporters::encode_tile(tile, header, verify::glb_options_of(outputs), request.spec.threads);
   if (const Result<Done> done = exporters::write_file(request.out_path, encoded.glb); !done) return done.error();
   return encoded.error_m;
 }
@@ -74,9 +77,11 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   return Exit::kDone;
 }
 
-Result<bake::View> view_of(const Request& request, const scene::Header& header) {
-  const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, header);
+Result<bake::View> view_of(const Request& request, const scene::Scene& scene, const Console& console) {
+  const GroundHeight ground_m = [&](Vec2 place) { return ground_height_m(scene, place); };
+  const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, scene.header, ground_m);
   if (!eye) return eye.error();
+  note_if_below_ground(**eye, ground_m, console);
   bake::View view{
       **eye, bake::focal_length_px(request.size.height, request.fov_deg.value_or(preview::Camera{}.vertical_fov_deg))};
   view.pixel_error = request.pixel_error;
@@ -105,7 +110,7 @@ Result<bake::BakedTile> bake_for_view(const Request& request, const scene::Scene
 Result<Exit> bake_view_to_file(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, {});
   if (!scene) return scene.error();
-  const Result<bake::View> view = view_of(request, scene->header);
+  const Result<bake::View> view = view_of(request, *scene, console);
   if (!view) return view.error();
   const Result<bake::BakedTile> tile = bake_for_view(request, *scene, *view, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
@@ -126,25 +131,44 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.out_path);
   if (!folder) return folder.error();
 
+  const InterruptNotice notice;
   Report report;
   const Outputs& outputs = request.spec.outputs;
-  const Result<verify::WrittenFiles> written =
+  const Result<WrittenOutputs> written =
       write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
   if (!written) return written.error();
-  const std::string json = verify::report_json(scene->header, *scene, report, *written, outputs,
+  const std::string json = verify::report_json(scene->header, *scene, report, written->files, outputs,
                                                {verify::measure_heights(*scene, request.spec.threads)});
-  if (const Result<Done> done = folder->commit(json); !done) return done.error();
+  if (const Result<Done> done = commit_outputs(*written, json, scene->header, *folder); !done) return done.error();
 
   console.print_line(
-      fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->bytes() * 1e-6));
+      fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->files.bytes() * 1e-6));
+  print_notes(request.out_path, *written, folder->files(), console);
   console.print_json(json);
   return Exit::kDone;
 }
 
-Result<Exit> run(const Request& request, const Console& console) {
-  if (request.manifest_path.empty()) return Error{"", "no manifest is given; expected a file such as out/scene.kiln"};
+/// Error: the output does not fit the options: one file is of one tolerance or one eye, a folder has all levels.
+Result<Done> output_fits(const Request& request) {
+  const bool is_one_file = request.tolerance_m || request.eye || request.eye_lonlat;
   if (request.out_path.empty())
     return Error{"", "no output is given; add -o FILE.glb with --tolerance or --eye, or -o FOLDER without"};
+  if (!is_one_file && request.out_path.ends_with(".glb"))
+    return Error{request.out_path, "names one file, which needs a tolerance: add --tolerance M, such as 0.1, or --eye"};
+  std::error_code none;
+  if (is_one_file && std::filesystem::is_directory(request.out_path, none))
+    return Error{request.out_path, "is a folder; --tolerance and --eye write one file: give -o FILE.glb"};
+  return fits_target(request.spec.outputs);
+}
+
+Result<Exit> run(const Request& asked, const Console& console) {
+  if (asked.manifest_path.empty())
+    return Error{"", "no manifest is given; expected a file such as out/scene.kiln, or the folder of a run"};
+  if (const Result<Done> fits = output_fits(asked); !fits) return fits.error();
+  const Result<std::string> manifest_path = manifest_of(asked.manifest_path);
+  if (!manifest_path) return manifest_path.error();
+  Request request = asked;
+  request.manifest_path = *manifest_path;
   if (request.eye || request.eye_lonlat) return bake_view_to_file(request, console);
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
@@ -153,8 +177,8 @@ Result<Exit> run(const Request& request, const Console& console) {
 void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
-    if (name != "only" && name != "emit" && name != "lods" && name != "instancing" && name != "compress" &&
-        name != "world" && name != "threads") {
+    if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
+        name != "compress" && name != "world" && name != "threads") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);
@@ -170,14 +194,16 @@ Verb bake_verb() {
   const auto request = std::make_shared<Request>();
   Verb verb{"bake", "bakes a manifest to one .glb file, or to a folder as compile does", {}, {}};
   verb.options = {
-      {"manifest", "SCENE.kiln", "manifest to bake, such as out/scene.kiln", false, store_text(request->manifest_path)},
+      {"manifest", "SCENE.kiln|OUT", "manifest to bake, such as out/scene.kiln, or the folder of a run", false,
+       store_text(request->manifest_path)},
       {"--tolerance", "M",
        "largest geometric error in metres of one .glb file, such as 0.1; with --eye the smallest (default there: 0.02)",
-       false, store_number(request->tolerance_m, {})},
+       false, store_tolerance(request->tolerance_m)},
       {"-o,--out", "FILE.glb|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
        store_text(request->out_path)},
       {"--eye", "X,Y,Z",
-       "one .glb file for a viewer at this place in plane metres, such as 0,-200,150; detail falls with distance",
+       "one .glb file for a viewer at this place in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the "
+       "ground; detail falls with distance",
        false, store_point(request->eye)},
       {"--eye-lonlat", "LON,LAT,HEIGHT", "the same in degrees and metres, such as 7.42,43.73,150", false,
        store_point(request->eye_lonlat)},
@@ -189,6 +215,9 @@ Verb bake_verb() {
        store_number(request->fov_deg, kFieldsOfView_deg)},
   };
   add_settings(verb, *request);
+  verb.examples = {"citykiln bake out/town/scene.kiln --tile 0_0 --tolerance 0.1 -o tile.glb",
+                   "citykiln bake out/town/scene.kiln --eye 0,-200,+1.7 --size 1920x1080 -o view.glb",
+                   "citykiln bake out/town/scene.kiln --lods 0.5,2.5 -o out/coarse"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

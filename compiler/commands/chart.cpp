@@ -91,6 +91,8 @@ Verb chart_verb() {
       threads_option(request->threads),
       {"-o,--out", "FOLDER", "folder for the charts", false, store_text(request->folder)},
   };
+  verb.examples = {"citykiln chart plant -o out/charts",
+                   "citykiln chart terrain --dem N43E007.hgt --bbox 7.0,43.5,7.5,44.0 -o out/charts"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

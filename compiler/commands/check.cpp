@@ -8,8 +8,10 @@
 #include <optional>
 
 #include "compiler/commands/print_check_results.h"
+#include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/verify/check_folder.h"
 #include "compiler/verify/check_tile.h"
 #include "compiler/verify/non_ground_objects.h"
 #include "exporters/kiln/manifest.h"
@@ -101,6 +103,12 @@ Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int th
   return results;
 }
 
+Error failure(const std::string& folder, const verify::Check& check) {
+  const std::size_t more = check.failures.size() - 1;
+  return {folder, fmt::format("fails the check \"{}\": {}{}", check.claim, check.failures.front(),
+                              more > 0 ? fmt::format(" and {} more", more) : "")};
+}
+
 struct Request {
   std::string folder;
   int threads = 0;
@@ -109,9 +117,13 @@ struct Request {
 Result<Exit> run(const Request& request, const Console& console) {
   if (request.folder.empty())
     return Error{"", "no folder is given; expected the output folder of compile, such as out"};
-  const Result<verify::LoadedRun> loaded = open_run(request.folder);
+  const std::string folder = folder_of(request.folder);
+  const Result<verify::LoadedRun> loaded = open_run(folder);
   if (!loaded) return loaded.error();
   verify::CheckResults recipes;
+  if (const Result<Done> done = verify::check_folder(*loaded, request.threads, recipes); !done) return done.error();
+  // broken files cannot be measured
+  if (!recipes.files.failures.empty()) return failure(folder, recipes.files);
   recipes.ledger.tests = 1, recipes.ledger.failures = loaded->record.unbalanced;
   check_recipes(loaded->scene, request.threads, recipes);
   const Result<verify::CheckResults> results =
@@ -119,8 +131,7 @@ Result<Exit> run(const Request& request, const Console& console) {
   if (!results) return results.error();
   print(*results, console);
   for (const verify::Check* check : verify::all_of(*results)) {
-    if (!check->failures.empty())
-      return Error{request.folder, fmt::format("fails the check \"{}\": {}", check->claim, check->failures.front())};
+    if (!check->failures.empty()) return failure(folder, *check);
   }
   return Exit::kDone;
 }
@@ -130,8 +141,10 @@ Result<Exit> run(const Request& request, const Console& console) {
 Verb check_verb() {
   const auto request = std::make_shared<Request>();
   Verb verb{"check", "measures whether the outputs of a run keep their guarantees", {}, {}};
-  verb.options = {{"folder", "OUT", "output folder of compile, with its manifest", false, store_text(request->folder)},
+  verb.options = {{"folder", "OUT", "output folder of compile, with its manifest; OUT/scene.kiln means the same", false,
+                   store_text(request->folder)},
                   threads_option(request->threads)};
+  verb.examples = {"citykiln check out/town"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

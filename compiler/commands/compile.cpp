@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "compiler/commands/interrupt_notice.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_outputs.h"
 #include "compiler/contract/for_each_slot.h"
@@ -29,24 +30,26 @@ Result<CompileSpec> spec_of(const Request& request) {
     spec = std::move(*read);
   }
   for (const auto& [setting, text] : request.given) {
-    if (const Result<Done> done = apply(*setting, text, spec); !done) return done.error();
+    const Result<Done> done = apply(*setting, text, spec);
+    if (!done) return Error{"--" + std::string(setting->name), to_string(done.error())};
   }
   if (const Result<Done> complete = is_complete(spec); !complete) return complete.error();
   return spec;
 }
 
-void print_summary(const CompileSpec& spec, const CompileResult& compiled, const verify::WrittenFiles& written,
-                   const std::vector<StageCost>& costs, const Console& console) {
+void print_summary(const CompileSpec& spec, const CompileResult& compiled, const WrittenOutputs& written,
+                   const std::vector<StageCost>& costs, const exporters::FileList& files, const Console& console) {
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
   for (const StageCost& cost : costs) {
     seconds += cost.seconds;
     peak_bytes = std::max(peak_bytes, cost.peak_bytes);
   }
-  console.print_line(fmt::format("{}: {} tiles, {} files, {:.1f} MB, in {:.1f} s and {:.0f} MB of memory",
-                                 spec.outputs.folder, compiled.scene.chunks.size(),
-                                 written.files.size() + written.tiles.size() + 2, written.bytes() * 1e-6, seconds,
+  const std::string& folder = spec.outputs.folder;
+  console.print_line(fmt::format("{}: {} tiles, {} files, {:.1f} MB, in {:.1f} s and {:.0f} MB of memory", folder,
+                                 compiled.scene.chunks.size(), files.size() + 1, written.files.bytes() * 1e-6, seconds,
                                  peak_bytes * 1e-6));
+  print_notes(folder, written, files, console);
   for (const auto& [code, count] : compiled.report.counts()) {
     console.print_line(
         fmt::format("  {:>8} {:<8} {}: {}", count, name_of(severity_of(code)), name_of(code), text_of(code)));
@@ -56,18 +59,20 @@ void print_summary(const CompileSpec& spec, const CompileResult& compiled, const
 Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) {
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(spec.outputs.folder);
   if (!folder) return folder.error();
+  const InterruptNotice notice;
 
   const OnProgress on_progress = console.progress();
   Result<CompileResult> compiled = compile(spec, on_progress);
   if (!compiled) return compiled.error();
+  const scene::Header& header = compiled->scene.header;
 
   // decided before baking, because objects left out at coarse levels are no defects of the data
-  const Exit exit =
-      spec.is_strict && verify::has_mended_or_dropped(compiled->report) ? Exit::kStrictViolation : Exit::kDone;
+  const Exit exit = verify::is_violated(spec.strict, compiled->report) ? Exit::kStrictViolation : Exit::kDone;
+  std::vector<verify::Finding> findings = verify::findings_of(compiled->report, compiled->places, header);
 
   StageTimer timer(on_progress);
   timer.enter("bake and write");
-  Result<verify::WrittenFiles> written = verify::WrittenFiles{};
+  Result<WrittenOutputs> written = WrittenOutputs{};
   verify::HeightReport heights{{}, compiled->profiles};
   run_concurrently(
       spec.threads,
@@ -76,16 +81,18 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
       },
       [&] { heights.recipes = verify::measure_heights(compiled->scene, spec.threads); });
   if (!written) return written.error();
+  written->findings.insert(written->findings.begin(), findings.begin(), findings.end());
   std::vector<StageCost> costs = compiled->costs;
   for (StageCost& cost : timer.finish()) costs.push_back(std::move(cost));
 
   const std::string report =
-      verify::report_json(compiled->scene.header, compiled->scene, compiled->report, *written, spec.outputs, heights);
+      verify::report_json(header, compiled->scene, compiled->report, written->files, spec.outputs, heights);
   const std::string timing = verify::timing_json(costs, spec.threads);
-  if (const Result<Done> done = folder->write("timing.json", exporters::bytes_of(timing)); !done) return done.error();
-  if (const Result<Done> done = folder->commit(report); !done) return done.error();
+  if (const Result<Done> done = folder->write_varying("timing.json", exporters::bytes_of(timing)); !done)
+    return done.error();
+  if (const Result<Done> done = commit_outputs(*written, report, header, *folder); !done) return done.error();
 
-  print_summary(spec, *compiled, *written, costs, console);
+  print_summary(spec, *compiled, *written, costs, folder->files(), console);
   console.print_json(report);
   return exit;
 }
@@ -131,6 +138,9 @@ Verb compile_verb() {
   verb.options.push_back({"--spec", "FILE",
                           "JSON file of settings, such as {\"tile\": 512}; settings on the command line override it",
                           false, store_text(request->spec_path)});
+  verb.examples = {"citykiln compile monaco.osm.pbf --dem N43E007.hgt -o out/monaco",
+                   "citykiln compile monaco.osm.pbf --bbox 7.415,43.73,7.43,43.745 --lods 0.1,0.5 -o out/centre",
+                   "citykiln compile --spec examples/town/spec.json -o out/town"};
   verb.run = [request](const Console& console) -> Result<Exit> {
     const Result<CompileSpec> spec = spec_of(*request);
     if (!spec) return spec.error();

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "compiler/contract/result.h"
 #include "compiler/stage_timer.h"
 
 namespace citykiln::commands {
@@ -17,8 +18,13 @@ struct Console {
   void print_line(std::string_view line) const;
   /// Prints a JSON document on stdout if is_json.
   void print_json(std::string_view json) const;
-  /// Returns a listener that draws a progress bar on stderr after one second, if stderr is a terminal and the console
-  /// is neither quiet nor JSON. The bar is erased when the last copy of the listener is destroyed.
+  /// Prints an error as one line on stderr, and if is_json as an object on stdout too:
+  /// {"error": {"file": …, "place": …, "message": …}}, where file and place are null if the error has none. The file is
+  /// a path; the place is a line and column, a byte, a tile, or an option.
+  void print_error(const Error& error) const;
+  /// Returns a listener that draws a progress bar with the time left on stderr after one second, if stderr is a
+  /// terminal and the console is neither quiet nor JSON. The bar is erased when the last copy of the listener is
+  /// destroyed.
   OnProgress progress() const;
 };
 

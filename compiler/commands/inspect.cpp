@@ -1,11 +1,15 @@
 // citykiln inspect FILE: what is in a manifest, a tile, a map; and any layer of it for QGIS.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "compiler/commands/geojson.h"
+#include "compiler/commands/map_layers.h"
+#include "compiler/commands/run_paths.h"
+#include "compiler/commands/scene_layers.h"
 #include "compiler/commands/verb.h"
 #include "compiler/map/locate.h"
 #include "compiler/roads/junctions/layers.h"
@@ -16,6 +20,7 @@
 #include "exporters/gltf/material_names.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
+#include "exporters/settle_folder.h"
 
 namespace citykiln::commands {
 namespace {
@@ -93,7 +98,7 @@ Json describe(const source::OsmData& osm, std::span<const roads::RoadLayer> off_
   json["road_layers_off_ground"] = Json::array();
   for (const roads::RoadLayer& layer : off_ground)
     json["road_layers_off_ground"].push_back({{"layer", layer.layer},
-                                              {"passage", passage_name(layer.passage)},
+                                              {"passage", layer.passage == map::Passage::kBridge ? "bridge" : "tunnel"},
                                               {"roads", layer.roads.size()},
                                               {"junctions", layer.junctions.size()}});
   json["diagnoses"] = Json::object();
@@ -155,10 +160,31 @@ Result<Json> inspect_map(const Request& request) {
   return describe(*osm, off_ground, report);
 }
 
-Result<Exit> run(const Request& request, const Console& console) {
-  if (request.path.empty()) return Error{"", "no file is given; expected a .kiln, a .glb or a map"};
-  if (request.layer.empty() != request.geojson_path.empty())
+/// Copies findings.json of the run that a folder, or its manifest, belongs to.
+Result<Done> write_findings(const Request& request) {
+  const std::string folder = folder_of(request.path);
+  std::error_code none;
+  if (!std::filesystem::is_directory(folder, none))
+    return Error{request.path, "has no findings; expected the folder of a run, or the scene.kiln in it"};
+  if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
+  const Result<std::vector<std::byte>> findings = exporters::read_file(folder + "/findings.json");
+  if (!findings) return findings.error();
+  return exporters::write_file(request.geojson_path, *findings);
+}
+
+Result<Exit> run(const Request& asked, const Console& console) {
+  if (asked.path.empty()) return Error{"", "no file is given; expected a .kiln, a .glb, a map or the folder of a run"};
+  if (asked.layer.empty() != asked.geojson_path.empty())
     return Error{"", "--layer and --geojson must be given together"};
+  if (asked.layer == "findings") {
+    if (const Result<Done> done = write_findings(asked); !done) return done.error();
+    console.print_line(fmt::format("{}: layer findings", asked.geojson_path));
+    return Exit::kDone;
+  }
+  const Result<std::string> path = manifest_of(asked.path);
+  if (!path) return path.error();
+  Request request = asked;
+  request.path = *path;
   const Result<Json> json = request.path.ends_with(".kiln")  ? inspect_manifest(request)
                             : request.path.ends_with(".glb") ? inspect_tile(request)
                                                              : inspect_map(request);
@@ -179,12 +205,16 @@ Verb inspect_verb() {
   Verb verb{
       "inspect", "prints the contents of a manifest, a .glb or a map, or writes a layer of it as GeoJSON", {}, {}};
   verb.options = {
-      {"file", "FILE", "file to inspect: a .kiln, a .glb or a map", false, store_text(request->path)},
-      {"--layer", "NAME", "layer to write: roads, junctions, areas, buildings or plants", false,
+      {"file", "FILE", "what to inspect: a .kiln, a .glb, a map or the folder of a run", false,
+       store_text(request->path)},
+      {"--layer", "NAME",
+       "layer to write: roads, junctions, areas, buildings or plants; of a run's folder also findings", false,
        store_text(request->layer)},
       {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
        store_text(request->geojson_path)},
   };
+  verb.examples = {"citykiln inspect out/town/scene.kiln",
+                   "citykiln inspect out/town/scene.kiln --layer buildings --geojson buildings.geojson"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

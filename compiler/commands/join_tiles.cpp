@@ -8,7 +8,9 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
+#include "compiler/bake/image_uvs.h"
 #include "compiler/commands/join_facade_atlases.h"
 #include "compiler/commands/join_marking_atlases.h"
 
@@ -82,7 +84,8 @@ void add_instanced(bake::InstancedMesh& to, const bake::InstancedMesh& from, con
 bake::Primitive& primitive_of(bake::BakedTile& joined, const bake::PrimitiveKey& key) {
   const auto place = std::ranges::lower_bound(joined.primitives, key, {}, bake::key_of);
   if (place != joined.primitives.end() && bake::key_of(*place) == key) return *place;
-  return *joined.primitives.insert(place, bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.colour_source});
+  return *joined.primitives.insert(place,
+                                   bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.colour_source, key.layer});
 }
 
 /// An instanced mesh with texture coordinates of the joined atlases.
@@ -103,6 +106,22 @@ bake::InstancedMesh& instanced_of(bake::BakedTile& joined, const bake::Instanced
       bake::InstancedMesh{like.name, std::move(primitives), {}, {}, {}, {}, like.cutout});
 }
 
+/// The attributes of the joined tile's features. A tile knows less of objects of its neighbours, so that the attributes
+/// with a height and a name are taken.
+std::vector<bake::FeatureAttributes> joined_attributes(const std::vector<OsmId>& features,
+                                                       std::span<const bake::BakedTile> tiles) {
+  if (std::ranges::all_of(tiles, [](const auto& tile) { return tile.attributes.empty(); })) return {};
+  std::vector<bake::FeatureAttributes> joined(features.size());
+  const auto rank = [](const bake::FeatureAttributes& a) { return std::tie(a.height_m, a.name, a.tags, a.kind); };
+  for (const bake::BakedTile& tile : tiles)
+    for (std::size_t i = 0; i < tile.attributes.size(); ++i) {
+      const auto place = std::ranges::lower_bound(features, tile.features[i]) - features.begin();
+      bake::FeatureAttributes& known = joined[static_cast<std::size_t>(place)];
+      if (rank(known) < rank(tile.attributes[i])) known = tile.attributes[i];
+    }
+  return joined;
+}
+
 /// Adds one texture for each material: tiles of one tolerance and seed have equal textures.
 void add_textures(bake::BakedTile& joined, std::span<const bake::BakedTile> tiles) {
   std::map<materials::Material, const materials::Texture*> first;
@@ -119,6 +138,7 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
   std::set<OsmId> features;
   for (const bake::BakedTile& tile : tiles) features.insert(tile.features.begin(), tile.features.end());
   joined.features.assign(features.begin(), features.end());
+  joined.attributes = joined_attributes(joined.features, tiles);
 
   std::vector<const materials::TextureImage*> sheets;
   for (const bake::BakedTile& tile : tiles) sheets.push_back(&tile.marking_atlas);
@@ -147,6 +167,8 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
     if (tile.viewpoint && (!joined.viewpoint || joined.viewpoint->pixel_error < tile.viewpoint->pixel_error))
       joined.viewpoint = tile.viewpoint;
   }
+  std::ranges::stable_sort(joined.instanced, {}, [](const bake::InstancedMesh& i) { return bake::layer_of(i); });
+  bake::snap_image_uvs(joined);
   if (reach_m > kExactReach_m) {
     return Error{"", fmt::format("the tiles extend over {:.0f} km, but one file is exact to 16 km only; bake fewer "
                                  "tiles, or bake to a folder",

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <filesystem>
 
+#include "compiler/commands/run_paths.h"
 #include "compiler/pipeline.h"
 #include "compiler/sky/plan.h"
 #include "compiler/verify/run_report.h"
@@ -18,7 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_progress) {
-  Result<scene::Scene> scene = exporters::read_manifest(request.paths.front(), request.only);
+  const Result<std::string> path = manifest_of(request.paths.front());
+  if (!path) return path.error();
+  Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();
   if (!request.time.empty()) {
     Result<sky::Sky> sky = sky::plan(scene->header.origin, request.time);

@@ -1,6 +1,7 @@
 #include "compiler/commands/print_check_results.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -59,11 +60,23 @@ Json print_measure(const verify::ReferenceErrors& f, const Console& console) {
           {"largest_m", f.largest_m}};
 }
 
+Json print_folder(const verify::CheckResults& results, const Console& console) {
+  if (!results.strange.empty())
+    console.print_line(fmt::format("info  {} files in the folder are not of the run: {}", results.strange.size(),
+                                   fmt::join(results.strange, ", ")));
+  if (results.has_unfinished_run)
+    console.print_line("info  a later run into the folder was interrupted; the same command goes on with it");
+  return {{"measure", "files in the folder that are not of the run"},
+          {"names", results.strange},
+          {"has_unfinished_run", results.has_unfinished_run}};
+}
+
 }  // namespace
 
 void print(const verify::CheckResults& results, const Console& console) {
   Json json = Json::array();
   for (const verify::Check* check : verify::all_of(results)) json.push_back(print_check(*check, console));
+  json.push_back(print_folder(results, console));
   json.push_back(print_measure(results.grades, console));
   json.push_back(print_measure(results.clearances, console));
   json.push_back(print_measure(results.reference_errors, console));

@@ -25,6 +25,16 @@ Take store_in(Number& number, NumberRange range) {
   };
 }
 
+template <typename Number>
+Take store_tolerance_in(Number& tolerance_m) {
+  return [&tolerance_m](const std::string& text) -> Result<Done> {
+    const Result<double> given = parse_tolerance(text);
+    if (!given) return given.error();
+    tolerance_m = *given;
+    return Done{};
+  };
+}
+
 }  // namespace
 
 Take store_text(std::string& text) {
@@ -43,6 +53,9 @@ Take append_text(std::vector<std::string>& texts) {
 
 Take store_number(double& number, NumberRange range) { return store_in(number, range); }
 Take store_number(std::optional<double>& number, NumberRange range) { return store_in(number, range); }
+
+Take store_tolerance(double& tolerance_m) { return store_tolerance_in(tolerance_m); }
+Take store_tolerance(std::optional<double>& tolerance_m) { return store_tolerance_in(tolerance_m); }
 
 Option threads_option(int& threads) {
   return {"--threads", "N", "number of threads; 0 uses all processors (default: 0)", false, store_whole(threads, 0)};

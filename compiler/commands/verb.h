@@ -23,7 +23,9 @@ using Take = std::function<Result<Done>(const std::string& text)>;
 /// One option of a verb.
 struct Option {
   std::string flags;  ///< "-o,--out"; a name without dashes is a positional argument.
-  std::string value;  ///< Name of the value in the help, "FILE"; empty for a switch, which passes "true".
+  /// Name of the value in the help, "FILE"; empty for a switch, which passes "true"; "[=CODE]" for a switch that can
+  /// have a value.
+  std::string value;
   std::string help;
   bool repeats = false;
   Take take;                   ///< Called for each value, in the order of the table.
@@ -34,6 +36,7 @@ struct Verb {
   std::string name, help;
   std::vector<Option> options;
   std::function<Result<Exit>(const Console& console)> run;  ///< Called after all options were taken.
+  std::vector<std::string> examples{};                      ///< Whole command lines for the help.
 };
 
 Verb compile_verb();
@@ -56,6 +59,9 @@ Take append_text(std::vector<std::string>& texts);
 /// Stores a number of the range.
 Take store_number(double& number, NumberRange range);
 Take store_number(std::optional<double>& number, NumberRange range);
+/// Stores a tolerance: metres above 0, at most kCoarsest_m.
+Take store_tolerance(double& tolerance_m);
+Take store_tolerance(std::optional<double>& tolerance_m);
 /// Stores an integer of at least `least`.
 template <typename Whole>
 Take store_whole(Whole& number, int least) {

@@ -2,22 +2,40 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
-#include "compiler/bake/baked_tile.h"
+#include "compiler/commands/console.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
 #include "compiler/stage_timer.h"
+#include "compiler/verify/findings.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/output_folder.h"
 
 namespace citykiln::commands {
 
-/// Bakes and writes scene.kiln and glb/<x>_<y>_L<n>.glb as the outputs ask, one tile at a time.
-Result<verify::WrittenFiles> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
-                                           exporters::OutputFolder& folder, Report& report,
-                                           const OnProgress& on_progress);
+/// What write_outputs() wrote.
+struct WrittenOutputs {
+  verify::WrittenFiles files;
+  std::vector<verify::Finding> findings;  ///< Of baking.
+  std::size_t taken_over = 0;             ///< Tiles that an interrupted run had left whole, and that were not baked.
+};
+
+/// Bakes and writes scene.kiln and glb/<x>_<y>_L<n>.glb as the outputs ask, one tile at a time. Tiles that an
+/// interrupted run with equal keys (bake_keys.h) left whole are taken over; records, report and findings are the same
+/// as if they were baked.
+Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
+                                     exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress);
+
+/// Writes findings.json and report.json, and replaces the earlier run in the folder.
+Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& report_json, const scene::Header& header,
+                            exporters::OutputFolder& folder);
+
+/// Prints how many tiles were taken over, and files in the folder that are not of the run.
+void print_notes(const std::string& folder, const WrittenOutputs& written, const exporters::FileList& files,
+                 const Console& console);
 
 }  // namespace citykiln::commands

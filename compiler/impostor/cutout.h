@@ -1,18 +1,20 @@
-// Cutouts: pictures with opacity, packed side by side, for alpha-tested cards (leaves, distant trees).
+// Cutouts: pictures with opacity, packed side by side, for alpha-tested cards (leaves).
+//
+//     +-------------+-------------+      each picture lies in a cell of its own, whose sides are multiples of a power
+//     of | . . . . . . | . . . . . . |      two: on so many mip levels no texel mixes two pictures | . pictu . . | .
+//     picture . | | . . . . . . | . . . . . . |
+//     +-------------+-------------+
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "compiler/geometry/vec.h"
+#include "compiler/impostor/mip_opacity.h"
 #include "compiler/impostor/picture.h"
 #include "compiler/materials/texture_image.h"
 
 namespace citykiln::impostor {
-
-/// Texels of lower opacity are discarded.
-inline constexpr std::uint8_t kAlphaCutoff = 128;
 
 /// Images that do not repeat.
 struct Cutout {
@@ -27,11 +29,16 @@ struct CutoutLayout {
   std::vector<Vec2> at_m;  ///< For each picture the position of its u = v = 0.
 };
 
-/// Packs pictures as lay_out_atlas() does, without normals.
+/// Sides of cells are multiples of this many texels; of kWideCell_px where that takes no more of them.
+inline constexpr std::uint32_t kCell_px = 16, kWideCell_px = 64;
+
+/// Packs pictures, without normals, and gives them opacities that survive mip levels (mip_opacity.h).
 ///
-/// Guarantees: as many texels of a picture reach kAlphaCutoff as its samples cover, to one step of the sample counts;
-/// frames are transparent; transparent texels have the mean colour, so that filtering adds no dark fringe. O(n log n +
-/// texels).
+/// @param pictures  Each with at least one texel. Halved until the image has at most kMaxAtlasTexels.
+///
+/// Guarantees: the sides of the image are powers of two. Texels around a picture are transparent, and opaque around one
+/// that is covered all over. Texels without coverage have the mean colour of their picture, so that filtering adds no
+/// dark fringe. O(n log n + texels).
 CutoutLayout lay_out_cutout(std::vector<Picture> pictures, double texel_m);
 
 }  // namespace citykiln::impostor

@@ -31,6 +31,10 @@ const BuildingValues& values_of(BuildingClass building) {
   return kTable[static_cast<std::size_t>(building)];
 }
 
+std::string_view word_of(BuildingClass building) {
+  return building == BuildingClass::kPlain ? "Building" : values_of(building).name;
+}
+
 BuildingClass building_class_of(std::string_view value) {
   const ValueRow* row = row_with(kValues, value);
   return row != nullptr ? row->building : BuildingClass::kPlain;

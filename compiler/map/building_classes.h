@@ -22,6 +22,9 @@ struct BuildingValues {
 
 const BuildingValues& values_of(BuildingClass building);
 
+/// The class in outputs: its name, "Building" for kPlain.
+std::string_view word_of(BuildingClass building);
+
 /// Returns the class of a value of building=* or building:part=*, kPlain for unknown values.
 BuildingClass building_class_of(std::string_view value);
 

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
 #include "compiler/map/cross_section.h"
+#include "compiler/map/element_text.h"
 #include "compiler/map/heightfield.h"
 #include "compiler/map/land_cover_class.h"
 #include "compiler/map/plant_kind.h"
@@ -103,6 +105,12 @@ struct Waterway {
 
 enum class BarrierKind : std::uint8_t { kWall, kFence, kHedge, kRetainingWall, kGuardRail, kCityWall };
 
+/// "RetainingWall".
+constexpr std::string_view name_of(BarrierKind kind) {
+  constexpr std::string_view kNames[] = {"Wall", "Fence", "Hedge", "RetainingWall", "GuardRail", "CityWall"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
 struct Barrier {
   ObjectId id;
   Polyline axis;
@@ -162,6 +170,7 @@ struct Features {
   std::vector<PointFeature> points;
   std::vector<TreeRow> tree_rows;
   std::vector<PowerLine> power_lines;
+  std::vector<ElementText> texts{};  ///< Of the features' elements, sorted by id.
 };
 
 }  // namespace citykiln::map

@@ -64,6 +64,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   };
   sort_by_id(features.tracks, features.footprints, features.areas, features.waterways, features.barriers,
              features.points, features.tree_rows, features.power_lines);
+  features.texts = element_texts(osm, features, options.keeps_tags);
   return features;
 }
 

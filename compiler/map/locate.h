@@ -14,6 +14,7 @@ struct Options {
   std::optional<source::LonLatBox> bbox;    ///< Else the map's own box (map_box.h).
   std::optional<LonLat> origin;             ///< Else the centre of the box, rounded to 0.01°.
   std::optional<DrivingSide> driving_side;  ///< Else each way's by the place of its first node (driving_side.h).
+  bool keeps_tags = false;                  ///< Whether Features::texts have all tags of each element.
 };
 
 /// Returns the box asked for, else the map's, in degrees. Total: an empty extract gives a box of zero size at 0, 0.

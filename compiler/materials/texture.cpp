@@ -16,7 +16,7 @@ using Rgb = std::array<double, 3>;
 constexpr int kColours = 16;
 // Quantisation of slopes in each direction: 15 by 15 normals fit a palette of 256. Water needs finer steps.
 constexpr int kSlopeSteps = 7, kWaterSlopeSteps = 100;
-constexpr std::uint32_t kMinSide_px = 16, kMaxNormalsSide_px = 128;
+constexpr std::uint32_t kMaxNormalsSide_px = 128;
 
 struct Row {
   Material material;
@@ -36,14 +36,6 @@ constexpr Row kTable[] = {
 const Row* row_of(Material material) {
   const auto row = std::ranges::find(kTable, material, &Row::material);
   return row == std::end(kTable) ? nullptr : &*row;
-}
-
-// The largest number of texels per side, a power of two, that are at least as large as the tolerance; else 0.
-std::uint32_t texels_at(const Row& row, std::uint32_t most_px, double tolerance_m) {
-  const double least_m = is_bark(row.pattern) ? tolerance_m / kBarkTexelsPerTolerance : tolerance_m;
-  std::uint32_t px = std::min(row.side_px, most_px);
-  while (px >= kMinSide_px && row.side_m / px < least_m) px /= 2;
-  return px >= kMinSide_px ? px : 0;
 }
 
 // Colours from dark to light.
@@ -127,9 +119,13 @@ double side_m(const Texture& texture) {
 }
 
 bool has_texture(Material material, double tolerance_m) {
+  return row_of(material) != nullptr && has_detail(Detail::kMaterialTextures, tolerance_m);
+}
+
+bool has_normals(Material material, double tolerance_m) {
   const Row* row = row_of(material);
-  return row != nullptr && has_detail(Detail::kMaterialTextures, tolerance_m) &&
-         texels_at(*row, row->side_px, tolerance_m) > 0;
+  return has_texture(material, tolerance_m) && row->relief_m > 0 &&
+         (has_detail(Detail::kGroundNormals, tolerance_m) || row->pattern == TexturePattern::kWaves);
 }
 
 double texture_side_m(Material material) {
@@ -147,12 +143,9 @@ Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
   const Row& row = *row_of(material);
   const PatternFields tones = generate_pattern(row.pattern, row.side_px, key_of(material, seed));
   Texture texture{material, {}, {}};
-  if (row.contrast > 0)
-    texture.colour = colour_image(row, downsampled(tones.tone, texels_at(row, row.side_px, tolerance_m)));
-  const bool has_normals =
-      row.relief_m > 0 && (has_detail(Detail::kGroundNormals, tolerance_m) || row.pattern == TexturePattern::kWaves);
-  if (has_normals)
-    texture.normal = normal_image(row, downsampled(tones.relief, texels_at(row, kMaxNormalsSide_px, tolerance_m)));
+  if (row.contrast > 0) texture.colour = colour_image(row, tones.tone);
+  if (has_normals(material, tolerance_m))
+    texture.normal = normal_image(row, downsampled(tones.relief, std::min(row.side_px, kMaxNormalsSide_px)));
   return texture;
 }
 

@@ -27,15 +27,21 @@ struct Texture {
   bool operator==(const Texture&) const = default;
 };
 
+/// The colours, or the normals of a material of one colour.
+inline const TextureImage& shown_image(const Texture& texture) {
+  return texture.colour.texels.empty() ? texture.normal : texture.colour;
+}
+
 /// Returns the period of a texture, metres.
 double side_m(const Texture& texture);
 
-/// Texels of bark may be this many times smaller than the tolerance: stems are seen from a smaller distance.
-inline constexpr double kBarkTexelsPerTolerance = 8;
-
-/// Returns whether a material has a texture at a tolerance with Detail::kMaterialTextures. Its texels are at least as
-/// large as the tolerance, of bark an eighth of it.
+/// Returns whether a material has a texture at a tolerance: a row in texture_table.inc, where Detail::kMaterialTextures
+/// is shown.
 bool has_texture(Material material, double tolerance_m);
+
+/// Returns whether the texture of a material has normals at a tolerance: those with relief, where
+/// Detail::kGroundNormals is shown, and water.
+bool has_normals(Material material, double tolerance_m);
 
 /// Returns the side of the material's texture, metres; 0 if it has none.
 double texture_side_m(Material material);
@@ -45,9 +51,10 @@ bool is_bark(Material material);
 
 /// Returns the texture of a material. Precondition: has_texture(material, tolerance_m).
 ///
-/// Guarantees: the same bytes for the same arguments on every CPU; repeats without a seam; at most 16 colours, or 225
-/// normals, so that PNGs are small (water has more, since steps would be visible in reflections); the mean colour times
-/// colour_factor() is the material's colour. O(texels): about 10 ms.
+/// Guarantees: the same at all tolerances but for has_normals(), so that levels share it; the same bytes for the same
+/// arguments on every CPU; repeats without a seam; at most 16 colours, or 225 normals, so that PNGs are small (water
+/// has more, since steps would be visible in reflections); the mean colour times colour_factor() is the material's
+/// colour. O(texels): about 40 ms for 512 × 512.
 Texture texture_of(Material material, double tolerance_m, std::uint64_t seed);
 
 /// Returns the textures of those materials that have one. @param materials  Sorted, unique.

@@ -13,7 +13,7 @@ const Texture& TextureCache::texture(Material material, double tolerance_m) cons
   // references to map elements stay valid when others are inserted
   Slot& slot = [&]() -> Slot& {
     const std::lock_guard lock(mutex_);
-    return slots_[{material, tolerance_m}];
+    return slots_[{material, has_normals(material, tolerance_m)}];
   }();
   std::call_once(slot.once, [&] { slot.texture = texture_of(material, tolerance_m, seed_); });
   return slot.texture;

@@ -11,7 +11,7 @@
 
 namespace citykiln::materials {
 
-/// Thread-safe. A texture is a function of the seed and the arguments. Memory: up to 1 MB per texture asked for.
+/// Thread-safe. A texture is a function of the seed and the arguments. Memory: up to 3 MB per texture asked for.
 class TextureCache {
  public:
   explicit TextureCache(std::uint64_t seed) : seed_(seed) {}
@@ -29,7 +29,7 @@ class TextureCache {
 
   std::uint64_t seed_;
   mutable std::mutex mutex_;
-  mutable std::map<std::pair<Material, double>, Slot> slots_;
+  mutable std::map<std::pair<Material, bool>, Slot> slots_;  // with normals or without
 };
 
 }  // namespace citykiln::materials

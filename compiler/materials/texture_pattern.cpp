@@ -30,16 +30,16 @@ Field within_one(Field field) {
   return field;
 }
 
-// Box filter of odd width over a row that wraps around. All sums grow at once, each from its first value to its last:
-// this vectorises with a fixed order of additions.
+// Box filter of odd width over a row that wraps around, by a running sum.
 void blur_row(std::vector<double>& row, std::uint32_t width) {
   const std::size_t count = row.size(), half = width / 2;
-  std::vector<double> round(count + width - 1);
-  for (std::size_t i = 0; i < round.size(); ++i) round[i] = row[(i + count - half) % count];
-  std::ranges::fill(row, 0);
-  for (std::size_t k = 0; k < width; ++k)
-    for (std::size_t i = 0; i < count; ++i) row[i] += round[i + k];
-  for (double& sum : row) sum /= width;
+  const std::vector<double> own = row;
+  double sum = 0;
+  for (std::size_t i = 0; i < width; ++i) sum += own[(i + count - half) % count];
+  for (std::size_t i = 0; i < count; ++i) {
+    row[i] = sum / width;
+    sum += own[(i + half + 1) % count] - own[(i + count - half) % count];
+  }
 }
 
 // Two box filters in each direction, an approximately isotropic blur.
@@ -80,13 +80,13 @@ Field combined(std::uint32_t side_px, Of of) {
 }
 
 PatternFields blades(std::uint32_t px, std::uint64_t key) {
-  const Field clumps = layered_noise(px, {6, 6}, 2, 0.7, key), detail = layered_noise(px, {24, 24}, 3, 1.0, key + 10);
+  const Field clumps = layered_noise(px, {6, 6}, 2, 0.7, key), detail = layered_noise(px, {24, 24}, 5, 1.0, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) { return 0.45 * clumps.at(c, r) + detail.at(c, r); }));
 }
 
 PatternFields tufts(std::uint32_t px, std::uint64_t key) {
   const Cells plants = cells(px, 34, key);
-  const Field detail = layered_noise(px, {22, 22}, 3, 0.9, key + 10);
+  const Field detail = layered_noise(px, {22, 22}, 5, 0.9, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) {
     return detail.at(c, r) + 0.5 * plants.chance.at(c, r) + 0.55 * std::min(plants.to_edge.at(c, r), 0.7f);
   }));
@@ -95,7 +95,7 @@ PatternFields tufts(std::uint32_t px, std::uint64_t key) {
 // 16 rows per side: 0.5 m apart on 8 m.
 PatternFields rows(std::uint32_t px, std::uint64_t key) {
   constexpr double kRows = 16;
-  const Field clods = fine(layered_noise(px, {32, 16}, 3, 1.1, key)), sway = gradient_noise(px, {4, 2}, key + 10);
+  const Field clods = fine(layered_noise(px, {32, 16}, 5, 0.9, key)), sway = gradient_noise(px, {4, 2}, key + 10);
   const auto ridge = [&](std::uint32_t c, std::uint32_t r) {
     return direction_of((c + 0.5) / px * kRows + 0.10 * sway.at(c, r)).x;
   };
@@ -104,14 +104,14 @@ PatternFields rows(std::uint32_t px, std::uint64_t key) {
 }
 
 PatternFields litter(std::uint32_t px, std::uint64_t key) {
-  const Cells leaves = cells(px, 40, key);
-  const Field detail = layered_noise(px, {18, 18}, 3, 0.9, key + 10);
+  const Cells leaves = cells(px, 120, key);
+  const Field detail = layered_noise(px, {18, 18}, 5, 0.9, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) { return 0.8 * detail.at(c, r) + 0.7 * leaves.chance.at(c, r); }));
 }
 
 PatternFields mottled(std::uint32_t px, std::uint64_t key) {
-  const Field patches = layered_noise(px, {14, 14}, 4, 0.95, key);
-  const Cells pebbles = cells(px, 50, key + 10);
+  const Field patches = layered_noise(px, {14, 14}, 6, 0.9, key);
+  const Cells pebbles = cells(px, 100, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) { return patches.at(c, r) + 0.35 * pebbles.chance.at(c, r); }));
 }
 
@@ -122,7 +122,7 @@ PatternFields grains(std::uint32_t px, std::uint64_t key) {
 }
 
 PatternFields stones(std::uint32_t px, std::uint64_t key) {
-  const Cells large = cells(px, 26, key);
+  const Cells large = cells(px, 56, key);
   const Field detail = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) {
     return 0.7 * large.chance.at(c, r) + 1.1 * std::min(large.to_edge.at(c, r), 0.45f) + 0.25 * detail.at(c, r);
@@ -145,38 +145,48 @@ PatternFields crags(std::uint32_t px, std::uint64_t key) {
   return fine_tones(relief);
 }
 
-// A place on a brick wall: 0 in the joint to 1 inside the brick; and a random number of the brick.
+// A place on a wall of bricks in courses: 0 in the joint to 1 inside the brick; and a random number of the brick.
 struct Brick {
   double inside, chance;
 };
-Brick brick_at(double u, double v, std::uint32_t across, std::uint32_t along, double joint, const Field& chances) {
-  const auto row = static_cast<std::uint32_t>(v * along);
-  const double shifted = u * across + (row % 2) * 0.5;
-  const auto column = static_cast<std::uint32_t>(shifted) % across;
-  const double x = shifted - std::floor(shifted), y = v * along - row;
-  const double edge = std::min({x, 1 - x, y, 1 - y}) / joint;
-  return {std::min(1.0, edge), chances.at(column * 3 % chances.side_px, row * 5 % chances.side_px)};
+
+// @param joint  Width of the joint's slope on each side, as a share of the texture's side.
+struct Courses {
+  std::uint32_t across, along;
+  double joint;
+};
+
+Brick brick_at(double u, double v, const Courses& courses, const Field& chances) {
+  const auto row = static_cast<std::uint32_t>(v * courses.along);
+  const double shifted = u * courses.across + (row % 2) * 0.5;
+  const auto column = static_cast<std::uint32_t>(shifted) % courses.across;
+  const double x = shifted - std::floor(shifted), y = v * courses.along - row;
+  const double edge = std::min(std::min(x, 1 - x) / courses.across, std::min(y, 1 - y) / courses.along);
+  return {std::min(1.0, edge / courses.joint), chances.at(column * 3 % chances.side_px, row * 5 % chances.side_px)};
 }
 
+// Slabs of 0.5 m with joints of 2 cm, on 4 m.
 PatternFields slabs(std::uint32_t px, std::uint64_t key) {
-  constexpr std::uint32_t kSlabs = 8;
-  const Field detail = layered_noise(px, {px / 8, px / 8}, 3, 1, key), chances = cells(32, 32, key + 10).chance;
+  constexpr Courses kSlabs = {8, 8, 0.003};
+  const Field detail = layered_noise(px, {32, 32}, 4, 0.8, key), chances = cells(32, 32, key + 10).chance;
   return fine_tones(combined(px, [&](auto c, auto r) {
-    const Brick slab = brick_at((c + 0.5) / px, (r + 0.5) / px, kSlabs, kSlabs, 0.09, chances);
-    return 0.9 * slab.inside + 0.55 * slab.chance + 0.5 * detail.at(c, r);
+    const Brick slab = brick_at((c + 0.5) / px, (r + 0.5) / px, kSlabs, chances);
+    return 1.1 * slab.inside + 0.55 * slab.chance + 0.35 * detail.at(c, r);
   }));
 }
 
-PatternFields bricks(std::uint32_t px, std::uint32_t across, std::uint32_t along, double joint, std::uint64_t key) {
-  const Field detail = layered_noise(px, {px / 8, px / 8}, 3, 0.9, key), chances = cells(32, 32, key + 10).chance;
+PatternFields bricks(std::uint32_t px, const Courses& courses, std::uint64_t key) {
+  const Field detail = layered_noise(px, {24, 24}, 4, 0.9, key), chances = cells(32, 32, key + 10).chance;
   const auto brick = [&](std::uint32_t c, std::uint32_t r) {
-    return brick_at((c + 0.5) / px, (r + 0.5) / px, across, along, joint, chances);
+    return brick_at((c + 0.5) / px, (r + 0.5) / px, courses, chances);
   };
   const Field relief = combined(px, [&](auto c, auto r) { return brick(c, r).inside + 0.15 * detail.at(c, r); });
-  return tones(
-      combined(px, [&](auto c,
-                       auto r) { return 0.8 * brick(c, r).inside + 0.5 * brick(c, r).chance + 0.6 * detail.at(c, r); }),
-      relief);
+  return tones(combined(px,
+                        [&](auto c, auto r) {
+                          const Brick at = brick(c, r);
+                          return 1.2 * at.inside + 0.6 * at.chance + 0.45 * detail.at(c, r);
+                        }),
+               relief);
 }
 
 // A sum of plane waves with whole numbers of periods per side, mostly of similar direction; shorter waves are lower.
@@ -270,26 +280,31 @@ PatternFields scars(std::uint32_t px, std::uint64_t key) {
 using Generator = PatternFields (*)(std::uint32_t side_px, std::uint64_t key);
 
 // In the order of TexturePattern.
-constexpr Generator kGenerators[] = {
-    blades,
-    tufts,
-    rows,
-    litter,
-    mottled,
-    grains,
-    stones,
-    crags,
-    slabs,
-    [](std::uint32_t px, std::uint64_t key) { return bricks(px, 7, 12, 0.12, key); },  // kMasonry
-    [](std::uint32_t px, std::uint64_t key) { return bricks(px, 8, 20, 0.25, key); },  // kBricks
-    [](std::uint32_t px, std::uint64_t key) { return bricks(px, 9, 6, 0.16, key); },   // kTiles
-    waves,
-    furrows,
-    streaks,
-    lenticels,
-    plates,
-    flakes,
-    scars};
+constexpr Generator kGenerators[] = {blades,
+                                     tufts,
+                                     rows,
+                                     litter,
+                                     mottled,
+                                     grains,
+                                     stones,
+                                     crags,
+                                     slabs,
+                                     [](std::uint32_t px, std::uint64_t key) {
+                                       return bricks(px, {7, 12, 0.004}, key);
+                                     },  // kMasonry
+                                     [](std::uint32_t px, std::uint64_t key) {
+                                       return bricks(px, {8, 26, 0.004}, key);
+                                     },  // kBricks
+                                     [](std::uint32_t px, std::uint64_t key) {
+                                       return bricks(px, {9, 6, 0.012}, key);
+                                     },  // kTiles
+                                     waves,
+                                     furrows,
+                                     streaks,
+                                     lenticels,
+                                     plates,
+                                     flakes,
+                                     scars};
 static_assert(std::size(kGenerators) == static_cast<std::size_t>(TexturePattern::kScars) + 1);
 
 }  // namespace

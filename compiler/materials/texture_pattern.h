@@ -16,7 +16,7 @@ enum class TexturePattern : std::uint8_t {
   kCrags,    ///< Rock.
   kSlabs,    ///< Paving slabs of 0.5 m, on a side of 4 m.
   kMasonry,  ///< Courses of stone along u.
-  kBricks,   ///< Courses of bricks along u, 0.1 m high on a side of 2 m.
+  kBricks,   ///< Courses of bricks along u, 77 mm high on a side of 2 m.
   kTiles,    ///< Rows of roof tiles along u, 1/3 m high on a side of 2 m.
   kWaves,    ///< Water; brightness is constant.
   // bark, v along the stem

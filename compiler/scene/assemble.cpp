@@ -223,6 +223,24 @@ std::vector<Growing> growing_on(const std::vector<ground::LandCoverPolygon>& sur
   return here;
 }
 
+// The texts of the elements that a chunk has recipes of.
+std::vector<map::ElementText> texts_for(std::span<const map::ElementText> texts, const Chunk& chunk) {
+  std::vector<OsmId> ids;
+  const auto add = [&](const auto&... kinds) {
+    const auto add_kind = [&](const auto& kind) {
+      for (const auto& object : kind) ids.push_back(object.id.osm);
+    };
+    (add_kind(kinds), ...);
+  };
+  add(chunk.surfaces, chunk.roads, chunk.watercourses, chunk.bridges, chunk.tunnels, chunk.buildings, chunk.trees,
+      chunk.tree_rows, chunk.barriers, chunk.lamps);
+  sort_unique(ids);
+  std::vector<map::ElementText> here;
+  for (const OsmId id : ids)
+    if (const map::ElementText* text = map::find_text(texts, id)) here.push_back(*text);
+  return here;
+}
+
 Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCovers& junctions, const TileGrid& grid,
                std::size_t t) {
   const Box2 tile = box_of(grid.header, grid.tiles[t]);
@@ -243,6 +261,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   chunk.corridors = pick(recipes.plants.corridors, sorted.corridors[t]);
   chunk.barriers = pick(recipes.props.barriers, sorted.barriers[t]);
   chunk.lamps = pick(recipes.props.lamps, sorted.lamps[t]);
+  chunk.texts = texts_for(recipes.texts, chunk);
   return chunk;
 }
 

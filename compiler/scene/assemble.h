@@ -21,6 +21,7 @@ struct Recipes {
   std::vector<buildings::Building> buildings;
   plants::Plants plants;
   props::Props props;
+  std::vector<map::ElementText> texts;  ///< Sorted by id.
 };
 
 /// Sorts the recipes into one chunk per tile; Chunk says which tiles hold an object that crosses a border.

@@ -10,6 +10,7 @@
 #include "compiler/buildings/recipe.h"
 #include "compiler/buildings/rulebook.h"
 #include "compiler/ground/recipe.h"
+#include "compiler/map/element_text.h"
 #include "compiler/map/heightfield.h"
 #include "compiler/map/plane.h"
 #include "compiler/plants/recipe.h"
@@ -81,6 +82,7 @@ struct Chunk {
   std::vector<plants::PowerLineCorridor> corridors;
   std::vector<props::Barrier> barriers;
   std::vector<props::Lamp> lamps;
+  std::vector<map::ElementText> texts{};  ///< Of the elements that the recipes above are of; sorted by id.
   bool operator==(const Chunk&) const = default;
 };
 

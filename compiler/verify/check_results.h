@@ -26,6 +26,9 @@ struct Check {
 };
 
 struct CheckResults {
+  Check files{
+      "every file that files.json lists is there with its size and hash, and report.json names the same", 0, {}};
+  Check stale{"no file with a name of a run's file is left of an earlier run", 0, {}};
   Check ledger{"every account of the ledger balances: in + split = out + merged + dropped", 0, {}};
   Check glb_bytes{"every .glb has exactly the bytes that baking the manifest gives", 0, {}};
   Check area{"the ground's faces cover the plan area of the tile exactly once", 0, {}};
@@ -38,6 +41,8 @@ struct CheckResults {
   Check footing{"the gap below every corner of a building is at most 5 cm, or error_m if that is more", 0, {}};
   Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
   // reported without a limit
+  std::vector<std::string> strange;  ///< Files in the folder that the run did not write; folders end in "/".
+  bool has_unfinished_run = false;   ///< A later run into the folder was interrupted.
   Grades grades;
   ReferenceErrors reference_errors;
   Clearances clearances;

@@ -172,11 +172,12 @@ void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std:
 bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t level,
               std::span<const std::byte> bytes) {
   Report ignored;
-  const RunRecord& record = loaded.record;
+  Outputs outputs;
+  outputs.target = loaded.record.target, outputs.split = loaded.record.split;
+  outputs.compress = loaded.record.compress;
   const bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(baked, loaded.scene.header, instancing_of(record.instances_as_nodes),
-                             compression_of(record.compress), kOneThread);
+      exporters::encode_tile(baked, loaded.scene.header, glb_options_of(outputs), kOneThread);
   return std::ranges::equal(encoded.glb, bytes);
 }
 

@@ -11,6 +11,8 @@
 #include <set>
 
 #include "compiler/map/lonlat_box.h"
+#include "compiler/verify/written_tile_json.h"
+#include "exporters/settle_folder.h"
 
 namespace citykiln::verify {
 namespace {
@@ -156,16 +158,8 @@ Json box_deg_of(const Box2& box, const map::Plane& plane) {
 Json tiles_of(const WrittenFiles& written, const scene::Header& header, const map::Plane& plane) {
   Json tiles = Json::array();
   for (const WrittenTile& tile : written.tiles) {
-    tiles.push_back({{"file", tile.file.name},
-                     {"bytes", tile.file.bytes},
-                     {"x", tile.tile.x},
-                     {"y", tile.tile.y},
-                     {"box_deg", box_deg_of(scene::box_of(header, tile.tile), plane)},
-                     {"level", tile.level},
-                     {"tolerance_m", tile.tolerance_m},
-                     {"error_m", tile.error_m},
-                     {"triangles", tile.triangles},
-                     {"instances", tile.instances}});
+    tiles.push_back(json_of(tile));
+    tiles.back()["box_deg"] = box_deg_of(scene::box_of(header, tile.tile), plane);
   }
   return tiles;
 }
@@ -180,16 +174,9 @@ bool balances(const Json& account) {
 
 RunRecord record_of(const Json& report) {
   RunRecord record;
-  for (const Json& tile : report.at("tiles")) {
-    record.tiles.push_back({.file = {tile.at("file"), tile.at("bytes")},
-                            .tile = {tile.at("x"), tile.at("y")},
-                            .level = tile.at("level"),
-                            .tolerance_m = tile.at("tolerance_m"),
-                            .error_m = tile.at("error_m"),
-                            .triangles = tile.at("triangles"),
-                            .instances = tile.at("instances")});
-  }
-  record.instances_as_nodes = report.at("instancing") == "nodes";
+  for (const Json& tile : report.at("tiles")) record.tiles.push_back(written_tile(tile));
+  if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
+  if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
   for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
@@ -222,7 +209,8 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["tile_m"] = header.tile_m;
   json["seed"] = header.seed;
   json["resampling_error_m"] = header.resampling_error_m;
-  json["instancing"] = outputs.instances_as_nodes ? "nodes" : "ext";
+  json["target"] = values_of(outputs.target).name;
+  json["split"] = name_of(outputs.split);
   json["compress"] = name_of(outputs.compress);
   json["counts"] = counts_of(scene);
   json["levels"] = levels_of(written, outputs);
@@ -250,13 +238,11 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
   return json.dump(1) + "\n";
 }
 
-exporters::Compression compression_of(Compress compress) {
-  if (compress == Compress::kDraco) return exporters::Compression::kDraco;
-  return compress == Compress::kMeshopt ? exporters::Compression::kMeshopt : exporters::Compression::kNone;
-}
-
-exporters::Instancing instancing_of(bool instances_as_nodes) {
-  return instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
+exporters::GlbOptions glb_options_of(const Outputs& outputs) {
+  const auto compression = outputs.compress == Compress::kDraco     ? exporters::Compression::kDraco
+                           : outputs.compress == Compress::kMeshopt ? exporters::Compression::kMeshopt
+                                                                    : exporters::Compression::kNone;
+  return {.target = outputs.target, .split = outputs.split, .compression = compression};
 }
 
 bool has_mended_or_dropped(const Report& report) {
@@ -264,9 +250,19 @@ bool has_mended_or_dropped(const Report& report) {
                              [](const Diagnosis& d) { return severity_of(d.code) != Severity::kNote; });
 }
 
+bool is_violated(const Strictness& strict, const Report& report) {
+  if (strict.codes.empty()) return strict.is_on && has_mended_or_dropped(report);
+  return std::ranges::any_of(report.diagnoses(), [&](const Diagnosis& d) {
+    return std::ranges::find(strict.codes, d.code) != strict.codes.end();
+  });
+}
+
 Result<RunRecord> read_report(const std::string& folder) {
+  if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
   const std::string path = folder + "/report.json";
   std::ifstream file(path, std::ios::binary);
+  if (!file && exporters::has_unfinished_run(folder))
+    return Error{folder, "holds an unfinished run; repeat the command that writes it"};
   if (!file) return Error{path, "cannot be read; expected the folder of a finished run"};
   try {
     return record_of(Json::parse(file));

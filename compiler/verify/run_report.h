@@ -53,20 +53,24 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
 std::string timing_json(std::span<const StageCost> costs, int threads);
 
 /// The settings of a run as types of the .glb exporter.
-exporters::Compression compression_of(Compress compress);
-exporters::Instancing instancing_of(bool instances_as_nodes);
+exporters::GlbOptions glb_options_of(const Outputs& outputs);
 
-/// True if a diagnosis is kMended or kDropped, which --strict reports by the exit code.
+/// True if a diagnosis is kMended or kDropped.
 bool has_mended_or_dropped(const Report& report);
+/// Whether --strict reports a run by the exit code: a diagnosis has one of its codes, or is kMended or kDropped if it
+/// has none.
+bool is_violated(const Strictness& strict, const Report& report);
 
 /// The part of report.json that `check` and `preview` need.
 struct RunRecord {
   std::vector<WrittenTile> tiles;
-  bool instances_as_nodes = false;
+  Target target = Target::kGeneric;
+  Split split = Split::kLayer;
   Compress compress = Compress::kNone;
   bool has_manifest = false;
   std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers do not balance.
 };
+/// Finishes an interrupted commit first (exporters/settle_folder.h).
 Result<RunRecord> read_report(const std::string& folder);
 
 }  // namespace citykiln::verify

@@ -102,7 +102,9 @@ std::vector<Json*> other_views(Json& gltf) {
   if (gltf.contains("images"))
     for (Json& image : gltf["images"]) numbers.push_back(&image["bufferView"]);
   for (Json& table : gltf["extensions"]["EXT_structural_metadata"]["propertyTables"])
-    for (Json& property : table["properties"]) numbers.push_back(&property["values"]);
+    for (Json& property : table["properties"])
+      for (const char* view : {"values", "stringOffsets"})
+        if (property.contains(view)) numbers.push_back(&property[view]);
   return numbers;
 }
 

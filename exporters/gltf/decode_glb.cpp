@@ -1,103 +1,51 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <exception>
-#include <limits>
 #include <optional>
 
 #include "exporters/file.h"
 #include "exporters/gltf/compress_glb.h"
+#include "exporters/gltf/decode_nodes.h"
 #include "exporters/gltf/decode_pictures.h"
-#include "exporters/gltf/decode_primitives.h"
+#include "exporters/gltf/decode_property_table.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_checks.h"
 #include "exporters/gltf/glb_reader.h"
+#include "exporters/gltf/image_units.h"
 
 namespace citykiln::exporters {
 namespace {
 
 using bake::BakedTile;
-using bake::Float3;
-using bake::Float4;
-using bake::InstancedMesh;
 using tinygltf::Value;
 
-std::vector<OsmId> features_of(GltfReader& reader) {
-  const auto extension = reader.model.extensions.find("EXT_structural_metadata");
-  expect(extension != reader.model.extensions.end(), "the table of OSM ids");
-  const Value& tables = member(extension->second, "propertyTables");
-  expect(tables.IsArray() && tables.ArrayLen() > 0, "the table of OSM ids");
-  const Value& table = tables.Get(0);
-  const Value& columns = member(table, "properties");
-  const auto ids = bytes_of(reader, whole(member(member(columns, "id"), "values"))),
-             types = bytes_of(reader, whole(member(member(columns, "type"), "values")));
-  const auto count = static_cast<std::size_t>(std::max(0, whole(member(table, "count"))));
-  expect(count <= types.size() && count <= ids.size() / 8, "the table of OSM ids to be as long as it says");
-  std::vector<OsmId> features(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    expect(types[i] < 4, "OSM types from 0 to 3");
-    features[i].type = static_cast<OsmType>(types[i]);
-    std::memcpy(&features[i].id, ids.data() + 8 * i, 8);
-  }
-  return features;
+// The image that a primitive's uvs lie on; null where they show none.
+const materials::TextureImage* image_of(const BakedTile& tile, const bake::Primitive& p,
+                                        const impostor::Cutout* cutout) {
+  if (p.colour_source == materials::ColourSource::kByMarkingAtlas) return &tile.marking_atlas;
+  if (p.colour_source == materials::ColourSource::kByAtlas) return &tile.facade_atlas.colour;
+  if (p.colour_source == materials::ColourSource::kByCutout) return cutout == nullptr ? nullptr : &cutout->colour;
+  const auto texture = std::ranges::find(tile.textures, p.material, &materials::Texture::material);
+  return texture == tile.textures.end() ? nullptr : &shown_image(*texture);
 }
 
-InstancedMesh extended(GltfReader& reader, const tinygltf::Node& node, std::size_t features) {
-  const Value& attributes = member(node.extensions.at("EXT_mesh_gpu_instancing"), "attributes");
-  const auto accessor = [&](const char* name) { return whole(member(attributes, name)); };
-  InstancedMesh out{node.name, primitives_of(reader, node.mesh, features), {}, {}, {}, {}};
-  out.translations =
-      turned(values_of<Float3>(reader, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
-  out.rotations =
-      turned(values_of<Float4>(reader, accessor("ROTATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4));
-  for (const Float3& s :
-       values_of<Float3>(reader, accessor("SCALE"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
-    out.scales.push_back(s[0]);
-  out.features = as_numbers(
-      values_of<float>(reader, accessor("_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
-      features);
-  const std::size_t n = out.translations.size();
-  expect(out.rotations.size() == n && out.scales.size() == n && out.features.size() == n,
-         "as many values for each instance");
-  return out;
-}
-
-void add_single(const tinygltf::Node& node, std::size_t features, InstancedMesh& out) {
-  expect(node.translation.size() == 3 && node.rotation.size() == 4 && node.scale.size() == 3,
-         "a place for each instance");
-  const auto f = [](double v) {
-    expect(std::abs(v) <= std::numeric_limits<float>::max(), "places in single precision");
-    return static_cast<float>(v);
-  };
-  const int feature = whole(member(node.extras, "feature"));
-  expect(feature >= 0 && static_cast<std::size_t>(feature) < features, "feature ids inside the property table");
-  out.translations.push_back(from_gltf(Float3{f(node.translation[0]), f(node.translation[1]), f(node.translation[2])}));
-  out.rotations.push_back(
-      from_gltf(Float4{f(node.rotation[0]), f(node.rotation[1]), f(node.rotation[2]), f(node.rotation[3])}));
-  out.scales.push_back(f(node.scale[0]));
-  out.features.push_back(static_cast<std::uint32_t>(feature));
-}
-
-// Reads instanced meshes, whose nodes follow each other. Returns the cutout image of each.
-std::vector<std::optional<std::size_t>> add_instances(GltfReader& reader, const tinygltf::Node& root, BakedTile& tile) {
-  std::vector<std::optional<std::size_t>> cutouts;  // one per entry of tile.instanced
-  int last_mesh = root.mesh;
-  bool is_open = false;
-  for (const int child : root.children) {
-    const tinygltf::Node& node = item(reader.model.nodes, child, "a node that exists");
-    const bool is_extended = node.extensions.count("EXT_mesh_gpu_instancing") != 0;
-    const bool goes_on = is_open && !is_extended && node.mesh == last_mesh;
-    expect(goes_on || node.mesh > last_mesh, "each mesh in nodes that follow each other, in order");
-    last_mesh = node.mesh, is_open = !is_extended;
-    if (!goes_on) cutouts.push_back(cutout_image_of(reader.model, node.mesh));
-    if (is_extended) {
-      tile.instanced.push_back(extended(reader, node, tile.features.size()));
-      continue;
+void put_uvs_in_metres(std::vector<bake::Primitive>& primitives, const impostor::Cutout* cutout,
+                       const BakedTile& tile) {
+  for (bake::Primitive& p : primitives) {
+    const materials::TextureImage* image = image_of(tile, p, cutout);
+    if (image == nullptr) continue;
+    for (bake::Float2& uv : p.uvs) {
+      uv = in_metres(*image, p.colour_source, uv);
+      expect(std::isfinite(uv[0]) && std::isfinite(uv[1]), "texture coordinates in single precision");
     }
-    if (!goes_on)
-      tile.instanced.push_back({node.name, primitives_of(reader, node.mesh, tile.features.size()), {}, {}, {}, {}});
-    add_single(node, tile.features.size(), tile.instanced.back());
   }
-  return cutouts;
+}
+
+void put_uvs_in_metres(BakedTile& tile) {
+  put_uvs_in_metres(tile.primitives, nullptr, tile);
+  for (bake::InstancedMesh& instanced : tile.instanced)
+    put_uvs_in_metres(instanced.primitives, &instanced.cutout, tile);
 }
 
 std::optional<bake::Viewpoint> viewpoint_of(const Value& extras) {
@@ -120,10 +68,11 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
   tile.plant_error_m = number(member(root.extras, "plant_error_m"));
   tile.viewpoint = viewpoint_of(root.extras);
-  tile.features = features_of(reader);
-  if (root.mesh >= 0) tile.primitives = primitives_of(reader, root.mesh, tile.features.size());
-  const auto cutouts = add_instances(reader, root, tile);
+  read_property_table(reader, tile);
+  const auto cutouts = read_nodes(reader, tile);
   read_pictures(reader, cutouts, tile);
+  const auto& used = model.extensionsUsed;
+  if (std::ranges::find(used, "KHR_texture_transform") == used.end()) put_uvs_in_metres(tile);
   return tile;
 }
 

@@ -59,6 +59,15 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(GltfReader& reader, int a
   return triangles;
 }
 
+// The layer in the extras of a primitive, or else of its mesh.
+bake::Layer layer_in(const tinygltf::Value& primitive, const tinygltf::Value& mesh) {
+  const tinygltf::Value& name = member(primitive.IsObject() && primitive.Has("layer") ? primitive : mesh, "layer");
+  expect(name.IsString(), "the name of a layer");
+  const auto layer = bake::layer_named(name.Get<std::string>());
+  expect(layer.has_value(), "the name of a layer");
+  return *layer;
+}
+
 Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
   const bake::PrimitiveKey key =
@@ -88,10 +97,14 @@ Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::si
 
 }  // namespace
 
-std::vector<Primitive> primitives_of(GltfReader& reader, int mesh, std::size_t features) {
+std::vector<Primitive> primitives_of(GltfReader& reader, int mesh_number, std::size_t features) {
+  const tinygltf::Mesh& mesh = item(reader.model.meshes, mesh_number, "a mesh that exists");
+  expect(!mesh.primitives.empty(), "a primitive in each mesh");
   std::vector<Primitive> primitives;
-  for (const tinygltf::Primitive& p : item(reader.model.meshes, mesh, "a mesh that exists").primitives)
+  for (const tinygltf::Primitive& p : mesh.primitives) {
     primitives.push_back(primitive_of(reader, p, features));
+    primitives.back().layer = layer_in(p.extras, mesh.extras);
+  }
   return primitives;
 }
 

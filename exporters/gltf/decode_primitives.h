@@ -8,8 +8,9 @@
 
 namespace citykiln::exporters {
 
-/// Reads the primitives of a mesh. Images are read later; here only their presence is checked. Throws FormatError.
+/// Reads the primitives of a mesh. Images are read later; here only their presence is checked, and
+/// uvs keep the units of the file. Throws FormatError.
 /// @param features  Number of rows of the property table.
-std::vector<bake::Primitive> primitives_of(GltfReader& reader, int mesh, std::size_t features);
+std::vector<bake::Primitive> primitives_of(GltfReader& reader, int mesh_number, std::size_t features);
 
 }  // namespace citykiln::exporters

@@ -1,9 +1,12 @@
 #include "exporters/gltf/encode_materials.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "exporters/gltf/encode_pictures.h"
+#include "exporters/gltf/image_units.h"
 #include "exporters/gltf/material_names.h"
 
 namespace citykiln::exporters {
@@ -25,14 +28,27 @@ bool has_quantised_uvs(const Primitive& p) {
          std::ranges::all_of(p.uvs, [&](const bake::Float2& uv) { return fits(uv[0]) && fits(uv[1]); });
 }
 
+// The image that a primitive's uvs lie on; null where they show none.
+const materials::TextureImage* image_of(const GlbBuilder& f, const MaterialKey& key) {
+  if (key.primitive.colour_source == ColourSource::kByMarkingAtlas) return &f.tile.marking_atlas;
+  if (key.primitive.colour_source == ColourSource::kByAtlas) return &f.tile.facade_atlas.colour;
+  if (key.cutout != nullptr) return &key.cutout->colour;
+  return key.texture == nullptr ? nullptr : &shown_image(*key.texture);
+}
+
 // Metres per unit of a primitive's uvs.
 double uv_unit_m(const MaterialKey& key) {
   return key.has_quantised_uvs ? kMostUvSteps * materials::kTextureCoordinateStep_m : 1;
 }
 
-// A reference to an image by uvs of which a unit is `unit_m` metres.
+// A reference to an image. @param unit_m  Metres per unit of the uvs, where these are metres.
 template <typename Info>
 Info shown(GlbBuilder& f, const materials::TextureImage& picture, double unit_m) {
+  if (!f.has_uvs_in_metres()) {
+    Info info;
+    info.index = picture_number(f, &picture);
+    return info;
+  }
   const Value::Array scale = {Value(unit_m / (picture.columns * picture.texel_m)),
                               Value(unit_m / (picture.rows * picture.texel_m))};
   f.extensions.insert("KHR_texture_transform");
@@ -79,14 +95,30 @@ void set_emission(GlbBuilder& f, const MaterialKey& key, tinygltf::Material& m) 
     m.emissiveFactor = {own[0], own[1], own[2]};
 }
 
+// Some programs keep materials by name, across tiles and levels: those with images of this file have a name of their
+// own.
+std::string unique_name(const GlbBuilder& f, const MaterialKey& key) {
+  std::string name = material_name(key.primitive, f.tile.textures);
+  if (key.primitive.colour_source != ColourSource::kByMaterial)
+    name += fmt::format("_{}_{}m", to_string(f.tile.tile), f.tile.tolerance_m);
+  const auto is_taken = [&](const std::string& wanted) {
+    return std::ranges::count(f.model.materials, wanted, &tinygltf::Material::name) > 0;
+  };
+  if (!is_taken(name)) return name;
+  int number = 2;
+  while (is_taken(fmt::format("{}_{}", name, number))) ++number;
+  return fmt::format("{}_{}", name, number);
+}
+
 }  // namespace
 
 MaterialKey material_key_of(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
-  if (p.colour_source == ColourSource::kByCutout) return {key_of(p), nullptr, false, cutout};
-  if (p.colour_source != ColourSource::kByMaterial) return {key_of(p)};
+  const bake::PrimitiveKey shared{{}, p.material, !p.uvs.empty(), p.colour_source};
+  if (p.colour_source == ColourSource::kByCutout) return {shared, nullptr, false, cutout};
+  if (p.colour_source != ColourSource::kByMaterial) return {shared};
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
-  if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, ColourSource::kByMaterial}};
-  return {key_of(p), &*found, has_quantised_uvs(p)};
+  if (p.uvs.empty() || found == f.tile.textures.end()) return {{{}, p.material, false, ColourSource::kByMaterial}};
+  return {shared, &*found, f.has_uvs_in_metres() && has_quantised_uvs(p)};
 }
 
 const materials::TextureImage* normals_of(const GlbBuilder& f, const MaterialKey& key) {
@@ -101,7 +133,7 @@ int material_number(GlbBuilder& f, const MaterialKey& key) {
   const auto same = std::ranges::find(f.material_keys, key);
   if (same != f.material_keys.end()) return static_cast<int>(same - f.material_keys.begin());
   tinygltf::Material m;
-  m.name = material_name(key.primitive, f.tile.textures);
+  m.name = unique_name(f, key);
   set_colour(f, key, m.pbrMetallicRoughness);
   if (const materials::TextureImage* normals = normals_of(f, key))
     m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals, uv_unit_m(key));
@@ -114,6 +146,12 @@ int material_number(GlbBuilder& f, const MaterialKey& key) {
 }
 
 int add_uvs(GlbBuilder& f, const Primitive& p, const MaterialKey& key) {
+  const materials::TextureImage* image = f.has_uvs_in_metres() ? nullptr : image_of(f, key);
+  if (image != nullptr) {
+    const int view = f.add_view_of(p.uvs, TINYGLTF_TARGET_ARRAY_BUFFER,
+                                   [&](const bake::Float2& uv) { return in_image_units(*image, uv); });
+    return f.add_accessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, p.uvs.size());
+  }
   if (!key.has_quantised_uvs) return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
   const auto step = [](float v) { return static_cast<std::uint16_t>(v / materials::kTextureCoordinateStep_m); };
   const int steps = f.add_view_of(p.uvs, TINYGLTF_TARGET_ARRAY_BUFFER, [&](const bake::Float2& uv) {

@@ -6,11 +6,11 @@
 
 namespace citykiln::exporters {
 
-EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
-                        Compression compression, int threads) {
-  if (compression == Compression::kNone) return {encode_glb(tile, header, instancing), tile.error_m};
+EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
+                        int threads) {
+  if (options.compression == Compression::kNone) return {encode_glb(tile, header, options, threads), tile.error_m};
   const bake::BakedTile packed = quantised(tile);
-  return {encode_glb(packed, header, instancing, compression, threads), packed.error_m};
+  return {encode_glb(packed, header, options, threads), packed.error_m};
 }
 
 std::string glb_name(scene::TileKey tile, std::size_t level) {

@@ -20,8 +20,8 @@ struct EncodedTile {
 };
 
 /// Returns the .glb of a tile. Packed tiles are quantised first, so that their stated error holds.
-EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
-                        Compression compression, int threads);
+EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
+                        int threads);
 
 /// "glb/3_-2_L0.glb".
 std::string glb_name(scene::TileKey tile, std::size_t level);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
+#include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_axes.h"
 #include "exporters/gltf/tinygltf_config.h"
 
@@ -28,6 +29,7 @@ struct MaterialKey {
 struct GlbBuilder {
   const bake::BakedTile& tile;
   const scene::Header& header;
+  const GlbOptions& options;
   tinygltf::Model model{};          ///< Without its buffer's bytes, which tinygltf would copy several times.
   std::vector<std::byte> buffer{};  ///< The bytes of its only buffer.
   std::set<std::string> extensions{};
@@ -51,6 +53,10 @@ struct GlbBuilder {
     model.bufferViews.push_back(view);
     return static_cast<int>(model.bufferViews.size()) - 1;
   }
+
+  /// Whether uvs are metres, which KHR_texture_transform scales. Else they are multiples of their image's size, which
+  /// all readers understand.
+  bool has_uvs_in_metres() const { return options.compression != Compression::kNone; }
 
   void append(std::span<const std::byte> bytes) { buffer.insert(buffer.end(), bytes.begin(), bytes.end()); }
 

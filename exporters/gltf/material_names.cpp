@@ -47,10 +47,11 @@ std::optional<std::string_view> strip_suffix(std::string_view name, std::string_
 }
 
 bake::PrimitiveKey primitive_key_named(const std::string& name) {
+  const std::string_view own = std::string_view(name).substr(0, name.find('_'));
   for (const Suffix& suffix : kSuffixes)
-    if (const auto beginning = strip_suffix(name, suffix.text))
+    if (const auto beginning = strip_suffix(own, suffix.text))
       if (const auto material = material_named(*beginning))
-        return {*material, suffix.colour_source != ColourSource::kByMaterial, suffix.colour_source};
+        return {{}, *material, suffix.colour_source != ColourSource::kByMaterial, suffix.colour_source};
   throw FormatError{"a material that citykiln has, not \"" + name + "\""};
 }
 

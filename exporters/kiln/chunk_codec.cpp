@@ -6,6 +6,7 @@
 #include "exporters/kiln/building_codec.h"
 #include "exporters/kiln/field_codecs.h"
 #include "exporters/kiln/road_codec.h"
+#include "exporters/kiln/text_codec.h"
 
 // Writing and reading share their code: serialise() visits all fields of a chunk in order, and passes them to a Writer
 // or a Reader.
@@ -176,6 +177,7 @@ void serialise(Io& io, Chunk& c) {
   list(io, "power corridors", c.corridors, 0, [&](auto& o) { serialise(io, o); });
   list(io, "barriers", c.barriers, 0, [&](auto& o) { serialise(io, o); });
   list(io, "lamps", c.lamps, 0, [&](auto& o) { serialise(io, o); });
+  texts(io, c.texts);
 }
 
 double step_of(Chunk& chunk) {

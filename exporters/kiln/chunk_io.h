@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/contract/tolerance.h"
+#include "compiler/contract/utf8.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/map/locate.h"
 #include "exporters/kiln/chunk_streams.h"
@@ -58,6 +59,10 @@ struct Writer {
   void delta(Stream name, auto& value) { of(name).put_delta(static_cast<std::int64_t>(value)); }
   void metres(Stream name, double& value) {
     of(name).put_delta(static_cast<std::int64_t>(std::floor(value / kQuantum_m + 0.5)));
+  }
+  void text(Stream size, Stream bytes, std::string& value) {
+    of(size).put(value.size());
+    of(bytes).put_bytes(value);
   }
   std::size_t count(Stream name, std::size_t size) {
     of(name).put(size);
@@ -119,6 +124,12 @@ struct Reader {
   }
   void delta(Stream name, std::int64_t& value) { value = checked(name, &StreamReader::get_delta); }
   void metres(Stream name, double& value) { value = place(name, kQuantum_m); }
+  void text(Stream size, Stream bytes, std::string& value) {
+    const std::uint64_t length = whole(size);
+    StreamReader& stream = of(bytes);
+    value = stream.get_bytes(length);
+    if (!stream.good() || !is_utf8(value)) fail(bytes), value.clear();
+  }
   // an object takes at least one byte of some stream, so there are no more of them than the chunk has bytes
   std::size_t total_bytes = 0;
   std::size_t count(Stream name, std::size_t) {
@@ -144,6 +155,7 @@ struct PointStepProbe {
   void number(Stream, auto&) {}
   void delta(Stream, auto&) {}
   void metres(Stream, double&) {}
+  void text(Stream, Stream, std::string&) {}
   std::size_t count(Stream, std::size_t size) { return size; }
 };
 

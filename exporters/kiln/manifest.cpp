@@ -13,6 +13,7 @@
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/map/building_classes.h"
 #include "compiler/map/locate.h"
+#include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/kiln/chunk_codec.h"
 #include "exporters/kiln/streams.h"
@@ -28,7 +29,7 @@ using ByteSpan = std::span<const std::byte>;
 using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
-constexpr std::uint16_t kMajor = 1, kMinor = 3;
+constexpr std::uint16_t kMajor = 2, kMinor = 0;
 constexpr const char* kGeneratorVersion = "0.1.0";
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
@@ -309,15 +310,31 @@ Result<UnpackingDictionary> dictionary_of(const fbs::Header& h, const std::strin
   return dictionary;
 }
 
+// What to do with a manifest that this program cannot read, with the version that made it where the header tells.
+Error made_by_another(const std::string& name, ByteSpan frame, const std::string& difference) {
+  const auto raw = unpacked(frame, nullptr, name);
+  std::string version;
+  if (raw) {
+    flatbuffers::Verifier verifier(raw->data(), raw->size());
+    if (verifier.VerifyBuffer<fbs::AnyHeader>(nullptr))
+      if (const auto* text = flatbuffers::GetRoot<fbs::AnyHeader>(raw->data())->generator_version())
+        version.append(" ").append(text->str());
+  }
+  return {name,
+          fmt::format("{}: made by citykiln{}, and this is {}; compile the map again (citykiln compile MAP -o OUT), "
+                      "or bake it with that version",
+                      difference, version, kGeneratorVersion)};
+}
+
 // The frame of the header, after checks of magic number, version, size and checksum.
 Result<ByteSpan> header_frame(ByteSpan bytes, const std::string& name) {
   if (bytes.size() < kPreamble || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0)
     return Error{name, "expected a citykiln manifest, which begins with CITYKILN"};
-  if (const std::uint64_t major = get(bytes, kMajorAt, 2); major != kMajor)
-    return Error{name, fmt::format("expected format {}, found {}: made by another citykiln", kMajor, major)};
-  const std::uint64_t size = get(bytes, kHeaderSizeAt, 4);
-  if (size > bytes.size() - kPreamble) return Error{name, "expected the header, found the end of the file"};
-  const ByteSpan frame = bytes.subspan(kPreamble, size);
+  const std::uint64_t major = get(bytes, kMajorAt, 2), size = get(bytes, kHeaderSizeAt, 4);
+  const ByteSpan frame = bytes.subspan(kPreamble, std::min<std::uint64_t>(size, bytes.size() - kPreamble));
+  if (major != kMajor)
+    return made_by_another(name, frame, fmt::format("has manifest format {}, expected {}", major, kMajor));
+  if (size > frame.size()) return Error{name, "expected the header, found the end of the file"};
   if (header_checksum(bytes, frame) != get(bytes, kChecksumAt, 8)) return damaged_header(name);
   return frame;
 }
@@ -371,7 +388,7 @@ Result<scene::Scene> decode_manifest(ByteSpan bytes, const std::string& name, st
   if (!verifier.VerifyBuffer<fbs::Header>(nullptr)) return damaged_header(name);
   const fbs::Header& h = *flatbuffers::GetRoot<fbs::Header>(raw->data());
   if (h.tables_hash() != tables_hash())
-    return Error{name, "expected this version's materials and surface classes, found others: made by another citykiln"};
+    return made_by_another(name, *frame, "has other materials, classes or species than this program");
   auto header = plain(h, raw->size(), name);
   if (!header) return header.error();
   const auto entries = entries_of(h.index());
@@ -383,6 +400,16 @@ Result<scene::Scene> decode_manifest(ByteSpan bytes, const std::string& name, st
   auto chunks = chunks_of(body, *entries, *dictionary, name, only);
   if (!chunks) return chunks.error();
   return scene::Scene{*header, std::move(*chunks)};
+}
+
+std::uint64_t hash_of(const scene::Header& header) {
+  const RawBytes raw = raw_header({header, {}}, {}, {});
+  return content_hash(std::as_bytes(std::span(raw)));
+}
+
+std::uint64_t hash_of(const scene::Chunk& chunk) {
+  const RawBytes raw = raw_chunk(chunk);
+  return content_hash(std::as_bytes(std::span(raw)));
 }
 
 Result<Done> write_manifest(const scene::Scene& scene, const std::string& path, int threads) {

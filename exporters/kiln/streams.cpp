@@ -27,6 +27,8 @@ void StreamWriter::put_delta(std::int64_t value) {
   last_ = value;
 }
 
+void StreamWriter::put_bytes(std::string_view bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+
 std::uint8_t StreamReader::get_byte() {
   if (at_ >= bytes_.size()) {
     good_ = false;
@@ -49,6 +51,13 @@ std::uint64_t StreamReader::get() {
 std::int64_t StreamReader::get_signed() {
   const std::uint64_t value = get();
   return static_cast<std::int64_t>(value >> 1 ^ (~(value & 1) + 1));
+}
+
+std::string_view StreamReader::get_bytes(std::uint64_t count) {
+  if (count > remaining()) return good_ = false, std::string_view();
+  const auto* first = reinterpret_cast<const char*>(bytes_.data() + at_);
+  at_ += static_cast<std::size_t>(count);
+  return {first, static_cast<std::size_t>(count)};
 }
 
 std::int64_t StreamReader::get_delta() { return last_ = wrapping_sum(last_, get_signed()); }

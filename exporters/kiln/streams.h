@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace citykiln::exporters {
@@ -17,6 +18,8 @@ class StreamWriter {
   void put_signed(std::int64_t value);
   /// Writes the difference to the number of the last put_delta().
   void put_delta(std::int64_t value);
+  /// Writes bytes as they are.
+  void put_bytes(std::string_view bytes);
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
  private:
@@ -33,6 +36,8 @@ class StreamReader {
   std::uint64_t get();
   std::int64_t get_signed();
   std::int64_t get_delta();
+  /// The next bytes; empty where there are fewer.
+  std::string_view get_bytes(std::uint64_t count);
   std::size_t remaining() const { return bytes_.size() - at_; }
   bool good() const { return good_; }
   bool is_finished() const { return good_ && remaining() == 0; }

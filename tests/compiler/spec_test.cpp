@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/scratch_folder.h"
 
 namespace citykiln {
@@ -50,7 +52,8 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"lods", "0.1,2"},
                                                       {"world", "plane"},
                                                       {"compress", "meshopt"},
-                                                      {"instancing", "nodes"},
+                                                      {"target", "three"},
+                                                      {"split", "building"},
                                                       {"rules", "r"},
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
@@ -62,15 +65,15 @@ TEST(Spec, ParsesEverySetting) {
   EXPECT_EQ(std::size(rows), settings().size()) << "a setting without a row here";
 }
 
-TEST(Spec, ErrorsNameTheSettingAndTheExpectedValue) {
+TEST(Spec, ErrorsSayTheExpectedValue) {
   const std::pair<const char*, const char*> rows[] = {
-      {"bbox", "1,2,3"}, {"bbox", "3,1,2,2"},  {"bbox", "1,2,x,4"}, {"origin", "1"},       {"tile", "100"},
-      {"tile", "0"},     {"only", "1-2"},      {"emit", "obj"},     {"lods", "1,1"},       {"lods", "0,1"},
-      {"lods", ""},      {"world", "torus"},   {"compress", "zip"}, {"instancing", "yes"}, {"drive-on", "top"},
-      {"seed", "-1"},    {"threads", "-1"},    {"threads", "1.5"},  {"strict", "yes"},     {"dem", "a,bound=1"},
-      {"time", "noon"},  {"snow-line", "high"}};
+      {"bbox", "1,2,3"},    {"bbox", "3,1,2,2"}, {"bbox", "1,2,x,4"},  {"origin", "1"},    {"tile", "100"},
+      {"tile", "0"},        {"only", "1-2"},     {"emit", "obj"},      {"lods", "1,1"},    {"lods", "0,1"},
+      {"lods", ""},         {"lods", "0.1,500"}, {"lods", "1e9"},      {"target", "maya"}, {"split", "road"},
+      {"drive-on", "top"},  {"seed", "-1"},      {"threads", "-1"},    {"threads", "1.5"}, {"strict", "yes"},
+      {"dem", "a,bound=1"}, {"time", "noon"},    {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"}};
   for (const auto& [name, text] : rows) {
-    EXPECT_TRUE(objection(name, text).starts_with("--" + std::string(name) + ": "))
+    EXPECT_NE(objection(name, text).find("expected "), std::string::npos)
         << name << " " << text << ": " << objection(name, text);
   }
 }
@@ -124,7 +127,7 @@ TEST(SpecFile, SaysTheSameAsTheCommandLine) {
   EXPECT_EQ(spec->map.bbox, (source::LonLatBox{1, 2, 3, 4}));
   EXPECT_EQ(spec->tile_m, 512);
   EXPECT_EQ(spec->outputs.ladder_m, (std::vector{0.5, 4.0}));
-  EXPECT_TRUE(spec->is_strict);
+  EXPECT_TRUE(spec->strict.is_on);
 }
 
 TEST(SpecFile, ErrorsNameFileAndPlace) {
@@ -145,6 +148,18 @@ TEST(Spec, IsCompleteWithAMapAndAFolder) {
   EXPECT_FALSE(is_complete(spec));
   spec.outputs.folder = "out";
   EXPECT_TRUE(is_complete(spec));
+}
+
+TEST(Spec, StrictTakesCodes) {
+  const auto strict = std::ranges::find(settings(), "strict", &Setting::name);
+  CompileSpec spec;
+  ASSERT_TRUE(apply(*strict, "MissingNode,RoofFallback", spec));
+  EXPECT_TRUE(spec.strict.is_on);
+  EXPECT_EQ(spec.strict.codes, (std::vector<Code>{Code::kMissingNode, Code::kRoofFallback}));
+  EXPECT_FALSE(apply(*strict, "MissingNode,Nonsense", spec));
+  ASSERT_TRUE(apply(*strict, "false", spec));
+  EXPECT_FALSE(spec.strict.is_on);
+  EXPECT_TRUE(spec.strict.codes.empty());
 }
 
 }  // namespace

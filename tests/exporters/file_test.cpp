@@ -106,7 +106,7 @@ TEST_F(File, AFullDiskEndsManifestAndTileWithTheirNames) {
   };
   const auto tile = [&] {
     fill_disk(100);
-    say(refusal(write_glb(made_tile(1), {}, Instancing::kNodes, at("tile.glb"))));
+    say(refusal(write_glb(made_tile(1), {}, {}, at("tile.glb"))));
   };
   EXPECT_EXIT(manifest(), testing::ExitedWithCode(0), "/scene.kiln: cannot be written");
   EXPECT_EXIT(tile(), testing::ExitedWithCode(0), "/tile.glb: cannot be written");

@@ -1,11 +1,13 @@
 // Small scenes of random objects that use every field of the recipes, for tests of writers and readers.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/map/building_classes.h"
 #include "compiler/scene/scene.h"
 
@@ -40,6 +42,7 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i)
       c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});
     for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9)});
+    c.texts = texts();
     return c;
   }
 
@@ -88,6 +91,17 @@ class SceneMaker {
   ObjectId id() {
     const auto number = static_cast<std::int64_t>(dice_() >> below(64));
     return {{static_cast<OsmType>(below(4)), below(2) == 0 ? number : -1 - number}, below(3)};
+  }
+  // sorted, as they are in a chunk; some share a name
+  std::vector<map::ElementText> texts() {
+    std::vector<map::ElementText> made;
+    const std::string names[] = {"", "Rue de la Paix", "Ω «日本»", "Rue de la Paix 2"};
+    for (auto i = below(9); i > 0; --i)
+      if (const OsmId of = id().osm; of != OsmId{})
+        made.push_back({of, names[below(4)], below(3) == 0 ? R"({"name":"é"})" : ""});
+    std::ranges::sort(made, {}, &map::ElementText::id);
+    erase_repeated(made, &map::ElementText::id);
+    return made;
   }
   std::vector<Vec2> line() {
     std::vector<Vec2> points;

@@ -3,17 +3,17 @@
 
 #include <random>
 
-#include "compiler/bake/baked_tile.h"
+#include "compiler/bake/image_uvs.h"
 
 namespace citykiln::exporters {
 
 /// Triangles on the 2^-10 m grid; as many corners as asked for.
 inline bake::Primitive made_primitive(std::mt19937& dice, materials::Material material, std::uint32_t corners,
-                                      std::uint32_t features) {
+                                      std::uint32_t features, bake::Layer layer = bake::Layer::kGround) {
   const auto number = [&](int most) {
     return static_cast<float>(static_cast<int>(dice() % 2000) - 1000) * most * 0x1p-10f;
   };
-  bake::Primitive p{material, {}, {}, {}, {}, {}};
+  bake::Primitive p{.material = material, .layer = layer};
   for (std::uint32_t i = 0; i < corners; ++i) {
     p.positions.push_back({number(500), number(500), number(20)});
     p.normals.push_back(i % 2 == 0 ? bake::Float3{0, 0, 1} : bake::Float3{0.6f, 0, 0.8f});
@@ -26,7 +26,8 @@ inline bake::Primitive made_primitive(std::mt19937& dice, materials::Material ma
 
 /// Places of a mesh, each with its own size.
 inline bake::InstancedMesh made_instances(std::mt19937& dice, const char* name, int places, std::uint32_t features) {
-  bake::InstancedMesh all{name, {made_primitive(dice, materials::Material::kGrass, 6, 0)}, {}, {}, {}, {}};
+  bake::InstancedMesh all{
+      name, {made_primitive(dice, materials::Material::kGrass, 6, 0, bake::Layer::kPlants)}, {}, {}, {}, {}};
   for (int i = 0; i < places; ++i) {
     all.translations.push_back({static_cast<float>(i) + 0.25f, 0.0f, -3.5f});
     all.rotations.push_back(i % 2 == 0 ? bake::Float4{0, 0, 0, 1} : bake::Float4{0, 0, 0.6f, 0.8f});
@@ -42,8 +43,10 @@ inline bake::BakedTile made_tile(std::uint32_t seed) {
   tile.tile = {-3, 17}, tile.origin = {-3072 + 512, 123456789, 431}, tile.tolerance_m = 0.1, tile.error_m = 0.0625;
   tile.plant_error_m = 0.375;
   tile.features = {{}, {OsmType::kNode, 5}, {OsmType::kWay, -12}, {OsmType::kRelation, (std::int64_t{1} << 53) + 1}};
+  tile.attributes = {
+      {}, {"oak", "", 12.3f, ""}, {"Apartments", "Château «Ω»", 31, R"({"building":"yes"})"}, {"Park", "Parc", 0, ""}};
   tile.primitives = {made_primitive(dice, materials::Material::kGrass, 9, 4),
-                     made_primitive(dice, materials::Material::kAsphalt, 30, 4)};
+                     made_primitive(dice, materials::Material::kAsphalt, 30, 4, bake::Layer::kRoads)};
   tile.instanced = {made_instances(dice, "BroadLeaved", 4, 4), made_instances(dice, "NeedleLeaved", 3, 4)};
   return tile;
 }
@@ -64,24 +67,28 @@ inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 1000);
   bake::BakedTile tile = made_tile(seed);
   tile.marking_atlas = made_sheet(dice);
-  const auto laid_out = [&](materials::Material material, materials::ColourSource colour_source,
-                            std::uint32_t features) {
-    bake::Primitive p = made_primitive(dice, material, 12, features);
+  const auto laid_out = [&](materials::Material material, materials::ColourSource colour_source, std::uint32_t features,
+                            bake::Layer layer) {
+    bake::Primitive p = made_primitive(dice, material, 12, features, layer);
     for (const bake::Float3& at : p.positions) p.uvs.push_back({at[0], 16000 + at[1]});
     p.colour_source = colour_source;
     return p;
   };
-  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, materials::ColourSource::kByMaterial, 4));
-  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, materials::ColourSource::kByMarkingAtlas, 4));
-  tile.primitives.push_back(laid_out(materials::Material::kPaving, materials::ColourSource::kByMarkingAtlas, 4));
+  tile.primitives.push_back(
+      laid_out(materials::Material::kAsphalt, materials::ColourSource::kByMaterial, 4, bake::Layer::kRoads));
+  tile.primitives.push_back(
+      laid_out(materials::Material::kAsphalt, materials::ColourSource::kByMarkingAtlas, 4, bake::Layer::kRoads));
+  tile.primitives.push_back(
+      laid_out(materials::Material::kPaving, materials::ColourSource::kByMarkingAtlas, 4, bake::Layer::kRoads));
   tile.instanced[0].primitives.push_back(
-      laid_out(materials::Material::kPaintedMetal, materials::ColourSource::kByMarkingAtlas, 0));
+      laid_out(materials::Material::kPaintedMetal, materials::ColourSource::kByMarkingAtlas, 0, bake::Layer::kPlants));
+  bake::snap_image_uvs(tile);
   return tile;
 }
 
 /// Leaves cut out of cards; every other time with normals.
 inline void make_leafy(std::mt19937& dice, bake::InstancedMesh& tree, bool has_normals) {
-  bake::Primitive leaves = made_primitive(dice, materials::Material::kBroadLeaf, 12, 0);
+  bake::Primitive leaves = made_primitive(dice, materials::Material::kBroadLeaf, 12, 0, bake::Layer::kPlants);
   for (const bake::Float3& at : leaves.positions) leaves.uvs.push_back({at[0], at[2]});
   leaves.colour_source = materials::ColourSource::kByCutout;
   tree.primitives.push_back(leaves);
@@ -91,7 +98,14 @@ inline void make_leafy(std::mt19937& dice, bake::InstancedMesh& tree, bool has_n
   if (has_normals) tree.cutout.normal = made_sheet(dice);
 }
 
-/// The same with a facade atlas and leaves on cutouts, two of which are equal.
+/// A primitive of buildings, whose features ascend.
+inline bake::Primitive made_buildings(std::mt19937& dice, materials::Material material) {
+  bake::Primitive p = made_primitive(dice, material, 12, 4, bake::Layer::kBuildings);
+  for (std::size_t i = 0; i < p.features.size(); ++i) p.features[i] = static_cast<std::uint32_t>(1 + i / 6);
+  return p;
+}
+
+/// The same with buildings, some on a facade atlas, and leaves on cutouts, two of which are equal.
 inline bake::BakedTile made_facade_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 3000);
   bake::BakedTile tile = made_marked_tile(seed);
@@ -101,13 +115,15 @@ inline bake::BakedTile made_facade_tile(std::uint32_t seed) {
     texel[2] = static_cast<std::uint8_t>(dice());
   if (seed % 2 == 1) tile.facade_atlas.emission = tile.facade_atlas.colour;
   if (seed % 3 == 1) tile.facade_atlas.normal = tile.facade_atlas.surface;
-  bake::Primitive facades = made_primitive(dice, materials::Material::kPaint, 12, 4);
+  tile.primitives.push_back(made_buildings(dice, materials::Material::kPaint));
+  bake::Primitive facades = made_buildings(dice, materials::Material::kPaint);
   for (const bake::Float3& at : facades.positions) facades.uvs.push_back({at[0], at[2]});
   facades.colour_source = materials::ColourSource::kByAtlas;
   tile.primitives.push_back(facades);
   tile.instanced.push_back(made_instances(dice, "oak_0", 2, 4));
   for (bake::InstancedMesh& tree : tile.instanced) make_leafy(dice, tree, tree.name == "NeedleLeaved");
   tile.instanced.back().cutout = tile.instanced.front().cutout;
+  bake::snap_image_uvs(tile);
   return tile;
 }
 
@@ -117,19 +133,20 @@ inline bake::BakedTile made_textured_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 2000);
   bake::BakedTile tile = made_marked_tile(seed);
   using materials::Material;
-  const auto placed = [&](Material material, double step_m) {
-    bake::Primitive p = made_primitive(dice, material, 12, 4);
+  const auto placed = [&](Material material, double step_m, bake::Layer layer = bake::Layer::kGround) {
+    bake::Primitive p = made_primitive(dice, material, 12, 4, layer);
     for (std::size_t i = 0; i < p.positions.size(); ++i)
       p.uvs.push_back({static_cast<float>(dice() % 65536 * step_m), static_cast<float>(dice() % 65536 * step_m)});
     return p;
   };
   tile.primitives.clear();
   tile.primitives.push_back(placed(Material::kGrass, materials::kTextureCoordinateStep_m));
-  tile.primitives.push_back(placed(Material::kWater, materials::kTextureCoordinateStep_m));
   tile.primitives.push_back(placed(Material::kRock, 1.25));
   tile.primitives.push_back(made_primitive(dice, Material::kStone, 12, 4));
   tile.primitives.push_back(placed(Material::kStone, materials::kTextureCoordinateStep_m));
-  tile.instanced[0].primitives.push_back(placed(Material::kPlatedBark, materials::kTextureCoordinateStep_m));
+  tile.primitives.push_back(placed(Material::kWater, materials::kTextureCoordinateStep_m, bake::Layer::kWater));
+  tile.instanced[0].primitives.push_back(
+      placed(Material::kPlatedBark, materials::kTextureCoordinateStep_m, bake::Layer::kPlants));
   tile.instanced[0].primitives.back().features.clear();
   const Material shown[] = {Material::kGrass, Material::kWater, Material::kRock, Material::kStone,
                             Material::kPlatedBark};

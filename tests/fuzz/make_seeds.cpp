@@ -30,8 +30,8 @@ void write_made_glbs(const std::filesystem::path& folder, const citykiln::bake::
   constexpr std::pair<Compression, const char*> kPacked[] = {
       {Compression::kNone, "made_"}, {Compression::kDraco, "draco_"}, {Compression::kMeshopt, "meshopt_"}};
   for (const auto& [compression, name] : kPacked) {
-    const auto instancing = seed % 2 == 0 ? Instancing::kExtension : Instancing::kNodes;
-    const auto glb = encode_glb(tile, {}, instancing, compression, 1);
+    const auto target = seed % 2 == 0 ? Target::kThree : Target::kGeneric;
+    const auto glb = encode_glb(tile, {}, {.target = target, .compression = compression});
     write_seed(folder, name + std::to_string(seed), fuzz::unpacked_glb(span_of(glb)));
   }
 }

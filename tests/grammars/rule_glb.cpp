@@ -150,7 +150,7 @@ bool add_building(bake::PrimitiveMap& merged, Order order, double tolerance_m) {
   std::size_t triangles = 0;
   for (const auto& mesh : buildings::terminal_meshes(derivation, {})) {
     triangles += mesh.mesh.triangles.size();
-    bake::merge(merged, mesh, {}, 0);
+    bake::merge(merged, {mesh, bake::Layer::kBuildings}, {}, 0);
   }
   std::printf("%s: %zu terminals, %zu triangles, %llu shapes, %llu steps, error %.3f m\n", order.style.c_str(),
               derivation.terminals.size(), triangles, static_cast<unsigned long long>(derivation.shapes),
@@ -161,7 +161,7 @@ bool add_building(bake::PrimitiveMap& merged, Order order, double tolerance_m) {
 void add_floor(bake::PrimitiveMap& merged, materials::Material material, double south, double north, double z) {
   const double far = 400;
   Mesh quad{{{-far, south, z}, {far, south, z}, {far, north, z}, {-far, north, z}}, {}, {{0, 1, 2}, {0, 2, 3}}};
-  bake::merge(merged, {quad, material, materials::kNoTint, {}}, {}, 0);
+  bake::merge(merged, {{quad, material, materials::kNoTint, {}}, bake::Layer::kGround}, {}, 0);
 }
 
 }  // namespace
@@ -182,6 +182,6 @@ int main(int count, char** arguments) {
   tile.textures = textures_shown(tile, 0.02, materials::TextureCache(0));
   scene::Header header;
   header.origin = {13.4, 52.5};
-  const auto done = exporters::write_glb(tile, header, exporters::Instancing::kNodes, arguments[1]);
+  const auto done = exporters::write_glb(tile, header, {}, arguments[1]);
   if (!done) return std::fprintf(stderr, "%s\n", to_string(done.error()).c_str()), 1;
 }

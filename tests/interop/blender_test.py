@@ -60,7 +60,7 @@ class BlenderTest(ProgramTest):
 class BlenderImport(BlenderTest):
     @classmethod
     def written(cls, keeper):
-        out = keeper.compiled("town", "--spec", TOWN / "spec.json", "--lods", "0.5", "--instancing", "nodes")
+        out = keeper.compiled("town", "--spec", TOWN / "spec.json", "--lods", "0.5", "--target", "blender", "--split", "tile")
         return sorted((out / "glb").glob("*.glb"))
 
     def test_blender_prints_no_error(self):

@@ -42,7 +42,7 @@ class Compressed(ProgramTest):
     LEVELS = ["--lods", "0.1,12.5"]
 
     def tiles(self, compress):
-        out = self.compiled(compress, "--spec", TOWN / "spec.json", *self.LEVELS, "--compress", compress)
+        out = self.compiled(compress, "--spec", TOWN / "spec.json", *self.LEVELS, "--target", "three", "--compress", compress)
         tiles = sorted((out / "glb").glob("*.glb"))
         self.assertGreater(len(tiles), 1)
         return tiles

@@ -7,14 +7,14 @@
 
 int main(int count, char** words) {
   using namespace citykiln;
-  using exporters::Instancing;
+  using exporters::GlbOptions;
   const std::string folder = count > 1 ? words[1] : ".";
   scene::Header header;
   header.origin = {7.25, 43.5}, header.attributions = {"© OpenStreetMap contributors"};
-  const std::pair<const char*, Instancing> files[] = {{"/marked.glb", Instancing::kExtension},
-                                                      {"/marked_nodes.glb", Instancing::kNodes}};
-  for (const auto& [name, instancing] : files) {
-    const auto done = exporters::write_glb(exporters::made_marked_tile(1), header, instancing, folder + name);
+  const std::pair<const char*, GlbOptions> files[] = {{"/marked.glb", {.target = Target::kThree}},
+                                                      {"/marked_nodes.glb", {}}};
+  for (const auto& [name, options] : files) {
+    const auto done = exporters::write_glb(exporters::made_marked_tile(1), header, options, folder + name);
     if (!done) return std::fprintf(stderr, "%s\n", to_string(done.error()).c_str()), 1;
   }
   return 0;

@@ -41,8 +41,8 @@ class SamePicturesOfTheTown(SamePictures):
     def test_the_town(self):
         self.both_show_the_same("--spec", TOWN / "spec.json")
 
-    def test_the_town_with_a_node_for_each_instance(self):
-        self.both_show_the_same("--spec", TOWN / "spec.json", "--instancing", "nodes")
+    def test_the_town_with_instancing_and_a_node_for_each_building(self):
+        self.both_show_the_same("--spec", TOWN / "spec.json", "--target", "three", "--split", "building")
 
     def test_the_town_in_many_tiles(self):
         self.both_show_the_same("--spec", TOWN / "spec.json", "--tile", "256")

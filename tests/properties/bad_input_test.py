@@ -227,14 +227,26 @@ class BadInput(ProgramTest):
                 self.fails(self.good_map(), *arguments, words=[arguments[0], "yet"])
 
     def test_wrong_settings_are_named(self):
-        for arguments in (["--tile", "100"], ["--lods", "1,0.5"], ["--bbox", "1,2,3"], ["--only", "x"], ["--time", "noon"],
-                          ["--seed", "-1"], ["--instancing", "maybe"], ["--compress", "zip"]):
+        for arguments in (["--tile", "100"], ["--lods", "1,0.5"], ["--lods", "500"], ["--bbox", "1,2,3"], ["--only", "x"], ["--time", "noon"],
+                          ["--seed", "-1"], ["--target", "maya"], ["--split", "road"], ["--compress", "zip"]):
             with self.subTest(arguments):
                 self.fails(self.good_map(), *arguments, words=[arguments[0]])
 
     def test_a_spec_with_an_unknown_key(self):
         spec = self.written("spec.json", '{"map": "a.osm", "tiles": 512}')
-        self.assertOneLine(run("compile", "--spec", spec), "spec.json", "tiles")
+        self.assertOneLine(run("compile", "--spec", spec), "spec.json", "tiles", "did you mean tile?")
+
+    def test_a_spec_with_a_wrong_value_names_the_setting(self):
+        spec = self.written("spec.json", '{"map": "a.osm", "tile": 500}')
+        self.assertOneLine(run("compile", "--spec", spec), 'spec.json: "tile": expected', '"500"')
+
+    def test_mistyped_verbs_and_options(self):
+        self.assertOneLine(run("complie", "a.osm"), "complie", "did you mean compile?")
+        self.assertOneLine(run("compile", "a.osm", "--lod", "1"), "--lod", "did you mean --lods?")
+
+    def test_tolerances_beyond_a_hundred_metres(self):
+        for tolerance in ("500", "1e9", "0"):
+            self.assertOneLine(run("preview", "scene.kiln", "--tolerance", tolerance, "-o", "a.png"), "--tolerance", "at most 100")
 
     def test_a_spec_that_is_not_json(self):
         spec = self.written("spec.json", '{"map": \n  nonsense}')

@@ -17,14 +17,14 @@ class Packed:
     COMPRESS = ""
 
     def packed(self, name, *arguments):
-        return self.compiled(name, *ARGUMENTS, "--compress", self.COMPRESS, *arguments)
+        return self.compiled(name, *ARGUMENTS, "--target", "three", "--compress", self.COMPRESS, *arguments)
 
     def test_threads_and_verbs_change_no_byte(self):
         one = bytes_of_outputs(self.packed("t1", "--threads", 1))
         many = self.packed("t7", "--threads", 7)
         self.assertEqual(one, bytes_of_outputs(many))
         baked = self.folder / "baked"
-        done = run("bake", many / "scene.kiln", "--lods", "2.5,12.5", "--compress", self.COMPRESS, "-o", baked)
+        done = run("bake", many / "scene.kiln", "--lods", "2.5,12.5", "--target", "three", "--compress", self.COMPRESS, "-o", baked)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(one, bytes_of_outputs(baked))
 

@@ -9,8 +9,8 @@
 
 namespace citykiln::plants {
 
-/// Texels along a spray, whose length is 1.
-inline constexpr std::uint32_t kSprayTexels = 64;
+/// Texels along a spray, whose length is 1; with a texel on each side a cell of a cutout.
+inline constexpr std::uint32_t kSprayTexels = 62;
 inline constexpr double kSprayTexel = 1.0 / kSprayTexels;
 
 /// Width of a spray of length 1; 1 for an unknown name.

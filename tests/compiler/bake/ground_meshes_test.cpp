@@ -51,10 +51,16 @@ TEST(Markings, OfAStripDrawnEitherWayShareAColumn) {
   EXPECT_EQ(markings.columns[0].width_m, 7);
 }
 
+std::vector<materials::MaterialMesh> without_layers(std::vector<LayeredMesh> layered) {
+  std::vector<materials::MaterialMesh> meshes;
+  for (LayeredMesh& each : layered) meshes.push_back(std::move(each.mesh));
+  return meshes;
+}
+
 TEST(GroundMeshes, PutsMarkedPiecesOnTheMarkingAtlas) {
   const OnePiece one(0);
   const Markings markings = lay_out_markings(one.cover, 0.05);
-  const auto meshes = material_meshes(one.ground, one.cover, markings, {}, 0.05);
+  const auto meshes = without_layers(material_meshes(one.ground, one.cover, markings, {}, 0.05));
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_EQ(meshes[0].colour_source, materials::ColourSource::kByMarkingAtlas);
   EXPECT_EQ(meshes[0].feature.id, 9);
@@ -71,7 +77,8 @@ TEST(GroundMeshes, PutsMarkedPiecesOnTheMarkingAtlas) {
 
 TEST(GroundMeshes, TellsTheMetresOfPiecesThatAreNotMarkedLessWholePeriods) {
   const OnePiece one(roads::kNoMarkingLayout);
-  const auto meshes = material_meshes(one.ground, one.cover, lay_out_markings(one.cover, 0.05), {}, 0.05);
+  const auto meshes =
+      without_layers(material_meshes(one.ground, one.cover, lay_out_markings(one.cover, 0.05), {}, 0.05));
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_EQ(meshes[0].colour_source, materials::ColourSource::kByMaterial);
   EXPECT_EQ(meshes[0].uvs[0], (Vec2{7, 100 - materials::kTexturePeriod_m}));
@@ -95,7 +102,7 @@ struct Slope {
   std::vector<materials::MaterialMesh> dressed(double tolerance_m, std::optional<double> snow_line_m = {}) const {
     scene::Header header;
     header.snow_line_m = snow_line_m;
-    return material_meshes(ground, cover, {}, header, tolerance_m);
+    return without_layers(material_meshes(ground, cover, {}, header, tolerance_m));
   }
 };
 

@@ -30,7 +30,7 @@ MaterialMesh laid_out(Material material, ColourSource colour_source) {
 
 std::vector<Primitive> merged(const std::vector<MaterialMesh>& meshes) {
   PrimitiveMap all;
-  for (const MaterialMesh& mesh : meshes) merge(all, mesh, {}, 0);
+  for (const MaterialMesh& mesh : meshes) merge(all, {mesh, Layer::kGround}, {}, 0);
   return primitives_of(std::move(all));
 }
 
@@ -39,11 +39,11 @@ TEST(Merge, OnePrimitiveAKeySortedByKey) {
       merged({laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas), square(Material::kBark),
               laid_out(Material::kAsphalt, ColourSource::kByMaterial), square(Material::kAsphalt),
               laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas), square(Material::kGrass)});
-  const std::vector<PrimitiveKey> expected = {{Material::kGrass, false, ColourSource::kByMaterial},
-                                              {Material::kAsphalt, false, ColourSource::kByMaterial},
-                                              {Material::kAsphalt, true, ColourSource::kByMaterial},
-                                              {Material::kAsphalt, true, ColourSource::kByMarkingAtlas},
-                                              {Material::kBark, false, ColourSource::kByMaterial}};
+  const std::vector<PrimitiveKey> expected = {{Layer::kGround, Material::kGrass, false, ColourSource::kByMaterial},
+                                              {Layer::kGround, Material::kAsphalt, false, ColourSource::kByMaterial},
+                                              {Layer::kGround, Material::kAsphalt, true, ColourSource::kByMaterial},
+                                              {Layer::kGround, Material::kAsphalt, true, ColourSource::kByMarkingAtlas},
+                                              {Layer::kGround, Material::kBark, false, ColourSource::kByMaterial}};
   ASSERT_EQ(primitives.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(key_of(primitives[i]), expected[i]) << i;
   EXPECT_EQ(primitives[3].positions.size(), 8u);

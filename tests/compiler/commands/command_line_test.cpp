@@ -96,6 +96,13 @@ TEST(CommandLine, UnknownOptionsAndVerbsAreErrors) {
   }
 }
 
+TEST(CommandLine, SuggestsTheNearestVerbOrOption) {
+  Heard heard;
+  EXPECT_NE(outcome_of({"lisen", "a"}, heard).errors.find("did you mean listen?"), std::string::npos);
+  EXPECT_NE(outcome_of({"listen", "--numer=3"}, heard).errors.find("did you mean --number?"), std::string::npos);
+  EXPECT_FALSE(heard.has_run);
+}
+
 TEST(CommandLine, ReturnsTheExitCodeOfTheVerb) {
   Heard heard;
   EXPECT_EQ(outcome_of({"listen", "--strict"}, heard).exit, 2);

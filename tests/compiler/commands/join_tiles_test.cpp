@@ -53,6 +53,18 @@ TEST(JoinTiles, KeepsTheFeatureOfEveryTriangleAndInstance) {
   EXPECT_EQ(joined->instanced[0].features, (std::vector<std::uint32_t>{2, 1}));
 }
 
+TEST(JoinTiles, KeepsWhatTheTileThatKnowsMostSaysOfAFeature) {
+  std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(5), 0)};
+  tiles[0].attributes = {{}, {"Building", "", 0, ""}};
+  tiles[1].attributes = {{}, {"Church", "St. Anna", 31.5f, ""}};
+  for (int i = 0; i < 2; ++i) {
+    const Result<bake::BakedTile> joined = join_tiles(tiles);
+    ASSERT_TRUE(joined);
+    EXPECT_EQ(joined->attributes, (std::vector<bake::FeatureAttributes>{{}, {"Church", "St. Anna", 31.5f, ""}}));
+    std::ranges::reverse(tiles);
+  }
+}
+
 TEST(JoinTiles, KeepsMeshesWithDifferentCutoutsApart) {
   std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0),
                        tile_at({2048, 0, 0}, way(4), 0)};

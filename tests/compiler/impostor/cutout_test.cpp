@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <random>
+#include <set>
+
+#include "tests/compiler/impostor/mip_levels.h"
 
 namespace citykiln::impostor {
 namespace {
@@ -26,19 +30,36 @@ TEST(Cutout, IsOpaqueWhereSamplesAreCovered) {
     const Cutout cutout = lay_out_cutout({picture}, 0.25).cutout;
     double samples = 0;
     for (const Texel& texel : picture.texels) samples += texel.shown;
-    const auto there = std::ranges::count_if(cutout.opacity, [](std::uint8_t o) { return o >= kAlphaCutoff; });
-    EXPECT_NEAR(static_cast<double>(there), samples / kSamplesPerTexel, 0.03 * 40 * 30) << seed;
+    const MipLevel shown{cutout.colour.columns, cutout.colour.rows, cutout.opacity};
+    EXPECT_NEAR(interpolated_share(shown) * static_cast<double>(cutout.opacity.size()), samples / kSamplesPerTexel,
+                0.05 * 40 * 30)
+        << seed;
   }
 }
 
 TEST(Cutout, HasNoDarkRim) {
   const Cutout cutout = lay_out_cutout({chance_picture(12, 9, 1), chance_picture(5, 20, 2)}, 0.1).cutout;
   ASSERT_EQ(cutout.opacity.size(), cutout.colour.texels.size());
-  // frames and uncovered texels have the picture's colour; only the unused rest of the atlas is black
-  for (std::size_t i = 0; i < cutout.opacity.size(); ++i) {
-    if (cutout.opacity[i] > 0) {
-      EXPECT_GT(cutout.colour.texels[i][1], 100);
-    }
+  ASSERT_FALSE(cutout.opacity.empty());
+  for (const materials::TextureImage::Texel& texel : cutout.colour.texels) EXPECT_GT(texel[1], 100);
+}
+
+TEST(Cutout, HasSidesThatArePowersOfTwoAndPicturesInCellsOfTheirOwn) {
+  std::vector<Picture> pictures;
+  for (std::uint32_t i = 0; i < 9; ++i) pictures.push_back(chance_picture(10 + 7 * i, 62, i));
+  const CutoutLayout layout = lay_out_cutout(pictures, 1);
+  EXPECT_TRUE(std::has_single_bit(layout.cutout.colour.columns));
+  EXPECT_TRUE(std::has_single_bit(layout.cutout.colour.rows));
+  std::set<std::pair<int, int>> taken;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const auto first = [](double at) { return static_cast<int>(at - 1) / static_cast<int>(kCell_px); };
+    const auto last = [](double at, std::uint32_t side) {
+      return static_cast<int>(at + side) / static_cast<int>(kCell_px);
+    };
+    const Vec2 at = layout.at_m[i];
+    for (int row = first(at.y); row <= last(at.y, pictures[i].rows); ++row)
+      for (int column = first(at.x); column <= last(at.x, pictures[i].columns); ++column)
+        EXPECT_TRUE(taken.emplace(column, row).second) << i;
   }
 }
 
@@ -53,14 +74,12 @@ TEST(Cutout, HasPicturesAtTheirPositions) {
       EXPECT_GE(layout.cutout.opacity[at], kAlphaCutoff);
       EXPECT_EQ(layout.cutout.colour.texels[at], (materials::TextureImage::Texel{255, 0, 0}));
     }
-  // and transparent texels beside it
-  EXPECT_EQ(layout.cutout.opacity[(row + 0) * layout.cutout.colour.columns + column - 1], 0);
 }
 
 TEST(Cutout, OfNothingIsNothing) {
   EXPECT_TRUE(lay_out_cutout({}, 1).cutout.opacity.empty());
   const Cutout cutout = lay_out_cutout({Picture{4, 4, std::vector<Texel>(16)}}, 1).cutout;
-  EXPECT_EQ(std::ranges::count(cutout.opacity, std::uint8_t{0}), static_cast<std::ptrdiff_t>(cutout.opacity.size()));
+  EXPECT_EQ(std::ranges::count(cutout.opacity, std::uint8_t{0}), 16 * 16);
 }
 
 }  // namespace

@@ -23,13 +23,12 @@ using Bytes = std::vector<std::byte>;
 
 constexpr Compression kBoth[] = {Compression::kDraco, Compression::kMeshopt};
 
-Bytes encoded(const BakedTile& tile, Compression compression, Instancing instancing = Instancing::kExtension,
-              int threads = 1) {
-  return encode_glb(tile, {}, instancing, compression, threads);
+Bytes encoded(const BakedTile& tile, Compression compression, Target target = Target::kThree, int threads = 1) {
+  return encode_glb(tile, {}, {.target = target, .compression = compression}, threads);
 }
 
-BakedTile through(const BakedTile& tile, Compression compression, Instancing instancing = Instancing::kExtension) {
-  const auto back = decode_glb(encoded(tile, compression, instancing), "tile.glb");
+BakedTile through(const BakedTile& tile, Compression compression, Target target = Target::kThree) {
+  const auto back = decode_glb(encoded(tile, compression, target), "tile.glb");
   EXPECT_TRUE(back) << (back ? "" : to_string(back.error()));
   return back ? *back : BakedTile{};
 }
@@ -108,10 +107,10 @@ BakedTile off_grid(std::uint32_t seed) {
 TEST(CompressedGlb, HoldsTheQuantisedTileTriangleForTriangle) {
   for (std::uint32_t seed = 0; seed < 10; ++seed)
     for (const Compression compression : kBoth)
-      for (const Instancing instancing : {Instancing::kExtension, Instancing::kNodes})
+      for (const Target target : {Target::kThree, Target::kUnreal})
         for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed), made_facade_tile(seed),
                                       made_textured_tile(seed), off_grid(seed)})
-          ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression, instancing), quantised(tile))) << seed;
+          ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression, target), quantised(tile))) << seed;
 }
 
 TEST(CompressedGlb, MoreCornersThan16BitsCount) {
@@ -184,7 +183,7 @@ TEST(CompressedGlb, BordersOfTilesAndLevelsMeet) {
 TEST(CompressedGlb, SameBytesForAnyThreads) {
   for (const Compression compression : kBoth)
     for (const int threads : {2, 7})
-      EXPECT_EQ(encoded(off_grid(3), compression), encoded(off_grid(3), compression, Instancing::kExtension, threads));
+      EXPECT_EQ(encoded(off_grid(3), compression), encoded(off_grid(3), compression, Target::kThree, threads));
 }
 
 TEST(CompressedGlb, NamesWhatReadersMustKnow) {
@@ -263,7 +262,7 @@ TEST(CompressedGlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
       changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
       const auto tile = decode_glb(changed, "changed");
       if (!tile) continue;
-      const auto again = decode_glb(encode_glb(*tile, {}, Instancing::kExtension), "again");
+      const auto again = decode_glb(encode_glb(*tile, {}, {}), "again");
       ASSERT_TRUE(again) << "byte " << at << ": " << to_string(again.error());
       ASSERT_EQ(*again, *tile) << "byte " << at;
     }

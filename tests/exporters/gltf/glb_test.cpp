@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -17,14 +18,21 @@ namespace {
 using bake::BakedTile;
 using Bytes = std::vector<std::byte>;
 
-constexpr Instancing kBoth[] = {Instancing::kExtension, Instancing::kNodes};
+constexpr GlbOptions kExtension{.target = Target::kThree, .split = Split::kTile},
+    kNodes{.target = Target::kGeneric, .split = Split::kTile};
+constexpr GlbOptions kAll[] = {kExtension,
+                               kNodes,
+                               {.target = Target::kThree},
+                               {.target = Target::kGeneric},
+                               {.target = Target::kThree, .split = Split::kBuilding},
+                               {.target = Target::kGeneric, .split = Split::kBuilding}};
 
 scene::Header header() {
   scene::Header h;
   h.origin = {7.25, 43.5}, h.attributions = {"© OpenStreetMap contributors", "hills"};
   return h;
 }
-Bytes encoded(const BakedTile& tile, Instancing instancing) { return encode_glb(tile, header(), instancing); }
+Bytes encoded(const BakedTile& tile, const GlbOptions& options) { return encode_glb(tile, header(), options); }
 Result<BakedTile> decoded(const Bytes& bytes) { return decode_glb(bytes, "tile.glb"); }
 std::string refusal(const Result<BakedTile>& result) { return result ? "accepted" : to_string(result.error()); }
 
@@ -50,9 +58,9 @@ Bytes with_json(const Bytes& bytes, std::string json) {
 }
 
 // The error for a tile in whose JSON one text is replaced by another.
-std::string refusal_with(Instancing instancing, const std::string& text, const std::string& other,
+std::string refusal_with(const GlbOptions& options, const std::string& text, const std::string& other,
                          const BakedTile& tile = made_tile(1)) {
-  const Bytes bytes = encoded(tile, instancing);
+  const Bytes bytes = encoded(tile, options);
   std::string json = json_of(bytes);
   const auto at = json.find(text);
   EXPECT_NE(at, std::string::npos) << text << " in " << json;
@@ -60,20 +68,80 @@ std::string refusal_with(Instancing instancing, const std::string& text, const s
   return refusal(decoded(with_json(bytes, json.replace(at, text.size(), other))));
 }
 
-TEST(Glb, ReadsBackWhatItWroteEitherWayOfInstancing) {
+TEST(Glb, ReadsBackWhatItWroteForEachTargetAndSplit) {
   for (std::uint32_t seed = 0; seed < 100; ++seed)
-    for (const Instancing instancing : kBoth) {
+    for (const GlbOptions& options : kAll) {
       for (const BakedTile& tile :
            {made_tile(seed), made_marked_tile(seed), made_facade_tile(seed), made_textured_tile(seed)}) {
-        const auto back = decoded(encoded(tile, instancing));
+        const auto back = decoded(encoded(tile, options));
         ASSERT_TRUE(back) << refusal(back);
         ASSERT_EQ(*back, tile);
       }
     }
 }
 
-nlohmann::json gltf_of(const BakedTile& tile) {
-  return nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
+nlohmann::json gltf_of(const BakedTile& tile) { return nlohmann::json::parse(json_of(encoded(tile, kExtension))); }
+
+TEST(GlbPropertyTable, HasTheAttributesOfEachFeature) {
+  const Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  const auto gltf = nlohmann::json::parse(json_of(bytes));
+  const auto& metadata = gltf["extensions"]["EXT_structural_metadata"];
+  const auto& table = metadata["propertyTables"][0];
+  EXPECT_EQ(table["count"], 4);
+  const auto& properties = metadata["schema"]["classes"]["osm"]["properties"];
+  ASSERT_EQ(properties.size(), 6u);
+  for (const auto& [name, property] : properties.items()) EXPECT_TRUE(table["properties"].contains(name)) << name;
+  EXPECT_EQ(metadata["schema"]["enums"]["class"]["values"],
+            nlohmann::json::parse(R"([{"name":"none","value":0},{"name":"Apartments","value":1},
+                                      {"name":"Park","value":2},{"name":"oak","value":3}])"));
+  const auto& names = gltf["bufferViews"][table["properties"]["name"]["values"].get<std::size_t>()];
+  const std::string buffer(reinterpret_cast<const char*>(bytes.data()) + 28 + json_of(bytes).size(),
+                           bytes.size() - 28 - json_of(bytes).size());
+  EXPECT_EQ(buffer.substr(names["byteOffset"].get<std::size_t>(), names["byteLength"].get<std::size_t>()),
+            "Château «Ω»Parc");
+}
+
+TEST(GlbPropertyTable, LeavesOutColumnsWithoutValues) {
+  BakedTile tile = made_tile(1);
+  for (bake::FeatureAttributes& row : tile.attributes) row.name.clear(), row.tags.clear();
+  auto gltf = nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
+  EXPECT_EQ(gltf["extensions"]["EXT_structural_metadata"]["propertyTables"][0]["properties"].size(), 4u);
+  EXPECT_TRUE(*decoded(encoded(tile, Instancing::kExtension)) == tile);
+  tile.attributes.clear();
+  gltf = nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
+  EXPECT_EQ(gltf["extensions"]["EXT_structural_metadata"]["propertyTables"][0]["properties"].size(), 2u);
+  EXPECT_TRUE(*decoded(encoded(tile, Instancing::kExtension)) == tile);
+}
+
+TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
+  const BakedTile tile = made_tile(1);
+  const auto gltf = nlohmann::json::parse(json_of(encoded(tile, Instancing::kNodes)));
+  std::set<std::string> seen;
+  for (const auto& node : gltf["nodes"])
+    if (node.contains("extras") && node["extras"].contains("feature")) seen.insert(node["extras"].dump());
+  ASSERT_GT(seen.size(), 1u);
+  for (const std::string& extras : seen)
+    EXPECT_TRUE(extras == R"({"feature":0})" ||
+                extras == R"({"class":"oak","feature":1,"height_m":12.3,"osm_id":5,"osm_type":"node"})" ||
+                extras == R"({"class":"Apartments","feature":2,"height_m":31.0,"name":"Château «Ω»","osm_id":-12,)"
+                          R"("osm_type":"way","tags":{"building":"yes"}})" ||
+                extras == R"({"class":"Park","feature":3,"name":"Parc","osm_id":9007199254740993.0,)"
+                          R"("osm_type":"relation"})")
+        << extras;
+}
+
+TEST(GlbPropertyTableDamage, TextsOutsideTheirViewAndOtherEncodingsAreRefused) {
+  for (const char* text : {R"("stringOffsetType":"UINT16")", R"("valueType":"UINT16")"})
+    EXPECT_NE(json_of(encoded(made_tile(1), Instancing::kExtension)).find(text), std::string::npos) << text;
+  EXPECT_NE(refusal_with(Instancing::kExtension, R"("stringOffsetType":"UINT16")", R"("stringOffsetType":"UINT32")"),
+            "accepted");
+  Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  const std::string name = "Château";
+  const auto at = std::search(bytes.begin(), bytes.end(), name.begin(), name.end(),
+                              [](std::byte b, char c) { return b == static_cast<std::byte>(c); });
+  ASSERT_NE(at, bytes.end());
+  *(at + 3) = std::byte{0xff};
+  EXPECT_EQ(refusal(decoded(bytes)), "tile.glb: expected texts in UTF-8");
 }
 
 TEST(GlbMarkingAtlas, IsWrittenOnceForAllThatIsOnIt) {
@@ -85,9 +153,8 @@ TEST(GlbMarkingAtlas, IsWrittenOnceForAllThatIsOnIt) {
             nlohmann::json::parse(R"([{"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 10497}])"));
 }
 
-TEST(GlbMarkingAtlas, MarkedMaterialsShowItInMetres) {
-  const BakedTile tile = made_marked_tile(1);
-  const auto gltf = gltf_of(tile);
+TEST(GlbMarkingAtlas, MarkedMaterialsShowItWithTheirOwnColour) {
+  const auto gltf = gltf_of(made_marked_tile(1));
   int marked = 0;
   for (const auto& material : gltf["materials"]) {
     const bool is_marked = material["name"].get<std::string>().ends_with("Marked");
@@ -96,16 +163,90 @@ TEST(GlbMarkingAtlas, MarkedMaterialsShowItInMetres) {
     if (!is_marked) continue;
     ++marked;
     EXPECT_EQ(colours.value("baseColorFactor", nlohmann::json({1, 1, 1, 1})), nlohmann::json({1, 1, 1, 1}));
-    const auto scale = colours["baseColorTexture"]["extensions"]["KHR_texture_transform"]["scale"];
-    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.marking_atlas.columns * tile.marking_atlas.texel_m));
-    EXPECT_EQ(scale[1].get<double>(), 1 / (tile.marking_atlas.rows * tile.marking_atlas.texel_m));
   }
   EXPECT_EQ(marked, 3);
 }
 
+// The bytes of an accessor's buffer view as floats.
+std::vector<float> floats_of(const Bytes& glb, const nlohmann::json& gltf, std::size_t accessor) {
+  const auto& view = gltf["bufferViews"][gltf["accessors"][accessor]["bufferView"].get<std::size_t>()];
+  const std::size_t start = 20 + json_of(glb).size() + 8 + view.value("byteOffset", std::size_t{0});
+  std::vector<float> values(view["byteLength"].get<std::size_t>() / sizeof(float));
+  std::memcpy(values.data(), glb.data() + start, values.size() * sizeof(float));
+  return values;
+}
+
+TEST(Glb, TextureCoordinatesAreInUnitsOfTheImageWithoutATransform) {
+  const BakedTile tile = made_facade_tile(1);
+  const Bytes glb = encoded(tile, kNodes);
+  const auto gltf = nlohmann::json::parse(json_of(glb));
+  EXPECT_FALSE(gltf.contains("extensionsRequired"));
+  EXPECT_EQ(json_of(glb).find("KHR_texture_transform"), std::string::npos);
+  const auto atlas = std::ranges::find_if(
+      tile.primitives, [](const bake::Primitive& p) { return p.colour_source == materials::ColourSource::kByAtlas; });
+  ASSERT_NE(atlas, tile.primitives.end());
+  const auto& primitive = gltf["meshes"][0]["primitives"][static_cast<std::size_t>(atlas - tile.primitives.begin())];
+  const std::vector<float> uvs = floats_of(glb, gltf, primitive["attributes"]["TEXCOORD_0"].get<std::size_t>());
+  ASSERT_EQ(uvs.size(), 2 * atlas->uvs.size());
+  const materials::TextureImage& image = tile.facade_atlas.colour;
+  for (std::size_t i = 0; i < atlas->uvs.size(); ++i) {
+    EXPECT_FLOAT_EQ(uvs[2 * i], static_cast<float>(atlas->uvs[i][0] / (image.columns * image.texel_m)));
+    EXPECT_FLOAT_EQ(uvs[2 * i + 1], static_cast<float>(atlas->uvs[i][1] / (image.rows * image.texel_m)));
+  }
+}
+
+// The names of all nodes below the root, and of theirs.
+std::vector<std::string> names_below(const nlohmann::json& gltf, std::size_t node) {
+  std::vector<std::string> names;
+  for (const auto& child : gltf["nodes"][node].value("children", nlohmann::json::array()))
+    names.push_back(gltf["nodes"][child.get<std::size_t>()]["name"]);
+  return names;
+}
+
+nlohmann::json gltf_of(const BakedTile& tile, const GlbOptions& options) {
+  return nlohmann::json::parse(json_of(encoded(tile, options)));
+}
+
+TEST(GlbNodes, AreLayersWithTheirMeshes) {
+  const BakedTile tile = made_facade_tile(1);
+  const auto gltf = gltf_of(tile, {});
+  EXPECT_EQ(names_below(gltf, 0), (std::vector<std::string>{"ground", "roads", "buildings", "plants"}));
+  EXPECT_FALSE(gltf["nodes"][0].contains("mesh"));
+  for (const auto& child : gltf["nodes"][0]["children"]) {
+    const auto& node = gltf["nodes"][child.get<std::size_t>()];
+    if (node["name"] == "plants") continue;
+    EXPECT_EQ(gltf["meshes"][node["mesh"].get<std::size_t>()]["extras"]["layer"], node["name"]);
+  }
+}
+
+TEST(GlbNodes, OfPlantsHoldANodePerPlantOrOnePerKind) {
+  const BakedTile tile = made_tile(1);
+  const auto plants_of = [&](Target target) {
+    const auto gltf = gltf_of(tile, {.target = target});
+    return names_below(gltf, gltf["nodes"][0]["children"].back().get<std::size_t>()).size();
+  };
+  EXPECT_EQ(plants_of(Target::kGeneric), 7u);
+  EXPECT_EQ(plants_of(Target::kThree), 2u);
+}
+
+TEST(GlbNodes, OfBuildingsSayTheirOsmElement) {
+  const BakedTile tile = made_facade_tile(1);
+  const auto gltf = gltf_of(tile, {.split = Split::kBuilding});
+  const auto& layer = gltf["nodes"][gltf["nodes"][0]["children"][2].get<std::size_t>()];
+  ASSERT_EQ(layer["name"], "buildings");
+  EXPECT_FALSE(layer.contains("mesh"));
+  ASSERT_EQ(layer["children"].size(), 2u);
+  const auto& building = gltf["nodes"][layer["children"][1].get<std::size_t>()];
+  EXPECT_EQ(building["name"], "way_-12");
+  EXPECT_EQ(building["extras"]["osm_type"], "way");
+  EXPECT_EQ(building["extras"]["osm_id"], -12);
+  // its plain walls and those on the facade atlas
+  EXPECT_EQ(gltf["meshes"][building["mesh"].get<std::size_t>()]["primitives"].size(), 2u);
+}
+
 TEST(GlbMarkingAtlas, TilesWithoutOneDoNotMentionIt) {
-  const std::string json = json_of(encoded(made_tile(1), Instancing::kExtension));
-  for (const char* word : {"TEXCOORD_0", "KHR_texture_transform", "images", "textures", "samplers", "Marked"})
+  const std::string json = json_of(encoded(made_tile(1), kExtension));
+  for (const char* word : {"TEXCOORD_0", "images", "textures", "samplers", "Marked"})
     EXPECT_EQ(json.find(word), std::string::npos) << word;
 }
 
@@ -117,14 +258,11 @@ nlohmann::json material_called(const nlohmann::json& gltf, const std::string& na
 }
 
 TEST(GlbFacadeAtlas, SayColourRoughnessAndMetalness) {
-  const BakedTile tile = made_facade_tile(1);
-  const auto gltf = gltf_of(tile);
+  const auto gltf = gltf_of(made_facade_tile(1));
   const auto pbr = material_called(gltf, "PaintFacadeAtlas")["pbrMetallicRoughness"];
   for (const char* factor : {"baseColorFactor", "roughnessFactor", "metallicFactor"})
     EXPECT_EQ(pbr.value(factor, nlohmann::json(1)).flatten().begin().value(), 1) << factor;
   const auto picture = [&](const char* place) {
-    const auto scale = pbr[place]["extensions"]["KHR_texture_transform"]["scale"];
-    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.facade_atlas.colour.columns * tile.facade_atlas.colour.texel_m));
     const auto texture = gltf["textures"][pbr[place]["index"].get<std::size_t>()];
     // what lies at the other end of an atlas has nothing to do with this one
     EXPECT_EQ(gltf["samplers"][texture["sampler"].get<std::size_t>()]["wrapT"], 33071);
@@ -167,9 +305,7 @@ TEST(GlbMaterials, ShineAsTheTableSays) {
 
 TEST(GlbFacadeAtlas, AreRefusedWhereOneOfTwoPicturesIsMissing) {
   const BakedTile tile = made_facade_tile(1);
-  const auto refused = [&](const char* name, const char* other) {
-    return refusal_with(Instancing::kExtension, name, other, tile);
-  };
+  const auto refused = [&](const char* name, const char* other) { return refusal_with(kExtension, name, other, tile); };
   EXPECT_NE(refused("\"facade_atlas\"", "\"GrassColour\""), "accepted");
   EXPECT_NE(refused("\"facade_atlas_surface\"", "\"GrassColour\""), "accepted");
   EXPECT_NE(refused("\"facade_atlas_normal\"", "\"facade_atlas_mormal\""), "accepted");
@@ -180,7 +316,8 @@ TEST(GlbMarkingAtlas, MaterialsOnItHaveNamesOfTheirOwn) {
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
     for (const auto colour_source : {materials::ColourSource::kByMaterial, materials::ColourSource::kByMarkingAtlas,
                                      materials::ColourSource::kByAtlas})
-      EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, colour_source}, {})).second);
+      EXPECT_TRUE(
+          names.insert(material_name({{}, static_cast<materials::Material>(m), true, colour_source}, {})).second);
 }
 
 // The attributes of the primitive of a material.
@@ -221,9 +358,8 @@ TEST(GlbTextures, ShowTheirPictureTimesTheFactor) {
   }
 }
 
-TEST(GlbTextures, PlacesAreMetresIn16BitsWhereTheyFit) {
-  const BakedTile tile = made_textured_tile(1);
-  const auto gltf = gltf_of(tile);
+TEST(GlbTextures, OfPackedMeshesHaveUvsInMetresIn16BitsWhereTheyFit) {
+  const auto gltf = gltf_of(made_textured_tile(1), {Target::kThree, Split::kTile, Compression::kMeshopt});
   const auto scale_of = [&](const char* name) {
     const auto transform = material_called(gltf, name)["pbrMetallicRoughness"]["baseColorTexture"]["extensions"];
     return transform["KHR_texture_transform"]["scale"][0].get<double>();
@@ -275,21 +411,20 @@ TEST(GlbTextures, OfAllMaterialsFitTheBudget) {
 }
 
 TEST(Glb, BothWaysOfInstancingAreOneTile) {
-  const auto with_extension = decoded(encoded(made_tile(1), Instancing::kExtension)),
-             with_nodes = decoded(encoded(made_tile(1), Instancing::kNodes));
+  const auto with_extension = decoded(encoded(made_tile(1), kExtension)),
+             with_nodes = decoded(encoded(made_tile(1), kNodes));
   ASSERT_TRUE(with_extension && with_nodes);
   EXPECT_EQ(*with_extension, *with_nodes);
 }
 
 TEST(Glb, SameTileSameBytes) {
-  for (const Instancing instancing : kBoth)
-    EXPECT_EQ(encoded(made_tile(1), instancing), encoded(made_tile(1), instancing));
+  for (const GlbOptions& options : kAll) EXPECT_EQ(encoded(made_tile(1), options), encoded(made_tile(1), options));
 }
 
 TEST(Glb, TheOriginIsNotRoundedToSinglePrecision) {
   BakedTile tile = made_tile(1);
   tile.origin = {16777217, -16777219, 4097};
-  const auto back = decoded(encoded(tile, Instancing::kExtension));
+  const auto back = decoded(encoded(tile, kExtension));
   ASSERT_TRUE(back) << refusal(back);
   EXPECT_EQ(back->origin, tile.origin);
 }
@@ -297,7 +432,7 @@ TEST(Glb, TheOriginIsNotRoundedToSinglePrecision) {
 TEST(Glb, TellsForWhichEyeItWasMade) {
   BakedTile tile = made_tile(1);
   tile.viewpoint = bake::Viewpoint{{0.1, -16777219.25, 4097}, 869.1171875, 0.96};
-  const auto back = decoded(encoded(tile, Instancing::kExtension));
+  const auto back = decoded(encoded(tile, kExtension));
   ASSERT_TRUE(back) << refusal(back);
   EXPECT_EQ(back->viewpoint, tile.viewpoint);
 }
@@ -307,7 +442,7 @@ TEST(Glb, MoreCornersThan16BitsCount) {
   BakedTile tile = made_tile(1);
   for (const std::uint32_t corners : {65533u, 65534u, 65535u, 65538u}) {
     tile.primitives = {made_primitive(dice, materials::Material::kRock, corners, 4)};
-    const auto back = decoded(encoded(tile, Instancing::kExtension));
+    const auto back = decoded(encoded(tile, kExtension));
     ASSERT_TRUE(back) << refusal(back);
     EXPECT_EQ(*back, tile) << corners;
   }
@@ -317,7 +452,7 @@ TEST(Glb, ATileWithoutGroundOrInstancesIsWhole) {
   BakedTile bare = made_tile(1), trees = made_tile(1);
   bare.instanced.clear(), trees.primitives.clear();
   for (const BakedTile& tile : {bare, trees}) {
-    const auto back = decoded(encoded(tile, Instancing::kNodes));
+    const auto back = decoded(encoded(tile, kNodes));
     ASSERT_TRUE(back) << refusal(back);
     EXPECT_EQ(*back, tile);
   }
@@ -325,7 +460,7 @@ TEST(Glb, ATileWithoutGroundOrInstancesIsWhole) {
 
 TEST(GlbDamage, EveryTruncationIsRefused) {
   for (const BakedTile& tile : {made_tile(2), made_marked_tile(2)}) {
-    const Bytes bytes = encoded(tile, Instancing::kExtension);
+    const Bytes bytes = encoded(tile, kExtension);
     ASSERT_FALSE(bytes.empty());
     for (std::size_t size = 0; size < bytes.size(); ++size)
       ASSERT_FALSE(decoded(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
@@ -335,8 +470,8 @@ TEST(GlbDamage, EveryTruncationIsRefused) {
 // Tiles have no checksum, so a changed byte may make another tile: one that can be written and read.
 TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
   std::mt19937 dice(4);
-  for (const Instancing instancing : kBoth) {
-    const Bytes bytes = encoded(instancing == Instancing::kNodes ? made_tile(3) : made_marked_tile(3), instancing);
+  for (const GlbOptions& options : kAll) {
+    const Bytes bytes = encoded(options.target == Target::kGeneric ? made_tile(3) : made_marked_tile(3), options);
     ASSERT_FALSE(bytes.empty());
     for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 5) {
       Bytes changed = bytes;
@@ -346,7 +481,7 @@ TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
       for (const bake::Primitive& p : tile->primitives)
         for (const auto& triangle : p.triangles)
           for (const auto corner : triangle) ASSERT_LT(corner, p.positions.size()) << "byte " << at;
-      const auto again = decoded(encoded(*tile, Instancing::kExtension));
+      const auto again = decoded(encoded(*tile, kExtension));
       ASSERT_TRUE(again) << "byte " << at << ": " << refusal(again);
       ASSERT_EQ(*again, *tile) << "byte " << at;
     }
@@ -354,14 +489,14 @@ TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
 }
 
 TEST(GlbDamage, ABufferLongerThanTheFileIsRefused) {
-  Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  Bytes bytes = encoded(made_tile(1), kExtension);
   const std::size_t at = 20 + json_of(bytes).size();
   put_number(bytes, at, bytes.size() - at - 4);
   EXPECT_EQ(refusal(decoded(bytes)), "tile.glb: expected two chunks, JSON and its buffer, that fill the file");
 }
 
 TEST(GlbDamage, JsonNestedWithoutEndIsRefused) {
-  const Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  const Bytes bytes = encoded(made_tile(1), kExtension);
   const std::string deep = std::string(500000, '['), end(500000, ']');
   EXPECT_EQ(refusal(decoded(with_json(bytes, "{\"asset\":{\"version\":\"2.0\"},\"extras\":" + deep + end + "}"))),
             "tile.glb: expected JSON that is not nested deeper than glTF ever is");
@@ -371,26 +506,25 @@ TEST(GlbDamage, JsonNestedWithoutEndIsRefused) {
 
 TEST(GlbDamage, OtherFilesAreNotOpened) {
   const std::string json = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"/etc/hostname"}]})";
-  EXPECT_NE(refusal(decoded(with_json(encoded(made_tile(1), Instancing::kExtension), json))).find("FS callback"),
+  EXPECT_NE(refusal(decoded(with_json(encoded(made_tile(1), kExtension), json))).find("FS callback"),
             std::string::npos);
 }
 
 TEST(GlbDamage, ANodeWithoutMeshIsRefused) {
   const std::string expected = "tile.glb: expected each mesh in nodes that follow each other, in order";
-  EXPECT_EQ(refusal_with(Instancing::kNodes, "\"mesh\":1", "\"mess\":1"), expected);
-  EXPECT_EQ(refusal_with(Instancing::kNodes, "\"mesh\":1", "\"mesh\":0"), expected);
-  EXPECT_EQ(refusal_with(Instancing::kExtension, "\"mesh\":2", "\"mesh\":1"), expected);
+  EXPECT_EQ(refusal_with(kNodes, "\"mesh\":1", "\"mess\":1"), expected);
+  EXPECT_EQ(refusal_with(kNodes, "\"mesh\":1", "\"mesh\":0"), expected);
+  EXPECT_EQ(refusal_with(kExtension, "\"mesh\":2", "\"mesh\":1"), expected);
 }
 
 TEST(GlbDamage, NumbersBeyondTheirTypeAreRefused) {
-  EXPECT_EQ(refusal_with(Instancing::kExtension, "\"tile\":[-3", "\"tile\":[-3e30"),
-            "tile.glb: expected a whole number");
-  EXPECT_EQ(refusal_with(Instancing::kNodes, "\"translation\":[0.25", "\"translation\":[1e300"),
+  EXPECT_EQ(refusal_with(kExtension, "\"tile\":[-3", "\"tile\":[-3e30"), "tile.glb: expected a whole number");
+  EXPECT_EQ(refusal_with(kNodes, "\"translation\":[0.25", "\"translation\":[1e300"),
             "tile.glb: expected places in single precision");
 }
 
 std::string marked_refusal_with(const std::string& text, const std::string& other) {
-  return refusal_with(Instancing::kExtension, text, other, made_marked_tile(1));
+  return refusal_with(kExtension, text, other, made_marked_tile(1));
 }
 
 std::string images_of(const BakedTile& tile) { return gltf_of(tile)["images"].dump(); }
@@ -404,15 +538,14 @@ TEST(GlbMarkingAtlasDamage, AMissingImageIsRefused) {
 TEST(GlbMarkingAtlasDamage, PlacesForOtherCornersAreRefused) {
   bake::BakedTile tile = made_marked_tile(1);
   tile.primitives.back().uvs.pop_back();
-  EXPECT_EQ(refusal(decoded(encoded(tile, Instancing::kExtension))),
-            "tile.glb: expected as many values in each attribute");
+  EXPECT_EQ(refusal(decoded(encoded(tile, kExtension))), "tile.glb: expected as many values in each attribute");
 }
 
 TEST(GlbMarkingAtlasDamage, PlacesThatAreNotFiniteAreRefused) {
   for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     bake::BakedTile tile = made_marked_tile(1);
     tile.primitives.back().uvs.back()[1] = bad;
-    EXPECT_EQ(refusal(decoded(encoded(tile, Instancing::kExtension))), "tile.glb: expected finite numbers");
+    EXPECT_EQ(refusal(decoded(encoded(tile, kExtension))), "tile.glb: expected finite numbers");
   }
 }
 
@@ -423,7 +556,7 @@ TEST(GlbMarkingAtlasDamage, ASecondMarkingAtlasIsRefused) {
 }
 
 std::string textured_refusal_with(const std::string& text, const std::string& other) {
-  return refusal_with(Instancing::kExtension, text, other, made_textured_tile(1));
+  return refusal_with(kExtension, text, other, made_textured_tile(1));
 }
 
 TEST(GlbTextureDamage, PicturesOfNoMaterialTwiceOrOutOfOrderAreRefused) {
@@ -438,7 +571,7 @@ TEST(GlbTextureDamage, PicturesOfNoMaterialTwiceOrOutOfOrderAreRefused) {
 
 TEST(GlbTextureDamage, AChangedByteOfTheJsonIsRefusedOrMakesAnotherTile) {
   std::mt19937 dice(5);
-  const Bytes bytes = encoded(made_textured_tile(3), Instancing::kExtension);
+  const Bytes bytes = encoded(made_textured_tile(3), kExtension);
   const std::size_t end = 20 + json_of(bytes).size();
   ASSERT_GT(end, 0u);
   for (std::size_t at = 0; at < end; at += 1 + dice() % 5) {
@@ -446,7 +579,7 @@ TEST(GlbTextureDamage, AChangedByteOfTheJsonIsRefusedOrMakesAnotherTile) {
     changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
     const auto tile = decoded(changed);
     if (!tile) continue;
-    const auto again = decoded(encoded(*tile, Instancing::kExtension));
+    const auto again = decoded(encoded(*tile, kExtension));
     ASSERT_TRUE(again) << "byte " << at << ": " << refusal(again);
     ASSERT_EQ(*again, *tile) << "byte " << at;
   }
@@ -461,7 +594,7 @@ TEST(GlbMarkingAtlasDamage, TexelsWithoutASizeAreRefused) {
 }
 
 TEST(GlbMarkingAtlasDamage, APictureThatIsNoneIsRefused) {
-  Bytes bytes = encoded(made_marked_tile(1), Instancing::kExtension);
+  Bytes bytes = encoded(made_marked_tile(1), kExtension);
   const std::string signature = "\x89PNG", header = "IHDR";
   const auto find = [&](const std::string& word) {
     return std::search(bytes.begin(), bytes.end(), word.begin(), word.end(),
@@ -490,7 +623,7 @@ TEST(GlbMarkingAtlasDamage, APictureOutsideTheBufferIsRefused) {
 }
 
 TEST(GlbDamage, ABufferViewReadTwiceIsRefused) {
-  EXPECT_EQ(refusal_with(Instancing::kExtension, "\"bufferView\":0", "\"bufferView\":5"),
+  EXPECT_EQ(refusal_with(kExtension, "\"bufferView\":0", "\"bufferView\":5"),
             "tile.glb: expected each byte of the buffer to be used once");
 }
 

@@ -2,11 +2,13 @@
 """A reader written from exporters/kiln/MANIFEST.md alone reads what citykiln writes; the names of streams come from the page's table."""
 import ctypes
 import ctypes.util
+import json
 import math
 import re
 import struct
 import sys
 import unittest
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "properties"))
@@ -142,6 +144,8 @@ class Chunk:
         self.corridors = self.all("power corridors", lambda: (self.id(), self.points("power corridor points"), self.plain("power corridor")))
         self.barriers = self.all("barriers", self.barrier)
         self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height")))
+        self.names = [""]
+        self.texts = self.all("texts", self.text)
 
     def plain(self, name):
         return self.streams[name].plain()
@@ -160,6 +164,19 @@ class Chunk:
 
     def id(self):
         return self.plain("id type"), self.streams["id"].step(), self.plain("part")
+
+    def utf8(self, size, content):
+        stream, count = self.streams[content], self.plain(size)
+        stream.at += count
+        return stream.data[stream.at - count:stream.at].decode()
+
+    def text(self):
+        """An element's id, name and tags."""
+        element, number = (self.plain("id type"), self.streams["id"].step()), self.plain("name number")
+        if number == len(self.names):
+            self.names.append(self.utf8("name size", "name bytes"))
+        tags = self.utf8("tags size", "tags bytes")
+        return element, self.names[number], json.loads(tags) if tags else {}
 
     def point(self):
         code = self.plain("points")
@@ -273,7 +290,7 @@ class Manifest:
     def __init__(self, manifest):
         assert manifest[:8] == b"CITYKILN"
         major, _, size, value = struct.unpack_from("<HHIQ", manifest, 8)
-        assert major == 1
+        assert major == 2
         frame, body = manifest[24:24 + size], manifest[24 + size:]
         assert fnv(manifest[:16] + frame) == value
         header = root_of(unzstd(frame))
@@ -296,6 +313,13 @@ def tiles_of(index):
     tiles = [((x.step(), y.step()), size.plain(), value) for value in struct.unpack_from(f"<{count}Q", index.data, at)]
     assert all(stream.at == len(stream.data) for stream in (x, y, size))
     return tiles
+
+
+def tags_in_map(path):
+    """The tags of each element of an .osm file, by type as in ids, and id."""
+    types = {"node": 1, "way": 2, "relation": 3}
+    return {(types[element.tag], int(element.get("id"))): {tag.get("k"): tag.get("v") for tag in element.findall("tag")}
+            for element in ElementTree.parse(path).getroot() if element.tag in types}
 
 
 class Page(ProgramTest):
@@ -325,6 +349,22 @@ class Page(ProgramTest):
         self.assertGreaterEqual(len(manifest.chunks), 64)
         self.assertTrue(manifest.dictionary)
         self.assertEqual(sum(len(chunk.buildings) for chunk in manifest.chunks.values()), report_of(out)["counts"]["buildings"])
+
+    def test_says_where_names_and_tags_are(self):
+        town = ROOT / "examples" / "town"
+        mapped = tags_in_map(town / "town.osm")
+        for arguments in ([], ["--tags"]):
+            out = self.compiled(f"texts{len(arguments)}", town / "town.osm", "--emit", "kiln", *arguments)
+            read = {}
+            for chunk in Manifest((out / "scene.kiln").read_bytes()).chunks.values():
+                self.assertEqual([text[0] for text in chunk.texts], sorted({text[0] for text in chunk.texts}))
+                read.update({element: (name, tags) for element, name, tags in chunk.texts})
+            named = {element for element, (name, _) in read.items() if name}
+            self.assertGreater(len(named), 5)
+            for element in named:
+                self.assertEqual(read[element][0], mapped[element].get("name", read[element][0]), element)
+            tagged = {element: tags for element, (_, tags) in read.items() if tags}
+            self.assertEqual(tagged, {element: mapped[element] for element in read} if arguments else {})
 
     def test_says_where_snow_lies(self):
         for arguments, line_m in ([], None), (["--snow-line", "2200.5"], 2200.5):

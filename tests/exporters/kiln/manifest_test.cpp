@@ -195,18 +195,27 @@ TEST(Manifest, AnEmptyHeaderIsRefused) {
             "town.kiln: expected a citykiln manifest, found one whose header is damaged");
 }
 
+// The line says which program made the manifest, where that can still be read, and what to do.
 TEST(Manifest, AnotherFormatIsOneClearLineWhateverElseIsThere) {
   Bytes newer = encode_manifest(made(4), 1);
   put_number(newer, 8, 9, 2);
-  EXPECT_EQ(refusal(decoded(newer)), "town.kiln: expected format 1, found 9: made by another citykiln");
+  EXPECT_EQ(refusal(decoded(newer)),
+            "town.kiln: has manifest format 9, expected 1: made by citykiln 0.1.0, and this is 0.1.0; compile the map "
+            "again (citykiln compile MAP -o OUT), or bake it with that version");
   std::fill(newer.begin() + 12, newer.end(), std::byte{0xff});
-  EXPECT_EQ(refusal(decoded(newer)), "town.kiln: expected format 1, found 9: made by another citykiln");
+  EXPECT_EQ(refusal(decoded(newer)),
+            "town.kiln: has manifest format 9, expected 1: made by citykiln, and this is 0.1.0; compile the map again "
+            "(citykiln compile MAP -o OUT), or bake it with that version");
 }
 
 TEST(Manifest, OtherTablesAreOneClearLine) {
-  const Bytes other = with_header(encode_manifest(made(4), 1), [](fbs::HeaderT& h) { ++h.tables_hash; });
+  const Bytes other = with_header(encode_manifest(made(4), 1), [](fbs::HeaderT& h) {
+    ++h.tables_hash;
+    h.generator_version = "0.0.9";
+  });
   EXPECT_EQ(refusal(decoded(other)),
-            "town.kiln: expected this version's materials and surface classes, found others: made by another citykiln");
+            "town.kiln: has other materials, classes or species than this program: made by citykiln 0.0.9, and this is "
+            "0.1.0; compile the map again (citykiln compile MAP -o OUT), or bake it with that version");
 }
 
 TEST(Manifest, AHeaderWithoutASnowLineHasNone) {

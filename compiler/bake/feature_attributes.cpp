@@ -1,0 +1,64 @@
+#include "compiler/bake/feature_attributes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/map/building_classes.h"
+#include "compiler/map/land_cover_class.h"
+
+namespace citykiln::bake {
+namespace {
+
+// The attributes while recipes add to them.
+struct Table {
+  std::span<const OsmId> features;
+  std::vector<FeatureAttributes> rows;
+
+  void add(OsmId id, std::string_view kind, double height_m = 0) {
+    const auto found = std::ranges::lower_bound(features, id);
+    if (found == features.end() || *found != id) return;
+    FeatureAttributes& row = rows[static_cast<std::size_t>(found - features.begin())];
+    if (row.kind.empty()) row.kind = kind;
+    row.height_m = std::max(row.height_m, static_cast<float>(height_m));
+  }
+};
+
+template <typename Object>
+void add_covers(Table& table, const std::vector<Object>& objects) {
+  for (const Object& object : objects) table.add(object.id.osm, map::values_of(object.surface).name);
+}
+
+void add_buildings(Table& table, const std::vector<buildings::Building>& buildings) {
+  for (const buildings::Building& b : buildings)
+    table.add(b.id.osm, map::word_of(static_cast<map::BuildingClass>(b.building_class)),
+              b.top_m - (b.stands_on_ground ? b.floor_m : b.bottom_m));
+}
+
+template <typename Plant>
+void add_plants(Table& table, const std::vector<Plant>& plants) {
+  for (const Plant& plant : plants) table.add(plant.id.osm, name_of(plant.species_mix), plant.height_m);
+}
+
+void add_texts(Table& table, std::span<const map::ElementText> texts) {
+  for (std::size_t i = 0; i < table.features.size(); ++i) {
+    const map::ElementText* text = map::find_text(texts, table.features[i]);
+    if (text != nullptr) table.rows[i].name = text->name, table.rows[i].tags = text->tags;
+  }
+}
+
+}  // namespace
+
+std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features) {
+  Table table{features, std::vector<FeatureAttributes>(features.size())};
+  add_buildings(table, chunk.buildings);
+  add_covers(table, chunk.bridges), add_covers(table, chunk.tunnels);
+  add_covers(table, chunk.roads), add_covers(table, chunk.watercourses);
+  for (const props::Barrier& b : chunk.barriers) table.add(b.id.osm, map::name_of(b.kind), b.height_m);
+  add_plants(table, chunk.trees), add_plants(table, chunk.tree_rows);
+  for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);
+  add_covers(table, chunk.surfaces);
+  add_texts(table, chunk.texts);
+  return std::move(table.rows);
+}
+
+}  // namespace citykiln::bake

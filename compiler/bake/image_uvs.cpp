@@ -1,0 +1,34 @@
+#include "compiler/bake/image_uvs.h"
+
+#include <cmath>
+#include <span>
+
+namespace citykiln::bake {
+namespace {
+
+using materials::ColourSource;
+using materials::TextureImage;
+
+void snap(std::span<Primitive> primitives, ColourSource colour_source, const TextureImage& image) {
+  if (image.texels.empty()) return;
+  const double step_m = materials::uv_step_m(image);
+  for (Primitive& primitive : primitives) {
+    if (primitive.colour_source != colour_source) continue;
+    for (Float2& uv : primitive.uvs)
+      for (float& c : uv) c = static_cast<float>(std::floor(c / step_m + 0.5) * step_m) + 0.0f;
+  }
+}
+
+}  // namespace
+
+void snap_image_uvs(BakedTile& tile) {
+  const auto snap_all = [&](std::vector<Primitive>& primitives, const TextureImage& cutout) {
+    snap(primitives, ColourSource::kByMarkingAtlas, tile.marking_atlas);
+    snap(primitives, ColourSource::kByAtlas, tile.facade_atlas.colour);
+    snap(primitives, ColourSource::kByCutout, cutout);
+  };
+  snap_all(tile.primitives, {});
+  for (InstancedMesh& instanced : tile.instanced) snap_all(instanced.primitives, instanced.cutout.colour);
+}
+
+}  // namespace citykiln::bake

@@ -1,0 +1,12 @@
+// Texture coordinates on images lie on a grid, so that files may store them in other units and give them back exactly.
+#pragma once
+
+#include "compiler/bake/baked_tile.h"
+
+namespace citykiln::bake {
+
+/// Moves uvs on the marking atlas, the facade atlas and cutouts to multiples of materials::uv_step_m() of their image:
+/// by at most a sixteenth of a texel. Twice changes nothing more. Up to 2^23 steps. O(vertices).
+void snap_image_uvs(BakedTile& tile);
+
+}  // namespace citykiln::bake

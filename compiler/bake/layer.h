@@ -1,0 +1,38 @@
+// Layers: what a part of a tile is, for programs that show, hide or treat the parts differently.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "compiler/map/land_cover_class.h"
+#include "compiler/materials/material_mesh.h"
+
+namespace citykiln::bake {
+
+/// In the order of a tile's primitives, and of its nodes in a .glb.
+enum class Layer : std::uint8_t {
+  kGround,      ///< Land, sports grounds, the ground below buildings.
+  kRoads,       ///< Paved ground: roads, paths, rails, squares, pavements.
+  kWater,       ///< Seas, lakes, rivers.
+  kBuildings,   ///< Buildings.
+  kStructures,  ///< Bridges with their roads, tunnels, stairs.
+  kProps,       ///< Walls, fences, hedges as bands, street lamps, tree pits.
+  kPlants,      ///< Trees, hedges, grass, canopies of woods.
+  kCount
+};
+
+/// "ground", "roads", "water", "buildings", "structures", "props", "plants".
+std::string_view name_of(Layer layer);
+std::optional<Layer> layer_named(std::string_view name);
+
+/// The layer of a face of the ground.
+Layer layer_of(map::LandCoverClass surface);
+
+/// A mesh and the layer it belongs to.
+struct LayeredMesh {
+  materials::MaterialMesh mesh;
+  Layer layer{};
+};
+
+}  // namespace citykiln::bake

@@ -1,0 +1,46 @@
+#include "compiler/commands/bake_keys.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "compiler/contract/for_each_slot.h"
+#include "exporters/content_hash.h"
+#include "exporters/file.h"
+#include "exporters/kiln/manifest.h"
+
+namespace citykiln::commands {
+namespace {
+
+/// The version, and the executable's bytes where the system lets a process read them.
+std::uint64_t program_hash() {
+  const Result<std::vector<std::byte>> executable = exporters::read_file("/proc/self/exe");
+  return executable ? exporters::content_hash(*executable) : exporters::content_hash("citykiln " CITYKILN_VERSION);
+}
+
+/// The settings that change the bytes of tiles. The binding names every member of Outputs, so a new one does not
+/// compile until it is added here.
+std::string settings_of(const Outputs& outputs) {
+  const auto& [folder, manifest, glb, target, split, compress, ladder_m] = outputs;
+  static_cast<void>(folder), static_cast<void>(manifest), static_cast<void>(glb);
+  return fmt::format("target {} split {} compress {} ladder {}", values_of(target).name, name_of(split),
+                     name_of(compress), fmt::join(ladder_m, ","));
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> bake_keys(const scene::Scene& scene, const Outputs& outputs, int threads) {
+  const std::string common =
+      fmt::format("{} {} {}", program_hash(), exporters::hash_of(scene.header), settings_of(outputs));
+  const std::vector<std::uint64_t> chunks = for_each_slot<std::uint64_t>(
+      scene.chunks.size(), threads, [&](std::size_t i) { return exporters::hash_of(scene.chunks[i]); });
+  std::vector<std::uint64_t> keys;
+  for (const std::uint64_t chunk : chunks)
+    for (std::size_t level = 0; level < outputs.ladder_m.size(); ++level)
+      keys.push_back(
+          std::max<std::uint64_t>(1, exporters::content_hash(fmt::format("{} {} {}", common, chunk, level))));
+  return keys;
+}
+
+}  // namespace citykiln::commands

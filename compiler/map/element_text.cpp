@@ -1,0 +1,111 @@
+#include "compiler/map/element_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "compiler/contract/erase_repeated.h"
+#include "compiler/contract/utf8.h"
+#include "compiler/map/features.h"
+#include "compiler/map/part_outlines.h"
+#include "compiler/source/osm_data.h"
+
+namespace citykiln::map {
+namespace {
+
+std::vector<OsmId> elements_of(const Features& features) {
+  std::vector<OsmId> ids;
+  const auto add = [&](const auto&... kinds) {
+    const auto add_kind = [&](const auto& kind) {
+      for (const auto& feature : kind) ids.push_back(feature.id.osm);
+    };
+    (add_kind(kinds), ...);
+  };
+  add(features.tracks, features.footprints, features.areas, features.waterways, features.barriers, features.points,
+      features.tree_rows, features.power_lines);
+  sort_unique(ids);
+  return ids;
+}
+
+template <typename Element, typename Id, typename IdOf>
+source::Range tags_in(const std::vector<Element>& elements, Id id, IdOf id_of) {
+  const auto found = std::ranges::lower_bound(elements, id, {}, id_of);
+  return found != elements.end() && std::invoke(id_of, *found) == id ? found->tags : source::Range{};
+}
+
+// An area's tags are those of its ring where an old multipolygon relation has none itself.
+source::Range tags_of(const source::OsmData& osm, OsmId id) {
+  if (id.type == OsmType::kNode) return tags_in(osm.nodes, id.id, &source::Node::id);
+  const source::Range of_area = tags_in(osm.areas, id, &source::Area::from);
+  if (of_area.count > 0) return of_area;
+  return id.type == OsmType::kWay ? tags_in(osm.ways, id.id, &source::Way::id)
+                                  : tags_in(osm.relations, id.id, &source::Relation::id);
+}
+
+void append_json_string(std::string& out, std::string_view text) {
+  out += '"';
+  for (const char c : to_valid_utf8(text)) {
+    if (c == '"' || c == '\\')
+      out += '\\', out += c;
+    else if (static_cast<unsigned char>(c) < 0x20)
+      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  out += '"';
+}
+
+std::string json_of(const source::OsmData& osm, source::Range tags) {
+  if (tags.count == 0) return {};
+  std::string out = "{";
+  for (const source::Tag& tag : osm.tags_of(tags)) {
+    if (out.size() > 1) out += ',';
+    append_json_string(out, osm.strings[tag.key]);
+    out += ':';
+    append_json_string(out, osm.strings[tag.value]);
+  }
+  return out + "}";
+}
+
+// The beginning of valid UTF-8 that has at most kMostNameBytes.
+std::string shortened(std::string name) {
+  std::size_t end = std::min(name.size(), kMostNameBytes);
+  while (end < name.size() && end > 0 && static_cast<unsigned char>(name[end]) >> 6 == 2) --end;
+  name.resize(end);
+  return name;
+}
+
+// The outline of each building part.
+std::map<OsmId, OsmId> outlines_of_parts(const Features& features) {
+  std::map<OsmId, OsmId> outlines;
+  if (std::ranges::none_of(features.footprints, &Footprint::is_part)) return outlines;
+  const std::vector<std::uint32_t> found = part_outlines(features.footprints);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (found[i] != kNoOutline) outlines.emplace(features.footprints[i].id.osm, features.footprints[found[i]].id.osm);
+  return outlines;
+}
+
+}  // namespace
+
+std::vector<ElementText> element_texts(const source::OsmData& osm, const Features& features, bool keeps_tags) {
+  const std::map<OsmId, OsmId> outlines = outlines_of_parts(features);
+  const auto name_of = [&](OsmId id) { return osm.value_of(tags_of(osm, id), "name"); };
+  std::vector<ElementText> texts;
+  for (const OsmId id : elements_of(features)) {
+    std::string_view name = name_of(id);
+    if (const auto outline = outlines.find(id); name.empty() && outline != outlines.end())
+      name = name_of(outline->second);
+    ElementText text{id, shortened(to_valid_utf8(name)), keeps_tags ? json_of(osm, tags_of(osm, id)) : ""};
+    if (!text.name.empty() || !text.tags.empty()) texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
+const ElementText* find_text(std::span<const ElementText> texts, OsmId id) {
+  const auto found = std::ranges::lower_bound(texts, id, {}, &ElementText::id);
+  return found != texts.end() && found->id == id ? &*found : nullptr;
+}
+
+}  // namespace citykiln::map

@@ -1,0 +1,57 @@
+#include "compiler/verify/check_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/contract/parse.h"
+#include "exporters/file_list.h"
+#include "exporters/settle_folder.h"
+
+namespace citykiln::verify {
+namespace {
+
+bool is_listed(const exporters::FileList& list, const std::string& name) {
+  return std::ranges::find(list, name, &exporters::ListedFile::name) != list.end();
+}
+
+void check_report(const RunRecord& record, const exporters::FileList& list, CheckResults& results) {
+  for (const WrittenTile& tile : record.tiles)
+    results.files.test(is_listed(list, tile.file.name), tile.file.name + " is in report.json, but not in files.json");
+  if (record.has_manifest) results.files.test(is_listed(list, "scene.kiln"), "scene.kiln is not in files.json");
+}
+
+}  // namespace
+
+bool is_name_of_run(const std::string& name) {
+  for (const char* own : {"scene.kiln", "report.json", "findings.json", "timing.json"})
+    if (name == own) return true;
+  if (!name.starts_with("glb/") || !name.ends_with(".glb")) return false;
+  const std::string_view stem = std::string_view(name).substr(4, name.size() - 8);
+  const std::size_t level = stem.rfind("_L");
+  return level != std::string_view::npos && numbers_in<int>(stem.substr(0, level), '_', 2) &&
+         number_in<int>(stem.substr(level + 2));
+}
+
+Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& results) {
+  const auto list = exporters::read_file_list(run.folder + "/" + exporters::kFileListName);
+  if (!list) return list.error();
+  results.files.test(list->has_value(), "files.json is missing");
+  const exporters::FileList files = list->value_or(exporters::FileList());
+  const exporters::FolderState state = exporters::compare_folder(run.folder, files, threads);
+  results.files.tests += files.size() - state.missing.size() - state.changed.size();
+  for (const std::string& name : state.missing) results.files.test(false, name + " is missing");
+  for (const std::string& name : state.changed) results.files.test(false, name + " has another size or hash");
+  check_report(run.record, files, results);
+  results.stale.test(true, "");
+  for (const std::string& name : state.strange) {
+    if (is_name_of_run(name))
+      results.stale.test(false, name + " is not in files.json");
+    else
+      results.strange.push_back(name);
+  }
+  results.has_unfinished_run = exporters::has_unfinished_run(run.folder);
+  return Done{};
+}
+
+}  // namespace citykiln::verify

@@ -1,0 +1,109 @@
+#include "compiler/verify/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "compiler/geometry/box.h"
+
+namespace citykiln::verify {
+namespace {
+
+/// The tile that covers a place; none outside the region.
+std::optional<scene::TileKey> tile_at(const scene::Header& header, Vec2 at) {
+  const Box2& region = header.region;
+  if (at.x < region.min.x || at.x > region.max.x || at.y < region.min.y || at.y > region.max.y) return std::nullopt;
+  return scene::TileKey{static_cast<std::int32_t>(std::floor(at.x / header.tile_m)),
+                        static_cast<std::int32_t>(std::floor(at.y / header.tile_m))};
+}
+
+/// Adds the places of the objects in `ids`, each of which `place` maps to a point of the plane.
+template <typename Object, typename PlaceOf>
+void add_places(const std::vector<Object>& objects, const std::set<OsmId>& ids, PlaceOf place,
+                std::map<OsmId, Vec2>& places) {
+  for (const Object& object : objects)
+    if (ids.contains(object.id.osm)) places.emplace(object.id.osm, place(object));
+}
+
+/// The places of objects in a chunk: the middle vertex of a line, the first vertex of a footprint.
+std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>& ids) {
+  const auto point = [](const auto& object) { return object.at; };
+  const auto middle = [](const auto& object) { return object.axis[object.axis.size() / 2]; };
+  std::map<OsmId, Vec2> places;
+  add_places(
+      chunk.buildings, ids, [](const auto& b) { return b.footprint.outer.front(); }, places);
+  add_places(chunk.trees, ids, point, places);
+  add_places(chunk.lamps, ids, point, places);
+  add_places(chunk.barriers, ids, middle, places);
+  add_places(chunk.tree_rows, ids, middle, places);
+  add_places(chunk.bridges, ids, middle, places);
+  add_places(chunk.tunnels, ids, middle, places);
+  add_places(chunk.roads, ids, middle, places);
+  return places;
+}
+
+auto sort_key(const Finding& finding) {
+  const Diagnosis& d = finding.diagnosis;
+  return std::tuple(d.code, d.object, finding.tile, finding.level, d.size);
+}
+
+std::string text_of(const Finding& finding) {
+  const Diagnosis& d = finding.diagnosis;
+  nlohmann::ordered_json properties = {{"code", name_of(d.code)}, {"severity", name_of(severity_of(d.code))}};
+  properties["id"] = nullptr;
+  if (d.object.type != OsmType::kNone) properties["id"] = to_string(d.object);
+  properties["size"] = d.size;
+  if (finding.tile) properties["tile"] = to_string(*finding.tile);
+  if (finding.level) properties["level"] = *finding.level;
+  // 1e-7 degrees are the grid of OSM
+  const std::string geometry = finding.at ? fmt::format(R"({{"type":"Point","coordinates":[{:.7f},{:.7f}]}})",
+                                                        finding.at->lon_deg, finding.at->lat_deg)
+                                          : "null";
+  return fmt::format(R"({{"type":"Feature","properties":{},"geometry":{}}})", properties.dump(), geometry);
+}
+
+}  // namespace
+
+std::vector<Finding> findings_of(const Report& report, const map::Places& places, const scene::Header& header) {
+  const map::Plane plane(header.origin);
+  std::vector<Finding> findings;
+  for (const Diagnosis& diagnosis : report.diagnoses()) {
+    Finding finding{diagnosis, std::nullopt, std::nullopt};
+    if (const auto found = places.find(diagnosis.object); found != places.end()) {
+      finding.at = found->second;
+      finding.tile = tile_at(header, plane.forward(found->second));
+    }
+    findings.push_back(finding);
+  }
+  return findings;
+}
+
+std::vector<Finding> findings_of(const Report& report, const scene::Header& header, const scene::Chunk& chunk,
+                                 std::size_t level) {
+  if (report.diagnoses().empty()) return {};
+  std::set<OsmId> ids;
+  for (const Diagnosis& diagnosis : report.diagnoses()) ids.insert(diagnosis.object);
+  const std::map<OsmId, Vec2> places = places_in(chunk, ids);
+  const Vec2 centre = scene::box_of(header, chunk.tile).centre();
+  const map::Plane plane(header.origin);
+  std::vector<Finding> findings;
+  for (const Diagnosis& diagnosis : report.diagnoses()) {
+    const auto found = places.find(diagnosis.object);
+    findings.push_back({diagnosis, plane.backward(found != places.end() ? found->second : centre), chunk.tile, level});
+  }
+  return findings;
+}
+
+std::string findings_json(std::vector<Finding> findings, const scene::Header& header) {
+  std::ranges::stable_sort(findings, {}, sort_key);
+  std::string text = R"({"type":"FeatureCollection","name":"findings","attribution":)" +
+                     nlohmann::json(header.attributions).dump() + ",\"features\":[";
+  for (std::size_t i = 0; i < findings.size(); ++i) text += (i > 0 ? ",\n" : "\n") + text_of(findings[i]);
+  return text + "\n]}\n";
+}
+
+}  // namespace citykiln::verify

@@ -1,0 +1,63 @@
+#include "exporters/content_hash.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace citykiln::exporters {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "words are read as they lie in memory");
+
+constexpr std::uint64_t kPrime1 = 0x9E3779B185EBCA87u, kPrime2 = 0xC2B2AE3D27D4EB4Fu, kPrime3 = 0x165667B19E3779F9u,
+                        kPrime4 = 0x85EBCA77C2B2AE63u, kPrime5 = 0x27D4EB2F165667C5u;
+constexpr std::size_t kStripe = 32;
+
+template <typename Word>
+std::uint64_t word_at(const std::byte* at) {
+  Word word;
+  std::memcpy(&word, at, sizeof word);
+  return word;
+}
+
+std::uint64_t rounded(std::uint64_t lane, std::uint64_t word) { return std::rotl(lane + word * kPrime2, 31) * kPrime1; }
+
+/// Mixes all whole stripes of 32 bytes, and removes them from the span.
+std::uint64_t take_stripes(std::span<const std::byte>& bytes) {
+  std::array<std::uint64_t, 4> lanes = {kPrime1 + kPrime2, kPrime2, 0, 0 - kPrime1};
+  for (; bytes.size() >= kStripe; bytes = bytes.subspan(kStripe))
+    for (std::size_t i = 0; i < 4; ++i) lanes[i] = rounded(lanes[i], word_at<std::uint64_t>(bytes.data() + 8 * i));
+  std::uint64_t hash =
+      std::rotl(lanes[0], 1) + std::rotl(lanes[1], 7) + std::rotl(lanes[2], 12) + std::rotl(lanes[3], 18);
+  for (const std::uint64_t lane : lanes) hash = (hash ^ rounded(0, lane)) * kPrime1 + kPrime4;
+  return hash;
+}
+
+/// Mixes the last bytes, fewer than a stripe.
+std::uint64_t take_rest(std::uint64_t hash, std::span<const std::byte> bytes) {
+  for (; bytes.size() >= 8; bytes = bytes.subspan(8))
+    hash = std::rotl(hash ^ rounded(0, word_at<std::uint64_t>(bytes.data())), 27) * kPrime1 + kPrime4;
+  for (; bytes.size() >= 4; bytes = bytes.subspan(4))
+    hash = std::rotl(hash ^ word_at<std::uint32_t>(bytes.data()) * kPrime1, 23) * kPrime2 + kPrime3;
+  for (const std::byte byte : bytes) hash = std::rotl(hash ^ static_cast<std::uint64_t>(byte) * kPrime5, 11) * kPrime1;
+  return hash;
+}
+
+}  // namespace
+
+std::uint64_t content_hash(std::span<const std::byte> bytes) {
+  const std::uint64_t size = bytes.size();
+  std::uint64_t hash = (size >= kStripe ? take_stripes(bytes) : kPrime5) + size;
+  hash = take_rest(hash, bytes);
+  hash = (hash ^ hash >> 33) * kPrime2;
+  hash = (hash ^ hash >> 29) * kPrime3;
+  return hash ^ hash >> 32;
+}
+
+std::uint64_t content_hash(std::string_view text) { return content_hash(std::as_bytes(std::span(text))); }
+
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+}  // namespace citykiln::exporters

@@ -1,0 +1,21 @@
+// A fast 64-bit hash of bytes: XXH64, which notices damage and tells contents apart, but does not stop forgery.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace citykiln::exporters {
+
+/// XXH64 with seed 0. Two different contents have the same hash with probability 2^-64. Cost: several GB/s.
+/// Source: Yann Collet, "xxHash fast digest algorithm", specification 0.2.0; other programs (`xxhsum -H1`) give the
+/// same value.
+std::uint64_t content_hash(std::span<const std::byte> bytes);
+std::uint64_t content_hash(std::string_view text);
+
+/// 16 hexadecimal digits, as `xxhsum -H1` prints them.
+std::string hash_text(std::uint64_t hash);
+
+}  // namespace citykiln::exporters

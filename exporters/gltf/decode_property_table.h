@@ -1,0 +1,12 @@
+// Reads the property table of a .glb.
+#pragma once
+
+#include "compiler/bake/baked_tile.h"
+#include "exporters/gltf/glb_reader.h"
+
+namespace citykiln::exporters {
+
+/// Reads features and attributes, as property_table() writes them, into the tile. Throws FormatError.
+void read_property_table(GltfReader& reader, bake::BakedTile& tile);
+
+}  // namespace citykiln::exporters

@@ -1,0 +1,22 @@
+// Writes the meshes of a .glb: attributes, indices, materials.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "exporters/gltf/glb_builder.h"
+
+namespace citykiln::exporters {
+
+/// Appends a mesh with a glTF primitive per primitive, and returns its index.
+///
+/// Extras say the layer of the mesh, or of each primitive where layers differ.
+/// @param primitives  Not empty.
+/// @param cutout      As cutout_like() returns it for an instanced mesh; else null.
+int add_mesh(GlbBuilder& f, const std::string& name, std::span<const bake::Primitive> primitives,
+             const impostor::Cutout* cutout = nullptr);
+
+/// A feature id extension: the attribute _FEATURE_ID_0 indexes rows of property table 0.
+tinygltf::Value feature_ids(GlbBuilder& f, const char* extension);
+
+}  // namespace citykiln::exporters

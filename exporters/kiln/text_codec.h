@@ -1,0 +1,52 @@
+// Codec of the texts of elements: names, each once a chunk, and tags.
+#pragma once
+
+#include <map>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "compiler/map/element_text.h"
+#include "exporters/kiln/field_codecs.h"
+
+namespace citykiln::exporters {
+
+// The names of a chunk in the order in which they appear; the first one is empty.
+struct NameList {
+  std::vector<std::string> names = {""};
+  std::map<std::string, std::size_t> numbers = {{"", 0}};
+
+  std::size_t number_of(const std::string& name) const {
+    const auto found = numbers.find(name);
+    return found == numbers.end() ? names.size() : found->second;
+  }
+  void add(const std::string& name) { numbers.emplace(name, names.size()), names.push_back(name); }
+};
+
+// A name: its number in the list; the next number is followed by a new name.
+void name(auto& io, NameList& list, std::string& value) {
+  std::size_t number = list.number_of(value);
+  io.number("name number", number);
+  const bool is_new = number == list.names.size();
+  if (is_new) io.text("name size", "name bytes", value);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (number > list.names.size() || value.size() > map::kMostNameBytes) return io.fail("name number");
+  if (is_new) list.add(value);
+  value = list.names[number];
+}
+
+void texts(auto& io, std::vector<map::ElementText>& all) {
+  NameList names;
+  OsmId before;
+  list(io, "texts", all, 0, [&](map::ElementText& text) {
+    enumerator(io, "id type", text.id.type, static_cast<OsmType>(4));
+    io.delta("id", text.id.id);
+    name(io, names, text.name);
+    io.text("tags size", "tags bytes", text.tags);
+    if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+      if (!(before < text.id)) io.fail("id");
+    before = text.id;
+  });
+}
+
+}  // namespace citykiln::exporters
