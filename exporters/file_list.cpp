@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 bool stays_inside(const fs::path& name) {
-  return !name.empty() && name.is_relative() && name == name.lexically_normal() && *name.begin() != "..";
+  const fs::path normal = name.lexically_normal();
+  return name.is_relative() && name.has_filename() && name == normal && *normal.begin() != ".." && normal != ".";
 }
 
 FileList list_of(const Json& json) {

@@ -15,9 +15,9 @@ namespace {
 // The aspect ratio for which the view fits; wider pictures show more at the sides.
 constexpr double kAspect = 16.0 / 9;
 
-// The share of the scene's columns that may lie outside each side of the picture, so that a lone peak or a far tile
-// does not make everything else small.
-constexpr double kOutside = 0.01;
+// The share of the scene's columns that may lie outside each side of the picture, so that a lone mast does not make
+// everything else small. Little enough that the corners of the extent are inside.
+constexpr double kOutside = 0.0005;
 
 // The share of the picture that the scene fills.
 constexpr double kMargin = 0.94;

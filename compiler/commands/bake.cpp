@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "compiler/commands/ground_height.h"
 #include "compiler/commands/interrupt_notice.h"
 #include "compiler/commands/join_tiles.h"
 #include "compiler/commands/run_paths.h"
@@ -30,7 +31,7 @@ struct Request {
   std::string manifest_path, out_path;
   std::optional<double>
       tolerance_m;  ///< Of the one file; with an eye the finest tolerance. None: a folder with levels.
-  std::optional<Vec3> eye, eye_lonlat;  ///< Viewer position of the one file.
+  std::optional<GivenPoint> eye, eye_lonlat;  ///< Viewer position of the one file.
   std::optional<double> fov_deg;
   PictureSize size;
   double pixel_error = 1;
@@ -76,9 +77,11 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   return Exit::kDone;
 }
 
-Result<bake::View> view_of(const Request& request, const scene::Header& header) {
-  const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, header);
+Result<bake::View> view_of(const Request& request, const scene::Scene& scene, const Console& console) {
+  const GroundHeight ground_m = [&](Vec2 place) { return ground_height_m(scene, place); };
+  const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, scene.header, ground_m);
   if (!eye) return eye.error();
+  note_if_below_ground(**eye, ground_m, console);
   bake::View view{
       **eye, bake::focal_length_px(request.size.height, request.fov_deg.value_or(preview::Camera{}.vertical_fov_deg))};
   view.pixel_error = request.pixel_error;
@@ -107,7 +110,7 @@ Result<bake::BakedTile> bake_for_view(const Request& request, const scene::Scene
 Result<Exit> bake_view_to_file(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, {});
   if (!scene) return scene.error();
-  const Result<bake::View> view = view_of(request, scene->header);
+  const Result<bake::View> view = view_of(request, *scene, console);
   if (!view) return view.error();
   const Result<bake::BakedTile> tile = bake_for_view(request, *scene, *view, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
@@ -199,7 +202,8 @@ Verb bake_verb() {
       {"-o,--out", "FILE.glb|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
        store_text(request->out_path)},
       {"--eye", "X,Y,Z",
-       "one .glb file for a viewer at this place in plane metres, such as 0,-200,150; detail falls with distance",
+       "one .glb file for a viewer at this place in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the "
+       "ground; detail falls with distance",
        false, store_point(request->eye)},
       {"--eye-lonlat", "LON,LAT,HEIGHT", "the same in degrees and metres, such as 7.42,43.73,150", false,
        store_point(request->eye_lonlat)},

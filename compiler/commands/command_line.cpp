@@ -29,7 +29,9 @@ void declare(CLI::App& app, const Option& option) {
   }
   CLI::Option* declared = app.add_option(option.flags, option.help)->type_name(option.value);
   const bool stands_by_place = option.flags.front() != '-';
-  if (option.repeats) declared->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(stands_by_place || option.takes_several);
+  if (option.repeats)
+    declared->expected(1, CLI::detail::expected_max_vector_size)
+        ->allow_extra_args(stands_by_place || option.takes_several);
 }
 
 CLI::App& declare(CLI::App& app, const Verb& verb, Console& console) {
@@ -101,8 +103,8 @@ int run(std::span<const Verb> verbs, int argc, const char* const* argv) {
   Console console{.is_json = is_json};
   for (const Verb& verb : verbs) declare(app, verb, console);
   const std::span words(argv + 1, static_cast<std::size_t>(argc - 1));
-  if (const Result<Done> known = are_known(verbs, words); !known) return fail(known.error());
-  if (words.empty()) return fail({"", "no verb is given; citykiln --help lists them"});
+  if (const Result<Done> known = are_known(verbs, words); !known) return fail(known.error(), console);
+  if (words.empty()) return fail({"", "no verb is given; citykiln --help lists them"}, console);
 
   try {
     app.parse(argc, argv);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "compiler/commands/ground_height.h"
 #include "compiler/commands/load_tiles.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
@@ -19,19 +20,24 @@ namespace {
 struct Request {
   LoadRequest load;
   std::string picture_path, view = "overview";
-  std::optional<Vec3> eye, look_at;             ///< Plane metres.
-  std::optional<Vec3> eye_lonlat, look_lonlat;  ///< Longitude and latitude in degrees, height in metres.
+  std::optional<GivenPoint> eye, look_at;             ///< Plane metres.
+  std::optional<GivenPoint> eye_lonlat, look_lonlat;  ///< Longitude and latitude in degrees, height in metres.
   std::optional<double> fov_deg;
   PictureSize size;
   preview::Options options;
 };
 
-Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded) {
-  const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, loaded.header);
-  const Result<std::optional<Vec3>> look_at = point_of(request.look_at, request.look_lonlat, loaded.header);
+Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded, const Console& console) {
+  const GroundHeight ground_m = [&](Vec2 place) { return ground_height_m(loaded.tiles, place); };
+  const auto point = [&](const auto& in_plane, const auto& lonlat) {
+    return point_of(in_plane, lonlat, loaded.header, ground_m);
+  };
+  const Result<std::optional<Vec3>> eye = point(request.eye, request.eye_lonlat);
+  const Result<std::optional<Vec3>> look_at = point(request.look_at, request.look_lonlat);
   if (!eye) return eye.error();
   if (!look_at) return look_at.error();
   if (eye->has_value() != look_at->has_value()) return Error{"", "--eye and --look must be given together"};
+  if (eye->has_value()) note_if_below_ground(**eye, ground_m, console);
 
   Result<preview::Camera> camera =
       eye->has_value() ? Result(preview::Camera{**eye, **look_at}) : preview::named_view(loaded.tiles, request.view);
@@ -52,7 +58,7 @@ Result<Exit> run(const Request& request, const Console& console) {
   if (!loaded) return loaded.error();
   const Result<sky::Sky> sky = sky_of(request, loaded->header);
   if (!sky) return sky.error();
-  const Result<preview::Camera> camera = camera_of(request, *loaded);
+  const Result<preview::Camera> camera = camera_of(request, *loaded, console);
   if (!camera) return camera.error();
 
   preview::Options options = request.options;
@@ -90,8 +96,9 @@ std::vector<Option> camera_options(Request& request) {
   return {
       {"--view", "NAME", "overview, street, top, north, south, east, west or low (default: overview)", false,
        store_text(request.view)},
-      {"--eye", "X,Y,Z", "place of the viewer in plane metres, such as 0,-200,150; needs --look", false,
-       store_point(request.eye)},
+      {"--eye", "X,Y,Z",
+       "place of the viewer in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the ground; needs --look",
+       false, store_point(request.eye)},
       {"--look", "X,Y,Z", "place in the middle of the picture, such as 0,0,20", false, store_point(request.look_at)},
       {"--eye-lonlat", "LON,LAT,HEIGHT", "place of the viewer in degrees and metres, such as 7.42,43.73,150", false,
        store_point(request.eye_lonlat)},

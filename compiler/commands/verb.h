@@ -28,7 +28,7 @@ struct Option {
   std::string value;
   std::string help;
   bool repeats = false;
-  Take take;  ///< Called for each value, in the order of the table.
+  Take take;                   ///< Called for each value, in the order of the table.
   bool takes_several = false;  ///< Several values may follow the flag once.
 };
 

@@ -13,6 +13,19 @@
 
 namespace citykiln::commands {
 
+Take store_point(std::optional<GivenPoint>& point) {
+  return [&point](const std::string& text) -> Result<Done> {
+    std::string numbers = text;
+    const std::size_t height = numbers.rfind(',') + 1;
+    const bool is_above_ground = numbers.substr(height).starts_with('+');
+    if (is_above_ground) numbers.erase(height, 1);
+    const Result<std::vector<double>> n = parse_numbers(numbers, 3);
+    if (!n) return n.error();
+    point = GivenPoint{{(*n)[0], (*n)[1], (*n)[2]}, is_above_ground};
+    return Done{};
+  };
+}
+
 Take store_point(std::optional<Vec3>& point) {
   return [&point](const std::string& text) -> Result<Done> {
     const Result<std::vector<double>> n = parse_numbers(text, 3);
@@ -34,13 +47,27 @@ Take store_size(PictureSize& size) {
   };
 }
 
-Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const std::optional<Vec3>& lonlat,
-                                     const std::optional<scene::Header>& header) {
-  if (in_plane || !lonlat) return in_plane;
-  if (!header)
+Result<std::optional<Vec3>> point_of(const std::optional<GivenPoint>& in_plane, const std::optional<GivenPoint>& lonlat,
+                                     const std::optional<scene::Header>& header, const GroundHeight& ground_m) {
+  if (!in_plane && !lonlat) return std::optional<Vec3>();
+  if (!in_plane && !header)
     return Error{"--eye-lonlat", "needs the scene's origin: give the manifest, or the folder that contains it"};
-  const Vec2 at = map::Plane(header->origin).forward({lonlat->x, lonlat->y});
-  return std::optional<Vec3>(at_height(at, lonlat->z));
+  const GivenPoint& given = in_plane ? *in_plane : *lonlat;
+  const Vec2 at = in_plane ? in_plan(given.at) : map::Plane(header->origin).forward({given.at.x, given.at.y});
+  if (!given.is_above_ground) return std::optional<Vec3>(at_height(at, given.at.z));
+  const std::optional<double> ground = ground_m(at);
+  if (!ground)
+    return Error{fmt::format("+{}", given.at.z), "there is no ground at this place; give a height without +"};
+  return std::optional<Vec3>(at_height(at, *ground + given.at.z));
+}
+
+void note_if_below_ground(Vec3 eye, const GroundHeight& ground_m, const Console& console) {
+  const std::optional<double> ground = ground_m(in_plan(eye));
+  if (ground && eye.z < *ground)
+    console.print_line(
+        fmt::format("note: the eye is {:.1f} m below the ground, which is at {:.1f} m there; +2 as the "
+                    "third number means 2 m above the ground",
+                    *ground - eye.z, *ground));
 }
 
 }  // namespace citykiln::commands

@@ -1,6 +1,7 @@
 // Parsers of the viewer options that preview, bake and chart have in common.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "compiler/commands/verb.h"
@@ -15,7 +16,15 @@ struct PictureSize {
   int width = 1280, height = 720;
 };
 
-/// Stores three numbers: "X,Y,Z" in plane metres or "LON,LAT,HEIGHT" in degrees and metres.
+/// A point as given: in plane metres, or longitude, latitude and height in degrees and metres.
+struct GivenPoint {
+  Vec3 at;
+  bool is_above_ground = false;  ///< The height is metres above the ground, else above sea level.
+};
+
+/// Stores three numbers: "X,Y,Z" or "LON,LAT,HEIGHT"; a height as "+2" is above the ground.
+Take store_point(std::optional<GivenPoint>& point);
+/// Stores "X,Y,Z".
 Take store_point(std::optional<Vec3>& point);
 
 /// Stores "1280x720".
@@ -24,9 +33,15 @@ Take store_size(PictureSize& size);
 /// Degrees of a field of view.
 inline constexpr NumberRange kFieldsOfView_deg{0, 180};
 
-/// The point in plane metres, given in the plane or by longitude and latitude; empty if not given. Error: longitude and
-/// latitude without a header, which defines the plane.
-Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const std::optional<Vec3>& lonlat,
-                                     const std::optional<scene::Header>& header);
+/// The height of the ground at a place, plane metres; empty outside of the scene.
+using GroundHeight = std::function<std::optional<double>(Vec2)>;
+
+/// The point in plane metres, given in the plane or by longitude and latitude; empty if not given. Errors: longitude
+/// and latitude without a header, which defines the plane; a height above the ground where there is none.
+Result<std::optional<Vec3>> point_of(const std::optional<GivenPoint>& in_plane, const std::optional<GivenPoint>& lonlat,
+                                     const std::optional<scene::Header>& header, const GroundHeight& ground_m);
+
+/// Prints a note if the eye is below the ground.
+void note_if_below_ground(Vec3 eye, const GroundHeight& ground_m, const Console& console);
 
 }  // namespace citykiln::commands

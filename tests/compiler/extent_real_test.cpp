@@ -135,9 +135,10 @@ TEST(ExtentReal, TheGroundGoesOnUnderBuildingsAcrossItsBorder) {
       for (const Vec2 p : building.footprint.outer) {
         if (header.region.contains(p) || !building.stands_on_ground) continue;
         ++outside;
-        if (header.region.widened(bake::kBeyond_m).contains(p)) EXPECT_TRUE(is_in_any(beyond, p));
+        const bool is_near = header.region.widened(bake::kBeyond_m).contains(p);
+        EXPECT_TRUE(!is_near || is_in_any(beyond, p)) << to_string(building.id.osm);
       }
-  EXPECT_GT(outside, 50u);
+  EXPECT_GT(outside, 20u);
 }
 
 TEST(ExtentReal, TilesMadeApartEqualThoseOfTheWhole) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/scratch_folder.h"
 
 namespace citykiln {
@@ -146,6 +148,18 @@ TEST(Spec, IsCompleteWithAMapAndAFolder) {
   EXPECT_FALSE(is_complete(spec));
   spec.outputs.folder = "out";
   EXPECT_TRUE(is_complete(spec));
+}
+
+TEST(Spec, StrictTakesCodes) {
+  const auto strict = std::ranges::find(settings(), "strict", &Setting::name);
+  CompileSpec spec;
+  ASSERT_TRUE(apply(*strict, "MissingNode,RoofFallback", spec));
+  EXPECT_TRUE(spec.strict.is_on);
+  EXPECT_EQ(spec.strict.codes, (std::vector<Code>{Code::kMissingNode, Code::kRoofFallback}));
+  EXPECT_FALSE(apply(*strict, "MissingNode,Nonsense", spec));
+  ASSERT_TRUE(apply(*strict, "false", spec));
+  EXPECT_FALSE(spec.strict.is_on);
+  EXPECT_TRUE(spec.strict.codes.empty());
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(FileList, ReadsBackWhatItWrote) {
 
 TEST(FileList, NamesOnlyFilesInsideTheFolder) {
   const ScratchFolder folder;
-  for (const char* name : {"../secret", "/etc/passwd", "glb/../../secret", "", ".", "glb//x"})
+  for (const char* name : {"../secret", "/etc/passwd", "glb/../../secret", "", ".", "glb/.", "glb/"})
     EXPECT_FALSE(read_file_list(folder.write("files.json", file_list_json({{.name = name}})))) << name;
 }
 

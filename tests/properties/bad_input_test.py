@@ -205,7 +205,7 @@ class BadInput(ProgramTest):
 
     def test_a_heightmap_elsewhere_states_where_both_lie(self):
         grid = self.written("elsewhere.asc", "ncols 2\nnrows 2\nxllcenter 20\nyllcenter 50\ncellsize 1\n1 2\n3 4\n")
-        self.fails(self.good_map(), "--dem", grid, words=["elsewhere.asc", "20.0000,50.0000,21.0000,51.0000", "9.99", "48.0"])
+        self.fails(self.good_map(), "--dem", grid, words=["elsewhere.asc", "20.0000,50.0000,21.0000,51.0000", "10.0000,48.0000"])
 
     def test_several_heightmaps_follow_one_option(self):
         grids = [self.written(f"{name}.asc", f"ncols 2\nnrows 2\nxllcenter {west}\nyllcenter 47.5\ncellsize 1\n1 2\n3 4\n")

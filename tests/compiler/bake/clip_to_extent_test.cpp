@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <initializer_list>
 #include <map>
 
 namespace citykiln::bake {
@@ -75,7 +77,7 @@ TEST(ClipToExtent, ASolidStaysClosedAndKeepsTheVolumeInside) {
     const Mesh caps = clip_solid(box);
     EXPECT_TRUE(is_closed({&box.mesh, &caps})) << middle.x << " " << middle.y;
     EXPECT_NEAR(volume_m3({&box.mesh, &caps}), whole_m3 * share, whole_m3 * 1e-3) << middle.x << " " << middle.y;
-    for (const Mesh* mesh : {&box.mesh, &caps})
+    for (const Mesh* mesh : std::initializer_list<const Mesh*>{&box.mesh, &caps})
       for (const Vec3 p : mesh->positions) EXPECT_TRUE(kExtent.contains(in_plan(p)));
   }
 }

@@ -32,8 +32,23 @@ map::Footprint block(std::int64_t id, double x, double y, double size, double he
 
 map::Features features_of(std::vector<map::Footprint> footprints) {
   map::Features f;
+  f.region = {{-128, -128}, {128, 128}};
   f.footprints = std::move(footprints);
   return f;
+}
+
+TEST(Plan, ABuildingBelongsToTheRegionByItsCentroid) {
+  Report report;
+  // mostly inside, mostly outside; a part that lies outside, of the first outline
+  map::Footprint inside = block(1, 90, 0, 60, 12), outside = block(2, 120, 80, 40, 12),
+                 part = block(3, 130, 10, 10, 30);
+  part.is_part = true;
+  const auto b = plan(features_of({inside, outside, part}), ground::GradedTerrain(slope()), report);
+  ASSERT_EQ(b.size(), 2u);
+  EXPECT_EQ(b[0].id.osm.id, 1);
+  EXPECT_EQ(b[1].id.osm.id, 3);
+  EXPECT_EQ(report.ledger().at("buildings/footprint").dropped.at(Code::kOutsideBounds), 1u);
+  EXPECT_TRUE(report.balances());
 }
 
 TEST(Plan, CountsHeightsFromTheLowestCorner) {

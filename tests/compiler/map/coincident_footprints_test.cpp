@@ -37,8 +37,9 @@ TEST(CoincidentFootprints, OfEqualOutlinesTheOneWithHeightsIsLeft) {
 }
 
 TEST(CoincidentFootprints, NearlyEqualOutlinesCount) {
-  EXPECT_EQ(left_of_map("a1 0:0 20:0 20:10 0:10 building=yes\na2 0:0.25 10:0 20:0.25 20:10.25 0:10 building=yes").dropped,
-            1u);
+  EXPECT_EQ(
+      left_of_map("a1 0:0 20:0 20:10 0:10 building=yes\na2 0:0.25 10:0 20:0.25 20:10.25 0:10 building=yes").dropped,
+      1u);
   EXPECT_EQ(left_of_map("a1 0:0 20:0 20:10 0:10 building=yes\na2 0:0 20:0 20:12 0:12 building=yes").dropped, 0u);
 }
 
@@ -52,8 +53,9 @@ TEST(CoincidentFootprints, PartsAboveEachOtherStay) {
 
 TEST(CoincidentFootprints, APartInsideOfAnOutlineThatIsBuiltIsLeftOut) {
   // a quarter of the outline, which is therefore built
-  EXPECT_EQ(left_of_map("a1 0:0 40:0 40:10 0:10 building=yes height=10\na2 0:0 10:0 10:10 0:10 building:part=yes height=10"),
-            (Left{{1}, 1, {0}}));
+  EXPECT_EQ(
+      left_of_map("a1 0:0 40:0 40:10 0:10 building=yes height=10\na2 0:0 10:0 10:10 0:10 building:part=yes height=10"),
+      (Left{{1}, 1, {0}}));
 }
 
 TEST(CoincidentFootprints, AHigherPartBeginsAtTheEavesOfAnOutlineThatIsBuilt) {

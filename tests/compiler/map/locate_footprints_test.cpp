@@ -106,7 +106,7 @@ TEST(LocateFootprints, AnOutlineCoveredByItsPartsIsMarked) {
     a2 0:0 20:0 20:20 0:20 building:part=yes height=30
     a3 20:0 40:0 40:20 20:20 building:part=yes height=10
     a4 100:0 140:0 140:20 100:20 building=yes
-    a5 100:0 104:0 104:4 100:4 building:part=yes
+    a5 100:0 104:0 104:4 100:4 building:part=yes height=40
     a6 200:0 220:0 220:20 200:20 building=yes)");
   ASSERT_EQ(features.footprints.size(), 6u);
   EXPECT_TRUE(features.footprints[0].has_parts);

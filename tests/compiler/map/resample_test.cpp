@@ -154,12 +154,14 @@ TEST(Resample, PlacesThatNothingCoversTakeTheNearestHeightAndAreDiagnosed) {
 }
 
 TEST(Resample, ADemElsewhereIsAnErrorThatNamesTheFile) {
-  const Result<Heightfield> field = resample(std::vector{raster_of(slope_m, 50, 50, kThirdOfASecond, {13.4, 52.5})},
-                                             Plane(kTestOrigin), kRegion, *std::make_unique<Report>());
+  Raster elsewhere = raster_of(slope_m, 50, 50, kThirdOfASecond, {13.4, 52.5});
+  elsewhere.file_box = {13.375, 52.25, 13.625, 52.75};
+  const Result<Heightfield> field =
+      resample(std::vector{elsewhere}, Plane(kTestOrigin), kRegion, *std::make_unique<Report>());
   ASSERT_FALSE(field);
   EXPECT_EQ(field.error().where, "hills.hgt");
   EXPECT_NE(field.error().message.find("7.42"), std::string::npos) << field.error().message;
-  EXPECT_NE(field.error().message.find("13.4"), std::string::npos) << field.error().message;
+  EXPECT_NE(field.error().message.find("13.3750,52.2500,13.6250,52.7500"), std::string::npos) << field.error().message;
 }
 
 TEST(Resample, ARasterThatComesNotNearAndHasNoSamplesIsNoCrash) {

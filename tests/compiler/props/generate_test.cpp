@@ -112,6 +112,7 @@ TEST(Place, PutsLampsOnTheGroundAndTurnsThem) {
 
 TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
   map::Features f;
+  f.region = {{0, 0}, {128, 128}};
   f.barriers = {{{{OsmType::kWay, 9}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kHedge, 1.5, 0.75},
                 {{{OsmType::kWay, 2}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kWall, 1.5, 0.75}};
   f.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree},
@@ -127,6 +128,22 @@ TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
   EXPECT_EQ(props.lamps[1].height_m, 9);
   EXPECT_EQ(report.ledger().at("props/point").in, 3u);
   EXPECT_EQ(report.counts()[Code::kNotModelled], 1u);
+  EXPECT_TRUE(report.balances());
+}
+
+TEST(Plan, BarriersEndALittleOutsideOfTheRegion) {
+  map::Features f;
+  f.region = {{0, 0}, {128, 128}};
+  f.barriers = {
+      {{{OsmType::kWay, 9}, 0}, {{-50, 10}, {500, 10}, {500, 20}, {-50, 20}}, map::BarrierKind::kWall, 1.5, 0.75},
+      {{{OsmType::kWay, 10}, 0}, {{-50, 0}, {-50, 90}}, map::BarrierKind::kWall, 1.5, 0.75}};
+  Report report;
+  const Props props = plan(f, report);
+  ASSERT_EQ(props.barriers.size(), 2u);
+  EXPECT_EQ(props.barriers[0].axis, (Polyline{{-4, 10}, {132, 10}}));
+  EXPECT_EQ(props.barriers[1].axis, (Polyline{{132, 20}, {-4, 20}}));
+  EXPECT_EQ(props.barriers[1].id.part, 1u);
+  EXPECT_EQ(report.ledger().at("props/barrier").dropped.at(Code::kOutsideBounds), 1u);
   EXPECT_TRUE(report.balances());
 }
 

@@ -76,5 +76,14 @@ TEST(RunReport, IsStrictAboutMendedAndDroppedOnly) {
   EXPECT_TRUE(has_mended_or_dropped(report));
 }
 
+TEST(RunReport, IsStrictAboutTheCodesThatAreNamed) {
+  Report report;
+  report.add(Code::kMissingNode, {OsmType::kWay, 1});
+  EXPECT_FALSE(is_violated({}, report));
+  EXPECT_TRUE(is_violated({.is_on = true, .codes = {}}, report));
+  EXPECT_TRUE(is_violated({.is_on = true, .codes = {Code::kBrokenArea, Code::kMissingNode}}, report));
+  EXPECT_FALSE(is_violated({.is_on = true, .codes = {Code::kBrokenArea}}, report));
+}
+
 }  // namespace
 }  // namespace citykiln::verify

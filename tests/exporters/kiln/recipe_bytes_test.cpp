@@ -80,6 +80,7 @@ map::Footprint house(std::int64_t id, double& x, double y, const Draw& dice) {
 std::vector<Building> town(int rows, int houses_in_row) {
   const Draw dice(1, StableId{1}, "town");
   map::Features features;
+  features.region = {{-0x1p16, -0x1p16}, {0x1p16, 0x1p16}};
   std::int64_t id = 1'000'000;
   for (int row = 0; row < rows; ++row) {
     double x = 0;

@@ -1,0 +1,18 @@
+#include "compiler/verify/check_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace citykiln::verify {
+namespace {
+
+TEST(CheckFolder, KnowsTheNamesThatRunsGive) {
+  for (const char* name :
+       {"scene.kiln", "report.json", "findings.json", "timing.json", "glb/0_0_L0.glb", "glb/-13_2_L10.glb"})
+    EXPECT_TRUE(is_name_of_run(name)) << name;
+  for (const char* name : {"notes.txt", "glb/house.glb", "glb/0_0.glb", "glb/0_L0.glb", "glb/0_0_L0.glb.old",
+                           "0_0_L0.glb", "glb/a_b_L0.glb", "preview.png"})
+    EXPECT_FALSE(is_name_of_run(name)) << name;
+}
+
+}  // namespace
+}  // namespace citykiln::verify

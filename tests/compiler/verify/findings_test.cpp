@@ -1,0 +1,73 @@
+#include "compiler/verify/findings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace citykiln::verify {
+namespace {
+
+scene::Header made_header() {
+  scene::Header header;
+  header.origin = {7, 43};
+  header.region = {{-1024, -1024}, {1024, 1024}};
+  header.tile_m = 512;
+  header.attributions = {"© OpenStreetMap contributors"};
+  return header;
+}
+
+TEST(Findings, AreOneFeatureForEachDiagnosisWithItsPlace) {
+  Report report;
+  report.add(Code::kMissingNode, {OsmType::kWay, 4}, 2);
+  report.add(Code::kUnsortedFile, {});
+  const std::string json =
+      findings_json(findings_of(report, {{{OsmType::kWay, 4}, {7.0001, 43.0001}}}, made_header()), made_header());
+  EXPECT_EQ(
+      json,
+      R"({"type":"FeatureCollection","name":"findings","attribution":["© OpenStreetMap contributors"],"features":[)"
+      "\n"
+      R"({"type":"Feature","properties":{"code":"MissingNode","severity":"mended","id":"w4","size":2.0,"tile":"0_0"},)"
+      R"("geometry":{"type":"Point","coordinates":[7.0001000,43.0001000]}},)"
+      "\n"
+      R"({"type":"Feature","properties":{"code":"UnsortedFile","severity":"note","id":null,"size":0.0},)"
+      R"("geometry":null})"
+      "\n]}\n");
+}
+
+TEST(Findings, OutsideTheRegionAreInNoTile) {
+  Report report;
+  report.add(Code::kOutsideBounds, {OsmType::kNode, 1});
+  const auto findings = findings_of(report, {{{OsmType::kNode, 1}, {7.5, 43}}}, made_header());
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_TRUE(findings[0].at);
+  EXPECT_FALSE(findings[0].tile);
+}
+
+TEST(Findings, OfBakingLieAtTheirObjectOrInTheMiddleOfTheTile) {
+  const scene::Header header = made_header();
+  const map::Plane plane(header.origin);
+  scene::Chunk chunk{.tile = {1, -1}};
+  chunk.lamps.push_back({.id = {{OsmType::kNode, 8}, 0}, .at = {600, -30}});
+  Report report;
+  report.add(Code::kBelowTolerance, {OsmType::kNode, 8}, 1);
+  report.add(Code::kToleranceNotMet, {}, 3);
+  const auto findings = findings_of(report, header, chunk, 2);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(*findings[0].at, plane.backward({600, -30}));
+  EXPECT_EQ(*findings[1].at, plane.backward({768, -256}));
+  for (const Finding& finding : findings) {
+    EXPECT_EQ(finding.tile, (scene::TileKey{1, -1}));
+    EXPECT_EQ(finding.level, 2u);
+  }
+}
+
+TEST(Findings, AreTheSameWhateverTheOrderOfDiagnoses) {
+  Report one, other;
+  for (int i = 0; i < 50; ++i) one.add(Code::kMissingNode, {OsmType::kWay, i}, i % 3);
+  for (int i = 49; i >= 0; --i) other.add(Code::kMissingNode, {OsmType::kWay, i}, i % 3);
+  const scene::Header header = made_header();
+  EXPECT_EQ(findings_json(findings_of(one, {}, header), header), findings_json(findings_of(other, {}, header), header));
+}
+
+}  // namespace
+}  // namespace citykiln::verify
