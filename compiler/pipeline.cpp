@@ -206,7 +206,8 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
                          [&](ChunkLevel at, const Report&) {
                            const bake::BakedTile tile = *std::exchange(slot(at), std::nullopt);
                            return take(tile, at.level);
-                         }});
+                         }},
+                    most_instances);
 }
 
 namespace {

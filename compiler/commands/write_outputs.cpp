@@ -87,7 +87,8 @@ class TileWriter {
                        .take =
                            [&](ChunkLevel at, const Report& diagnosed) {
                              return whole_[index(at)] ? take_over(at, written) : write(at, diagnosed, written);
-                           }});
+                           }},
+                      verify::most_instances_of(outputs_.target));
   }
 
  private:
