@@ -54,7 +54,7 @@ ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene
            .level = level,
            .tolerance_m = tile.tolerance_m,
            .error_m = encoded.error_m,
-           .triangles = exporters::triangles_of(tile),
+           .triangles = encoded.triangles,
            .instances = exporters::instances_of(tile)}};
 }
 
