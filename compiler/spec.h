@@ -41,6 +41,8 @@ struct Outputs {
   Split split = Split::kLayer;
   Compress compress = Compress::kNone;
   Layout layout = Layout::kEmbedded;
+  /// Where one is set, each tile has one level, the finest of a fixed sequence of tolerances within these limits.
+  std::optional<std::uint64_t> max_bytes, max_triangles;
   std::vector<double> ladder_m{kDefaultLadder_m.begin(),
                                kDefaultLadder_m.end()};  ///< Tolerances, increasing; level n has the n-th.
 };

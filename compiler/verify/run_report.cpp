@@ -215,7 +215,9 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["compress"] = name_of(outputs.compress);
   json["layout"] = name_of(outputs.layout);
   json["counts"] = counts_of(scene);
-  json["levels"] = levels_of(written, outputs);
+  if (outputs.max_bytes) json["solved_for"]["max_bytes"] = *outputs.max_bytes;
+  if (outputs.max_triangles) json["solved_for"]["max_triangles"] = *outputs.max_triangles;
+  json["levels"] = json.contains("solved_for") ? Json::array() : levels_of(written, outputs);
   json["heights"] = heights_of(heights);
   json["bytes"] = written.bytes();
   json["balances"] = report.balances();

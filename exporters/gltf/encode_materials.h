@@ -15,4 +15,7 @@ int material_number(GlbBuilder& f, const MaterialKey& key);
 /// The normal map of a material; null where it has none.
 const materials::TextureImage* normals_of(const GlbBuilder& f, const MaterialKey& key);
 
+/// Adds TEXCOORD_0 and returns its accessor: in units of the image's size, or metres in packed meshes.
+int add_uvs(GlbBuilder& f, const bake::Primitive& p, const MaterialKey& key);
+
 }  // namespace citykiln::exporters

@@ -56,15 +56,17 @@ void begin_in_first_period(const ObjectRun& run, std::vector<bake::Float2>& uvs)
   }
 }
 
-// The texel of the image that a primitive of the tile's own meshes may show.
-double texel_m_of(const bake::BakedTile& tile, ColourSource source) {
-  return source == ColourSource::kByMarkingAtlas ? tile.marking_atlas.texel_m : tile.facade_atlas.colour.texel_m;
+// The texel of the image that a primitive shows; 0 where it shows none.
+double texel_m_of(const bake::BakedTile& tile, const impostor::Cutout* cutout, ColourSource source) {
+  if (source == ColourSource::kByMarkingAtlas) return tile.marking_atlas.texel_m;
+  if (source == ColourSource::kByAtlas) return tile.facade_atlas.colour.texel_m;
+  return source == ColourSource::kByCutout && cutout != nullptr ? cutout->colour.texel_m : 0;
 }
 
-// Returns the longest move of a position. @param texel_m  Of the image, if the primitive shows one.
+// Returns the longest move of a position. @param texel_m  0 for uvs on textures, which repeat.
 double quantise(double step_m, double texel_m, double tolerance_m, Primitive& primitive) {
   const double farthest_m = put_positions_on_grid(step_m, primitive);
-  const bool is_on_image = primitive.colour_source != ColourSource::kByMaterial && texel_m > 0;
+  const bool is_on_image = texel_m > 0;
   put_uvs_on_grid(is_on_image ? uv_step_m(texel_m) : packed_texture_step_m(tolerance_m), primitive);
   if (!is_on_image && !primitive.uvs.empty())
     for (const ObjectRun& run : object_runs(primitive)) begin_in_first_period(run, primitive.uvs);
@@ -89,13 +91,14 @@ bake::BakedTile quantised(bake::BakedTile tile) {
   double farthest_m = 0, of_instances_m = 0;
   tile.error_m += rounding_m(tile.primitives);
   for (Primitive& primitive : tile.primitives)
-    farthest_m =
-        std::max(farthest_m, quantise(step_m, texel_m_of(tile, primitive.colour_source), tile.tolerance_m, primitive));
+    farthest_m = std::max(
+        farthest_m, quantise(step_m, texel_m_of(tile, nullptr, primitive.colour_source), tile.tolerance_m, primitive));
   for (bake::InstancedMesh& instanced : tile.instanced) {
     double moved_m = 0;
     for (Primitive& primitive : instanced.primitives)
-      moved_m = std::max(moved_m, quantise(step_m * kPrototypeStepRatio, instanced.cutout->colour.texel_m,
-                                           tile.tolerance_m, primitive));
+      moved_m = std::max(
+          moved_m, quantise(step_m * kPrototypeStepRatio, texel_m_of(tile, &*instanced.cutout, primitive.colour_source),
+                            tile.tolerance_m, primitive));
     for (const float scale : instanced.scales) of_instances_m = std::max(of_instances_m, moved_m * std::abs(scale));
   }
   tile.error_m += std::max(farthest_m, of_instances_m), tile.plant_error_m += of_instances_m;
