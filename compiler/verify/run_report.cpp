@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compiler/bake/bake.h"
 #include "compiler/map/lonlat_box.h"
 #include "compiler/verify/written_tile_json.h"
 #include "exporters/settle_folder.h"

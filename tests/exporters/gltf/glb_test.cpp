@@ -87,7 +87,7 @@ TEST(Glb, ReadsBackWhatItWroteForEachTargetAndSplit) {
 nlohmann::json gltf_of(const BakedTile& tile) { return nlohmann::json::parse(json_of(encoded(tile, kExtension))); }
 
 TEST(GlbPropertyTable, HasTheAttributesOfEachFeature) {
-  const Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  const Bytes bytes = encoded(made_tile(1), kExtension);
   const auto gltf = nlohmann::json::parse(json_of(bytes));
   const auto& metadata = gltf["extensions"]["EXT_structural_metadata"];
   const auto& table = metadata["propertyTables"][0];
@@ -108,18 +108,18 @@ TEST(GlbPropertyTable, HasTheAttributesOfEachFeature) {
 TEST(GlbPropertyTable, LeavesOutColumnsWithoutValues) {
   BakedTile tile = made_tile(1);
   for (bake::FeatureAttributes& row : tile.attributes) row.name.clear(), row.tags.clear();
-  auto gltf = nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
+  auto gltf = nlohmann::json::parse(json_of(encoded(tile, kExtension)));
   EXPECT_EQ(gltf["extensions"]["EXT_structural_metadata"]["propertyTables"][0]["properties"].size(), 4u);
-  EXPECT_TRUE(*decoded(encoded(tile, Instancing::kExtension)) == tile);
+  EXPECT_TRUE(*decoded(encoded(tile, kExtension)) == tile);
   tile.attributes.clear();
-  gltf = nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
+  gltf = nlohmann::json::parse(json_of(encoded(tile, kExtension)));
   EXPECT_EQ(gltf["extensions"]["EXT_structural_metadata"]["propertyTables"][0]["properties"].size(), 2u);
-  EXPECT_TRUE(*decoded(encoded(tile, Instancing::kExtension)) == tile);
+  EXPECT_TRUE(*decoded(encoded(tile, kExtension)) == tile);
 }
 
 TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
   const BakedTile tile = made_tile(1);
-  const auto gltf = nlohmann::json::parse(json_of(encoded(tile, Instancing::kNodes)));
+  const auto gltf = nlohmann::json::parse(json_of(encoded(tile, kNodes)));
   std::set<std::string> seen;
   for (const auto& node : gltf["nodes"])
     if (node.contains("extras") && node["extras"].contains("feature")) seen.insert(node["extras"].dump());
@@ -136,10 +136,10 @@ TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
 
 TEST(GlbPropertyTableDamage, TextsOutsideTheirViewAndOtherEncodingsAreRefused) {
   for (const char* text : {R"("stringOffsetType":"UINT16")", R"("valueType":"UINT16")"})
-    EXPECT_NE(json_of(encoded(made_tile(1), Instancing::kExtension)).find(text), std::string::npos) << text;
-  EXPECT_NE(refusal_with(Instancing::kExtension, R"("stringOffsetType":"UINT16")", R"("stringOffsetType":"UINT32")"),
+    EXPECT_NE(json_of(encoded(made_tile(1), kExtension)).find(text), std::string::npos) << text;
+  EXPECT_NE(refusal_with(kExtension, R"("stringOffsetType":"UINT16")", R"("stringOffsetType":"UINT32")"),
             "accepted");
-  Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  Bytes bytes = encoded(made_tile(1), kExtension);
   const std::string name = "Château";
   const auto at = std::search(bytes.begin(), bytes.end(), name.begin(), name.end(),
                               [](std::byte b, char c) { return b == static_cast<std::byte>(c); });
