@@ -188,7 +188,7 @@ constexpr Setting kSettings[] = {
      [](CompileSpec& spec, std::string_view text) { return put(Result(std::string(text)), spec.outputs.folder); }},
     {"emit", "kiln,glb", "outputs to write: kiln (manifest), glb (tiles) or both (default: kiln,glb)", false, set_emit},
     {"lods", "M,M,...",
-     "levels of detail: largest geometric error of each in metres, finest first (default: 0.02,0.1,0.5,2.5,12.5)",
+     "levels of detail: largest geometric error of each in metres, finest first (default: 0.1,0.5,1.2,2.5,12.5)",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.ladder_m); }},
     {"world", "plane", "shape of the world; only plane is supported (default: plane)", false, set_world},
     {"compress", "none|quantize|draco|meshopt", "compression of meshes in .glb files (default: none)", false,

@@ -47,7 +47,7 @@ void put_uvs_in_metres(std::vector<bake::Primitive>& primitives, const impostor:
 void put_uvs_in_metres(BakedTile& tile) {
   put_uvs_in_metres(tile.primitives, nullptr, tile);
   for (bake::InstancedMesh& instanced : tile.instanced)
-    put_uvs_in_metres(instanced.primitives, &instanced.cutout, tile);
+    put_uvs_in_metres(instanced.primitives, &*instanced.cutout, tile);
 }
 
 std::optional<bake::Viewpoint> viewpoint_of(const Value& extras) {

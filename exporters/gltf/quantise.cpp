@@ -97,7 +97,7 @@ bake::BakedTile quantised(bake::BakedTile tile) {
     double moved_m = 0;
     for (Primitive& primitive : instanced.primitives)
       moved_m = std::max(
-          moved_m, quantise(step_m * kPrototypeStepRatio, texel_m_of(tile, &instanced.cutout, primitive.colour_source),
+          moved_m, quantise(step_m * kPrototypeStepRatio, texel_m_of(tile, &*instanced.cutout, primitive.colour_source),
                             tile.tolerance_m, primitive));
     for (const float scale : instanced.scales) of_instances_m = std::max(of_instances_m, moved_m * std::abs(scale));
   }

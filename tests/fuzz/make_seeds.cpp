@@ -33,7 +33,7 @@ void write_made_glbs(const std::filesystem::path& folder, const citykiln::bake::
                                                              {Compression::kMeshopt, "meshopt_"}};
   for (const auto& [compression, name] : kPacked) {
     const auto target = seed % 2 == 0 ? Target::kThree : Target::kGeneric;
-    const auto glb = encode_glb(tile, {}, {.target = target, .compression = compression});
+    const auto glb = encode_glb(tile, {}, {.target = target, .compression = compression, .has_exact_pictures = true});
     write_seed(folder, name + std::to_string(seed), fuzz::unpacked_glb(span_of(glb)));
   }
 }

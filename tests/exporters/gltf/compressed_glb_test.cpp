@@ -24,7 +24,7 @@ using Bytes = std::vector<std::byte>;
 constexpr Compression kAll[] = {Compression::kQuantize, Compression::kDraco, Compression::kMeshopt};
 
 Bytes encoded(const BakedTile& tile, Compression compression, Target target = Target::kThree, int threads = 1) {
-  return encode_glb(tile, {}, {.target = target, .compression = compression}, threads);
+  return encode_glb(tile, {}, {.target = target, .compression = compression, .has_exact_pictures = true}, threads);
 }
 
 BakedTile through(const BakedTile& tile, Compression compression, Target target = Target::kThree) {
@@ -290,9 +290,9 @@ TEST(CompressedGlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
       changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
       const auto tile = decode_glb(changed, "changed");
       if (!tile) continue;
-      const auto again = decode_glb(encode_glb(*tile, {}, {}), "again");
+      const auto again = decode_glb(encode_glb(*tile, {}, {.has_exact_pictures = true}), "again");
       ASSERT_TRUE(again) << "byte " << at << ": " << to_string(again.error());
-      ASSERT_EQ(*again, *tile) << "byte " << at;
+      ASSERT_EQ(without_uvs(*again), without_uvs(*tile)) << "byte " << at;
     }
   }
 }
@@ -321,7 +321,7 @@ TEST(CompressedGlbDamage, ViewsThatClaimMoreThanTheyHoldAreRefused) {
 TEST(CompressedGlbDamage, MeshesAreUnpackedOnce) {
   GlbParts parts = split_glb(encoded(made_tile(1), Compression::kDraco));
   nlohmann::json& primitives = parts.gltf["meshes"][0]["primitives"];
-  for (int i = 0; i < 20; ++i) primitives.push_back(primitives[1]);
+  for (int i = 0; i < 20; ++i) primitives.push_back(primitives[0]);
   const auto tile = decode_glb(join_glb(parts), "tile.glb");
   ASSERT_FALSE(tile);
   EXPECT_NE(to_string(tile.error()).find("each byte of the buffer to be used once"), std::string::npos);
