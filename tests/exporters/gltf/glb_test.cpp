@@ -137,8 +137,7 @@ TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
 TEST(GlbPropertyTableDamage, TextsOutsideTheirViewAndOtherEncodingsAreRefused) {
   for (const char* text : {R"("stringOffsetType":"UINT16")", R"("valueType":"UINT16")"})
     EXPECT_NE(json_of(encoded(made_tile(1), kExtension)).find(text), std::string::npos) << text;
-  EXPECT_NE(refusal_with(kExtension, R"("stringOffsetType":"UINT16")", R"("stringOffsetType":"UINT32")"),
-            "accepted");
+  EXPECT_NE(refusal_with(kExtension, R"("stringOffsetType":"UINT16")", R"("stringOffsetType":"UINT32")"), "accepted");
   Bytes bytes = encoded(made_tile(1), kExtension);
   const std::string name = "Château";
   const auto at = std::search(bytes.begin(), bytes.end(), name.begin(), name.end(),
