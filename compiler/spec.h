@@ -4,6 +4,7 @@
 // defines them all.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -21,6 +22,10 @@
 #include "compiler/source/raster.h"
 
 namespace citykiln {
+
+/// The default tolerances of the levels of detail, finest first, metres. None is more than five times the one before
+/// it, which skirts rely on (bake/skirt.h); triangles fall by at most eight from one to the next.
+inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, 12.5};
 
 /// Compression of meshes in .glb files (exporters/gltf/compression.h).
 enum class Compress { kNone, kQuantize, kDraco, kMeshopt };
@@ -43,8 +48,8 @@ struct Outputs {
   Layout layout = Layout::kEmbedded;
   /// Where one is set, each tile has one level, the finest of a fixed sequence of tolerances within these limits.
   std::optional<std::uint64_t> max_bytes, max_triangles;
-  std::vector<double> ladder_m{kDefaultLadder_m.begin(),
-                               kDefaultLadder_m.end()};  ///< Tolerances, increasing; level n has the n-th.
+  std::vector<double> ladder_m{kDefaultLevels_m.begin(),
+                               kDefaultLevels_m.end()};  ///< Tolerances, increasing; level n has the n-th.
 };
 
 /// When a run ends with exit code 2.

@@ -54,7 +54,7 @@ ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene
            .level = level,
            .tolerance_m = tile.tolerance_m,
            .error_m = encoded.error_m,
-           .triangles = exporters::triangles_of(tile),
+           .triangles = encoded.triangles,
            .instances = exporters::instances_of(tile)}};
 }
 
@@ -102,7 +102,8 @@ class TileWriter {
                        .take =
                            [&](ChunkLevel at, const Report& diagnosed) {
                              return whole_[index(at)] ? take_over(at, written) : write(at, diagnosed, written);
-                           }});
+                           }},
+                      verify::most_instances_of(outputs_.target));
   }
 
   // One level a tile: the finest within the limits.
@@ -137,8 +138,9 @@ class TileWriter {
   SolvedTile solve(std::size_t chunk, const std::shared_ptr<const bake::PrototypeCache>& prototypes) const {
     const auto baked_at = [&](double tolerance_m) {
       SolvedTile out;
-      const bake::BakedTile tile =
-          bake::bake(scene_.header, scene_.chunks[chunk], tolerance_m, threads_, out.diagnosed, prototypes);
+      const auto prepared = bake::prepare(scene_.header, scene_.chunks[chunk], std::span(&tolerance_m, 1), threads_,
+                                          prototypes, verify::most_instances_of(outputs_.target));
+      const bake::BakedTile tile = bake::bake_prepared(*prepared, 0, threads_, out.diagnosed);
       out.tile = ready_tile(tile, 0, scene_.header, outputs_, threads_);
       return out;
     };

@@ -5,9 +5,8 @@
 
 namespace citykiln {
 
-/// The default tolerances of the levels of detail, finest first, metres. None is more than five times the one before
-/// it, which skirts rely on (bake/skirt.h); triangles fall by at most eight from one to the next.
-inline constexpr std::array kDefaultLadder_m = {0.1, 0.5, 1.2, 2.5, 12.5};
+/// The default tolerances of the levels of detail, finest first, metres.
+inline constexpr std::array kDefaultLadder_m = {0.02, 0.1, 0.5, 2.5, 12.5};
 
 /// The largest tolerance of a level, metres: beyond it nothing of a city is left but the ground.
 inline constexpr double kCoarsest_m = 100;

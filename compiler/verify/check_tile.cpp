@@ -214,7 +214,8 @@ Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenT
     return Error{loaded.folder + "/" + levels.front().file.name, "is a tile that the manifest does not contain"};
   std::vector<double> ladder_m;
   for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
-  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, loaded.prototypes);
+  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, loaded.prototypes,
+                                      most_instances_of(loaded.record.target));
   TileUnderCheck tile{loaded, *chunk, scene::box_of(scene.header, chunk->tile), water_levels_of(*chunk), nullptr, {}};
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (const Result<Done> done = check_level(tile, *prepared, i, levels[i].file); !done) return done.error();

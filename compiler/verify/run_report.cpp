@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compiler/bake/bake.h"
 #include "compiler/map/lonlat_box.h"
 #include "compiler/verify/written_tile_json.h"
 #include "exporters/settle_folder.h"
@@ -254,6 +255,11 @@ exporters::Compression compression_of(Compress compress) {
 
 exporters::GlbOptions glb_options_of(const Outputs& outputs) {
   return {.target = outputs.target, .split = outputs.split, .compression = compression_of(outputs.compress)};
+}
+
+std::size_t most_instances_of(Target target) {
+  const std::size_t most = values_of(target).most_nodes;
+  return most == 0 ? bake::kAnyInstances : most;
 }
 
 bool has_mended_or_dropped(const Report& report) {

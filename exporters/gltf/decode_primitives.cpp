@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
 #include "exporters/gltf/split_buildings.h"
 
@@ -94,6 +95,7 @@ std::vector<Primitive> primitives_of(GltfReader& reader, int mesh_number, std::s
   for (const tinygltf::Primitive& p : mesh.primitives) {
     Primitive primitive = primitive_of(reader, p, features);
     primitive.layer = layer_in(p.extras, mesh.extras);
+    if (primitive.colour_source == ColourSource::kByCutout) primitive = without_backs(primitive);
     // large primitives are written in parts, which follow each other
     if (!primitives.empty() && key_of(primitives.back()) == key_of(primitive))
       append_primitive(primitives.back(), primitive);

@@ -7,6 +7,7 @@
 
 #include "exporters/gltf/encode_pictures.h"
 #include "exporters/gltf/image_units.h"
+#include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
 
 namespace citykiln::exporters {
@@ -97,7 +98,7 @@ std::string unique_name(const GlbBuilder& f, const MaterialKey& key) {
 
 MaterialKey material_key_of(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
   const bake::PrimitiveKey shared{{}, p.material, !p.uvs.empty(), p.colour_source};
-  if (p.colour_source == ColourSource::kByCutout) return {shared, nullptr, cutout};
+  if (p.colour_source == ColourSource::kByCutout) return {shared, nullptr, cutout, has_backs(p)};
   if (p.colour_source != ColourSource::kByMaterial) return {shared};
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
   if (p.uvs.empty() || found == f.tile.textures.end()) return {{{}, p.material, false, ColourSource::kByMaterial}};
@@ -121,7 +122,7 @@ int material_number(GlbBuilder& f, const MaterialKey& key) {
   if (const materials::TextureImage* normals = normals_of(f, key))
     m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals);
   // leaves are flat; texels with an opacity below a half are holes
-  if (key.cutout != nullptr) m.alphaMode = "MASK", m.doubleSided = true;
+  if (key.cutout != nullptr) m.alphaMode = "MASK", m.doubleSided = !key.has_backs;
   set_surface(f, key, m.pbrMetallicRoughness);
   set_emission(f, key, m);
   f.model.materials.push_back(m), f.material_keys.push_back(key);

@@ -4,8 +4,10 @@
 #include <array>
 #include <cassert>
 #include <limits>
+#include <optional>
 
 #include "exporters/gltf/encode_materials.h"
+#include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/object_runs.h"
 #include "exporters/gltf/tangents.h"
 
@@ -46,17 +48,27 @@ int add_indices(GlbBuilder& f, const Primitive& p) {
                         TINYGLTF_TYPE_SCALAR, count);
 }
 
-tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
+int add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
+  std::vector<bake::Float4> tangents = tangents_of(front);
+  const std::size_t count = tangents.size();
+  // back sides have those of their fronts, as they have their normals
+  for (std::size_t i = 0; has_backs && i < count; ++i) tangents.push_back(bake::Float4{tangents[i]});
+  return f.add_turned(tangents, TINYGLTF_TYPE_VEC4);
+}
+
+tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& front, const impostor::Cutout* cutout) {
   tinygltf::Primitive out;
   out.mode = TINYGLTF_MODE_TRIANGLES;
-  const MaterialKey key = material_key_of(f, p, cutout);
+  const MaterialKey key = material_key_of(f, front, cutout);
   out.material = material_number(f, key);
+  const std::optional<Primitive> both = key.has_backs ? std::optional(with_backs(front)) : std::nullopt;
+  const Primitive& p = both ? *both : front;
   out.attributes["POSITION"] = add_positions(f, p.positions);
   out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
   out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
                                               TINYGLTF_TARGET_ARRAY_BUFFER, true);
   if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, key);
-  if (normals_of(f, key) != nullptr) out.attributes["TANGENT"] = f.add_turned(tangents_of(p), TINYGLTF_TYPE_VEC4);
+  if (normals_of(f, key) != nullptr) out.attributes["TANGENT"] = add_tangents(f, front, key.has_backs);
   if (!p.features.empty()) {
     out.attributes["_FEATURE_ID_0"] = f.add_as_floats(p.features);
     out.extensions["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");

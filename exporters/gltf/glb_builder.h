@@ -22,6 +22,7 @@ struct MaterialKey {
   bake::PrimitiveKey primitive;                 ///< has_uvs is false where the uvs show no image.
   const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it.
   const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one.
+  bool has_backs = false;                       ///< Faces of its own for both sides (leaf_backs.h).
   bool operator==(const MaterialKey&) const = default;
 };
 

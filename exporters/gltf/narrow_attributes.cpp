@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -14,30 +15,47 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr const char *kInstancing = "EXT_mesh_gpu_instancing", *kTransform = "KHR_texture_transform";
 
 // ---- plan ----------------------------------------------------------------------------------------------------------
 
 // The range of steps of all primitives that are narrowed in the same way.
 struct Range {
-  bool has_steps = true;
+  bool has_steps = true, may_move = true;
   int exponent = 0;
-  double low = 0, high = 0;  // units
+  std::array<double, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};  // units
 
   void add(const VertexAttribute& attribute) {
     const auto steps = has_steps ? steps_of(attribute) : std::nullopt;
     if (!steps) return void(has_steps = false);
     exponent = std::min(exponent, steps->exponent);
-    for (const std::int32_t count : steps->counts) {
-      low = std::min(low, std::ldexp(count, steps->exponent));
-      high = std::max(high, std::ldexp(count, steps->exponent));
+    for (std::size_t i = 0; i < steps->counts.size(); ++i) {
+      const double value = std::ldexp(steps->counts[i], steps->exponent);
+      double &least = low[i % attribute.width], &most = high[i % attribute.width];
+      least = std::min(least, value), most = std::max(most, value);
     }
   }
 
-  std::optional<NarrowSteps> narrow() const {
-    const double least = std::ldexp(low, -exponent), most = std::ldexp(high, -exponent);
-    if (!has_steps || least < -32767 || most > (least < 0 ? 32767 : 65535)) return std::nullopt;
-    return NarrowSteps{exponent, least < 0};
+  double lowest() const { return std::ldexp(*std::ranges::min_element(low), -exponent); }
+  double highest() const { return std::ldexp(*std::ranges::max_element(high), -exponent); }
+
+  // All positions are signed, since an axis that is positive in one tile is negative in the next.
+  std::optional<NarrowSteps> positions() const {
+    if (!has_steps) return std::nullopt;
+    if (lowest() >= -32767 && highest() <= 32767) return NarrowSteps{exponent, true};
+    NarrowSteps moved{exponent, true};
+    for (std::size_t c = 0; c < 3; ++c) {
+      moved.offset_m[c] = std::floor((low[c] + high[c]) / 2);
+      if (!may_move || std::ldexp(high[c] - low[c], -exponent) > 2 * (32767 - std::ldexp(1, -exponent)))
+        return std::nullopt;
+    }
+    return moved;
+  }
+
+  std::optional<NarrowSteps> uvs() const {
+    if (!has_steps || lowest() < -32767 || highest() > (lowest() < 0 ? 32767 : 65535)) return std::nullopt;
+    return NarrowSteps{exponent, lowest() < 0};
   }
 };
 
@@ -47,25 +65,20 @@ bool may_be_scaled(const Json& node) {
   return node["extensions"][kInstancing]["attributes"].contains("SCALE");
 }
 
+bool is_placed(const Json& node) {
+  return node.contains("translation") || node.contains("rotation") || node.contains("scale") ||
+         (node.contains("extensions") && node["extensions"].contains(kInstancing));
+}
+
 std::vector<Range> ranges_of_positions(const GlbParts& plain) {
   std::vector<Range> ranges(plain.gltf["meshes"].size());
   for (const Json& node : plain.gltf["nodes"])
-    if (node.contains("mesh") && !may_be_scaled(node)) ranges.at(node["mesh"].get<std::size_t>()).has_steps = false;
+    if (node.contains("mesh")) {
+      Range& range = ranges.at(node["mesh"].get<std::size_t>());
+      range.has_steps &= may_be_scaled(node);
+      range.may_move &= !is_placed(node);
+    }
   return ranges;
-}
-
-std::vector<std::optional<NarrowSteps>> narrow(const std::vector<Range>& ranges, bool is_signed) {
-  std::vector<std::optional<NarrowSteps>> steps;
-  for (const Range& range : ranges) {
-    steps.push_back(range.narrow());
-    if (!is_signed || !steps.back()) continue;
-    // all positions are signed, since an axis that is positive in one tile is negative in the next
-    if (std::ldexp(range.high, -range.exponent) > 32767)
-      steps.back().reset();
-    else
-      steps.back()->is_signed = true;
-  }
-  return steps;
 }
 
 // ---- attributes ----------------------------------------------------------------------------------------------------
@@ -78,7 +91,7 @@ VertexAttribute converted(const VertexAttribute& from, Component component, Conv
   to.bytes.resize(count * stride_of(to));
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t c = 0; c < from.width; ++c) {
-      const To value = convert(from.bytes.data() + i * stride_of(from) + c * step);
+      const To value = convert(from.bytes.data() + i * stride_of(from) + c * step, c);
       std::memcpy(to.bytes.data() + i * stride_of(to) + c * sizeof(To), &value, sizeof(To));
     }
   return to;
@@ -92,12 +105,14 @@ T value_at(const unsigned char* at) {
 }
 
 VertexAttribute narrowed(const VertexAttribute& attribute, const NarrowSteps& steps) {
-  const auto count = [&](const unsigned char* at) { return std::ldexp(double{value_at<float>(at)}, -steps.exponent); };
+  const auto count = [&](const unsigned char* at, std::size_t c) {
+    return std::ldexp(double{value_at<float>(at)} - steps.offset_m.at(c), -steps.exponent);
+  };
   if (!steps.is_signed)
     return converted<std::uint16_t>(attribute, Component::kUnsignedShort,
-                                    [&](auto* at) { return static_cast<std::uint16_t>(count(at)); });
+                                    [&](auto* at, std::size_t c) { return static_cast<std::uint16_t>(count(at, c)); });
   return converted<std::int16_t>(attribute, Component::kShort,
-                                 [&](auto* at) { return static_cast<std::int16_t>(count(at)); });
+                                 [&](auto* at, std::size_t c) { return static_cast<std::int16_t>(count(at, c)); });
 }
 
 bool is_direction(const VertexAttribute& attribute) {
@@ -142,6 +157,15 @@ void scale_instances(const Json& accessor, double factor, GlbParts& parts) {
     scale = static_cast<float>(scale * factor);
     std::memcpy(parts.buffer.data() + at, &scale, sizeof scale);
   }
+}
+
+// The offset of an accessor's positions.
+std::array<double, 3> offset_m_of(const Json& accessor) {
+  if (!accessor.at("extras").contains("offset_m")) return {};
+  const auto offset_m = accessor["extras"]["offset_m"].get<std::array<double, 3>>();
+  for (const double c : offset_m)
+    if (!(std::abs(c) < 1e6)) throw std::runtime_error("offsets inside the plane");
+  return offset_m;
 }
 
 // Multiplies the scale of a node, or of its instances.
@@ -199,11 +223,13 @@ void scale_textures(Json& at, double factor) {
 }
 
 // Writes the step of an accessor, and its limits in steps.
-void note_step(double step_m, Json& accessor) {
+void note_steps(const NarrowSteps& steps, Json& accessor) {
+  const double step_m = std::ldexp(1.0, steps.exponent);
   accessor["extras"]["step_m"] = step_m;
+  if (steps.offset_m != std::array<double, 3>{}) accessor["extras"]["offset_m"] = steps.offset_m;
   for (const char* limit : {"min", "max"})
-    if (accessor.contains(limit))
-      for (Json& value : accessor[limit]) value = value.get<double>() / step_m;
+    for (std::size_t c = 0; accessor.contains(limit) && c < accessor[limit].size(); ++c)
+      accessor[limit][c] = (accessor[limit][c].get<double>() - steps.offset_m.at(c)) / step_m;
 }
 
 }  // namespace
@@ -220,7 +246,10 @@ NarrowPlan plan_narrowing(const GlbParts& plain) {
         if (range == nullptr) continue;
         range->add(attribute_of(plain, name, plain.gltf["accessors"].at(number.get<std::size_t>())));
       }
-  return {narrow(positions, true), narrow(uvs, false)};
+  NarrowPlan plan;
+  for (const Range& range : positions) plan.positions.push_back(range.positions());
+  for (const Range& range : uvs) plan.uvs.push_back(range.uvs());
+  return plan;
 }
 
 void narrow_steps(const NarrowPlan& plan, std::size_t mesh, std::size_t material, MeshArrays& arrays) {
@@ -233,7 +262,7 @@ void narrow_steps(const NarrowPlan& plan, std::size_t mesh, std::size_t material
 void narrow_directions(MeshArrays& arrays) {
   for (VertexAttribute& attribute : arrays.attributes)
     if (is_direction(attribute))
-      attribute = converted<std::int8_t>(attribute, Component::kByte, [](auto* at) {
+      attribute = converted<std::int8_t>(attribute, Component::kByte, [](auto* at, std::size_t) {
         return static_cast<std::int8_t>(std::lround(value_at<float>(at) * 127));
       });
 }
@@ -243,12 +272,14 @@ void scale_by_plan(const NarrowPlan& plan, GlbParts& parts) {
   separate_meshes(parts.gltf);
   for (Json& node : parts.gltf["nodes"])
     if (node.contains("mesh"))
-      if (const auto& steps = plan.positions.at(node["mesh"].get<std::size_t>()))
+      if (const auto& steps = plan.positions.at(node["mesh"].get<std::size_t>())) {
         scale_node(node, std::ldexp(1.0, steps->exponent), scaled, parts);
+        if (steps->offset_m != std::array<double, 3>{}) node["translation"] = steps->offset_m;
+      }
   for (std::size_t m = 0; m < plan.uvs.size(); ++m)
     if (plan.uvs[m]) scale_textures(parts.gltf["materials"][m], std::ldexp(1.0, plan.uvs[m]->exponent));
   const auto note = [&](const Json& number, const NarrowSteps& steps) {
-    note_step(std::ldexp(1.0, steps.exponent), parts.gltf["accessors"].at(number.get<std::size_t>()));
+    note_steps(steps, parts.gltf["accessors"].at(number.get<std::size_t>()));
   };
   for (std::size_t m = 0; m < plan.positions.size(); ++m)
     for (const Json& primitive : parts.gltf["meshes"][m]["primitives"]) {
@@ -270,7 +301,7 @@ void set_component(Component component, Json& accessor) {
 
 VertexAttribute widened(VertexAttribute attribute, const Json& accessor) {
   if (is_direction(attribute) && attribute.component == Component::kByte) {
-    VertexAttribute wide = converted<float>(attribute, Component::kFloat, [](auto* at) {
+    VertexAttribute wide = converted<float>(attribute, Component::kFloat, [](auto* at, std::size_t) {
       return std::max(-1.0f, static_cast<float>(value_at<std::int8_t>(at)) / 127.0f);
     });
     normalise(wide);
@@ -279,6 +310,7 @@ VertexAttribute widened(VertexAttribute attribute, const Json& accessor) {
   const bool is_stepped = attribute.name == "POSITION" || attribute.name == "TEXCOORD_0";
   if (!is_stepped || attribute.component == Component::kFloat) return attribute;
   const double step_m = step_m_of(accessor);
+  const std::array<double, 3> offset_m = offset_m_of(accessor);
   if (attribute.component == Component::kShort)
     return converted<float>(attribute, Component::kFloat,
                             [&](auto* at) { return static_cast<float>(value_at<std::int16_t>(at) * step_m); });
@@ -297,7 +329,9 @@ void unscale(GlbParts& parts) {
     if (primitives.empty()) continue;
     const auto number = primitives.at(0).at("attributes").at("POSITION").get<std::size_t>();
     const Json& accessor = gltf.at("accessors").at(number);
-    if (accessor.contains("extras")) scale_node(node, 1 / step_m_of(accessor), scaled, parts);
+    if (!accessor.contains("extras")) continue;
+    scale_node(node, 1 / step_m_of(accessor), scaled, parts);
+    if (offset_m_of(accessor) != std::array<double, 3>{}) node.erase("translation");
   }
   rejoin_meshes(gltf);
 }

@@ -1,6 +1,7 @@
 // KHR_mesh_quantization: attributes in 8 and 16 bits, and back to single precision.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -10,10 +11,11 @@
 
 namespace citykiln::exporters {
 
-/// Steps of an attribute in 16 bits.
+/// Steps of an attribute in 16 bits, from an offset on.
 struct NarrowSteps {
   int exponent = 0;
   bool is_signed = true;
+  std::array<double, 3> offset_m{};  ///< Whole metres. Not 0 only for meshes of nodes that are not moved.
   bool operator==(const NarrowSteps&) const = default;
 };
 

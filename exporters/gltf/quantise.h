@@ -18,7 +18,7 @@ double rounding_m(std::span<const bake::Primitive> primitives);
 /// - uvs on images become multiples of the largest power of two that is at most a texel / kUvStepsPerTexel.
 /// - uvs on textures are moved by whole periods, object by object, so that they begin in the first one,
 ///   and become multiples of packed_texture_step_m().
-/// - Vertices that have become equal are shared (share_vertices.h). Every triangle stays.
+/// - Vertices that have become equal are shared (share_vertices.h); triangles without an area go.
 ///
 /// Guarantees: equal positions stay equal, those of two tiles or levels with one step too, so that borders meet;
 /// quantising twice changes nothing more. Total. O(n).

@@ -1,5 +1,6 @@
 #include "exporters/gltf/share_vertices.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -72,6 +73,12 @@ std::vector<std::uint32_t> first_equals(const Primitive& primitive) {
   return first;
 }
 
+// Drops triangles that use a vertex twice, but not all of a primitive.
+void drop_thin_triangles(Primitive& primitive) {
+  const auto is_thin = [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
+  if (!std::ranges::all_of(primitive.triangles, is_thin)) std::erase_if(primitive.triangles, is_thin);
+}
+
 }  // namespace
 
 void share_vertices(Primitive& primitive) {
@@ -94,6 +101,7 @@ void share_vertices(Primitive& primitive) {
   shorten(primitive.features), shorten(primitive.uvs);
   for (auto& t : primitive.triangles)
     for (std::uint32_t& v : t) v = number[first[v]];
+  drop_thin_triangles(primitive);
 }
 
 }  // namespace citykiln::exporters

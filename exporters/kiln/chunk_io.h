@@ -126,6 +126,7 @@ struct Reader {
   void metres(Stream name, double& value) { value = place(name, kQuantum_m); }
   void text(Stream size, Stream bytes, std::string& value) {
     const std::uint64_t length = whole(size);
+    if (length == 0) return value.clear();
     StreamReader& stream = of(bytes);
     value = stream.get_bytes(length);
     if (!stream.good() || !is_utf8(value)) fail(bytes), value.clear();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -37,14 +38,14 @@ void name(auto& io, NameList& list, std::string& value) {
 
 void texts(auto& io, std::vector<map::ElementText>& all) {
   NameList names;
-  OsmId before;
+  std::optional<OsmId> before;
   list(io, "texts", all, 0, [&](map::ElementText& text) {
     enumerator(io, "id type", text.id.type, static_cast<OsmType>(4));
     io.delta("id", text.id.id);
     name(io, names, text.name);
     io.text("tags size", "tags bytes", text.tags);
     if constexpr (std::remove_reference_t<decltype(io)>::kReads)
-      if (!(before < text.id)) io.fail("id");
+      if (before && !(*before < text.id)) io.fail("id");
     before = text.id;
   });
 }

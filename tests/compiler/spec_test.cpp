@@ -36,7 +36,7 @@ class SpecFile {
 
 TEST(Spec, HasTheDefaultTolerances) {
   const CompileSpec spec;
-  EXPECT_EQ(spec.outputs.ladder_m, std::vector(kDefaultLadder_m.begin(), kDefaultLadder_m.end()));
+  EXPECT_EQ(spec.outputs.ladder_m, std::vector(kDefaultLevels_m.begin(), kDefaultLevels_m.end()));
   EXPECT_EQ(spec.tile_m, 1024);
 }
 
@@ -90,6 +90,18 @@ TEST(Spec, SaysWhatIsNotSupportedYet) {
   EXPECT_NE(objection("emit", "3dtiles").find("yet"), std::string::npos);
   EXPECT_NE(objection("world", "ellipsoid").find("yet"), std::string::npos);
   EXPECT_NE(objection("world", "cylinder:8000").find("yet"), std::string::npos);
+}
+
+TEST(Spec, RefusesACompressionThatTheTargetCannotRead) {
+  Outputs outputs;
+  EXPECT_TRUE(fits_target(outputs));
+  outputs.compress = Compress::kMeshopt;
+  const Result<Done> refused = fits_target(outputs);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(to_string(refused.error()),
+            "--compress: meshopt cannot be read by the target generic; add --target three, cesium or unity");
+  outputs.target = Target::kThree;
+  EXPECT_TRUE(fits_target(outputs));
 }
 
 TEST(Spec, IsUnchangedByInvalidValues) {

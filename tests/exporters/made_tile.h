@@ -70,7 +70,7 @@ inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   const auto laid_out = [&](materials::Material material, materials::ColourSource colour_source, std::uint32_t features,
                             bake::Layer layer) {
     bake::Primitive p = made_primitive(dice, material, 12, features, layer);
-    for (const bake::Float3& at : p.positions) p.uvs.push_back({at[0], 16000 + at[1]});
+    for (const bake::Float3& at : p.positions) p.uvs.push_back({at[0], 8000 + at[1]});
     p.colour_source = colour_source;
     return p;
   };
@@ -125,6 +125,16 @@ inline bake::BakedTile made_facade_tile(std::uint32_t seed) {
   for (bake::InstancedMesh& tree : tile.instanced) make_leafy(dice, tree, tree.name == "NeedleLeaved");
   tile.instanced.back().cutout = tile.instanced.front().cutout;
   bake::snap_image_uvs(tile);
+  return tile;
+}
+
+/// The tile without uvs: those of a damaged file need not lie on the grid of their image, and move onto it.
+inline bake::BakedTile without_uvs(bake::BakedTile tile) {
+  const auto clear = [](std::vector<bake::Primitive>& primitives) {
+    for (bake::Primitive& p : primitives) p.uvs.clear();
+  };
+  clear(tile.primitives);
+  for (bake::InstancedMesh& instanced : tile.instanced) clear(instanced.primitives);
   return tile;
 }
 

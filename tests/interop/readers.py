@@ -44,7 +44,7 @@ def godot():
     """The command that runs Godot 3 with a window on a virtual screen, or nothing."""
     if not all(map(shutil.which, ("godot3", "godot3-server", "xvfb-run"))):
         return None
-    return ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", "godot3", "--video-driver", "GLES3", "--audio-driver", "Dummy"]
+    return ["xvfb-run", "-a", "-s", "-screen 0 1920x1200x24", "godot3", "--video-driver", "GLES3", "--audio-driver", "Dummy"]
 
 
 def chromium():

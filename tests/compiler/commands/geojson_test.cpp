@@ -100,7 +100,7 @@ TEST(GeoJson, PropertiesAreWhatTheMapSays) {
         geojson_of(*layer_of(features, layer), map::Plane({10, 48}), {}))["features"][0]["properties"];
   };
   EXPECT_EQ(properties_of("roads"), nlohmann::json::parse(R"({"id":"w7","part":0,"class":"Unknown","name":"Rue \"A\"",
-      "lanes":1,"section":"-","width_m":5.5,"surface":"UnknownGround","layer":-1,"tunnel":true})"));
+      "lanes":1,"section":"d -","width_m":5.5,"surface":"UnknownGround","layer":-1,"tunnel":true})"));
   EXPECT_EQ(properties_of("buildings"), nlohmann::json::parse(R"({"id":"r8","part":1,"class":"Building","name":"Hall",
       "levels":3,"roof":"flat","height_m":9})"));
 }

@@ -61,7 +61,7 @@ TEST(Season, DoesNotChangeEvergreens) {
   }
 }
 
-// With leaf cards and hulls: no leaf material, and less coverage than in summer.
+// With leaf cards, clumps and hulls: no leaf material, and less coverage than in summer.
 TEST(Season, HasBareTreesWithoutLeaves) {
   EXPECT_LT(shown(leaf_atlas(kJanuary).cutout), 0.7 * shown(leaf_atlas(kMidsummer).cutout));
   for (const Species species : {Species::kOak, Species::kBirch, Species::kMaple, Species::kWillow})

@@ -292,7 +292,7 @@ TEST(CompressedGlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
       if (!tile) continue;
       const auto again = decode_glb(encode_glb(*tile, {}, {.has_exact_pictures = true}), "again");
       ASSERT_TRUE(again) << "byte " << at << ": " << to_string(again.error());
-      ASSERT_EQ(*again, *tile) << "byte " << at;
+      ASSERT_EQ(without_uvs(*again), without_uvs(*tile)) << "byte " << at;
     }
   }
 }
@@ -321,7 +321,7 @@ TEST(CompressedGlbDamage, ViewsThatClaimMoreThanTheyHoldAreRefused) {
 TEST(CompressedGlbDamage, MeshesAreUnpackedOnce) {
   GlbParts parts = split_glb(encoded(made_tile(1), Compression::kDraco));
   nlohmann::json& primitives = parts.gltf["meshes"][0]["primitives"];
-  for (int i = 0; i < 20; ++i) primitives.push_back(primitives[1]);
+  for (int i = 0; i < 20; ++i) primitives.push_back(primitives[0]);
   const auto tile = decode_glb(join_glb(parts), "tile.glb");
   ASSERT_FALSE(tile);
   EXPECT_NE(to_string(tile.error()).find("each byte of the buffer to be used once"), std::string::npos);

