@@ -87,9 +87,10 @@ std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& attribute)
   const auto& [name, component, width, view] = attribute;
   VertexAttribute out{name, component, width, {}};
   const bool is_octahedral = view.filter == "OCTAHEDRAL";
+  const bool is_filter = view.filter == "NONE" || (view.filter == "EXPONENTIAL" && component == Component::kFloat);
   const bool fits = is_octahedral ? is_direction(name) && component == Component::kByte && view.stride == 4 &&
                                         (width == 3 || width == 4)
-                                  : view.stride == stride_of(out);
+                                  : is_filter && view.stride == stride_of(out);
   if (!fits || view.mode != "ATTRIBUTES" || !is_plausible(view)) return std::nullopt;
   out.bytes.resize(view.count * view.stride);
   if (meshopt_decodeVertexBuffer(out.bytes.data(), view.count, view.stride, view.bytes.data(), view.bytes.size()) != 0)

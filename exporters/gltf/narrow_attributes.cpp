@@ -311,12 +311,13 @@ VertexAttribute widened(VertexAttribute attribute, const Json& accessor) {
   if (!is_stepped || attribute.component == Component::kFloat) return attribute;
   const double step_m = step_m_of(accessor);
   const std::array<double, 3> offset_m = offset_m_of(accessor);
+  const auto metres = [&](double steps, std::size_t c) { return static_cast<float>(steps * step_m + offset_m.at(c)); };
   if (attribute.component == Component::kShort)
     return converted<float>(attribute, Component::kFloat,
-                            [&](auto* at) { return static_cast<float>(value_at<std::int16_t>(at) * step_m); });
+                            [&](auto* at, std::size_t c) { return metres(value_at<std::int16_t>(at), c); });
   if (attribute.component != Component::kUnsignedShort) return attribute;
   return converted<float>(attribute, Component::kFloat,
-                          [&](auto* at) { return static_cast<float>(value_at<std::uint16_t>(at) * step_m); });
+                          [&](auto* at, std::size_t c) { return metres(value_at<std::uint16_t>(at), c); });
 }
 
 void unscale(GlbParts& parts) {

@@ -137,7 +137,8 @@ void renumber_views(Json& at, const std::map<std::size_t, std::size_t>& number) 
     for (Json& item : at) renumber_views(item, number);
   if (!at.is_object()) return;
   for (auto& [name, value] : at.items()) {
-    if ((name == "bufferView" || name == "values") && value.is_number_unsigned())
+    const bool is_view = name == "bufferView" || name == "values" || name == "stringOffsets";
+    if (is_view && value.is_number_unsigned())
       value = number.at(value.get<std::size_t>());
     else if (name != "extras")
       renumber_views(value, number);

@@ -314,7 +314,7 @@ TEST(CompressedGlbDamage, ViewsThatClaimMoreThanTheyHoldAreRefused) {
             "accepted");
   EXPECT_NE(refusal_with(Compression::kMeshopt, "\"byteStride\":12,\"count\"", "\"byteStride\":252,\"count\""),
             "accepted");
-  EXPECT_NE(refusal_with(Compression::kMeshopt, "\"OCTAHEDRAL\"", "\"NONE\""), "accepted");
+  EXPECT_NE(refusal_with(Compression::kMeshopt, "\"OCTAHEDRAL\"", "\"EXPONENTIAL\""), "accepted");
   EXPECT_NE(refusal_with(Compression::kDraco, "\"POSITION\":", "\"POSITION\":7777"), "accepted");
 }
 
