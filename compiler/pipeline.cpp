@@ -163,7 +163,7 @@ struct TileInFlight {
 }  // namespace
 
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                        const OnProgress& on_progress, const TileHandlers& handlers) {
+                        const OnProgress& on_progress, const TileHandlers& handlers, std::size_t most_instances) {
   assert(!ladder_m.empty() && ladder_m.front() > 0 && std::ranges::is_sorted(ladder_m));
   const std::vector<BakeStep> steps = bake_steps(scene, ladder_m.size(), handlers.exists);
   std::vector<Report> reports(steps.size());
@@ -175,7 +175,8 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
     if (steps[i].exists) return;
     // the first thread that needs the tile prepares it; other threads join that work
     tile.once.call([&] {
-      tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, threads, prototypes);
+      tile.prepared =
+          bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, threads, prototypes, most_instances);
     });
     if (!steps[i].level) return;
     const ChunkLevel at{steps[i].tile, *steps[i].level};
@@ -195,7 +196,7 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
 }
 
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                        const OnProgress& on_progress, const OnBakedTile& take) {
+                        const OnProgress& on_progress, const OnBakedTile& take, std::size_t most_instances) {
   std::vector<std::optional<bake::BakedTile>> slots(scene.chunks.size() * ladder_m.size());
   const auto slot = [&](ChunkLevel at) -> auto& { return slots[at.chunk * ladder_m.size() + at.level]; };
   return bake_scene(scene, ladder_m, threads, report, on_progress,
@@ -205,7 +206,8 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
                          [&](ChunkLevel at, const Report&) {
                            const bake::BakedTile tile = *std::exchange(slot(at), std::nullopt);
                            return take(tile, at.level);
-                         }});
+                         }},
+                    most_instances);
 }
 
 namespace {

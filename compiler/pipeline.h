@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/bake/baked_tile.h"
+#include "compiler/bake/bake.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/ground/profiles/measure_profiles.h"
@@ -52,8 +52,10 @@ using ExistsTile = std::function<bool(ChunkLevel at)>;
 /// Adds dropped objects to `report`. Memory: kInFlightPerThread levels for each thread, their tiles' ground, and the
 /// ground of one more tile.
 /// @param ladder_m  Tolerances, increasing, > 0.
+/// @param most_instances  As for bake::prepare().
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                        const OnProgress& on_progress, const OnBakedTile& take);
+                        const OnProgress& on_progress, const OnBakedTile& take,
+                        std::size_t most_instances = bake::kAnyInstances);
 
 /// What to do with tiles in parallel baking.
 struct TileHandlers {
@@ -65,6 +67,7 @@ struct TileHandlers {
 /// Like the above, with parallel processing. A tile is prepared for all levels of the ladder if one of them is baked,
 /// so that a level never depends on which others exist.
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                        const OnProgress& on_progress, const TileHandlers& handlers);
+                        const OnProgress& on_progress, const TileHandlers& handlers,
+                        std::size_t most_instances = bake::kAnyInstances);
 
 }  // namespace citykiln

@@ -59,8 +59,8 @@ Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
     Error error = expected(
         "west,south,east,north in degrees with west < east and south < north, such as 7.40,43.72,7.44,43.75", text);
     if (is_box_on_earth({box.south, box.west, box.north, box.east}))
-      error.message += fmt::format("; latitude and longitude swapped? Try {},{},{},{}", box.south, box.west, box.north,
-                                   box.east);
+      error.message +=
+          fmt::format("; latitude and longitude swapped? Try {},{},{},{}", box.south, box.west, box.north, box.east);
     return error;
   }
   spec.map.bbox = box;
@@ -188,11 +188,20 @@ constexpr Setting kSettings[] = {
      [](CompileSpec& spec, std::string_view text) { return put(Result(std::string(text)), spec.outputs.folder); }},
     {"emit", "kiln,glb", "outputs to write: kiln (manifest), glb (tiles) or both (default: kiln,glb)", false, set_emit},
     {"lods", "M,M,...",
-     "levels of detail: largest geometric error of each in metres, finest first (default: 0.02,0.1,0.5,2.5,12.5)",
+     "levels of detail: largest geometric error of each in metres, finest first (default: 0.1,0.5,1.2,2.5,12.5)",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.ladder_m); }},
     {"world", "plane", "shape of the world; only plane is supported (default: plane)", false, set_world},
-    {"compress", "none|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
+    {"compress", "none|quantize|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_compress(text), spec.outputs.compress); }},
+    {"layout", "embedded|shared",
+     "shared: plants, lamps and images of all tiles are files in glb/shared (default: embedded in each .glb)", false,
+     [](CompileSpec& spec, std::string_view text) { return put(parse_layout(text), spec.outputs.layout); }},
+    {"max-bytes", "N",
+     "instead of levels: each .glb is as fine as this many bytes allow, such as 5000000, as target and compression are",
+     false, [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 1), spec.outputs.max_bytes); }},
+    {"max-triangles", "N", "instead of levels: each .glb is as fine as this many triangles allow, such as 100000",
+     false,
+     [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 1), spec.outputs.max_triangles); }},
     {"target", "generic|blender|godot|three|cesium|unreal|unity",
      "program that reads the .glb files; generic uses nothing that a reader may lack (default: generic)", false,
      set_target},
@@ -299,7 +308,8 @@ Result<Done> is_complete(const CompileSpec& spec) {
 
 Result<Done> fits_target(const Outputs& outputs) {
   bool (*const reads)(const TargetValues&) =
-      outputs.compress == Compress::kDraco     ? [](const TargetValues& t) { return t.reads_draco; }
+      outputs.compress == Compress::kQuantize  ? [](const TargetValues& t) { return t.reads_quantised; }
+      : outputs.compress == Compress::kDraco   ? [](const TargetValues& t) { return t.reads_draco; }
       : outputs.compress == Compress::kMeshopt ? [](const TargetValues& t) { return t.reads_meshopt; }
                                                : [](const TargetValues&) { return true; };
   const TargetValues& target = values_of(outputs.target);
@@ -309,20 +319,29 @@ Result<Done> fits_target(const Outputs& outputs) {
 }
 
 std::string_view name_of(Compress compress) {
+  if (compress == Compress::kQuantize) return "quantize";
   if (compress == Compress::kDraco) return "draco";
   return compress == Compress::kMeshopt ? "meshopt" : "none";
 }
 
 Result<Compress> parse_compress(std::string_view text) {
-  for (const Compress compress : {Compress::kNone, Compress::kDraco, Compress::kMeshopt})
+  for (const Compress compress : {Compress::kNone, Compress::kQuantize, Compress::kDraco, Compress::kMeshopt})
     if (text == name_of(compress)) return compress;
-  return expected("none, draco or meshopt", text);
+  return expected("none, quantize, draco or meshopt", text);
 }
 
 Result<double> parse_tolerance(std::string_view text) {
   const auto tolerance_m = number_in<double>(text);
   if (tolerance_m && *tolerance_m > 0 && *tolerance_m <= kCoarsest_m) return *tolerance_m;
   return expected(fmt::format("a tolerance in metres, above 0 and at most {}, such as 0.1", kCoarsest_m), text);
+}
+
+std::string_view name_of(Layout layout) { return layout == Layout::kShared ? "shared" : "embedded"; }
+
+Result<Layout> parse_layout(std::string_view text) {
+  for (const Layout layout : {Layout::kEmbedded, Layout::kShared})
+    if (text == name_of(layout)) return layout;
+  return expected("embedded or shared", text);
 }
 
 Result<std::vector<double>> parse_ladder(std::string_view text) {

@@ -4,6 +4,7 @@
 // defines them all.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -22,10 +23,19 @@
 
 namespace citykiln {
 
+/// The default tolerances of the levels of detail, finest first, metres. None is more than five times the one before
+/// it, which skirts rely on (bake/skirt.h); triangles fall by at most eight from one to the next.
+inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, 12.5};
+
 /// Compression of meshes in .glb files (exporters/gltf/compression.h).
-enum class Compress { kNone, kDraco, kMeshopt };
-std::string_view name_of(Compress compress);  ///< "none", "draco", "meshopt": the values of the setting.
+enum class Compress { kNone, kQuantize, kDraco, kMeshopt };
+std::string_view name_of(Compress compress);  ///< "none", "quantize", "draco", "meshopt".
 Result<Compress> parse_compress(std::string_view text);
+
+/// Where meshes of prototypes and images are (exporters/gltf/shared_layout.h).
+enum class Layout { kEmbedded, kShared };
+std::string_view name_of(Layout layout);  ///< "embedded", "shared".
+Result<Layout> parse_layout(std::string_view text);
 
 /// The files that a run writes into its folder.
 struct Outputs {
@@ -35,8 +45,11 @@ struct Outputs {
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
   Compress compress = Compress::kNone;
-  std::vector<double> ladder_m{kDefaultLadder_m.begin(),
-                               kDefaultLadder_m.end()};  ///< Tolerances, increasing; level n has the n-th.
+  Layout layout = Layout::kEmbedded;
+  /// Where one is set, each tile has one level, the finest of a fixed sequence of tolerances within these limits.
+  std::optional<std::uint64_t> max_bytes, max_triangles;
+  std::vector<double> ladder_m{kDefaultLevels_m.begin(),
+                               kDefaultLevels_m.end()};  ///< Tolerances, increasing; level n has the n-th.
 };
 
 /// When a run ends with exit code 2.

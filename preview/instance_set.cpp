@@ -88,11 +88,10 @@ struct InstanceSet::Calls {
 };
 
 InstanceSet::InstanceSet(RTCDevice device, const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
-                         std::vector<const MaterialTexture*> materials)
-    : mesh_(&mesh), materials_(std::move(materials)), scene_(rtcNewScene(device)) {
+                         std::vector<const MaterialTexture*> materials, std::shared_ptr<const CutoutTexture> cutout)
+    : mesh_(&mesh), materials_(std::move(materials)), cutout_(std::move(cutout)), scene_(rtcNewScene(device)) {
   assert(materials_.size() == mesh.primitives.size());
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  if (!mesh.cutout.colour.texels.empty()) cutout_ = std::make_unique<CutoutTexture>(mesh.cutout);
   low_ = {kFar, kFar, kFar}, high_ = {-kFar, -kFar, -kFar};
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
     const bake::Primitive& primitive = mesh.primitives[i];

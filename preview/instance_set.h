@@ -22,8 +22,9 @@ class InstanceSet {
  public:
   /// @param marking_atlas  Of the mesh's tile; null where it has none.
   /// @param materials  Per primitive the tile's texture of its material; null where it has none.
+  /// @param cutout  Of the mesh; null where it has none.
   InstanceSet(RTCDevice device, const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
-              std::vector<const MaterialTexture*> materials);
+              std::vector<const MaterialTexture*> materials, std::shared_ptr<const CutoutTexture> cutout);
   ~InstanceSet();
   InstanceSet(const InstanceSet&) = delete;
   InstanceSet& operator=(const InstanceSet&) = delete;
@@ -31,6 +32,8 @@ class InstanceSet {
   /// Whether a mesh is the same, triangle by triangle, with the same images.
   bool is_of(const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
              std::span<const MaterialTexture* const> materials) const;
+  const impostor::SharedCutout& cutout() const { return mesh_->cutout; }
+  const std::shared_ptr<const CutoutTexture>& cutout_texture() const { return cutout_; }
   /// Adds the instances of a tile whose origin is at `offset` in the world.
   void add(const bake::InstancedMesh& instanced, Vec3 offset);
   /// Adds the instances to the uncommitted top scene, numbered from `first` in RTCHit::instID. The scene refers to this
@@ -47,7 +50,7 @@ class InstanceSet {
 
   const bake::InstancedMesh* mesh_;
   std::vector<const MaterialTexture*> materials_;
-  std::unique_ptr<CutoutTexture> cutout_;
+  std::shared_ptr<const CutoutTexture> cutout_;
   std::vector<MeshPart> parts_;
   RTCScene scene_;
   Vec3 low_, high_;  // of the mesh

@@ -101,6 +101,14 @@ struct World::Scene {
                                      material_of(tile, primitive.material), facade_atlas));
   }
 
+  // The cutout's texture, which meshes with equal cutouts share; null where there is none.
+  std::shared_ptr<const CutoutTexture> cutout_of(const bake::InstancedMesh& instanced) const {
+    if (instanced.cutout->colour.texels.empty()) return nullptr;
+    const auto like =
+        std::ranges::find_if(instance_sets, [&](const auto& other) { return other->cutout() == instanced.cutout; });
+    return like != instance_sets.end() ? (*like)->cutout_texture() : std::make_shared<CutoutTexture>(*instanced.cutout);
+  }
+
   void add_instances(const bake::BakedTile& tile) {
     const MipTexture* marking_atlas = marking_atlas_of(tile);
     for (const bake::InstancedMesh& instanced : tile.instanced) {
@@ -108,7 +116,8 @@ struct World::Scene {
       auto set = std::ranges::find_if(instance_sets,
                                       [&](const auto& other) { return other->is_of(instanced, marking_atlas, used); });
       if (set == instance_sets.end())
-        set = instance_sets.insert(set, std::make_unique<InstanceSet>(device, instanced, marking_atlas, used));
+        set = instance_sets.insert(
+            set, std::make_unique<InstanceSet>(device, instanced, marking_atlas, used, cutout_of(instanced)));
       (*set)->add(instanced, tile.origin - origin);
     }
   }

@@ -64,7 +64,7 @@ props::GeneratedProp generate_within(const props::Barrier& barrier, const ground
 }
 
 BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, TileLevel& level, const TilePart* part,
-                     const PrototypeCache& prototypes, int threads, Report& report) {
+                     const PrototypeCache& prototypes, std::size_t most_instances, int threads, Report& report) {
   const double tolerance_m = level.tolerance_m;
   const SharedByLevels& shared = *level.shared;
   BakedTile tile{.tile = chunk.tile,
@@ -92,7 +92,7 @@ BakedTile bake_level(const scene::Header& header, const scene::Chunk& chunk, Til
   tile.attributes = attributes_of(chunk, tile.features);
   merge_meshes(baking);
   bake_lamps(baking, placed.lamps, shared.graded, report);
-  bake_trees(baking, placed.trees, prototypes);
+  bake_trees(baking, placed, prototypes, most_instances);
   snap_image_uvs(tile);
   tile.textures = textures_shown(tile, baking.texel_m(), prototypes.textures());
   return tile;
@@ -110,12 +110,14 @@ struct PreparedTile {
   const scene::Chunk& chunk;
   std::vector<TileLevel> levels;
   std::shared_ptr<const PrototypeCache> prototypes;
+  std::size_t most_instances;
 };
 
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
                                       std::span<const double> ladder_m, int threads,
-                                      std::shared_ptr<const PrototypeCache> prototypes) {
-  PreparedTile prepared{header, chunk, levels_of(header, chunk, ladder_m, threads), cache_or_own(header, prototypes)};
+                                      std::shared_ptr<const PrototypeCache> prototypes, std::size_t most_instances) {
+  PreparedTile prepared{header, chunk, levels_of(header, chunk, ladder_m, threads), cache_or_own(header, prototypes),
+                        most_instances};
   generate_textured_buildings(header, chunk, prepared.prototypes->rulebook(), prepared.levels, threads);
   return std::make_shared<PreparedTile>(std::move(prepared));
 }
@@ -128,7 +130,8 @@ std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std:
 BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report) {
   assert(level < prepared.levels.size() && prepared.levels[level].shared && "each level is baked once");
   TileLevel own = std::move(prepared.levels[level]);
-  return bake_level(prepared.header, prepared.chunk, own, nullptr, *prepared.prototypes, threads, report);
+  return bake_level(prepared.header, prepared.chunk, own, nullptr, *prepared.prototypes, prepared.most_instances,
+                    threads, report);
 }
 
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report,
@@ -157,14 +160,14 @@ std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chu
 }
 
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,
-                            std::shared_ptr<const PrototypeCache> prototypes) {
+                            std::shared_ptr<const PrototypeCache> prototypes, std::size_t most_instances) {
   prototypes = cache_or_own(header, std::move(prototypes));
   const std::vector<int> parts = levels_of_parts(view, header, chunk);
   std::vector<TileLevel> levels = levels_for_view(header, chunk, view, parts, threads);
   return for_each_slot<BakedTile>(levels.size(), threads, [&](std::size_t i) {
     const TilePart part{view, parts, parts[i]};
     Report ignored;
-    return bake_level(header, chunk, levels[i], &part, *prototypes, threads, ignored);
+    return bake_level(header, chunk, levels[i], &part, *prototypes, most_instances / levels.size(), threads, ignored);
   });
 }
 

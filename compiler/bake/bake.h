@@ -1,6 +1,7 @@
 // Stage 11: bakes one tile of a scene at a tolerance.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,11 +30,15 @@ BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double to
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
                             int threads, Report& report, std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
+/// The most instances that a tile should have; beyond, plants of stands become meshes (stands.h).
+inline constexpr std::size_t kAnyInstances = std::numeric_limits<std::size_t>::max();
+
 /// What the levels of a tile have in common, and the ground of each level that is not baked yet.
 struct PreparedTile;
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
                                       std::span<const double> ladder_m, int threads,
-                                      std::shared_ptr<const PrototypeCache> prototypes = nullptr);
+                                      std::shared_ptr<const PrototypeCache> prototypes = nullptr,
+                                      std::size_t most_instances = kAnyInstances);
 
 /// Bakes one level of the ladder, with the same result as bake(). Call once per level, in any order, on any thread.
 BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report);
@@ -43,8 +48,9 @@ std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std:
 
 /// Bakes the tile for one viewpoint, as one part per tolerance, finest first; all parts together are the tile
 /// (commands/join_tiles.h). Each part states its largest error in pixels. Objects that are dropped are too small to be
-/// seen and are not counted. Total. Cost: what the parts hold.
+/// seen and are not counted. Each part has at most its share of the instances. Total. Cost: what the parts hold.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,
-                            std::shared_ptr<const PrototypeCache> prototypes = nullptr);
+                            std::shared_ptr<const PrototypeCache> prototypes = nullptr,
+                            std::size_t most_instances = kAnyInstances);
 
 }  // namespace citykiln::bake

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/bake/merge.h"
+#include "compiler/bake/stands.h"
 #include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::bake {
@@ -13,7 +14,7 @@ namespace {
 
 // Adds an instanced mesh, unless the tolerance drops it. @param size_m  The size of the mesh at a scale of 1.
 void bake_instances(Baking& baking, const std::string& name, std::vector<Primitive> primitives,
-                    const impostor::Cutout& cutout, const std::vector<Placement>& placements, double size_m = 1) {
+                    const impostor::SharedCutout& cutout, const std::vector<Placement>& placements, double size_m = 1) {
   if (primitives.empty() || placements.empty()) return;
   InstancedMesh instanced{.name = name, .primitives = std::move(primitives), .cutout = cutout};
   for (const Placement& p : placements) {
@@ -39,12 +40,6 @@ double tallest(const std::vector<Placement>& placements) {
   return tallest_m;
 }
 
-// The height of the prototype: the same for nearly all tiles, so that they share it.
-double height_m_for(plants::Prototype prototype, const std::vector<Placement>& placements) {
-  const double species_m = plants::values_of(prototype.species).tallest_m, here_m = tallest(placements);
-  return here_m <= species_m ? species_m : std::max(here_m, plants::kTallestPlant_m);
-}
-
 plants::PlacedPlants merged_variants(const plants::PlacedPlants& placed, double tolerance_m) {
   const int variants = plants::variants_at(tolerance_m);
   plants::PlacedPlants merged;
@@ -54,6 +49,21 @@ plants::PlacedPlants merged_variants(const plants::PlacedPlants& placed, double 
     all.insert(all.end(), placements.begin(), placements.end());
   }
   return merged;
+}
+
+// Adds each stand as one instance.
+void bake_stands(Baking& baking, const Stands& stands, const PrototypeCache& prototypes) {
+  for (const auto& [key, placements] : stands) {
+    const auto& [element, prototype] = key;
+    const double height_m = prototype_height_m(tallest(placements));
+    const BakedPrototype& baked =
+        prototypes.prototype(prototype, height_m, stand_tolerance_m(prototype.species, baking.tolerance_m));
+    if (baked.primitives.empty()) continue;
+    baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest(placements));
+    InstancedMesh stand = stand_mesh(baked, height_m, placements, baking.tile.origin, number_of(baking.tile, element));
+    stand.name = fmt::format("stand_of_{}", name_of(prototype));
+    baking.tile.instanced.push_back(std::move(stand));
+  }
 }
 
 // Adds the lamps of one kind; returns false where the tolerance drops them.
@@ -102,12 +112,17 @@ void name_placed(Baking& baking, const Placed& placed) {
   for (const props::StreetLamp& lamp : placed.lamps.standing) baking.features.insert(lamp.feature);
 }
 
-void bake_trees(Baking& baking, const plants::PlacedPlants& placed, const PrototypeCache& prototypes) {
-  for (const auto& [prototype, placements] : merged_variants(placed, baking.tolerance_m)) {
-    const BakedPrototype& baked =
-        prototypes.prototype(prototype, height_m_for(prototype, placements), baking.tolerance_m);
+void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prototypes, std::size_t most_instances) {
+  plants::PlacedPlants trees = placed.trees;
+  const std::size_t lamps = placed.lamps.standing.size();
+  bake_stands(baking, take_stands(trees, baking.tolerance_m, most_instances - std::min(lamps, most_instances)),
+              prototypes);
+  for (const auto& [prototype, placements] : merged_variants(trees, baking.tolerance_m)) {
+    if (placements.empty()) continue;
+    const double height_m = prototype_height_m(tallest(placements));
+    const BakedPrototype& baked = prototypes.prototype(prototype, height_m, baking.tolerance_m);
     baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest(placements));
-    bake_instances(baking, name_of(prototype), baked.primitives, baked.cutout, placements, kPrototypeHeight_m);
+    bake_instances(baking, name_of(prototype), baked.primitives, baked.cutout, placements, height_m);
   }
 }
 

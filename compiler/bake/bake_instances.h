@@ -23,8 +23,8 @@ void bake_canopy(Baking& baking, const TileLevel& level, Placed& placed);
 void name_placed(Baking& baking, const Placed& placed);
 
 /// Adds plants as instances of cached prototypes. Variants that look alike at the tolerance (plants::variants_at) are
-/// merged.
-void bake_trees(Baking& baking, const plants::PlacedPlants& placed, const PrototypeCache& prototypes);
+/// merged. Where there are more than `most_instances`, lamps included, stands become single meshes (stands.h).
+void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prototypes, std::size_t most_instances);
 
 /// Adds the tree pits; a pit is in the part of its tree.
 void bake_tree_pits(Baking& baking, const SharedByLevels& common);

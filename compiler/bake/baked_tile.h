@@ -66,7 +66,7 @@ struct InstancedMesh {
   std::vector<Float4> rotations{};  ///< Unit quaternions x, y, z, w.
   std::vector<float> scales{};
   std::vector<std::uint32_t> features{};
-  impostor::Cutout cutout{};  ///< Image of the primitives with ColourSource::kByCutout; no texels where there are none.
+  impostor::SharedCutout cutout{};  ///< Image of the primitives with ColourSource::kByCutout, if there are any.
   bool operator==(const InstancedMesh&) const = default;
 };
 

@@ -28,7 +28,7 @@ void snap_image_uvs(BakedTile& tile) {
     snap(primitives, ColourSource::kByCutout, cutout);
   };
   snap_all(tile.primitives, {});
-  for (InstancedMesh& instanced : tile.instanced) snap_all(instanced.primitives, instanced.cutout.colour);
+  for (InstancedMesh& instanced : tile.instanced) snap_all(instanced.primitives, instanced.cutout->colour);
 }
 
 }  // namespace citykiln::bake

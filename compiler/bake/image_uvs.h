@@ -6,7 +6,7 @@
 namespace citykiln::bake {
 
 /// Moves uvs on the marking atlas, the facade atlas and cutouts to multiples of materials::uv_step_m() of their image:
-/// by at most a sixteenth of a texel. Twice changes nothing more. Up to 2^23 steps. O(vertices).
+/// by at most a sixteenth of a texel. Twice changes nothing more. Up to 2^22 steps. O(vertices).
 void snap_image_uvs(BakedTile& tile);
 
 }  // namespace citykiln::bake

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <set>
 
 namespace citykiln::bake {
@@ -24,6 +25,14 @@ std::size_t hash_of(const Float3& p) {
   return static_cast<std::size_t>(h >> 32 ^ h);
 }
 
+// Whether two normals differ by less than a tenth of a degree, as those of triangles in one plane do.
+bool are_alike(const Float3& a, const Float3& b) {
+  constexpr float kMostDifference = 0x1p-10f;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (std::abs(a[c] - b[c]) > kMostDifference) return false;
+  return true;
+}
+
 // Finds the vertices that one mesh has added to a primitive, so that equal ones are shared.
 struct Vertices {
   const materials::MaterialMesh& source;
@@ -36,7 +45,7 @@ struct Vertices {
   std::vector<std::uint32_t> next{};  // by vertex of the primitive - base
 
   bool is(std::uint32_t v, const Float3& p, const Float3& normal, materials::Tint tint, const Float2* uv) const {
-    return primitive.positions[v] == p && primitive.normals[v] == normal && primitive.colours[v] == tint &&
+    return primitive.positions[v] == p && are_alike(primitive.normals[v], normal) && primitive.colours[v] == tint &&
            (uv == nullptr || primitive.uvs[v] == *uv);
   }
 

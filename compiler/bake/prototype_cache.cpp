@@ -6,10 +6,26 @@
 
 namespace citykiln::bake {
 
+double prototype_height_m(double tallest_m) {
+  assert(tallest_m > 0);
+  double height_m = 1;
+  while (height_m < tallest_m) height_m *= 2;
+  while (height_m / 2 >= tallest_m) height_m /= 2;
+  return height_m;
+}
+
 // Nodes of a map stay where they are.
 PrototypeCache::Slot& PrototypeCache::slot(const Key& key) const {
   const std::lock_guard lock(mutex_);
   return slots_[key];
+}
+
+const PrototypeCache::Leaves& PrototypeCache::leaves() const {
+  std::call_once(leaves_once_, [&] {
+    leaves_.atlas = plants::leaf_atlas(month_);
+    leaves_.cutout = impostor::SharedCutout(std::move(leaves_.atlas.cutout));
+  });
+  return leaves_;
 }
 
 const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, double height_m,
@@ -18,10 +34,13 @@ const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, dou
   Slot& slot = this->slot({prototype, height_m, tolerance_m});
   std::call_once(slot.once, [&] {
     const plants::GrownPlant& grown = grown_plants_.grown(prototype);
-    plants::PrototypeMesh plant = plants::prototype_mesh(grown, prototype.species, height_m, tolerance_m);
+    plants::PrototypeMesh plant =
+        plants::prototype_mesh(grown, leaves().atlas, prototype.species, height_m, tolerance_m);
     for (materials::MaterialMesh& dressed : plant.meshes)
-      for (Vec3& p : dressed.mesh.positions) p = p * kPrototypeHeight_m;
-    slot.baked = {instanced_primitives(plant.meshes, Layer::kPlants), std::move(plant.cutout), plant.error_per_m};
+      for (Vec3& p : dressed.mesh.positions) p = p * height_m;
+    slot.baked.primitives = instanced_primitives(plant.meshes, Layer::kPlants);
+    if (plant.shows_leaf_atlas) slot.baked.cutout = leaves().cutout;
+    slot.baked.error_per_m = plant.error_per_m;
   });
   return slot.baked;
 }

@@ -14,15 +14,15 @@
 
 namespace citykiln::bake {
 
-/// Height of a plant prototype: packed positions, on a grid of 2^-10 m, then resolve twigs. A power of two, so that
-/// scales stay exact.
-inline constexpr double kPrototypeHeight_m = 32;
+/// The height of the prototype for plants of at most this height: the next power of two, so that scales are exact, and
+/// between 1/2 and 1 for the tallest plant of a tile.
+double prototype_height_m(double tallest_m);
 
-/// The mesh of a plant kPrototypeHeight_m tall.
+/// The mesh of a plant as tall as was asked for.
 struct BakedPrototype {
   std::vector<Primitive> primitives;  ///< Empty where the tolerance drops the plant.
-  impostor::Cutout cutout;
-  double error_per_m = 0;  ///< Error of a plant per metre of its height.
+  impostor::SharedCutout cutout;      ///< The leaf atlas, if the primitives show it.
+  double error_per_m = 0;             ///< Error of a plant per metre of its height.
 };
 
 /// A thread-safe cache of prototypes. Logically const: a prototype is a function of the header's species and of what is
@@ -30,11 +30,13 @@ struct BakedPrototype {
 class PrototypeCache {
  public:
   explicit PrototypeCache(const scene::Header& header)
-      : grown_plants_(header.species, month_of(header)),
+      : month_(month_of(header)),
+        grown_plants_(header.species, month_),
         textures_(header.seed),
         rulebook_(buildings::parse_rulebook(header.rules)) {}
 
-  /// The prototype for plants of at most `height_m` within the tolerance, both > 0. Lives as long as the cache.
+  /// The prototype `height_m` tall, for plants of at most that height within the tolerance, both > 0. Lives as long as
+  /// the cache.
   const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
   const materials::TextureCache& textures() const { return textures_; }
@@ -49,9 +51,18 @@ class PrototypeCache {
     BakedPrototype baked;
   };
 
-  Slot& slot(const Key& key) const;
+  struct Leaves {
+    plants::LeafAtlas atlas;
+    impostor::SharedCutout cutout;
+  };
 
+  Slot& slot(const Key& key) const;
+  const Leaves& leaves() const;
+
+  plants::Month month_;
   plants::GrownPlantCache grown_plants_;
+  mutable std::once_flag leaves_once_;
+  mutable Leaves leaves_;
   materials::TextureCache textures_;
   buildings::Rulebook rulebook_;
   mutable std::mutex mutex_;

@@ -24,7 +24,7 @@ namespace {
 
 using plants::Species;
 
-constexpr double kTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 12.5};
+constexpr double kTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1.2, 2.5, 5, 12.5};
 constexpr double kFinest_m = 0.02;
 constexpr Species kTrees[] = {Species::kOak, Species::kBeech, Species::kBirch, Species::kSpruce, Species::kPine};
 /// The width of scene in a picture, equal for all tolerances as in chart_facade.cpp.
@@ -58,15 +58,15 @@ bake::BakedTile planted(const bake::PrototypeCache& prototypes, const std::vecto
   bake::BakedTile tile;
   tile.features = {OsmId{}}, tile.primitives = {lawn()};
   for (const PlacedPlant& tree : trees) {
-    const bake::BakedPrototype& shape =
-        prototypes.prototype(tree.prototype, plants::values_of(tree.prototype.species).tallest_m, tolerance_m);
+    const double mesh_m = bake::prototype_height_m(plants::values_of(tree.prototype.species).height_m);
+    const bake::BakedPrototype& shape = prototypes.prototype(tree.prototype, mesh_m, tolerance_m);
     if (shape.primitives.empty()) continue;
     const Vec2 half = direction_of(tree.turns / 2);
     tile.instanced.push_back({std::string(plants::values_of(tree.prototype.species).file),
                               shape.primitives,
                               {{static_cast<float>(tree.at.x), static_cast<float>(tree.at.y), 0}},
                               {{0, 0, static_cast<float>(half.y), static_cast<float>(half.x)}},
-                              {static_cast<float>(tree.height_m / bake::kPrototypeHeight_m)},
+                              {static_cast<float>(tree.height_m / mesh_m)},
                               {0},
                               shape.cutout});
   }
@@ -141,7 +141,7 @@ void add_costs(const bake::PrototypeCache& prototypes, const scene::Header& head
     prototypes.prototype({species, 0}, 1000, 999);  // derives the prototype before the clock starts
     const Stopwatch watch;
     const bake::BakedPrototype& shape =
-        prototypes.prototype({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
+        prototypes.prototype({species, 0}, bake::prototype_height_m(plants::values_of(species).height_m), tolerance_m);
     us += watch.microseconds();
     for (const bake::Primitive& p : shape.primitives) triangles += static_cast<double>(p.triangles.size());
     const auto size = [&](const bake::BakedTile& tile) {

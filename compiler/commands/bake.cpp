@@ -39,15 +39,17 @@ struct Request {
 };
 
 /// All tiles of the scene joined to one.
-Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, double tolerance_m, int threads,
+Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, const Request& request,
                                          const OnProgress& on_progress) {
   std::vector<bake::BakedTile> tiles;
   Report ignored;
-  const Result<Done> baked = bake_scene(scene, std::vector{tolerance_m}, threads, ignored, on_progress,
-                                        [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
-                                          tiles.push_back(tile);
-                                          return Done{};
-                                        });
+  const Result<Done> baked = bake_scene(
+      scene, std::vector{*request.tolerance_m}, request.spec.threads, ignored, on_progress,
+      [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
+        tiles.push_back(tile);
+        return Done{};
+      },
+      verify::most_instances_of(request.spec.outputs.target));
   if (!baked) return baked.error();
   return tiles.size() == 1 ? std::move(tiles.front()) : join_tiles(tiles);
 }
@@ -65,8 +67,7 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
   if (scene->chunks.empty()) return Error{request.manifest_path, "contains no tiles"};
-  const Result<bake::BakedTile> tile =
-      bake_as_one_tile(*scene, *request.tolerance_m, request.spec.threads, console.progress());
+  const Result<bake::BakedTile> tile = bake_as_one_tile(*scene, request, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
   const Result<double> error_m = write_one_file(request, scene->header, *tile);
   if (!error_m) return error_m.error();
@@ -100,7 +101,8 @@ Result<bake::BakedTile> bake_for_view(const Request& request, const scene::Scene
     on_progress("bake", static_cast<double>(i) / static_cast<double>(scene.chunks.size()));
     const scene::Chunk& chunk = scene.chunks[i];
     if (!only.empty() && std::ranges::find(only, chunk.tile) == only.end()) continue;
-    std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads, prototypes),
+    std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads, prototypes,
+                                 verify::most_instances_of(request.spec.outputs.target)),
                       std::back_inserter(parts));
   }
   if (parts.empty()) return Error{"", "the scene has none of the requested tiles"};
@@ -178,7 +180,8 @@ void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
     if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
-        name != "compress" && name != "world" && name != "threads") {
+        name != "compress" && name != "layout" && name != "max-bytes" &&
+        name != "max-triangles" && name != "world" && name != "threads") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);

@@ -5,15 +5,19 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "compiler/bake/bake.h"
 #include "compiler/commands/bake_keys.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/pipeline.h"
 #include "compiler/verify/tile_note.h"
 #include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/shared_layout.h"
 #include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
@@ -28,20 +32,29 @@ Result<verify::WrittenFile> write(const std::string& name, const std::vector<std
 /// An encoded tile that waits until the tiles before it are written.
 struct ReadyTile {
   std::vector<std::byte> glb;
+  std::vector<exporters::SharedFile> shared;
   verify::WrittenTile record;
 };
+
+/// Tolerances that are solved for: preferred numbers, of which ten are a factor of ten.
+constexpr double kSolvedTolerances_m[] = {0.02, 0.025, 0.032, 0.04, 0.05, 0.063, 0.08, 0.1,  0.125, 0.16, 0.2,
+                                          0.25, 0.32,  0.4,   0.5,  0.63, 0.8,   1,    1.25, 1.6,   2,    2.5,
+                                          3.2,  4,     5,     6.3,  8,    10,    12.5, 16,   20,    25};
 
 ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene::Header& header,
                      const Outputs& outputs, int threads) {
   exporters::EncodedTile encoded = exporters::encode_tile(tile, header, verify::glb_options_of(outputs), threads);
-  const verify::WrittenFile file{exporters::glb_name(tile.tile, level), encoded.glb.size()};
-  return {std::move(encoded.glb),
+  exporters::SharedGlb divided = outputs.layout == Layout::kShared ? exporters::share_prototypes(encoded.glb)
+                                                                   : exporters::SharedGlb{std::move(encoded.glb), {}};
+  const verify::WrittenFile file{exporters::glb_name(tile.tile, level), divided.glb.size()};
+  return {std::move(divided.glb),
+          std::move(divided.files),
           {.file = file,
            .tile = tile.tile,
            .level = level,
            .tolerance_m = tile.tolerance_m,
            .error_m = encoded.error_m,
-           .triangles = exporters::triangles_of(tile),
+           .triangles = encoded.triangles,
            .instances = exporters::instances_of(tile)}};
 }
 
@@ -75,7 +88,9 @@ class TileWriter {
 
   Result<Done> write_all(const OnProgress& on_progress, WrittenOutputs& written) {
     keys_ = bake_keys(scene_, outputs_, threads_);
-    whole_ = whole_tiles(scene_, keys_, threads_, folder_);
+    // tiles with shared files are baked again: their journal lines do not name these
+    whole_.resize(keys_.size());
+    if (outputs_.layout == Layout::kEmbedded) whole_ = whole_tiles(scene_, keys_, threads_, folder_);
     ready_.resize(keys_.size());
     return bake_scene(scene_, outputs_.ladder_m, threads_, report_, on_progress,
                       {.exists = [&](ChunkLevel at) { return whole_[index(at)].has_value(); },
@@ -87,17 +102,89 @@ class TileWriter {
                        .take =
                            [&](ChunkLevel at, const Report& diagnosed) {
                              return whole_[index(at)] ? take_over(at, written) : write(at, diagnosed, written);
-                           }});
+                           }},
+                      verify::most_instances_of(outputs_.target));
+  }
+
+  // One level a tile: the finest within the limits.
+  Result<Done> write_solved(const OnProgress& on_progress, WrittenOutputs& written) {
+    const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene_.header);
+    std::size_t too_large = 0;
+    for (std::size_t chunk = 0; chunk < scene_.chunks.size(); ++chunk) {
+      on_progress("bake", static_cast<double>(chunk) / static_cast<double>(scene_.chunks.size()));
+      const SolvedTile solved = solve(chunk, prototypes);
+      too_large += !fits(solved.tile.record);
+      report_.append(solved.diagnosed);
+      add({chunk, 0}, solved.tile.record, solved.diagnosed, written);
+      if (Result<Done> done = write_shared(solved.tile.shared, written.files.files); !done) return done;
+      if (Result<Done> done = folder_.write(solved.tile.record.file.name, solved.tile.glb); !done) return done;
+    }
+    written.solved = solved_line(written.files.tiles, too_large);
+    return Done{};
   }
 
  private:
+  struct SolvedTile {
+    ReadyTile tile;
+    Report diagnosed;
+  };
+
+  bool fits(const verify::WrittenTile& tile) const {
+    return (!outputs_.max_bytes || tile.file.bytes <= *outputs_.max_bytes) &&
+           (!outputs_.max_triangles || tile.triangles <= *outputs_.max_triangles);
+  }
+
+  // Bisects kSolvedTolerances_m; the coarsest level where none fits.
+  SolvedTile solve(std::size_t chunk, const std::shared_ptr<const bake::PrototypeCache>& prototypes) const {
+    const auto baked_at = [&](double tolerance_m) {
+      SolvedTile out;
+      const auto prepared = bake::prepare(scene_.header, scene_.chunks[chunk], std::span(&tolerance_m, 1), threads_,
+                                          prototypes, verify::most_instances_of(outputs_.target));
+      const bake::BakedTile tile = bake::bake_prepared(*prepared, 0, threads_, out.diagnosed);
+      out.tile = ready_tile(tile, 0, scene_.header, outputs_, threads_);
+      return out;
+    };
+    std::optional<SolvedTile> found;
+    std::size_t first = 0, last = std::size(kSolvedTolerances_m);  // the finest that fits is in [first, last]
+    while (first < last) {
+      const std::size_t middle = (first + last) / 2;
+      SolvedTile tried = baked_at(kSolvedTolerances_m[middle]);
+      if (fits(tried.tile.record))
+        last = middle, found = std::move(tried);
+      else
+        first = middle + 1;
+    }
+    return found ? std::move(*found) : baked_at(*std::rbegin(kSolvedTolerances_m));
+  }
+
+  static std::string solved_line(std::span<const verify::WrittenTile> tiles, std::size_t too_large) {
+    if (tiles.empty()) return "";
+    const auto [least, most] = std::ranges::minmax(tiles, {}, &verify::WrittenTile::tolerance_m);
+    std::string line = fmt::format("one level a tile, of {:.4g} to {:.4g} m", least.tolerance_m, most.tolerance_m);
+    return too_large == 0 ? line
+                          : line + fmt::format("; {} tiles are above the limit at the coarsest level", too_large);
+  }
+
   std::size_t index(ChunkLevel at) const { return at.chunk * outputs_.ladder_m.size() + at.level; }
 
   Result<Done> write(ChunkLevel at, const Report& diagnosed, WrittenOutputs& written) {
     const ReadyTile ready = std::exchange(ready_[index(at)], {});
     add(at, ready.record, diagnosed, written);
+    if (Result<Done> done = write_shared(ready.shared, written.files.files); !done) return done;
     return folder_.write(ready.record.file.name, ready.glb, keys_[index(at)],
                          verify::text_of(verify::TileNote{ready.record, diagnosed}));
+  }
+
+  // Writes the files that no tile before has written.
+  Result<Done> write_shared(const std::vector<exporters::SharedFile>& shared, std::vector<verify::WrittenFile>& files) {
+    for (const exporters::SharedFile& file : shared) {
+      const std::string name = "glb/" + file.name;
+      if (std::ranges::find(files, name, &verify::WrittenFile::name) != files.end()) continue;
+      const Result<verify::WrittenFile> done = commands::write(name, file.bytes, folder_);
+      if (!done) return done.error();
+      files.push_back(*done);
+    }
+    return Done{};
   }
 
   Result<Done> take_over(ChunkLevel at, WrittenOutputs& written) {
@@ -138,7 +225,12 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
     written.files.files.push_back(*file);
   }
   if (!outputs.glb) return written;
-  const Result<Done> done = TileWriter(scene, outputs, threads, folder, report).write_all(on_progress, written);
+  TileWriter writer(scene, outputs, threads, folder, report);
+  if (outputs.max_bytes || outputs.max_triangles) {
+    if (const Result<Done> solved = writer.write_solved(on_progress, written); !solved) return solved.error();
+    return written;
+  }
+  const Result<Done> done = writer.write_all(on_progress, written);
   if (done) return written;
   if (!folder.has_keyed_files()) return done.error();
   return Error{done.error().where, done.error().message + "; the tiles baked so far are kept for the same command"};
@@ -154,6 +246,7 @@ Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& re
 
 void print_notes(const std::string& folder, const WrittenOutputs& written, const exporters::FileList& files,
                  const Console& console) {
+  if (!written.solved.empty()) console.print_line(written.solved);
   if (written.taken_over > 0)
     console.print_line(fmt::format("note: {} of {} tile files were whole from an interrupted run and not baked again",
                                    written.taken_over, written.files.tiles.size()));

@@ -27,6 +27,9 @@ constexpr double kCellBorderShare = 0.5;
 // √(1 - 0.7²) ≈ 0.7 is left for heights.
 constexpr double kBorderShare = 0.5, kSliverShare = 0.2;
 
+// Where borders that move by kBorderShare leave heights that do not hold, they move by these shares of it.
+constexpr double kBorderRetries[] = {0.25, 0.0625, 0};
+
 [[maybe_unused]] bool is_whole(const Box2& cell) {
   const auto is_integer = [](double x) { return x == std::floor(x); };
   return !cell.is_empty() && is_integer(cell.min.x) && is_integer(cell.min.y) && is_integer(cell.max.x) &&
@@ -93,6 +96,44 @@ std::vector<Border> ungraded_borders(const NearbyCover& layers, GradedHeights& c
   return visible_borders(all, ring_joints(layers, all.arrangement, cell));
 }
 
+// A cell's mesh before it gets its layers, and how far its borders moved in plan.
+struct Simplified {
+  Refined refined;
+  double border_error_m = 0;
+};
+
+double height_tolerance_m(double tolerance_m, double border_error_m) {
+  return std::sqrt(tolerance_m * tolerance_m - border_error_m * border_error_m);
+}
+
+bool keeps(const Simplified& cell, double tolerance_m) {
+  return cell.refined.error_m <= height_tolerance_m(tolerance_m, cell.border_error_m);
+}
+
+double error_m_of(const Simplified& cell) { return length(Vec2{cell.refined.error_m, cell.border_error_m}); }
+
+// Where a border is off by nearly the tolerance, a sliver beside it can be off by more and too thin for a further
+// vertex. So inner borders are split more finely while that helps. The cell's border is not: its vertices are the
+// neighbour's too.
+// @param borders_m  The tolerance to which borders are simplified in plan, at most tolerance_m.
+Simplified simplified_to(const PreparedCell& prepared, double tolerance_m, double borders_m,
+                         const SideTolerances& sides_m) {
+  const SimplerBorders simpler = simpler_borders(prepared.between_borders, borders_m);
+  const double height_m = height_tolerance_m(tolerance_m, simpler.error_m);
+  double inner_m = height_m;
+  const auto refine_borders = [&] {
+    return refined_to(prepared.reference, simpler.borders, prepared.heights,
+                      {cell_border_m(sides_m), inner_m, height_m});
+  };
+  Simplified cell{refine_borders(), simpler.error_m};
+  while (cell.refined.error_m > height_m && inner_m > height_m / kFinestBorders) {
+    inner_m /= 2;
+    Refined finer = refine_borders();
+    if (finer.error_m < cell.refined.error_m) cell.refined = std::move(finer);
+  }
+  return cell;
+}
+
 }  // namespace
 
 Reference reference_of_cell(std::span<const LandCoverPolygon> surfaces, const GradedTerrain& graded, const Box2& cell) {
@@ -135,27 +176,17 @@ GroundMesh generate_cell(const PreparedCell& prepared, GradedNormals& normals, d
                          const SideTolerances& sides_m, Report& report) {
   assert(tolerance_m > 0);
   assert(std::min({sides_m.west_m, sides_m.east_m, sides_m.south_m, sides_m.north_m}) > 0);
-  const SimplerBorders simpler = simpler_borders(prepared.between_borders, tolerance_m);
-
-  // Where a border is off by nearly the tolerance, a sliver beside it can be off by more and too thin for a further
-  // vertex. So inner borders are split more finely while that helps. The cell's border is not: its vertices are the
-  // neighbour's too.
-  const double height_m = std::sqrt(tolerance_m * tolerance_m - simpler.error_m * simpler.error_m);
-  double inner_m = height_m;
-  const auto refine_borders = [&] {
-    return refined_to(prepared.reference, simpler.borders, prepared.heights,
-                      {cell_border_m(sides_m), inner_m, height_m});
-  };
-  Refined refined = refine_borders();
-  while (refined.error_m > height_m && inner_m > height_m / kFinestBorders) {
-    inner_m /= 2;
-    Refined finer = refine_borders();
-    if (finer.error_m >= refined.error_m) break;
-    refined = std::move(finer);
+  // A border that moves off a step in the ground leaves the step in a face, which may have no room for a vertex on it.
+  // So where heights do not hold, borders move less, at last not at all.
+  Simplified best = simplified_to(prepared, tolerance_m, tolerance_m, sides_m);
+  for (const double share : kBorderRetries) {
+    if (keeps(best, tolerance_m)) break;
+    Simplified finer = simplified_to(prepared, tolerance_m, share * tolerance_m, sides_m);
+    if (error_m_of(finer) < error_m_of(best)) best = std::move(finer);
   }
-  if (refined.error_m > height_m) report.add(Code::kToleranceNotMet, {}, refined.error_m);
-  GroundMesh ground = layered_mesh(refined, normals, prepared.heights, prepared.cell_border);
-  ground.border_error_m = simpler.error_m;
+  if (!keeps(best, tolerance_m)) report.add(Code::kToleranceNotMet, {}, best.refined.error_m);
+  GroundMesh ground = layered_mesh(best.refined, normals, prepared.heights, prepared.cell_border);
+  ground.border_error_m = best.border_error_m;
   return ground;
 }
 

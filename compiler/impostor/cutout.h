@@ -7,6 +7,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "compiler/geometry/vec.h"
@@ -22,6 +24,20 @@ struct Cutout {
   std::vector<std::uint8_t> opacity{};  ///< One per texel of `colour`.
   materials::TextureImage normal{};     ///< As materials::Texture::normal, with a texel size of its own; may be empty.
   bool operator==(const Cutout&) const = default;
+};
+
+/// A cutout that many meshes show, kept once. Compared by value; without one, of no texels.
+class SharedCutout {
+ public:
+  SharedCutout() : SharedCutout(Cutout{}) {}
+  SharedCutout(Cutout cutout) : cutout_(std::make_shared<const Cutout>(std::move(cutout))) {}
+
+  const Cutout& operator*() const { return *cutout_; }
+  const Cutout* operator->() const { return cutout_.get(); }
+  bool operator==(const SharedCutout& other) const { return cutout_ == other.cutout_ || *cutout_ == *other.cutout_; }
+
+ private:
+  std::shared_ptr<const Cutout> cutout_;
 };
 
 struct CutoutLayout {

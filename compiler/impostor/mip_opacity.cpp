@@ -14,7 +14,7 @@ constexpr float kMiddle = kAlphaCutoff - 0.5f, kMostAbove = 255 - kMiddle, kMost
 // once a level.
 constexpr float kMargin = 0.75f, kMeanMargin = 1.0f;
 // Rounds of projections while the share is fitted, and for the last one; the share changes little after two fits.
-constexpr int kRoughSweeps = 1, kSweeps = 3, kFits = 2;
+constexpr int kRoughSweeps = 2, kSweeps = 12, kFits = 2;
 
 CoverageGrid halved(const CoverageGrid& grid) {
   CoverageGrid half{grid.columns / 2, grid.rows / 2, {}};

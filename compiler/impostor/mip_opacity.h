@@ -34,7 +34,7 @@ int halvings_of(std::uint32_t columns, std::uint32_t rows);
 /// near the cutoff: the number of opaque texels is reduced until the interpolated area is the covered one.
 /// Guarantees: all means have a margin over readers' rounding; the mean of all opacities is at least kAlphaCutoff where
 /// anything is covered, so that the picture never vanishes. Tested for all shipped leaves: where they cover a fifth or
-/// more in patches, the share of texels of at least kAlphaCutoff is the same on all levels of halvings_of() with 16
+/// more in patches, the share of texels of at least kAlphaCutoff is the same on all levels of halvings_of() with 64
 /// texels or more, to 5 % of the picture. Thin lines that fill the picture, as needles and bare twigs do, are too dense
 /// on small levels, since opacities have 8 bits. The same bytes on every CPU. O(texels), about 0.5 µs each.
 std::vector<std::uint8_t> mip_opacity(const CoverageGrid& coverage);

@@ -101,8 +101,7 @@ std::vector<Footprint> without_duplicates(std::vector<Footprint> footprints, Acc
   for (const std::uint32_t i : by_rank(footprints)) {
     const std::vector<std::uint32_t> near = boxes_about(grid, boxes[i]);
     is_left_out[i] = std::ranges::any_of(near, [&](std::uint32_t other) {
-      return is_kept[other] && have_same_box(boxes[i], boxes[other]) &&
-             is_duplicate(footprints[i], footprints[other]);
+      return is_kept[other] && have_same_box(boxes[i], boxes[other]) && is_duplicate(footprints[i], footprints[other]);
     });
     is_kept[i] = !is_left_out[i];
   }

@@ -118,8 +118,8 @@ LonLatBox box_of_nodes(const OsmData& osm, const std::set<Cell>& stray) {
 }
 
 double away_deg(const LonLatBox& box, Location at) {
-  return std::max({0.0, box.west - at.lon_deg(), at.lon_deg() - box.east, box.south - at.lat_deg(),
-                   at.lat_deg() - box.north});
+  return std::max(
+      {0.0, box.west - at.lon_deg(), at.lon_deg() - box.east, box.south - at.lat_deg(), at.lat_deg() - box.north});
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct TextureImage {
 };
 
 /// Texture coordinates on an image that is not a material's are multiples of this, metres (bake/image_uvs.h). Not a
-/// power of two in general. Exact in single precision below 2^23 steps, which are 20 km at texels of 2 cm.
+/// power of two in general. Told apart in single precision below 2^22 steps, which are 10 km at texels of 2 cm.
 inline double uv_step_m(const TextureImage& image) { return image.texel_m / 8; }
 
 }  // namespace citykiln::materials

@@ -36,8 +36,7 @@ void add_barrier(const map::Barrier& barrier, const Box2& region, Props& props, 
 Props plan(const map::Features& features, Report& report) {
   Props props;
   Account barriers, points;
-  for (const map::Barrier& barrier : features.barriers)
-    add_barrier(barrier, features.region, props, barriers, report);
+  for (const map::Barrier& barrier : features.barriers) add_barrier(barrier, features.region, props, barriers, report);
   for (const map::PointFeature& point : features.points) {
     if (is_of_other_room(point.kind)) continue;
     ++points.in;

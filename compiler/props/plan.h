@@ -16,7 +16,8 @@ struct Props {
 bool has_hedges(const Props& props);
 
 /// Returns the props of a map. Barriers are cut a little outside of the region; their parts are numbered. Ledger
-/// "props/barrier", "props/point"; dropped: kOutsideBounds; kNotModelled, for kinds of points that have no model. Total.
+/// "props/barrier", "props/point"; dropped: kOutsideBounds; kNotModelled, for kinds of points that have no model.
+/// Total.
 Props plan(const map::Features& features, Report& report);
 
 }  // namespace citykiln::props

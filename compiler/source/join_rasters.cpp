@@ -94,7 +94,8 @@ std::optional<Raster> joined(const Raster& a, const Raster& b) {
   const Extent of_a{0, 0, a.columns, a.rows};
   if (!of_b || !fill_a_rectangle(of_a, *of_b)) return std::nullopt;
   const Extent whole = around(of_a, *of_b);
-  Raster both{a.file_name, a.credit, whole.east - whole.west, whole.south - whole.north, {}, {}, a.system_wkt, {}, around(a.file_box, b.file_box)};
+  Raster both{a.file_name,  a.credit, whole.east - whole.west,       whole.south - whole.north, {}, {},
+              a.system_wkt, {},       around(a.file_box, b.file_box)};
   place(a, b, *of_b, whole, both);
   both.heights_m.assign(static_cast<std::size_t>(both.columns) * both.rows, kVoid);
   copy_into(a, of_a, whole, both);

@@ -22,6 +22,7 @@
 #include "compiler/verify/measure_trunks.h"
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/shared_layout.h"
 
 namespace citykiln::verify {
 namespace {
@@ -178,6 +179,8 @@ bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t
   const bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
   const exporters::EncodedTile encoded =
       exporters::encode_tile(baked, loaded.scene.header, glb_options_of(outputs), kOneThread);
+  if (loaded.record.layout == Layout::kShared)
+    return std::ranges::equal(exporters::share_prototypes(encoded.glb).glb, bytes);
   return std::ranges::equal(encoded.glb, bytes);
 }
 
@@ -187,7 +190,7 @@ Result<Done> check_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std
   const std::string path = loaded.folder + "/" + file.name;
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
-  const Result<bake::BakedTile> written = exporters::decode_glb(*bytes, path);
+  const Result<bake::BakedTile> written = exporters::read_glb(path);
   if (!written) return written.error();
   check_area(tile, bake::ground_of(prepared, level), file.name);
   tile.results().glb_bytes.test(is_baked(loaded, prepared, level, *bytes), file.name);
@@ -211,7 +214,8 @@ Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenT
     return Error{loaded.folder + "/" + levels.front().file.name, "is a tile that the manifest does not contain"};
   std::vector<double> ladder_m;
   for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
-  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, loaded.prototypes);
+  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, loaded.prototypes,
+                                      most_instances_of(loaded.record.target));
   TileUnderCheck tile{loaded, *chunk, scene::box_of(scene.header, chunk->tile), water_levels_of(*chunk), nullptr, {}};
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (const Result<Done> done = check_level(tile, *prepared, i, levels[i].file); !done) return done.error();

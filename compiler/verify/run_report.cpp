@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compiler/bake/bake.h"
 #include "compiler/map/lonlat_box.h"
 #include "compiler/verify/written_tile_json.h"
 #include "exporters/settle_folder.h"
@@ -178,6 +179,7 @@ RunRecord record_of(const Json& report) {
   if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
   if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
+  if (const auto layout = parse_layout(report.value("layout", "embedded")); layout) record.layout = *layout;
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
   for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
   for (const auto& [name, account] : report.at("ledger").items()) {
@@ -212,8 +214,11 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["target"] = values_of(outputs.target).name;
   json["split"] = name_of(outputs.split);
   json["compress"] = name_of(outputs.compress);
+  json["layout"] = name_of(outputs.layout);
   json["counts"] = counts_of(scene);
-  json["levels"] = levels_of(written, outputs);
+  if (outputs.max_bytes) json["solved_for"]["max_bytes"] = *outputs.max_bytes;
+  if (outputs.max_triangles) json["solved_for"]["max_triangles"] = *outputs.max_triangles;
+  json["levels"] = json.contains("solved_for") ? Json::array() : levels_of(written, outputs);
   json["heights"] = heights_of(heights);
   json["bytes"] = written.bytes();
   json["balances"] = report.balances();
@@ -238,11 +243,23 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
   return json.dump(1) + "\n";
 }
 
+namespace {
+
+exporters::Compression compression_of(Compress compress) {
+  if (compress == Compress::kQuantize) return exporters::Compression::kQuantize;
+  if (compress == Compress::kDraco) return exporters::Compression::kDraco;
+  return compress == Compress::kMeshopt ? exporters::Compression::kMeshopt : exporters::Compression::kNone;
+}
+
+}  // namespace
+
 exporters::GlbOptions glb_options_of(const Outputs& outputs) {
-  const auto compression = outputs.compress == Compress::kDraco     ? exporters::Compression::kDraco
-                           : outputs.compress == Compress::kMeshopt ? exporters::Compression::kMeshopt
-                                                                    : exporters::Compression::kNone;
-  return {.target = outputs.target, .split = outputs.split, .compression = compression};
+  return {.target = outputs.target, .split = outputs.split, .compression = compression_of(outputs.compress)};
+}
+
+std::size_t most_instances_of(Target target) {
+  const std::size_t most = values_of(target).most_nodes;
+  return most == 0 ? bake::kAnyInstances : most;
 }
 
 bool has_mended_or_dropped(const Report& report) {

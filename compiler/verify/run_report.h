@@ -54,6 +54,8 @@ std::string timing_json(std::span<const StageCost> costs, int threads);
 
 /// The settings of a run as types of the .glb exporter.
 exporters::GlbOptions glb_options_of(const Outputs& outputs);
+/// The most instances a tile should have for its target (bake::prepare()).
+std::size_t most_instances_of(Target target);
 
 /// True if a diagnosis is kMended or kDropped.
 bool has_mended_or_dropped(const Report& report);
@@ -67,6 +69,7 @@ struct RunRecord {
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
   Compress compress = Compress::kNone;
+  Layout layout = Layout::kEmbedded;
   bool has_manifest = false;
   std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers do not balance.
 };

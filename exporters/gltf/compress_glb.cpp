@@ -9,7 +9,9 @@
 #include "compiler/contract/for_each_slot.h"
 #include "exporters/gltf/draco_codec.h"
 #include "exporters/gltf/glb_parts.h"
+#include "exporters/gltf/glb_primitives.h"
 #include "exporters/gltf/meshopt_codec.h"
+#include "exporters/gltf/narrow_attributes.h"
 #include "exporters/gltf/vertex_attributes.h"
 
 namespace citykiln::exporters {
@@ -21,72 +23,6 @@ constexpr const char *kDraco = "KHR_draco_mesh_compression", *kMeshopt = "EXT_me
                      *kQuantised = "KHR_mesh_quantization";
 
 [[noreturn]] void refuse(const char* what) { throw std::runtime_error(what); }
-
-std::size_t width_of(const Json& accessor) {
-  const auto& type = accessor.at("type").get_ref<const std::string&>();
-  if (type == "SCALAR") return 1;
-  if (type.size() == 4 && type.starts_with("VEC") && type[3] >= '2' && type[3] <= '4')
-    return static_cast<std::size_t>(type[3] - '0');
-  refuse("accessors as citykiln writes them");
-}
-
-Component component_of(const Json& accessor) {
-  const auto component = accessor.at("componentType").get<int>();
-  for (const Component known : {Component::kUnsignedByte, Component::kShort, Component::kUnsignedShort,
-                                Component::kUnsignedInt, Component::kFloat})
-    if (component == static_cast<int>(known)) return known;
-  refuse("accessors as citykiln writes them");
-}
-
-// ---- primitives of a plain file ------------------------------------------------------------------------------------
-
-const Json& view_of(const Json& gltf, const Json& accessor) {
-  return gltf.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
-}
-
-VertexAttribute attribute_of(const GlbParts& plain, const std::string& name, const Json& accessor) {
-  const auto bytes = bytes_of_view(plain, view_of(plain.gltf, accessor));
-  return {name, component_of(accessor), width_of(accessor), {bytes.begin(), bytes.end()}};
-}
-
-std::vector<std::uint32_t> indices_of(const GlbParts& plain, const Json& accessor) {
-  const auto bytes = bytes_of_view(plain, view_of(plain.gltf, accessor));
-  const std::size_t stride = bytes_of(component_of(accessor));
-  std::vector<std::uint32_t> indices(bytes.size() / stride);
-  // little-endian
-  for (std::size_t i = 0; i < indices.size(); ++i) std::memcpy(&indices[i], bytes.data() + i * stride, stride);
-  return indices;
-}
-
-MeshArrays arrays_of(const GlbParts& plain, const Json& primitive) {
-  const Json& accessors = plain.gltf.at("accessors");
-  MeshArrays mesh;
-  for (const auto& [name, number] : primitive.at("attributes").items()) {
-    const Json& accessor = accessors.at(number.get<std::size_t>());
-    mesh.count = accessor.at("count").get<std::size_t>();
-    mesh.attributes.push_back(attribute_of(plain, name, accessor));
-  }
-  mesh.indices = indices_of(plain, accessors.at(primitive.at("indices").get<std::size_t>()));
-  return mesh;
-}
-
-// All primitives, mesh by mesh.
-std::vector<Json*> primitives_of(Json& gltf) {
-  std::vector<Json*> primitives;
-  if (!gltf.contains("meshes")) return primitives;
-  for (Json& mesh : gltf.at("meshes"))
-    for (Json& primitive : mesh.at("primitives")) primitives.push_back(&primitive);
-  return primitives;
-}
-
-// The accessors of a primitive, its attributes' in their order, then its indices'.
-std::vector<Json*> accessors_of(Json& gltf, const Json& primitive) {
-  std::vector<Json*> accessors;
-  for (const auto& [name, number] : primitive.at("attributes").items())
-    accessors.push_back(&gltf.at("accessors").at(number.get<std::size_t>()));
-  accessors.push_back(&gltf.at("accessors").at(primitive.at("indices").get<std::size_t>()));
-  return accessors;
-}
 
 // ---- views that are not packed -------------------------------------------------------------------------------------
 
@@ -114,12 +50,14 @@ void copy_other_views(const GlbParts& plain, GlbParts& packed) {
     *number = add_view(packed, bytes_of_view(plain, plain.gltf["bufferViews"][number->get<std::size_t>()]));
 }
 
+void copy_view(const GlbParts& plain, Json& accessor, GlbParts& packed) {
+  const Json& view = view_of(plain.gltf, accessor);
+  accessor["bufferView"] = add_view(packed, bytes_of_view(plain, view));
+  packed.gltf["bufferViews"].back()["target"] = view.at("target");
+}
+
 void copy_mesh(const GlbParts& plain, Json& primitive, GlbParts& packed) {
-  for (Json* accessor : accessors_of(packed.gltf, primitive)) {
-    const Json& view = view_of(plain.gltf, *accessor);
-    (*accessor)["bufferView"] = add_view(packed, bytes_of_view(plain, view));
-    packed.gltf["bufferViews"].back()["target"] = view.at("target");
-  }
+  for (Json* accessor : accessors_of(packed.gltf, primitive)) copy_view(plain, *accessor, packed);
 }
 
 // ---- meshopt -------------------------------------------------------------------------------------------------------
@@ -150,22 +88,72 @@ void add_meshopt(const MeshoptMesh& mesh, const Json& primitive, GlbParts& packe
   const std::vector<Json*> accessors = accessors_of(packed.gltf, primitive);
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
     add_meshopt_view(mesh.attributes[i].view, *accessors[i], packed, fallback_bytes);
-    (*accessors[i])["componentType"] = static_cast<int>(mesh.attributes[i].component);
-    if (mesh.attributes[i].component == Component::kShort) (*accessors[i])["normalized"] = true;
+    set_component(mesh.attributes[i].component, *accessors[i]);
   }
   add_meshopt_view(mesh.indices, *accessors.back(), packed, fallback_bytes);
 }
 
+// The number of each primitive's mesh, in the order of primitives_of.
+std::vector<std::size_t> mesh_numbers(const Json& gltf) {
+  std::vector<std::size_t> numbers;
+  if (!gltf.contains("meshes")) return numbers;
+  for (std::size_t m = 0; m < gltf["meshes"].size(); ++m)
+    numbers.insert(numbers.end(), gltf["meshes"][m]["primitives"].size(), m);
+  return numbers;
+}
+
+// Arrays of all primitives, narrowed and then encoded.
+template <typename Encoded, typename Encode>
+std::vector<Encoded> encoded_arrays(const GlbParts& plain, const NarrowPlan& plan, const std::vector<Json*>& primitives,
+                                    int threads, Encode encode) {
+  const std::vector<std::size_t> meshes = mesh_numbers(plain.gltf);
+  return for_each_slot<Encoded>(primitives.size(), threads, [&](std::size_t i) {
+    MeshArrays arrays = arrays_of(plain, *primitives[i]);
+    narrow_steps(plan, meshes[i], primitives[i]->at("material").get<std::size_t>(), arrays);
+    return encode(std::move(arrays), *primitives[i]);
+  });
+}
+
 void compress_meshopt(const GlbParts& plain, GlbParts& packed, int threads) {
   const std::vector<Json*> primitives = primitives_of(packed.gltf);
-  const auto meshes = for_each_slot<MeshoptMesh>(primitives.size(), threads, [&](std::size_t i) {
-    const Json& indices = plain.gltf["accessors"].at(primitives[i]->at("indices").get<std::size_t>());
-    return encode_meshopt(arrays_of(plain, *primitives[i]), bytes_of(component_of(indices)));
-  });
+  const NarrowPlan plan = plan_narrowing(plain);
+  const auto meshes =
+      encoded_arrays<MeshoptMesh>(plain, plan, primitives, threads, [&](MeshArrays arrays, const Json& primitive) {
+        const Json& indices = plain.gltf["accessors"].at(primitive.at("indices").get<std::size_t>());
+        return encode_meshopt(std::move(arrays), bytes_of(component_of(indices)));
+      });
   std::size_t fallback_bytes = 0;
   for (std::size_t i = 0; i < meshes.size(); ++i) add_meshopt(meshes[i], *primitives[i], packed, fallback_bytes);
   packed.gltf["buffers"].push_back(
       {{"byteLength", fallback_bytes}, {"extensions", {{kMeshopt, {{"fallback", true}}}}}});
+  scale_by_plan(plan, packed);
+}
+
+// ---- KHR_mesh_quantization -----------------------------------------------------------------------------------------
+
+void add_narrow_attribute(const VertexAttribute& attribute, Json& accessor, GlbParts& packed) {
+  accessor["bufferView"] = add_view(packed, attribute.bytes);
+  Json& view = packed.gltf["bufferViews"].back();
+  view["target"] = 34962;
+  if (stride_of(attribute) != attribute.width * bytes_of(attribute.component))
+    view["byteStride"] = stride_of(attribute);
+  set_component(attribute.component, accessor);
+}
+
+void quantise_attributes(const GlbParts& plain, GlbParts& packed, int threads) {
+  const std::vector<Json*> primitives = primitives_of(packed.gltf);
+  const NarrowPlan plan = plan_narrowing(plain);
+  const auto meshes = encoded_arrays<MeshArrays>(plain, plan, primitives, threads, [&](MeshArrays arrays, const Json&) {
+    narrow_directions(arrays);
+    return arrays;
+  });
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const std::vector<Json*> accessors = accessors_of(packed.gltf, *primitives[i]);
+    for (std::size_t a = 0; a < meshes[i].attributes.size(); ++a)
+      add_narrow_attribute(meshes[i].attributes[a], *accessors[a], packed);
+    copy_view(plain, *accessors.back(), packed);
+  }
+  scale_by_plan(plan, packed);
 }
 
 // ---- Draco ---------------------------------------------------------------------------------------------------------
@@ -198,9 +186,8 @@ void demand(Json& gltf, const char* extension) {
 
 void put_attribute(const VertexAttribute& attribute, std::size_t count, Json& accessor, GlbParts& parts) {
   accessor["bufferView"] = add_view(parts, attribute.bytes);
-  accessor["count"] = count, accessor["componentType"] = static_cast<int>(attribute.component);
-  accessor.erase("byteOffset");
-  if (attribute.component == Component::kFloat) accessor.erase("normalized");
+  accessor["count"] = count;
+  set_component(attribute.component, accessor);
 }
 
 void put_indices(const std::vector<std::uint32_t>& indices, Json& accessor, GlbParts& parts) {
@@ -264,14 +251,34 @@ void unpack_meshopt(const Json& primitive, Unpacking& unpacking) {
     if (!is_meshopt(parts.gltf, accessor)) continue;
     MeshoptView view = take_meshopt(unpacking, accessor);
     const std::size_t count = view.count;
-    const auto attribute = decode_meshopt({name, component_of(accessor), width_of(accessor), std::move(view)});
+    auto attribute = decode_meshopt({name, component_of(accessor), width_of(accessor), std::move(view)});
     if (!attribute) refuse("attributes that meshopt can decode");
-    put_attribute(*attribute, count, accessor, parts);
+    put_attribute(widened(std::move(*attribute), accessor), count, accessor, parts);
   }
   if (!is_meshopt(parts.gltf, *accessors.back())) return;
   const auto indices = decode_meshopt_indices(take_meshopt(unpacking, *accessors.back()));
   if (!indices) refuse("indices that meshopt can decode");
   put_indices(*indices, *accessors.back(), parts);
+}
+
+bool is_narrow(const Json& accessor) {
+  const Component component = component_of(accessor);
+  return component == Component::kByte || component == Component::kShort || component == Component::kUnsignedShort;
+}
+
+// Reads attributes of 8 and 16 bits; others stay where they are.
+void unpack_narrow(const Json& primitive, Unpacking& unpacking) {
+  GlbParts& parts = unpacking.parts;
+  const std::vector<Json*> accessors = accessors_of(parts.gltf, primitive);
+  std::size_t i = 0;
+  for (const auto& [name, number] : primitive.at("attributes").items()) {
+    Json& accessor = *accessors[i++];
+    if (!is_narrow(accessor)) continue;
+    VertexAttribute attribute{name, component_of(accessor), width_of(accessor),
+                              unpacking.take(view_of(parts.gltf, accessor))};
+    const std::size_t count = attribute.bytes.size() / stride_of(attribute);
+    put_attribute(widened(std::move(attribute), accessor), count, accessor, parts);
+  }
 }
 
 // Removes the second buffer, and the references to it of views that are unpacked.
@@ -292,23 +299,29 @@ std::vector<std::byte> compressed_glb(GlbParts plain, Compression compression, i
   if (compression == Compression::kDraco) {
     compress_draco(plain, packed, threads);
     demand(packed.gltf, kDraco);
-  } else {
+  } else if (compression == Compression::kMeshopt) {
     compress_meshopt(plain, packed, threads);
     demand(packed.gltf, kMeshopt), demand(packed.gltf, kQuantised);
+  } else {
+    quantise_attributes(plain, packed, threads);
+    demand(packed.gltf, kQuantised);
   }
   return join_glb(std::move(packed));
 }
 
 std::optional<std::vector<std::byte>> decompressed_glb(std::span<const std::byte> bytes) {
   const std::string_view json = json_of_glb(bytes);
-  if (json.find(kDraco) == json.npos && json.find(kMeshopt) == json.npos) return std::nullopt;
+  if (json.find(kDraco) == json.npos && json.find(kQuantised) == json.npos) return std::nullopt;
   Unpacking unpacking{split_glb(bytes)};
   GlbParts& parts = unpacking.parts;
+  unscale(parts);
   for (Json* primitive : primitives_of(parts.gltf)) {
-    if (primitive->contains("extensions") && primitive->at("extensions").contains(kDraco))
+    if (primitive->contains("extensions") && primitive->at("extensions").contains(kDraco)) {
       unpack_draco(*primitive, unpacking);
-    else
-      unpack_meshopt(*primitive, unpacking);
+      continue;
+    }
+    unpack_meshopt(*primitive, unpacking);
+    unpack_narrow(*primitive, unpacking);
   }
   forget_fallback(parts.gltf);
   return join_glb(std::move(parts));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <optional>
 
 #include "exporters/file.h"
@@ -13,6 +14,7 @@
 #include "exporters/gltf/glb_checks.h"
 #include "exporters/gltf/glb_reader.h"
 #include "exporters/gltf/image_units.h"
+#include "exporters/gltf/shared_layout.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -45,7 +47,7 @@ void put_uvs_in_metres(std::vector<bake::Primitive>& primitives, const impostor:
 void put_uvs_in_metres(BakedTile& tile) {
   put_uvs_in_metres(tile.primitives, nullptr, tile);
   for (bake::InstancedMesh& instanced : tile.instanced)
-    put_uvs_in_metres(instanced.primitives, &instanced.cutout, tile);
+    put_uvs_in_metres(instanced.primitives, &*instanced.cutout, tile);
 }
 
 std::optional<bake::Viewpoint> viewpoint_of(const Value& extras) {
@@ -112,9 +114,11 @@ Result<BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string
 }
 
 Result<BakedTile> read_glb(const std::string& path) {
-  const auto bytes = read_file(path);
+  auto bytes = read_file(path);
   if (!bytes) return bytes.error();
-  return decode_glb(*bytes, path);
+  const auto whole = with_shared_files(std::move(*bytes), std::filesystem::path(path).parent_path().string(), path);
+  if (!whole) return whole.error();
+  return decode_glb(*whole, path);
 }
 
 }  // namespace citykiln::exporters

@@ -53,9 +53,8 @@ void add_single(const tinygltf::Node& node, std::size_t features, InstancedMesh&
 }
 
 bool is_extended(const tinygltf::Node& node) { return node.extensions.count("EXT_mesh_gpu_instancing") != 0; }
-bool is_instance(const tinygltf::Node& node) {
-  return is_extended(node) || (node.extras.IsObject() && node.extras.Has("feature"));
-}
+// Layers and buildings lie where the tile does.
+bool is_instance(const tinygltf::Node& node) { return is_extended(node) || !node.translation.empty(); }
 
 // The tile while its nodes are read, in their order.
 struct NodeReader {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "exporters/gltf/material_names.h"
-#include "exporters/gltf/png.h"
+#include "exporters/gltf/picture_formats.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -19,11 +19,15 @@ double texel_m_of(const tinygltf::Image& image) {
   return texel_m;
 }
 
-materials::TextureImage picture_of(GltfReader& reader, const tinygltf::Image& image) {
-  auto picture = decode_png(std::as_bytes(bytes_of(reader, image.bufferView)), "");
+CutoutImage cutout_image_in(GltfReader& reader, const tinygltf::Image& image) {
+  auto picture = decode_picture(std::as_bytes(bytes_of(reader, image.bufferView)), "");
   if (!picture) throw FormatError{"a picture: " + to_string(picture.error())};
-  picture->texel_m = texel_m_of(image);
+  picture->colour.texel_m = texel_m_of(image);
   return std::move(*picture);
+}
+
+materials::TextureImage picture_of(GltfReader& reader, const tinygltf::Image& image) {
+  return cutout_image_in(reader, image).colour;
 }
 
 // The texture that an image belongs to: the last one, or a new one.
@@ -48,33 +52,30 @@ void read_texture(GltfReader& reader, const tinygltf::Image& image, std::vector<
 // Reads a cutout: its colours, and its normals if these follow.
 impostor::Cutout read_cutout(GltfReader& reader, std::size_t image) {
   const auto& images = reader.model.images;
-  const auto bytes = std::as_bytes(bytes_of(reader, images[image].bufferView));
-  auto picture = decode_cutout_png(bytes, "");
-  if (!picture) throw FormatError{"a picture: " + to_string(picture.error())};
-  impostor::Cutout cutout{std::move(picture->colour), std::move(picture->opacity), {}};
-  cutout.colour.texel_m = texel_m_of(images[image]);
+  CutoutImage picture = cutout_image_in(reader, images[image]);
+  impostor::Cutout cutout{std::move(picture.colour), std::move(picture.opacity), {}};
   if (image + 1 < images.size() && images[image + 1].name == "cutoutNormal")
     cutout.normal = picture_of(reader, images[image + 1]);
   return cutout;
 }
 
-// Reads the cutouts, from image `first` on. Each mesh gets a copy, so their texels are limited: a small file must not
-// make a large tile.
+// Reads the cutouts, from image `first` on.
 void read_cutouts(GltfReader& reader, std::size_t first, std::span<const std::optional<std::size_t>> wanted,
                   BakedTile& tile) {
   const auto& images = reader.model.images;
-  std::uint64_t texels = 0;
   for (std::size_t i = first; i < images.size(); ++i) {
     if (images[i].name == "cutoutNormal" && i > first && images[i - 1].name == "cutout") continue;
     expect(images[i].name == "cutout", "images named after materials, and one marking atlas at most");
-    const impostor::Cutout cutout = read_cutout(reader, i);
-    for (std::size_t k = 0; k < wanted.size(); ++k) {
-      if (wanted[k] != i) continue;
-      texels += cutout.colour.texels.size() + cutout.normal.texels.size();
-      expect(texels <= materials::kMaxImageTexels, "cutouts of no more texels than an image may have");
-      tile.instanced[k].cutout = cutout;
-    }
+    const impostor::SharedCutout cutout(read_cutout(reader, i));
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+      if (wanted[k] == i) tile.instanced[k].cutout = cutout;
   }
+}
+
+// The image of a texture, in any of its formats.
+int image_of(const tinygltf::Texture& texture) {
+  const auto webp = texture.extensions.find(kWebpExtension);
+  return webp == texture.extensions.end() ? texture.source : whole(member(webp->second, "source"));
 }
 
 bool are_one_size(const impostor::Atlas& atlas) {
@@ -95,7 +96,7 @@ std::optional<std::size_t> cutout_image_of(const tinygltf::Model& model, int mes
     const tinygltf::Material& m = item(model.materials, p.material, "a material that exists");
     if (primitive_key_named(m.name).colour_source != ColourSource::kByCutout) continue;
     const int texture = m.pbrMetallicRoughness.baseColorTexture.index;
-    const int image = item(model.textures, texture, "a texture that exists").source;
+    const int image = image_of(item(model.textures, texture, "a texture that exists"));
     expect(item(model.images, image, "a picture that exists").name == "cutout", "a cutout image");
     expect(!number || *number == static_cast<std::size_t>(image), "one cutout a mesh");
     number = static_cast<std::size_t>(image);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
+#include "exporters/gltf/split_buildings.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -16,19 +18,6 @@ int attribute(const std::map<std::string, int>& attributes, const char* name) {
   const auto found = attributes.find(name);
   expect(found != attributes.end(), "the attributes that citykiln writes");
   return found->second;
-}
-
-// uvs in metres, from floats or from 16 bits that count steps.
-std::vector<Float2> uvs_of(GltfReader& reader, int accessor_number) {
-  if (item(reader.model.accessors, accessor_number, "an accessor that exists").componentType ==
-      TINYGLTF_COMPONENT_TYPE_FLOAT)
-    return finite(values_of<Float2>(reader, accessor_number, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2));
-  std::vector<Float2> uvs;
-  for (const auto& [u, v] : values_of<std::array<std::uint16_t, 2>>(
-           reader, accessor_number, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2))
-    uvs.push_back({static_cast<float>(u * materials::kTextureCoordinateStep_m),
-                   static_cast<float>(v * materials::kTextureCoordinateStep_m)});
-  return uvs;
 }
 
 bool has_picture(const tinygltf::Model& model, ColourSource colour_source) {
@@ -79,7 +68,9 @@ Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::si
       values_of<Float3>(reader, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
   out.colours = values_of<materials::Tint>(reader, attribute(p.attributes, "COLOR_0"),
                                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
-  if (p.attributes.count("TEXCOORD_0") != 0) out.uvs = uvs_of(reader, attribute(p.attributes, "TEXCOORD_0"));
+  if (p.attributes.count("TEXCOORD_0") != 0)
+    out.uvs = finite(values_of<Float2>(reader, attribute(p.attributes, "TEXCOORD_0"), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                       TINYGLTF_TYPE_VEC2));
   if (p.attributes.count("_FEATURE_ID_0") != 0)
     out.features = as_numbers(values_of<float>(reader, attribute(p.attributes, "_FEATURE_ID_0"),
                                                TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
@@ -102,8 +93,14 @@ std::vector<Primitive> primitives_of(GltfReader& reader, int mesh_number, std::s
   expect(!mesh.primitives.empty(), "a primitive in each mesh");
   std::vector<Primitive> primitives;
   for (const tinygltf::Primitive& p : mesh.primitives) {
-    primitives.push_back(primitive_of(reader, p, features));
-    primitives.back().layer = layer_in(p.extras, mesh.extras);
+    Primitive primitive = primitive_of(reader, p, features);
+    primitive.layer = layer_in(p.extras, mesh.extras);
+    if (primitive.colour_source == ColourSource::kByCutout) primitive = without_backs(primitive);
+    // large primitives are written in parts, which follow each other
+    if (!primitives.empty() && key_of(primitives.back()) == key_of(primitive))
+      append_primitive(primitives.back(), primitive);
+    else
+      primitives.push_back(std::move(primitive));
   }
   return primitives;
 }

@@ -28,6 +28,8 @@ GeometryAttribute::Type type_of(const std::string& name) {
 
 draco::DataType data_type_of(Component component) {
   switch (component) {
+    case Component::kByte:
+      return draco::DT_INT8;
     case Component::kUnsignedByte:
       return draco::DT_UINT8;
     case Component::kShort:
@@ -123,7 +125,7 @@ void set_steps(draco::ExpertEncoder& encoder, int id, const Steps& steps, std::s
 void set_quantisation(draco::ExpertEncoder& encoder, int id, const VertexAttribute& attribute) {
   if (attribute.name == "NORMAL") return encoder.SetAttributeQuantization(id, kPackedNormalBits);
   // a grid that contains -1 and 1
-  if (attribute.name == "TANGENT") return set_grid(encoder, id, -11, {-1, -1, -1, -1}, 0);
+  if (attribute.name == "TANGENT") return set_grid(encoder, id, -7, {-1, -1, -1, -1}, 0);
   if (const auto steps = steps_of(attribute)) set_steps(encoder, id, *steps, attribute.width);
 }
 

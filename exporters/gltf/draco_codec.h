@@ -17,7 +17,7 @@ struct DracoMesh {
 };
 
 /// Packs a mesh; vertices and triangles change their order. Normals are octahedral with kPackedNormalBits, tangents
-/// multiples of 2^-11; attributes on the grids of packed meshes stay exact, as do all others. Every triangle is kept,
+/// multiples of 2^-7; attributes on the grids of packed meshes stay exact, as do all others. Every triangle is kept,
 /// even where its corners coincide. Returns nothing where Draco refuses the mesh, which then stays unpacked.
 std::optional<DracoMesh> encode_draco(const MeshArrays& mesh);
 

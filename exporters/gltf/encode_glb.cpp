@@ -65,6 +65,7 @@ void fill(GlbBuilder& f) {
   add_pictures(f);
   f.model.extensions["EXT_structural_metadata"] = property_table(f);
   f.model.extensionsUsed.assign(f.extensions.begin(), f.extensions.end());
+  if (f.extensions.contains(kWebpExtension)) f.model.extensionsRequired = {kWebpExtension};
   tinygltf::Scene scene;
   scene.nodes = {0};
   f.model.scenes.push_back(scene);

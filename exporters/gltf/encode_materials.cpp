@@ -7,6 +7,7 @@
 
 #include "exporters/gltf/encode_pictures.h"
 #include "exporters/gltf/image_units.h"
+#include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
 
 namespace citykiln::exporters {
@@ -16,18 +17,6 @@ using bake::Primitive;
 using materials::ColourSource;
 using tinygltf::Value;
 
-// Quantised uvs are 16 bits: from 0 to nearly four texture periods.
-constexpr double kMostUvSteps = 65535;
-
-bool has_quantised_uvs(const Primitive& p) {
-  const auto fits = [](float v) {
-    const double steps = v / materials::kTextureCoordinateStep_m;
-    return steps >= 0 && steps <= kMostUvSteps && steps == std::floor(steps);
-  };
-  return p.colour_source == ColourSource::kByMaterial &&
-         std::ranges::all_of(p.uvs, [&](const bake::Float2& uv) { return fits(uv[0]) && fits(uv[1]); });
-}
-
 // The image that a primitive's uvs lie on; null where they show none.
 const materials::TextureImage* image_of(const GlbBuilder& f, const MaterialKey& key) {
   if (key.primitive.colour_source == ColourSource::kByMarkingAtlas) return &f.tile.marking_atlas;
@@ -36,21 +25,16 @@ const materials::TextureImage* image_of(const GlbBuilder& f, const MaterialKey& 
   return key.texture == nullptr ? nullptr : &shown_image(*key.texture);
 }
 
-// Metres per unit of a primitive's uvs.
-double uv_unit_m(const MaterialKey& key) {
-  return key.has_quantised_uvs ? kMostUvSteps * materials::kTextureCoordinateStep_m : 1;
-}
-
-// A reference to an image. @param unit_m  Metres per unit of the uvs, where these are metres.
+// A reference to an image.
 template <typename Info>
-Info shown(GlbBuilder& f, const materials::TextureImage& picture, double unit_m) {
+Info shown(GlbBuilder& f, const materials::TextureImage& picture) {
   if (!f.has_uvs_in_metres()) {
     Info info;
     info.index = picture_number(f, &picture);
     return info;
   }
-  const Value::Array scale = {Value(unit_m / (picture.columns * picture.texel_m)),
-                              Value(unit_m / (picture.rows * picture.texel_m))};
+  const Value::Array scale = {Value(1 / (picture.columns * picture.texel_m)),
+                              Value(1 / (picture.rows * picture.texel_m))};
   f.extensions.insert("KHR_texture_transform");
   Info info;
   info.index = picture_number(f, &picture);
@@ -62,22 +46,22 @@ Info shown(GlbBuilder& f, const materials::TextureImage& picture, double unit_m)
 void set_colour(GlbBuilder& f, const MaterialKey& key, tinygltf::PbrMetallicRoughness& m) {
   const auto& base = values_of(key.primitive.material).base_colour;
   if (key.primitive.colour_source == ColourSource::kByMarkingAtlas)
-    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.marking_atlas, 1);
+    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.marking_atlas);
   if (key.primitive.colour_source == ColourSource::kByAtlas)
-    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.colour, 1);
-  if (key.cutout != nullptr) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, key.cutout->colour, 1);
+    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.colour);
+  if (key.cutout != nullptr) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, key.cutout->colour);
   if (key.primitive.colour_source != ColourSource::kByMaterial) return;
   m.baseColorFactor = {base[0], base[1], base[2], 1};
   if (key.texture == nullptr || key.texture->colour.texels.empty()) return;
   const auto factor = colour_factor(*key.texture);
   m.baseColorFactor = {factor[0], factor[1], factor[2], 1};
-  m.baseColorTexture = shown<tinygltf::TextureInfo>(f, key.texture->colour, uv_unit_m(key));
+  m.baseColorTexture = shown<tinygltf::TextureInfo>(f, key.texture->colour);
 }
 
 // Sets roughness and metalness. With the facade atlas the factors stay 1.
 void set_surface(GlbBuilder& f, const MaterialKey& key, tinygltf::PbrMetallicRoughness& m) {
   if (key.primitive.colour_source == ColourSource::kByAtlas) {
-    m.metallicRoughnessTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.surface, 1);
+    m.metallicRoughnessTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.surface);
     return;
   }
   const auto& values = values_of(key.primitive.material);
@@ -87,7 +71,7 @@ void set_surface(GlbBuilder& f, const MaterialKey& key, tinygltf::PbrMetallicRou
 // Sets emission, of which 1 is kEmission_cd_m2.
 void set_emission(GlbBuilder& f, const MaterialKey& key, tinygltf::Material& m) {
   if (key.primitive.colour_source == ColourSource::kByAtlas && !f.tile.facade_atlas.emission.texels.empty()) {
-    m.emissiveTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.emission, 1);
+    m.emissiveTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.emission);
     m.emissiveFactor = {1, 1, 1};
   }
   const auto own = emission_of(key.primitive.material);
@@ -114,11 +98,11 @@ std::string unique_name(const GlbBuilder& f, const MaterialKey& key) {
 
 MaterialKey material_key_of(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
   const bake::PrimitiveKey shared{{}, p.material, !p.uvs.empty(), p.colour_source};
-  if (p.colour_source == ColourSource::kByCutout) return {shared, nullptr, false, cutout};
+  if (p.colour_source == ColourSource::kByCutout) return {shared, nullptr, cutout, has_backs(p)};
   if (p.colour_source != ColourSource::kByMaterial) return {shared};
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
   if (p.uvs.empty() || found == f.tile.textures.end()) return {{{}, p.material, false, ColourSource::kByMaterial}};
-  return {shared, &*found, f.has_uvs_in_metres() && has_quantised_uvs(p)};
+  return {shared, &*found};
 }
 
 const materials::TextureImage* normals_of(const GlbBuilder& f, const MaterialKey& key) {
@@ -136,9 +120,9 @@ int material_number(GlbBuilder& f, const MaterialKey& key) {
   m.name = unique_name(f, key);
   set_colour(f, key, m.pbrMetallicRoughness);
   if (const materials::TextureImage* normals = normals_of(f, key))
-    m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals, uv_unit_m(key));
+    m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals);
   // leaves are flat; texels with an opacity below a half are holes
-  if (key.cutout != nullptr) m.alphaMode = "MASK", m.doubleSided = true;
+  if (key.cutout != nullptr) m.alphaMode = "MASK", m.doubleSided = !key.has_backs;
   set_surface(f, key, m.pbrMetallicRoughness);
   set_emission(f, key, m);
   f.model.materials.push_back(m), f.material_keys.push_back(key);
@@ -152,12 +136,7 @@ int add_uvs(GlbBuilder& f, const Primitive& p, const MaterialKey& key) {
                                    [&](const bake::Float2& uv) { return in_image_units(*image, uv); });
     return f.add_accessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, p.uvs.size());
   }
-  if (!key.has_quantised_uvs) return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
-  const auto step = [](float v) { return static_cast<std::uint16_t>(v / materials::kTextureCoordinateStep_m); };
-  const int steps = f.add_view_of(p.uvs, TINYGLTF_TARGET_ARRAY_BUFFER, [&](const bake::Float2& uv) {
-    return std::array{step(uv[0]), step(uv[1])};
-  });
-  return f.add_accessor(steps, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2, p.uvs.size(), true);
+  return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
 }
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,4 @@
-// Writes the materials of a .glb, and the uvs that show their images.
+// Writes the materials of a .glb.
 #pragma once
 
 #include "exporters/gltf/glb_builder.h"
@@ -15,7 +15,7 @@ int material_number(GlbBuilder& f, const MaterialKey& key);
 /// The normal map of a material; null where it has none.
 const materials::TextureImage* normals_of(const GlbBuilder& f, const MaterialKey& key);
 
-/// Adds TEXCOORD_0 and returns its accessor: metres, or 16 bits where the uvs can be quantised.
+/// Adds TEXCOORD_0 and returns its accessor: in units of the image's size, or metres in packed meshes.
 int add_uvs(GlbBuilder& f, const bake::Primitive& p, const MaterialKey& key);
 
 }  // namespace citykiln::exporters

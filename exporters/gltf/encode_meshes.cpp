@@ -4,8 +4,11 @@
 #include <array>
 #include <cassert>
 #include <limits>
+#include <optional>
 
 #include "exporters/gltf/encode_materials.h"
+#include "exporters/gltf/leaf_backs.h"
+#include "exporters/gltf/object_runs.h"
 #include "exporters/gltf/tangents.h"
 
 namespace citykiln::exporters {
@@ -14,6 +17,9 @@ namespace {
 using bake::Float3;
 using bake::Primitive;
 using tinygltf::Value;
+
+// So many vertices can be numbered in 16 bits; 65535 is reserved.
+constexpr std::size_t kMostVertices = 65535;
 
 int add_positions(GlbBuilder& f, const std::vector<Float3>& positions) {
   const int accessor = f.add_turned(positions, TINYGLTF_TYPE_VEC3);
@@ -31,7 +37,7 @@ int add_positions(GlbBuilder& f, const std::vector<Float3>& positions) {
 int add_indices(GlbBuilder& f, const Primitive& p) {
   constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
   const std::size_t count = p.triangles.size() * 3;
-  if (p.positions.size() >= 65535)
+  if (p.positions.size() > kMostVertices)
     return f.add_accessor(f.add_view(p.triangles, kTarget), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
                           count);
   const auto narrow = [](const auto& t) {
@@ -42,17 +48,27 @@ int add_indices(GlbBuilder& f, const Primitive& p) {
                         TINYGLTF_TYPE_SCALAR, count);
 }
 
-tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
+int add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
+  std::vector<bake::Float4> tangents = tangents_of(front);
+  const std::size_t count = tangents.size();
+  // back sides have those of their fronts, as they have their normals
+  for (std::size_t i = 0; has_backs && i < count; ++i) tangents.push_back(bake::Float4{tangents[i]});
+  return f.add_turned(tangents, TINYGLTF_TYPE_VEC4);
+}
+
+tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& front, const impostor::Cutout* cutout) {
   tinygltf::Primitive out;
   out.mode = TINYGLTF_MODE_TRIANGLES;
-  const MaterialKey key = material_key_of(f, p, cutout);
+  const MaterialKey key = material_key_of(f, front, cutout);
   out.material = material_number(f, key);
+  const std::optional<Primitive> both = key.has_backs ? std::optional(with_backs(front)) : std::nullopt;
+  const Primitive& p = both ? *both : front;
   out.attributes["POSITION"] = add_positions(f, p.positions);
   out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
   out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
                                               TINYGLTF_TARGET_ARRAY_BUFFER, true);
   if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, key);
-  if (normals_of(f, key) != nullptr) out.attributes["TANGENT"] = f.add_turned(tangents_of(p), TINYGLTF_TYPE_VEC4);
+  if (normals_of(f, key) != nullptr) out.attributes["TANGENT"] = add_tangents(f, front, key.has_backs);
   if (!p.features.empty()) {
     out.attributes["_FEATURE_ID_0"] = f.add_as_floats(p.features);
     out.extensions["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");
@@ -73,9 +89,16 @@ int add_mesh(GlbBuilder& f, const std::string& name, std::span<const Primitive> 
   tinygltf::Mesh mesh;
   mesh.name = name;
   if (is_one_layer) mesh.extras = layer_extras(layer);
-  for (const Primitive& p : primitives) {
+  const auto add = [&](const Primitive& p) {
     mesh.primitives.push_back(primitive_of(f, p, cutout));
     if (!is_one_layer) mesh.primitives.back().extras = layer_extras(p.layer);
+  };
+  for (const Primitive& p : primitives) {
+    if (p.positions.size() <= kMostVertices) {
+      add(p);
+      continue;
+    }
+    for (const ObjectRun& run : joined_runs(object_runs(p), kMostVertices)) add(part_of(p, run));
   }
   f.model.meshes.push_back(std::move(mesh));
   return static_cast<int>(f.model.meshes.size()) - 1;

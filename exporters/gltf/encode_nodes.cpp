@@ -57,7 +57,7 @@ void add_single_nodes(GlbBuilder& f, const InstancedMesh& instanced, int mesh, s
 
 // Adds an instanced mesh, whose nodes become children of a parent.
 void add_instances(GlbBuilder& f, const InstancedMesh& instanced, std::vector<int>& parent) {
-  const int mesh = add_mesh(f, instanced.name, instanced.primitives, cutout_like(f, instanced.cutout));
+  const int mesh = add_mesh(f, instanced.name, instanced.primitives, cutout_like(f, *instanced.cutout));
   const bool is_extended = values_of(f.options.target).instancing == Instancing::kExtension;
   is_extended ? add_extended(f, instanced, mesh, parent) : add_single_nodes(f, instanced, mesh, parent);
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "exporters/gltf/png.h"
-
 namespace citykiln::exporters {
 namespace {
 
@@ -23,6 +21,7 @@ struct TileImage {
   const ImageGroup* group;
   std::string name;
   const materials::TextureImage* image;
+  PictureContent content = PictureContent::kExact;
   std::span<const std::uint8_t> opacity{};  ///< Empty, or one per texel.
 };
 
@@ -30,19 +29,24 @@ struct TileImage {
 std::vector<TileImage> images_of(const GlbBuilder& f) {
   std::vector<TileImage> all;
   const auto add = [&](const ImageGroup& group, const std::string& name, const materials::TextureImage& image,
-                       std::span<const std::uint8_t> opacity = {}) {
-    if (!image.texels.empty()) all.push_back({&group, name, &image, opacity});
+                       PictureContent content = PictureContent::kExact, std::span<const std::uint8_t> opacity = {}) {
+    if (!image.texels.empty()) all.push_back({&group, name, &image, content, opacity});
   };
   add(kGroups[0], "marking_atlas", f.tile.marking_atlas);
   const impostor::Atlas& facades = f.tile.facade_atlas;
-  add(kGroups[1], "facade_atlas", facades.colour), add(kGroups[1], "facade_atlas_surface", facades.surface);
-  add(kGroups[1], "facade_atlas_emission", facades.emission), add(kGroups[1], "facade_atlas_normal", facades.normal);
+  add(kGroups[1], "facade_atlas", facades.colour, PictureContent::kAtlas);
+  add(kGroups[1], "facade_atlas_surface", facades.surface);
+  add(kGroups[1], "facade_atlas_emission", facades.emission, PictureContent::kAtlas);
+  add(kGroups[1], "facade_atlas_normal", facades.normal);
   for (const materials::Texture& texture : f.tile.textures) {
     const std::string name(values_of(texture.material).name);
-    add(kGroups[2], name + "Colour", texture.colour), add(kGroups[2], name + "Normal", texture.normal);
+    add(kGroups[2], name + "Colour", texture.colour, PictureContent::kColour);
+    add(kGroups[2], name + "Normal", texture.normal);
   }
-  for (const impostor::Cutout* cutout : f.cutouts)
-    add(kGroups[3], "cutout", cutout->colour, cutout->opacity), add(kGroups[3], "cutoutNormal", cutout->normal);
+  for (const impostor::Cutout* cutout : f.cutouts) {
+    add(kGroups[3], "cutout", cutout->colour, PictureContent::kExact, cutout->opacity);
+    add(kGroups[3], "cutoutNormal", cutout->normal);
+  }
   return all;
 }
 
@@ -55,16 +59,31 @@ int add_sampler(GlbBuilder& f, const ImageGroup& group) {
   return static_cast<int>(f.model.samplers.size()) - 1;
 }
 
+// Adds the texture of the image that is added next.
+void add_texture(GlbBuilder& f, int sampler) {
+  tinygltf::Texture texture;
+  texture.sampler = sampler;
+  const auto source = static_cast<int>(f.model.images.size());
+  if (f.pictures() == PictureFormats::kWebp) {
+    texture.extensions[kWebpExtension] = Value(Value::Object{{"source", Value(source)}});
+    f.extensions.insert(kWebpExtension);
+  } else {
+    texture.source = source;
+  }
+  f.model.textures.push_back(texture);
+}
+
 }  // namespace
 
 void find_cutouts(GlbBuilder& f) {
   for (const InstancedMesh& instanced : f.tile.instanced)
-    if (!instanced.cutout.colour.texels.empty() && cutout_like(f, instanced.cutout) == nullptr)
-      f.cutouts.push_back(&instanced.cutout);
+    if (!instanced.cutout->colour.texels.empty() && cutout_like(f, *instanced.cutout) == nullptr)
+      f.cutouts.push_back(&*instanced.cutout);
 }
 
 const impostor::Cutout* cutout_like(const GlbBuilder& f, const impostor::Cutout& cutout) {
-  const auto found = std::ranges::find_if(f.cutouts, [&](const auto* other) { return *other == cutout; });
+  const auto found =
+      std::ranges::find_if(f.cutouts, [&](const auto* other) { return other == &cutout || *other == cutout; });
   return found == f.cutouts.end() ? nullptr : *found;
 }
 
@@ -80,15 +99,13 @@ void add_pictures(GlbBuilder& f) {
   int sampler = -1;
   for (const TileImage& each : images_of(f)) {
     if (each.group != group) sampler = add_sampler(f, *(group = each.group));
+    EncodedPicture picture = encode_picture(*each.image, each.opacity, each.content, f.pictures());
     tinygltf::Image image;
-    image.name = each.name, image.mimeType = "image/png";
-    image.bufferView =
-        f.add_view(each.opacity.empty() ? encode_png(*each.image) : encode_png(*each.image, each.opacity), 0);
+    image.name = each.name, image.mimeType = picture.mime_type, image.bufferView = f.add_view(picture.bytes, 0);
     // KHR_texture_transform's scales are rounded
     image.extras = Value(Value::Object{{"texel_m", Value(each.image->texel_m)}});
-    tinygltf::Texture texture;
-    texture.sampler = sampler, texture.source = static_cast<int>(f.model.images.size());
-    f.model.images.push_back(image), f.model.textures.push_back(texture);
+    add_texture(f, sampler);
+    f.model.images.push_back(image);
   }
 }
 

@@ -14,8 +14,8 @@ const impostor::Cutout* cutout_like(const GlbBuilder& f, const impostor::Cutout&
 /// @param picture  The address of an image of the tile or of a collected cutout.
 int picture_number(const GlbBuilder& f, const materials::TextureImage* picture);
 
-/// Appends all images as PNG, with samplers: the marking atlas, the facade atlas, colours and normals of each texture,
-/// then of each cutout.
+/// Appends all images in the formats of f.pictures(), with samplers: the marking atlas, the facade atlas, colours and
+/// normals of each texture, then of each cutout.
 void add_pictures(GlbBuilder& f);
 
 }  // namespace citykiln::exporters

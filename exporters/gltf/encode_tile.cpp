@@ -8,9 +8,10 @@ namespace citykiln::exporters {
 
 EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
                         int threads) {
-  if (options.compression == Compression::kNone) return {encode_glb(tile, header, options, threads), tile.error_m};
+  if (options.compression == Compression::kNone)
+    return {encode_glb(tile, header, options, threads), tile.error_m, triangles_of(tile)};
   const bake::BakedTile packed = quantised(tile);
-  return {encode_glb(packed, header, options, threads), packed.error_m};
+  return {encode_glb(packed, header, options, threads), packed.error_m, triangles_of(packed)};
 }
 
 std::string glb_name(scene::TileKey tile, std::size_t level) {

@@ -17,6 +17,7 @@ namespace citykiln::exporters {
 struct EncodedTile {
   std::vector<std::byte> glb;
   double error_m = 0;
+  std::uint64_t triangles = 0;  ///< As triangles_of(); packing drops some without an area.
 };
 
 /// Returns the .glb of a tile. Packed tiles are quantised first, so that their stated error holds.

@@ -19,6 +19,7 @@ struct GlbOptions {
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
   Compression compression = Compression::kNone;  ///< One that the target's reader knows.
+  bool has_exact_pictures = false;               ///< PNG alone, instead of the formats that the target's reader knows.
 };
 
 /// Returns the .glb of a tile.
@@ -34,7 +35,8 @@ struct GlbOptions {
 /// | attribution         | asset.copyright                                                                            |
 /// | uvs                 | TEXCOORD_0 in units of the image, row 0 is v = 0. In packed meshes metres, on textures 16  |
 /// |                     | bits in steps of materials::kTextureCoordinateStep_m, scaled by KHR_texture_transform      |
-/// | images              | PNG in the buffer, each once; the size of a texel is in its extras                         |
+/// | images              | JPEG or WebP for opaque colours, else PNG or WebP (picture_formats.h), each once; the size |
+/// |                     | of a texel is in its extras                                                                |
 /// | normal maps         | with TANGENT                                                                               |
 ///
 /// @param tile  Its primitives and instanced meshes sorted by layer.
@@ -46,8 +48,8 @@ std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Head
                                   int threads = 1);
 
 /// Reads a tile from a .glb that encode_glb wrote, for any target. decode_glb(encode_glb(tile)) == tile where it is not
-/// packed; with Split::kBuilding where features ascend in the primitives of buildings, as bake() writes them.
-/// Errors: anything else; never a crash, whatever the bytes (fuzzed).
+/// packed and has exact pictures; with Split::kBuilding where features ascend in the primitives of buildings, as bake()
+/// writes them. Errors: anything else; never a crash, whatever the bytes (fuzzed).
 /// @param name  The file's name in error messages.
 Result<bake::BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name);
 

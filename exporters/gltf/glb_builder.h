@@ -12,6 +12,7 @@
 #include "compiler/bake/baked_tile.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_axes.h"
+#include "exporters/gltf/picture_formats.h"
 #include "exporters/gltf/tinygltf_config.h"
 
 namespace citykiln::exporters {
@@ -20,8 +21,8 @@ namespace citykiln::exporters {
 struct MaterialKey {
   bake::PrimitiveKey primitive;                 ///< has_uvs is false where the uvs show no image.
   const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it.
-  bool has_quantised_uvs = false;
-  const impostor::Cutout* cutout = nullptr;  ///< The cutout, if the primitive shows one.
+  const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one.
+  bool has_backs = false;                       ///< Faces of its own for both sides (leaf_backs.h).
   bool operator==(const MaterialKey&) const = default;
 };
 
@@ -57,6 +58,11 @@ struct GlbBuilder {
   /// Whether uvs are metres, which KHR_texture_transform scales. Else they are multiples of their image's size, which
   /// all readers understand.
   bool has_uvs_in_metres() const { return options.compression != Compression::kNone; }
+
+  PictureFormats pictures() const {
+    if (options.has_exact_pictures) return PictureFormats::kPng;
+    return values_of(options.target).reads_webp ? PictureFormats::kWebp : PictureFormats::kPngAndJpeg;
+  }
 
   void append(std::span<const std::byte> bytes) { buffer.insert(buffer.end(), bytes.begin(), bytes.end()); }
 

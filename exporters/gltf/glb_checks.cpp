@@ -43,11 +43,13 @@ void expect_pictures_inside(std::span<const std::byte> bytes) {
            key == "buffers";
   };
   const auto model = nlohmann::json::parse(json, keeps, false);
-  if (!model.is_object() || !model.contains("images")) return;
+  if (!model.is_object()) return;
   const auto buffers = model.value("buffers", nlohmann::json::array()),
              views = model.value("bufferViews", nlohmann::json::array());
-  expect(model["images"].is_array() && buffers.is_array() && views.is_array() && buffers.size() == 1 &&
-             buffers[0].is_object() && !buffers[0].contains("uri"),
+  expect(buffers.is_array() && std::ranges::none_of(buffers, [](const auto& b) { return b.contains("uri"); }),
+         "a buffer inside the file");
+  if (!model.contains("images")) return;
+  expect(model["images"].is_array() && views.is_array() && buffers.size() == 1 && buffers[0].is_object(),
          "images inside the buffer, as citykiln writes them");
   for (const auto& image : model["images"]) {
     const std::uint64_t number = json_number(image, "bufferView");

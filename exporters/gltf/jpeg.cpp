@@ -62,7 +62,7 @@ bool read(jpeg_decompress_struct& info, ErrorManager& errors, std::span<const st
 
 }  // namespace
 
-std::vector<std::byte> encode_jpeg(const TextureImage& image, int quality) {
+std::vector<std::byte> encode_jpeg(const TextureImage& image, int quality, JpegChroma chroma) {
   assert(image.texels.size() == std::size_t{image.columns} * image.rows && !image.texels.empty());
   assert(1 <= quality && quality <= 100);
   jpeg_compress_struct info{};
@@ -76,6 +76,8 @@ std::vector<std::byte> encode_jpeg(const TextureImage& image, int quality) {
   info.input_components = 3, info.in_color_space = JCS_RGB;
   jpeg_set_defaults(&info);
   jpeg_set_quality(&info, quality, TRUE);
+  const int luma_per_chroma = chroma == JpegChroma::kHalf ? 2 : 1;
+  info.comp_info[0].h_samp_factor = info.comp_info[0].v_samp_factor = luma_per_chroma;
   info.optimize_coding = TRUE, info.dct_method = JDCT_ISLOW;
   jpeg_start_compress(&info, TRUE);
   while (info.next_scanline < info.image_height) {

@@ -4,32 +4,17 @@
 
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <cstring>
 
 #include "exporters/gltf/compression.h"
+#include "exporters/gltf/meshopt_order.h"
 
 namespace citykiln::exporters {
 namespace {
 
-using Short4 = std::array<std::int16_t, 4>;
+using Byte4 = std::array<std::int8_t, 4>;
 
 bool is_direction(const std::string& name) { return name == "NORMAL" || name == "TANGENT"; }
-
-// Orders triangles so that neighbours follow each other, then vertices by their first use.
-void reorder(MeshArrays& mesh) {
-  const std::size_t corners = mesh.indices.size();
-  meshopt_optimizeVertexCacheStrip(mesh.indices.data(), mesh.indices.data(), corners, mesh.count);
-  std::vector<unsigned int> remap(mesh.count);
-  const std::size_t used = meshopt_optimizeVertexFetchRemap(remap.data(), mesh.indices.data(), corners, mesh.count);
-  meshopt_remapIndexBuffer(mesh.indices.data(), mesh.indices.data(), corners, remap.data());
-  for (VertexAttribute& attribute : mesh.attributes) {
-    std::vector<unsigned char> ordered(used * stride_of(attribute));
-    meshopt_remapVertexBuffer(ordered.data(), attribute.bytes.data(), mesh.count, stride_of(attribute), remap.data());
-    attribute.bytes = std::move(ordered);
-  }
-  mesh.count = used;
-}
 
 MeshoptView packed(const void* values, std::size_t count, std::size_t stride, const char* filter) {
   MeshoptView view{{}, count, stride, "ATTRIBUTES", filter};
@@ -42,10 +27,9 @@ MeshoptAttribute packed_direction(const VertexAttribute& attribute, std::size_t 
   std::vector<float> wide(count * 4);
   for (std::size_t i = 0; i < count; ++i)
     std::memcpy(&wide[i * 4], attribute.bytes.data() + i * stride_of(attribute), stride_of(attribute));
-  std::vector<Short4> shorts(count);
-  meshopt_encodeFilterOct(shorts.data(), count, sizeof(Short4), kPackedNormalBits, wide.data());
-  return {attribute.name, Component::kShort, attribute.width,
-          packed(shorts.data(), count, sizeof(Short4), "OCTAHEDRAL")};
+  std::vector<Byte4> bytes(count);
+  meshopt_encodeFilterOct(bytes.data(), count, sizeof(Byte4), kPackedNormalBits, wide.data());
+  return {attribute.name, Component::kByte, attribute.width, packed(bytes.data(), count, sizeof(Byte4), "OCTAHEDRAL")};
 }
 
 // Encodes steps for the exponential filter with one exponent, where meshopt_encodeFilterExp would choose one per
@@ -87,30 +71,11 @@ void unfilter(const std::string& filter, std::vector<unsigned char>& bytes, std:
   if (filter == "OCTAHEDRAL") meshopt_decodeFilterOct(bytes.data(), count, stride);
 }
 
-// A direction of unit length; the fourth component is a sign.
-std::array<float, 4> direction(const Short4& s) {
-  const double x = s[0], y = s[1], z = s[2], length = std::sqrt(x * x + y * y + z * z);
-  if (length == 0) return {0, 0, 1, 1};
-  const auto part = [&](double v) { return static_cast<float>(v / length) + 0.0f; };
-  return {part(x), part(y), part(z), s[3] < 0 ? -1.0f : 1.0f};
-}
-
-std::vector<unsigned char> as_floats(const std::vector<unsigned char>& bytes, std::size_t count, std::size_t width) {
-  std::vector<unsigned char> out(count * width * sizeof(float));
-  for (std::size_t i = 0; i < count; ++i) {
-    Short4 shorts{};
-    std::memcpy(shorts.data(), bytes.data() + i * sizeof(Short4), sizeof(Short4));
-    const auto floats = direction(shorts);
-    std::memcpy(out.data() + i * width * sizeof(float), floats.data(), width * sizeof(float));
-  }
-  return out;
-}
-
 }  // namespace
 
 MeshoptMesh encode_meshopt(MeshArrays mesh, std::size_t index_stride) {
   assert(index_stride == 2 || index_stride == 4);
-  reorder(mesh);
+  order_for_meshopt(mesh);
   MeshoptMesh out;
   for (const VertexAttribute& attribute : mesh.attributes)
     out.attributes.push_back(packed_attribute(attribute, mesh.count));
@@ -122,16 +87,16 @@ std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& attribute)
   const auto& [name, component, width, view] = attribute;
   VertexAttribute out{name, component, width, {}};
   const bool is_octahedral = view.filter == "OCTAHEDRAL";
-  const bool fits = is_octahedral ? is_direction(name) && component == Component::kShort && view.stride == 8 &&
+  const bool is_filter = view.filter == "NONE" || (view.filter == "EXPONENTIAL" && component == Component::kFloat);
+  const bool fits = is_octahedral ? is_direction(name) && component == Component::kByte && view.stride == 4 &&
                                         (width == 3 || width == 4)
-                                  : view.stride == stride_of(out);
+                                  : is_filter && view.stride == stride_of(out);
   if (!fits || view.mode != "ATTRIBUTES" || !is_plausible(view)) return std::nullopt;
   out.bytes.resize(view.count * view.stride);
   if (meshopt_decodeVertexBuffer(out.bytes.data(), view.count, view.stride, view.bytes.data(), view.bytes.size()) != 0)
     return std::nullopt;
   unfilter(view.filter, out.bytes, view.count, view.stride);
-  if (!is_octahedral) return out;
-  return VertexAttribute{name, Component::kFloat, width, as_floats(out.bytes, view.count, width)};
+  return out;
 }
 
 std::optional<std::vector<std::uint32_t>> decode_meshopt_indices(const MeshoptView& view) {

@@ -30,12 +30,12 @@ struct MeshoptMesh {
 };
 
 /// Packs a mesh; vertices and triangles are reordered for the caches of graphics cards, which also packs best. Normals
-/// and tangents become octahedral, 16 bits per component, with kPackedNormalBits; all other attributes stay exact.
+/// and tangents become octahedral, with kPackedNormalBits per component; all other attributes stay exact.
 /// @param index_stride  Bytes of an index in the file: 2 or 4.
 MeshoptMesh encode_meshopt(MeshArrays mesh, std::size_t index_stride);
 
-/// Unpacks an attribute, normals and tangents in single precision and of unit length. Returns nothing where the bytes
-/// are invalid, or the count is larger than they can hold.
+/// Unpacks an attribute, normals and tangents in 8 bits per component. Returns nothing where the bytes are invalid, or
+/// the count is larger than they can hold.
 std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& attribute);
 std::optional<std::vector<std::uint32_t>> decode_meshopt_indices(const MeshoptView& view);
 

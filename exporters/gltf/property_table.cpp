@@ -181,8 +181,7 @@ Value extras_of(const bake::BakedTile& tile, std::uint32_t feature) {
   assert(feature < tile.features.size());
   const OsmId id = tile.features[feature];
   Object extras = {{"feature", whole(feature)}};
-  if (id.type != OsmType::kNone)
-    extras["osm_id"] = number_of(id.id), extras["osm_type"] = text(type_name(id.type));
+  if (id.type != OsmType::kNone) extras["osm_id"] = number_of(id.id), extras["osm_type"] = text(type_name(id.type));
   if (feature < tile.attributes.size()) add_attributes(tile.attributes[feature], extras);
   return Value(std::move(extras));
 }

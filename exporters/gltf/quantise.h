@@ -11,11 +11,17 @@ namespace citykiln::exporters {
 /// ground is; elsewhere, as on walls, half of the last bit in each direction.
 double rounding_m(std::span<const bake::Primitive> primitives);
 
-/// Returns the tile with positions on the grid of kPackedPosition_m and uvs on that of kPackedUv_m. error_m grows by
-/// the longest move of a position, at most half a step times √3 (times the scale for instances), and by rounding_m().
+/// Returns the tile on the grids of packed meshes (compression.h). error_m grows by the longest move of a position, at
+/// most half a step times √3, and by rounding_m(); plant_error_m by that of instances, times their scale.
 ///
-/// Guarantees: positions on the grid stay, so that borders, which are on it, meet as before; equal positions stay
-/// equal; every triangle is kept, even where its corners coincide; quantising twice changes nothing more. Total. O(n).
+/// - Positions become multiples of packed_position_step_m(); of prototypes, of kPrototypeStepRatio of it.
+/// - uvs on images become multiples of the largest power of two that is at most a texel / kUvStepsPerTexel.
+/// - uvs on textures are moved by whole periods, object by object, so that they begin in the first one,
+///   and become multiples of packed_texture_step_m().
+/// - Vertices that have become equal are shared (share_vertices.h); triangles without an area go.
+///
+/// Guarantees: equal positions stay equal, those of two tiles or levels with one step too, so that borders meet;
+/// quantising twice changes nothing more. Total. O(n).
 bake::BakedTile quantised(bake::BakedTile tile);
 
 }  // namespace citykiln::exporters

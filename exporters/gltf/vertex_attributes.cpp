@@ -1,39 +1,47 @@
 #include "exporters/gltf/vertex_attributes.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
-
-#include "exporters/gltf/compression.h"
 
 namespace citykiln::exporters {
 namespace {
 
-struct Grid {
-  const char* name;
-  int exponent;
-};
-constexpr Grid kGrids[] = {{"POSITION", -10}, {"TEXCOORD_0", -9}, {"_FEATURE_ID_0", 0}};
-static_assert(kPackedPosition_m == 0x1p-10 && kPackedUv_m == 0x1p-9);
+constexpr int kFinestExponent = -10;
+constexpr std::int64_t kMostSteps = (1 << 23) - 1;
 
-constexpr double kMostSteps = 0x1p23 - 1;
+bool has_steps(const std::string& name) {
+  return name == "POSITION" || name == "TEXCOORD_0" || name == "_FEATURE_ID_0";
+}
+
+// A value as multiples of the finest step.
+std::optional<std::int64_t> fine_steps(const unsigned char* at) {
+  float v = 0;
+  std::memcpy(&v, at, sizeof(float));
+  const double count = std::ldexp(double{v}, -kFinestExponent);
+  if (!(std::abs(count) <= 0x1p34) || count != std::floor(count)) return std::nullopt;
+  return static_cast<std::int64_t>(count);
+}
 
 }  // namespace
 
 std::optional<Steps> steps_of(const VertexAttribute& attribute) {
-  if (attribute.component != Component::kFloat) return std::nullopt;
-  for (const Grid& grid : kGrids) {
-    if (attribute.name != grid.name) continue;
-    Steps steps{grid.exponent, std::vector<std::int32_t>(attribute.bytes.size() / sizeof(float))};
-    for (std::size_t i = 0; i < steps.counts.size(); ++i) {
-      float v = 0;
-      std::memcpy(&v, attribute.bytes.data() + i * sizeof(float), sizeof(float));
-      const double count = std::ldexp(double{v}, -grid.exponent);
-      if (!(std::abs(count) <= kMostSteps) || count != std::floor(count)) return std::nullopt;
-      steps.counts[i] = static_cast<std::int32_t>(count);
-    }
-    return steps;
+  if (attribute.component != Component::kFloat || !has_steps(attribute.name)) return std::nullopt;
+  std::vector<std::int64_t> fine;
+  std::uint64_t bits = std::uint64_t{1} << -kFinestExponent;
+  for (std::size_t at = 0; at < attribute.bytes.size(); at += sizeof(float)) {
+    const auto count = fine_steps(attribute.bytes.data() + at);
+    if (!count) return std::nullopt;
+    fine.push_back(*count), bits |= static_cast<std::uint64_t>(*count);
   }
-  return std::nullopt;
+  const int coarser = std::countr_zero(bits);
+  Steps steps{kFinestExponent + coarser, {}};
+  for (const std::int64_t count : fine) {
+    if (std::abs(count >> coarser) > kMostSteps) return std::nullopt;
+    steps.counts.push_back(static_cast<std::int32_t>(count >> coarser));
+  }
+  return steps;
 }
 
 }  // namespace citykiln::exporters

@@ -11,6 +11,7 @@ namespace citykiln::exporters {
 
 /// glTF's component types, by its numbers.
 enum class Component : int {
+  kByte = 5120,
   kUnsignedByte = 5121,
   kShort = 5122,
   kUnsignedShort = 5123,
@@ -19,7 +20,7 @@ enum class Component : int {
 };
 
 inline std::size_t bytes_of(Component component) {
-  if (component == Component::kUnsignedByte) return 1;
+  if (component == Component::kByte || component == Component::kUnsignedByte) return 1;
   return component == Component::kShort || component == Component::kUnsignedShort ? 2 : 4;
 }
 
@@ -27,13 +28,13 @@ inline std::size_t bytes_of(Component component) {
 struct VertexAttribute {
   std::string name;  ///< "POSITION"
   Component component = Component::kFloat;
-  std::size_t width = 3;  ///< Components per element. An element has a whole multiple of four bytes.
+  std::size_t width = 3;  ///< Components per element, which is padded to a multiple of four bytes.
   std::vector<unsigned char> bytes;
   bool operator==(const VertexAttribute&) const = default;
 };
 
 inline std::size_t stride_of(const VertexAttribute& attribute) {
-  return attribute.width * bytes_of(attribute.component);
+  return (attribute.width * bytes_of(attribute.component) + 3) / 4 * 4;
 }
 
 struct MeshArrays {
@@ -48,8 +49,8 @@ struct Steps {
   std::vector<std::int32_t> counts;  ///< Signed, of 24 bits.
 };
 
-/// Returns the steps of positions, uvs and feature ids in single precision that all lie on the grids of packed meshes
-/// (compression.h); nothing for other attributes.
+/// Returns the steps of positions, uvs and feature ids in single precision that are multiples of 2^-10, with the
+/// largest exponent up to 0; nothing for others.
 std::optional<Steps> steps_of(const VertexAttribute& attribute);
 
 }  // namespace citykiln::exporters

@@ -42,19 +42,25 @@ std::vector<std::byte> encoded(const TextureImage& image, const std::vector<Pixe
   return bytes;
 }
 
+// A few bytes can hold an image of one colour of any size, which must not take memory without limit.
+std::uint64_t most_texels_in(std::size_t bytes) {
+  constexpr std::uint64_t kAnyFile = std::uint64_t{1} << 20, kPerByte = 4096;
+  return std::clamp<std::uint64_t>(kPerByte * bytes, kAnyFile, materials::kMaxImageTexels);
+}
+
 }  // namespace
 
 std::vector<std::byte> encode_webp(const TextureImage& image, int quality) {
   WebPConfig config;
   WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, static_cast<float>(quality));
-  config.thread_level = 0, config.use_sharp_yuv = 0;
+  config.method = 2, config.thread_level = 0;
   return encoded(image, pixels_of(image, {}), config);
 }
 
 std::vector<std::byte> encode_lossless_webp(const TextureImage& image, std::span<const std::uint8_t> opacity) {
   WebPConfig config;
   WebPConfigInit(&config);
-  constexpr int kEffort = 4;
+  constexpr int kEffort = 3;
   WebPConfigLosslessPreset(&config, kEffort);
   config.exact = 1, config.thread_level = 0;
   return encoded(image, pixels_of(image, opacity), config);
@@ -67,7 +73,7 @@ Result<CutoutImage> decode_webp(std::span<const std::byte> bytes, const std::str
     return Error{name, "expected a WebP picture"};
   const auto columns = static_cast<std::uint32_t>(features.width), rows = static_cast<std::uint32_t>(features.height);
   const std::uint64_t texels = std::uint64_t{columns} * rows;
-  if (std::max(columns, rows) > materials::kMaxImageSide_px || texels > materials::kMaxImageTexels)
+  if (std::max(columns, rows) > materials::kMaxImageSide_px || texels > most_texels_in(bytes.size()))
     return Error{name, "expected a picture of no more texels than an image may have"};
   std::vector<Pixel> pixels(texels);
   const std::size_t size = pixels.size() * sizeof(Pixel);

@@ -36,7 +36,7 @@ class SpecFile {
 
 TEST(Spec, HasTheDefaultTolerances) {
   const CompileSpec spec;
-  EXPECT_EQ(spec.outputs.ladder_m, std::vector(kDefaultLadder_m.begin(), kDefaultLadder_m.end()));
+  EXPECT_EQ(spec.outputs.ladder_m, std::vector(kDefaultLevels_m.begin(), kDefaultLevels_m.end()));
   EXPECT_EQ(spec.tile_m, 1024);
 }
 
@@ -67,10 +67,10 @@ TEST(Spec, ParsesEverySetting) {
 
 TEST(Spec, ErrorsSayTheExpectedValue) {
   const std::pair<const char*, const char*> rows[] = {
-      {"bbox", "1,2,3"},    {"bbox", "3,1,2,2"}, {"bbox", "1,2,x,4"},  {"origin", "1"},    {"tile", "100"},
-      {"tile", "0"},        {"only", "1-2"},     {"emit", "obj"},      {"lods", "1,1"},    {"lods", "0,1"},
-      {"lods", ""},         {"lods", "0.1,500"}, {"lods", "1e9"},      {"target", "maya"}, {"split", "road"},
-      {"drive-on", "top"},  {"seed", "-1"},      {"threads", "-1"},    {"threads", "1.5"}, {"strict", "yes"},
+      {"bbox", "1,2,3"},    {"bbox", "3,1,2,2"}, {"bbox", "1,2,x,4"},   {"origin", "1"},    {"tile", "100"},
+      {"tile", "0"},        {"only", "1-2"},     {"emit", "obj"},       {"lods", "1,1"},    {"lods", "0,1"},
+      {"lods", ""},         {"lods", "0.1,500"}, {"lods", "1e9"},       {"target", "maya"}, {"split", "road"},
+      {"drive-on", "top"},  {"seed", "-1"},      {"threads", "-1"},     {"threads", "1.5"}, {"strict", "yes"},
       {"dem", "a,bound=1"}, {"time", "noon"},    {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"}};
   for (const auto& [name, text] : rows) {
     EXPECT_NE(objection(name, text).find("expected "), std::string::npos)
@@ -90,6 +90,18 @@ TEST(Spec, SaysWhatIsNotSupportedYet) {
   EXPECT_NE(objection("emit", "3dtiles").find("yet"), std::string::npos);
   EXPECT_NE(objection("world", "ellipsoid").find("yet"), std::string::npos);
   EXPECT_NE(objection("world", "cylinder:8000").find("yet"), std::string::npos);
+}
+
+TEST(Spec, RefusesACompressionThatTheTargetCannotRead) {
+  Outputs outputs;
+  EXPECT_TRUE(fits_target(outputs));
+  outputs.compress = Compress::kMeshopt;
+  const Result<Done> refused = fits_target(outputs);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(to_string(refused.error()),
+            "--compress: meshopt cannot be read by the target generic; add --target three, cesium or unity");
+  outputs.target = Target::kThree;
+  EXPECT_TRUE(fits_target(outputs));
 }
 
 TEST(Spec, IsUnchangedByInvalidValues) {

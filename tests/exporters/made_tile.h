@@ -71,7 +71,7 @@ inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   const auto laid_out = [&](materials::Material material, materials::ColourSource colour_source, std::uint32_t features,
                             bake::Layer layer) {
     bake::Primitive p = made_primitive(dice, material, 12, features, layer);
-    for (const bake::Float3& at : p.positions) p.uvs.push_back({at[0], 16000 + at[1]});
+    for (const bake::Float3& at : p.positions) p.uvs.push_back({at[0], 8000 + at[1]});
     p.colour_source = colour_source;
     return p;
   };
@@ -93,10 +93,11 @@ inline void make_leafy(std::mt19937& dice, bake::InstancedMesh& tree, bool has_n
   for (const bake::Float3& at : leaves.positions) leaves.uvs.push_back({at[0], at[2]});
   leaves.colour_source = materials::ColourSource::kByCutout;
   tree.primitives.push_back(leaves);
-  tree.cutout.colour = made_sheet(dice);
-  for (std::size_t i = 0; i < tree.cutout.colour.texels.size(); ++i)
-    tree.cutout.opacity.push_back(static_cast<std::uint8_t>(dice()));
-  if (has_normals) tree.cutout.normal = made_sheet(dice);
+  impostor::Cutout cutout{made_sheet(dice), {}, {}};
+  for (std::size_t i = 0; i < cutout.colour.texels.size(); ++i)
+    cutout.opacity.push_back(static_cast<std::uint8_t>(dice()));
+  if (has_normals) cutout.normal = made_sheet(dice);
+  tree.cutout = std::move(cutout);
 }
 
 /// A primitive of buildings, whose features ascend.
@@ -125,6 +126,16 @@ inline bake::BakedTile made_facade_tile(std::uint32_t seed) {
   for (bake::InstancedMesh& tree : tile.instanced) make_leafy(dice, tree, tree.name == "NeedleLeaved");
   tile.instanced.back().cutout = tile.instanced.front().cutout;
   bake::snap_image_uvs(tile);
+  return tile;
+}
+
+/// The tile without uvs: those of a damaged file need not lie on the grid of their image, and move onto it.
+inline bake::BakedTile without_uvs(bake::BakedTile tile) {
+  const auto clear = [](std::vector<bake::Primitive>& primitives) {
+    for (bake::Primitive& p : primitives) p.uvs.clear();
+  };
+  clear(tile.primitives);
+  for (bake::InstancedMesh& instanced : tile.instanced) clear(instanced.primitives);
   return tile;
 }
 

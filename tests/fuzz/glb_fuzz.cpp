@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "exporters/gltf/glb.h"
+#include "tests/exporters/made_tile.h"
 #include "tests/fuzz/unpacked.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -16,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const auto& triangle : primitive.triangles)
       for (const auto corner : triangle)
         if (corner >= primitive.positions.size()) std::abort();
-  const auto again = decode_glb(encode_glb(*tile, {}, {}), "again");
-  if (!again || *again != *tile) std::abort();
+  const auto again = decode_glb(encode_glb(*tile, {}, {.has_exact_pictures = true}), "again");
+  if (!again || exporters::without_uvs(*again) != exporters::without_uvs(*tile)) std::abort();
   return 0;
 }

@@ -27,11 +27,13 @@ fuzz::ByteSpan span_of(const std::vector<std::byte>& bytes) {
 
 // Writes the seeds of a tile, plain and compressed.
 void write_made_glbs(const std::filesystem::path& folder, const citykiln::bake::BakedTile& tile, std::uint32_t seed) {
-  constexpr std::pair<Compression, const char*> kPacked[] = {
-      {Compression::kNone, "made_"}, {Compression::kDraco, "draco_"}, {Compression::kMeshopt, "meshopt_"}};
+  constexpr std::pair<Compression, const char*> kPacked[] = {{Compression::kNone, "made_"},
+                                                             {Compression::kQuantize, "quantize_"},
+                                                             {Compression::kDraco, "draco_"},
+                                                             {Compression::kMeshopt, "meshopt_"}};
   for (const auto& [compression, name] : kPacked) {
     const auto target = seed % 2 == 0 ? Target::kThree : Target::kGeneric;
-    const auto glb = encode_glb(tile, {}, {.target = target, .compression = compression});
+    const auto glb = encode_glb(tile, {}, {.target = target, .compression = compression, .has_exact_pictures = true});
     write_seed(folder, name + std::to_string(seed), fuzz::unpacked_glb(span_of(glb)));
   }
 }

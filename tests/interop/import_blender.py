@@ -46,16 +46,16 @@ def facts_of_faces(thing):
     mesh = thing.data
     normals, areas = column(mesh.polygons, "normal", 3), column(mesh.polygons, "area", 1)
     return {"name": thing.name, "area_seen_from_above_m2": float((areas * normals[:, 2]).sum()),
-            "normals_agree": normals_agree(mesh, normals)}
+            "normals_not_opposite": normals_not_opposite(mesh, normals)}
 
 
-def normals_agree(mesh, face_normals):
-    """The share of corners whose normal is on the side that their face shows."""
+def normals_not_opposite(mesh, face_normals):
+    """The share of corners whose normal is less than 120 degrees from that of their face."""
     mesh.calc_normals_split()
     corner_normals = column(mesh.loops, "normal", 3)
     starts = column(mesh.polygons, "loop_start", 1, numpy.int32)
     dots = [(corner_normals[starts + i] * face_normals).sum(axis=1) for i in range(3)]
-    return float((numpy.array(dots) > -0.01).mean())
+    return float((numpy.array(dots) > -0.5).mean())
 
 
 def nodes_behind(socket):

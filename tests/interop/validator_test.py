@@ -8,6 +8,7 @@ import unittest
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+TARGETS = ["generic", "blender", "godot", "three", "cesium", "unreal", "unity"]
 # the tool that writes tiles with a marking atlas
 MADE_GLB = os.environ.get("MADE_GLB")
 sys.path.insert(0, str(HERE.parent / "properties"))
@@ -31,10 +32,17 @@ class Validator(ProgramTest):
         self.assertIn(f"{len(tiles)} files: 0 errors, 0 warnings", done.stdout)
 
     def test_every_level_is_valid(self):
-        self.assert_valid(self.tiles("--lods", "0.02,0.1,0.5,2.5,12.5"))
+        self.assert_valid(self.tiles("--lods", "0.02,0.1,0.5,1.2,2.5,12.5"))
 
-    def test_instances_by_extension_are_valid(self):
-        self.assert_valid(self.tiles("--lods", "0.1,12.5", "--target", "three"))
+    def test_every_target_is_valid(self):
+        for target in TARGETS:
+            with self.subTest(target=target):
+                self.assert_valid(self.tiles("--lods", "0.5,2.5", "--target", target))
+
+    def test_every_split_is_valid(self):
+        for split in ("tile", "building"):
+            with self.subTest(split=split):
+                self.assert_valid(self.tiles("--lods", "0.5,12.5", "--split", split))
 
     @unittest.skipUnless(MADE_GLB, "MADE_GLB is not set")
     def test_a_tile_with_a_marking_atlas_is_valid(self):

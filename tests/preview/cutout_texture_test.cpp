@@ -20,15 +20,14 @@ bake::BakedTile half_leaf() {
   bake::BakedTile tile;
   tile.features = {OsmId{}};
   tile.instanced = {{"leaf", {leaf}, {{0, 0, 0}}, {{0, 0, 0, 1}}, {1}, {0}}};
-  impostor::Cutout& cutout = tile.instanced[0].cutout;
-  cutout.colour = {1, 2, 2, std::vector<materials::TextureImage::Texel>(4, {255, 0, 0})};
-  cutout.opacity = {255, 0, 255, 0};
+  tile.instanced[0].cutout =
+      impostor::Cutout{{1, 2, 2, std::vector<materials::TextureImage::Texel>(4, {255, 0, 0})}, {255, 0, 255, 0}, {}};
   return tile;
 }
 
 TEST(CutoutTexture, IsThereOnOneSideOfTheMiddle) {
   const bake::BakedTile tile = half_leaf();
-  const CutoutTexture texture(tile.instanced[0].cutout);
+  const CutoutTexture texture(*tile.instanced[0].cutout);
   EXPECT_TRUE(texture.is_there({0.6, 1}));
   EXPECT_FALSE(texture.is_there({1.2, 1}));
   EXPECT_FALSE(texture.is_there({-40, 1}));
@@ -50,7 +49,9 @@ TEST(CutoutTexture, LetsRaysAndShadowsThrough) {
 // The map's normal leans along u, east; from either side it is east.
 TEST(CutoutTexture, KeepsItsNormalsSeenFromBehind) {
   bake::BakedTile tile = half_leaf();
-  tile.instanced[0].cutout.normal = {2, 1, 1, {{218, 128, 218}}};
+  impostor::Cutout cutout = *tile.instanced[0].cutout;
+  cutout.normal = {2, 1, 1, {{218, 128, 218}}};
+  tile.instanced[0].cutout = std::move(cutout);
   const World world(std::span(&tile, 1), {});
   const auto before = world.first_hit({-0.5, -5, 1}, {0, 1, 0}), behind = world.first_hit({-0.5, 5, 1}, {0, -1, 0});
   ASSERT_TRUE(before && behind);

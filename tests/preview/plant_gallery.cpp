@@ -49,7 +49,7 @@ bake::BakedTile planted(const bake::BakedPrototype& shape, const std::string& na
                        shape.primitives,
                        {{0, 0, 0}},
                        {{0, 0, 0, 1}},
-                       {static_cast<float>(height_m / bake::kPrototypeHeight_m)},
+                       {static_cast<float>(height_m / bake::prototype_height_m(height_m))},
                        {0},
                        shape.cutout}};
   tile.textures = bake::textures_shown(tile, tolerance_m, materials::TextureCache(1));
@@ -85,14 +85,14 @@ int run(char** argv, double away, const std::string& time) {
       const double height_m = plants::values_of(species).height_m, tolerance_m = std::atof(tolerances[column].c_str());
       const auto start = std::chrono::steady_clock::now();
       const bake::BakedPrototype& shape =
-          prototypes.prototype({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
+          prototypes.prototype({species, 0}, bake::prototype_height_m(height_m), tolerance_m);
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
       const bake::BakedTile tile = planted(shape, names[row], height_m, tolerance_m);
       std::size_t triangles = 0;
       for (const bake::Primitive& p : shape.primitives) triangles += p.triangles.size();
       std::printf("%-8s %6s m: %7zu triangles %8zu bytes %6.3f s error %.3f m\n", names[row].c_str(),
-                  tolerances[column].c_str(), triangles, encode_glb(tile, header, {}).size(), took.count(),
-                  shape.error_per_m * plants::values_of(species).tallest_m);
+                  tolerances[column].c_str(), triangles, exporters::encode_glb(tile, header, {}).size(), took.count(),
+                  shape.error_per_m * height_m);
       preview::Options options;
       options.width = options.height = pixels, options.samples = 24;
       const preview::Camera camera = away > 0 ? before(height_m, away) : before_trunk();

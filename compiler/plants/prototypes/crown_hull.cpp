@@ -9,9 +9,12 @@
 namespace citykiln::plants {
 namespace {
 
-constexpr int kSides = 6, kBands = 3, kPieces = 8;
+constexpr int kSides = 3, kBands = 2, kPieces = 8;
 // Share of a band's leaves within its ring, so that single twigs do not widen it.
 constexpr double kWithin = 0.7;
+// Circumradius of a triangle whose mean width is that of a circle of radius 1 (Cauchy: the mean width is girth / π).
+constexpr double kCircumradius = 1.2092;
+
 struct Ring {
   double height = 0, radius = 0;
 };
@@ -44,8 +47,9 @@ Mesh body_of(const std::vector<Ring>& rings, double foot, double top) {
   const auto n = static_cast<std::uint32_t>(kSides);
   const auto push = [&](Vec3 at) { mesh.positions.push_back(at); };
   push({0, 0, foot});
-  for (const Ring& ring : rings)
-    for (int i = 0; i < kSides; ++i) push(at_height(direction_of(i / double{kSides}) * ring.radius, ring.height));
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    for (int i = 0; i < kSides; ++i)
+      push(at_height(direction_of((i + 0.5 * r) / kSides) * (rings[r].radius * kCircumradius), rings[r].height));
   push({0, 0, top});
   const auto last = static_cast<std::uint32_t>(mesh.positions.size() - 1);
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -53,8 +57,8 @@ Mesh body_of(const std::vector<Ring>& rings, double foot, double top) {
     mesh.triangles.push_back({0, 1 + j, 1 + i});
     for (std::uint32_t r = 0; r + 1 < rings.size(); ++r) {
       const std::uint32_t a = 1 + r * n + i, b = 1 + r * n + j;
-      mesh.triangles.push_back({a, b, b + n});
-      mesh.triangles.push_back({a, b + n, a + n});
+      mesh.triangles.push_back({a, b, a + n});
+      mesh.triangles.push_back({b, b + n, a + n});
     }
     mesh.triangles.push_back({last, last - n + i, last - n + j});
   }

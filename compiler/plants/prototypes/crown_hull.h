@@ -13,7 +13,8 @@ struct CrownHull {
   double error_m = 0;  ///< Bound of the Hausdorff distance to the cards and the trunk's foot.
 };
 
-/// Hexagonal rings at three heights, each as wide as 70 % of the leaves there. Without cards the mesh is empty.
+/// Triangular rings at two heights, turned against each other, each as wide as 70 % of the leaves there: 12 triangles.
+/// Without cards the mesh is empty.
 CrownHull crown_hull(const Foliage& foliage);
 
 /// For hedges: the box around most leaves, 12 triangles. Without cards the mesh is empty.

@@ -26,6 +26,7 @@ struct Card {
   Vec3 normal;             ///< Unit, for shading: between the card's normal and the direction out of the crown.
   materials::Tint tint{};  ///< Multiplies the picture's colour.
   std::uint8_t spray = 0;  ///< Into Foliage::sprays.
+  bool is_clump = false;   ///< Shows several sprays, in place of cards of a larger area.
 
   Vec3 centre() const { return corner + (across + along) * 0.5; }
 };

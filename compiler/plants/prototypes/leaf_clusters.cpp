@@ -4,33 +4,48 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <optional>
 #include <span>
+
+#include "compiler/plants/prototypes/card_index.h"
+#include "compiler/plants/prototypes/sprays.h"
 
 namespace citykiln::plants {
 namespace {
 
-// Cells of more cards are split without a try: a replacement would exceed the tolerance.
-constexpr std::size_t kMostTried = 256;
+// Width of a cell's card, in widths of the cell.
+constexpr double kCardWidth = 1;
 // Pieces of a card each way that bound its distance to others.
 constexpr int kPieces = 4;
-constexpr int kDeepest = 24;
+
+// A range of the sorted cards, and the card that replaces it.
+struct Cell {
+  std::size_t first, count;
+  Card card{};
+};
+
+std::span<const Card> cards_of(const Cell& cell, const std::vector<Card>& cards) {
+  return std::span(cards).subspan(cell.first, cell.count);
+}
+
+double summed_area(std::span<const Card> cards) {
+  return std::accumulate(cards.begin(), cards.end(), 0.0, [](double sum, const Card& c) { return sum + area_of(c); });
+}
 
 Vec3 weighted_centre(std::span<const Card> cards) {
   Vec3 sum;
-  double area = 0;
-  for (const Card& card : cards) sum = sum + card.centre() * area_of(card), area += area_of(card);
-  return sum * (1 / area);
+  for (const Card& card : cards) sum = sum + card.centre() * area_of(card);
+  return sum * (1 / summed_area(cards));
 }
 
 materials::Tint mean_tint(std::span<const Card> cards) {
   std::array<double, 3> sum{};
-  double area = 0;
-  for (const Card& card : cards) {
+  for (const Card& card : cards)
     for (std::size_t c = 0; c < 3; ++c) sum[c] += card.tint[c] * area_of(card);
-    area += area_of(card);
-  }
   materials::Tint tint = materials::kNoTint;
+  const double area = summed_area(cards);
   for (std::size_t c = 0; c < 3; ++c) tint[c] = static_cast<std::uint8_t>(sum[c] / area + 0.5);
   return tint;
 }
@@ -41,14 +56,13 @@ Vec3 mean_normal(std::span<const Card> cards) {
   return unit(sum);
 }
 
-// @param share  Of the cards' summed area.
-Card replacement_for(std::span<const Card> cards, double share) {
+// @param cards  At least two.
+Card replacement_for(std::span<const Card> cards, double widest_m) {
   const Vec3 centre = weighted_centre(cards);
-  const auto off = [&](const Card& card) { return length(card.centre() - centre); };
-  Card card = *std::ranges::min_element(cards, {}, off);
-  double area = 0;
-  for (const Card& each : cards) area += area_of(each);
-  const double larger = std::sqrt(share * area / area_of(card));
+  Card card = *std::ranges::min_element(cards, {}, [&](const Card& c) { return length(c.centre() - centre); });
+  const double area = summed_area(cards), most = std::max(widest_m * widest_m, area_of(card));
+  card.is_clump = area > most;
+  const double larger = std::sqrt((card.is_clump ? std::min(area / kClumpLeaves, most) : area) / area_of(card));
   card.across = card.across * larger, card.along = card.along * larger;
   card.corner = centre - (card.across + card.along) * 0.5;
   card.tint = mean_tint(cards);
@@ -57,123 +71,135 @@ Card replacement_for(std::span<const Card> cards, double share) {
   return card;
 }
 
-// The largest distance from a rectangle to a card, at one of its corners since the distance is convex.
-double farthest_m(std::span<const Vec3, 4> corners, const Card& from) {
+struct Clustering {
+  double width_m;             // of a cell; leaves move by at most as much
+  std::vector<Card> cards;    // sorted so that each cell is a range
+  std::vector<Cell> cells{};  // all of the foliage
+
+  Cell cell_of(std::size_t first, std::size_t count) const {
+    Cell cell{first, count};
+    const std::span<const Card> own = cards_of(cell, cards);
+    cell.card = count == 1 ? own.front() : replacement_for(own, kCardWidth * width_m);
+    return cell;
+  }
+
+  // Sorts a range into two halves of its bounds along their longest side. Returns the size of the first half, 0 if all
+  // centres are equal.
+  std::size_t halve(std::size_t first, std::size_t count) {
+    const auto [low, high] = bounds_of(std::span(cards).subspan(first, count));
+    const Vec3 wide = high - low;
+    const auto axis = wide.x >= std::max(wide.y, wide.z) ? &Vec3::x : wide.y >= wide.z ? &Vec3::y : &Vec3::z;
+    const double middle = (low.*axis + high.*axis) / 2;
+    const auto begin = cards.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(count);
+    const auto second = std::stable_partition(begin, end, [&](const Card& c) { return c.centre().*axis < middle; });
+    return static_cast<std::size_t>(second - begin);
+  }
+
+  bool is_small(std::size_t first, std::size_t count) const {
+    const auto [low, high] = bounds_of(std::span(cards).subspan(first, count));
+    return std::max({high.x - low.x, high.y - low.y, high.z - low.z}) <= width_m;
+  }
+
+  void divide(std::size_t first, std::size_t count) {
+    const std::size_t half = count == 1 || is_small(first, count) ? 0 : halve(first, count);
+    if (half == 0) return cells.push_back(cell_of(first, count));
+    divide(first, half);
+    divide(first + half, count - half);
+  }
+};
+
+// The distance of the farthest point of the ellipse in a card, where its picture shows leaves, from another card; a
+// bound from the octagon about it, since the distance is convex.
+double distance_m(const Card& card, const Card& other) {
+  constexpr double kCorner = 0.41421356237309503;
+  const Vec3 centre = card.centre(), a = card.across * 0.5, b = card.along * 0.5;
   double farthest = 0;
-  for (const Vec3 corner : corners) farthest = std::max(farthest, distance(from, corner));
+  for (const double u : {-1.0, 1.0})
+    for (const double v : {-kCorner, kCorner})
+      farthest = std::max({farthest, distance(other, centre + a * u + b * v), distance(other, centre + a * v + b * u)});
   return farthest;
 }
 
-double to_nearest_m(std::span<const Vec3, 4> piece, std::span<const Card> cards) {
+// The distance of a card from the nearest of its own cell's and of all cards about it; where that is at most `known`,
+// any number that is.
+double nearest_m(const Card& card, std::span<const Card> own, const CardIndex& all, double known) {
   double nearest = 1e300;
-  for (const Card& card : cards) nearest = std::min(nearest, farthest_m(piece, card));
+  const auto is_known = [&](const Card& other) {
+    return (nearest = std::min(nearest, distance_m(card, other))) <= known;
+  };
+  if (!std::ranges::any_of(own, is_known)) any_near(all, card.centre(), is_known);
   return nearest;
 }
 
-double beyond_m(const Card& card, std::span<const Card> cards) {
-  double worst = 0;
-  const Vec3 a = card.across * (1.0 / kPieces), b = card.along * (1.0 / kPieces);
+// The given cards and those that replace them.
+struct Indices {
+  CardIndex given, made;
+};
+
+// The larger of `known` and of the distance between a cell's cards and the new ones, both ways; from pieces of the new
+// card, without those at its corners, which show no leaves.
+double error_m_of(const Cell& cell, const std::vector<Card>& cards, const Indices& indices, double known) {
+  if (cell.count == 1) return known;
+  const std::span<const Card> own = cards_of(cell, cards);
+  for (const Card& card : own) known = std::max(known, nearest_m(card, std::span(&cell.card, 1), indices.made, known));
+  const Vec3 a = cell.card.across * (1.0 / kPieces), b = cell.card.along * (1.0 / kPieces);
+  const auto is_end = [](int i) { return i == 0 || i + 1 == kPieces; };
   for (int i = 0; i < kPieces; ++i)
     for (int j = 0; j < kPieces; ++j) {
-      const Card piece{.corner = card.corner + a * i + b * j, .across = a, .along = b, .normal = {}};
-      worst = std::max(worst, to_nearest_m(corners_of(piece), cards));
+      if (is_end(i) && is_end(j)) continue;
+      const Card piece{.corner = cell.card.corner + a * i + b * j, .across = a, .along = b, .normal = {}};
+      known = std::max(known, nearest_m(piece, own, indices.given, known));
     }
-  return worst;
+  return known;
 }
 
-// The Hausdorff distance, or any larger number than the tolerance.
-double error_m_of(const Card& card, std::span<const Card> cards, double tolerance_m) {
-  double worst = 0;
-  for (const Card& each : cards) {
-    worst = std::max(worst, farthest_m(corners_of(each), card));
-    if (worst > tolerance_m) return worst;
-  }
-  return std::max(worst, beyond_m(card, cards));
+std::vector<Card> replacements(const std::vector<Cell>& cells) {
+  std::vector<Card> cards;
+  for (const Cell& cell : cells) cards.push_back(cell.card);
+  return cards;
 }
 
-// Sorts cards stably by a number below 8. Returns where each number's cards begin, and the end.
-template <typename Number>
-std::array<std::size_t, 9> sort_into_eight(std::span<Card> cards, Number number) {
-  std::array<std::size_t, 9> starts{};
-  for (const Card& card : cards) ++starts[number(card) + 1];
-  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
-  std::array<std::size_t, 9> next = starts;
-  const std::vector<Card> unsorted(cards.begin(), cards.end());
-  for (const Card& card : unsorted) cards[next[number(card)]++] = card;
-  return starts;
+// Halves the cells whose error exceeds the width. Returns the largest error of the others, or nothing if there was one.
+std::optional<double> refine(Clustering& state) {
+  const std::vector<Card> made = replacements(state.cells);
+  const Indices indices{index_cards(state.cards, state.width_m), index_cards(made, state.width_m)};
+  double error_m = 0;
+  std::vector<std::size_t> wrong;
+  for (std::size_t i = 0; i < state.cells.size(); ++i) {
+    const double here_m = error_m_of(state.cells[i], state.cards, indices, error_m);
+    if (here_m > state.width_m)
+      wrong.push_back(i);
+    else
+      error_m = here_m;
+  }
+  for (const std::size_t i : wrong) {
+    const auto [first, count, card] = state.cells[i];
+    std::size_t half = state.halve(first, count);
+    if (half == 0) half = count / 2;
+    state.cells[i] = state.cell_of(first, half);
+    state.cells.push_back(state.cell_of(first + half, count - half));
+  }
+  return wrong.empty() ? std::optional(error_m) : std::nullopt;
 }
-
-// A cube of space and the cards whose centres lie in it.
-struct Cell {
-  Vec3 low;
-  double side_m = 0;
-  std::span<Card> cards;
-};
-
-struct Clustering {
-  double tolerance_m;
-  Clusters out;
-
-  void keep(const Card& card, double error_m) {
-    out.cards.push_back(card);
-    out.error_m = std::max(out.error_m, error_m);
-  }
-
-  bool take_whole(const Cell& cell) {
-    if (cell.cards.size() > kMostTried || cell.side_m > 4 * tolerance_m) return false;
-    if (cell.cards.front().spray != cell.cards.back().spray) return false;
-    for (const double share : {1.0, 0.7}) {
-      const Card card = replacement_for(cell.cards, share);
-      const double error_m = error_m_of(card, cell.cards, tolerance_m);
-      if (error_m > tolerance_m) continue;
-      keep(card, error_m);
-      return true;
-    }
-    return false;
-  }
-
-  void take(const Cell& cell, int depth) {
-    if (cell.cards.empty()) return;
-    if (cell.cards.size() == 1 || depth == kDeepest) {
-      for (const Card& card : cell.cards) keep(card, 0);
-      return;
-    }
-    if (take_whole(cell)) return;
-    halve(cell, depth);
-  }
-
-  void halve(const Cell& cell, int depth) {
-    const double half_m = cell.side_m / 2;
-    const Vec3 middle = cell.low + Vec3{half_m, half_m, half_m};
-    const auto octant = [&](const Card& card) {
-      const Vec3 p = card.centre();
-      return (p.x >= middle.x ? 1u : 0u) + (p.y >= middle.y ? 2u : 0u) + (p.z >= middle.z ? 4u : 0u);
-    };
-    const std::array<std::size_t, 9> starts = sort_into_eight(cell.cards, octant);
-    for (std::size_t o = 0; o < 8; ++o) {
-      const Vec3 low = cell.low + Vec3{o & 1 ? half_m : 0, o & 2 ? half_m : 0, o & 4 ? half_m : 0};
-      take({low, half_m, cell.cards.subspan(starts[o], starts[o + 1] - starts[o])}, depth + 1);
-    }
-  }
-};
 
 }  // namespace
 
-Clusters cluster(const Foliage& foliage, double tolerance_m) {
-  assert(tolerance_m > 0);
-  std::vector<Card> cards = foliage.cards;
+Clusters cluster(const Foliage& foliage, double width_m) {
+  assert(width_m > 0);
+  Clustering state{width_m, foliage.cards};
   // sprays are clustered apart: no card replaces both leaves and fruit
-  std::ranges::stable_sort(cards, {}, &Card::spray);
-  const auto [low, high] = bounds_of(cards);
-  const double side_m = std::max({high.x - low.x, high.y - low.y, high.z - low.z}) * (1 + 0x1p-20);
-  Clustering clustering{tolerance_m, {}};
-  for (auto rest = std::span(cards); !rest.empty();) {
-    const auto other = std::ranges::find_if(rest, [&](const Card& c) { return c.spray != rest.front().spray; });
-    const auto count = static_cast<std::size_t>(other - rest.begin());
-    clustering.take({low, side_m, rest.first(count)}, 0);
-    rest = rest.subspan(count);
+  std::ranges::stable_sort(state.cards, {}, &Card::spray);
+  for (std::size_t first = 0; first < state.cards.size();) {
+    const auto begin = state.cards.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = std::find_if(begin, state.cards.end(), [&](const Card& c) { return c.spray != begin->spray; });
+    const auto count = static_cast<std::size_t>(end - begin);
+    state.divide(first, count);
+    first += count;
   }
-  return std::move(clustering.out);
+  std::optional<double> error_m;
+  while (!error_m) error_m = refine(state);
+  return {replacements(state.cells), *error_m};
 }
 
 }  // namespace citykiln::plants

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <vector>
 
 #include "compiler/contract/draw.h"
@@ -59,8 +60,14 @@ struct Shaded {
   std::array<Mesh, kShades.size()> by_shade;
 };
 
-void add_leaves(Shaded& shaded, const Spray& spray, double leaf_share) {
-  const Draw draw(1, StableId{}, "spray");
+// Where a spray of length 1 stands in the picture: its stalk, and its direction and length.
+struct SprayPlace {
+  Vec2 stalk{0, 0}, along{0, 1};
+  Vec2 at(Vec2 p) const { return stalk + turned(p); }
+  Vec2 turned(Vec2 p) const { return along * p.y - left_of(along) * p.x; }
+};
+
+void add_leaves(Shaded& shaded, const Spray& spray, double leaf_share, const SprayPlace& on, const Draw& draw) {
   for (int i = 0; i < spray.leaves; ++i) {
     const auto dice = static_cast<std::uint32_t>(8 * i);
     const bool is_tip = i + 1 == spray.leaves;
@@ -71,9 +78,21 @@ void add_leaves(Shaded& shaded, const Spray& spray, double leaf_share) {
     const Vec2 stalk{0, is_tip ? 1 - size : place * (1 - 0.5 * spray.length)};
     const auto shade = draw.below(kShades.size(), dice + 2);
     const double width = draw.unit(dice + 4) < leaf_share ? spray.width : kTwig;
-    add_leaf(shaded.by_shade[shade], stalk, direction_of(turn) * size, width, 0.01 * draw.unit(dice + 3));
+    add_leaf(shaded.by_shade[shade], on.at(stalk), on.turned(direction_of(turn) * size), width * length(on.along),
+             0.01 * draw.unit(dice + 3));
   }
-  add_leaf(shaded.by_shade[0], {0, 0}, {0, 1 - 0.6 * spray.length}, kTwig, 0);
+  add_leaf(shaded.by_shade[0], on.stalk, on.turned({0, 1 - 0.6 * spray.length}), kTwig * length(on.along), 0);
+}
+
+// Sprays that point away from the middle, evenly over the ellipse in the picture (a sunflower's seeds).
+void add_clump(Shaded& shaded, const Spray& spray, double leaf_share) {
+  constexpr double kLong = 0.34, kGoldenTurn = 0.381966;
+  for (int i = 0; i < kClumpSprays; ++i) {
+    const Draw draw(1, stable_id(StableId{}, "clump", static_cast<std::uint64_t>(i)), "spray");
+    const Vec2 round = direction_of(kGoldenTurn * i), out{round.x * spray.spread, round.y};
+    const double from = 0.5 * std::sqrt((i + 0.5) / kClumpSprays) - 0.75 * kLong;
+    add_leaves(shaded, spray, leaf_share, {Vec2{0, 0.5} + out * from, round * kLong}, draw);
+  }
 }
 
 void add_disc(Shaded& shaded) {
@@ -97,11 +116,13 @@ double width_of_spray(std::string_view name) {
 
 bool is_fruit(std::string_view name) { return !name.empty() && spray_called(name) == nullptr; }
 
-impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share) {
+impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share,
+                                   bool is_clump) {
   assert(0 <= leaf_share && leaf_share <= 1);
   Shaded shaded;
   const Spray* spray = spray_called(name);
-  if (spray != nullptr) add_leaves(shaded, *spray, leaf_share);
+  if (spray != nullptr && is_clump) add_clump(shaded, *spray, leaf_share);
+  if (spray != nullptr && !is_clump) add_leaves(shaded, *spray, leaf_share, {}, Draw(1, StableId{}, "spray"));
   if (spray == nullptr) name.empty() ? add_card(shaded) : add_disc(shaded);
   std::vector<MaterialMesh> meshes;
   for (std::size_t s = 0; s < kShades.size(); ++s)

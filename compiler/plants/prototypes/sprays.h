@@ -23,6 +23,12 @@ bool is_fruit(std::string_view name);
 /// tint colours; a disc for fruit; opaque without a name. A function of its arguments alone.
 ///
 /// @param leaf_share  Share of the leaves that are present; a twig shows in place of each missing one.
-impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share = 1);
+/// @param is_clump    Shows kClumpSprays smaller sprays about the middle instead of one; blades and fruit are the same.
+impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share = 1,
+                                   bool is_clump = false);
+
+/// The number of a clump's sprays, and the part of a card that it covers, in that of a single spray (mean of species).
+inline constexpr int kClumpSprays = 24;
+inline constexpr double kClumpLeaves = 1.75;
 
 }  // namespace citykiln::plants

@@ -69,6 +69,61 @@ void add_prism(Mesh& mesh, const Segment& segment, const Turns& turns) {
   }
 }
 
+// A straight stem between two ends of an axis.
+Segment straight(const Segment& first, const Segment& last) {
+  Segment stem = first;
+  const Vec3 from_to = last.end().at - first.start.at;
+  stem.length = length(from_to), stem.end_radius = last.end_radius;
+  if (!(stem.length > 0)) return first;
+  stem.start.heading = from_to * (1 / stem.length);
+  const Vec3 left = first.start.left - stem.start.heading * dot(first.start.left, stem.start.heading);
+  if (!(length(left) > 0)) return first;
+  stem.start.left = unit(left), stem.start.up = cross(stem.start.heading, stem.start.left);
+  return stem;
+}
+
+// The distance of a stem's end from another stem's axis, and how far their radii differ there.
+double off_m(const Segment& stem, const Segment& inner) {
+  const double along = std::clamp(dot(inner.end().at - stem.start.at, stem.start.heading), 0.0, stem.length);
+  const double radius = std::lerp(stem.start_radius, stem.end_radius, stem.length > 0 ? along / stem.length : 0);
+  return length(inner.end().at - stem.start.at - stem.start.heading * along) + std::abs(radius - inner.end_radius);
+}
+
+// A run of segments of one axis as one prism.
+struct Run {
+  Segment stem;
+  std::size_t first;
+  double error_m;
+};
+
+// Joins marked segments that continue each other while all their ends are within the tolerance of a straight stem.
+std::vector<Run> straight_runs(const Skeleton& skeleton, const std::vector<bool>& marked, double tolerance_m) {
+  const std::vector<Segment>& all = skeleton.segments;
+  std::vector<std::size_t> next(all.size(), all.size());
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (!marked[i] || all[i].parent == lsystems::kNoParent) continue;
+    const auto parent = static_cast<std::size_t>(all[i].parent);
+    if (marked[parent] && all[parent].order == all[i].order) next[parent] = i;
+  }
+  std::vector<bool> taken(all.size());
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!marked[i] || taken[i]) continue;
+    Run run{all[i], i, 0};
+    std::vector<std::size_t> within{i};
+    for (std::size_t last = next[i]; last < all.size(); last = next[last]) {
+      const Segment longer = straight(all[i], all[last]);
+      double worst_m = 0;
+      for (const std::size_t inner : within) worst_m = std::max(worst_m, off_m(longer, all[inner]));
+      if (worst_m > tolerance_m) break;
+      within.push_back(last), taken[last] = true;
+      run.stem = longer, run.error_m = worst_m;
+    }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
 // Distance along the stems from the root to each segment's start.
 std::vector<double> along_m(const Skeleton& skeleton) {
   std::vector<double> along;
@@ -104,11 +159,12 @@ StemMesh mesh_stems(const Skeleton& skeleton, double tolerance_m, double bark_m)
   if (!(bark_m > 0)) stems.uvs.clear();
   const std::vector<double> along = along_m(skeleton);
   const Turns turns = {direction_of(0), direction_of(1 / 3.0), direction_of(2 / 3.0)};
-  for (std::size_t i = 0; i < stays.size(); ++i) {
-    if (!stays[i] || thick[i]) continue;
-    add_prism(stems.mesh, skeleton.segments[i], turns);
-    if (bark_m > 0) add_prism_uvs(stems.uvs, skeleton.segments[i], along[i], bark_m);
-    stems.error_m = std::max(stems.error_m, kPrismOff * radius_of(skeleton.segments[i]));
+  std::vector<bool> thin(stays.size());
+  for (std::size_t i = 0; i < stays.size(); ++i) thin[i] = stays[i] && !thick[i];
+  for (const Run& run : straight_runs(skeleton, thin, tolerance_m)) {
+    add_prism(stems.mesh, run.stem, turns);
+    if (bark_m > 0) add_prism_uvs(stems.uvs, run.stem, along[run.first], bark_m);
+    stems.error_m = std::max(stems.error_m, run.error_m + kPrismOff * radius_of(run.stem));
   }
   return stems;
 }

@@ -14,7 +14,8 @@ struct StemMesh {
 
 /// Meshes stems. A stem of a radius below the tolerance is left out if it carries nothing thicker; a radius above
 /// 0.3 of the thickest diameter always stays, so that the plant stands on a trunk. Stems up to 2.5 tolerances are
-/// prisms of the same mean width, within the tolerance of a round stem. Others are tubes (lsystems/tubes.h).
+/// prisms of the same mean width, within the tolerance of a round stem; one prism stands for all segments of an axis
+/// that are within the tolerance of it. Others are tubes (lsystems/tubes.h).
 /// O(segments).
 ///
 /// @param tolerance_m  > 0, of radii.

@@ -84,6 +84,17 @@ TEST(GroundMeshes, TellsTheMetresOfPiecesThatAreNotMarkedLessWholePeriods) {
   EXPECT_EQ(meshes[0].uvs[0], (Vec2{7, 100 - materials::kTexturePeriod_m}));
 }
 
+TEST(GroundMeshes, KnowTheLayerOfTheirClass) {
+  EXPECT_EQ(layer_of(map::LandCoverClass::kMeadow), Layer::kGround);
+  EXPECT_EQ(layer_of(map::LandCoverClass::kBuilding), Layer::kGround);
+  EXPECT_EQ(layer_of(map::LandCoverClass::kKerb), Layer::kRoads);
+  EXPECT_EQ(layer_of(map::LandCoverClass::kRailway), Layer::kRoads);
+  EXPECT_EQ(layer_of(map::LandCoverClass::kRiver), Layer::kWater);
+  const OnePiece one(0);
+  for (const LayeredMesh& part : material_meshes(one.ground, one.cover, lay_out_markings(one.cover, 0.05), {}, 0.05))
+    EXPECT_EQ(part.layer, layer_of(one.cover.surfaces[0].surface));
+}
+
 // Land of one class: a level square, and one that rises from x = 50 on.
 struct Slope {
   scene::LandCover cover;

@@ -78,7 +78,7 @@ TEST(PrototypeCache, LosesNoTreeWhereVariantsAreFewer) {
     for (const InstancedMesh& trees : tile.instanced)
       for (std::size_t i = 0; i < trees.scales.size(); ++i) {
         places.push_back(trees.translations[i][0]);
-        EXPECT_FLOAT_EQ(trees.scales[i] * static_cast<float>(kPrototypeHeight_m), 12);
+        EXPECT_FLOAT_EQ(trees.scales[i] * 16, 12);
       }
     std::ranges::sort(places);
     ASSERT_EQ(places.size(), 20u) << tolerance_m;

@@ -69,8 +69,8 @@ TEST(JoinTiles, KeepsMeshesWithDifferentCutoutsApart) {
   std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0),
                        tile_at({2048, 0, 0}, way(4), 0)};
   const materials::TextureImage sheet{0.5, 1, 1, {{1, 2, 3}}};
-  for (bake::BakedTile& tile : tiles) tile.instanced[0].cutout.colour = sheet;
-  tiles[1].instanced[0].cutout.opacity = {0};
+  for (bake::BakedTile& tile : tiles) tile.instanced[0].cutout = impostor::Cutout{sheet, {255}, {}};
+  tiles[1].instanced[0].cutout = impostor::Cutout{sheet, {0}, {}};
   const Result<bake::BakedTile> joined = join_tiles(tiles);
   ASSERT_TRUE(joined);
   ASSERT_EQ(joined->instanced.size(), 2u);

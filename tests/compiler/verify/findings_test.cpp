@@ -46,7 +46,8 @@ TEST(Findings, OutsideTheRegionAreInNoTile) {
 TEST(Findings, OfBakingLieAtTheirObjectOrInTheMiddleOfTheTile) {
   const scene::Header header = made_header();
   const map::Plane plane(header.origin);
-  scene::Chunk chunk{.tile = {1, -1}};
+  scene::Chunk chunk;
+  chunk.tile = {1, -1};
   chunk.lamps.push_back({.id = {{OsmType::kNode, 8}, 0}, .at = {600, -30}});
   Report report;
   report.add(Code::kBelowTolerance, {OsmType::kNode, 8}, 1);
