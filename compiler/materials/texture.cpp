@@ -161,8 +161,13 @@ std::array<double, 3> colour_factor(const Texture& texture) {
   Rgb factor = {base[0], base[1], base[2]}, mean{};
   const auto& texels = texture.colour.texels;
   if (texels.empty()) return factor;
+  std::array<std::array<std::uint32_t, 256>, 3> counts{};
   for (const TextureImage::Texel& texel : texels)
-    for (std::size_t c = 0; c < 3; ++c) mean[c] += linear_of_srgb(texel[c]) / static_cast<double>(texels.size());
+    for (std::size_t c = 0; c < 3; ++c) ++counts[c][texel[c]];
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t value = 0; value < counts[c].size(); ++value)
+      mean[c] +=
+          counts[c][value] * linear_of_srgb(static_cast<std::uint8_t>(value)) / static_cast<double>(texels.size());
   for (std::size_t c = 0; c < 3; ++c) factor[c] = mean[c] > 0 ? std::min(1.0, factor[c] / mean[c]) : 1;
   return factor;
 }
