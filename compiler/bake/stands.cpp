@@ -2,16 +2,30 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
+#include <functional>
+#include <set>
 
 #include "compiler/bake/merge.h"
 
 namespace citykiln::bake {
 namespace {
 
-std::size_t plants_in(const plants::PlacedPlants& placed) {
-  return std::accumulate(placed.begin(), placed.end(), std::size_t{0},
-                         [](std::size_t sum, const auto& each) { return sum + each.second.size(); });
+// The elements with the most plants, so many that the others have at most `most`; none with few plants.
+std::set<OsmId> elements_to_take(const plants::PlacedPlants& placed, std::size_t most) {
+  std::map<OsmId, std::size_t> plants_of;
+  std::size_t left = 0;
+  for (const auto& [prototype, placements] : placed)
+    for (const Placement& p : placements) ++plants_of[p.feature], ++left;
+  std::vector<std::pair<std::size_t, OsmId>> largest;
+  for (const auto& [element, count] : plants_of)
+    if (count > kFewestStandPlants) largest.emplace_back(count, element);
+  std::ranges::sort(largest, std::greater());
+  std::set<OsmId> taken;
+  for (const auto& [count, element] : largest) {
+    if (left <= most) break;
+    left -= count, taken.insert(element);
+  }
+  return taken;
 }
 
 Vec3 turned(const Placement& p, Vec3 v) {
@@ -38,14 +52,11 @@ double stand_tolerance_m(plants::Species species, double tolerance_m) {
 }
 
 Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most) {
-  if (plants_in(placed) <= most) return {};
-  std::map<OsmId, std::size_t> count;
-  for (const auto& [prototype, placements] : placed)
-    for (const Placement& p : placements) ++count[p.feature];
+  const std::set<OsmId> taken = elements_to_take(placed, most);
   Stands stands;
   for (auto& [prototype, placements] : placed) {
-    const auto is_single = [&](const Placement& p) { return count[p.feature] <= kFewestStandPlants; };
-    const auto rest = std::ranges::stable_partition(placements, is_single);
+    const auto is_kept = [&](const Placement& p) { return !taken.contains(p.feature); };
+    const auto rest = std::ranges::stable_partition(placements, is_kept);
     const int variants = plants::variants_at(stand_tolerance_m(prototype.species, tolerance_m));
     const plants::Prototype alike{prototype.species, static_cast<std::uint8_t>(prototype.variant % variants)};
     for (const Placement& p : rest) stands[{p.feature, alike}].push_back(p);

@@ -12,8 +12,8 @@
 
 namespace citykiln::bake {
 
-/// An element (a wood, a hedge, a row, a field) with more plants than this is a stand where a tile has too many plants.
-/// Mapped trees, which are elements of their own, never are.
+/// Where a tile has too many plants, an element (a wood, a hedge, a row, a field) with more plants than this may become
+/// a stand. Mapped trees, which are elements of their own, never do.
 inline constexpr std::size_t kFewestStandPlants = 16;
 /// Plants of stands have at least this tolerance, as a share of their species' height: crowns of a few cards.
 inline constexpr double kStandTolerance = 1.0 / 16;
@@ -24,8 +24,8 @@ using Stands = std::map<std::pair<OsmId, plants::Prototype>, std::vector<Placeme
 /// The tolerance of the plants of a stand in a tile of this tolerance.
 double stand_tolerance_m(plants::Species species, double tolerance_m);
 
-/// Takes the plants of stands out of `placed`, if it holds more than `most` plants; else none. Variants that look alike
-/// at the tolerance of the stand are merged.
+/// Takes the plants of stands out of `placed`, the largest stands first, until it holds at most `most` plants or no
+/// stand. Variants that look alike at the tolerance of the stand are merged.
 Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most);
 
 /// Returns a stand as an instanced mesh with one instance, at its first plant. No primitives where the tolerance drops

@@ -67,10 +67,10 @@ TEST(Spec, ParsesEverySetting) {
 
 TEST(Spec, ErrorsSayTheExpectedValue) {
   const std::pair<const char*, const char*> rows[] = {
-      {"bbox", "1,2,3"},    {"bbox", "3,1,2,2"}, {"bbox", "1,2,x,4"},  {"origin", "1"},    {"tile", "100"},
-      {"tile", "0"},        {"only", "1-2"},     {"emit", "obj"},      {"lods", "1,1"},    {"lods", "0,1"},
-      {"lods", ""},         {"lods", "0.1,500"}, {"lods", "1e9"},      {"target", "maya"}, {"split", "road"},
-      {"drive-on", "top"},  {"seed", "-1"},      {"threads", "-1"},    {"threads", "1.5"}, {"strict", "yes"},
+      {"bbox", "1,2,3"},    {"bbox", "3,1,2,2"}, {"bbox", "1,2,x,4"},   {"origin", "1"},    {"tile", "100"},
+      {"tile", "0"},        {"only", "1-2"},     {"emit", "obj"},       {"lods", "1,1"},    {"lods", "0,1"},
+      {"lods", ""},         {"lods", "0.1,500"}, {"lods", "1e9"},       {"target", "maya"}, {"split", "road"},
+      {"drive-on", "top"},  {"seed", "-1"},      {"threads", "-1"},     {"threads", "1.5"}, {"strict", "yes"},
       {"dem", "a,bound=1"}, {"time", "noon"},    {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"}};
   for (const auto& [name, text] : rows) {
     EXPECT_NE(objection(name, text).find("expected "), std::string::npos)

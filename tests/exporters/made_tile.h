@@ -13,7 +13,8 @@ inline bake::Primitive made_primitive(std::mt19937& dice, materials::Material ma
   const auto number = [&](int most) {
     return static_cast<float>(static_cast<int>(dice() % 2000) - 1000) * most * 0x1p-10f;
   };
-  bake::Primitive p{.material = material, .layer = layer};
+  bake::Primitive p;
+  p.material = material, p.layer = layer;
   for (std::uint32_t i = 0; i < corners; ++i) {
     p.positions.push_back({number(500), number(500), number(20)});
     p.normals.push_back(i % 2 == 0 ? bake::Float3{0, 0, 1} : bake::Float3{0.6f, 0, 0.8f});

@@ -1,4 +1,5 @@
-// Decodes any bytes to a picture or an error, as PNG, JPEG or WebP. A decoded picture that is encoded and decoded again is unchanged.
+// Decodes any bytes to a picture or an error, as PNG, JPEG or WebP. A decoded picture that is encoded and decoded again
+// is unchanged.
 #include <cstdlib>
 
 #include "exporters/gltf/picture_formats.h"

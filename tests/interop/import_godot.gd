@@ -12,7 +12,8 @@ func _init():
 	var facts = []
 	for path in job["files"]:
 		var scene = load(path).instance()
-		use_vertex_colours(scene)
+		# the import script that the page for Godot names
+		load("res://leaf_colours.gd").new().colour(scene)
 		get_root().add_child(scene)
 		roots.append(scene)
 		facts.append(facts_of(scene))
@@ -38,13 +39,6 @@ func meshes_below(node):
 	for child in node.get_children():
 		found += meshes_below(child)
 	return found
-
-
-# Godot 3.2 reads vertex colours, but does not show them. The page for Godot has this as an import script.
-func use_vertex_colours(scene):
-	for thing in meshes_below(scene):
-		for i in thing.mesh.get_surface_count():
-			thing.mesh.surface_get_material(i).vertex_color_use_as_albedo = true
 
 
 func rows_of(t):

@@ -152,6 +152,13 @@ def mesh_facts(gltf, mesh):
     return {"triangles": triangles, "low": low, "high": high}
 
 
+def triangles_drawn(path):
+    """All triangles that a file shows, without names: other programs may leave them out."""
+    tile = Glb(path)
+    counts = [sum(tile.gltf["accessors"][p["indices"]]["count"] // 3 for p in mesh["primitives"]) for mesh in tile.gltf["meshes"]]
+    return sum(counts[node["mesh"]] * len(copies_of(tile, node)) for node in tile.gltf["nodes"] if "mesh" in node)
+
+
 def triangles_in(facts):
     """All triangles that a program draws."""
     return sum(sum(mesh["triangles"].values()) * len(facts["places"].get(name, [])) for name, mesh in facts["meshes"].items())
@@ -254,6 +261,7 @@ def run_godot(folder, files, pictures=()):
     names = [project / Path(path).name for path in files]
     for path, name in zip(files, names, strict=True):
         shutil.copy(path, name)
+    shutil.copy(HERE.parent.parent / "exporters" / "gltf" / "howto" / "leaf_colours.gd", project)
     import_into(project, [name.name for name in names])
     job, facts = write_job(folder, [f"res://{name.name}" for name in names], pictures)
     return done_by([*godot(), "--path", project, "-s", HERE / "import_godot.gd"], facts, env={**os.environ, "JOB": str(job)})
