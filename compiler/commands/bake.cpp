@@ -180,8 +180,8 @@ void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
     if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
-        name != "compress" && name != "layout" && name != "max-bytes" &&
-        name != "max-triangles" && name != "world" && name != "threads") {
+        name != "compress" && name != "layout" && name != "max-bytes" && name != "max-triangles" && name != "world" &&
+        name != "threads") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);

@@ -4,8 +4,6 @@
 #include <map>
 #include <set>
 
-#include "compiler/contract/tolerance.h"
-
 namespace citykiln::verify {
 namespace {
 
@@ -43,13 +41,14 @@ struct UprightEdge {
 /// Vertical edges by feature and place.
 using Walls = std::map<std::pair<OsmId, Vec2>, std::vector<UprightEdge>>;
 
-/// The lower end of the chain of wall edges that begins at the floor; empty where no wall reaches the floor. Kerbs and
-/// ground steps under a building have the building's id too, but they end at the ground.
+/// The lower end of the chain of wall edges that begins at the floor, without gaps but those of packing; empty where no
+/// wall reaches the floor. Kerbs and ground steps under a building have the building's id too, but they end at the
+/// ground.
 std::optional<double> lowest_m(std::vector<UprightEdge> walls, double floor_m) {
   std::ranges::sort(walls, std::ranges::greater{}, &UprightEdge::top_m);
   std::optional<double> lowest_m;
   for (const UprightEdge& wall : walls)
-    if (wall.top_m >= std::min(lowest_m.value_or(floor_m), floor_m) - kQuantum_m)
+    if (wall.top_m >= std::min(lowest_m.value_or(floor_m), floor_m) - kAllowedGap_m)
       lowest_m = std::min(lowest_m.value_or(wall.low_m), wall.low_m);
   return lowest_m;
 }

@@ -74,6 +74,12 @@ double quantise(double step_m, double texel_m, double tolerance_m, Primitive& pr
   return farthest_m;
 }
 
+// The terrain keeps the map's own grid: borders, lakes and quays are measured by the height at a place, which a step
+// aside can change by the height of a quay.
+bool is_terrain(const Primitive& p) {
+  return p.layer == bake::Layer::kGround || p.layer == bake::Layer::kRoads || p.layer == bake::Layer::kWater;
+}
+
 }  // namespace
 
 double rounding_m(std::span<const Primitive> primitives) {
@@ -90,15 +96,16 @@ bake::BakedTile quantised(bake::BakedTile tile) {
   const double step_m = packed_position_step_m(tile.tolerance_m);
   double farthest_m = 0, of_instances_m = 0;
   tile.error_m += rounding_m(tile.primitives);
-  for (Primitive& primitive : tile.primitives)
-    farthest_m = std::max(
-        farthest_m, quantise(step_m, texel_m_of(tile, nullptr, primitive.colour_source), tile.tolerance_m, primitive));
+  for (Primitive& p : tile.primitives) {
+    const double own_step_m = is_terrain(p) ? kQuantum_m : step_m;
+    farthest_m =
+        std::max(farthest_m, quantise(own_step_m, texel_m_of(tile, nullptr, p.colour_source), tile.tolerance_m, p));
+  }
   for (bake::InstancedMesh& instanced : tile.instanced) {
     double moved_m = 0;
-    for (Primitive& primitive : instanced.primitives)
-      moved_m = std::max(
-          moved_m, quantise(step_m * kPrototypeStepRatio, texel_m_of(tile, &*instanced.cutout, primitive.colour_source),
-                            tile.tolerance_m, primitive));
+    for (Primitive& p : instanced.primitives)
+      moved_m = std::max(moved_m, quantise(step_m * kPrototypeStepRatio,
+                                           texel_m_of(tile, &*instanced.cutout, p.colour_source), tile.tolerance_m, p));
     for (const float scale : instanced.scales) of_instances_m = std::max(of_instances_m, moved_m * std::abs(scale));
   }
   tile.error_m += std::max(farthest_m, of_instances_m), tile.plant_error_m += of_instances_m;

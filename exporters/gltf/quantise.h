@@ -14,7 +14,8 @@ double rounding_m(std::span<const bake::Primitive> primitives);
 /// Returns the tile on the grids of packed meshes (compression.h). error_m grows by the longest move of a position, at
 /// most half a step times √3, and by rounding_m(); plant_error_m by that of instances, times their scale.
 ///
-/// - Positions become multiples of packed_position_step_m(); of prototypes, of kPrototypeStepRatio of it.
+/// - Positions of ground, roads and water stay: they are on the grid of kQuantum_m. Others become multiples of
+///   packed_position_step_m(); of prototypes, of kPrototypeStepRatio of it.
 /// - uvs on images become multiples of the largest power of two that is at most a texel / kUvStepsPerTexel.
 /// - uvs on textures are moved by whole periods, object by object, so that they begin in the first one,
 ///   and become multiples of packed_texture_step_m().

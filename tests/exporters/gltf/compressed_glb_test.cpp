@@ -149,11 +149,11 @@ std::vector<Vec3> border() {
 }
 
 // A tile with this border, and an origin and extent of its own.
-BakedTile beside_border(std::uint32_t seed, Vec3 origin, double tolerance_m) {
+BakedTile beside_border(std::uint32_t seed, Vec3 origin, double tolerance_m, bake::Layer layer) {
   std::mt19937 dice(seed);
   BakedTile tile = off_grid(seed);
   tile.origin = origin, tile.tolerance_m = tolerance_m;
-  tile.primitives = {made_primitive(dice, materials::Material::kGrass, 900, 4)};
+  tile.primitives = {made_primitive(dice, materials::Material::kGrass, 900, 4, layer)};
   Primitive& p = tile.primitives[0];
   for (std::size_t i = 0; const Vec3& place : border())
     for (int c = 0; c < 3; ++c) p.positions[i][c] = static_cast<float>((&place.x)[c] - (&origin.x)[c]), i += c == 2;
@@ -169,15 +169,19 @@ std::vector<std::array<double, 3>> border_of(const BakedTile& tile) {
   return places;
 }
 
+// The ground stays; all else is on one grid for all tiles and levels.
 TEST(CompressedGlb, BordersOfTilesAndLevelsMeet) {
-  std::vector<std::array<double, 3>> expected;
-  const auto on_grid = [](double v) { return snapped_to(packed_position_step_m(0.1), v); };
-  for (const Vec3& p : border()) expected.push_back({on_grid(p.x), on_grid(p.y), on_grid(p.z)});
-  std::ranges::sort(expected);
-  expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
-  for (const Compression compression : kAll) {
-    EXPECT_EQ(border_of(through(beside_border(1, {512, 512, 431}, 0.1), compression)), expected);
-    EXPECT_EQ(border_of(through(beside_border(2, {1536, 512, -7}, 2.5), compression)), expected);
+  for (const auto& [layer, step_m] : {std::pair(bake::Layer::kGround, kQuantum_m),
+                                      std::pair(bake::Layer::kStructures, packed_position_step_m(0.1))}) {
+    std::vector<std::array<double, 3>> expected;
+    const auto on_grid = [step_m = step_m](double v) { return snapped_to(step_m, v); };
+    for (const Vec3& p : border()) expected.push_back({on_grid(p.x), on_grid(p.y), on_grid(p.z)});
+    std::ranges::sort(expected);
+    expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+    for (const Compression compression : kAll) {
+      EXPECT_EQ(border_of(through(beside_border(1, {512, 512, 431}, 0.1, layer), compression)), expected);
+      EXPECT_EQ(border_of(through(beside_border(2, {1536, 512, -7}, 2.5, layer), compression)), expected);
+    }
   }
 }
 
