@@ -1,77 +1,100 @@
 #!/usr/bin/env python3
-"""glTF Transform, with the decoders of Draco and meshoptimizer, reads the same triangles from compressed tiles as from plain ones, and
-its plain copies pass Khronos' validator."""
-import math
-import shutil
+"""glTF Transform, with the decoders of Draco and meshoptimizer, reads the same tiles from packed files as citykiln does and as from plain
+ones: triangles, materials, boxes, places of instances, features. Its plain copies pass Khronos' validator, as do the packed files."""
 import subprocess
 import sys
 import unittest
-from collections import Counter
-from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "properties"))
-from citykiln_program import TOWN, ProgramTest  # noqa: E402
-from glb import Glb  # noqa: E402
+import readers
+from glb import Glb
+from readers import HERE, ReaderTest
+
+LODS = ["0.1", "2.5", "12.5"]
 
 
-def triangles_of(path):
-    """For each mesh and material its triangles: corners on the 2^-10 m grid with their feature, starting at the least corner."""
+def boxes_of(facts):
+    """The corners of the first copy of each mesh, in metres."""
+    boxes = {}
+    for name, mesh in facts["meshes"].items():
+        place = facts["places"][name][0]
+        corners = [[mesh[end][axis] for axis, end in enumerate(ends)] for ends in (("low",) * 3, ("high",) * 3)]
+        boxes[name] = [sum(place[i][k] * corner[k] for k in range(3)) + place[i][3] for corner in corners for i in range(3)]
+    return boxes
+
+
+def features_of(path):
+    """The set of features of each mesh."""
     tile, found = Glb(path), {}
     for mesh in tile.gltf["meshes"]:
         for primitive in mesh["primitives"]:
-            attributes = primitive["attributes"]
-            # rounded as in quantise.h, where y is minus a rounded number
-            places = [(math.floor(x * 1024 + 0.5), math.floor(y * 1024 + 0.5), -math.floor(-z * 1024 + 0.5))
-                      for x, y, z in tile.values(attributes["POSITION"])]
-            features = tile.values(attributes["_FEATURE_ID_0"]) if "_FEATURE_ID_0" in attributes else [(0,)] * len(places)
-            corners = [place + feature for place, feature in zip(places, features, strict=True)]
-            indices = [i for i, in tile.values(primitive["indices"])]
-            name = mesh["name"], tile.gltf["materials"][primitive["material"]]["name"]
-            found.setdefault(name, Counter()).update(
-                rotated([corners[n] for n in indices[i:i + 3]]) for i in range(0, len(indices), 3))
+            if "_FEATURE_ID_0" in primitive["attributes"]:
+                found.setdefault(mesh["name"], set()).update(round(value) for value, in tile.values(primitive["attributes"]["_FEATURE_ID_0"]))
     return found
 
 
-def rotated(triangle):
-    first = triangle.index(min(triangle))
-    return tuple(triangle[first:] + triangle[:first])
-
-
-class Compressed(ProgramTest):
-    LEVELS = ["--lods", "0.1,12.5"]
-
+class Compressed(ReaderTest):
     def tiles(self, compress):
-        out = self.compiled(compress, "--spec", TOWN / "spec.json", *self.LEVELS, "--target", "three", "--compress", compress)
+        out = self.town(compress, "--lods", ",".join(LODS), "--target", "three", "--compress", compress)
         tiles = sorted((out / "glb").glob("*.glb"))
-        self.assertGreater(len(tiles), 1)
+        self.assertGreater(len(tiles), len(LODS))
         return tiles
 
     def unpacked(self, tiles):
         unpacked = [self.folder / f"{i}.glb" for i in range(len(tiles))]
-        done = subprocess.run(["node", HERE / "unpack_glb.mjs", *[path for pair in zip(tiles, unpacked) for path in pair]], capture_output=True, text=True, cwd=HERE, check=False)
+        done = subprocess.run(["node", HERE / "unpack_glb.mjs", *[path for pair in zip(tiles, unpacked) for path in pair]],
+                              capture_output=True, text=True, cwd=HERE, check=False)
         self.assertEqual(done.returncode, 0, done.stderr[-2000:])
         return unpacked
 
-    def expect_the_same(self, compress):
-        unpacked = self.unpacked(self.tiles(compress))
-        # both levels of two tiles are enough: the Python reader is slow
-        for plain, path in list(zip(self.tiles("none"), unpacked, strict=True))[:4]:
-            expected = triangles_of(plain)
-            self.assertTrue(expected)
-            self.assertEqual(triangles_of(path), expected, path)
-        done = subprocess.run(["node", HERE / "validate_glb.mjs", *unpacked], capture_output=True, text=True, cwd=HERE, check=False)
-        self.assertIn(f"{len(unpacked)} files: 0 errors, 0 warnings", done.stdout, done.stdout[-2000:])
+    def assert_valid(self, files):
+        done = subprocess.run(["node", HERE / "validate_glb.mjs", *files], capture_output=True, text=True, cwd=HERE, check=False)
+        self.assertIn(f"{len(files)} files: 0 errors, 0 warnings", done.stdout, done.stdout[-2000:])
 
-    def test_draco_tiles_hold_the_triangles_of_plain_ones(self):
+    def assert_holds_the_same(self, plain, packed, unpacked, step_m):
+        expected, found = readers.facts_of(plain), readers.facts_of(unpacked)
+        # two readers of the packed file see the same
+        self.assert_as_inspected(found, packed)
+        # against the plain file only triangles are missing that have no area on the lattice
+        self.assertEqual(found["materials"], expected["materials"])
+        for name, mesh in expected["meshes"].items():
+            count, plain_count = (sum(m["triangles"].values()) for m in (found["meshes"][name], mesh))
+            self.assertLessEqual(count, plain_count, name)
+            self.assertGreater(count, 0.8 * plain_count, name)
+        self.assertEqual({name: len(places) for name, places in found["places"].items()},
+                         {name: len(places) for name, places in expected["places"].items()})
+        wanted = boxes_of(expected)
+        for name, box in boxes_of(found).items():
+            self.assert_near(box, wanted[name], step_m)
+        self.assert_features_kept(features_of(unpacked), features_of(plain))
+
+    def assert_features_kept(self, found, expected):
+        self.assertTrue(expected)
+        self.assertEqual(found.keys(), expected.keys())
+        for name, features in expected.items():
+            self.assertLessEqual(found[name], features, name)
+            self.assertGreaterEqual(len(found[name]), 0.98 * len(features), name)
+
+    def expect_the_same(self, compress):
+        plain, packed = self.tiles("none"), self.tiles(compress)
+        unpacked = self.unpacked(packed)
+        for a, b, c in zip(plain, packed, unpacked, strict=True):
+            with self.subTest(path=a.name):
+                # the lattice of packed positions moves a corner by less than a fifth of the tolerance
+                self.assert_holds_the_same(a, b, c, Glb(a).gltf["nodes"][0]["extras"]["tolerance_m"] / 5)
+        self.assert_valid(packed)
+        self.assert_valid(unpacked)
+
+    def test_quantised_tiles_hold_what_plain_ones_do(self):
+        self.expect_the_same("quantize")
+
+    def test_draco_tiles_hold_what_plain_ones_do(self):
         self.expect_the_same("draco")
 
-    def test_meshopt_tiles_hold_the_triangles_of_plain_ones(self):
+    def test_meshopt_tiles_hold_what_plain_ones_do(self):
         self.expect_the_same("meshopt")
 
 
 if __name__ == "__main__":
-    if not shutil.which("node") or not (HERE / "node_modules" / "@gltf-transform").exists():
-        print("glTF Transform is not installed (npm ci --prefix tests/interop): skipped")
-        sys.exit(77)
-    unittest.main(verbosity=2)
+    readers.skip_unless(readers.has_npm("@gltf-transform") and readers.has_pictures(),
+                        "glTF Transform is not installed (npm ci --prefix tests/interop)")
+    unittest.main(argv=sys.argv[:2], verbosity=2)

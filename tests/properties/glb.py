@@ -3,7 +3,7 @@ import json
 import struct
 from pathlib import Path
 
-FORMATS = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}
+FORMATS = {5120: "b", 5122: "h", 5121: "B", 5123: "H", 5125: "I", 5126: "f"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
 
