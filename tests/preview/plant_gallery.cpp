@@ -91,7 +91,7 @@ int run(char** argv, double away, const std::string& time) {
       std::size_t triangles = 0;
       for (const bake::Primitive& p : shape.primitives) triangles += p.triangles.size();
       std::printf("%-8s %6s m: %7zu triangles %8zu bytes %6.3f s error %.3f m\n", names[row].c_str(),
-                  tolerances[column].c_str(), triangles, encode_glb(tile, header, {}).size(), took.count(),
+                  tolerances[column].c_str(), triangles, exporters::encode_glb(tile, header, {}).size(), took.count(),
                   shape.error_per_m * height_m);
       preview::Options options;
       options.width = options.height = pixels, options.samples = 24;
