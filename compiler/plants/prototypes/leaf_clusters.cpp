@@ -16,7 +16,7 @@ namespace citykiln::plants {
 namespace {
 
 // Width of a cell's card, in widths of the cell.
-constexpr double kCardWidth = 1;
+constexpr double kCardWidth = 1.15;
 // Pieces of a card each way that bound its distance to others.
 constexpr int kPieces = 4;
 
