@@ -15,7 +15,9 @@ struct Interval {
 
 // The tile's own interval, then those beside it where the extent ends.
 std::vector<Interval> intervals(Interval tile, Interval extent) {
-  std::vector<Interval> all{tile};
+  std::vector<Interval> all;
+  all.reserve(3);  // g++ 12 otherwise warns of an array bound that is not passed
+  all.push_back(tile);
   if (tile.from == extent.from) all.push_back({tile.from - kBeyond_m, tile.from});
   if (tile.to == extent.to) all.push_back({tile.to, tile.to + kBeyond_m});
   return all;
