@@ -99,16 +99,20 @@ struct SharedView {
   }
 };
 
-// The tile's own meshes share views; each prototype has its own, which can go into a file (shared_layout.h).
-using SharedViews = std::map<std::pair<std::size_t, MeshoptKind>, SharedView>;
+// Attributes of the tile's own meshes share views; each prototype has its own, which can go into a file
+// (shared_layout.h). Indices share none: the codec counts vertices that have not been used yet from the view's begin.
+struct SharedViews {
+  std::map<std::pair<std::size_t, MeshoptKind>, SharedView> attributes{};  // by group and kind
+  std::vector<SharedView> indices{};
+};
 
 void add_meshopt(MeshoptMesh&& mesh, std::size_t group, const Json& primitive, GlbParts& packed, SharedViews& views) {
   const std::vector<Json*> accessors = accessors_of(packed.gltf, primitive);
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
     set_component(mesh.components[i], *accessors[i]);
-    views[{group, mesh.attributes[i].kind}].add(std::move(mesh.attributes[i]), mesh.count, *accessors[i]);
+    views.attributes[{group, mesh.attributes[i].kind}].add(std::move(mesh.attributes[i]), mesh.count, *accessors[i]);
   }
-  views[{group, mesh.indices.kind}].add(std::move(mesh.indices), mesh.count, *accessors.back());
+  views.indices.emplace_back().add(std::move(mesh.indices), mesh.count, *accessors.back());
 }
 
 // By mesh: 0 for the tile's own, else one of its own.
@@ -159,7 +163,8 @@ void compress_meshopt(const GlbParts& plain, GlbParts& packed, int threads) {
                                   }),
       primitives, packed);
   std::vector<const SharedView*> shared;
-  for (const auto& [key, view] : views) shared.push_back(&view);
+  for (const auto& [key, view] : views.attributes) shared.push_back(&view);
+  for (const SharedView& view : views.indices) shared.push_back(&view);
   const auto encoded = for_each_slot<MeshoptView>(
       shared.size(), threads, [&](std::size_t i) { return encode_meshopt(shared[i]->array, shared[i]->vertices); });
   std::size_t fallback_bytes = 0;
