@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "exporters/usd/text_writer.h"
+#include "exporters/usd/crate_writer.h"
 #include "exporters/usd/usd_features.h"
 #include "exporters/usd/usd_materials.h"
 #include "exporters/usd/usd_meshes.h"
@@ -49,7 +49,7 @@ void write_layer(UsdBuilder& b, Layer layer) {
 std::string usd_attribution(const scene::Header& header) { return fmt::format("{}", fmt::join(header.attributions, "; ")); }
 
 UsdLevel encode_level(const bake::BakedTile& tile, const scene::Header& header, const std::string& texture_folder) {
-  TextWriter writer({.default_prim = "tile", .custom_data = {{"attribution", usd_attribution(header)}}});
+  CrateWriter writer({.default_prim = "tile", .custom_data = {{"attribution", usd_attribution(header)}}});
   UsdBuilder b{.tile = tile, .writer = writer, .texture_folder = texture_folder};
   writer.begin_prim({.type = "Xform", .name = "tile", .kind = "component", .custom_data = tile_data(tile, header)});
   for (int i = 0; i < static_cast<int>(Layer::kCount); ++i) write_layer(b, static_cast<Layer>(i));

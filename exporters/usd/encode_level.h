@@ -21,7 +21,7 @@ struct UsdLevel {
 ///     /tile                      customData: tile, origin_m, tolerance_m, error_m, plant_error_m, plane
 ///       ground, roads, water …   an Xform for each layer (bake/layer.h) with a Mesh for each material,
 ///         Asphalt …              and a PointInstancer (usd_meshes.h)
-///         instances/prototypes
+///         instances/meshes
 ///       materials                usd_materials.h
 ///       features                 usd_features.h
 ///

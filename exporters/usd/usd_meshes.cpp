@@ -221,13 +221,14 @@ void write_instances(UsdBuilder& b, const std::string& path, std::span<const Ins
   UsdRelationship prototypes{"prototypes", {}};
   for (std::size_t i = 0; i < instanced.size(); ++i) {
     append(all, instanced[i], static_cast<std::int32_t>(i), bounds_of(instanced[i]));
-    prototypes.targets.push_back(fmt::format("{}/instances/prototypes/{}", path, names[i]));
+    prototypes.targets.push_back(fmt::format("{}/instances/meshes/{}", path, names[i]));
   }
   include(b.bounds, all.bounds);
   b.writer.begin_prim({.type = "PointInstancer", .name = "instances"});
   write_placements(b, all);
   b.writer.write(prototypes);
-  b.writer.begin_prim({.type = "Scope", .name = "prototypes"});
+  // not "prototypes": tinyusdz takes a prim and a property of one name for the same
+  b.writer.begin_prim({.type = "Scope", .name = "meshes"});
   for (std::size_t i = 0; i < instanced.size(); ++i) {
     b.writer.begin_prim({.type = "Xform", .name = names[i]});
     write_meshes(b, instanced[i].primitives, shared_cutout(b, *instanced[i].cutout));

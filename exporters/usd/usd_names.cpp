@@ -27,7 +27,7 @@ std::string usd_identifier(std::string_view text) {
 std::string usd_tile_name(scene::TileKey tile) { return fmt::format("usd/tiles/{}.usda", to_string(tile)); }
 
 std::string usd_level_name(scene::TileKey tile, std::size_t level) {
-  return fmt::format("usd/tiles/{}_L{}.usda", to_string(tile), level);
+  return fmt::format("usd/tiles/{}_L{}.usdc", to_string(tile), level);
 }
 
 }  // namespace citykiln::exporters
