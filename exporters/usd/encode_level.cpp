@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "exporters/usd/crate_writer.h"
+#include "exporters/usd/text_writer.h"
 #include "exporters/usd/usd_features.h"
 #include "exporters/usd/usd_materials.h"
 #include "exporters/usd/usd_meshes.h"
@@ -44,19 +46,26 @@ void write_layer(UsdBuilder& b, Layer layer) {
   b.writer.end_prim();
 }
 
+std::unique_ptr<LayerWriter> writer_of(UsdForm form, const UsdLayerHead& head) {
+  if (form == UsdForm::kText) return std::make_unique<TextWriter>(head);
+  return std::make_unique<CrateWriter>(head);
+}
+
 }  // namespace
 
 std::string usd_attribution(const scene::Header& header) { return fmt::format("{}", fmt::join(header.attributions, "; ")); }
 
-UsdLevel encode_level(const bake::BakedTile& tile, const scene::Header& header, const std::string& texture_folder) {
-  CrateWriter writer({.default_prim = "tile", .custom_data = {{"attribution", usd_attribution(header)}}});
-  UsdBuilder b{.tile = tile, .writer = writer, .texture_folder = texture_folder};
-  writer.begin_prim({.type = "Xform", .name = "tile", .kind = "component", .custom_data = tile_data(tile, header)});
+UsdLevel encode_level(const bake::BakedTile& tile, const scene::Header& header, const std::string& texture_folder,
+                      UsdForm form) {
+  const auto writer =
+      writer_of(form, {.default_prim = "tile", .custom_data = {{"attribution", usd_attribution(header)}}});
+  UsdBuilder b{.tile = tile, .writer = *writer, .texture_folder = texture_folder};
+  writer->begin_prim({.type = "Xform", .name = "tile", .kind = "component", .custom_data = tile_data(tile, header)});
   for (int i = 0; i < static_cast<int>(Layer::kCount); ++i) write_layer(b, static_cast<Layer>(i));
   write_materials(b);
   write_features(b);
-  writer.end_prim();
-  return {writer.finish(), std::move(b.textures), b.bounds};
+  writer->end_prim();
+  return {writer->finish(), std::move(b.textures), b.bounds};
 }
 
 }  // namespace citykiln::exporters
