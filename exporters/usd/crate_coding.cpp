@@ -106,7 +106,7 @@ Result<Bytes> decompress_bytes(std::span<const std::byte> packed, std::size_t si
 
 Result<std::vector<std::int32_t>> decompress_integers(std::span<const std::byte> packed, std::size_t count) {
   // a number takes two bits at least, before LZ4
-  if (count / 4 > 256 * packed.size()) return damaged("integers");
+  if (count / 4 > 256 * packed.size() || count >= std::size_t{1} << 28) return damaged("integers");
   const std::size_t first = 4 + code_bytes(count);
   const Result<Bytes> coded = decompress_bytes(packed, std::min(first + 4 * count, 255 * packed.size() + 64));
   if (!coded) return coded.error();
