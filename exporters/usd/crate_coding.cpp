@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
-#include <string>
 
 namespace citykiln::exporters {
 namespace {
@@ -73,7 +72,8 @@ std::int32_t number_at(std::span<const std::byte> bytes) {
   return static_cast<std::int32_t>(value << unused) >> unused;  // extends the sign
 }
 
-Error damaged(const char* what) { return {"", std::string("a crate with damaged ") + what}; }
+// The message says what was expected.
+Error damaged() { return {"", "packed values that give as many as it says"}; }
 
 }  // namespace
 
@@ -92,25 +92,25 @@ Bytes compress_bytes(std::span<const std::byte> bytes) {
 Bytes compress_integers(std::span<const std::int32_t> numbers) { return compress_bytes(encode(numbers)); }
 
 Result<Bytes> decompress_bytes(std::span<const std::byte> packed, std::size_t size) {
-  // a block of LZ4 grows by at most 255 times
-  if (packed.empty() || packed[0] != std::byte{0} || size > 256 * packed.size() || size >= std::size_t{1} << 30)
-    return damaged("compression");
+  // a block of LZ4 grows by at most 255 times, and a little
+  if (packed.empty() || packed[0] != std::byte{0} || size > 255 * packed.size() + 64 || size >= std::size_t{1} << 30)
+    return damaged();
   Bytes out(size);
   const int read = LZ4_decompress_safe(reinterpret_cast<const char*>(packed.data() + 1),
                                        reinterpret_cast<char*>(out.data()), static_cast<int>(packed.size() - 1),
                                        static_cast<int>(size));
-  if (read < 0 || static_cast<std::size_t>(read) > size) return damaged("compression");
+  if (read < 0 || static_cast<std::size_t>(read) > size) return damaged();
   out.resize(static_cast<std::size_t>(read));
   return out;
 }
 
 Result<std::vector<std::int32_t>> decompress_integers(std::span<const std::byte> packed, std::size_t count) {
   // a number takes two bits at least, before LZ4
-  if (count / 4 > 256 * packed.size() || count >= std::size_t{1} << 28) return damaged("integers");
+  if (count / 4 > 256 * packed.size() || count >= std::size_t{1} << 28) return damaged();
   const std::size_t first = 4 + code_bytes(count);
   const Result<Bytes> coded = decompress_bytes(packed, std::min(first + 4 * count, 255 * packed.size() + 64));
   if (!coded) return coded.error();
-  if (coded->size() < first) return damaged("integers");
+  if (coded->size() < first) return damaged();
   const std::span<const std::byte> bytes = *coded;
   const std::int32_t common = number_at(bytes.first(4));
   std::vector<std::int32_t> numbers;
@@ -118,12 +118,12 @@ Result<std::vector<std::int32_t>> decompress_integers(std::span<const std::byte>
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t size = kCodeBytes[std::to_integer<unsigned>(bytes[4 + i / 4]) >> 2 * (i % 4) & 3];
-    if (size > bytes.size() - at) return damaged("integers");
+    if (size > bytes.size() - at) return damaged();
     last += static_cast<std::uint32_t>(size == 0 ? common : number_at(bytes.subspan(at, size)));
     numbers.push_back(static_cast<std::int32_t>(last));
     at += size;
   }
-  if (at != bytes.size()) return damaged("integers");
+  if (at != bytes.size()) return damaged();
   return numbers;
 }
 
