@@ -161,7 +161,8 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
 Result<Done> output_fits(const Request& request) {
   const bool is_one_file = request.tolerance_m || request.eye || request.eye_lonlat;
   if (request.out_path.empty())
-    return Error{"", "no output is given; add -o FILE.glb or FILE.usdz with --tolerance or --eye, or -o FOLDER without"};
+    return Error{"",
+                 "no output is given; add -o FILE.glb or FILE.usdz with --tolerance or --eye, or -o FOLDER without"};
   if (!is_one_file && (request.out_path.ends_with(".glb") || request.out_path.ends_with(".usdz")))
     return Error{request.out_path, "names one file, which needs a tolerance: add --tolerance M, such as 0.1, or --eye"};
   std::error_code none;
@@ -207,7 +208,8 @@ Verb bake_verb() {
       {"manifest", "SCENE.kiln|OUT", "manifest to bake, such as out/scene.kiln, or the folder of a run", false,
        store_text(request->manifest_path)},
       {"--tolerance", "M",
-       "largest geometric error in metres of one .glb or .usdz file, such as 0.1; with --eye the smallest (default there: 0.02)",
+       "largest geometric error in metres of one .glb or .usdz file, such as 0.1; with --eye the smallest (default "
+       "there: 0.02)",
        false, store_tolerance(request->tolerance_m)},
       {"-o,--out", "FILE.glb|FILE.usdz|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
        store_text(request->out_path)},

@@ -143,8 +143,7 @@ Result<Exit> run(const Request& request, const Console& console) {
   if (!recipes.files.failures.empty()) return failure(folder, recipes.files);
   recipes.ledger.tests = 1, recipes.ledger.failures = loaded->record.unbalanced;
   check_recipes(loaded->scene, request.threads, recipes);
-  Result<verify::CheckResults> results =
-      check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
+  Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
   if (!results) return results.error();
   if (const Result<Done> done = check_usd(*loaded, request.threads, *results); !done) return done.error();
   print(*results, console);

@@ -58,7 +58,9 @@ bool is_number(const UsdReadDictionary& values, const std::string& name, double 
 Numbers numbers_of(Vec3 v) { return {v.x, v.y, v.z}; }
 
 // "a; b" of the header, which every layer must state.
-std::string attribution_of(const scene::Header& header) { return fmt::format("{}", fmt::join(header.attributions, "; ")); }
+std::string attribution_of(const scene::Header& header) {
+  return fmt::format("{}", fmt::join(header.attributions, "; "));
+}
 
 // ---- whether a layer holds together ----
 
@@ -171,8 +173,7 @@ std::vector<const UsdReadPrim*> meshes_below(const UsdReadLayer& layer, const st
 }
 
 bool is_same(const UsdReadPrim& mesh, const bake::Primitive& p) {
-  const std::size_t sides =
-      p.colour_source == materials::ColourSource::kByCutout && exporters::has_backs(p) ? 2 : 1;
+  const std::size_t sides = p.colour_source == materials::ColourSource::kByCutout && exporters::has_backs(p) ? 2 : 1;
   if (numbers_of(mesh.values, "faceVertexCounts").size() != sides * p.triangles.size()) return false;
   const Numbers& points = numbers_of(mesh.values, "points");
   if (points.size() != sides * 3 * p.positions.size()) return false;
@@ -290,7 +291,8 @@ using LevelsByTile = std::map<scene::TileKey, std::vector<WrittenTile>>;
 // The payloads of a prim as names of files of the run.
 std::vector<std::string> payload_names(const UsdReadPrim& prim, const std::string& folder) {
   std::vector<std::string> names;
-  for (const std::string& payload : prim.payloads) names.push_back((fs::path(folder) / payload).lexically_normal().string());
+  for (const std::string& payload : prim.payloads)
+    names.push_back((fs::path(folder) / payload).lexically_normal().string());
   return names;
 }
 
@@ -321,8 +323,9 @@ Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name, 
   if (root == nullptr) return Done{};
   results.usd_scene.test(numbers_of(root->values, "xformOp:translate") == place,
                          name + " is at another place than in the scene");
-  results.usd_scene.test(texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
-                         name + " has another attribution");
+  results.usd_scene.test(
+      texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
+      name + " has another attribution");
   test_variants(*root, name, levels, results);
   return Done{};
 }
@@ -339,8 +342,8 @@ Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const Wri
     return Error{loaded.folder + "/" + levels.front().file.name, "is a tile that the manifest does not contain"};
   std::vector<double> ladder_m;
   for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
-  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, 1, loaded.prototypes,
-                                      most_instances_of(loaded.record.target));
+  const auto prepared =
+      bake::prepare(scene.header, *chunk, ladder_m, 1, loaded.prototypes, most_instances_of(loaded.record.target));
   CheckResults results;
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (const Result<Done> done = check_level(loaded, *prepared, i, levels[i], results); !done) return done.error();
@@ -358,8 +361,9 @@ Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
   for (const UsdReadPrim& prim : layer->prims)
     for (const std::string& payload : payload_names(prim, "usd")) by_payload[payload] = &prim;
   results.usd_scene.test(by_payload.size() == tiles.size(), name + " has other tiles than the run");
-  results.usd_scene.test(texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
-                         name + " has another attribution");
+  results.usd_scene.test(
+      texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
+      name + " has another attribution");
   for (const auto& [tile, levels] : tiles) {
     const std::string file = tile_layer_name(tile);
     const auto prim = by_payload.find(file);

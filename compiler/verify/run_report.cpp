@@ -221,7 +221,9 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["counts"] = counts_of(scene);
   if (outputs.max_bytes) json["solved_for"]["max_bytes"] = *outputs.max_bytes;
   if (outputs.max_triangles) json["solved_for"]["max_triangles"] = *outputs.max_triangles;
-  json["levels"] = json.contains("solved_for") ? Json::array() : levels_of(written.tiles.empty() ? written.usd : written.tiles, outputs);
+  json["levels"] = json.contains("solved_for")
+                       ? Json::array()
+                       : levels_of(written.tiles.empty() ? written.usd : written.tiles, outputs);
   json["heights"] = heights_of(heights);
   json["bytes"] = written.bytes();
   json["balances"] = report.balances();

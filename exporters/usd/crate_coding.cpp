@@ -96,9 +96,9 @@ Result<Bytes> decompress_bytes(std::span<const std::byte> packed, std::size_t si
   if (packed.empty() || packed[0] != std::byte{0} || size > 255 * packed.size() + 64 || size >= std::size_t{1} << 30)
     return damaged();
   Bytes out(size);
-  const int read = LZ4_decompress_safe(reinterpret_cast<const char*>(packed.data() + 1),
-                                       reinterpret_cast<char*>(out.data()), static_cast<int>(packed.size() - 1),
-                                       static_cast<int>(size));
+  const int read =
+      LZ4_decompress_safe(reinterpret_cast<const char*>(packed.data() + 1), reinterpret_cast<char*>(out.data()),
+                          static_cast<int>(packed.size() - 1), static_cast<int>(size));
   if (read < 0 || static_cast<std::size_t>(read) > size) return damaged();
   out.resize(static_cast<std::size_t>(read));
   return out;

@@ -213,7 +213,8 @@ void CrateWriter::write(const UsdAttribute& a) {
   if (!a.connection.empty()) fields.push_back(field("connectionPaths", paths({a.connection})));
   const std::uint32_t name = token(a.name);
   open_.back().properties.push_back(name);
-  add_spec(add_path(-static_cast<std::int32_t>(name), open_paths_.back() + "." + a.name), CrateSpec::kAttribute, fields);
+  add_spec(add_path(-static_cast<std::int32_t>(name), open_paths_.back() + "." + a.name), CrateSpec::kAttribute,
+           fields);
 }
 
 void CrateWriter::write(const UsdRelationship& relationship) {

@@ -18,12 +18,9 @@ namespace {
 using bake::Layer;
 
 UsdDictionary tile_data(const bake::BakedTile& tile, const scene::Header& header) {
-  return {{"tile", to_string(tile.tile)},
-          {"origin_m", tile.origin},
-          {"tolerance_m", tile.tolerance_m},
-          {"error_m", tile.error_m},
-          {"plant_error_m", tile.plant_error_m},
-          {"lon_0", header.origin.lon_deg},
+  return {{"tile", to_string(tile.tile)},        {"origin_m", tile.origin},
+          {"tolerance_m", tile.tolerance_m},     {"error_m", tile.error_m},
+          {"plant_error_m", tile.plant_error_m}, {"lon_0", header.origin.lon_deg},
           {"lat_0", header.origin.lat_deg}};
 }
 
@@ -53,7 +50,9 @@ std::unique_ptr<LayerWriter> writer_of(UsdForm form, const UsdLayerHead& head) {
 
 }  // namespace
 
-std::string usd_attribution(const scene::Header& header) { return fmt::format("{}", fmt::join(header.attributions, "; ")); }
+std::string usd_attribution(const scene::Header& header) {
+  return fmt::format("{}", fmt::join(header.attributions, "; "));
+}
 
 UsdLevel encode_level(const bake::BakedTile& tile, const scene::Header& header, const std::string& texture_folder,
                       UsdForm form) {

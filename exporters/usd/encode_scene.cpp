@@ -26,13 +26,16 @@ double air_mass(double height_deg) { return 1 / (sine(height_deg) + 0.50572 * po
 // In lux, on a surface that faces the sun.
 double illuminance_lx(const sky::Sky& sky) {
   const double height_deg = arcsine_deg(sky.to_sun.z);
-  return sky::is_night(sky) ? 0 : kSolarIlluminance_lx * exponential(-kExtinction * air_mass(std::max(0.0, height_deg)));
+  return sky::is_night(sky) ? 0
+                            : kSolarIlluminance_lx * exponential(-kExtinction * air_mass(std::max(0.0, height_deg)));
 }
 
 // Six digits: more would be false, and would show the last bits of the arithmetic.
 std::string rounded(double value) { return fmt::format("{:.6g}", value); }
 
-std::string vector4(Vec3 v, double w) { return fmt::format("({},{},{},{})", rounded(v.x), rounded(v.y), rounded(v.z), w); }
+std::string vector4(Vec3 v, double w) {
+  return fmt::format("({},{},{},{})", rounded(v.x), rounded(v.y), rounded(v.z), w);
+}
 
 // A rotation that turns local z, against which a light shines, to the sun.
 std::string turned_to(Vec3 to_sun) {

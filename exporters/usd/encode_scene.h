@@ -28,8 +28,8 @@ struct UsdTile {
 std::vector<std::byte> encode_tile_layer(const UsdTile& tile, const scene::Header& header);
 
 /// Returns the layer of the scene: a prim for each tile with the tile's layer as its payload and the bounds of its
-/// finest level and its place, so that a program can show the boxes of a city before it loads a tile; the sun as a DistantLight and
-/// the sky as a DomeLight of one colour.
+/// finest level and its place, so that a program can show the boxes of a city before it loads a tile; the sun as a
+/// DistantLight and the sky as a DomeLight of one colour.
 ///
 /// Light: a white surface that faces the sun at the zenith reflects a radiance of 1. customData of the sun has its
 /// illuminance in lux, of a clear sky: 127,500 exp(-0.21 m) for the relative air mass m. Source: IES Lighting Handbook,

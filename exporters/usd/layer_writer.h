@@ -19,10 +19,10 @@ struct UsdLayerHead {
 
 /// A prim that is defined.
 struct UsdPrim {
-  std::string_view type;                           ///< "Mesh".
-  std::string name;                                ///< An identifier (usd_names.h).
-  std::vector<std::string_view> api_schemas{};     ///< Prepended.
-  std::string_view kind{};                         ///< "component"; empty: none.
+  std::string_view type;                        ///< "Mesh".
+  std::string name;                             ///< An identifier (usd_names.h).
+  std::vector<std::string_view> api_schemas{};  ///< Prepended.
+  std::string_view kind{};                      ///< "component"; empty: none.
   UsdDictionary custom_data{};
 };
 

@@ -217,19 +217,30 @@ UsdReadValue texts_at(const Crate& crate, Cursor cursor, std::uint64_t count, Cr
 // So many values of a type; 1 for scalars.
 UsdReadValue plain_values(const Crate& crate, CrateType type, Cursor cursor, std::uint64_t count) {
   switch (type) {
-    case CrateType::kInt: return numbers_at<std::int32_t>(cursor, count);
-    case CrateType::kInt64: return numbers_at<std::int64_t>(cursor, count);
-    case CrateType::kFloat: return numbers_at<float>(cursor, count);
-    case CrateType::kDouble: return numbers_at<double>(cursor, count);
-    case CrateType::kVec2f: return numbers_at<float>(cursor, 2 * count);
-    case CrateType::kVec3f: return numbers_at<float>(cursor, 3 * count);
-    case CrateType::kVec4f: return numbers_at<float>(cursor, 4 * count);
-    case CrateType::kVec3d: return numbers_at<double>(cursor, 3 * count);
-    case CrateType::kQuath: return quaternions_at(cursor, count);
+    case CrateType::kInt:
+      return numbers_at<std::int32_t>(cursor, count);
+    case CrateType::kInt64:
+      return numbers_at<std::int64_t>(cursor, count);
+    case CrateType::kFloat:
+      return numbers_at<float>(cursor, count);
+    case CrateType::kDouble:
+      return numbers_at<double>(cursor, count);
+    case CrateType::kVec2f:
+      return numbers_at<float>(cursor, 2 * count);
+    case CrateType::kVec3f:
+      return numbers_at<float>(cursor, 3 * count);
+    case CrateType::kVec4f:
+      return numbers_at<float>(cursor, 4 * count);
+    case CrateType::kVec3d:
+      return numbers_at<double>(cursor, 3 * count);
+    case CrateType::kQuath:
+      return quaternions_at(cursor, count);
     case CrateType::kString:
     case CrateType::kToken:
-    case CrateType::kAssetPath: return texts_at(crate, cursor, count, type);
-    default: throw CrateError{"types that citykiln writes"};
+    case CrateType::kAssetPath:
+      return texts_at(crate, cursor, count, type);
+    default:
+      throw CrateError{"types that citykiln writes"};
   }
 }
 
@@ -251,13 +262,19 @@ UsdReadValue inlined_value(const Crate& crate, std::uint64_t rep) {
   switch (type_of(rep)) {
     case CrateType::kBool:
     case CrateType::kSpecifier:
-    case CrateType::kVariability: return {{static_cast<double>(payload)}, {}};
-    case CrateType::kInt: return {{static_cast<double>(static_cast<std::int32_t>(payload))}, {}};
-    case CrateType::kFloat: return {{static_cast<double>(std::bit_cast<float>(payload))}, {}};
-    case CrateType::kString: return {{}, {crate.text(payload)}};
+    case CrateType::kVariability:
+      return {{static_cast<double>(payload)}, {}};
+    case CrateType::kInt:
+      return {{static_cast<double>(static_cast<std::int32_t>(payload))}, {}};
+    case CrateType::kFloat:
+      return {{static_cast<double>(std::bit_cast<float>(payload))}, {}};
+    case CrateType::kString:
+      return {{}, {crate.text(payload)}};
     case CrateType::kToken:
-    case CrateType::kAssetPath: return {{}, {crate.token(payload)}};
-    default: throw CrateError{"types that citykiln writes"};
+    case CrateType::kAssetPath:
+      return {{}, {crate.token(payload)}};
+    default:
+      throw CrateError{"types that citykiln writes"};
   }
 }
 

@@ -22,13 +22,13 @@ using UsdReadDictionary = std::map<std::string, UsdReadValue>;
 
 struct UsdReadPrim {
   std::string path, type;
-  UsdReadDictionary values{};                                   ///< Of attributes.
-  std::map<std::string, std::string> interpolations{};          ///< Of attributes that state one.
-  std::map<std::string, std::vector<std::string>> targets{};    ///< Of relationships, and connections of attributes.
+  UsdReadDictionary values{};                                 ///< Of attributes.
+  std::map<std::string, std::string> interpolations{};        ///< Of attributes that state one.
+  std::map<std::string, std::vector<std::string>> targets{};  ///< Of relationships, and connections of attributes.
   UsdReadDictionary custom_data{};
-  std::vector<std::string> payloads{};                          ///< Paths of files.
-  std::map<std::string, std::string> selections{};              ///< Variant sets and the variant that is shown.
-  std::map<std::string, std::vector<UsdReadPrim>> variants{};   ///< By set; the path of each is its name.
+  std::vector<std::string> payloads{};                         ///< Paths of files.
+  std::map<std::string, std::string> selections{};             ///< Variant sets and the variant that is shown.
+  std::map<std::string, std::vector<UsdReadPrim>> variants{};  ///< By set; the path of each is its name.
   bool operator==(const UsdReadPrim&) const = default;
 };
 

@@ -276,7 +276,8 @@ Result<UsdReadLayer> read_usd_text(std::string_view text) {
     return TextReader(text).layer();
   } catch (const TextError& problem) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(problem.at), '\n');
-    return Error{"", "line " + std::to_string(line) + ": is no layer that citykiln wrote; expected " + problem.expected};
+    return Error{"",
+                 "line " + std::to_string(line) + ": is no layer that citykiln wrote; expected " + problem.expected};
   }
 }
 

@@ -19,8 +19,7 @@ void put(std::string& out, bool value) { out += value ? "true" : "false"; }
 void put(std::string&, std::monostate) {}
 
 template <typename Number>
-  requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>)
-void put(std::string& out, Number value) {
+requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) void put(std::string& out, Number value) {
   char digits[32];
   const auto end = std::to_chars(digits, std::end(digits), value).ptr;
   out.append(digits, end);

@@ -19,7 +19,7 @@ struct UsdMaterialKey {
   bake::PrimitiveKey primitive;  ///< has_uvs is false where the uvs show no image.
   const materials::Texture* texture = nullptr;
   const impostor::Cutout* cutout = nullptr;
-  bool has_backs = false;                   ///< Faces of its own for both sides (gltf/leaf_backs.h).
+  bool has_backs = false;                     ///< Faces of its own for both sides (gltf/leaf_backs.h).
   materials::Tint tint = materials::kNoTint;  ///< Mean of the mesh's tints; without an image always kNoTint.
   bool operator==(const UsdMaterialKey&) const = default;
 };
@@ -42,7 +42,7 @@ std::array<bake::Float3, 2> extent_of(const UsdBounds& bounds);
 struct UsdBuilder {
   const bake::BakedTile& tile;
   LayerWriter& writer;
-  std::string texture_folder;              ///< From the layer, with a slash at the end: "../textures/".
+  std::string texture_folder;  ///< From the layer, with a slash at the end: "../textures/".
   std::vector<UsdMaterial> materials{};
   std::vector<const impostor::Cutout*> cutouts{};  ///< No two are equal.
   std::vector<UsdFile> textures{};                 ///< Each name once.

@@ -16,8 +16,7 @@ void write_ids(UsdBuilder& b) {
     ids.push_back(id.id);
     types.emplace_back(kTypes[static_cast<std::size_t>(id.type)]);
   }
-  b.writer.write(
-      {.type = "int64[]", .name = "osm:id", .value = std::span<const std::int64_t>(ids), .is_custom = true});
+  b.writer.write({.type = "int64[]", .name = "osm:id", .value = std::span<const std::int64_t>(ids), .is_custom = true});
   b.writer.write({.type = "token[]", .name = "osm:type", .value = UsdTokens{types}, .is_custom = true});
 }
 
@@ -25,8 +24,7 @@ void write_texts(UsdBuilder& b, const char* name, std::string FeatureAttributes:
   Texts texts;
   for (const FeatureAttributes& row : b.tile.attributes) texts.push_back(row.*member);
   if (std::ranges::all_of(texts, &std::string::empty)) return;
-  b.writer.write(
-      {.type = "string[]", .name = name, .value = std::span<const std::string>(texts), .is_custom = true});
+  b.writer.write({.type = "string[]", .name = name, .value = std::span<const std::string>(texts), .is_custom = true});
 }
 
 void write_heights(UsdBuilder& b) {

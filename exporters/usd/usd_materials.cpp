@@ -85,7 +85,8 @@ void write_image(UsdBuilder& b, const std::string& material, const ImageUse& use
   b.writer.write({.type = "float2", .name = "inputs:st", .connection = material + "/st.outputs:result"});
   b.writer.write({.type = "token", .name = "inputs:wrapS", .value = UsdToken{std::string(use.wrap_s)}});
   b.writer.write({.type = "token", .name = "inputs:wrapT", .value = UsdToken{std::string(use.wrap_t)}});
-  b.writer.write({.type = "token", .name = "inputs:sourceColorSpace", .value = UsdToken{use.is_colour ? "sRGB" : "raw"}});
+  b.writer.write(
+      {.type = "token", .name = "inputs:sourceColorSpace", .value = UsdToken{use.is_colour ? "sRGB" : "raw"}});
   if (use.scale != Float4{1, 1, 1, 1}) b.writer.write({.type = "float4", .name = "inputs:scale", .value = use.scale});
   if (use.bias != Float4{0, 0, 0, 0}) b.writer.write({.type = "float4", .name = "inputs:bias", .value = use.bias});
   b.writer.write({.type = "float3", .name = "outputs:rgb"});
@@ -110,7 +111,12 @@ std::vector<ImageUse> images_of(UsdBuilder& b, const UsdMaterialKey& key) {
                     static_cast<float>(key.tint[2]) / 255, 1};
   const auto add_normals = [&](std::string_view name, const TextureImage& image, std::string_view wrap) {
     if (image.texels.empty()) return;
-    uses.push_back({"normals", add_texture(b, name, image, PictureContent::kExact), false, wrap, wrap, {2, 2, 2, 1},
+    uses.push_back({"normals",
+                    add_texture(b, name, image, PictureContent::kExact),
+                    false,
+                    wrap,
+                    wrap,
+                    {2, 2, 2, 1},
                     {-1, -1, -1, 0}});
   };
   if (key.primitive.colour_source == ColourSource::kByMarkingAtlas)
@@ -118,16 +124,23 @@ std::vector<ImageUse> images_of(UsdBuilder& b, const UsdMaterialKey& key) {
                     "clamp", "repeat", tint});
   if (key.primitive.colour_source == ColourSource::kByAtlas) {
     const impostor::Atlas& atlas = b.tile.facade_atlas;
-    uses.push_back({"colour", add_texture(b, "facade_atlas", atlas.colour, PictureContent::kAtlas), true, "clamp",
-                    "clamp", tint});
+    uses.push_back(
+        {"colour", add_texture(b, "facade_atlas", atlas.colour, PictureContent::kAtlas), true, "clamp", "clamp", tint});
     uses.push_back({"surfaces", add_texture(b, "facade_atlas_surface", atlas.surface, PictureContent::kExact)});
     if (!atlas.emission.texels.empty())
-      uses.push_back({"emission", add_texture(b, "facade_atlas_emission", atlas.emission, PictureContent::kAtlas), true});
+      uses.push_back(
+          {"emission", add_texture(b, "facade_atlas_emission", atlas.emission, PictureContent::kAtlas), true});
     add_normals("facade_atlas_normal", atlas.normal, "clamp");
   }
   if (key.cutout != nullptr) {
-    uses.push_back({"colour", add_texture(b, "cutout", key.cutout->colour, PictureContent::kExact, key.cutout->opacity),
-                    true, "clamp", "clamp", tint, {}, true});
+    uses.push_back({"colour",
+                    add_texture(b, "cutout", key.cutout->colour, PictureContent::kExact, key.cutout->opacity),
+                    true,
+                    "clamp",
+                    "clamp",
+                    tint,
+                    {},
+                    true});
     add_normals("cutout_normal", key.cutout->normal, "clamp");
   }
   if (key.texture != nullptr) {

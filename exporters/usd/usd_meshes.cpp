@@ -53,10 +53,8 @@ void write_st(UsdBuilder& b, const Primitive& p, const materials::TextureImage& 
     const Float2 uv = in_image_units(image, uv_m);
     st.push_back({uv[0], 1.0f - uv[1]});
   }
-  b.writer.write({.type = "texCoord2f[]",
-                  .name = "primvars:st",
-                  .value = std::span<const Float2>(st),
-                  .interpolation = "vertex"});
+  b.writer.write(
+      {.type = "texCoord2f[]", .name = "primvars:st", .value = std::span<const Float2>(st), .interpolation = "vertex"});
 }
 
 Float3 colour_of(materials::Material material, const materials::Tint& tint) {

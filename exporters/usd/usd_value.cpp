@@ -8,8 +8,8 @@ namespace citykiln::exporters {
 namespace {
 
 // In the order of the alternatives of UsdValue.
-constexpr std::string_view kTypes[] = {"",       "bool",   "int",     "int64",    "float",    "double",  "string",
-                                       "token",  "asset",  "float2",  "float3",   "float4",   "double3", "int[]",
+constexpr std::string_view kTypes[] = {"",        "bool",    "int",      "int64",    "float",   "double",   "string",
+                                       "token",   "asset",   "float2",   "float3",   "float4",  "double3",  "int[]",
                                        "int64[]", "float[]", "float2[]", "float3[]", "quath[]", "string[]", "token[]"};
 static_assert(std::size(kTypes) == std::variant_size_v<UsdValue>);
 

@@ -29,11 +29,11 @@ struct UsdAsset {
 using UsdQuath = std::array<std::uint16_t, 4>;
 
 /// Nothing (an attribute that is declared only), a scalar, or an array.
-using UsdValue = std::variant<std::monostate, bool, std::int32_t, std::int64_t, float, double, std::string, UsdToken,
-                              UsdAsset, bake::Float2, bake::Float3, bake::Float4, Vec3, std::span<const std::int32_t>,
-                              std::span<const std::int64_t>, std::span<const float>, std::span<const bake::Float2>,
-                              std::span<const bake::Float3>, std::span<const UsdQuath>, std::span<const std::string>,
-                              UsdTokens>;
+using UsdValue =
+    std::variant<std::monostate, bool, std::int32_t, std::int64_t, float, double, std::string, UsdToken, UsdAsset,
+                 bake::Float2, bake::Float3, bake::Float4, Vec3, std::span<const std::int32_t>,
+                 std::span<const std::int64_t>, std::span<const float>, std::span<const bake::Float2>,
+                 std::span<const bake::Float3>, std::span<const UsdQuath>, std::span<const std::string>, UsdTokens>;
 
 /// Named values, in the order in which they are written. No nested ones.
 using UsdDictionary = std::vector<std::pair<std::string, UsdValue>>;

@@ -75,7 +75,8 @@ Result<Bytes> pack_usdz(std::span<const UsdFile> files) {
   put(out, entries);
   put(out, kEndMagic, 4), put(out, 0, 2), put(out, 0, 2), put(out, files.size(), 2), put(out, files.size(), 2);
   put(out, entries.size(), 4), put(out, start, 4), put(out, 0, 2);
-  if (out.size() > std::numeric_limits<std::uint32_t>::max() || files.size() > std::numeric_limits<std::uint16_t>::max())
+  if (out.size() > std::numeric_limits<std::uint32_t>::max() ||
+      files.size() > std::numeric_limits<std::uint16_t>::max())
     return Error{"", "a .usdz has at most 4 GB; choose one tile or a larger tolerance"};
   return out;
 }

@@ -1,5 +1,5 @@
-// Reads any bytes as a layer of USD, text or crate, to a layer or an error. The tables of a crate are compressed, so the
-// bytes are its values and the unpacked numbers of a table, too.
+// Reads any bytes as a layer of USD, text or crate, to a layer or an error. The tables of a crate are compressed, so
+// the bytes are its values and the unpacked numbers of a table, too.
 #include "exporters/usd/crate_coding.h"
 #include "exporters/usd/read_layer.h"
 

@@ -16,7 +16,11 @@ Numbers made_numbers(std::mt19937& dice, std::size_t count) {
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t kind = dice() % 5;
-    last += kind == 0 ? 1 : kind == 1 ? dice() % 256 - 128 : kind == 2 ? dice() % 65536 - 32768 : kind == 3 ? dice() : 0;
+    last += kind == 0   ? 1
+            : kind == 1 ? dice() % 256 - 128
+            : kind == 2 ? dice() % 65536 - 32768
+            : kind == 3 ? dice()
+                        : 0;
     numbers.push_back(static_cast<std::int32_t>(last));
   }
   return numbers;

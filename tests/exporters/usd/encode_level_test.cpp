@@ -52,7 +52,9 @@ TEST(UsdLevel, HasEveryPrimitiveAndInstance) {
       if (prim.type == "Mesh") corners += prim.values.at("faceVertexIndices").numbers.size();
       if (prim.type == "PointInstancer") instances += prim.values.at("protoIndices").numbers.size();
     }
-    const auto count = [&](const bake::Primitive& p) { expected_corners += 3 * p.triangles.size() * (has_backs(p) ? 2 : 1); };
+    const auto count = [&](const bake::Primitive& p) {
+      expected_corners += 3 * p.triangles.size() * (has_backs(p) ? 2 : 1);
+    };
     for (const bake::Primitive& p : tile.primitives) count(p);
     for (const bake::InstancedMesh& mesh : tile.instanced) {
       for (const bake::Primitive& p : mesh.primitives) count(p);
@@ -79,7 +81,8 @@ TEST(UsdLevel, LeavesHaveTheMeanTintOfTheirMesh) {
   bake::BakedTile tile = made_facade_tile(2);
   bake::Primitive& leaves = tile.instanced.front().primitives.back();
   ASSERT_EQ(leaves.colour_source, materials::ColourSource::kByCutout);
-  for (std::size_t i = 0; i < leaves.colours.size(); ++i) leaves.colours[i] = {static_cast<std::uint8_t>(i % 2 == 0 ? 51 : 153), 255, 0, 255};
+  for (std::size_t i = 0; i < leaves.colours.size(); ++i)
+    leaves.colours[i] = {static_cast<std::uint8_t>(i % 2 == 0 ? 51 : 153), 255, 0, 255};
   const UsdReadLayer layer = read(encode_level(tile, made_header(), ""));
   std::size_t found = 0;
   for (const UsdReadPrim& prim : layer.prims) {

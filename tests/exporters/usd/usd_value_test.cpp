@@ -13,7 +13,8 @@ bool is_number(std::uint16_t bits) { return (bits & 0x7c00) != 0x7c00; }
 
 TEST(UsdHalf, EveryNumberIsKept) {
   for (std::uint32_t bits = 0; bits < 65536; ++bits)
-    if (const auto half = static_cast<std::uint16_t>(bits); is_number(half)) ASSERT_EQ(half_bits(half_value(half)), half);
+    if (const auto half = static_cast<std::uint16_t>(bits); is_number(half))
+      ASSERT_EQ(half_bits(half_value(half)), half);
 }
 
 TEST(UsdHalf, IsTheNearest) {
