@@ -285,47 +285,55 @@ void CrateWriter::put_specs() {
   put_packed(paths), put_packed(fields), put_packed(types);
 }
 
+void CrateWriter::put_strings() {
+  put_raw(std::uint64_t{token_list_.size()});
+  for (std::uint32_t i = 0; i < token_list_.size(); ++i) put_raw(i);
+}
+
+void CrateWriter::put_field_sets() {
+  put_raw(std::uint64_t{field_sets_.size()});
+  put_packed(field_sets_);
+}
+
+// Paths that were named before they were there.
+void CrateWriter::set_path_numbers() {
+  for (const auto& [place, path] : path_uses_) {
+    const auto found = path_numbers_.find(path);
+    assert(found != path_numbers_.end() && "targets are prims and properties of the layer");
+    std::memcpy(out_.data() + place, &found->second, sizeof found->second);
+  }
+}
+
+void CrateWriter::put_bootstrap(std::uint64_t contents) {
+  constexpr std::uint8_t kVersion[8] = {0, 8, 0};
+  std::memcpy(out_.data(), kCrateMagic, 8);
+  std::memcpy(out_.data() + 8, kVersion, sizeof kVersion);
+  std::memcpy(out_.data() + 16, &contents, sizeof contents);
+}
+
 std::vector<std::byte> CrateWriter::finish() {
   end(CrateSpec::kPseudoRoot);
   assert(open_.empty());
-  for (const auto& [place, path] : path_uses_) {
-    const std::int32_t number = path_numbers_.at(path);
-    std::memcpy(out_.data() + place, &number, sizeof number);
-  }
-  struct Section {
-    const char* name;
-    std::uint64_t start, size;
-  };
-  std::vector<Section> sections;
-  const auto section = [&](const char* name, auto put_it) {
+  set_path_numbers();
+  constexpr std::pair<const char*, void (CrateWriter::*)()> kSections[] = {
+      {"TOKENS", &CrateWriter::put_tokens}, {"STRINGS", &CrateWriter::put_strings},
+      {"FIELDS", &CrateWriter::put_fields}, {"FIELDSETS", &CrateWriter::put_field_sets},
+      {"PATHS", &CrateWriter::put_paths},   {"SPECS", &CrateWriter::put_specs}};
+  std::vector<std::uint64_t> starts, ends;
+  for (const auto& [name, put_section] : kSections) {
     out_.resize((out_.size() + 7) / 8 * 8);
-    const std::uint64_t start = out_.size();
-    put_it();
-    sections.push_back({name, start, out_.size() - start});
-  };
-  section("TOKENS", [&] { put_tokens(); });
-  section("STRINGS", [&] {
-    put_raw(std::uint64_t{token_list_.size()});
-    for (std::uint32_t i = 0; i < token_list_.size(); ++i) put_raw(i);
-  });
-  section("FIELDS", [&] { put_fields(); });
-  section("FIELDSETS", [&] {
-    put_raw(std::uint64_t{field_sets_.size()});
-    put_packed(field_sets_);
-  });
-  section("PATHS", [&] { put_paths(); });
-  section("SPECS", [&] { put_specs(); });
-  const std::uint64_t contents = out_.size();
-  put_raw(std::uint64_t{sections.size()});
-  for (const Section& s : sections) {
-    char name[kCrateSectionNameBytes] = {};
-    std::strncpy(name, s.name, sizeof name - 1);
-    put_raw(name), put_raw(s.start), put_raw(s.size);
+    starts.push_back(out_.size());
+    (this->*put_section)();
+    ends.push_back(out_.size());
   }
-  const std::uint8_t version[8] = {0, 8, 0};
-  std::memcpy(out_.data(), kCrateMagic, 8);
-  std::memcpy(out_.data() + 8, version, sizeof version);
-  std::memcpy(out_.data() + 16, &contents, sizeof contents);
+  const std::uint64_t contents = out_.size();
+  put_raw(std::uint64_t{starts.size()});
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    char name[kCrateSectionNameBytes] = {};
+    std::strncpy(name, kSections[i].first, sizeof name - 1);
+    put_raw(name), put_raw(starts[i]), put_raw(ends[i] - starts[i]);
+  }
+  put_bootstrap(contents);
   return std::move(out_);
 }
 

@@ -62,6 +62,10 @@ class CrateWriter final : public LayerWriter {
   void put_raw(const T& value);
   void put_packed(std::span<const std::int32_t> numbers);
   void put_tokens();
+  void put_strings();
+  void put_field_sets();
+  void set_path_numbers();
+  void put_bootstrap(std::uint64_t contents);
   void put_fields();
   void put_paths();
   void put_specs();

@@ -104,66 +104,90 @@ void write_reader(UsdBuilder& b, const char* name, const char* type, const char*
   b.writer.end_prim();
 }
 
+using ImageUses = std::vector<ImageUse>;
+
+Float4 scale_of(const materials::Tint& tint) {
+  const auto channel = [&](std::size_t c) { return static_cast<float>(tint[c]) / 255; };
+  return {channel(0), channel(1), channel(2), 1};
+}
+
+// Texels of 0 … 1 stand for components of -1 … 1.
+void add_normals(UsdBuilder& b, std::string_view name, const TextureImage& image, std::string_view wrap,
+                 ImageUses& uses) {
+  if (image.texels.empty()) return;
+  uses.push_back({.name = "normals",
+                  .path = add_texture(b, name, image, PictureContent::kExact),
+                  .wrap_s = wrap,
+                  .wrap_t = wrap,
+                  .scale = {2, 2, 2, 1},
+                  .bias = {-1, -1, -1, 0}});
+}
+
+void add_marking_atlas(UsdBuilder& b, const Float4& tint, ImageUses& uses) {
+  uses.push_back({.name = "colour",
+                  .path = add_texture(b, "marking_atlas", b.tile.marking_atlas, PictureContent::kExact),
+                  .is_colour = true,
+                  .wrap_t = "repeat",
+                  .scale = tint});
+}
+
+void add_facade_atlas(UsdBuilder& b, const Float4& tint, ImageUses& uses) {
+  const impostor::Atlas& atlas = b.tile.facade_atlas;
+  uses.push_back({.name = "colour",
+                  .path = add_texture(b, "facade_atlas", atlas.colour, PictureContent::kAtlas),
+                  .is_colour = true,
+                  .scale = tint});
+  uses.push_back(
+      {.name = "surfaces", .path = add_texture(b, "facade_atlas_surface", atlas.surface, PictureContent::kExact)});
+  if (!atlas.emission.texels.empty())
+    uses.push_back({.name = "emission",
+                    .path = add_texture(b, "facade_atlas_emission", atlas.emission, PictureContent::kAtlas),
+                    .is_colour = true});
+  add_normals(b, "facade_atlas_normal", atlas.normal, "clamp", uses);
+}
+
+void add_cutout(UsdBuilder& b, const impostor::Cutout& cutout, const Float4& tint, ImageUses& uses) {
+  uses.push_back({.name = "colour",
+                  .path = add_texture(b, "cutout", cutout.colour, PictureContent::kExact, cutout.opacity),
+                  .is_colour = true,
+                  .scale = tint,
+                  .has_alpha = true});
+  add_normals(b, "cutout_normal", cutout.normal, "clamp", uses);
+}
+
+void add_repeated(UsdBuilder& b, const materials::Texture& texture, Float4 tint, ImageUses& uses) {
+  const std::string name(values_of(texture.material).name);
+  const auto factor = materials::colour_factor(texture);
+  for (std::size_t c = 0; c < 3; ++c) tint[c] *= static_cast<float>(factor[c]);
+  if (!texture.colour.texels.empty())
+    uses.push_back({.name = "colour",
+                    .path = add_texture(b, name + "Colour", texture.colour, PictureContent::kColour),
+                    .is_colour = true,
+                    .wrap_s = "repeat",
+                    .wrap_t = "repeat",
+                    .scale = tint});
+  add_normals(b, name + "Normal", texture.normal, "repeat", uses);
+}
+
 // The images of a material, by what they are for.
-std::vector<ImageUse> images_of(UsdBuilder& b, const UsdMaterialKey& key) {
-  std::vector<ImageUse> uses;
-  const Float4 tint{static_cast<float>(key.tint[0]) / 255, static_cast<float>(key.tint[1]) / 255,
-                    static_cast<float>(key.tint[2]) / 255, 1};
-  const auto add_normals = [&](std::string_view name, const TextureImage& image, std::string_view wrap) {
-    if (image.texels.empty()) return;
-    uses.push_back({"normals",
-                    add_texture(b, name, image, PictureContent::kExact),
-                    false,
-                    wrap,
-                    wrap,
-                    {2, 2, 2, 1},
-                    {-1, -1, -1, 0}});
-  };
-  if (key.primitive.colour_source == ColourSource::kByMarkingAtlas)
-    uses.push_back({"colour", add_texture(b, "marking_atlas", b.tile.marking_atlas, PictureContent::kExact), true,
-                    "clamp", "repeat", tint});
-  if (key.primitive.colour_source == ColourSource::kByAtlas) {
-    const impostor::Atlas& atlas = b.tile.facade_atlas;
-    uses.push_back(
-        {"colour", add_texture(b, "facade_atlas", atlas.colour, PictureContent::kAtlas), true, "clamp", "clamp", tint});
-    uses.push_back({"surfaces", add_texture(b, "facade_atlas_surface", atlas.surface, PictureContent::kExact)});
-    if (!atlas.emission.texels.empty())
-      uses.push_back(
-          {"emission", add_texture(b, "facade_atlas_emission", atlas.emission, PictureContent::kAtlas), true});
-    add_normals("facade_atlas_normal", atlas.normal, "clamp");
-  }
-  if (key.cutout != nullptr) {
-    uses.push_back({"colour",
-                    add_texture(b, "cutout", key.cutout->colour, PictureContent::kExact, key.cutout->opacity),
-                    true,
-                    "clamp",
-                    "clamp",
-                    tint,
-                    {},
-                    true});
-    add_normals("cutout_normal", key.cutout->normal, "clamp");
-  }
-  if (key.texture != nullptr) {
-    const std::string name(values_of(key.texture->material).name);
-    const auto factor = materials::colour_factor(*key.texture);
-    Float4 scale = tint;
-    for (std::size_t c = 0; c < 3; ++c) scale[c] *= static_cast<float>(factor[c]);
-    if (!key.texture->colour.texels.empty())
-      uses.push_back({"colour", add_texture(b, name + "Colour", key.texture->colour, PictureContent::kColour), true,
-                      "repeat", "repeat", scale});
-    add_normals(name + "Normal", key.texture->normal, "repeat");
-  }
+ImageUses images_of(UsdBuilder& b, const UsdMaterialKey& key) {
+  ImageUses uses;
+  const Float4 tint = scale_of(key.tint);
+  if (key.primitive.colour_source == ColourSource::kByMarkingAtlas) add_marking_atlas(b, tint, uses);
+  if (key.primitive.colour_source == ColourSource::kByAtlas) add_facade_atlas(b, tint, uses);
+  if (key.cutout != nullptr) add_cutout(b, *key.cutout, tint, uses);
+  if (key.texture != nullptr) add_repeated(b, *key.texture, tint, uses);
   return uses;
 }
 
-const ImageUse* use_named(const std::vector<ImageUse>& uses, std::string_view name) {
+const ImageUse* use_named(const ImageUses& uses, std::string_view name) {
   const auto found = std::ranges::find(uses, name, &ImageUse::name);
   return found == uses.end() ? nullptr : &*found;
 }
 
 // ---- the surface ----
 
-void write_colour(UsdBuilder& b, const std::string& path, const std::vector<ImageUse>& uses) {
+void write_colour(UsdBuilder& b, const std::string& path, const ImageUses& uses) {
   const bool has_image = use_named(uses, "colour") != nullptr;
   b.writer.write({.type = "color3f",
                   .name = "inputs:diffuseColor",
@@ -173,8 +197,7 @@ void write_colour(UsdBuilder& b, const std::string& path, const std::vector<Imag
   b.writer.write({.type = "float", .name = "inputs:opacityThreshold", .value = 0.5f});
 }
 
-void write_roughness(UsdBuilder& b, const std::string& path, const UsdMaterialKey& key,
-                     const std::vector<ImageUse>& uses) {
+void write_roughness(UsdBuilder& b, const std::string& path, const UsdMaterialKey& key, const ImageUses& uses) {
   if (use_named(uses, "surfaces") != nullptr) {
     b.writer.write({.type = "float", .name = "inputs:roughness", .connection = path + "/surfaces.outputs:g"});
     b.writer.write({.type = "float", .name = "inputs:metallic", .connection = path + "/surfaces.outputs:b"});
@@ -185,8 +208,7 @@ void write_roughness(UsdBuilder& b, const std::string& path, const UsdMaterialKe
   b.writer.write({.type = "float", .name = "inputs:metallic", .value = values.metallic});
 }
 
-void write_emission(UsdBuilder& b, const std::string& path, const UsdMaterialKey& key,
-                    const std::vector<ImageUse>& uses) {
+void write_emission(UsdBuilder& b, const std::string& path, const UsdMaterialKey& key, const ImageUses& uses) {
   if (use_named(uses, "emission") != nullptr)
     b.writer.write({.type = "color3f", .name = "inputs:emissiveColor", .connection = path + "/emission.outputs:rgb"});
   else if (key.primitive.colour_source == ColourSource::kByMaterial && emits(key.primitive.material))
@@ -195,7 +217,7 @@ void write_emission(UsdBuilder& b, const std::string& path, const UsdMaterialKey
 
 void write_material(UsdBuilder& b, const UsdMaterial& material) {
   const std::string path = scope_path() + "/" + material.name;
-  const std::vector<ImageUse> uses = images_of(b, material.key);
+  const ImageUses uses = images_of(b, material.key);
   b.writer.begin_prim({.type = "Material", .name = material.name});
   b.writer.write({.type = "token", .name = "outputs:surface", .connection = path + "/surface.outputs:surface"});
   b.writer.begin_prim({.type = "Shader", .name = "surface"});
