@@ -19,6 +19,11 @@ constexpr int kDeepest = 64;
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == ';'; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == ':' || c == '.'; }
 
+// Types of integers and of double precision are not.
+bool is_single(std::string_view type) {
+  return !type.starts_with("int") && !type.starts_with("double") && !type.starts_with("matrix");
+}
+
 // A recursive descent over the grammar of .usda, as far as citykiln uses it.
 class TextReader {
  public:
@@ -97,14 +102,18 @@ class TextReader {
     return out;
   }
 
-  double number() {
+  template <typename Number>
+  Number number_as() {
     next();
-    double value = 0;
+    Number value = 0;
     const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
     if (error != std::errc()) throw TextError{"a number", at_};
     at_ = static_cast<std::size_t>(end - text_.data());
     return value;
   }
+
+  // The number that the attribute's type holds.
+  double number() { return is_single_ ? static_cast<double>(number_as<float>()) : number_as<double>(); }
 
   // A value, nested lists flattened.
   void value(UsdReadValue& out, int depth) {
@@ -139,7 +148,8 @@ class TextReader {
 
   std::string type() {
     std::string name = word();
-    if (skip('[')) expect(']'), name += "[]";
+    if (skip('[')) expect(']');
+    is_single_ = is_single(name);
     return name;
   }
 
@@ -152,6 +162,7 @@ class TextReader {
       expect('=');
       entries[name] = value();
     }
+    is_single_ = false;
     return entries;
   }
 
@@ -239,7 +250,9 @@ class TextReader {
     if (first == "variantSet") return variant_set(prim, depth);
     if (first == "rel") return relationship(prim);
     if (skip('[')) expect(']');
+    is_single_ = is_single(first);
     attribute(prim);
+    is_single_ = false;
   }
 
   // What follows "def".
@@ -266,6 +279,7 @@ class TextReader {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  bool is_single_ = false;  ///< Whether numbers are of single precision or less.
   UsdReadLayer layer_;
 };
 

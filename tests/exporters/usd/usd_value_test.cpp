@@ -13,8 +13,9 @@ bool is_number(std::uint16_t bits) { return (bits & 0x7c00) != 0x7c00; }
 
 TEST(UsdHalf, EveryNumberIsKept) {
   for (std::uint32_t bits = 0; bits < 65536; ++bits)
-    if (const auto half = static_cast<std::uint16_t>(bits); is_number(half))
+    if (const auto half = static_cast<std::uint16_t>(bits); is_number(half)) {
       ASSERT_EQ(half_bits(half_value(half)), half);
+    }
 }
 
 TEST(UsdHalf, IsTheNearest) {
@@ -26,7 +27,8 @@ TEST(UsdHalf, IsTheNearest) {
     const double error = std::abs(half_value(half) - static_cast<double>(value));
     for (const int step : {-1, 1}) {
       const auto other = static_cast<std::uint16_t>(half + step);
-      if (is_number(other)) ASSERT_LE(error, std::abs(half_value(other) - static_cast<double>(value)));
+      if (!is_number(other)) continue;
+      ASSERT_LE(error, std::abs(half_value(other) - static_cast<double>(value)));
     }
   }
 }
