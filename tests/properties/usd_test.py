@@ -110,6 +110,24 @@ class WhatUsdSays(ProgramTest):
                     compared += 1
         self.assertGreater(compared, 30)
 
+    def test_vertices_are_those_of_the_glb(self):
+        textured = 0
+        for tile, glb, *_ in self.each_level():
+            node = next(n for n in glb.gltf["nodes"] if n["name"] == "buildings")
+            meshes = [p for p in tile.at("buildings").children.values() if p.kind == "Mesh"]
+            primitives = glb.gltf["meshes"][node["mesh"]]["primitives"]
+            self.assertEqual(len(meshes), len(primitives))
+            for mesh, primitive in zip(meshes, primitives):
+                values = {name: glb.values(number) for name, number in primitive["attributes"].items()}
+                self.assertEqual(mesh.attributes["points"], [[x, -z, y] for x, y, z in values["POSITION"]])
+                self.assertEqual(mesh.attributes["normals"], [[x, -z, y] for x, y, z in values["NORMAL"]])
+                if "primvars:st" in mesh.attributes:
+                    for (s, t), (u, v) in zip(mesh.attributes["primvars:st"], values["TEXCOORD_0"], strict=True):
+                        self.assertEqual(s, u)
+                        self.assertAlmostEqual(t, 1 - v, places=4)
+                    textured += 1
+        self.assertGreater(textured, 3)
+
     def test_instances_are_those_of_the_glb(self):
         compared = 0
         for tile, glb, *_ in self.each_level():
