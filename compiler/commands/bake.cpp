@@ -165,6 +165,9 @@ Result<Done> output_fits(const Request& request) {
                  "no output is given; add -o FILE.glb or FILE.usdz with --tolerance or --eye, or -o FOLDER without"};
   if (!is_one_file && (request.out_path.ends_with(".glb") || request.out_path.ends_with(".usdz")))
     return Error{request.out_path, "names one file, which needs a tolerance: add --tolerance M, such as 0.1, or --eye"};
+  if (is_one_file && (request.out_path.ends_with(".usd") || request.out_path.ends_with(".usda") ||
+                      request.out_path.ends_with(".usdc")))
+    return Error{request.out_path, "leaves textures without a file; give FILE.usdz, or -o FOLDER with --emit usd"};
   std::error_code none;
   if (is_one_file && std::filesystem::is_directory(request.out_path, none))
     return Error{request.out_path, "is a folder; --tolerance and --eye write one file: give -o FILE.glb"};

@@ -13,12 +13,12 @@ from usd import Text, read_layer  # beside citykiln_program.py
 NEAR = 1e-4
 
 
-def meshes_below(spec, path=""):
-    """Path and Spec of every mesh."""
+def below(spec, kind, path=""):
+    """Path and Spec of every prim of a kind."""
     for name, child in spec.children.items():
-        if child.kind == "Mesh":
+        if child.kind == kind:
             yield f"{path}/{name}", child
-        yield from meshes_below(child, f"{path}/{name}")
+        yield from below(child, kind, f"{path}/{name}")
 
 
 def bounds(points):
@@ -37,7 +37,8 @@ class ReadersOfUsd(ProgramTest):
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.facts = json.loads(facts.read_text())
-        self.own = [dict(meshes_below(read_layer(path))) for path in self.layers]
+        self.read = [read_layer(path) for path in self.layers]
+        self.own = [dict(below(layer, "Mesh")) for layer in self.read]
 
     def assertNear(self, some, others, where):
         for one, other in zip(some, others, strict=True):
@@ -56,10 +57,29 @@ class ReadersOfUsd(ProgramTest):
                 self.assertEqual(mesh["triangles"], len(spec["faceVertexCounts"]), mesh["path"])
                 self.assertNear(mesh["low"] + mesh["high"], bounds(spec["points"]), mesh["path"])
 
+    def has_instancers(self, read, own):
+        """The same instances, and the same table of features."""
+        instancers = dict(below(own, "PointInstancer"))
+        self.assertGreater(len(instancers), 0)
+        for path, instancer in below(read, "PointInstancer"):
+            want = instancers.pop(path)
+            self.assertEqual(instancer.targets["prototypes"], want.targets["prototypes"])
+            for name in ("protoIndices", "ids", "primvars:feature"):
+                self.assertEqual(instancer.attributes[name], want.attributes[name], f"{path}.{name}")
+            for name in ("positions", "orientations", "scales"):
+                for one, other in zip(instancer.attributes[name], want.attributes[name], strict=True):
+                    self.assertNear(one, other, f"{path}.{name}")
+        self.assertEqual(instancers, {})
+        tables = [layer.children["tile"].children["features"].attributes for layer in (read, own)]
+        for name in ("osm:id", "osm:type", "osm:class"):
+            self.assertEqual(tables[0][name], tables[1][name])
+
     def tinyusdz_has_every_mesh(self):
-        for own, facts in zip(self.own, self.facts):
+        for layer, own, facts in zip(self.read, self.own, self.facts):
             with open(facts["tinyusdz"], encoding="utf-8") as text:
-                read = dict(meshes_below(Text(text.read()).layer()))
+                printed = Text(text.read()).layer()
+            self.has_instancers(printed, layer)
+            read = dict(below(printed, "Mesh"))
             self.assertEqual(set(read), set(own))
             for path, mesh in read.items():
                 want = own[path].attributes

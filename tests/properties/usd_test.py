@@ -222,6 +222,13 @@ class WhatUsdSays(ProgramTest):
         self.assertEqual([m.attributes["points"] for m in stage.default.below("Mesh")],
                          [m.attributes["points"] for m in folder.below("Mesh")])
 
+    def test_one_layer_as_one_file_is_refused(self):
+        file = self.folder / "tile.usda"
+        done = run("bake", self.town / "scene.kiln", "--tile", "0_0", "--tolerance", "2.5", "-o", file)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("give FILE.usdz", done.stderr)
+        self.assertFalse(file.exists())
+
 
 class DamageIsFound(ProgramTest):
     """Damage on purpose: by usd.py, and by `check` where the file list does not know the file's bytes."""
