@@ -87,16 +87,18 @@ Result<Done> set_tile(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
-  spec.outputs.manifest = spec.outputs.glb = false;
+  spec.outputs.manifest = spec.outputs.glb = spec.outputs.usd = false;
   for (const std::string_view form : split(text, ',')) {
     if (form == "kiln") {
       spec.outputs.manifest = true;
     } else if (form == "glb") {
       spec.outputs.glb = true;
-    } else if (form == "usd" || form == "3dtiles") {
-      return Error{"", fmt::format("{} is not supported yet; this version writes kiln and glb", form)};
+    } else if (form == "usd") {
+      spec.outputs.usd = true;
+    } else if (form == "3dtiles") {
+      return Error{"", fmt::format("{} is not supported yet; this version writes kiln, glb and usd", form)};
     } else {
-      return expected("kiln, glb or kiln,glb", form);
+      return expected("kiln, glb, usd or several of them, such as kiln,usd", form);
     }
   }
   return Done{};
@@ -186,7 +188,9 @@ constexpr Setting kSettings[] = {
      [](CompileSpec& spec, std::string_view text) { return add_tiles(text, spec.only); }},
     {"out", "FOLDER", "folder for all outputs; it is created if missing", false,
      [](CompileSpec& spec, std::string_view text) { return put(Result(std::string(text)), spec.outputs.folder); }},
-    {"emit", "kiln,glb", "outputs to write: kiln (manifest), glb (tiles) or both (default: kiln,glb)", false, set_emit},
+    {"emit", "kiln,glb,usd",
+     "outputs to write: kiln (manifest), glb (tiles), usd (a scene of the tiles) or several (default: kiln,glb)", false,
+     set_emit},
     {"lods", "M,M,...",
      "levels of detail: largest geometric error of each in metres, finest first (default: 0.1,0.5,1.2,2.5,12.5)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.ladder_m); }},

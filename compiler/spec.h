@@ -42,6 +42,7 @@ struct Outputs {
   std::string folder;
   bool manifest = true;  ///< scene.kiln
   bool glb = true;       ///< glb/<x>_<y>_L<n>.glb
+  bool usd = false;      ///< usd/scene.usda and the layers of its tiles
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
   Compress compress = Compress::kNone;

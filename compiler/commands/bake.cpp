@@ -22,6 +22,7 @@
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
+#include "exporters/usd/usdz.h"
 #include "preview/preview.h"
 
 namespace citykiln::commands {
@@ -57,6 +58,12 @@ Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, const Reques
 /// Writes the one file and returns its error in metres.
 Result<double> write_one_file(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
   const Outputs& outputs = request.spec.outputs;
+  if (request.out_path.ends_with(".usdz")) {
+    const Result<std::vector<std::byte>> usdz = exporters::encode_usdz(tile, header);
+    if (!usdz) return Error{request.out_path, usdz.error().message};
+    if (const Result<Done> done = exporters::write_file(request.out_path, *usdz); !done) return done.error();
+    return tile.error_m;
+  }
   const exporters::EncodedTile encoded =
       exporters::encode_tile(tile, header, verify::glb_options_of(outputs), request.spec.threads);
   if (const Result<Done> done = exporters::write_file(request.out_path, encoded.glb); !done) return done.error();
@@ -154,9 +161,13 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
 Result<Done> output_fits(const Request& request) {
   const bool is_one_file = request.tolerance_m || request.eye || request.eye_lonlat;
   if (request.out_path.empty())
-    return Error{"", "no output is given; add -o FILE.glb with --tolerance or --eye, or -o FOLDER without"};
-  if (!is_one_file && request.out_path.ends_with(".glb"))
+    return Error{"",
+                 "no output is given; add -o FILE.glb or FILE.usdz with --tolerance or --eye, or -o FOLDER without"};
+  if (!is_one_file && (request.out_path.ends_with(".glb") || request.out_path.ends_with(".usdz")))
     return Error{request.out_path, "names one file, which needs a tolerance: add --tolerance M, such as 0.1, or --eye"};
+  if (is_one_file && (request.out_path.ends_with(".usd") || request.out_path.ends_with(".usda") ||
+                      request.out_path.ends_with(".usdc")))
+    return Error{request.out_path, "leaves textures without a file; give FILE.usdz, or -o FOLDER with --emit usd"};
   std::error_code none;
   if (is_one_file && std::filesystem::is_directory(request.out_path, none))
     return Error{request.out_path, "is a folder; --tolerance and --eye write one file: give -o FILE.glb"};
@@ -195,14 +206,15 @@ void add_settings(Verb& verb, Request& request) {
 
 Verb bake_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"bake", "bakes a manifest to one .glb file, or to a folder as compile does", {}, {}};
+  Verb verb{"bake", "bakes a manifest to one .glb or .usdz file, or to a folder as compile does", {}, {}};
   verb.options = {
       {"manifest", "SCENE.kiln|OUT", "manifest to bake, such as out/scene.kiln, or the folder of a run", false,
        store_text(request->manifest_path)},
       {"--tolerance", "M",
-       "largest geometric error in metres of one .glb file, such as 0.1; with --eye the smallest (default there: 0.02)",
+       "largest geometric error in metres of one .glb or .usdz file, such as 0.1; with --eye the smallest (default "
+       "there: 0.02)",
        false, store_tolerance(request->tolerance_m)},
-      {"-o,--out", "FILE.glb|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
+      {"-o,--out", "FILE.glb|FILE.usdz|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
        store_text(request->out_path)},
       {"--eye", "X,Y,Z",
        "one .glb file for a viewer at this place in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the "
@@ -219,6 +231,7 @@ Verb bake_verb() {
   };
   add_settings(verb, *request);
   verb.examples = {"citykiln bake out/town/scene.kiln --tile 0_0 --tolerance 0.1 -o tile.glb",
+                   "citykiln bake out/town/scene.kiln --tile 0_0 --tolerance 0.5 -o tile.usdz",
                    "citykiln bake out/town/scene.kiln --eye 0,-200,+1.7 --size 1920x1080 -o view.glb",
                    "citykiln bake out/town/scene.kiln --lods 0.5,2.5 -o out/coarse"};
   verb.run = [request](const Console& console) { return run(*request, console); };

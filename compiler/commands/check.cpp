@@ -13,6 +13,7 @@
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/verify/check_folder.h"
 #include "compiler/verify/check_tile.h"
+#include "compiler/verify/check_usd.h"
 #include "compiler/verify/non_ground_objects.h"
 #include "exporters/kiln/manifest.h"
 
@@ -103,6 +104,22 @@ Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int th
   return results;
 }
 
+// The USD outputs, tile by tile.
+Result<Done> check_usd(const verify::LoadedRun& loaded, int threads, verify::CheckResults& results) {
+  if (loaded.record.usd.empty()) return Done{};
+  const std::vector<std::vector<verify::WrittenTile>> tiles = by_tile(loaded.record.usd);
+  const auto checked = for_each_slot<std::optional<Result<verify::CheckResults>>>(
+      tiles.size(), threads, [&](std::size_t i) { return std::optional(verify::check_usd_tile(loaded, tiles[i])); });
+  for (const auto& tile : checked) {
+    if (!*tile) return tile->error();
+    add(results, **tile);
+  }
+  const Result<verify::CheckResults> scene = verify::check_usd_scene(loaded);
+  if (!scene) return scene.error();
+  add(results, *scene);
+  return Done{};
+}
+
 Error failure(const std::string& folder, const verify::Check& check) {
   const std::size_t more = check.failures.size() - 1;
   return {folder, fmt::format("fails the check \"{}\": {}{}", check.claim, check.failures.front(),
@@ -126,9 +143,9 @@ Result<Exit> run(const Request& request, const Console& console) {
   if (!recipes.files.failures.empty()) return failure(folder, recipes.files);
   recipes.ledger.tests = 1, recipes.ledger.failures = loaded->record.unbalanced;
   check_recipes(loaded->scene, request.threads, recipes);
-  const Result<verify::CheckResults> results =
-      check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
+  Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
   if (!results) return results.error();
+  if (const Result<Done> done = check_usd(*loaded, request.threads, *results); !done) return done.error();
   print(*results, console);
   for (const verify::Check* check : verify::all_of(*results)) {
     if (!check->failures.empty()) return failure(folder, *check);

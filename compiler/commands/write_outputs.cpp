@@ -13,6 +13,7 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/commands/bake_keys.h"
+#include "compiler/commands/usd_outputs.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/pipeline.h"
 #include "compiler/verify/tile_note.h"
@@ -34,6 +35,7 @@ struct ReadyTile {
   std::vector<std::byte> glb;
   std::vector<exporters::SharedFile> shared;
   verify::WrittenTile record;
+  std::optional<ReadyUsd> usd{};
 };
 
 /// Tolerances that are solved for: preferred numbers, of which ten are a factor of ten.
@@ -41,8 +43,8 @@ constexpr double kSolvedTolerances_m[] = {0.02, 0.025, 0.032, 0.04, 0.05, 0.063,
                                           0.25, 0.32,  0.4,   0.5,  0.63, 0.8,   1,    1.25, 1.6,   2,    2.5,
                                           3.2,  4,     5,     6.3,  8,    10,    12.5, 16,   20,    25};
 
-ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene::Header& header,
-                     const Outputs& outputs, int threads) {
+ReadyTile ready_glb(const bake::BakedTile& tile, std::size_t level, const scene::Header& header, const Outputs& outputs,
+                    int threads) {
   exporters::EncodedTile encoded = exporters::encode_tile(tile, header, verify::glb_options_of(outputs), threads);
   exporters::SharedGlb divided = outputs.layout == Layout::kShared ? exporters::share_prototypes(encoded.glb)
                                                                    : exporters::SharedGlb{std::move(encoded.glb), {}};
@@ -56,6 +58,20 @@ ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene
            .error_m = encoded.error_m,
            .triangles = encoded.triangles,
            .instances = exporters::instances_of(tile)}};
+}
+
+ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene::Header& header,
+                     const Outputs& outputs, int threads) {
+  ReadyTile ready;
+  if (outputs.usd) ready.usd = ready_usd(tile, level, header);
+  // a limit of bytes is one of the .glb's
+  if (!outputs.glb && !outputs.max_bytes) {
+    ready.record = ready.usd->record;
+    return ready;
+  }
+  ReadyTile with_glb = ready_glb(tile, level, header, outputs, threads);
+  with_glb.usd = std::move(ready.usd);
+  return with_glb;
 }
 
 /// A tile that an interrupted run left whole.
@@ -84,13 +100,18 @@ class TileWriter {
  public:
   TileWriter(const scene::Scene& scene, const Outputs& outputs, int threads, exporters::OutputFolder& folder,
              Report& report)
-      : scene_(scene), outputs_(outputs), threads_(threads), folder_(folder), report_(report) {}
+      : scene_(scene),
+        outputs_(outputs),
+        threads_(threads),
+        folder_(folder),
+        report_(report),
+        usd_(scene.header, folder) {}
 
   Result<Done> write_all(const OnProgress& on_progress, WrittenOutputs& written) {
     keys_ = bake_keys(scene_, outputs_, threads_);
     // tiles with shared files are baked again: their journal lines do not name these
     whole_.resize(keys_.size());
-    if (outputs_.layout == Layout::kEmbedded) whole_ = whole_tiles(scene_, keys_, threads_, folder_);
+    if (outputs_.layout == Layout::kEmbedded && !outputs_.usd) whole_ = whole_tiles(scene_, keys_, threads_, folder_);
     ready_.resize(keys_.size());
     return bake_scene(scene_, outputs_.ladder_m, threads_, report_, on_progress,
                       {.exists = [&](ChunkLevel at) { return whole_[index(at)].has_value(); },
@@ -115,13 +136,14 @@ class TileWriter {
       const SolvedTile solved = solve(chunk, prototypes);
       too_large += !fits(solved.tile.record);
       report_.append(solved.diagnosed);
-      add({chunk, 0}, solved.tile.record, solved.diagnosed, written);
-      if (Result<Done> done = write_shared(solved.tile.shared, written.files.files); !done) return done;
-      if (Result<Done> done = folder_.write(solved.tile.record.file.name, solved.tile.glb); !done) return done;
+      if (Result<Done> done = write_ready({chunk, 0}, solved.tile, solved.diagnosed, 0, written); !done) return done;
     }
-    written.solved = solved_line(written.files.tiles, too_large);
+    written.solved = solved_line(outputs_.glb ? written.files.tiles : written.files.usd, too_large);
     return Done{};
   }
+
+  // The files that name others, after all tiles.
+  Result<Done> finish(WrittenOutputs& written) { return outputs_.usd ? usd_.finish(written.files) : Done{}; }
 
  private:
   struct SolvedTile {
@@ -168,10 +190,19 @@ class TileWriter {
   std::size_t index(ChunkLevel at) const { return at.chunk * outputs_.ladder_m.size() + at.level; }
 
   Result<Done> write(ChunkLevel at, const Report& diagnosed, WrittenOutputs& written) {
-    const ReadyTile ready = std::exchange(ready_[index(at)], {});
+    return write_ready(at, std::exchange(ready_[index(at)], {}), diagnosed, keys_[index(at)], written);
+  }
+
+  // @param key  0: no later run takes the .glb over.
+  Result<Done> write_ready(ChunkLevel at, const ReadyTile& ready, const Report& diagnosed, std::uint64_t key,
+                           WrittenOutputs& written) {
     add(at, ready.record, diagnosed, written);
+    if (ready.usd)
+      if (Result<Done> done = usd_.write(*ready.usd, written.files); !done) return done;
+    if (!outputs_.glb) return Done{};
     if (Result<Done> done = write_shared(ready.shared, written.files.files); !done) return done;
-    return folder_.write(ready.record.file.name, ready.glb, keys_[index(at)],
+    if (key == 0) return folder_.write(ready.record.file.name, ready.glb);
+    return folder_.write(ready.record.file.name, ready.glb, key,
                          verify::text_of(verify::TileNote{ready.record, diagnosed}));
   }
 
@@ -197,7 +228,7 @@ class TileWriter {
   }
 
   void add(ChunkLevel at, const verify::WrittenTile& record, const Report& diagnosed, WrittenOutputs& written) const {
-    written.files.tiles.push_back(record);
+    if (outputs_.glb) written.files.tiles.push_back(record);
     for (verify::Finding& finding : verify::findings_of(diagnosed, scene_.header, scene_.chunks[at.chunk], at.level))
       written.findings.push_back(std::move(finding));
   }
@@ -210,6 +241,7 @@ class TileWriter {
   std::vector<std::uint64_t> keys_;  ///< By chunk and level, as the following.
   std::vector<std::optional<WholeTile>> whole_;
   std::vector<ReadyTile> ready_;
+  UsdWriter usd_;
 };
 
 }  // namespace
@@ -224,13 +256,15 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
     if (!file) return file.error();
     written.files.files.push_back(*file);
   }
-  if (!outputs.glb) return written;
+  if (!outputs.glb && !outputs.usd) return written;
   TileWriter writer(scene, outputs, threads, folder, report);
   if (outputs.max_bytes || outputs.max_triangles) {
     if (const Result<Done> solved = writer.write_solved(on_progress, written); !solved) return solved.error();
+    if (const Result<Done> done = writer.finish(written); !done) return done.error();
     return written;
   }
-  const Result<Done> done = writer.write_all(on_progress, written);
+  Result<Done> done = writer.write_all(on_progress, written);
+  if (done) done = writer.finish(written);
   if (done) return written;
   if (!folder.has_keyed_files()) return done.error();
   return Error{done.error().where, done.error().message + "; the tiles baked so far are kept for the same command"};

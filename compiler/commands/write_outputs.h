@@ -25,7 +25,7 @@ struct WrittenOutputs {
   std::size_t taken_over = 0;             ///< Tiles that an interrupted run had left whole, and that were not baked.
 };
 
-/// Bakes and writes scene.kiln and glb/<x>_<y>_L<n>.glb as the outputs ask, one tile at a time. Tiles that an
+/// Bakes and writes scene.kiln, glb/<x>_<y>_L<n>.glb and usd/… as the outputs ask, one tile at a time. Tiles that an
 /// interrupted run with equal keys (bake_keys.h) left whole are taken over; records, report and findings are the same
 /// as if they were baked.
 Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,

@@ -18,7 +18,17 @@ bool is_listed(const exporters::FileList& list, const std::string& name) {
 void check_report(const RunRecord& record, const exporters::FileList& list, CheckResults& results) {
   for (const WrittenTile& tile : record.tiles)
     results.files.test(is_listed(list, tile.file.name), tile.file.name + " is in report.json, but not in files.json");
+  for (const WrittenTile& tile : record.usd)
+    results.files.test(is_listed(list, tile.file.name), tile.file.name + " is in report.json, but not in files.json");
   if (record.has_manifest) results.files.test(is_listed(list, "scene.kiln"), "scene.kiln is not in files.json");
+}
+
+bool is_usd_name(const std::string& name) {
+  const auto is_in = [&](std::string_view folder, std::string_view suffix) {
+    return name.starts_with(folder) && name.ends_with(suffix);
+  };
+  return name == "usd/scene.usda" || is_in("usd/tiles/", ".usda") || is_in("usd/tiles/", ".usdc") ||
+         is_in("usd/textures/", ".png") || is_in("usd/textures/", ".jpg");
 }
 
 }  // namespace
@@ -26,6 +36,7 @@ void check_report(const RunRecord& record, const exporters::FileList& list, Chec
 bool is_name_of_run(const std::string& name) {
   for (const char* own : {"scene.kiln", "report.json", "findings.json", "timing.json"})
     if (name == own) return true;
+  if (is_usd_name(name)) return true;
   if (!name.starts_with("glb/") || !name.ends_with(".glb")) return false;
   const std::string_view stem = std::string_view(name).substr(4, name.size() - 8);
   const std::size_t level = stem.rfind("_L");

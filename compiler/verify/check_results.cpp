@@ -9,22 +9,27 @@ constexpr Check CheckResults::*kChecks[] = {&CheckResults::files,     &CheckResu
                                             &CheckResults::seams,     &CheckResults::jumps, &CheckResults::roads,
                                             &CheckResults::rivers,    &CheckResults::lakes, &CheckResults::footing,
                                             &CheckResults::trunks};
+constexpr Check CheckResults::*kUsdChecks[] = {&CheckResults::usd_layers, &CheckResults::usd_same,
+                                               &CheckResults::usd_scene};
+
+void add(Check& all, const Check& more) {
+  all.tests += more.tests;
+  all.failures.insert(all.failures.end(), more.failures.begin(), more.failures.end());
+}
 
 }  // namespace
 
 std::vector<const Check*> all_of(const CheckResults& results) {
   std::vector<const Check*> all;
   for (const auto claim : kChecks) all.push_back(&(results.*claim));
+  for (const auto claim : kUsdChecks)
+    if ((results.*claim).tests > 0) all.push_back(&(results.*claim));
   return all;
 }
 
 void add(CheckResults& results, const CheckResults& of_tile) {
-  for (const auto claim : kChecks) {
-    Check& all = results.*claim;
-    const Check& here = of_tile.*claim;
-    all.tests += here.tests;
-    all.failures.insert(all.failures.end(), here.failures.begin(), here.failures.end());
-  }
+  for (const auto claim : kChecks) add(results.*claim, of_tile.*claim);
+  for (const auto claim : kUsdChecks) add(results.*claim, of_tile.*claim);
   results.reference_errors = combined(results.reference_errors, of_tile.reference_errors);
 }
 

@@ -40,6 +40,10 @@ struct CheckResults {
   Check lakes{"lakes are level", 0, {}};
   Check footing{"the gap below every corner of a building is at most 5 cm, or error_m if that is more", 0, {}};
   Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
+  // of runs that wrote USD
+  Check usd_layers{"every USD layer holds together: indices, extents, prototypes, materials, textures", 0, {}};
+  Check usd_same{"USD has the meshes, instances, ids and errors of the .glb or the recipes", 0, {}};
+  Check usd_scene{"the USD scene has every tile at its place, and every tile its levels", 0, {}};
   // reported without a limit
   std::vector<std::string> strange;  ///< Files in the folder that the run did not write; folders end in "/".
   bool has_unfinished_run = false;   ///< A later run into the folder was interrupted.
@@ -48,6 +52,7 @@ struct CheckResults {
   Clearances clearances;
 };
 
+/// The guarantees in the order of printing; those of USD only where they were tested.
 std::vector<const Check*> all_of(const CheckResults& results);
 
 /// Adds the results of one tile; its failures are appended.

@@ -92,12 +92,12 @@ Json counts_of(const scene::Scene& scene) {
           {"lamps", different(scene, &scene::Chunk::lamps)}};
 }
 
-Json levels_of(const WrittenFiles& written, const Outputs& outputs) {
+Json levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs) {
   Json levels = Json::array();
   for (std::size_t n = 0; n < outputs.ladder_m.size(); ++n) {
     std::uint64_t bytes = 0, triangles = 0;
     double error_m = 0;
-    for (const WrittenTile& tile : written.tiles) {
+    for (const WrittenTile& tile : tiles) {
       if (tile.level != n) continue;
       bytes += tile.file.bytes;
       triangles += tile.triangles;
@@ -156,9 +156,9 @@ Json box_deg_of(const Box2& box, const map::Plane& plane) {
   return sides;
 }
 
-Json tiles_of(const WrittenFiles& written, const scene::Header& header, const map::Plane& plane) {
+Json tiles_of(std::span<const WrittenTile> written, const scene::Header& header, const map::Plane& plane) {
   Json tiles = Json::array();
-  for (const WrittenTile& tile : written.tiles) {
+  for (const WrittenTile& tile : written) {
     tiles.push_back(json_of(tile));
     tiles.back()["box_deg"] = box_deg_of(scene::box_of(header, tile.tile), plane);
   }
@@ -176,6 +176,8 @@ bool balances(const Json& account) {
 RunRecord record_of(const Json& report) {
   RunRecord record;
   for (const Json& tile : report.at("tiles")) record.tiles.push_back(written_tile(tile));
+  if (report.contains("usd"))
+    for (const Json& tile : report.at("usd")) record.usd.push_back(written_tile(tile));
   if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
   if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
@@ -193,7 +195,8 @@ RunRecord record_of(const Json& report) {
 std::uint64_t WrittenFiles::bytes() const {
   std::uint64_t sum = 0;
   for (const WrittenFile& file : files) sum += file.bytes;
-  for (const WrittenTile& tile : tiles) sum += tile.file.bytes;
+  for (const auto* levels : {&tiles, &usd})
+    for (const WrittenTile& tile : *levels) sum += tile.file.bytes;
   return sum;
 }
 
@@ -218,14 +221,17 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["counts"] = counts_of(scene);
   if (outputs.max_bytes) json["solved_for"]["max_bytes"] = *outputs.max_bytes;
   if (outputs.max_triangles) json["solved_for"]["max_triangles"] = *outputs.max_triangles;
-  json["levels"] = json.contains("solved_for") ? Json::array() : levels_of(written, outputs);
+  json["levels"] = json.contains("solved_for")
+                       ? Json::array()
+                       : levels_of(written.tiles.empty() ? written.usd : written.tiles, outputs);
   json["heights"] = heights_of(heights);
   json["bytes"] = written.bytes();
   json["balances"] = report.balances();
   json["ledger"] = ledger_of(report);
   json["diagnoses"] = diagnoses_of(report);
   json["files"] = files_of(written);
-  json["tiles"] = tiles_of(written, header, plane);
+  json["tiles"] = tiles_of(written.tiles, header, plane);
+  if (!written.usd.empty()) json["usd"] = tiles_of(written.usd, header, plane);
   return json.dump(1) + "\n";
 }
 

@@ -38,6 +38,7 @@ struct WrittenTile {
 struct WrittenFiles {
   std::vector<WrittenFile> files;  ///< All files except tiles.
   std::vector<WrittenTile> tiles;
+  std::vector<WrittenTile> usd{};  ///< The same tiles as layers of USD.
   std::uint64_t bytes() const;
 };
 
@@ -65,7 +66,7 @@ bool is_violated(const Strictness& strict, const Report& report);
 
 /// The part of report.json that `check` and `preview` need.
 struct RunRecord {
-  std::vector<WrittenTile> tiles;
+  std::vector<WrittenTile> tiles, usd;
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
   Compress compress = Compress::kNone;

@@ -90,7 +90,6 @@ TEST(Spec, AsksWhetherABoxIsInTheOtherOrder) {
 }
 
 TEST(Spec, SaysWhatIsNotSupportedYet) {
-  EXPECT_NE(objection("emit", "kiln,usd").find("yet"), std::string::npos);
   EXPECT_NE(objection("emit", "3dtiles").find("yet"), std::string::npos);
   EXPECT_NE(objection("world", "ellipsoid").find("yet"), std::string::npos);
   EXPECT_NE(objection("world", "cylinder:8000").find("yet"), std::string::npos);

@@ -7,6 +7,7 @@
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/png.h"
 #include "exporters/kiln/manifest.h"
+#include "exporters/usd/encode_level.h"
 #include "tests/exporters/made_tile.h"
 #include "tests/fuzz/unpacked.h"
 
@@ -43,6 +44,10 @@ void write_made_seeds(const std::filesystem::path& folder) {
     const auto tile = made_facade_tile(seed);
     const auto png = encode_png(tile.marking_atlas);
     write_made_glbs(folder / "glb", tile, seed);
+    for (const auto& [form, name] : {std::pair(UsdForm::kText, "text_"), std::pair(UsdForm::kCrate, "crate_")}) {
+      const auto layer = encode_level(tile, {}, "", form).layer;
+      write_seed(folder / "usd", name + std::to_string(seed), {span_of(layer).begin(), span_of(layer).end()});
+    }
     write_seed(folder / "png", "made_" + std::to_string(seed), {span_of(png).begin(), span_of(png).end()});
   }
 }

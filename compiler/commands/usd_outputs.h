@@ -1,0 +1,45 @@
+// Writes USD: the layers of levels, tiles and scene, and the textures that they share.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compiler/contract/result.h"
+#include "compiler/verify/run_report.h"
+#include "exporters/output_folder.h"
+#include "exporters/usd/encode_level.h"
+#include "exporters/usd/encode_scene.h"
+
+namespace citykiln::commands {
+
+/// A level of a tile that waits until those before it are written.
+struct ReadyUsd {
+  exporters::UsdLevel encoded;
+  Vec3 origin;
+  double plant_error_m = 0;
+  verify::WrittenTile record;
+};
+
+ReadyUsd ready_usd(const bake::BakedTile& tile, std::size_t level, const scene::Header& header);
+
+/// Writes levels in the order of tiles, then levels, and each texture once. Keeps a line for each tile.
+class UsdWriter {
+ public:
+  UsdWriter(const scene::Header& header, exporters::OutputFolder& folder) : header_(header), folder_(folder) {}
+
+  Result<Done> write(const ReadyUsd& ready, verify::WrittenFiles& written);
+  /// Writes the layers of tiles and scene. Call once, after the last level.
+  Result<Done> finish(verify::WrittenFiles& written);
+
+ private:
+  Result<Done> write_file(const std::string& name, const std::vector<std::byte>& bytes, verify::WrittenFiles& written);
+
+  const scene::Header& header_;
+  exporters::OutputFolder& folder_;
+  std::set<std::string> textures_;
+  std::vector<exporters::UsdTile> tiles_;
+};
+
+}  // namespace citykiln::commands

@@ -1,0 +1,379 @@
+#include "compiler/verify/check_usd.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "compiler/bake/bake.h"
+#include "exporters/file.h"
+#include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/gltf/leaf_backs.h"
+#include "exporters/usd/read_layer.h"
+
+namespace citykiln::verify {
+namespace {
+
+using bake::BakedTile;
+using exporters::UsdReadDictionary;
+using exporters::UsdReadLayer;
+using exporters::UsdReadPrim;
+using Numbers = std::vector<double>;
+
+namespace fs = std::filesystem;
+
+Result<UsdReadLayer> read(const std::string& path) {
+  const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
+  if (!bytes) return bytes.error();
+  return exporters::read_usd_layer(*bytes, path);
+}
+
+// Empty where there is none of this name.
+const Numbers& numbers_of(const UsdReadDictionary& values, const std::string& name) {
+  static const Numbers kNone;
+  const auto found = values.find(name);
+  return found == values.end() ? kNone : found->second.numbers;
+}
+
+std::vector<std::string> texts_of(const UsdReadDictionary& values, const std::string& name) {
+  const auto found = values.find(name);
+  return found == values.end() ? std::vector<std::string>() : found->second.texts;
+}
+
+std::vector<std::string> targets_of(const UsdReadPrim& prim, const std::string& name) {
+  const auto found = prim.targets.find(name);
+  return found == prim.targets.end() ? std::vector<std::string>() : found->second;
+}
+
+bool is_number(const UsdReadDictionary& values, const std::string& name, double expected) {
+  return numbers_of(values, name) == Numbers{expected};
+}
+
+Numbers numbers_of(Vec3 v) { return {v.x, v.y, v.z}; }
+
+// "a; b" of the header, which every layer must state.
+std::string attribution_of(const scene::Header& header) {
+  return fmt::format("{}", fmt::join(header.attributions, "; "));
+}
+
+// ---- whether a layer holds together ----
+
+struct Layer {
+  const UsdReadLayer& read;
+  const std::string& name;
+  const std::string& folder;  ///< Of the layer's file.
+  std::set<std::string> paths{};
+  std::size_t features = 0;
+};
+
+bool are_indices(const Numbers& indices, std::size_t count) {
+  return std::ranges::all_of(indices, [&](double i) { return i >= 0 && i < static_cast<double>(count); });
+}
+
+// Low, then high; each three numbers.
+Numbers bounds_of(const Numbers& points) {
+  Numbers bounds = {1e300, 1e300, 1e300, -1e300, -1e300, -1e300};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    bounds[i % 3] = std::min(bounds[i % 3], points[i]);
+    bounds[3 + i % 3] = std::max(bounds[3 + i % 3], points[i]);
+  }
+  return bounds;
+}
+
+// The numbers of values that a primvar must have.
+std::size_t values_of_rate(const UsdReadPrim& mesh, const std::string& primvar, std::size_t vertices,
+                           std::size_t faces) {
+  const auto rate = mesh.interpolations.find(primvar);
+  if (rate == mesh.interpolations.end() || rate->second == "constant") return 1;
+  return rate->second == "uniform" ? faces : vertices;
+}
+
+// What is wrong with a mesh; empty where nothing is.
+std::string fault_of_mesh(const Layer& layer, const UsdReadPrim& mesh) {
+  const Numbers &points = numbers_of(mesh.values, "points"), &counts = numbers_of(mesh.values, "faceVertexCounts"),
+                &indices = numbers_of(mesh.values, "faceVertexIndices");
+  const std::size_t vertices = points.size() / 3;
+  if (points.empty() || points.size() % 3 != 0) return "has no points";
+  if (!std::ranges::all_of(counts, [](double n) { return n == 3; }) || indices.size() != 3 * counts.size())
+    return "has faces that are no triangles";
+  if (!are_indices(indices, vertices)) return "has an index beyond its points";
+  if (numbers_of(mesh.values, "extent") != bounds_of(points)) return "states another extent than that of its points";
+  if (numbers_of(mesh.values, "normals").size() != points.size()) return "has not one normal for each point";
+  const Numbers& st = numbers_of(mesh.values, "primvars:st");
+  if (!st.empty() && st.size() != 2 * vertices) return "has not one texture coordinate for each point";
+  const std::size_t colours = numbers_of(mesh.values, "primvars:displayColor").size() / 3;
+  const Numbers& colour_indices = numbers_of(mesh.values, "primvars:displayColor:indices");
+  const std::size_t wanted = values_of_rate(mesh, "primvars:displayColor", vertices, counts.size());
+  if ((colour_indices.empty() ? colours : colour_indices.size()) != wanted || !are_indices(colour_indices, colours))
+    return "has not one colour for each point";
+  const Numbers& features = numbers_of(mesh.values, "primvars:feature");
+  if (!features.empty() && features.size() != values_of_rate(mesh, "primvars:feature", vertices, counts.size()))
+    return "has not one feature for each face or point";
+  if (!are_indices(features, layer.features)) return "has a feature beyond the table";
+  for (const std::string& target : targets_of(mesh, "material:binding"))
+    if (layer.paths.contains(target)) return "";
+  return "has no material";
+}
+
+std::string fault_of_instancer(const Layer& layer, const UsdReadPrim& instancer) {
+  const std::vector<std::string> prototypes = targets_of(instancer, "prototypes");
+  const Numbers& indices = numbers_of(instancer.values, "protoIndices");
+  const auto has = [&](const char* name, std::size_t width) {
+    return numbers_of(instancer.values, name).size() == width * indices.size();
+  };
+  if (!are_indices(indices, prototypes.size())) return "has an index beyond its prototypes";
+  if (!has("positions", 3) || !has("orientations", 4) || !has("scales", 3) || !has("ids", 1) ||
+      !has("primvars:feature", 1))
+    return "has not one value for each instance";
+  const Numbers& ids = numbers_of(instancer.values, "ids");
+  if (std::set<double>(ids.begin(), ids.end()).size() != ids.size()) return "has an id twice";
+  if (!are_indices(numbers_of(instancer.values, "primvars:feature"), layer.features))
+    return "has a feature beyond the table";
+  const bool all_there = std::ranges::all_of(prototypes, [&](const auto& p) { return layer.paths.contains(p); });
+  return all_there ? "" : "has a prototype that is not there";
+}
+
+std::string fault_of_shader(const Layer& layer, const UsdReadPrim& shader) {
+  for (const std::string& file : texts_of(shader.values, "inputs:file")) {
+    std::error_code none;
+    if (!fs::exists(fs::path(layer.folder) / file, none)) return "has a texture that is not there: " + file;
+  }
+  for (const auto& [name, targets] : shader.targets)
+    for (const std::string& target : targets)
+      if (!layer.paths.contains(target.substr(0, target.find('.')))) return "is connected to nothing: " + target;
+  return "";
+}
+
+void check_prims(const Layer& layer, CheckResults& results) {
+  for (const UsdReadPrim& prim : layer.read.prims) {
+    std::string fault;
+    if (prim.type == "Mesh") fault = fault_of_mesh(layer, prim);
+    if (prim.type == "PointInstancer") fault = fault_of_instancer(layer, prim);
+    if (prim.type == "Shader" || prim.type == "Material") fault = fault_of_shader(layer, prim);
+    results.usd_layers.test(fault.empty(), fmt::format("{}: {} {}", layer.name, prim.path, fault));
+  }
+}
+
+// ---- whether it is the tile ----
+
+// The meshes below a prim, without those of instancers, in order.
+std::vector<const UsdReadPrim*> meshes_below(const UsdReadLayer& layer, const std::string& parent) {
+  std::vector<const UsdReadPrim*> meshes;
+  for (const UsdReadPrim& prim : layer.prims)
+    if (prim.type == "Mesh" && prim.path.starts_with(parent + "/") &&
+        prim.path.find('/', parent.size() + 1) == std::string::npos)
+      meshes.push_back(&prim);
+  return meshes;
+}
+
+bool is_same(const UsdReadPrim& mesh, const bake::Primitive& p) {
+  const std::size_t sides = p.colour_source == materials::ColourSource::kByCutout && exporters::has_backs(p) ? 2 : 1;
+  if (numbers_of(mesh.values, "faceVertexCounts").size() != sides * p.triangles.size()) return false;
+  const Numbers& points = numbers_of(mesh.values, "points");
+  if (points.size() != sides * 3 * p.positions.size()) return false;
+  for (std::size_t i = 0; i < 3 * p.positions.size(); ++i)
+    if (points[i] != static_cast<double>(p.positions[i / 3][i % 3])) return false;
+  return true;
+}
+
+void test_meshes(const Layer& layer, const std::string& parent, std::span<const bake::Primitive> primitives,
+                 CheckResults& results) {
+  const auto meshes = meshes_below(layer.read, parent);
+  bool same = meshes.size() == primitives.size();
+  for (std::size_t i = 0; same && i < meshes.size(); ++i) same = is_same(*meshes[i], primitives[i]);
+  results.usd_same.test_all(primitives.size(), same,
+                            fmt::format("{}: the meshes of {} are others than those of the .glb", layer.name, parent));
+}
+
+void test_instances(const Layer& layer, const std::string& parent, std::span<const bake::InstancedMesh> instanced,
+                    CheckResults& results) {
+  const UsdReadPrim* instancer = exporters::prim_at(layer.read, parent + "/instances");
+  const std::vector<std::string> prototypes =
+      instancer == nullptr ? std::vector<std::string>() : targets_of(*instancer, "prototypes");
+  Numbers positions, indices;
+  for (std::size_t i = 0; i < instanced.size(); ++i) {
+    if (i < prototypes.size()) test_meshes(layer, prototypes[i], instanced[i].primitives, results);
+    for (const bake::Float3& at : instanced[i].translations) {
+      positions.insert(positions.end(), at.begin(), at.end());
+      indices.push_back(static_cast<double>(i));
+    }
+  }
+  const UsdReadDictionary none;
+  const UsdReadDictionary& values = instancer == nullptr ? none : instancer->values;
+  results.usd_same.test_all(
+      indices.size(),
+      prototypes.size() == instanced.size() && numbers_of(values, "positions") == positions &&
+          numbers_of(values, "protoIndices") == indices,
+      fmt::format("{}: the instances of {} are others than those of the .glb", layer.name, parent));
+}
+
+void test_contents(const Layer& layer, const BakedTile& tile, CheckResults& results) {
+  for (int i = 0; i < static_cast<int>(bake::Layer::kCount); ++i) {
+    const auto which = static_cast<bake::Layer>(i);
+    std::vector<bake::Primitive> primitives;
+    std::vector<bake::InstancedMesh> instanced;
+    std::ranges::copy_if(tile.primitives, std::back_inserter(primitives),
+                         [&](const bake::Primitive& p) { return p.layer == which; });
+    std::ranges::copy_if(tile.instanced, std::back_inserter(instanced),
+                         [&](const bake::InstancedMesh& m) { return layer_of(m) == which; });
+    const std::string parent = fmt::format("/tile/{}", name_of(which));
+    test_meshes(layer, parent, primitives, results);
+    test_instances(layer, parent, instanced, results);
+  }
+}
+
+void test_facts(const Layer& layer, const BakedTile& tile, const scene::Header& header, CheckResults& results) {
+  const UsdReadPrim* root = exporters::prim_at(layer.read, "/tile");
+  const UsdReadDictionary none;
+  const UsdReadDictionary& data = root == nullptr ? none : root->custom_data;
+  const auto test = [&](bool holds, const char* what) {
+    results.usd_same.test(holds, fmt::format("{}: {} is another than the tile's", layer.name, what));
+  };
+  test(is_number(data, "tolerance_m", tile.tolerance_m), "tolerance_m");
+  test(is_number(data, "error_m", tile.error_m), "error_m");
+  test(is_number(data, "plant_error_m", tile.plant_error_m), "plant_error_m");
+  test(numbers_of(data, "origin_m") == numbers_of(tile.origin), "origin_m");
+  Numbers ids;
+  for (const OsmId& feature : tile.features) ids.push_back(static_cast<double>(feature.id));
+  const UsdReadPrim* features = exporters::prim_at(layer.read, "/tile/features");
+  test(features != nullptr && numbers_of(features->values, "osm:id") == ids, "the list of OSM ids");
+  std::vector<std::string> names;
+  for (const bake::FeatureAttributes& row : tile.attributes) names.push_back(row.name);
+  if (std::ranges::all_of(names, &std::string::empty)) names.clear();
+  test(features != nullptr && texts_of(features->values, "osm:name") == names, "the list of names");
+  test(texts_of(layer.read.custom_data, "attribution") == std::vector{attribution_of(header)}, "attribution");
+  test(layer.read.up_axis == "Z" && layer.read.meters_per_unit == 1 && layer.read.default_prim == "tile",
+       "the frame or default prim");
+}
+
+// The tile of a level: from its .glb where there is a plain one.
+Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
+                                const WrittenTile& level) {
+  const auto glb = std::ranges::find_if(loaded.record.tiles, [&](const WrittenTile& written) {
+    return written.tile == level.tile && written.level == level.level;
+  });
+  if (glb != loaded.record.tiles.end() && loaded.record.compress == Compress::kNone)
+    return exporters::read_glb(loaded.folder + "/" + glb->file.name);
+  Report ignored;
+  return bake::bake_prepared(prepared, number, 1, ignored);
+}
+
+std::string folder_of_file(const std::string& path) { return fs::path(path).parent_path().string(); }
+
+Result<Done> check_level(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
+                         const WrittenTile& level, CheckResults& results) {
+  const std::string path = loaded.folder + "/" + level.file.name, folder = folder_of_file(path);
+  const Result<UsdReadLayer> read_layer = read(path);
+  if (!read_layer) return read_layer.error();
+  const Result<BakedTile> tile = expected_tile(loaded, prepared, number, level);
+  if (!tile) return tile.error();
+  Layer layer{*read_layer, level.file.name, folder};
+  for (const UsdReadPrim& prim : read_layer->prims) layer.paths.insert(prim.path);
+  layer.features = tile->features.size();
+  check_prims(layer, results);
+  test_contents(layer, *tile, results);
+  test_facts(layer, *tile, loaded.scene.header, results);
+  results.usd_same.test(level.triangles == exporters::triangles_of(*tile) && level.error_m == tile->error_m,
+                        level.file.name + ": report.json states other triangles or another error");
+  return Done{};
+}
+
+// ---- scene and tiles ----
+
+using LevelsByTile = std::map<scene::TileKey, std::vector<WrittenTile>>;
+
+// The payloads of a prim as names of files of the run.
+std::vector<std::string> payload_names(const UsdReadPrim& prim, const std::string& folder) {
+  std::vector<std::string> names;
+  for (const std::string& payload : prim.payloads)
+    names.push_back((fs::path(folder) / payload).lexically_normal().string());
+  return names;
+}
+
+void test_variants(const UsdReadPrim& root, const std::string& name, std::span<const WrittenTile> levels,
+                   CheckResults& results) {
+  const auto found = root.variants.find("level");
+  const std::vector<UsdReadPrim> variants = found == root.variants.end() ? std::vector<UsdReadPrim>() : found->second;
+  results.usd_scene.test(variants.size() == levels.size(),
+                         fmt::format("{} has {} levels instead of {}", name, variants.size(), levels.size()));
+  const auto shown = root.selections.find("level");
+  results.usd_scene.test(shown != root.selections.end() && shown->second == "L0", name + " does not show L0");
+  for (std::size_t n = 0; n < std::min(variants.size(), levels.size()); ++n) {
+    const UsdReadPrim& variant = variants[n];
+    results.usd_scene.test(variant.path == fmt::format("L{}", levels[n].level) &&
+                               payload_names(variant, "usd/tiles") == std::vector{levels[n].file.name} &&
+                               is_number(variant.custom_data, "tolerance_m", levels[n].tolerance_m) &&
+                               is_number(variant.custom_data, "error_m", levels[n].error_m),
+                           fmt::format("{}: the variant {} is not level {}", name, variant.path, n));
+  }
+}
+
+Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name, std::span<const WrittenTile> levels,
+                              const Numbers& place, CheckResults& results) {
+  const Result<UsdReadLayer> layer = read(loaded.folder + "/" + name);
+  if (!layer) return layer.error();
+  const UsdReadPrim* root = exporters::prim_at(*layer, "/tile");
+  results.usd_scene.test(root != nullptr && layer->default_prim == "tile", name + " has no prim \"tile\"");
+  if (root == nullptr) return Done{};
+  results.usd_scene.test(numbers_of(root->values, "xformOp:translate") == place,
+                         name + " is at another place than in the scene");
+  results.usd_scene.test(
+      texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
+      name + " has another attribution");
+  test_variants(*root, name, levels, results);
+  return Done{};
+}
+
+std::string tile_layer_name(scene::TileKey tile) { return fmt::format("usd/tiles/{}.usda", to_string(tile)); }
+
+}  // namespace
+
+Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels) {
+  assert(!levels.empty());
+  const scene::Scene& scene = loaded.scene;
+  const auto chunk = std::ranges::find(scene.chunks, levels.front().tile, &scene::Chunk::tile);
+  if (chunk == scene.chunks.end())
+    return Error{loaded.folder + "/" + levels.front().file.name, "is a tile that the manifest does not contain"};
+  std::vector<double> ladder_m;
+  for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
+  const auto prepared =
+      bake::prepare(scene.header, *chunk, ladder_m, 1, loaded.prototypes, most_instances_of(loaded.record.target));
+  CheckResults results;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    if (const Result<Done> done = check_level(loaded, *prepared, i, levels[i], results); !done) return done.error();
+  return results;
+}
+
+Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
+  CheckResults results;
+  const std::string name = "usd/scene.usda";
+  const Result<UsdReadLayer> layer = read(loaded.folder + "/" + name);
+  if (!layer) return layer.error();
+  LevelsByTile tiles;
+  for (const WrittenTile& level : loaded.record.usd) tiles[level.tile].push_back(level);
+  std::map<std::string, const UsdReadPrim*> by_payload;
+  for (const UsdReadPrim& prim : layer->prims)
+    for (const std::string& payload : payload_names(prim, "usd")) by_payload[payload] = &prim;
+  results.usd_scene.test(by_payload.size() == tiles.size(), name + " has other tiles than the run");
+  results.usd_scene.test(
+      texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
+      name + " has another attribution");
+  for (const auto& [tile, levels] : tiles) {
+    const std::string file = tile_layer_name(tile);
+    const auto prim = by_payload.find(file);
+    results.usd_scene.test(prim != by_payload.end(), fmt::format("{} has no payload {}", name, file));
+    if (prim == by_payload.end()) continue;
+    results.usd_scene.test(numbers_of(prim->second->values, "extentsHint").size() == 6, file + " has no bounds");
+    const Numbers& place = numbers_of(prim->second->values, "xformOp:translate");
+    if (const Result<Done> done = check_tile_layer(loaded, file, levels, place, results); !done) return done.error();
+  }
+  return results;
+}
+
+}  // namespace citykiln::verify

@@ -1,0 +1,40 @@
+// USD: one tile at one tolerance as a layer, with its textures.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "compiler/bake/baked_tile.h"
+#include "exporters/usd/usd_builder.h"
+
+namespace citykiln::exporters {
+
+/// Crates are half the size and several times faster to read (README.md); text is for the eye, and for tests.
+enum class UsdForm { kText, kCrate };
+
+struct UsdLevel {
+  std::vector<std::byte> layer;
+  std::vector<UsdFile> textures;  ///< Names have the hash of the bytes: equal names mean equal bytes.
+  UsdBounds bounds;               ///< In the tile's frame; of instances the boxes around their prototypes' boxes.
+};
+
+/// Returns the layer of a tile: what its .glb has, in metres from the tile's origin with z up.
+///
+///     /tile                      customData: tile, origin_m, tolerance_m, error_m, plant_error_m, plane
+///       ground, roads, water …   an Xform for each layer (bake/layer.h) with a Mesh for each material,
+///         Asphalt …              and a PointInstancer (usd_meshes.h)
+///         instances/meshes
+///       materials                usd_materials.h
+///       features                 usd_features.h
+///
+/// @param tile  Its primitives and instanced meshes sorted by layer.
+/// @param texture_folder  From the layer, with a slash at the end: "../textures/".
+/// Guarantees: same input, same bytes; both forms have the same content. Memory: the file.
+UsdLevel encode_level(const bake::BakedTile& tile, const scene::Header& header, const std::string& texture_folder,
+                      UsdForm form = UsdForm::kCrate);
+
+/// "© OpenStreetMap contributors; …".
+std::string usd_attribution(const scene::Header& header);
+
+}  // namespace citykiln::exporters

@@ -1,0 +1,163 @@
+#include "exporters/usd/encode_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <numbers>
+
+#include "compiler/geometry/mathematics.h"
+#include "compiler/sky/recipe.h"
+#include "exporters/usd/encode_level.h"
+#include "exporters/usd/text_writer.h"
+#include "exporters/usd/usd_names.h"
+
+namespace citykiln::exporters {
+namespace {
+
+// ---- light ----
+
+constexpr double kSolarIlluminance_lx = 127500, kExtinction = 0.21, kSunAngle_deg = 0.533;
+// Share of the sky in the illuminance of a level surface under a clear sky, sun high.
+constexpr double kSkyShare = 0.15;
+
+double air_mass(double height_deg) { return 1 / (sine(height_deg) + 0.50572 * power(height_deg + 6.07995, -1.6364)); }
+
+// In lux, on a surface that faces the sun.
+double illuminance_lx(const sky::Sky& sky) {
+  const double height_deg = arcsine_deg(sky.to_sun.z);
+  return sky::is_night(sky) ? 0
+                            : kSolarIlluminance_lx * exponential(-kExtinction * air_mass(std::max(0.0, height_deg)));
+}
+
+// Six digits: more would be false, and would show the last bits of the arithmetic.
+std::string rounded(double value) { return fmt::format("{:.6g}", value); }
+
+std::string vector4(Vec3 v, double w) {
+  return fmt::format("({},{},{},{})", rounded(v.x), rounded(v.y), rounded(v.z), w);
+}
+
+// A rotation that turns local z, against which a light shines, to the sun.
+std::string turned_to(Vec3 to_sun) {
+  const bool is_zenith = to_sun.x == 0 && to_sun.y == 0;
+  const Vec3 x = is_zenith ? Vec3{1, 0, 0} : unit(cross(Vec3{0, 0, 1}, to_sun));
+  return fmt::format("({},{},{},(0,0,0,1))", vector4(x, 0), vector4(cross(to_sun, x), 0), vector4(to_sun, 0));
+}
+
+void write_sun(TextWriter& writer, const sky::Sky& sky, double intensity) {
+  writer.begin_prim({.type = "DistantLight",
+                     .name = "sun",
+                     .custom_data = {{"illuminance_lx", std::round(illuminance_lx(sky))}, {"time", sky.time}}});
+  writer.write({.type = "float", .name = "inputs:angle", .value = static_cast<float>(kSunAngle_deg)});
+  writer.write_lines("float inputs:intensity = " + rounded(intensity));
+  writer.write({.type = "bool", .name = "inputs:normalize", .value = true});
+  writer.write_lines("matrix4d xformOp:transform = " + turned_to(sky.to_sun) +
+                     "\nuniform token[] xformOpOrder = [\"xformOp:transform\"]");
+  writer.end_prim();
+}
+
+void write_lights(TextWriter& writer, const sky::Sky& sky) {
+  const double full_lx = kSolarIlluminance_lx * exponential(-kExtinction);
+  const double sun = std::numbers::pi * illuminance_lx(sky) / full_lx;
+  if (!sky::is_night(sky)) write_sun(writer, sky, sun);
+  const double height = std::max(0.02, sky.to_sun.z);
+  writer.begin_prim({.type = "DomeLight", .name = "sky"});
+  writer.write({.type = "color3f", .name = "inputs:color", .value = bake::Float3{0.7f, 0.85f, 1}});
+  writer.write_lines("float inputs:intensity = " + rounded(kSkyShare * height));
+  writer.end_prim();
+}
+
+// ---- tiles ----
+
+UsdBounds moved(const UsdBounds& bounds, Vec3 by) { return {bounds.low + by, bounds.high + by}; }
+
+std::string hint_of(const UsdBounds& bounds) {
+  const auto extent = extent_of(is_empty(bounds) ? UsdBounds{{}, {}} : bounds);
+  return "float3[] extentsHint = " + text_of(std::span<const bake::Float3>(extent));
+}
+
+// The names of the variants of a tile.
+std::string level_name(std::size_t level) { return fmt::format("L{}", level); }
+
+void write_variant(TextWriter& writer, const UsdTile& tile, std::size_t n) {
+  const UsdTileLevel& level = tile.levels[n];
+  const std::string file = usd_level_name(tile.tile, n);
+  writer.write_lines(fmt::format(R"("{}" (
+    customData = {{
+        double tolerance_m = {}
+        double error_m = {}
+        double plant_error_m = {}
+    }}
+    prepend payload = @./{}@
+) {{
+    {}
+}})",
+                                 level_name(n), level.tolerance_m, level.error_m, level.plant_error_m,
+                                 file.substr(file.rfind('/') + 1), hint_of(level.bounds)));
+}
+
+UsdDictionary plane_data(const scene::Header& header) {
+  return {{"attribution", usd_attribution(header)},
+          {"projection", std::string("transverse Mercator, WGS84, scale 1 at the origin")},
+          {"lon_0", header.origin.lon_deg},
+          {"lat_0", header.origin.lat_deg}};
+}
+
+void write_tile_prim(TextWriter& writer, const UsdTile& tile) {
+  const std::string file = usd_tile_name(tile.tile);
+  writer.write_lines(fmt::format(R"(
+def Xform "{}" (
+    prepend apiSchemas = ["GeomModelAPI"]
+    kind = "component"
+    prepend payload = @./{}@
+)
+{{
+    {}
+    double3 xformOp:translate = {}
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+}})",
+                                 usd_tile_prim(tile.tile), file.substr(file.find('/') + 1),
+                                 hint_of(tile.levels.front().bounds), text_of(tile.origin)));
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_tile_layer(const UsdTile& tile, const scene::Header& header) {
+  assert(!tile.levels.empty());
+  TextWriter writer({.default_prim = "tile", .custom_data = plane_data(header)});
+  writer.write_lines(R"(
+def Xform "tile" (
+    prepend apiSchemas = ["GeomModelAPI"]
+    kind = "component"
+    variants = {
+        string level = "L0"
+    }
+    prepend variantSets = "level"
+)
+{)");
+  writer.indent();
+  writer.write_lines(fmt::format(
+      "double3 xformOp:translate = {}\nuniform token[] xformOpOrder = [\"xformOp:translate\"]", text_of(tile.origin)));
+  writer.write_lines("variantSet \"level\" = {");
+  writer.indent();
+  for (std::size_t n = 0; n < tile.levels.size(); ++n) write_variant(writer, tile, n);
+  writer.end_prim(), writer.end_prim();
+  return writer.finish();
+}
+
+std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene::Header& header) {
+  assert(std::ranges::is_sorted(tiles, {}, &UsdTile::tile));
+  TextWriter writer({.default_prim = "scene", .custom_data = plane_data(header)});
+  UsdBounds bounds;
+  for (const UsdTile& tile : tiles)
+    if (!is_empty(tile.levels.front().bounds)) include(bounds, moved(tile.levels.front().bounds, tile.origin));
+  writer.begin_prim({.type = "Xform", .name = "scene", .api_schemas = {"GeomModelAPI"}, .kind = "assembly"});
+  writer.write_lines(hint_of(bounds));
+  write_lights(writer, header.sky);
+  writer.begin_prim({.type = "Xform", .name = "tiles", .kind = "group"});
+  for (const UsdTile& tile : tiles) write_tile_prim(writer, tile);
+  writer.end_prim(), writer.end_prim();
+  return writer.finish();
+}
+
+}  // namespace citykiln::exporters

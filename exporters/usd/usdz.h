@@ -1,0 +1,23 @@
+// .usdz: a layer and its textures in one file, a zip archive without compression.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/bake/baked_tile.h"
+#include "compiler/contract/result.h"
+#include "exporters/usd/usd_builder.h"
+
+namespace citykiln::exporters {
+
+/// Returns a zip archive of stored files, in their order, each with its data at a multiple of 64 bytes and without a
+/// date. Error: more than 4 GB. Source: OpenUSD, "Usdz File Format Specification"; PKWARE, APPNOTE.TXT 6.3.
+Result<std::vector<std::byte>> pack_usdz(std::span<const UsdFile> files);
+
+/// Returns a tile as one file: its layer, "tile.usdc" (encode_level.h), and "textures/…". In the tile's frame: its
+/// origin is in customData alone. Error: as pack_usdz().
+Result<std::vector<std::byte>> encode_usdz(const bake::BakedTile& tile, const scene::Header& header);
+
+}  // namespace citykiln::exporters
