@@ -13,6 +13,7 @@
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/verify/check_folder.h"
 #include "compiler/verify/check_tile.h"
+#include "compiler/verify/check_tileset.h"
 #include "compiler/verify/non_ground_objects.h"
 #include "exporters/kiln/manifest.h"
 
@@ -126,9 +127,9 @@ Result<Exit> run(const Request& request, const Console& console) {
   if (!recipes.files.failures.empty()) return failure(folder, recipes.files);
   recipes.ledger.tests = 1, recipes.ledger.failures = loaded->record.unbalanced;
   check_recipes(loaded->scene, request.threads, recipes);
-  const Result<verify::CheckResults> results =
-      check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
+  Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
   if (!results) return results.error();
+  verify::check_tileset(*loaded, request.threads, *results);
   print(*results, console);
   for (const verify::Check* check : verify::all_of(*results)) {
     if (!check->failures.empty()) return failure(folder, *check);

@@ -19,7 +19,7 @@ struct GlobePoint {
 /// then closed forms. Uses + - * / and the square root with direction_of() (geometry/trig.h), so that every CPU gives
 /// the same bits.
 ///
-/// Error of a position: below 1e-6 m within 200 km of the origin and up to 84° of latitude; of an axis: below 1e-7. The
+/// Error of a position: below 1e-6 m within 200 km of the origin and up to 84° of latitude; of an axis: below 2e-7. The
 /// plane's scale, and the place's height, make lengths longer by at most |z| / kLeastRadius_m.
 class Globe {
  public:

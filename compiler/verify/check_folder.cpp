@@ -26,6 +26,7 @@ void check_report(const RunRecord& record, const exporters::FileList& list, Chec
 bool is_name_of_run(const std::string& name) {
   for (const char* own : {"scene.kiln", "report.json", "findings.json", "timing.json"})
     if (name == own) return true;
+  if (name.starts_with("3dtiles/")) return true;
   if (!name.starts_with("glb/") || !name.ends_with(".glb")) return false;
   const std::string_view stem = std::string_view(name).substr(4, name.size() - 8);
   const std::size_t level = stem.rfind("_L");
