@@ -29,7 +29,7 @@ constexpr double kWidest_m = 8192;
 /// An encoded content that waits to be written, and its tile.
 struct Content {
   std::vector<std::byte> glb{};
-  TilesetTile tile{};
+  TilesetTile tile;
 };
 
 /// Makes contents of baked tiles.
