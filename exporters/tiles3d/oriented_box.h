@@ -17,7 +17,8 @@ struct OrientedBox {
   Axes axes{};
   std::array<double, 3> low, high;
 
-  explicit OrientedBox(const Axes& a = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}});
+  OrientedBox() : OrientedBox({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {}
+  explicit OrientedBox(const Axes& a);
   bool is_empty() const { return low[0] > high[0]; }
   void grow(Vec3 p);
   /// Grows by a box with any axes.
