@@ -160,6 +160,7 @@ class TreeWriter {
     for (std::size_t i = 1; i < chain_.size(); ++i) {
       TilesetTile coarser = std::move(chain_[i]);
       coarser.box.grow(tile.box);
+      coarser.box.round_outwards();
       coarser.children.push_back(std::move(tile));
       tile = std::move(coarser);
     }
@@ -217,6 +218,7 @@ class TreeWriter {
       tile.box.grow(child.box);
       most_m = std::max(most_m, child.error_m);
     }
+    tile.box.round_outwards();
     if (tile.content.empty()) tile.error_m = length(tile.box.corner(7) - tile.box.corner(0));
     // a bound may be larger than the error, and errors must fall strictly
     tile.error_m = std::max(tile.error_m, most_m * kLeastRatio);

@@ -144,11 +144,12 @@ class Unbend {
  public:
   explicit Unbend(map::LonLat origin) : local_(origin.lat_deg, origin.lon_deg, 0), plane_(origin) {}
 
-  Vec2 operator()(Vec3 p) const {
+  /// Plane metres, and the height above the ellipsoid.
+  Vec3 operator()(Vec3 p) const {
     map::LonLat place;
     double height_m = 0;
     local_.Reverse(p.x, p.y, p.z, place.lat_deg, place.lon_deg, height_m);
-    return plane_.forward(place);
+    return at_height(plane_.forward(place), height_m);
   }
 
  private:
@@ -176,12 +177,16 @@ double transform_error_m(map::LonLat origin, const std::vector<double>& transfor
 
 // ---- contents ----
 
-/// What is kept of a content: vertices of the terrain on the sides of a tile, where neighbours meet.
+/// The highest vertex of the terrain at each place of a tile's side, by centimetres along it; below are skirts, which
+/// differ where a side is touched in a point. With its height above the ellipsoid.
+using Side = std::map<std::int64_t, std::pair<double, Vec3>>;
+
+/// What is kept of a content.
 struct CheckedContent {
   CheckResults results;
   scene::TileKey tile;
   double tolerance_m = 0;
-  std::array<std::set<Vec3>, 4> sides;  ///< West, east, south, north; in the frame of the run.
+  std::array<Side, 4> sides;  ///< West, east, south, north; in the frame of the run.
 };
 
 // asset.copyright of a .glb, whose first chunk is JSON.
@@ -225,7 +230,7 @@ bool is_terrain(const bake::Primitive& p) {
 }
 
 void find_sides(const bake::BakedTile& tile, const scene::Header& header, CheckedContent& content) {
-  constexpr double kOnSide_m = 0.005;  // a vertex is rounded to 1 mm
+  constexpr double kOnSide_m = 0.0008;  // a vertex is rounded to 2^-10 m, and moved by at most 0.7 of it in plan
   const Unbend unbend(header.origin);
   const Vec2 low = Vec2{static_cast<double>(tile.tile.x), static_cast<double>(tile.tile.y)} * header.tile_m,
              high = low + Vec2{header.tile_m, header.tile_m};
@@ -233,10 +238,14 @@ void find_sides(const bake::BakedTile& tile, const scene::Header& header, Checke
     if (!is_terrain(primitive)) continue;
     for (const bake::Float3& at : primitive.positions) {
       const Vec3 there = tile.origin + bake::widened(at);
-      const Vec2 p = unbend(there);
+      const Vec3 p = unbend(there);
       const double away_m[] = {p.x - low.x, p.x - high.x, p.y - low.y, p.y - high.y};
       for (std::size_t side = 0; side < 4; ++side)
-        if (std::abs(away_m[side]) <= kOnSide_m) content.sides[side].insert(there);
+        if (std::abs(away_m[side]) <= kOnSide_m) {
+          const auto along_cm = static_cast<std::int64_t>(std::floor((side < 2 ? p.y : p.x) * 100));
+          auto& highest = content.sides[side].try_emplace(along_cm, p.z, there).first->second;
+          highest = std::max(highest, std::pair(p.z, there));
+        }
     }
   }
 }

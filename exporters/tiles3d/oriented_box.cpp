@@ -42,6 +42,13 @@ void OrientedBox::grow(const OrientedBox& box) {
   for (unsigned i = 0; i < 8; ++i) grow(box.corner(i));
 }
 
+void OrientedBox::round_outwards(double by_m) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    low[i] = std::floor((low[i] - by_m) / kStep_m) * kStep_m;
+    high[i] = std::ceil((high[i] + by_m) / kStep_m) * kStep_m;
+  }
+}
+
 Vec3 OrientedBox::corner(unsigned i) const {
   assert(i < 8 && !is_empty());
   const auto side = [&](std::size_t axis) { return axes[axis] * ((i >> axis) % 2 == 0 ? low[axis] : high[axis]); };
@@ -59,6 +66,7 @@ OrientedBox box_of(const bake::BakedTile& tile, const Axes& axes) {
         box.grow(tile.origin + bake::widened(instanced.translations[i]) +
                  turned(instanced.rotations[i], mesh.corner(c) * instanced.scales[i]));
   }
+  box.round_outwards(kStep_m);
   return box;
 }
 
@@ -67,10 +75,8 @@ std::array<double, 12> numbers_of(const OrientedBox& box) {
   std::array<double, 12> numbers{};
   Vec3 centre;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double low = std::floor(box.low[i] / kStep_m) * kStep_m - kStep_m,
-                 high = std::ceil(box.high[i] / kStep_m) * kStep_m + kStep_m;
-    const Vec3 half = box.axes[i] * ((high - low) / 2);
-    centre = centre + box.axes[i] * ((low + high) / 2);
+    const Vec3 half = box.axes[i] * ((box.high[i] - box.low[i]) / 2);
+    centre = centre + box.axes[i] * ((box.low[i] + box.high[i]) / 2);
     numbers[3 + i * 3] = half.x, numbers[4 + i * 3] = half.y, numbers[5 + i * 3] = half.z;
   }
   numbers[0] = centre.x, numbers[1] = centre.y, numbers[2] = centre.z;

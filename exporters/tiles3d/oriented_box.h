@@ -23,14 +23,16 @@ struct OrientedBox {
   void grow(Vec3 p);
   /// Grows by a box with any axes.
   void grow(const OrientedBox& box);
+  /// Moves the sides outwards, by `by_m` and to multiples of 2^-6 m.
+  void round_outwards(double by_m = 0);
   Vec3 corner(unsigned i) const;  ///< i in 0 … 7.
 };
 
-/// Returns the box of all vertices of a tile, instances too (the corners of their meshes' boxes). O(vertices).
+/// Returns a box of all vertices of a tile, instances too (the corners of their meshes' boxes), rounded outwards by
+/// more than the rounding of single precision. O(vertices).
 OrientedBox box_of(const bake::BakedTile& tile, const Axes& axes);
 
-/// The twelve numbers of a 3D Tiles box: centre and three half axes. The sides are moved outwards to multiples of 2^-6
-/// m, which covers the rounding of single precision.
+/// The twelve numbers of a 3D Tiles box: centre and three half axes.
 std::array<double, 12> numbers_of(const OrientedBox& box);
 
 }  // namespace citykiln::exporters

@@ -24,7 +24,7 @@ struct TilesetTile {
 struct TilesetFacts {
   std::array<double, 16> to_earth{};  ///< The root's transform, column by column (map::Globe::to_earth()).
   map::LonLat origin;
-  std::string geoid;          ///< Where heights of the geoid are from; empty: none was given.
+  std::string geoid{};        ///< Where heights of the geoid are from; empty: none was given.
   double geoid_height_m = 0;  ///< At the origin.
   std::vector<std::string> attributions;
 };
