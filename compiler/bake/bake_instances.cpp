@@ -72,10 +72,14 @@ bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerr
   std::vector<Placement> placements;
   for (const props::StreetLamp& lamp : lamps.standing)
     if (lamp.kind == kind) placements.push_back(props::place(lamp, graded));
-  const props::GeneratedProp lamp = props::lamp_mesh(kind, tallest(placements), baking.tolerance_m);
+  if (placements.empty()) return true;
+  const double tallest_m = tallest(placements), height_m = prototype_height_m(tallest_m);
+  props::GeneratedProp lamp = props::lamp_mesh(kind, tallest_m, baking.tolerance_m);
+  for (materials::MaterialMesh& part : lamp.meshes)
+    for (Vec3& p : part.mesh.positions) p = p * height_m;
   for (const Placement& p : placements) baking.certify(lamp.error_m, bounds_of(p));
   bake_instances(baking, kNames[static_cast<std::size_t>(kind)], instanced_primitives(lamp.meshes, Layer::kProps), {},
-                 placements);
+                 placements, height_m);
   return !lamp.meshes.empty();
 }
 

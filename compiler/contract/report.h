@@ -1,8 +1,10 @@
 // Diagnoses of what was mended, approximated or dropped, and the ledger that counts objects through all stages.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +29,8 @@ std::string_view name_of(Severity severity);  ///< "note", "mended", "dropped".
 struct Diagnosis {
   Code code;
   OsmId object;
-  double size = 0;  ///< In the unit that the code's text states; 0 if it states none.
+  double size = 0;                              ///< In the unit that the code's text states; 0 if it states none.
+  std::optional<std::array<double, 2>> at_m{};  ///< Where, in the plane; none: where the object is.
 };
 
 /// An account of the ledger: the objects of one kind in one stage. It balances if in + split = out + merged + dropped.
@@ -44,7 +47,11 @@ struct Account {
 /// The diagnoses and the ledger of a run. Parallel loops fill one Report for each slot and append them in order.
 class Report {
  public:
-  void add(Code code, OsmId object, double size = 0) { diagnoses_.push_back({code, object, size}); }
+  void add(const Diagnosis& diagnosis) { diagnoses_.push_back(diagnosis); }
+  void add(Code code, OsmId object, double size = 0) { add({code, object, size}); }
+
+  /// Adds a diagnosis of a place (x, y in the plane) that no one object explains.
+  void add_at(Code code, std::array<double, 2> at_m, double size) { add({code, {}, size, at_m}); }
 
   /// Adds the diagnosis and counts the object as dropped from `account`.
   void drop(Account& account, Code code, OsmId object, double size = 0);

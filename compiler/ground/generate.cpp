@@ -184,7 +184,8 @@ GroundMesh generate_cell(const PreparedCell& prepared, GradedNormals& normals, d
     Simplified finer = simplified_to(prepared, tolerance_m, share * tolerance_m, sides_m);
     if (error_m_of(finer) < error_m_of(best)) best = std::move(finer);
   }
-  if (!keeps(best, tolerance_m)) report.add(Code::kToleranceNotMet, {}, best.refined.error_m);
+  if (!keeps(best, tolerance_m))
+    report.add_at(Code::kToleranceNotMet, {best.refined.worst.x, best.refined.worst.y}, best.refined.error_m);
   GroundMesh ground = layered_mesh(best.refined, normals, prepared.heights, prepared.cell_border);
   ground.border_error_m = best.border_error_m;
   return ground;

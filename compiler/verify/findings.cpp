@@ -93,7 +93,10 @@ std::vector<Finding> findings_of(const Report& report, const scene::Header& head
   std::vector<Finding> findings;
   for (const Diagnosis& diagnosis : report.diagnoses()) {
     const auto found = places.find(diagnosis.object);
-    findings.push_back({diagnosis, plane.backward(found != places.end() ? found->second : centre), chunk.tile, level});
+    const Vec2 at = diagnosis.at_m          ? Vec2{(*diagnosis.at_m)[0], (*diagnosis.at_m)[1]}
+                    : found != places.end() ? found->second
+                                            : centre;
+    findings.push_back({diagnosis, plane.backward(at), chunk.tile, level});
   }
   return findings;
 }

@@ -23,7 +23,8 @@ struct Finding {
 /// The findings of compiling, before tiles are baked.
 std::vector<Finding> findings_of(const Report& report, const map::Places& places, const scene::Header& header);
 
-/// The findings of baking one tile at one level. The place is that of the object in the chunk, else the tile's centre.
+/// The findings of baking one tile at one level. The place is the diagnosis' own, else that of
+/// its object in the chunk, else the tile's centre.
 std::vector<Finding> findings_of(const Report& report, const scene::Header& header, const scene::Chunk& chunk,
                                  std::size_t level);
 

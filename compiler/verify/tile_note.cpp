@@ -1,5 +1,6 @@
 #include "compiler/verify/tile_note.h"
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Diagnosis& d) { return {name_of(d.code), static_cast<int>(d.object.type), d.object.id, d.size}; }
+Json json_of(const Diagnosis& d) {
+  Json json = {name_of(d.code), static_cast<int>(d.object.type), d.object.id, d.size};
+  if (d.at_m) json.push_back(*d.at_m);
+  return json;
+}
 
 /// Error (an exception of the JSON library): a code that this program does not have.
 Code known_code(const std::string& name) {
@@ -32,10 +37,15 @@ Account account_of(const Json& json) {
   return account;
 }
 
+Diagnosis diagnosis_of(const Json& d) {
+  Diagnosis diagnosis{known_code(d.at(0)), {static_cast<OsmType>(d.at(1).get<int>()), d.at(2)}, d.at(3)};
+  if (d.size() > 4) diagnosis.at_m = d.at(4).get<std::array<double, 2>>();
+  return diagnosis;
+}
+
 Report report_of(const Json& json) {
   Report report;
-  for (const Json& d : json.at("diagnoses"))
-    report.add(known_code(d.at(0)), {static_cast<OsmType>(d.at(1).get<int>()), d.at(2)}, d.at(3));
+  for (const Json& d : json.at("diagnoses")) report.add(diagnosis_of(d));
   for (const auto& [name, account] : json.at("ledger").items()) {
     const std::size_t slash = name.find('/');
     report.account(name.substr(0, slash), name.substr(slash + 1)) = account_of(account);

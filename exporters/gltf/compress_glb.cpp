@@ -1,7 +1,9 @@
 #include "exporters/gltf/compress_glb.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -21,8 +23,6 @@ using Json = nlohmann::json;
 
 constexpr const char *kDraco = "KHR_draco_mesh_compression", *kMeshopt = "EXT_meshopt_compression",
                      *kQuantised = "KHR_mesh_quantization";
-
-[[noreturn]] void refuse(const char* what) { throw std::runtime_error(what); }
 
 // ---- views that are not packed -------------------------------------------------------------------------------------
 
@@ -62,35 +62,64 @@ void copy_mesh(const GlbParts& plain, Json& primitive, GlbParts& packed) {
 
 // ---- meshopt -------------------------------------------------------------------------------------------------------
 
-// Adds a view. The extension requires a second buffer, which does not exist, and offsets in it.
-void add_meshopt_view(const MeshoptView& view, Json& accessor, GlbParts& packed, std::size_t& fallback_bytes) {
-  const bool is_attribute = view.mode == "ATTRIBUTES";
+// Adds a view and returns its number. The extension requires a second buffer, which does not exist, and offsets in it.
+std::size_t add_meshopt_view(const MeshoptView& view, GlbParts& packed, std::size_t& fallback_bytes) {
+  const auto& [stride, mode, filter] = view.kind;
+  const bool is_attribute = mode == "ATTRIBUTES";
   const Json extension = {{"buffer", 0},
                           {"byteOffset", append(packed, view.bytes)},
                           {"byteLength", view.bytes.size()},
-                          {"byteStride", view.stride},
+                          {"byteStride", stride},
                           {"count", view.count},
-                          {"mode", view.mode},
-                          {"filter", view.filter}};
+                          {"mode", mode},
+                          {"filter", filter}};
   Json whole = {{"buffer", 1},
                 {"byteOffset", fallback_bytes},
-                {"byteLength", view.count * view.stride},
+                {"byteLength", view.count * stride},
                 {"target", is_attribute ? 34962 : 34963},
                 {"extensions", {{kMeshopt, extension}}}};
-  if (is_attribute) whole["byteStride"] = view.stride;
-  fallback_bytes += (view.count * view.stride + 3) / 4 * 4;
-  Json& views = packed.gltf["bufferViews"];
-  accessor["bufferView"] = views.size(), accessor["count"] = view.count;
-  views.push_back(std::move(whole));
+  if (is_attribute) whole["byteStride"] = stride;
+  fallback_bytes += (view.count * stride + 3) / 4 * 4;
+  packed.gltf["bufferViews"].push_back(std::move(whole));
+  return packed.gltf["bufferViews"].size() - 1;
 }
 
-void add_meshopt(const MeshoptMesh& mesh, const Json& primitive, GlbParts& packed, std::size_t& fallback_bytes) {
+// Arrays that follow each other in one view, and the accessors of each.
+struct SharedView {
+  MeshoptArray array;
+  std::vector<Json*> accessors;
+  std::size_t vertices = 0;  // the most of a mesh
+
+  void add(MeshoptArray&& part, std::size_t of_vertices, Json& accessor) {
+    if (!array.bytes.empty()) accessor["byteOffset"] = array.bytes.size();
+    accessor["count"] = part.bytes.size() / part.kind.stride;
+    array.kind = part.kind, vertices = std::max(vertices, of_vertices);
+    array.bytes.insert(array.bytes.end(), part.bytes.begin(), part.bytes.end());
+    accessors.push_back(&accessor);
+  }
+};
+
+// Attributes of the tile's own meshes share views; each prototype has its own, which can go into a file
+// (shared_layout.h). Indices share none: the codec counts vertices that have not been used yet from the view's begin.
+struct SharedViews {
+  std::map<std::pair<std::size_t, MeshoptKind>, SharedView> attributes{};  // by group and kind
+  std::vector<SharedView> indices{};
+};
+
+void add_meshopt(MeshoptMesh&& mesh, std::size_t group, const Json& primitive, GlbParts& packed, SharedViews& views) {
   const std::vector<Json*> accessors = accessors_of(packed.gltf, primitive);
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
-    add_meshopt_view(mesh.attributes[i].view, *accessors[i], packed, fallback_bytes);
-    set_component(mesh.attributes[i].component, *accessors[i]);
+    set_component(mesh.components[i], *accessors[i]);
+    views.attributes[{group, mesh.attributes[i].kind}].add(std::move(mesh.attributes[i]), mesh.count, *accessors[i]);
   }
-  add_meshopt_view(mesh.indices, *accessors.back(), packed, fallback_bytes);
+  views.indices.emplace_back().add(std::move(mesh.indices), mesh.count, *accessors.back());
+}
+
+// By mesh: 0 for the tile's own, else one of its own.
+std::vector<std::size_t> groups_of_meshes(const Json& gltf) {
+  std::vector<std::size_t> groups(gltf.at("meshes").size());
+  for (const std::size_t mesh : instanced_meshes(gltf)) groups[mesh] = mesh + 1;
+  return groups;
 }
 
 // The number of each primitive's mesh, in the order of primitives_of.
@@ -114,16 +143,35 @@ std::vector<Encoded> encoded_arrays(const GlbParts& plain, const NarrowPlan& pla
   });
 }
 
+SharedViews shared_views(std::vector<MeshoptMesh>&& meshes, const std::vector<Json*>& primitives, GlbParts& packed) {
+  const std::vector<std::size_t> mesh_of = mesh_numbers(packed.gltf), groups = groups_of_meshes(packed.gltf);
+  SharedViews views;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    add_meshopt(std::move(meshes[i]), groups[mesh_of[i]], *primitives[i], packed, views);
+  return views;
+}
+
 void compress_meshopt(const GlbParts& plain, GlbParts& packed, int threads) {
   const std::vector<Json*> primitives = primitives_of(packed.gltf);
   const NarrowPlan plan = plan_narrowing(plain);
-  const auto meshes =
-      encoded_arrays<MeshoptMesh>(plain, plan, primitives, threads, [&](MeshArrays arrays, const Json& primitive) {
-        const Json& indices = plain.gltf["accessors"].at(primitive.at("indices").get<std::size_t>());
-        return encode_meshopt(std::move(arrays), bytes_of(component_of(indices)));
-      });
+  SharedViews views = shared_views(
+      encoded_arrays<MeshoptMesh>(plain, plan, primitives, threads,
+                                  [&](MeshArrays arrays, const Json& primitive) {
+                                    const Json& indices =
+                                        plain.gltf["accessors"].at(primitive.at("indices").get<std::size_t>());
+                                    return meshopt_arrays(std::move(arrays), bytes_of(component_of(indices)));
+                                  }),
+      primitives, packed);
+  std::vector<const SharedView*> shared;
+  for (const auto& [key, view] : views.attributes) shared.push_back(&view);
+  for (const SharedView& view : views.indices) shared.push_back(&view);
+  const auto encoded = for_each_slot<MeshoptView>(
+      shared.size(), threads, [&](std::size_t i) { return encode_meshopt(shared[i]->array, shared[i]->vertices); });
   std::size_t fallback_bytes = 0;
-  for (std::size_t i = 0; i < meshes.size(); ++i) add_meshopt(meshes[i], *primitives[i], packed, fallback_bytes);
+  for (std::size_t i = 0; i < encoded.size(); ++i) {
+    const std::size_t number = add_meshopt_view(encoded[i], packed, fallback_bytes);
+    for (Json* accessor : shared[i]->accessors) (*accessor)["bufferView"] = number;
+  }
   packed.gltf["buffers"].push_back(
       {{"byteLength", fallback_bytes}, {"extensions", {{kMeshopt, {{"fallback", true}}}}}});
   scale_by_plan(plan, packed);
@@ -182,113 +230,6 @@ void demand(Json& gltf, const char* extension) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) gltf[list].push_back(extension);
 }
 
-// ---- unpacking -----------------------------------------------------------------------------------------------------
-
-void put_attribute(const VertexAttribute& attribute, std::size_t count, Json& accessor, GlbParts& parts) {
-  accessor["bufferView"] = add_view(parts, attribute.bytes);
-  accessor["count"] = count;
-  set_component(attribute.component, accessor);
-}
-
-void put_indices(const std::vector<std::uint32_t>& indices, Json& accessor, GlbParts& parts) {
-  std::vector<unsigned char> bytes(indices.size() * 4);
-  if (!indices.empty()) std::memcpy(bytes.data(), indices.data(), bytes.size());
-  put_attribute({"", Component::kUnsignedInt, 1, std::move(bytes)}, indices.size(), accessor, parts);
-}
-
-// A file while its meshes are unpacked. Each byte is used once, so that no small file makes a large tile.
-struct Unpacking {
-  GlbParts parts;
-  std::size_t unread_bytes = parts.buffer.size();
-
-  std::vector<unsigned char> take(const Json& view) {
-    const auto bytes = bytes_of_view(parts, view);
-    if (bytes.size() > unread_bytes) refuse("each byte of the buffer to be used once");
-    unread_bytes -= bytes.size();
-    return {bytes.begin(), bytes.end()};
-  }
-};
-
-void unpack_draco(Json& primitive, Unpacking& unpacking) {
-  GlbParts& parts = unpacking.parts;
-  const Json extension = primitive.at("extensions").at(kDraco);
-  std::vector<VertexAttribute> wanted;
-  std::vector<int> ids;
-  for (const auto& [name, number] : primitive.at("attributes").items()) {
-    const Json& accessor = parts.gltf.at("accessors").at(number.get<std::size_t>());
-    wanted.push_back({name, component_of(accessor), width_of(accessor), {}});
-    ids.push_back(extension.at("attributes").at(name).get<int>());
-  }
-  const Json& view = parts.gltf.at("bufferViews").at(extension.at("bufferView").get<std::size_t>());
-  const auto mesh = decode_draco(unpacking.take(view), std::move(wanted), ids);
-  if (!mesh) refuse("meshes that Draco can decode");
-  const std::vector<Json*> accessors = accessors_of(parts.gltf, primitive);
-  for (std::size_t i = 0; i < mesh->attributes.size(); ++i)
-    put_attribute(mesh->attributes[i], mesh->count, *accessors[i], parts);
-  put_indices(mesh->indices, *accessors.back(), parts);
-  primitive.at("extensions").erase(kDraco);
-}
-
-bool is_meshopt(const Json& gltf, const Json& accessor) {
-  if (!accessor.contains("bufferView")) return false;
-  const Json& view = view_of(gltf, accessor);
-  return view.contains("extensions") && view.at("extensions").contains(kMeshopt);
-}
-
-MeshoptView take_meshopt(Unpacking& unpacking, const Json& accessor) {
-  const Json& extension = view_of(unpacking.parts.gltf, accessor).at("extensions").at(kMeshopt);
-  return {unpacking.take(extension), extension.at("count").get<std::size_t>(),
-          extension.at("byteStride").get<std::size_t>(), extension.at("mode").get<std::string>(),
-          extension.value("filter", std::string("NONE"))};
-}
-
-void unpack_meshopt(const Json& primitive, Unpacking& unpacking) {
-  GlbParts& parts = unpacking.parts;
-  const std::vector<Json*> accessors = accessors_of(parts.gltf, primitive);
-  std::size_t i = 0;
-  for (const auto& [name, number] : primitive.at("attributes").items()) {
-    Json& accessor = *accessors[i++];
-    if (!is_meshopt(parts.gltf, accessor)) continue;
-    MeshoptView view = take_meshopt(unpacking, accessor);
-    const std::size_t count = view.count;
-    auto attribute = decode_meshopt({name, component_of(accessor), width_of(accessor), std::move(view)});
-    if (!attribute) refuse("attributes that meshopt can decode");
-    put_attribute(widened(std::move(*attribute), accessor), count, accessor, parts);
-  }
-  if (!is_meshopt(parts.gltf, *accessors.back())) return;
-  const auto indices = decode_meshopt_indices(take_meshopt(unpacking, *accessors.back()));
-  if (!indices) refuse("indices that meshopt can decode");
-  put_indices(*indices, *accessors.back(), parts);
-}
-
-bool is_narrow(const Json& accessor) {
-  const Component component = component_of(accessor);
-  return component == Component::kByte || component == Component::kShort || component == Component::kUnsignedShort;
-}
-
-// Reads attributes of 8 and 16 bits; others stay where they are.
-void unpack_narrow(const Json& primitive, Unpacking& unpacking) {
-  GlbParts& parts = unpacking.parts;
-  const std::vector<Json*> accessors = accessors_of(parts.gltf, primitive);
-  std::size_t i = 0;
-  for (const auto& [name, number] : primitive.at("attributes").items()) {
-    Json& accessor = *accessors[i++];
-    if (!is_narrow(accessor)) continue;
-    VertexAttribute attribute{name, component_of(accessor), width_of(accessor),
-                              unpacking.take(view_of(parts.gltf, accessor))};
-    const std::size_t count = attribute.bytes.size() / stride_of(attribute);
-    put_attribute(widened(std::move(attribute), accessor), count, accessor, parts);
-  }
-}
-
-// Removes the second buffer, and the references to it of views that are unpacked.
-void forget_fallback(Json& gltf) {
-  for (Json& view : gltf.at("bufferViews"))
-    if (view.contains("extensions") && view.at("extensions").contains(kMeshopt))
-      view = {{"buffer", 0}, {"byteLength", 1}};
-  gltf["buffers"] = Json::array({Json::object()});
-}
-
 }  // namespace
 
 std::vector<std::byte> compressed_glb(GlbParts plain, Compression compression, int threads) {
@@ -307,24 +248,6 @@ std::vector<std::byte> compressed_glb(GlbParts plain, Compression compression, i
     demand(packed.gltf, kQuantised);
   }
   return join_glb(std::move(packed));
-}
-
-std::optional<std::vector<std::byte>> decompressed_glb(std::span<const std::byte> bytes) {
-  const std::string_view json = json_of_glb(bytes);
-  if (json.find(kDraco) == json.npos && json.find(kQuantised) == json.npos) return std::nullopt;
-  Unpacking unpacking{split_glb(bytes)};
-  GlbParts& parts = unpacking.parts;
-  unscale(parts);
-  for (Json* primitive : primitives_of(parts.gltf)) {
-    if (primitive->contains("extensions") && primitive->at("extensions").contains(kDraco)) {
-      unpack_draco(*primitive, unpacking);
-      continue;
-    }
-    unpack_meshopt(*primitive, unpacking);
-    unpack_narrow(*primitive, unpacking);
-  }
-  forget_fallback(parts.gltf);
-  return join_glb(std::move(parts));
 }
 
 }  // namespace citykiln::exporters

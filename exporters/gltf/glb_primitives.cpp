@@ -1,5 +1,6 @@
 #include "exporters/gltf/glb_primitives.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -19,6 +20,11 @@ std::vector<std::uint32_t> indices_of(const GlbParts& plain, const Json& accesso
   return indices;
 }
 
+bool is_instance(const Json& node) {
+  return (node.contains("extensions") && node["extensions"].contains("EXT_mesh_gpu_instancing")) ||
+         (node.contains("extras") && node["extras"].contains("feature"));
+}
+
 }  // namespace
 
 std::vector<Json*> primitives_of(Json& gltf) {
@@ -27,6 +33,16 @@ std::vector<Json*> primitives_of(Json& gltf) {
   for (Json& mesh : gltf.at("meshes"))
     for (Json& primitive : mesh.at("primitives")) primitives.push_back(&primitive);
   return primitives;
+}
+
+std::vector<std::size_t> instanced_meshes(const Json& gltf) {
+  std::vector<std::size_t> meshes;
+  for (const Json& node : gltf.at("nodes")) {
+    if (!node.contains("mesh") || !is_instance(node)) continue;
+    const auto mesh = node["mesh"].get<std::size_t>();
+    if (std::ranges::find(meshes, mesh) == meshes.end()) meshes.push_back(mesh);
+  }
+  return meshes;
 }
 
 std::vector<Json*> accessors_of(Json& gltf, const Json& primitive) {

@@ -12,6 +12,9 @@ namespace citykiln::exporters {
 /// All primitives, mesh by mesh.
 std::vector<nlohmann::json*> primitives_of(nlohmann::json& gltf);
 
+/// The meshes of instances (plants, lamps), each once, in the order of nodes.
+std::vector<std::size_t> instanced_meshes(const nlohmann::json& gltf);
+
 /// The accessors of a primitive: its attributes' in their order, then its indices'.
 std::vector<nlohmann::json*> accessors_of(nlohmann::json& gltf, const nlohmann::json& primitive);
 

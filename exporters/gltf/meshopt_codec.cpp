@@ -16,54 +16,50 @@ using Byte4 = std::array<std::int8_t, 4>;
 
 bool is_direction(const std::string& name) { return name == "NORMAL" || name == "TANGENT"; }
 
-MeshoptView packed(const void* values, std::size_t count, std::size_t stride, const char* filter) {
-  MeshoptView view{{}, count, stride, "ATTRIBUTES", filter};
-  view.bytes.resize(meshopt_encodeVertexBufferBound(count, stride));
-  view.bytes.resize(meshopt_encodeVertexBuffer(view.bytes.data(), view.bytes.size(), values, count, stride));
-  return view;
+MeshoptArray array_of(const void* values, std::size_t count, std::size_t stride, const char* filter) {
+  const auto* bytes = static_cast<const unsigned char*>(values);
+  return {{stride, "ATTRIBUTES", filter}, {bytes, bytes + count * stride}};
 }
 
-MeshoptAttribute packed_direction(const VertexAttribute& attribute, std::size_t count) {
+MeshoptArray direction_array(const VertexAttribute& attribute, std::size_t count) {
   std::vector<float> wide(count * 4);
   for (std::size_t i = 0; i < count; ++i)
     std::memcpy(&wide[i * 4], attribute.bytes.data() + i * stride_of(attribute), stride_of(attribute));
   std::vector<Byte4> bytes(count);
   meshopt_encodeFilterOct(bytes.data(), count, sizeof(Byte4), kPackedNormalBits, wide.data());
-  return {attribute.name, Component::kByte, attribute.width, packed(bytes.data(), count, sizeof(Byte4), "OCTAHEDRAL")};
+  return array_of(bytes.data(), count, sizeof(Byte4), "OCTAHEDRAL");
 }
 
 // Encodes steps for the exponential filter with one exponent, where meshopt_encodeFilterExp would choose one per
 // vector.
-MeshoptView packed_steps(Steps steps, std::size_t count, std::size_t stride) {
+MeshoptArray array_of_steps(Steps steps, std::size_t count, std::size_t stride) {
   const auto exponent = static_cast<std::uint32_t>(steps.exponent) << 24;
   for (std::int32_t& s : steps.counts)
     s = static_cast<std::int32_t>((static_cast<std::uint32_t>(s) & 0xffffffu) | exponent);
-  return packed(steps.counts.data(), count, stride, "EXPONENTIAL");
+  return array_of(steps.counts.data(), count, stride, "EXPONENTIAL");
 }
 
-MeshoptAttribute packed_attribute(const VertexAttribute& attribute, std::size_t count) {
-  if (is_direction(attribute.name)) return packed_direction(attribute, count);
-  MeshoptAttribute out{attribute.name, attribute.component, attribute.width, {}};
-  if (auto steps = steps_of(attribute))
-    out.view = packed_steps(std::move(*steps), count, stride_of(attribute));
-  else
-    out.view = packed(attribute.bytes.data(), count, stride_of(attribute), "NONE");
-  return out;
+MeshoptArray attribute_array(const VertexAttribute& attribute, std::size_t count) {
+  if (is_direction(attribute.name)) return direction_array(attribute, count);
+  if (auto steps = steps_of(attribute)) return array_of_steps(std::move(*steps), count, stride_of(attribute));
+  return array_of(attribute.bytes.data(), count, stride_of(attribute), "NONE");
 }
 
-MeshoptView packed_indices(const MeshArrays& mesh, std::size_t stride) {
-  MeshoptView view{{}, mesh.indices.size(), stride, "TRIANGLES", "NONE"};
-  view.bytes.resize(meshopt_encodeIndexBufferBound(mesh.indices.size(), mesh.count));
-  view.bytes.resize(
-      meshopt_encodeIndexBuffer(view.bytes.data(), view.bytes.size(), mesh.indices.data(), mesh.indices.size()));
-  return view;
+MeshoptArray index_array(const std::vector<std::uint32_t>& indices, std::size_t stride) {
+  MeshoptArray array{{stride, "TRIANGLES", "NONE"}, std::vector<unsigned char>(indices.size() * stride)};
+  for (std::size_t i = 0; i < indices.size(); ++i) std::memcpy(&array.bytes[i * stride], &indices[i], stride);
+  return array;
 }
 
-// Whether so few bytes can hold the view: a block of vertices has at least two bits per sixteen bytes.
+// Whether so few bytes can hold the view: a block of vertices has at least two bits per sixteen bytes, a triangle at
+// least one byte.
 bool is_plausible(const MeshoptView& view) {
   constexpr std::size_t kMostTimes = 64;
-  return view.count > 0 && view.stride > 0 && view.stride <= 256 && view.stride % 4 == 0 &&
-         view.count <= kMostTimes * view.bytes.size() / view.stride;
+  const std::size_t stride = view.kind.stride;
+  if (view.kind.mode == "TRIANGLES")
+    return (stride == 2 || stride == 4) && view.count % 3 == 0 && view.count / 3 <= view.bytes.size();
+  return view.kind.mode == "ATTRIBUTES" && view.count > 0 && stride > 0 && stride <= 256 && stride % 4 == 0 &&
+         view.count <= kMostTimes * view.bytes.size() / stride;
 }
 
 void unfilter(const std::string& filter, std::vector<unsigned char>& bytes, std::size_t count, std::size_t stride) {
@@ -73,40 +69,55 @@ void unfilter(const std::string& filter, std::vector<unsigned char>& bytes, std:
 
 }  // namespace
 
-MeshoptMesh encode_meshopt(MeshArrays mesh, std::size_t index_stride) {
+MeshoptMesh meshopt_arrays(MeshArrays mesh, std::size_t index_stride) {
   assert(index_stride == 2 || index_stride == 4);
   order_for_meshopt(mesh);
   MeshoptMesh out;
-  for (const VertexAttribute& attribute : mesh.attributes)
-    out.attributes.push_back(packed_attribute(attribute, mesh.count));
-  out.indices = packed_indices(mesh, index_stride);
+  for (const VertexAttribute& attribute : mesh.attributes) {
+    out.attributes.push_back(attribute_array(attribute, mesh.count));
+    out.components.push_back(is_direction(attribute.name) ? Component::kByte : attribute.component);
+  }
+  out.indices = index_array(mesh.indices, index_stride), out.count = mesh.count;
   return out;
 }
 
-std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& attribute) {
-  const auto& [name, component, width, view] = attribute;
-  VertexAttribute out{name, component, width, {}};
-  const bool is_octahedral = view.filter == "OCTAHEDRAL";
-  const bool is_filter = view.filter == "NONE" || (view.filter == "EXPONENTIAL" && component == Component::kFloat);
-  const bool fits = is_octahedral ? is_direction(name) && component == Component::kByte && view.stride == 4 &&
-                                        (width == 3 || width == 4)
-                                  : is_filter && view.stride == stride_of(out);
-  if (!fits || view.mode != "ATTRIBUTES" || !is_plausible(view)) return std::nullopt;
-  out.bytes.resize(view.count * view.stride);
-  if (meshopt_decodeVertexBuffer(out.bytes.data(), view.count, view.stride, view.bytes.data(), view.bytes.size()) != 0)
-    return std::nullopt;
-  unfilter(view.filter, out.bytes, view.count, view.stride);
-  return out;
+MeshoptView encode_meshopt(const MeshoptArray& array, std::size_t vertices) {
+  const std::size_t count = array.bytes.size() / array.kind.stride;
+  MeshoptView view{array.kind, count, {}};
+  if (array.kind.mode == "TRIANGLES") {
+    std::vector<std::uint32_t> indices(count);
+    for (std::size_t i = 0; i < count; ++i)
+      std::memcpy(&indices[i], &array.bytes[i * array.kind.stride], array.kind.stride);
+    view.bytes.resize(meshopt_encodeIndexBufferBound(count, vertices));
+    view.bytes.resize(meshopt_encodeIndexBuffer(view.bytes.data(), view.bytes.size(), indices.data(), count));
+    return view;
+  }
+  view.bytes.resize(meshopt_encodeVertexBufferBound(count, array.kind.stride));
+  view.bytes.resize(
+      meshopt_encodeVertexBuffer(view.bytes.data(), view.bytes.size(), array.bytes.data(), count, array.kind.stride));
+  return view;
 }
 
-std::optional<std::vector<std::uint32_t>> decode_meshopt_indices(const MeshoptView& view) {
-  // a triangle takes at least one byte
-  const bool fits = view.mode == "TRIANGLES" && view.count % 3 == 0 && view.count / 3 <= view.bytes.size();
-  if (!fits) return std::nullopt;
-  std::vector<std::uint32_t> indices(view.count);
-  if (meshopt_decodeIndexBuffer(indices.data(), view.count, 4, view.bytes.data(), view.bytes.size()) != 0)
-    return std::nullopt;
-  return indices;
+std::optional<std::vector<unsigned char>> decode_meshopt(const MeshoptView& view) {
+  if (!is_plausible(view)) return std::nullopt;
+  const auto& [kind, count, packed] = view;
+  std::vector<unsigned char> bytes(count * kind.stride);
+  const int failure = kind.mode == "TRIANGLES"
+                          ? meshopt_decodeIndexBuffer(bytes.data(), count, kind.stride, packed.data(), packed.size())
+                          : meshopt_decodeVertexBuffer(bytes.data(), count, kind.stride, packed.data(), packed.size());
+  if (failure != 0 || (kind.filter == "OCTAHEDRAL" && kind.stride != 4)) return std::nullopt;
+  unfilter(kind.filter, bytes, count, kind.stride);
+  return bytes;
+}
+
+bool can_hold(const MeshoptKind& kind, const VertexAttribute& attribute) {
+  if (kind.mode != "ATTRIBUTES") return false;
+  if (kind.filter == "OCTAHEDRAL")
+    return is_direction(attribute.name) && attribute.component == Component::kByte && kind.stride == 4 &&
+           (attribute.width == 3 || attribute.width == 4);
+  const bool is_filter =
+      kind.filter == "NONE" || (kind.filter == "EXPONENTIAL" && attribute.component == Component::kFloat);
+  return is_filter && kind.stride == stride_of(attribute);
 }
 
 }  // namespace citykiln::exporters

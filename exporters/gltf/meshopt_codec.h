@@ -1,4 +1,4 @@
-// EXT_meshopt_compression: each attribute and the indices as a buffer view of its own.
+// EXT_meshopt_compression: attributes and indices as arrays, many of which one buffer view can hold.
 #pragma once
 
 #include <optional>
@@ -9,34 +9,47 @@
 
 namespace citykiln::exporters {
 
-/// A compressed buffer view, in the extension's terms.
-struct MeshoptView {
-  std::vector<unsigned char> bytes;
-  std::size_t count = 0, stride = 0;  ///< Of the decoded data.
-  std::string mode = "ATTRIBUTES";    ///< Or "TRIANGLES".
-  std::string filter = "NONE";        ///< Or "OCTAHEDRAL", "EXPONENTIAL".
+/// How a buffer view is packed, in the extension's terms. Arrays of one kind can follow each other in one view.
+struct MeshoptKind {
+  std::size_t stride = 0;           ///< Bytes of a decoded element.
+  std::string mode = "ATTRIBUTES";  ///< Or "TRIANGLES".
+  std::string filter = "NONE";      ///< Or "OCTAHEDRAL", "EXPONENTIAL".
+  auto operator<=>(const MeshoptKind&) const = default;
 };
 
-struct MeshoptAttribute {
-  std::string name;
-  Component component{};  ///< Of the decoded data.
-  std::size_t width = 0;
-  MeshoptView view;
+/// Elements before they are packed: filtered attributes, or indices.
+struct MeshoptArray {
+  MeshoptKind kind;
+  std::vector<unsigned char> bytes;
+};
+
+/// A packed buffer view.
+struct MeshoptView {
+  MeshoptKind kind;
+  std::size_t count = 0;  ///< Of elements.
+  std::vector<unsigned char> bytes;
 };
 
 struct MeshoptMesh {
-  std::vector<MeshoptAttribute> attributes;  ///< In the mesh's order.
-  MeshoptView indices;
+  std::vector<MeshoptArray> attributes;  ///< In the mesh's order.
+  std::vector<Component> components;     ///< Of the decoded data.
+  MeshoptArray indices;
+  std::size_t count = 0;  ///< Of vertices.
 };
 
-/// Packs a mesh; vertices and triangles are reordered for the caches of graphics cards, which also packs best. Normals
-/// and tangents become octahedral, with kPackedNormalBits per component; all other attributes stay exact.
+/// Prepares a mesh: vertices and triangles are reordered for the caches of graphics cards, which also packs best.
+/// Normals and tangents become octahedral, with kPackedNormalBits per component; all other attributes stay exact.
 /// @param index_stride  Bytes of an index in the file: 2 or 4.
-MeshoptMesh encode_meshopt(MeshArrays mesh, std::size_t index_stride);
+MeshoptMesh meshopt_arrays(MeshArrays mesh, std::size_t index_stride);
 
-/// Unpacks an attribute, normals and tangents in 8 bits per component. Returns nothing where the bytes are invalid, or
-/// the count is larger than they can hold.
-std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& attribute);
-std::optional<std::vector<std::uint32_t>> decode_meshopt_indices(const MeshoptView& view);
+/// Packs an array. @param indices  Each less than `vertices`.
+MeshoptView encode_meshopt(const MeshoptArray& array, std::size_t vertices);
+
+/// Unpacks a view; its elements as a reader of the file sees them. Returns nothing where the bytes are invalid, or the
+/// count is larger than they can hold.
+std::optional<std::vector<unsigned char>> decode_meshopt(const MeshoptView& view);
+
+/// Whether a view of this kind can hold an attribute.
+bool can_hold(const MeshoptKind& kind, const VertexAttribute& attribute);
 
 }  // namespace citykiln::exporters

@@ -15,6 +15,7 @@
 #include "exporters/file.h"
 #include "exporters/gltf/glb_checks.h"
 #include "exporters/gltf/glb_parts.h"
+#include "exporters/gltf/glb_primitives.h"
 #include "exporters/gltf/glb_reader.h"
 
 namespace citykiln::exporters {
@@ -33,22 +34,6 @@ std::span<const unsigned char> bytes_of(const std::vector<std::byte>& bytes) {
 // A view's buffer and place, which meshopt has in an extension.
 Json& place_of(Json& view) {
   return view.contains("extensions") && view["extensions"].contains(kMeshopt) ? view["extensions"][kMeshopt] : view;
-}
-
-bool is_instance(const Json& node) {
-  return (node.contains("extensions") && node["extensions"].contains("EXT_mesh_gpu_instancing")) ||
-         (node.contains("extras") && node["extras"].contains("feature"));
-}
-
-// The meshes of instances, each once, in the order of nodes.
-std::vector<std::size_t> instanced_meshes(const Json& gltf) {
-  std::vector<std::size_t> meshes;
-  for (const Json& node : gltf.at("nodes")) {
-    if (!node.contains("mesh") || !is_instance(node)) continue;
-    const auto mesh = node["mesh"].get<std::size_t>();
-    if (std::ranges::find(meshes, mesh) == meshes.end()) meshes.push_back(mesh);
-  }
-  return meshes;
 }
 
 // The buffer views of a mesh.

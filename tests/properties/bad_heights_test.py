@@ -106,11 +106,12 @@ SPIKES = 5 * 1 + 1 + 2 * 4  # samples
 
 
 def vertices_of(path):
-    """Plane coordinates and OSM id of every vertex of the tile's own mesh."""
+    """Plane coordinates and OSM id of every vertex of the tile's own meshes, one a layer."""
     tile = Glb(path)
-    node, ids = tile.gltf["nodes"][0], tile.osm_ids()
-    east, up, minus_north = node["translation"]
-    for primitive in tile.gltf["meshes"][node["mesh"]]["primitives"]:
+    nodes, ids = tile.gltf["nodes"], tile.osm_ids()
+    east, up, minus_north = nodes[0]["translation"]
+    layers = [nodes[child] for child in nodes[0]["children"]]
+    for primitive in [p for layer in layers if "mesh" in layer for p in tile.gltf["meshes"][layer["mesh"]]["primitives"]]:
         features = tile.values(primitive["attributes"]["_FEATURE_ID_0"])
         for (x, y, z), (feature,) in zip(tile.values(primitive["attributes"]["POSITION"]), features, strict=True):
             yield (x + east, -(z + minus_north), y + up), ids[int(feature)] if feature < len(ids) else None

@@ -21,6 +21,9 @@ constexpr double kFirst = 2;
 // Another corner replaces the nearest one if its error is larger by this share of the tolerance.
 constexpr double kFartherOff = 0.25;
 
+// A flip that leaves an error above the tolerance is made if it leaves at most this share of it.
+constexpr double kBetter = 0.9;
+
 // The errors of one face: the largest, and the largest that a further vertex can reduce.
 struct FaceError {
   double error_m = 0;
@@ -99,6 +102,14 @@ struct Growing {
     error.are_edges_known = true;
   }
 
+  void find_worst() {
+    for (std::uint32_t f = 0; f < errors.size(); ++f) {
+      if (errors[f].error_m <= refined.error_m) continue;
+      const std::array<Vec3, 3> corners = corners_of(f);
+      refined.error_m = errors[f].error_m, refined.worst = in_plan(corners[0] + corners[1] + corners[2]) * (1.0 / 3);
+    }
+  }
+
   // Returns the face's error at a point inside it.
   double error_at(std::uint32_t f, Vec2 p) const {
     const std::array<Vec3, 3> corners = corners_of(f);
@@ -159,7 +170,7 @@ struct Growing {
     return worst_inside(reference, places_of(v, layer), layer).error_m <= tolerance_m;
   }
 
-  // Returns whether flipping an edge would leave nothing between the four corners off by more than the tolerance.
+  // Returns whether flipping an edge would leave nothing between its four corners off by more than the tolerance.
   bool flip_suffices(std::uint32_t f, int i, double tolerance_m) const {
     const DelaunayFace& face = refined.triangulation.faces()[f];
     const std::uint32_t beyond = face.neighbours[i];
@@ -179,16 +190,20 @@ struct Growing {
     return changed;
   }
 
-  // Flips an edge or inserts a point to reduce the face's largest error, or one nearby. Returns the changed faces; none
-  // where nothing helps. Terminates: flips reduce the number of edges and faces that are off, and points are new
-  // vertices of a finite grid.
+  // Flips an edge or inserts a point to reduce the face's largest error, or one nearby; where there is no room for a
+  // point, as on cliffs one step of the grid wide, a flip that leaves a smaller error. Returns the changed faces; none
+  // where nothing helps. Terminates: flips reduce the number of edges and faces that are off, or the largest error of
+  // four corners by a factor, and points are new vertices of a finite grid.
   std::span<const std::uint32_t> mend(std::uint32_t f, double tolerance_m) {
     const int edge = worst_edge(f);
     if (edge < 3 && flip_suffices(f, edge, tolerance_m)) return turn_round(f, edge);
     Insertion insertion = best_insertion(f, tolerance_m);
     if (insertion.face == kNoFace) insertion = insertion_beside(f);
     const auto [p, split] = insertion;
-    if (split == kNoFace) return {};
+    if (split == kNoFace) {
+      const bool helps = edge < 3 && flip_suffices(f, edge, kBetter * errors[f].reducible.error_m);
+      return helps ? turn_round(f, edge) : std::span<const std::uint32_t>();
+    }
     const std::uint32_t surface = refined.face_cover[split];
     const FaceHeight height = refined.face_height[split];
     const auto changed = refined.triangulation.insert(grid_point(p), split);
@@ -240,13 +255,14 @@ Heights snapped_heights(const Reference& reference, const Place& place) {
 Refined refine(Partition&& partition, std::vector<FaceHeight>&& face_height, const Reference& reference,
                double tolerance_m) {
   assert(face_height.size() == partition.face_cover.size() && tolerance_m > 0);
-  Refined refined{std::move(partition.triangulation), std::move(partition.face_cover), std::move(face_height), {}, 0};
+  Refined refined{
+      std::move(partition.triangulation), std::move(partition.face_cover), std::move(face_height), {}, 0, {}};
   Growing growing{reference, refined, std::vector<FaceError>(refined.face_cover.size())};
   for (const GridPoint p : refined.triangulation.vertices()) growing.add_vertex(plane_point(p));
   grow(growing, kFirst * tolerance_m);
   growing.looks_at_edges = true;
   grow(growing, tolerance_m);
-  for (const FaceError& error : growing.errors) refined.error_m = std::max(refined.error_m, error.error_m);
+  growing.find_worst();
   return refined;
 }
 

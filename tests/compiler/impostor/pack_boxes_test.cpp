@@ -13,7 +13,8 @@ TEST(PackBoxes, BoxesDoNotOverlapAndLieInTheImage) {
   std::mt19937 dice(7);
   for (int round = 0; round < 50; ++round) {
     std::vector<BoxSize> boxes;
-    for (unsigned i = dice() % 40 + 1; i > 0; --i) boxes.push_back({dice() % 30 + 1, dice() % 30 + 1});
+    const auto side = [&dice] { return static_cast<std::uint32_t>(dice() % 30 + 1); };
+    for (unsigned i = dice() % 40 + 1; i > 0; --i) boxes.push_back({.columns = side(), .rows = side()});
     const PackedBoxes packed = pack_boxes(boxes);
     EXPECT_TRUE(std::has_single_bit(packed.columns) && std::has_single_bit(packed.rows));
     std::set<std::pair<std::uint32_t, std::uint32_t>> taken;

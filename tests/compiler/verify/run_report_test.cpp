@@ -22,7 +22,10 @@ WrittenFiles two_tiles() {
 }
 
 std::string report_of(Report& report, const WrittenFiles& written) {
-  return report_json({}, {}, report, written, {}, {});
+  scene::Header header;
+  header.region = {{-1024, 0}, {1024, 3072}};
+  header.tile_m = 1024;
+  return report_json(header, {}, report, written, {}, {});
 }
 
 TEST(RunReport, ReadsBackTheTilesItWrote) {

@@ -15,7 +15,7 @@ TileNote made_note() {
                .triangles = 6,
                .instances = 2};
   note.diagnosed.add(Code::kRuleErrors, {OsmType::kWay, -5}, 0.1 + 0.2);
-  note.diagnosed.add(Code::kToleranceNotMet, {}, 7);
+  note.diagnosed.add_at(Code::kToleranceNotMet, {1.5, -2.25}, 7);
   Account& account = note.diagnosed.account("bake", "derived lamp");
   account.in = 3, account.split = 1, account.out = 2, account.merged = 1;
   note.diagnosed.drop(account, Code::kBelowTolerance, {OsmType::kNode, 9});
@@ -33,6 +33,7 @@ TEST(TileNote, ReadsBackWhatItWrote) {
   ASSERT_EQ(back->diagnosed.diagnoses().size(), 3u);
   EXPECT_EQ(back->diagnosed.diagnoses()[0].object, (OsmId{OsmType::kWay, -5}));
   EXPECT_EQ(back->diagnosed.diagnoses()[0].size, 0.1 + 0.2);
+  EXPECT_EQ(back->diagnosed.diagnoses()[1].at_m, (std::array{1.5, -2.25}));
   EXPECT_EQ(back->diagnosed.ledger().at("bake/derived lamp").dropped.at(Code::kBelowTolerance), 1u);
   EXPECT_TRUE(back->diagnosed.balances());
 }
