@@ -87,7 +87,7 @@ Result<Done> set_tile(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
-  spec.outputs.manifest = spec.outputs.glb = spec.outputs.usd = false;
+  spec.outputs.manifest = spec.outputs.glb = spec.outputs.usd = spec.outputs.tiles3d = false;
   for (const std::string_view form : split(text, ',')) {
     if (form == "kiln") {
       spec.outputs.manifest = true;
@@ -96,20 +96,28 @@ Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
     } else if (form == "usd") {
       spec.outputs.usd = true;
     } else if (form == "3dtiles") {
-      return Error{"", fmt::format("{} is not supported yet; this version writes kiln, glb and usd", form)};
+      spec.outputs.tiles3d = true;
     } else {
-      return expected("kiln, glb, usd or several of them, such as kiln,usd", form);
+      return expected("kiln, glb, usd, 3dtiles or several of them, such as kiln,usd", form);
     }
   }
   return Done{};
 }
 
-Result<Done> set_world(CompileSpec&, std::string_view text) {
-  if (text == "plane") return Done{};
-  if (text == "ellipsoid" || text.starts_with("cylinder")) {
-    return Error{"", fmt::format("{} is not supported yet; this version supports plane", text)};
+Result<Done> set_world(CompileSpec& spec, std::string_view text) {
+  if (text.starts_with("cylinder")) {
+    return Error{"", fmt::format("{} is not supported yet; this version supports plane and ellipsoid", text)};
   }
-  return expected("plane", text);
+  if (text != "plane" && text != "ellipsoid") return expected("plane or ellipsoid", text);
+  spec.world = text == "plane" ? World::kPlane : World::kEllipsoid;
+  return Done{};
+}
+
+Result<Done> set_geoid(CompileSpec& spec, std::string_view text) {
+  if (!number_in<double>(text) && !text.ends_with(".pgm"))
+    return expected("a height in metres, such as 47.3, or a geoid of GeographicLib, such as egm96-5.pgm", text);
+  spec.outputs.geoid = text;
+  return Done{};
 }
 
 Result<Done> set_target(CompileSpec& spec, std::string_view text) {
@@ -188,13 +196,20 @@ constexpr Setting kSettings[] = {
      [](CompileSpec& spec, std::string_view text) { return add_tiles(text, spec.only); }},
     {"out", "FOLDER", "folder for all outputs; it is created if missing", false,
      [](CompileSpec& spec, std::string_view text) { return put(Result(std::string(text)), spec.outputs.folder); }},
-    {"emit", "kiln,glb,usd",
-     "outputs to write: kiln (manifest), glb (tiles), usd (a scene of the tiles) or several (default: kiln,glb)", false,
-     set_emit},
+    {"emit", "kiln,glb,usd,3dtiles",
+     "outputs to write: kiln (manifest), glb (tiles), usd (a scene of the tiles), 3dtiles (tileset.json, on the "
+     "ellipsoid) or several (default: kiln,glb)",
+     false, set_emit},
     {"lods", "M,M,...",
      "levels of detail: largest geometric error of each in metres, finest first (default: 0.1,0.5,1.2,2.5,12.5)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.ladder_m); }},
-    {"world", "plane", "shape of the world; only plane is supported (default: plane)", false, set_world},
+    {"world", "plane|ellipsoid",
+     "shape of the world: ellipsoid for --emit 3dtiles, plane for kiln and glb (default: that of the output)", false,
+     set_world},
+    {"geoid-height", "M|FILE.pgm",
+     "for 3dtiles: height of the geoid (sea level) above the ellipsoid in metres, such as 47.3, or a geoid of "
+     "GeographicLib, such as egm96-5.pgm (default: 0)",
+     false, set_geoid},
     {"compress", "none|quantize|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_compress(text), spec.outputs.compress); }},
     {"layout", "embedded|shared",
@@ -307,7 +322,18 @@ Result<Done> is_complete(const CompileSpec& spec) {
     return Error{"", "no map is given; expected a file such as town.osm.pbf, or the setting \"map\" in spec.json"};
   if (spec.outputs.folder.empty())
     return Error{"", "no output folder is given; add -o FOLDER, or the setting \"out\" to spec.json"};
+  if (const Result<Done> fits = fits_world(spec); !fits) return fits;
   return fits_target(spec.outputs);
+}
+
+Result<Done> fits_world(const CompileSpec& spec) {
+  if (spec.world == World::kPlane && spec.outputs.tiles3d)
+    return Error{"--world", "3dtiles are on the ellipsoid, found plane; leave --world out"};
+  if (spec.world == World::kEllipsoid && !spec.outputs.tiles3d)
+    return Error{"--world", "kiln and glb are in the plane, found ellipsoid; add --emit 3dtiles"};
+  if (spec.outputs.geoid.ends_with(".pgm") && !std::ifstream(spec.outputs.geoid))
+    return Error{spec.outputs.geoid, "the file cannot be read"};
+  return Done{};
 }
 
 Result<Done> fits_target(const Outputs& outputs) {

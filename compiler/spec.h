@@ -43,6 +43,8 @@ struct Outputs {
   bool manifest = true;  ///< scene.kiln
   bool glb = true;       ///< glb/<x>_<y>_L<n>.glb
   bool usd = false;      ///< usd/scene.usda and the layers of its tiles
+  bool tiles3d = false;  ///< 3dtiles/tileset.json and its contents, on the ellipsoid.
+  std::string geoid;     ///< Of map::read_geoid(); "" where no height of the geoid is given.
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
   Compress compress = Compress::kNone;
@@ -59,6 +61,9 @@ struct Strictness {
   std::vector<Code> codes;  ///< Diagnoses that count; none: those of data that was mended or dropped.
 };
 
+/// The shape of the world that positions are in.
+enum class World { kByOutput, kPlane, kEllipsoid };
+
 struct CompileSpec {
   std::string map_path;
   std::vector<source::RasterSpec> rasters;  ///< At each place the first that covers it is used.
@@ -68,6 +73,7 @@ struct CompileSpec {
   std::uint64_t seed = 0;
   std::optional<double> snow_line_m;  ///< Land above it is covered by snow.
   std::string rules_folder;           ///< Rule files that replace shipped ones of the same name; "" for none.
+  World world = World::kByOutput;     ///< 3D Tiles are on the ellipsoid, other outputs in the plane.
   std::string time;                   ///< Of the sky, ISO 8601, UTC; see sky::plan.
   int threads = 0;                    ///< 0: all processors. Does not change outputs.
   Strictness strict;
@@ -98,6 +104,9 @@ Result<CompileSpec> read_spec(const std::string& path);
 
 /// Error: the spec has no map or no output folder, or its outputs do not fit their target.
 Result<Done> is_complete(const CompileSpec& spec);
+
+/// Error: the world is not that of the outputs, or the geoid's file cannot be read.
+Result<Done> fits_world(const CompileSpec& spec);
 
 /// Error: the target's reader cannot read the compression.
 Result<Done> fits_target(const Outputs& outputs);

@@ -171,6 +171,7 @@ Result<Done> output_fits(const Request& request) {
   std::error_code none;
   if (is_one_file && std::filesystem::is_directory(request.out_path, none))
     return Error{request.out_path, "is a folder; --tolerance and --eye write one file: give -o FILE.glb"};
+  if (const Result<Done> fits = fits_world(request.spec); !fits) return fits.error();
   return fits_target(request.spec.outputs);
 }
 
@@ -192,7 +193,7 @@ void add_settings(Verb& verb, Request& request) {
     const std::string_view name = setting.name;
     if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
         name != "compress" && name != "layout" && name != "max-bytes" && name != "max-triangles" && name != "world" &&
-        name != "threads") {
+        name != "geoid-height" && name != "threads") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);

@@ -13,6 +13,7 @@
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/verify/check_folder.h"
 #include "compiler/verify/check_tile.h"
+#include "compiler/verify/check_tileset.h"
 #include "compiler/verify/check_usd.h"
 #include "compiler/verify/non_ground_objects.h"
 #include "exporters/kiln/manifest.h"
@@ -146,6 +147,7 @@ Result<Exit> run(const Request& request, const Console& console) {
   Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
   if (!results) return results.error();
   if (const Result<Done> done = check_usd(*loaded, request.threads, *results); !done) return done.error();
+  verify::check_tileset(*loaded, request.threads, *results);
   print(*results, console);
   for (const verify::Check* check : verify::all_of(*results)) {
     if (!check->failures.empty()) return failure(folder, *check);

@@ -14,6 +14,7 @@
 #include "compiler/bake/bake.h"
 #include "compiler/commands/bake_keys.h"
 #include "compiler/commands/usd_outputs.h"
+#include "compiler/commands/write_tiles3d.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/pipeline.h"
 #include "compiler/verify/tile_note.h"
@@ -255,6 +256,11 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
     const Result<verify::WrittenFile> file = write("scene.kiln", exporters::encode_manifest(scene, threads), folder);
     if (!file) return file.error();
     written.files.files.push_back(*file);
+  }
+  if (outputs.tiles3d) {
+    auto files = write_tiles3d(scene, outputs, threads, folder, report, on_progress);
+    if (!files) return files.error();
+    std::ranges::move(*files, std::back_inserter(written.files.files));
   }
   if (!outputs.glb && !outputs.usd) return written;
   TileWriter writer(scene, outputs, threads, folder, report);

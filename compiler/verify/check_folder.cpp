@@ -15,6 +15,24 @@ bool is_listed(const exporters::FileList& list, const std::string& name) {
   return std::ranges::find(list, name, &exporters::ListedFile::name) != list.end();
 }
 
+/// "3_-2_L0.glb"
+bool is_name_of_tile(std::string_view name) {
+  if (!name.ends_with(".glb")) return false;
+  const std::string_view stem = name.substr(0, name.size() - 4);
+  const std::size_t level = stem.rfind("_L");
+  return level != std::string_view::npos && numbers_in<int>(stem.substr(0, level), '_', 2) &&
+         number_in<int>(stem.substr(level + 2));
+}
+
+/// The same, "Q2_0_1.glb", "tileset.json" or "tileset_3.json".
+bool is_name_in_tileset(std::string_view name) {
+  if (name == "tileset.json" || is_name_of_tile(name)) return true;
+  if (name.starts_with("Q") && name.ends_with(".glb"))
+    return numbers_in<int>(name.substr(1, name.size() - 5), '_', 3).has_value();
+  return name.starts_with("tileset_") && name.ends_with(".json") &&
+         number_in<int>(name.substr(8, name.size() - 13)).has_value();
+}
+
 void check_report(const RunRecord& record, const exporters::FileList& list, CheckResults& results) {
   for (const WrittenTile& tile : record.tiles)
     results.files.test(is_listed(list, tile.file.name), tile.file.name + " is in report.json, but not in files.json");
@@ -37,11 +55,8 @@ bool is_name_of_run(const std::string& name) {
   for (const char* own : {"scene.kiln", "report.json", "findings.json", "timing.json"})
     if (name == own) return true;
   if (is_usd_name(name)) return true;
-  if (!name.starts_with("glb/") || !name.ends_with(".glb")) return false;
-  const std::string_view stem = std::string_view(name).substr(4, name.size() - 8);
-  const std::size_t level = stem.rfind("_L");
-  return level != std::string_view::npos && numbers_in<int>(stem.substr(0, level), '_', 2) &&
-         number_in<int>(stem.substr(level + 2));
+  if (name.starts_with("3dtiles/")) return is_name_in_tileset(std::string_view(name).substr(8));
+  return name.starts_with("glb/") && is_name_of_tile(std::string_view(name).substr(4));
 }
 
 Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& results) {

@@ -4,11 +4,12 @@ namespace citykiln::verify {
 namespace {
 
 // In the order of printing.
-constexpr Check CheckResults::*kChecks[] = {&CheckResults::files,     &CheckResults::stale, &CheckResults::ledger,
-                                            &CheckResults::glb_bytes, &CheckResults::area,  &CheckResults::height,
-                                            &CheckResults::seams,     &CheckResults::jumps, &CheckResults::roads,
-                                            &CheckResults::rivers,    &CheckResults::lakes, &CheckResults::footing,
-                                            &CheckResults::trunks};
+constexpr Check CheckResults::*kChecks[] = {
+    &CheckResults::files,        &CheckResults::stale,   &CheckResults::ledger,        &CheckResults::glb_bytes,
+    &CheckResults::area,         &CheckResults::height,  &CheckResults::seams,         &CheckResults::jumps,
+    &CheckResults::roads,        &CheckResults::rivers,  &CheckResults::lakes,         &CheckResults::footing,
+    &CheckResults::trunks,       &CheckResults::tileset, &CheckResults::tileset_boxes, &CheckResults::tileset_errors,
+    &CheckResults::tileset_seams};
 constexpr Check CheckResults::*kUsdChecks[] = {&CheckResults::usd_layers, &CheckResults::usd_same,
                                                &CheckResults::usd_scene};
 

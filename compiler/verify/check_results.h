@@ -44,6 +44,11 @@ struct CheckResults {
   Check usd_layers{"every USD layer holds together: indices, extents, prototypes, materials, textures", 0, {}};
   Check usd_same{"USD has the meshes, instances, ids and errors of the .glb or the recipes", 0, {}};
   Check usd_scene{"the USD scene has every tile at its place, and every tile its levels", 0, {}};
+  Check tileset{
+      "3D Tiles follow the specification, stand at the origin, and all contents are there and name the sources", 0, {}};
+  Check tileset_boxes{"bounding volumes contain their contents and children", 0, {}};
+  Check tileset_errors{"geometricError falls from parent to child and is at least the content's error_m", 0, {}};
+  Check tileset_seams{"neighbouring contents of one level have the same highest vertices on their border", 0, {}};
   // reported without a limit
   std::vector<std::string> strange;  ///< Files in the folder that the run did not write; folders end in "/".
   bool has_unfinished_run = false;   ///< A later run into the folder was interrupted.

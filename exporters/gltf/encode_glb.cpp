@@ -30,17 +30,22 @@ std::string joined(const std::vector<std::string>& texts) {
 
 Value vector(Vec3 v) { return Value(Array{number(v.x), number(v.y), number(v.z)}); }
 
-Value tile_extras(const BakedTile& tile, const scene::Header& header) {
-  const Object plane = {{"projection", text("transverse Mercator, WGS84, scale 1 at the origin")},
-                        {"lon_0", number(header.origin.lon_deg)},
-                        {"lat_0", number(header.origin.lat_deg)}};
+// What the tile's coordinates mean.
+void add_frame(Object& extras, const scene::Header& header, bool is_on_ellipsoid) {
+  Object frame = {{"lon_0", number(header.origin.lon_deg)}, {"lat_0", number(header.origin.lat_deg)}};
+  frame["projection"] = text(is_on_ellipsoid ? "none: east, north, up at lon_0, lat_0 on the WGS84 ellipsoid"
+                                             : "transverse Mercator, WGS84, scale 1 at the origin");
+  extras[is_on_ellipsoid ? "frame" : "plane"] = Value(std::move(frame));
+}
+
+Value tile_extras(const BakedTile& tile, const scene::Header& header, const GlbOptions& options) {
   Object extras = {{"tile", Value(Array{Value(tile.tile.x), Value(tile.tile.y)})},
                    {"origin_m", vector(tile.origin)},
                    {"tolerance_m", number(tile.tolerance_m)},
                    {"error_m", number(tile.error_m)},
                    {"plant_error_m", number(tile.plant_error_m)},
-                   {"rounding_m", number(rounding_m(tile.primitives))},
-                   {"plane", Value(plane)}};
+                   {"rounding_m", number(rounding_m(tile.primitives))}};
+  add_frame(extras, header, options.is_on_ellipsoid);
   if (const auto& seen = tile.viewpoint)
     extras["viewpoint"] = Value(Object{{"eye_m", vector(seen->eye)},
                                        {"focal_px", number(seen->focal_px)},
@@ -48,12 +53,12 @@ Value tile_extras(const BakedTile& tile, const scene::Header& header) {
   return Value(std::move(extras));
 }
 
-tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header) {
+tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header, const GlbOptions& options) {
   tinygltf::Node root;
   root.name = "tile_" + std::to_string(tile.tile.x) + "_" + std::to_string(tile.tile.y);
   // whole metres, so that tiles imported side by side fit exactly
   root.translation = {tile.origin.x, tile.origin.z, 0.0 - tile.origin.y};
-  root.extras = tile_extras(tile, header);
+  root.extras = tile_extras(tile, header, options);
   return root;
 }
 
@@ -61,7 +66,7 @@ void fill(GlbBuilder& f) {
   f.model.asset.version = "2.0", f.model.asset.generator = "citykiln 0.1.0",
   f.model.asset.copyright = joined(f.header.attributions);
   f.model.buffers.emplace_back();
-  add_nodes(f, root_of(f.tile, f.header));
+  add_nodes(f, root_of(f.tile, f.header, f.options));
   add_pictures(f);
   f.model.extensions["EXT_structural_metadata"] = property_table(f);
   f.model.extensionsUsed.assign(f.extensions.begin(), f.extensions.end());

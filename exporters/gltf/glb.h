@@ -20,6 +20,7 @@ struct GlbOptions {
   Split split = Split::kLayer;
   Compression compression = Compression::kNone;  ///< One that the target's reader knows.
   bool has_exact_pictures = false;               ///< PNG alone, instead of the formats that the target's reader knows.
+  bool is_on_ellipsoid = false;  ///< The tile is bent (bake/bend.h); extras name its frame, not the plane.
 };
 
 /// Returns the .glb of a tile.
@@ -31,7 +32,8 @@ struct GlbOptions {
 /// | features            | _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into a property table             |
 /// |                     | (property_table.h, EXT_structural_metadata)                                                |
 /// | origin, tolerances, | the root node's extras: tile, origin_m (doubles), tolerance_m, error_m, plant_error_m,     |
-/// | errors              | rounding_m (largest error of single precision), plane, and viewpoint, if baked for one     |
+/// | errors              | rounding_m (largest error of single precision), plane, and viewpoint, if baked for one;    |
+/// |                     | frame instead of plane for tiles on the ellipsoid                                          |
 /// | attribution         | asset.copyright                                                                            |
 /// | uvs                 | TEXCOORD_0 in units of the image, row 0 is v = 0. In packed meshes metres, on textures 16  |
 /// |                     | bits in steps of materials::kTextureCoordinateStep_m, scaled by KHR_texture_transform      |

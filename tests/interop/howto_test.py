@@ -23,7 +23,7 @@ class HowTo(ProgramTest):
                     words[words.index("-o") + 1] = out
                     done = run(*words)
                     self.assertEqual(done.returncode, 0, done.stderr)
-                    self.assertTrue(list((out / "glb").glob("*.glb")))
+                    self.assertTrue(list(out.glob("*/*.glb")))
                     commands += 1
         self.assertGreaterEqual(commands, 4)
 

@@ -1,0 +1,14 @@
+// Splits edges of a primitive that are longer than a limit.
+#pragma once
+
+#include "compiler/bake/baked_tile.h"
+
+namespace citykiln::bake {
+
+/// Halves every edge that is longer than `longest_m`, until none is; each triangle is divided among its halves. Which
+/// edge is halved, and where, depends on its ends alone, so that primitives that share an edge still share it after.
+/// Positions of new vertices are the means of the ends, exact where these are multiples of kQuantum_m.
+/// @param longest_m  > 0. O(triangles after).
+void split_long_edges(Primitive& primitive, double longest_m);
+
+}  // namespace citykiln::bake

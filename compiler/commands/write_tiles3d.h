@@ -1,0 +1,30 @@
+// Writes the tile tree of a scene as 3D Tiles.
+#pragma once
+
+#include <vector>
+
+#include "compiler/contract/report.h"
+#include "compiler/contract/result.h"
+#include "compiler/scene/scene.h"
+#include "compiler/spec.h"
+#include "compiler/stage_timer.h"
+#include "compiler/verify/run_report.h"
+#include "exporters/output_folder.h"
+
+namespace citykiln::commands {
+
+/// Bakes a scene and writes 3dtiles/tileset.json with its contents.
+///
+/// - A tile's levels are a chain, coarse to fine. A level that states no larger error than the finer one before it is
+///   left out.
+/// - Above the tiles is a quadtree over the region. An inner tile is baked at twice its children's tolerance and joined
+///   from all tiles below it; above kCoarsest_m and kWidest_m inner tiles have no content.
+/// - error_m of each tile is that of its content, and more than its children's.
+///
+/// Adds to `report` what levels drop, unless .glb files are written too, which add the same; and kNoGeoidHeight.
+/// Memory: bake_scene()'s, and the coarse levels of tiles whose inner tiles are not complete yet.
+Result<std::vector<verify::WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
+                                                       exporters::OutputFolder& folder, Report& report,
+                                                       const OnProgress& on_progress);
+
+}  // namespace citykiln::commands
