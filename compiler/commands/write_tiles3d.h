@@ -17,8 +17,8 @@ namespace citykiln::commands {
 ///
 /// - A tile's levels are a chain, coarse to fine. A level that states no larger error than the finer one before it is
 ///   left out.
-/// - Above the tiles is a quadtree over the region. An inner tile is baked at twice its children's tolerance and joined
-///   from all tiles below it; above kCoarsest_m and kWidest_m inner tiles have no content.
+/// - Above the tiles is a quadtree over the region. An inner tile is baked at twice its children's tolerance, at most
+///   kCoarsest_m, and joined from all tiles below it; inner tiles wider than 8,192 m have no content.
 /// - error_m of each tile is that of its content, and more than its children's.
 ///
 /// Adds to `report` what levels drop, unless .glb files are written too, which add the same; and kNoGeoidHeight.
