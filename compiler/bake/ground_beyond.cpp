@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "compiler/ground/plan.h"
 
@@ -47,19 +48,48 @@ bool overlap(const Box2& a, const Box2& b) {
   return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
 }
 
-// Adds a box; boxes that overlap become the box around both.
-void add(std::vector<Box2>& boxes, Box2 box) {
-  for (auto other = boxes.begin(); other != boxes.end();) {
-    if (!overlap(*other, box)) {
-      ++other;
-      continue;
-    }
-    box.grow(other->min), box.grow(other->max);
-    boxes.erase(other);
-    other = boxes.begin();
+// The smallest odd metre that is at least v, the largest that is at most v: sides of tiles are even, so a box either
+// crosses the side between two tiles or ends a metre before it, as both tiles see.
+double odd_above(double v) { return 2 * std::ceil((v - 1) / 2) + 1; }
+double odd_below(double v) { return 2 * std::floor((v - 1) / 2) + 1; }
+
+// The intervals of y that boxes cover between two neighbouring x, merged where they meet.
+std::vector<Interval> covered(const std::vector<Box2>& boxes, double from_x, double to_x) {
+  std::vector<Interval> all;
+  for (const Box2& box : boxes)
+    if (box.min.x <= from_x && to_x <= box.max.x) all.push_back({box.min.y, box.max.y});
+  std::ranges::sort(all, {}, &Interval::from);
+  std::vector<Interval> merged;
+  for (const Interval& next : all) {
+    if (!merged.empty() && next.from <= merged.back().to)
+      merged.back().to = std::max(merged.back().to, next.to);
+    else
+      merged.push_back(next);
   }
-  boxes.push_back(box);
+  return merged;
 }
+
+// The area of all boxes as boxes that do not overlap, from west to east. What they cover beside a line of equal x
+// depends on the boxes there alone.
+std::vector<Box2> disjoint(const std::vector<Box2>& boxes) {
+  std::vector<double> xs;
+  for (const Box2& box : boxes) xs.insert(xs.end(), {box.min.x, box.max.x});
+  std::ranges::sort(xs);
+  xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
+  std::vector<Box2> all;
+  for (std::size_t i = 0; i + 1 < xs.size(); ++i)
+    for (const Interval& y : covered(boxes, xs[i], xs[i + 1])) {
+      const auto before = std::ranges::find_if(
+          all, [&](const Box2& box) { return box.max.x == xs[i] && box.min.y == y.from && box.max.y == y.to; });
+      if (before != all.end())
+        before->max.x = xs[i + 1];
+      else
+        all.push_back({{xs[i], y.from}, {xs[i + 1], y.to}});
+    }
+  return all;
+}
+
+bool contains(const Box2& outer, const Box2& inner) { return outer.contains(inner.min) && outer.contains(inner.max); }
 
 Box2 in_both(const Box2& a, const Box2& b) {
   return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
@@ -69,17 +99,17 @@ Box2 in_both(const Box2& a, const Box2& b) {
 }  // namespace
 
 std::vector<Box2> ground_beyond(const scene::Header& header, const scene::Chunk& chunk) {
+  std::vector<Box2> footprints = footprint_boxes(chunk);
+  std::erase_if(footprints, [&](const Box2& box) { return contains(header.region, box); });
   std::vector<Box2> all;
-  const std::vector<Box2> footprints = footprint_boxes(chunk);
   for (const Box2& zone : zones_beyond(scene::box_of(header, chunk.tile), header.region)) {
     std::vector<Box2> boxes;
     for (const Box2& footprint : footprints) {
-      if (!overlap(footprint, zone)) continue;
-      const Box2 whole{{std::floor(footprint.min.x), std::floor(footprint.min.y)},
-                       {std::ceil(footprint.max.x), std::ceil(footprint.max.y)}};
-      add(boxes, in_both(whole, zone));
+      const Box2 whole{{odd_below(footprint.min.x), odd_below(footprint.min.y)},
+                       {odd_above(footprint.max.x), odd_above(footprint.max.y)}};
+      if (overlap(whole, zone)) boxes.push_back(in_both(whole, zone));
     }
-    all.insert(all.end(), boxes.begin(), boxes.end());
+    std::ranges::move(disjoint(boxes), std::back_inserter(all));
   }
   return all;
 }
