@@ -24,13 +24,19 @@ std::vector<Interval> intervals(Interval tile, Interval extent) {
   return all;
 }
 
-std::vector<Box2> zones_beyond(const Box2& tile, const Box2& extent) {
+// A part of the plane beside the tile and beyond the extent.
+struct Zone {
+  Box2 box;
+  bool is_sideways;  // west or east of the extent: the next tile beyond is north or south of it
+};
+
+std::vector<Zone> zones_beyond(const Box2& tile, const Box2& extent) {
   const std::vector<Interval> columns = intervals({tile.min.x, tile.max.x}, {extent.min.x, extent.max.x}),
                               rows = intervals({tile.min.y, tile.max.y}, {extent.min.y, extent.max.y});
-  std::vector<Box2> zones;
+  std::vector<Zone> zones;
   for (std::size_t i = 0; i < columns.size(); ++i)
     for (std::size_t j = 0; j < rows.size(); ++j)
-      if (i + j > 0) zones.push_back({{columns[i].from, rows[j].from}, {columns[i].to, rows[j].to}});
+      if (i + j > 0) zones.push_back({{{columns[i].from, rows[j].from}, {columns[i].to, rows[j].to}}, i > 0});
   return zones;
 }
 
@@ -91,6 +97,16 @@ std::vector<Box2> disjoint(const std::vector<Box2>& boxes) {
 
 bool contains(const Box2& outer, const Box2& inner) { return outer.contains(inner.min) && outer.contains(inner.max); }
 
+Box2 turned(const Box2& box) { return {{box.min.y, box.min.x}, {box.max.y, box.max.x}}; }
+
+// As disjoint(), from south to north.
+std::vector<Box2> disjoint_by_rows(std::vector<Box2> boxes) {
+  std::ranges::transform(boxes, boxes.begin(), turned);
+  boxes = disjoint(boxes);
+  std::ranges::transform(boxes, boxes.begin(), turned);
+  return boxes;
+}
+
 Box2 in_both(const Box2& a, const Box2& b) {
   return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
           {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
@@ -102,14 +118,14 @@ std::vector<Box2> ground_beyond(const scene::Header& header, const scene::Chunk&
   std::vector<Box2> footprints = footprint_boxes(chunk);
   std::erase_if(footprints, [&](const Box2& box) { return contains(header.region, box); });
   std::vector<Box2> all;
-  for (const Box2& zone : zones_beyond(scene::box_of(header, chunk.tile), header.region)) {
+  for (const auto& [zone, is_sideways] : zones_beyond(scene::box_of(header, chunk.tile), header.region)) {
     std::vector<Box2> boxes;
     for (const Box2& footprint : footprints) {
       const Box2 whole{{odd_below(footprint.min.x), odd_below(footprint.min.y)},
                        {odd_above(footprint.max.x), odd_above(footprint.max.y)}};
       if (overlap(whole, zone)) boxes.push_back(in_both(whole, zone));
     }
-    std::ranges::move(disjoint(boxes), std::back_inserter(all));
+    std::ranges::move(is_sideways ? disjoint_by_rows(boxes) : disjoint(boxes), std::back_inserter(all));
   }
   return all;
 }
