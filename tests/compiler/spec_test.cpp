@@ -90,9 +90,7 @@ TEST(Spec, AsksWhetherABoxIsInTheOtherOrder) {
   EXPECT_EQ(objection("bbox", "3,1,2,2").find("swapped"), std::string::npos);
 }
 
-TEST(Spec, SaysWhatIsNotSupportedYet) {
-  EXPECT_NE(objection("world", "cylinder:8000").find("yet"), std::string::npos);
-}
+TEST(Spec, SaysWhatIsNotSupportedYet) { EXPECT_NE(objection("world", "cylinder:8000").find("yet"), std::string::npos); }
 
 TEST(Spec, RefusesACompressionThatTheTargetCannotRead) {
   Outputs outputs;
