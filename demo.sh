@@ -48,6 +48,6 @@ Files in $out:
 What to open next:
   the picture   xdg-open $out/preview.png
   in a browser  drag $out/glb/0_0_L1.glb onto https://gltf-viewer.donmccurdy.com or https://sandbox.babylonjs.com
-  in Blender    File > Import > glTF 2.0, then choose $out/glb/0_0_L1.glb (Blender 3.6 or newer)
+  in Blender    File > Import > glTF 2.0, then choose $out/glb/0_0_L1.glb (tested with 3.4)
   your own map  $citykiln compile MAP.osm.pbf -o out/mine
 END
