@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "exporters/gltf/flat_shading.h"
 #include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
 #include "exporters/gltf/split_buildings.h"
@@ -64,8 +65,10 @@ Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::si
   out.material = key.material, out.colour_source = key.colour_source;
   out.positions = turned(values_of<Float3>(reader, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
                                            TINYGLTF_TYPE_VEC3));
-  out.normals = turned(
-      values_of<Float3>(reader, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  const bool has_normals = p.attributes.count("NORMAL") != 0;
+  if (has_normals)
+    out.normals = turned(values_of<Float3>(reader, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                           TINYGLTF_TYPE_VEC3));
   out.colours = values_of<materials::Tint>(reader, attribute(p.attributes, "COLOR_0"),
                                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
   if (p.attributes.count("TEXCOORD_0") != 0)
@@ -76,14 +79,14 @@ Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::si
                                                TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
                               features);
   const std::size_t n = out.positions.size();
-  expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n) &&
-             (out.uvs.empty() || out.uvs.size() == n),
+  expect((!has_normals || out.normals.size() == n) && out.colours.size() == n &&
+             (out.features.empty() || out.features.size() == n) && (out.uvs.empty() || out.uvs.size() == n),
          "as many values in each attribute");
   expect(out.colour_source == ColourSource::kByMaterial ||
              (!out.uvs.empty() && has_picture(reader.model, out.colour_source)),
          "an image, and uvs, for primitives that an image colours");
   out.triangles = triangles_of(reader, p.indices, n);
-  return out;
+  return has_normals ? out : with_face_normals(out);
 }
 
 }  // namespace
