@@ -10,6 +10,7 @@
 #include "exporters/gltf/flat_shading.h"
 #include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/object_runs.h"
+#include "exporters/gltf/plant_tints.h"
 #include "exporters/gltf/tangents.h"
 
 namespace citykiln::exporters {
@@ -49,6 +50,12 @@ int add_indices(GlbBuilder& f, const Primitive& p) {
                         TINYGLTF_TYPE_SCALAR, count);
 }
 
+int add_colours(GlbBuilder& f, const Primitive& p, const materials::Tint& largest) {
+  const int view = f.add_view_of(p.colours, TINYGLTF_TARGET_ARRAY_BUFFER,
+                                 [&](const materials::Tint& tint) { return share_of(tint, largest); });
+  return f.add_accessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4, p.colours.size(), true);
+}
+
 int add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
   std::vector<bake::Float4> tangents = tangents_of(front);
   const std::size_t count = tangents.size();
@@ -66,8 +73,7 @@ tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& front, const im
   const Primitive& p = both ? *both : front;
   out.attributes["POSITION"] = add_positions(f, p.positions);
   if (!p.normals.empty()) out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
-  out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
-                                              TINYGLTF_TARGET_ARRAY_BUFFER, true);
+  out.attributes["COLOR_0"] = add_colours(f, p, key.tint);
   if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, key);
   if (normals_of(f, key) != nullptr) out.attributes["TANGENT"] = add_tangents(f, front, key.has_backs);
   if (!p.features.empty()) {
