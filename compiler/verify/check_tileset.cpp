@@ -279,16 +279,18 @@ void check_seams(const std::vector<CheckedContent>& contents, CheckResults& resu
     if (!content.sides[0].empty() || !content.sides[1].empty() || !content.sides[2].empty() ||
         !content.sides[3].empty())
       by_tile[{content.tolerance_m, content.tile}] = &content;
-  for (const auto& [key, own] : by_tile) {
-    const auto [tolerance_m, tile] = key;
+  for (const auto& entry : by_tile) {
+    // clang before 16 cannot capture structured bindings
+    const CheckedContent& own = *entry.second;
     const auto compare = [&](scene::TileKey other, std::size_t side, std::size_t opposite) {
-      const auto neighbour = by_tile.find({tolerance_m, other});
+      const auto neighbour = by_tile.find({own.tolerance_m, other});
       if (neighbour == by_tile.end()) return;
-      results.tileset_seams.test(own->sides[side] == neighbour->second->sides[opposite],
-                                 fmt::format("{} and {} at {} m", to_string(tile), to_string(other), tolerance_m));
+      results.tileset_seams.test(
+          own.sides[side] == neighbour->second->sides[opposite],
+          fmt::format("{} and {} at {} m", to_string(own.tile), to_string(other), own.tolerance_m));
     };
-    compare({tile.x + 1, tile.y}, 1, 0);
-    compare({tile.x, tile.y + 1}, 3, 2);
+    compare({own.tile.x + 1, own.tile.y}, 1, 0);
+    compare({own.tile.x, own.tile.y + 1}, 3, 2);
   }
 }
 
