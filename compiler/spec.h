@@ -108,7 +108,7 @@ Result<Done> is_complete(const CompileSpec& spec);
 /// Error: the world is not that of the outputs, or the geoid's file cannot be read.
 Result<Done> fits_world(const CompileSpec& spec);
 
-/// Error: the target's reader cannot read the compression.
+/// Error: .glb tiles are written, and the target's reader cannot read the compression.
 Result<Done> fits_target(const Outputs& outputs);
 
 /// Parses a tolerance above 0 and at most kCoarsest_m: "0.5".

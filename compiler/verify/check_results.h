@@ -48,7 +48,10 @@ struct CheckResults {
       "3D Tiles follow the specification, stand at the origin, and all contents are there and name the sources", 0, {}};
   Check tileset_boxes{"bounding volumes contain their contents and children", 0, {}};
   Check tileset_errors{"geometricError falls from parent to child and is at least the content's error_m", 0, {}};
-  Check tileset_seams{"neighbouring contents of one level have the same highest vertices on their border", 0, {}};
+  Check tileset_seams{
+      "neighbouring contents of one level share a vertex, the highest of one of them, at each place of their border",
+      0,
+      {}};
   // reported without a limit
   std::vector<std::string> strange;  ///< Files in the folder that the run did not write; folders end in "/".
   bool has_unfinished_run = false;   ///< A later run into the folder was interrupted.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,6 +19,7 @@
 #include "compiler/verify/measure_lakes.h"
 #include "compiler/verify/measure_road_faces.h"
 #include "compiler/verify/measure_trunks.h"
+#include "compiler/verify/prepare_tile.h"
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/shared_layout.h"
@@ -207,18 +207,13 @@ Result<Done> check_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std
 }  // namespace
 
 Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels) {
-  assert(!levels.empty() && std::ranges::all_of(levels, [&](const auto& w) { return w.tile == levels.front().tile; }));
-  const scene::Scene& scene = loaded.scene;
-  const auto chunk = std::ranges::find(scene.chunks, levels.front().tile, &scene::Chunk::tile);
-  if (chunk == scene.chunks.end())
-    return Error{loaded.folder + "/" + levels.front().file.name, "is a tile that the manifest does not contain"};
-  std::vector<double> ladder_m;
-  for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
-  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, loaded.prototypes,
-                                      most_instances_of(loaded.record.target));
-  TileUnderCheck tile{loaded, *chunk, scene::box_of(scene.header, chunk->tile), water_levels_of(*chunk), nullptr, {}};
+  const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
+  if (!recipes) return recipes.error();
+  const scene::Chunk& chunk = recipes->chunk;
+  TileUnderCheck tile{loaded,  chunk, scene::box_of(loaded.scene.header, chunk.tile), water_levels_of(chunk),
+                      nullptr, {}};
   for (std::size_t i = 0; i < levels.size(); ++i)
-    if (const Result<Done> done = check_level(tile, *prepared, i, levels[i].file); !done) return done.error();
+    if (const Result<Done> done = check_level(tile, *recipes->prepared, i, levels[i].file); !done) return done.error();
   return std::move(tile.checked);
 }
 

@@ -177,9 +177,18 @@ double transform_error_m(map::LonLat origin, const std::vector<double>& transfor
 
 // ---- contents ----
 
-/// The highest vertex of the terrain at each place of a tile's side, by centimetres along it; below are skirts, which
-/// differ where a side is touched in a point. With its height above the ellipsoid.
-using Side = std::map<std::int64_t, std::pair<double, Vec3>>;
+/// The vertices of the terrain at each place of a tile's side, by centimetres along it, each with its height above the
+/// ellipsoid.
+using Side = std::map<std::int64_t, std::set<std::pair<double, Vec3>>>;
+
+/// Whether two sides have vertices at the same places, and at each the lower of their highest vertices in common. The
+/// other may be higher: a pavement that touches the border from one side, in a point, ends in a kerb there.
+bool do_meet(const Side& a, const Side& b) {
+  return std::ranges::equal(a, b, [](const auto& of_a, const auto& of_b) {
+    const auto lower = std::min(*of_a.second.rbegin(), *of_b.second.rbegin());
+    return of_a.first == of_b.first && of_a.second.contains(lower) && of_b.second.contains(lower);
+  });
+}
 
 /// What is kept of a content.
 struct CheckedContent {
@@ -243,8 +252,7 @@ void find_sides(const bake::BakedTile& tile, const scene::Header& header, Checke
       for (std::size_t side = 0; side < 4; ++side)
         if (std::abs(away_m[side]) <= kOnSide_m) {
           const auto along_cm = static_cast<std::int64_t>(std::floor((side < 2 ? p.y : p.x) * 100));
-          auto& highest = content.sides[side].try_emplace(along_cm, p.z, there).first->second;
-          highest = std::max(highest, std::pair(p.z, there));
+          content.sides[side][along_cm].emplace(p.z, there);
         }
     }
   }
@@ -279,16 +287,18 @@ void check_seams(const std::vector<CheckedContent>& contents, CheckResults& resu
     if (!content.sides[0].empty() || !content.sides[1].empty() || !content.sides[2].empty() ||
         !content.sides[3].empty())
       by_tile[{content.tolerance_m, content.tile}] = &content;
-  for (const auto& [key, own] : by_tile) {
-    const auto [tolerance_m, tile] = key;
+  for (const auto& entry : by_tile) {
+    // clang before 16 cannot capture structured bindings
+    const CheckedContent& own = *entry.second;
     const auto compare = [&](scene::TileKey other, std::size_t side, std::size_t opposite) {
-      const auto neighbour = by_tile.find({tolerance_m, other});
+      const auto neighbour = by_tile.find({own.tolerance_m, other});
       if (neighbour == by_tile.end()) return;
-      results.tileset_seams.test(own->sides[side] == neighbour->second->sides[opposite],
-                                 fmt::format("{} and {} at {} m", to_string(tile), to_string(other), tolerance_m));
+      results.tileset_seams.test(
+          do_meet(own.sides[side], neighbour->second->sides[opposite]),
+          fmt::format("{} and {} at {} m", to_string(own.tile), to_string(other), own.tolerance_m));
     };
-    compare({tile.x + 1, tile.y}, 1, 0);
-    compare({tile.x, tile.y + 1}, 3, 2);
+    compare({own.tile.x + 1, own.tile.y}, 1, 0);
+    compare({own.tile.x, own.tile.y + 1}, 3, 2);
   }
 }
 

@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include "compiler/bake/bake.h"
+#include "compiler/verify/prepare_tile.h"
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/glb.h"
@@ -335,18 +335,12 @@ std::string tile_layer_name(scene::TileKey tile) { return fmt::format("usd/tiles
 }  // namespace
 
 Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels) {
-  assert(!levels.empty());
-  const scene::Scene& scene = loaded.scene;
-  const auto chunk = std::ranges::find(scene.chunks, levels.front().tile, &scene::Chunk::tile);
-  if (chunk == scene.chunks.end())
-    return Error{loaded.folder + "/" + levels.front().file.name, "is a tile that the manifest does not contain"};
-  std::vector<double> ladder_m;
-  for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
-  const auto prepared =
-      bake::prepare(scene.header, *chunk, ladder_m, 1, loaded.prototypes, most_instances_of(loaded.record.target));
+  const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
+  if (!recipes) return recipes.error();
   CheckResults results;
   for (std::size_t i = 0; i < levels.size(); ++i)
-    if (const Result<Done> done = check_level(loaded, *prepared, i, levels[i], results); !done) return done.error();
+    if (const Result<Done> done = check_level(loaded, *recipes->prepared, i, levels[i], results); !done)
+      return done.error();
   return results;
 }
 

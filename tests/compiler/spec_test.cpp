@@ -102,6 +102,8 @@ TEST(Spec, RefusesACompressionThatTheTargetCannotRead) {
             "--compress: meshopt cannot be read by the target generic; add --target three, cesium or unity");
   outputs.target = Target::kThree;
   EXPECT_TRUE(fits_target(outputs));
+  outputs.target = Target::kGeneric, outputs.glb = false;
+  EXPECT_TRUE(fits_target(outputs)) << "without .glb tiles the target matters to nothing";
 }
 
 TEST(Spec, IsUnchangedByInvalidValues) {

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """CesiumJS and 3DTilesRendererJS load the town's tileset in headless Chromium: from 5 km down to a street more and finer tiles are loaded,
-no tile fails, and the ground fills the lower part of every picture: nothing of the background shows between levels or tiles."""
+no tile fails, and the ground fills the lower part of every picture: nothing of the background shows between levels or tiles. Tilesets with
+packed contents show as many tiles, and nearly the same picture."""
 import json
 import subprocess
 import sys
@@ -16,11 +17,11 @@ SIZE = (480, 270)
 
 
 class Tiles3d(ReaderTest):
-    def fly(self, page):
-        out = self.town("tiles", "--lods", "0.5,2.5,12.5", "--emit", "kiln,3dtiles")
-        pictures = [self.folder / f"{i}.png" for i in range(len(VIEWS))]
+    def fly(self, page, views=VIEWS, packing="none"):
+        out = self.town(f"tiles_{packing}", "--lods", "0.5,2.5,12.5", "--emit", "kiln,3dtiles", "--compress", packing)
+        pictures = [self.folder / f"{packing}_{i}.png" for i in range(len(views))]
         job = {"page": page, "folder": str(out / "3dtiles"), "size": SIZE, "error_px": 4, "facts": str(self.folder / "facts.json"),
-               "views": [{"eye": eye, "look": look, "out": str(path)} for (eye, look), path in zip(VIEWS, pictures)]}
+               "views": [{"eye": eye, "look": look, "out": str(path)} for (eye, look), path in zip(views, pictures)]}
         (self.folder / "job.json").write_text(json.dumps(job))
         done = subprocess.run(["node", HERE / "fly_tiles3d.mjs", self.folder / "job.json"], capture_output=True, text=True, cwd=HERE,
                               check=False, timeout=900)
@@ -47,6 +48,25 @@ class Tiles3d(ReaderTest):
                 # the middle looks at the town, and holes would be background inside of it
                 middle = background[SIZE[1] * 50 // 100:SIZE[1] * 58 // 100, SIZE[0] * 45 // 100:SIZE[0] * 55 // 100]
                 self.assertEqual(middle.mean(), 0)
+
+    def expect_packed_as_plain(self, page):
+        view = [VIEWS[2]]
+        plain, [expected] = self.fly(page, view)
+        for packing in ("quantize", "draco", "meshopt"):
+            with self.subTest(packing):
+                facts, [picture] = self.fly(page, view, packing)
+                print(page, packing, json.dumps(facts["views"]), readers.difference(picture, expected))
+                self.assertEqual(facts["errors"], [])
+                self.assertEqual(facts["views"][0]["failed"], 0)
+                self.assertEqual(facts["views"][0]["shown"], plain["views"][0]["shown"])
+                self.assertLess(facts["views"][0]["bytes"], plain["views"][0]["bytes"])
+                self.assertLess(readers.difference(picture, expected), 0.02)
+
+    def test_packed_three(self):
+        self.expect_packed_as_plain("fly_three.html")
+
+    def test_packed_cesium(self):
+        self.expect_packed_as_plain("fly_cesium.html")
 
     def test_three(self):
         self.expect_a_flight("fly_three.html")

@@ -44,6 +44,14 @@ class Validator(ProgramTest):
             with self.subTest(split=split):
                 self.assert_valid(self.tiles("--lods", "0.5,12.5", "--split", split))
 
+    def test_contents_of_tilesets_are_valid(self):
+        for packing in ([], ["--compress", "quantize"], ["--compress", "draco"], ["--compress", "meshopt"]):
+            with self.subTest(packing=packing):
+                out = self.compiled("tiles", "--spec", TOWN / "spec.json", "--lods", "0.5,12.5", "--emit", "3dtiles", *packing)
+                contents = sorted((out / "3dtiles").glob("*.glb"))
+                self.assertGreater(len(contents), 8)
+                self.assert_valid(contents)
+
     @unittest.skipUnless(MADE_GLB, "MADE_GLB is not set")
     def test_a_tile_with_a_marking_atlas_is_valid(self):
         subprocess.run([MADE_GLB, self.folder], check=True)
