@@ -1,0 +1,258 @@
+#include "compiler/simplify/decimate.h"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModHausdorffT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "compiler/simplify/distance_bound.h"
+
+namespace citykiln::simplify {
+namespace {
+
+// Largest turn of a triangle: its cosine. A quarter of a turn would let triangles fold in a few steps.
+constexpr double kLeastCosine = 0.25;
+// The least height of a triangle over its longest edge: thinner ones have no normal in single precision.
+constexpr double kLeastHeight = 0.002;
+// Samples are tried at this share of the tolerance, then at half of it, and so on.
+constexpr double kFirstShare = 0.7;
+constexpr int kTries = 5;
+// The precision of measured errors, a share of the tolerance.
+constexpr double kPrecision = 0x1p-4;
+
+struct Traits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  VertexTraits {
+    std::uint32_t source = 0;  // its number in the source
+    double border_m = 0;       // bounds how far the borders at this vertex are from the source's
+  };
+  FaceTraits { std::uint32_t label = 0; };
+};
+using HalfedgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+using VertexHandle = HalfedgeMesh::VertexHandle;
+using EdgeHandle = HalfedgeMesh::EdgeHandle;
+
+Vec3 vec(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
+
+double to_segment_m(Vec3 p, Vec3 a, Vec3 b) { return distance_m(p, {a, b, b}); }
+
+bool is_border(const HalfedgeMesh& mesh, EdgeHandle edge) {
+  if (mesh.is_boundary(edge)) return true;
+  const auto label = [&](unsigned side) {
+    return mesh.data(mesh.face_handle(mesh.halfedge_handle(edge, side))).label;
+  };
+  return label(0) != label(1);
+}
+
+// Whether a triangle may become another: it stays wide enough and turns little.
+bool may_become(const std::array<Vec3, 3>& before, const std::array<Vec3, 3>& after) {
+  const auto normal = [](const std::array<Vec3, 3>& t) { return cross(t[1] - t[0], t[2] - t[0]); };
+  const Vec3 old = normal(before), now = normal(after);
+  double longest_m = 0;
+  for (std::size_t i = 0; i < 3; ++i) longest_m = std::max(longest_m, length(after[(i + 1) % 3] - after[i]));
+  if (length(now) < kLeastHeight * longest_m * longest_m) return false;
+  if (old.z > 0 && now.z <= 0) return false;
+  return dot(old, now) >= kLeastCosine * length(old) * length(now);
+}
+
+/// Keeps borders of labels: a module of the decimater that allows or denies collapses.
+template <class MeshT>
+class ModBorders : public OpenMesh::Decimater::ModBaseT<MeshT> {
+ public:
+  DECIMATING_MODULE(ModBorders, MeshT, Borders);
+  explicit ModBorders(MeshT& mesh) : Base(mesh, true) {}
+
+  void set_tolerance(double tolerance_m) { tolerance_m_ = tolerance_m; }
+
+  float collapse_priority(const CollapseInfo& ci) override {
+    const bool is_allowed = moved_border_m(ci).has_value() && turns_little(ci);
+    return static_cast<float>(is_allowed ? Base::LEGAL_COLLAPSE : Base::ILLEGAL_COLLAPSE);
+  }
+
+  // Both ends of the new border edge carry the sum of the bounds.
+  void preprocess_collapse(const CollapseInfo& ci) override {
+    const Borders at = borders_at(ci.v0);
+    const std::optional<double> moved_m = moved_border_m(ci);
+    if (at.count != 2 || !moved_m) return;
+    for (const VertexHandle v : at.beyond) {
+      double& bound_m = Base::mesh().data(v).border_m;
+      bound_m = std::max(bound_m, *moved_m);
+    }
+  }
+
+ private:
+  struct Borders {
+    int count = 0;
+    std::array<VertexHandle, 2> beyond = {VertexHandle(), VertexHandle()};  // the other ends of the first two
+  };
+
+  // not const: OpenMesh's modules reach their mesh so
+  Borders borders_at(VertexHandle v) {
+    Borders at;
+    for (auto h = Base::mesh().cvoh_iter(v); h.is_valid(); ++h) {
+      if (!is_border(Base::mesh(), Base::mesh().edge_handle(*h))) continue;
+      if (at.count < 2) at.beyond[static_cast<std::size_t>(at.count)] = Base::mesh().to_vertex_handle(*h);
+      ++at.count;
+    }
+    return at;
+  }
+
+  Vec3 place(VertexHandle v) { return vec(Base::mesh().point(v)); }
+
+  // A bound of how far the border strays after the collapse: 0 inside a label; none where it is not allowed.
+  std::optional<double> moved_border_m(const CollapseInfo& ci) {
+    const Borders at = borders_at(ci.v0);
+    if (at.count == 0) return 0;
+    if (at.count != 2 || (at.beyond[0] != ci.v1 && at.beyond[1] != ci.v1)) return std::nullopt;
+    const VertexHandle other = at.beyond[0] == ci.v1 ? at.beyond[1] : at.beyond[0];
+    const auto closing = Base::mesh().find_halfedge(ci.v1, other);
+    // the last three vertices about a label
+    if (closing.is_valid() && is_border(Base::mesh(), Base::mesh().edge_handle(closing))) return std::nullopt;
+    const double moved_m =
+        Base::mesh().data(ci.v0).border_m + to_segment_m(place(ci.v0), place(ci.v1), place(other));
+    return moved_m <= tolerance_m_ ? std::optional(moved_m) : std::nullopt;
+  }
+
+  bool turns_little(const CollapseInfo& ci) {
+    for (auto f = Base::mesh().cvf_iter(ci.v0); f.is_valid(); ++f) {
+      if (*f == ci.fl || *f == ci.fr) continue;
+      std::array<Vec3, 3> before, after;
+      std::size_t i = 0;
+      for (auto v = Base::mesh().cfv_iter(*f); v.is_valid(); ++v, ++i)
+        before[i] = place(*v), after[i] = *v == ci.v0 ? place(ci.v1) : before[i];
+      if (!may_become(before, after)) return false;
+    }
+    return true;
+  }
+
+  double tolerance_m_ = std::numeric_limits<double>::infinity();
+};
+
+// Adds a triangle; where the mesh would not be a manifold, with vertices of its own, which are locked.
+void add_triangle(HalfedgeMesh& mesh, std::array<VertexHandle, 3> corners, std::uint32_t label) {
+  HalfedgeMesh::FaceHandle face = mesh.add_face(corners[0], corners[1], corners[2]);
+  if (!face.is_valid()) {
+    for (VertexHandle& v : corners) {
+      mesh.status(v).set_locked(true);
+      const VertexHandle copy = mesh.add_vertex(mesh.point(v));
+      mesh.data(copy).source = mesh.data(v).source;
+      mesh.status(copy).set_locked(true);
+      v = copy;
+    }
+    face = mesh.add_face(corners[0], corners[1], corners[2]);
+  }
+  mesh.data(face).label = label;
+}
+
+void fill(HalfedgeMesh& mesh, const LabelledMesh& source) {
+  omerr().disable();  // add_face() prints a line for each triangle that it refuses
+  mesh.request_vertex_status(), mesh.request_edge_status(), mesh.request_face_status();
+  for (std::size_t i = 0; i < source.positions.size(); ++i) {
+    const Vec3 p = source.positions[i];
+    const VertexHandle v = mesh.add_vertex({p.x, p.y, p.z});
+    mesh.data(v).source = static_cast<std::uint32_t>(i);
+    if (!source.is_locked.empty()) mesh.status(v).set_locked(source.is_locked[i]);
+  }
+  for (std::size_t t = 0; t < source.triangles.size(); ++t) {
+    std::array<VertexHandle, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.vertex_handle(source.triangles[t][i]);
+    add_triangle(mesh, corners, source.labels[t]);
+  }
+}
+
+DecimatedMesh read_back(const HalfedgeMesh& mesh) {
+  DecimatedMesh result;
+  for (const auto face : mesh.faces()) {
+    if (mesh.status(face).deleted()) continue;
+    Triangle t{};
+    std::size_t i = 0;
+    for (auto v = mesh.cfv_iter(face); v.is_valid(); ++v) t[i++] = mesh.data(*v).source;
+    result.triangles.push_back(t);
+    result.labels.push_back(mesh.data(face).label);
+  }
+  return result;
+}
+
+using Decimater = OpenMesh::Decimater::DecimaterT<HalfedgeMesh>;
+
+// Adds the modules that every decimation has.
+void add_modules(Decimater& decimater, double tolerance_m) {
+  ModBorders<HalfedgeMesh>::Handle borders;
+  OpenMesh::Decimater::ModQuadricT<HalfedgeMesh>::Handle quadrics;
+  decimater.add(borders), decimater.add(quadrics);
+  decimater.module(borders).set_tolerance(tolerance_m);
+  decimater.module(quadrics).unset_max_err();
+}
+
+DecimatedMesh decimated_by_samples(const LabelledMesh& source, double tolerance_m) {
+  HalfedgeMesh mesh;
+  fill(mesh, source);
+  Decimater decimater(mesh);
+  add_modules(decimater, tolerance_m);
+  OpenMesh::Decimater::ModHausdorffT<HalfedgeMesh>::Handle samples;
+  decimater.add(samples);
+  decimater.module(samples).set_tolerance(tolerance_m);
+  decimater.initialize();
+  decimater.decimate();
+  return read_back(mesh);
+}
+
+using ByLabel = std::map<std::uint32_t, std::vector<Corners>>;
+
+ByLabel by_label(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                 std::span<const std::uint32_t> labels) {
+  ByLabel all;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    all[labels[t]].push_back({positions[a], positions[b], positions[c]});
+  }
+  return all;
+}
+
+}  // namespace
+
+double labelled_distance_m(const LabelledMesh& source, const DecimatedMesh& decimated, double precision_m,
+                           double most_m) {
+  const ByLabel before = by_label(source.positions, source.triangles, source.labels);
+  ByLabel after = by_label(source.positions, decimated.triangles, decimated.labels);
+  BoundOptions options{.precision_m = precision_m, .most_m = most_m};
+  for (const auto& [label, triangles] : before) {
+    const std::vector<Corners>& left = after[label];
+    options.least_m = std::max(options.least_m, distance_bound_m(triangles, TriangleTree(left), options));
+    if (options.least_m > most_m) break;
+    options.least_m = std::max(options.least_m, distance_bound_m(left, TriangleTree(triangles), options));
+    if (options.least_m > most_m) break;
+  }
+  return options.least_m;
+}
+
+DecimatedMesh decimated(const LabelledMesh& mesh, double tolerance_m) {
+  assert(tolerance_m > 0 && mesh.labels.size() == mesh.triangles.size());
+  double samples_m = tolerance_m * kFirstShare;
+  for (int i = 0; i < kTries; ++i, samples_m /= 2) {
+    DecimatedMesh result = decimated_by_samples(mesh, samples_m);
+    result.error_m = labelled_distance_m(mesh, result, tolerance_m * kPrecision, tolerance_m);
+    if (result.error_m <= tolerance_m) return result;
+  }
+  return {mesh.triangles, mesh.labels, 0};
+}
+
+DecimatedMesh decimated_to(const LabelledMesh& source, std::size_t triangles) {
+  HalfedgeMesh mesh;
+  fill(mesh, source);
+  Decimater decimater(mesh);
+  add_modules(decimater, std::numeric_limits<double>::infinity());
+  decimater.initialize();
+  decimater.decimate_to_faces(0, triangles);
+  DecimatedMesh result = read_back(mesh);
+  constexpr double kPrecision_m = 0.01;
+  result.error_m = labelled_distance_m(source, result, kPrecision_m, std::numeric_limits<double>::infinity());
+  return result;
+}
+
+}  // namespace citykiln::simplify
