@@ -19,11 +19,11 @@ namespace {
 constexpr double kLeastCosine = 0.25;
 // The least height of a triangle over its longest edge: thinner ones have no normal in single precision.
 constexpr double kLeastHeight = 0.002;
-// Samples are tried at this share of the tolerance, then at half of it, and so on.
-constexpr double kFirstShare = 0.7;
-constexpr int kTries = 5;
-// The precision of measured errors, a share of the tolerance.
-constexpr double kPrecision = 0x1p-4;
+// Samples may stray by this share of the tolerance.
+constexpr double kSampleShare = 0.7;
+constexpr int kMostRounds = 12;
+// The precision of measured errors, and the distance up to which they are not told apart: shares of the tolerance.
+constexpr double kPrecision = 0x1p-4, kLeast = 0.5;
 
 struct Traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -202,44 +202,86 @@ DecimatedMesh decimated_by_samples(const LabelledMesh& source, double tolerance_
   return read_back(mesh);
 }
 
-using ByLabel = std::map<std::uint32_t, std::vector<Corners>>;
+// Triangles of one label, with their numbers.
+struct Labelled {
+  std::vector<Corners> corners;
+  std::vector<std::size_t> numbers;
+};
+using ByLabel = std::map<std::uint32_t, Labelled>;
 
 ByLabel by_label(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                  std::span<const std::uint32_t> labels) {
   ByLabel all;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
-    all[labels[t]].push_back({positions[a], positions[b], positions[c]});
+    all[labels[t]].corners.push_back({positions[a], positions[b], positions[c]});
+    all[labels[t]].numbers.push_back(t);
   }
   return all;
 }
 
-}  // namespace
+// The distance of a result, both ways, and the places of either that are farther away than the tolerance.
+struct Measured {
+  double error_m = 0;
+  std::vector<std::size_t> far;   // triangles of the source
+  std::vector<Vec3> far_of_made;  // places of the result
+};
 
-double labelled_distance_m(const LabelledMesh& source, const DecimatedMesh& decimated, double precision_m,
-                           double most_m) {
-  const ByLabel before = by_label(source.positions, source.triangles, source.labels);
-  ByLabel after = by_label(source.positions, decimated.triangles, decimated.labels);
-  BoundOptions options{.precision_m = precision_m, .most_m = most_m};
-  for (const auto& [label, triangles] : before) {
-    const std::vector<Corners>& left = after[label];
-    options.least_m = std::max(options.least_m, distance_bound_m(triangles, TriangleTree(left), options));
-    if (options.least_m > most_m) break;
-    options.least_m = std::max(options.least_m, distance_bound_m(left, TriangleTree(triangles), options));
-    if (options.least_m > most_m) break;
+// Adds the distance of one label.
+void measure(const Labelled& before, const Labelled& after, double tolerance_m, const BoundOptions& options,
+             Measured& measured) {
+  const TriangleTree source(before.corners), made(after.corners);
+  for (std::size_t i = 0; i < before.corners.size(); ++i) {
+    const double away_m = distance_bound_m(std::span(&before.corners[i], 1), made, options);
+    measured.error_m = std::max(measured.error_m, away_m);
+    if (away_m > tolerance_m) measured.far.push_back(before.numbers[i]);
   }
-  return options.least_m;
+  for (const Corners& t : after.corners) {
+    const DistanceBound away = distance_bound(std::span(&t, 1), source, options);
+    measured.error_m = std::max(measured.error_m, away.distance_m);
+    if (away.distance_m > tolerance_m) measured.far_of_made.push_back(away.at);
+  }
 }
 
-DecimatedMesh decimated(const LabelledMesh& mesh, double tolerance_m) {
-  assert(tolerance_m > 0 && mesh.labels.size() == mesh.triangles.size());
-  double samples_m = tolerance_m * kFirstShare;
-  for (int i = 0; i < kTries; ++i, samples_m /= 2) {
-    DecimatedMesh result = decimated_by_samples(mesh, samples_m);
-    result.error_m = labelled_distance_m(mesh, result, tolerance_m * kPrecision, tolerance_m);
-    if (result.error_m <= tolerance_m) return result;
+Measured measured(const LabelledMesh& source, const DecimatedMesh& made, double tolerance_m,
+                  const BoundOptions& options) {
+  ByLabel after = by_label(source.positions, made.triangles, made.labels);
+  Measured all;
+  for (const auto& [label, before] : by_label(source.positions, source.triangles, source.labels))
+    measure(before, after[label], tolerance_m, options, all);
+  return all;
+}
+
+// Locks the vertices of far triangles, and of those nearest to far places of the result.
+void lock_far(LabelledMesh& mesh, const Measured& measured) {
+  const auto lock = [&](const Triangle& t) {
+    for (const std::uint32_t v : t) mesh.is_locked[v] = true;
+  };
+  for (const std::size_t t : measured.far) lock(mesh.triangles[t]);
+  for (const Vec3 p : measured.far_of_made) {
+    const auto away_m = [&](const Triangle& t) {
+      return distance_m(p, {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
+    };
+    lock(std::ranges::min(mesh.triangles, {}, away_m));
   }
-  return {mesh.triangles, mesh.labels, 0};
+}
+
+}  // namespace
+
+DecimatedMesh decimated(const LabelledMesh& source, double tolerance_m) {
+  assert(tolerance_m > 0 && source.labels.size() == source.triangles.size());
+  LabelledMesh mesh = source;
+  mesh.is_locked.resize(mesh.positions.size(), false);
+  const BoundOptions options{
+      .precision_m = kPrecision * tolerance_m, .least_m = kLeast * tolerance_m, .most_m = tolerance_m};
+  for (int round = 0; round < kMostRounds; ++round) {
+    DecimatedMesh made = decimated_by_samples(mesh, kSampleShare * tolerance_m);
+    const Measured found = measured(mesh, made, tolerance_m, options);
+    made.error_m = found.error_m;
+    if (found.error_m <= tolerance_m) return made;
+    lock_far(mesh, found);
+  }
+  return {source.triangles, source.labels, 0};
 }
 
 DecimatedMesh decimated_to(const LabelledMesh& source, std::size_t triangles) {
@@ -249,10 +291,7 @@ DecimatedMesh decimated_to(const LabelledMesh& source, std::size_t triangles) {
   add_modules(decimater, std::numeric_limits<double>::infinity());
   decimater.initialize();
   decimater.decimate_to_faces(0, triangles);
-  DecimatedMesh result = read_back(mesh);
-  constexpr double kPrecision_m = 0.01;
-  result.error_m = labelled_distance_m(source, result, kPrecision_m, std::numeric_limits<double>::infinity());
-  return result;
+  return read_back(mesh);
 }
 
 }  // namespace citykiln::simplify

@@ -36,16 +36,13 @@ struct DecimatedMesh {
 /// vertices there are locked.
 /// Method: OpenMesh's quadric errors set the order (Garland, Heckbert, SIGGRAPH 1997), and its ModHausdorff, which
 /// follows samples of the source, ends collapses that stray. Samples prove nothing, so the result is measured
-/// (distance_bound.h); if that is more than the tolerance, a smaller one is tried for the samples, at last none.
-/// Cost: 30 µs a triangle.
+/// (distance_bound.h). Where it is farther away than the tolerance, vertices of the source are locked and the mesh is
+/// decimated again; if that does not end in some rounds, the source is returned.
+/// Cost: 0.1 ms a triangle.
 DecimatedMesh decimated(const LabelledMesh& mesh, double tolerance_m);
 
-/// Returns the mesh with about as many triangles as asked for, by quadric errors alone; the error is measured. Vertices
-/// of label borders are treated as above.
+/// Returns the mesh with about as many triangles as asked for, by quadric errors alone; error_m is not measured, and 0.
+/// Vertices of label borders are treated as above.
 DecimatedMesh decimated_to(const LabelledMesh& mesh, std::size_t triangles);
-
-/// The certified distance, both ways, of the triangles of each label: the largest.
-double labelled_distance_m(const LabelledMesh& source, const DecimatedMesh& decimated, double precision_m,
-                           double most_m);
 
 }  // namespace citykiln::simplify

@@ -12,7 +12,7 @@ constexpr double kRounding_m = 0x1p-20;
 struct Search {
   const TriangleTree& to;
   const BoundOptions& options;
-  double bound_m;
+  DistanceBound bound;
   bool is_over = false;
 };
 
@@ -28,7 +28,7 @@ void measure(Search& search, const Corners& t, std::uint32_t guess) {
   const Vec3 middle = (t.a + t.b + t.c) * (1.0 / 3);
   const auto [away_m, nearest] = search.to.nearest(middle, guess);
   if (away_m > search.options.most_m) {
-    search.bound_m = away_m, search.is_over = true;
+    search.bound = {away_m, middle}, search.is_over = true;
     return;
   }
   double radius_m = 0, from_one_m = 0;
@@ -37,8 +37,9 @@ void measure(Search& search, const Corners& t, std::uint32_t guess) {
     from_one_m = std::max(from_one_m, distance_m(p, search.to.triangle(nearest)));
   }
   const double upper_m = std::min(away_m + radius_m, from_one_m);
-  if (upper_m <= search.bound_m || upper_m - away_m <= search.options.precision_m) {
-    search.bound_m = std::max(search.bound_m, upper_m);
+  if (upper_m <= search.bound.distance_m) return;
+  if (upper_m - away_m <= search.options.precision_m) {
+    search.bound = {upper_m, middle};
     return;
   }
   for (const Corners& half : halved(t))
@@ -47,13 +48,14 @@ void measure(Search& search, const Corners& t, std::uint32_t guess) {
 
 }  // namespace
 
-double distance_bound_m(std::span<const Corners> from, const TriangleTree& to, const BoundOptions& options) {
-  Search search{to, options, options.least_m};
-  if (from.empty()) return options.least_m;
-  if (to.is_empty()) return std::numeric_limits<double>::infinity();
+DistanceBound distance_bound(std::span<const Corners> from, const TriangleTree& to, const BoundOptions& options) {
+  Search search{to, options, {options.least_m}};
+  if (from.empty()) return search.bound;
+  if (to.is_empty()) return {std::numeric_limits<double>::infinity(), from.front().a};
   for (const Corners& t : from)
     if (!search.is_over) measure(search, t, 0);
-  return search.bound_m + kRounding_m;
+  search.bound.distance_m += kRounding_m;
+  return search.bound;
 }
 
 }  // namespace citykiln::simplify

@@ -15,6 +15,11 @@ struct BoundOptions {
   double most_m = std::numeric_limits<double>::infinity();
 };
 
+struct DistanceBound {
+  double distance_m;
+  Vec3 at{};  ///< Where it was found: on `from`, within precision_m of the farthest place; none if it is least_m.
+};
+
 /// Returns a bound of the distance of any point of `from` to `to`: infinite where only `to` is empty, least_m where
 /// `from` is.
 ///
@@ -24,6 +29,10 @@ struct BoundOptions {
 /// triangle is halved along its longest edge until the smaller of these two bounds is near the centroid's distance.
 /// Cost: about one search of the tree for each triangle of `from` and for each square of precision_m that is near the
 /// farthest point.
-double distance_bound_m(std::span<const Corners> from, const TriangleTree& to, const BoundOptions& options);
+DistanceBound distance_bound(std::span<const Corners> from, const TriangleTree& to, const BoundOptions& options);
+
+inline double distance_bound_m(std::span<const Corners> from, const TriangleTree& to, const BoundOptions& options) {
+  return distance_bound(from, to, options).distance_m;
+}
 
 }  // namespace citykiln::simplify
