@@ -15,10 +15,13 @@
 namespace citykiln::simplify {
 namespace {
 
-// Largest turn of a triangle: its cosine. A quarter of a turn would let triangles fold in a few steps.
-constexpr double kLeastCosine = 0.25;
-// The least height of a triangle over its longest edge: thinner ones have no normal in single precision.
-constexpr double kLeastHeight = 0.002;
+// Largest turn of a triangle at once: its cosine.
+constexpr double kLeastCosine = 0.5;
+// No collapse makes a triangle whose height over its longest edge is less than this, unless it was less before. Thin
+// triangles turn steep, and look black under normals that are not.
+constexpr double kLeastHeight = 0.05;
+// No triangle may be thinner: it would have no normal in single precision.
+constexpr double kSlimmest = 0.001;
 // Samples may stray by this share of the tolerance.
 constexpr double kSampleShare = 0.7;
 constexpr int kMostRounds = 12;
@@ -49,13 +52,24 @@ bool is_border(const HalfedgeMesh& mesh, EdgeHandle edge) {
   return label(0) != label(1);
 }
 
+using Points = std::array<Vec3, 3>;
+
+// The height of a triangle over its longest edge.
+double slimness(const Points& t, Vec3 normal) {
+  double longest_m2 = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 edge = t[(i + 1) % 3] - t[i];
+    longest_m2 = std::max(longest_m2, dot(edge, edge));
+  }
+  return longest_m2 > 0 ? length(normal) / longest_m2 : 0;
+}
+
 // Whether a triangle may become another: it stays wide enough and turns little.
-bool may_become(const std::array<Vec3, 3>& before, const std::array<Vec3, 3>& after) {
-  const auto normal = [](const std::array<Vec3, 3>& t) { return cross(t[1] - t[0], t[2] - t[0]); };
+bool may_become(const Points& before, const Points& after) {
+  const auto normal = [](const Points& t) { return cross(t[1] - t[0], t[2] - t[0]); };
   const Vec3 old = normal(before), now = normal(after);
-  double longest_m = 0;
-  for (std::size_t i = 0; i < 3; ++i) longest_m = std::max(longest_m, length(after[(i + 1) % 3] - after[i]));
-  if (length(now) < kLeastHeight * longest_m * longest_m) return false;
+  const double slim = slimness(after, now);
+  if (slim < kSlimmest || slim < std::min(kLeastHeight, slimness(before, old))) return false;
   if (old.z > 0 && now.z <= 0) return false;
   return dot(old, now) >= kLeastCosine * length(old) * length(now);
 }
@@ -121,7 +135,7 @@ class ModBorders : public OpenMesh::Decimater::ModBaseT<MeshT> {
   bool turns_little(const CollapseInfo& ci) {
     for (auto f = Base::mesh().cvf_iter(ci.v0); f.is_valid(); ++f) {
       if (*f == ci.fl || *f == ci.fr) continue;
-      std::array<Vec3, 3> before, after;
+      Points before, after;
       std::size_t i = 0;
       for (auto v = Base::mesh().cfv_iter(*f); v.is_valid(); ++v, ++i)
         before[i] = place(*v), after[i] = *v == ci.v0 ? place(ci.v1) : before[i];

@@ -31,8 +31,7 @@ struct DecimatedMesh {
 /// Returns the mesh with fewer triangles; error_m <= tolerance_m.
 ///
 /// Guarantees: locked vertices and edges between two of them stay, so meshes that share locked borders still meet;
-/// every label keeps its outline within the tolerance; triangles do not turn by more than 75°, those that face up still
-/// do; same input, same bytes, on every CPU. Total: a mesh that is no manifold is taken apart where it is not, and its
+/// every label keeps its outline within the tolerance; triangles turn by at most 60° at once, those that face up still do; same input, same bytes, on every CPU. Total: a mesh that is no manifold is taken apart where it is not, and its
 /// vertices there are locked.
 /// Method: OpenMesh's quadric errors set the order (Garland, Heckbert, SIGGRAPH 1997), and its ModHausdorff, which
 /// follows samples of the source, ends collapses that stray. Samples prove nothing, so the result is measured
