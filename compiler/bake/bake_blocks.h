@@ -7,8 +7,8 @@
 namespace citykiln::bake {
 
 /// Adds blocks to the tile and certifies their error. A block has the material that most of its buildings' walls or
-/// roofs have, by area, and their mean colour; its feature is its building's if it has only one, else none. Buildings of
-/// blocks that are left out are dropped by kBelowTolerance, others are counted as merged.
+/// roofs have, by area, and their mean colour; its feature is its building's if it has only one, else none. Buildings
+/// of blocks that are left out are dropped by kBelowTolerance, others are counted as merged.
 /// @param level  With its ground. The tile is whole: views have no blocks.
 void bake_blocks(Baking& baking, const TileLevel& level, const buildings::Rulebook& rulebook, int threads,
                  Report& report);

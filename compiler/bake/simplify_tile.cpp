@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "compiler/bake/weld.h"
 #include "compiler/simplify/decimate.h"
 #include "compiler/simplify/distance_bound.h"
 
@@ -31,31 +32,6 @@ std::vector<Corners> corners_of(const BakedTile& tile, bool (*is_in)(const Primi
     if (is_in(p))
       for (const FaceOf& t : p.triangles) all.push_back(corners_of(p, t));
   return all;
-}
-
-void copy_vertex(Primitive& to, const Primitive& from, Index v) {
-  to.positions.push_back(from.positions[v]);
-  to.normals.push_back(from.normals[v]);
-  to.colours.push_back(from.colours[v]);
-  to.features.push_back(from.features[v]);
-  if (!from.uvs.empty()) to.uvs.push_back(from.uvs[v]);
-}
-
-// The primitive with some of its triangles and the vertices that these have, in the order of their first use.
-Primitive with_triangles(const Primitive& from, std::span<const FaceOf> triangles) {
-  constexpr Index kNone = 0xffffffffu;
-  Primitive to{.material = from.material, .positions = {}, .normals = {}, .colours = {}, .features = {},
-               .triangles = {}, .colour_source = from.colour_source, .layer = from.layer};
-  std::vector<Index> moved(from.positions.size(), kNone);
-  for (const FaceOf& t : triangles) {
-    FaceOf face{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (moved[t[i]] == kNone) moved[t[i]] = static_cast<Index>(to.positions.size()), copy_vertex(to, from, t[i]);
-      face[i] = moved[t[i]];
-    }
-    to.triangles.push_back(face);
-  }
-  return to;
 }
 
 template <typename Goes>
@@ -84,65 +60,17 @@ Standing standing(const Corners& t, double Vec3::*across, double Vec3::*along) {
 
 bool is_multiple(double v, double of) { return std::floor(v / of) * of == v; }
 
-// Numbers positions of several primitives, equal ones alike.
-struct Places {
-  std::map<Float3, Index> numbers;
-  std::vector<Float3> positions;
-
-  Index of(const Float3& p) {
-    const auto [found, is_new] = numbers.emplace(p, static_cast<Index>(positions.size()));
-    if (is_new) positions.push_back(p);
-    return found->second;
-  }
-};
-
-// The terrain as one mesh: labels are indices of primitives.
-struct Terrain {
-  simplify::LabelledMesh mesh;
-  std::vector<std::map<Index, Index>> vertex_at;  // by primitive: the vertex at each position
-};
-
-Terrain welded(const BakedTile& tile) {
-  Terrain terrain{{}, std::vector<std::map<Index, Index>>(tile.primitives.size())};
-  Places places;
-  std::vector<Index> has_two;  // positions where a primitive has several uvs
-  for (Index label = 0; label < tile.primitives.size(); ++label) {
-    const Primitive& p = tile.primitives[label];
-    if (!is_terrain(p)) continue;
-    for (const FaceOf& t : p.triangles) {
-      FaceOf face{};
-      for (std::size_t i = 0; i < 3; ++i) {
-        face[i] = places.of(p.positions[t[i]]);
-        const Index first = terrain.vertex_at[label].emplace(face[i], t[i]).first->second;
-        if (!p.uvs.empty() && p.uvs[first] != p.uvs[t[i]]) has_two.push_back(face[i]);
-      }
-      if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) continue;
-      terrain.mesh.triangles.push_back(face), terrain.mesh.labels.push_back(label);
-    }
-  }
-  for (const Float3& p : places.positions) terrain.mesh.positions.push_back(widened(p));
-  terrain.mesh.is_locked.assign(places.positions.size(), false);
-  for (const Index i : has_two) terrain.mesh.is_locked[i] = true;
-  return terrain;
-}
-
 bool is_on_border(const Box2& box, Vec2 p) {
   return p.x <= box.min.x || p.x >= box.max.x || p.y <= box.min.y || p.y >= box.max.y;
 }
 
-// Writes decimated triangles with the vertices that they had.
-void write_back(BakedTile& tile, const Terrain& terrain, const simplify::DecimatedMesh& decimated) {
-  std::vector<std::vector<FaceOf>> faces(tile.primitives.size());
-  for (std::size_t t = 0; t < decimated.triangles.size(); ++t) {
-    const Index label = decimated.labels[t];
-    FaceOf face{};
-    for (std::size_t i = 0; i < 3; ++i) face[i] = terrain.vertex_at[label].at(decimated.triangles[t][i]);
-    faces[label].push_back(face);
-  }
-  for (std::size_t label = 0; label < tile.primitives.size(); ++label) {
-    if (!is_terrain(tile.primitives[label])) continue;
-    tile.primitives[label] = with_triangles(tile.primitives[label], faces[label]);
-    std::ranges::fill(tile.primitives[label].features, 0);
+// Replaces terrain by its decimated triangles.
+void write_back(BakedTile& tile, const WeldedPrimitives& terrain, const simplify::DecimatedMesh& decimated) {
+  for (Index label = 0; label < tile.primitives.size(); ++label) {
+    Primitive& p = tile.primitives[label];
+    if (!is_terrain(p)) continue;
+    p = decimated_primitive(p, terrain, label, decimated);
+    std::ranges::fill(p.features, 0);
   }
   drop_empty(tile);
 }
@@ -153,7 +81,7 @@ bool is_part(const Primitive& p) {
 
 // The part of each position: parts are connected sets of triangles of all primitives but terrain and plants.
 struct Parts {
-  Places places;
+  PositionNumbers places;
   std::vector<Index> parent;
 
   explicit Parts(const BakedTile& tile) {
@@ -223,7 +151,7 @@ void remove_inner_skirts(BakedTile& joined, const std::set<scene::TileKey>& tile
 }
 
 void simplify_terrain(BakedTile& joined, const Box2& square, double tolerance_m) {
-  Terrain terrain = welded(joined);
+  WeldedPrimitives terrain = welded(joined.primitives, is_terrain);
   if (terrain.mesh.triangles.empty()) return;
   for (std::size_t i = 0; i < terrain.mesh.positions.size(); ++i)
     if (is_on_border(square, in_plan(joined.origin + terrain.mesh.positions[i]))) terrain.mesh.is_locked[i] = true;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "compiler/bake/bend.h"
+#include "compiler/bake/fade_roads.h"
 #include "compiler/bake/simplify_tile.h"
 #include "compiler/commands/join_tiles.h"
 #include "compiler/contract/tolerance.h"
@@ -81,6 +82,8 @@ struct InnerLevel {
 /// Shares of an inner level's tolerance: tiles are baked at the first and simplified by the second, or joined from nodes
 /// that have half of it, simplified by the second and without what is within the second of the terrain.
 constexpr double kBakeShare = 0.75, kSimplifyShare = 0.25;
+/// The share by which roads of nodes that are joined from nodes give way to the ground beside them.
+constexpr double kFadeShare = 0.125;
 
 /// Inner levels by height above the tiles, from 1.
 std::vector<InnerLevel> inner_levels(double coarsest_m, int height) {
@@ -231,7 +234,10 @@ class TreeWriter {
     const InnerLevel& level = inner_level(key);
     joined->tolerance_m = level.tolerance_m;
     bake::remove_inner_skirts(*joined, tiles_.extract(key).mapped(), scene_.header.tile_m);
-    if (!level.bake_m) bake::drop_near_terrain(*joined, kSimplifyShare * level.tolerance_m);
+    if (!level.bake_m) {
+      bake::drop_near_terrain(*joined, kSimplifyShare * level.tolerance_m);
+      bake::fade_roads(*joined, kFadeShare * level.tolerance_m);
+    }
     bake::simplify_terrain(*joined, exporters::box_of(tree_, scene_.header, key), kSimplifyShare * level.tolerance_m);
     bake::drop_unused_features(*joined);
     return joined;

@@ -46,9 +46,7 @@ double to_segment_m(Vec3 p, Vec3 a, Vec3 b) { return distance_m(p, {a, b, b}); }
 
 bool is_border(const HalfedgeMesh& mesh, EdgeHandle edge) {
   if (mesh.is_boundary(edge)) return true;
-  const auto label = [&](unsigned side) {
-    return mesh.data(mesh.face_handle(mesh.halfedge_handle(edge, side))).label;
-  };
+  const auto label = [&](unsigned side) { return mesh.data(mesh.face_handle(mesh.halfedge_handle(edge, side))).label; };
   return label(0) != label(1);
 }
 
@@ -127,8 +125,7 @@ class ModBorders : public OpenMesh::Decimater::ModBaseT<MeshT> {
     const auto closing = Base::mesh().find_halfedge(ci.v1, other);
     // the last three vertices about a label
     if (closing.is_valid() && is_border(Base::mesh(), Base::mesh().edge_handle(closing))) return std::nullopt;
-    const double moved_m =
-        Base::mesh().data(ci.v0).border_m + to_segment_m(place(ci.v0), place(ci.v1), place(other));
+    const double moved_m = Base::mesh().data(ci.v0).border_m + to_segment_m(place(ci.v0), place(ci.v1), place(other));
     return moved_m <= tolerance_m_ ? std::optional(moved_m) : std::nullopt;
   }
 

@@ -2,7 +2,8 @@
 //
 //     v goes to u:   inside a label along any edge       on the border of two labels      elsewhere it stays: at the
 //                    \ | /       \   /                   along the border only            mesh's corners, where three
-//                   -- v -- u  →  -- u                    ══ v ══ u  →  ═════ u           labels meet, where it is locked
+//                   -- v -- u  →  -- u                    ══ v ══ u  →  ═════ u           labels meet, where it is
+//                   locked
 #pragma once
 
 #include <cstddef>
@@ -31,7 +32,8 @@ struct DecimatedMesh {
 /// Returns the mesh with fewer triangles; error_m <= tolerance_m.
 ///
 /// Guarantees: locked vertices and edges between two of them stay, so meshes that share locked borders still meet;
-/// every label keeps its outline within the tolerance; triangles turn by at most 60° at once, those that face up still do; same input, same bytes, on every CPU. Total: a mesh that is no manifold is taken apart where it is not, and its
+/// every label keeps its outline within the tolerance; triangles turn by at most 60° at once, those that face up still
+/// do; same input, same bytes, on every CPU. Total: a mesh that is no manifold is taken apart where it is not, and its
 /// vertices there are locked.
 /// Method: OpenMesh's quadric errors set the order (Garland, Heckbert, SIGGRAPH 1997), and its ModHausdorff, which
 /// follows samples of the source, ends collapses that stray. Samples prove nothing, so the result is measured

@@ -42,8 +42,7 @@ void grow(Vec3& low, Vec3& high, Vec3 p) {
 std::vector<Corners> corners_of(const Mesh& mesh) {
   std::vector<Corners> all;
   all.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles)
-    all.push_back({mesh.positions[a], mesh.positions[b], mesh.positions[c]});
+  for (const auto& [a, b, c] : mesh.triangles) all.push_back({mesh.positions[a], mesh.positions[b], mesh.positions[c]});
   return all;
 }
 
