@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "compiler/bake/bake.h"
+#include "compiler/bake/simplify_tile.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/picture_difference.h"
 #include "compiler/charts/sampled_distance.h"
@@ -195,12 +196,19 @@ double seconds_of(const scene::Header& header, const scene::Chunk& chunk, double
   return watch.seconds();
 }
 
+/// Skirts are not part of the error that a level states.
+void remove_skirts(BakedTile& tile, double tile_m) {
+  const auto [x, y] = tile.tile;
+  bake::remove_inner_skirts(tile, {tile.tile, {x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}, tile_m);
+}
+
 /// Kinds are timed by leaving their recipes out. Ground and roads are one mesh, made together.
 Level level_at(const scene::Scene& scene, const scene::Chunk& chunk, double tolerance_m) {
   Report ignored;
   const Stopwatch watch;
   Level level{bake::bake(scene.header, chunk, tolerance_m, 1, ignored), {}};
   const double all_s = watch.seconds();
+  remove_skirts(level.tile, scene.header.tile_m);
   scene::Chunk no_buildings = chunk, no_plants = chunk;
   no_buildings.buildings.clear();
   no_plants.trees.clear(), no_plants.woods.clear(), no_plants.plantings.clear(), no_plants.tree_rows.clear();

@@ -21,12 +21,18 @@ struct Kind {
   const char* name;
   Result<std::vector<charts::Chart>> (*make)(const charts::ChartRequest& request);
 };
-constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},         Kind{"terrain", charts::chart_terrain},
-                               Kind{"junctions", charts::chart_junctions}, Kind{"roads", charts::chart_roads},
-                               Kind{"ground", charts::chart_ground},       Kind{"view", charts::chart_view},
-                               Kind{"profile", charts::chart_profile},     Kind{"roof", charts::chart_roof},
-                               Kind{"facade", charts::chart_facade},       Kind{"woods", charts::chart_woods},
-                               Kind{"plant", charts::chart_plant},         Kind{"lsystem", charts::chart_lsystem},
+constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},
+                               Kind{"terrain", charts::chart_terrain},
+                               Kind{"junctions", charts::chart_junctions},
+                               Kind{"roads", charts::chart_roads},
+                               Kind{"ground", charts::chart_ground},
+                               Kind{"view", charts::chart_view},
+                               Kind{"profile", charts::chart_profile},
+                               Kind{"roof", charts::chart_roof},
+                               Kind{"facade", charts::chart_facade},
+                               Kind{"woods", charts::chart_woods},
+                               Kind{"plant", charts::chart_plant},
+                               Kind{"lsystem", charts::chart_lsystem},
                                Kind{"lod", charts::chart_lod}};
 
 std::string known_names() {

@@ -79,8 +79,8 @@ struct InnerLevel {
   std::optional<double> bake_m;  ///< The tolerance of the tiles that it is joined from; none: of the nodes below it.
 };
 
-/// Shares of an inner level's tolerance: tiles are baked at the first and simplified by the second, or joined from nodes
-/// that have half of it, simplified by the second and without what is within the second of the terrain.
+/// Shares of an inner level's tolerance: tiles are baked at the first and simplified by the second, or joined from
+/// nodes that have half of it, simplified by the second and without what is within the second of the terrain.
 constexpr double kBakeShare = 0.75, kSimplifyShare = 0.25;
 /// The share by which roads of nodes that are joined from nodes give way to the ground beside them.
 constexpr double kFadeShare = 0.125;

@@ -83,9 +83,8 @@ double block_source_tolerance_m(double tolerance_m) { return std::min(kShapeShar
 CertifiedBlocks certified_blocks(const BlockSources& sources, double tolerance_m) {
   assert(sources.buildings.size() == sources.shapes.size());
   const Shapes shapes(sources);
-  const simplify::BoundOptions options{.precision_m = kPrecision * tolerance_m,
-                                       .least_m = kLeast * tolerance_m,
-                                       .most_m = tolerance_m - shapes.error_m};
+  const simplify::BoundOptions options{
+      .precision_m = kPrecision * tolerance_m, .least_m = kLeast * tolerance_m, .most_m = tolerance_m - shapes.error_m};
   std::vector<BlockRole> roles(sources.buildings.size(), BlockRole::kMerged);
   while (true) {
     CertifiedBlocks result{merge_buildings(sources.buildings, roles, tolerance_m), {}, shapes.error_m};

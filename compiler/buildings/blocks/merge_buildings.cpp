@@ -59,7 +59,7 @@ Rings rings_of(std::span<const Building> buildings, std::span<const BlockRole> r
 // The triangulated plan: which building has each face, and which buildings have faces at each vertex.
 struct Plan {
   Delaunay net;
-  std::vector<std::uint32_t> owner;                  // of each face; kFree without
+  std::vector<std::uint32_t> owner;                   // of each face; kFree without
   std::vector<std::vector<std::uint32_t>> at_vertex;  // sorted
 
   std::span<const std::uint32_t> at(GridPoint p) const {
@@ -90,8 +90,7 @@ std::vector<std::uint32_t> highest_first(std::span<const Building> buildings) {
   return ranks;
 }
 
-Plan plan_of(std::span<const Building> buildings, std::span<const BlockRole> roles, const Box2& cell,
-             double apart_m) {
+Plan plan_of(std::span<const Building> buildings, std::span<const BlockRole> roles, const Box2& cell, double apart_m) {
   const Rings rings = rings_of(buildings, roles, apart_m);
   const Arrangement arrangement = arrange(rings.segments, rings.points, cell);
   Plan plan{triangulated(arrangement), {}, {}};
@@ -121,7 +120,8 @@ using Link = std::tuple<double, std::uint32_t, std::uint32_t>;  // how much heig
 std::vector<Link> links_of(const Plan& plan, std::span<const Building> buildings, double gap_m) {
   std::vector<Link> links;
   const auto link = [&](std::uint32_t i, std::uint32_t j) {
-    if (i != j) links.emplace_back(std::abs(height_m(buildings[i]) - height_m(buildings[j])), std::min(i, j), std::max(i, j));
+    if (i != j)
+      links.emplace_back(std::abs(height_m(buildings[i]) - height_m(buildings[j])), std::min(i, j), std::max(i, j));
   };
   for (std::size_t f = 0; f < plan.owner.size(); ++f) {
     const DelaunayFace& face = plan.net.faces()[f];
@@ -273,8 +273,8 @@ void add_roof_face(Mesh& roof, const Delaunay& net, std::uint32_t f, std::uint32
   roof.triangles.push_back(t);
 }
 
-// The wall of a block along an edge from a to b, to the left of which it lies: down to the neighbour's roof, if there is
-// one. Where the neighbour is higher there is none of it.
+// The wall of a block along an edge from a to b, to the left of which it lies: down to the neighbour's roof, if there
+// is one. Where the neighbour is higher there is none of it.
 void add_wall(Mesh& wall, GridPoint a, GridPoint b, std::uint32_t group, std::uint32_t beyond, const Heights& heights) {
   const auto column = [&](GridPoint p) {
     Heights::Column own = heights.at(group, p);

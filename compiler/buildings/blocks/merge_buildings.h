@@ -43,11 +43,11 @@ struct Block {
 /// - Walls reach from the roof down to the neighbouring roof, or to the lower ends of the buildings' walls.
 ///
 /// Guarantees, before certified_blocks() measures: a point of a closed gap is within kGapShare / √3 of a footprint in
-/// plan (the farthest place of a triangle from its corners is nearer than its longest edge / √3); outlines move by up to
-/// kOutlineShare; at a vertex of a building its roof moves by up to kHeightShare. Walls and roofs of all blocks together
-/// are closed but for their undersides. Same input, same bytes; all tests are exact. Cost: O(n log n) in vertices.
-/// Sources: Jones, Bundy, Ware, "Map generalization with a triangulated data structure", CaGIS 22, 1995 (closing gaps by
-/// triangles); simplify_borders.h for outlines.
+/// plan (the farthest place of a triangle from its corners is nearer than its longest edge / √3); outlines move by up
+/// to kOutlineShare; at a vertex of a building its roof moves by up to kHeightShare. Walls and roofs of all blocks
+/// together are closed but for their undersides. Same input, same bytes; all tests are exact. Cost: O(n log n) in
+/// vertices. Sources: Jones, Bundy, Ware, "Map generalization with a triangulated data structure", CaGIS 22, 1995
+/// (closing gaps by triangles); simplify_borders.h for outlines.
 ///
 /// @param roles  One per building.
 std::vector<Block> merge_buildings(std::span<const Building> buildings, std::span<const BlockRole> roles,

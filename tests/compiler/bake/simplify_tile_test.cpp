@@ -34,20 +34,21 @@ BakedTile two_tiles() {
   const auto at = [](int x, int y) { return Float3{static_cast<float>(x), static_cast<float>(y), 0}; };
   for (int x = 0; x < 128; x += 4)
     for (int y = 0; y < 64; y += 4) add_quad(ground, at(x, y), at(x + 4, y), at(x + 4, y + 4), at(x, y + 4), 1);
-  const auto skirt = [&](Float3 a, Float3 b) {
-    add_quad(ground, a, {a[0], a[1], -30}, {b[0], b[1], -30}, b, 1);
-  };
+  const auto skirt = [&](Float3 a, Float3 b) { add_quad(ground, a, {a[0], a[1], -30}, {b[0], b[1], -30}, b, 1); };
   for (int y = 0; y < 64; y += 4)
     for (const int x : {0, 64, 64, 128}) skirt(at(x, y), at(x, y + 4));
-  return {.tile = {0, 0}, .origin = {0, 0, 0}, .tolerance_m = 1, .error_m = 1,
-          .features = {OsmId{}, {OsmType::kWay, 7}, {OsmType::kWay, 9}}, .primitives = {ground}};
+  return {.tile = {0, 0},
+          .origin = {0, 0, 0},
+          .tolerance_m = 1,
+          .error_m = 1,
+          .features = {OsmId{}, {OsmType::kWay, 7}, {OsmType::kWay, 9}},
+          .primitives = {ground}};
 }
 
 std::size_t skirts_at(const BakedTile& tile, float x) {
   std::size_t count = 0;
   for (const Primitive& p : tile.primitives)
-    for (const auto& t : p.triangles)
-      count += std::ranges::all_of(t, [&](auto v) { return p.positions[v][0] == x; });
+    for (const auto& t : p.triangles) count += std::ranges::all_of(t, [&](auto v) { return p.positions[v][0] == x; });
   return count;
 }
 

@@ -73,8 +73,8 @@ TEST(CertifiedBlocksReal, StandForBuildingsWithRoofsAndFacades) {
     std::vector<Building> town = buildings_in(name);
     ASSERT_GT(town.size(), 500u);
     town.resize(500);
-    const std::vector<simplify::Corners> ground = {
-        {{-1e5, -1e5, 0}, {1e5, -1e5, 0}, {1e5, 1e5, 0}}, {{-1e5, -1e5, 0}, {1e5, 1e5, 0}, {-1e5, 1e5, 0}}};
+    const std::vector<simplify::Corners> ground = {{{-1e5, -1e5, 0}, {1e5, -1e5, 0}, {1e5, 1e5, 0}},
+                                                   {{-1e5, -1e5, 0}, {1e5, 1e5, 0}, {-1e5, 1e5, 0}}};
     const auto shapes = shapes_of(town, rules, block_source_tolerance_m(25));
     const CertifiedBlocks made = certified_blocks({town, shapes, ground}, 25);
     EXPECT_LE(made.error_m, 25);
