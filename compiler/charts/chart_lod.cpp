@@ -30,8 +30,6 @@ constexpr double kTile_m = 256;
 constexpr int kFewestPixels = 24, kMostPixels = 320;
 constexpr int kSamples = 48 * 128 * 128, kFewestSamples = 32;
 constexpr double kFov_deg = 30;
-/// Plants have a height of 1 m in their own frame.
-constexpr float kPlantHeight_m = 10;
 /// Numbers of triangles count as equal up to this factor.
 constexpr double kLikeness = 1.15;
 
@@ -64,7 +62,7 @@ std::vector<bake::InstancedMesh> plant_of(const BakedTile& tile, const std::stri
   for (const bake::InstancedMesh& mesh : tile.instanced)
     if (mesh.name == name) {
       bake::InstancedMesh one = mesh;
-      one.translations = {{0, 0, 0}}, one.rotations = {{0, 0, 0, 1}}, one.scales = {kPlantHeight_m}, one.features = {0};
+      one.translations = {{0, 0, 0}}, one.rotations = {{0, 0, 0, 1}}, one.scales = {1}, one.features = {0};
       return {one};
     }
   return {};

@@ -13,7 +13,7 @@ namespace citykiln::charts {
 using Simplify = std::vector<bake::Primitive> (*)(const std::vector<bake::Primitive>& primitives,
                                                   std::size_t triangles);
 
-/// By OpenMesh's quadric errors (simplify/decimate.h).
+/// By OpenMesh as inner tiles of a tile tree use it (simplify/decimate.h).
 std::vector<bake::Primitive> simplified_by_openmesh(const std::vector<bake::Primitive>& primitives,
                                                     std::size_t triangles);
 

@@ -200,7 +200,8 @@ void add_modules(Decimater& decimater, double tolerance_m) {
   decimater.module(quadrics).unset_max_err();
 }
 
-DecimatedMesh decimated_by_samples(const LabelledMesh& source, double tolerance_m) {
+// Ends at a number of triangles, where it gets so low.
+DecimatedMesh decimated_by_samples(const LabelledMesh& source, double tolerance_m, std::size_t triangles) {
   HalfedgeMesh mesh;
   fill(mesh, source);
   Decimater decimater(mesh);
@@ -209,7 +210,7 @@ DecimatedMesh decimated_by_samples(const LabelledMesh& source, double tolerance_
   decimater.add(samples);
   decimater.module(samples).set_tolerance(tolerance_m);
   decimater.initialize();
-  decimater.decimate();
+  decimater.decimate_to_faces(0, triangles);
   return read_back(mesh);
 }
 
@@ -286,7 +287,7 @@ DecimatedMesh decimated(const LabelledMesh& source, double tolerance_m) {
   const BoundOptions options{
       .precision_m = kPrecision * tolerance_m, .least_m = kLeast * tolerance_m, .most_m = tolerance_m};
   for (int round = 0; round < kMostRounds; ++round) {
-    DecimatedMesh made = decimated_by_samples(mesh, kSampleShare * tolerance_m);
+    DecimatedMesh made = decimated_by_samples(mesh, kSampleShare * tolerance_m, 0);
     const Measured found = measured(mesh, made, tolerance_m, options);
     made.error_m = found.error_m;
     if (found.error_m <= tolerance_m) return made;
@@ -296,13 +297,20 @@ DecimatedMesh decimated(const LabelledMesh& source, double tolerance_m) {
 }
 
 DecimatedMesh decimated_to(const LabelledMesh& source, std::size_t triangles) {
-  HalfedgeMesh mesh;
-  fill(mesh, source);
-  Decimater decimater(mesh);
-  add_modules(decimater, std::numeric_limits<double>::infinity());
-  decimater.initialize();
-  decimater.decimate_to_faces(0, triangles);
-  return read_back(mesh);
+  constexpr double kFirst_m = 0.02, kStep = 4;
+  constexpr int kSteps = 6;
+  double tolerance_m = kFirst_m;
+  for (int i = 1; i < kSteps; ++i) tolerance_m *= kStep;
+  DecimatedMesh best = decimated_by_samples(source, tolerance_m, triangles);
+  if (best.triangles.size() > triangles) return best;
+  // the smallest tolerance that gets so low
+  while (tolerance_m > kFirst_m) {
+    tolerance_m /= kStep;
+    DecimatedMesh nearer = decimated_by_samples(source, tolerance_m, triangles);
+    if (nearer.triangles.size() > triangles) break;
+    best = std::move(nearer);
+  }
+  return best;
 }
 
 }  // namespace citykiln::simplify

@@ -39,11 +39,12 @@ struct DecimatedMesh {
 /// follows samples of the source, ends collapses that stray. Samples prove nothing, so the result is measured
 /// (distance_bound.h). Where it is farther away than the tolerance, vertices of the source are locked and the mesh is
 /// decimated again; if that does not end in some rounds, the source is returned.
-/// Cost: 0.1 ms a triangle.
+/// Cost: 0.1 ms a triangle, and 2 µs a square of the tolerance.
 DecimatedMesh decimated(const LabelledMesh& mesh, double tolerance_m);
 
-/// Returns the mesh with about as many triangles as asked for, by quadric errors alone; error_m is not measured, and 0.
-/// Vertices of label borders are treated as above.
+/// Returns the mesh with about as many triangles as asked for, or more where it cannot get so low: by the method above,
+/// with the smallest of some tolerances of samples and borders (0.02 to 20 m) that gets there. error_m is not measured,
+/// and 0.
 DecimatedMesh decimated_to(const LabelledMesh& mesh, std::size_t triangles);
 
 }  // namespace citykiln::simplify

@@ -143,6 +143,24 @@ class Tiles3d(ProgramTest):
                     self.assertLess(size - max(along), 5)
                     self.assertLess(size + min(along), 5)
 
+    def test_inner_tiles_of_every_width_have_content_and_buildings_up_to_100_m(self):
+        out = self.compiled("out", "--spec", TOWN / "spec.json", "--tile", "128", "--lods", "12.5", "--emit", "kiln,3dtiles")
+        tileset = Tileset(out / "3dtiles", self)
+        for tile, _, is_external in tileset.tiles:
+            self.assertTrue(is_external or "content" in tile)
+        inner = {uri: tile for uri, tile in tileset.contents().items() if uri.startswith("Q")}
+        heights = {int(uri[1]) for uri in inner}
+        self.assertGreaterEqual(max(heights), 4)
+        self.assertEqual(heights, set(range(1, max(heights) + 1)))
+        for uri, tile in inner.items():
+            tolerance_m = tile["extras"]["tolerance_m"]
+            self.assertEqual(tolerance_m, 12.5 * 2**int(uri[1]))
+            # the ellipsoid's sag, and what a parent is raised by
+            self.assertLess(tile["geometricError"], tolerance_m * 1.03)
+        layers = {uri: {node.get("name") for node in Glb(tileset.folder / uri).gltf["nodes"]} for uri in inner}
+        for height in (1, 2, 3):
+            self.assertTrue(any("buildings" in layers[uri] for uri in layers if int(uri[1]) == height))
+
     def test_every_file_is_named(self):
         tileset = self.tileset()
         self.assertEqual({path.name for path in tileset.folder.iterdir()}, set(tileset.files) | set(tileset.contents()))

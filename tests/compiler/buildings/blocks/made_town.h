@@ -18,8 +18,8 @@ inline Building box_building(std::int64_t id, Vec2 corner, double width_m, doubl
   return b;
 }
 
-/// Boxes at random places, some of which overlap, on a slope.
-inline std::vector<Building> random_town(std::uint64_t seed, std::size_t count) {
+/// Boxes at random places, some of which overlap, on a slope that rises towards the east.
+inline std::vector<Building> random_town(std::uint64_t seed, std::size_t count, double rise = 0.1) {
   std::vector<Building> town;
   for (std::size_t i = 0; i < count; ++i) {
     const auto whole = [&](std::uint64_t k, double from, double to) {
@@ -28,7 +28,7 @@ inline std::vector<Building> random_town(std::uint64_t seed, std::size_t count) 
     const double height_m = simplify::noise(seed + i * 8 + 7) < 0.1 ? whole(4, 40, 150) : whole(4, 3, 25);
     const Vec2 corner{whole(0, 0, 400), whole(1, 0, 400)};
     town.push_back(box_building(static_cast<std::int64_t>(i + 1), corner, whole(2, 6, 40), whole(3, 6, 30), height_m,
-                                std::floor(corner.x / 10)));
+                                std::floor(corner.x * rise)));
   }
   return town;
 }

@@ -70,7 +70,7 @@ TEST(MergeBuildings, FollowsSlopes) {
 // surface cover what its walls span.
 TEST(MergeBuildings, ClosesEveryOutlineByWalls) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const std::vector<Building> town = random_town(seed, 40);
+    const std::vector<Building> town = random_town(seed, 40, 0);
     std::map<std::array<Vec3, 2>, int> edges;
     for (const Block& block : merged(town, 25))
       for (const Mesh* mesh : {&block.roof, &block.walls})
@@ -87,7 +87,9 @@ TEST(MergeBuildings, ClosesEveryOutlineByWalls) {
       ++feet;
       for (const auto& [other, times] : edges) {
         const bool is_same_line = in_plan(other[0]) == in_plan(edge[0]) && in_plan(other[1]) == in_plan(edge[1]);
-        if (is_same_line && times != 0) EXPECT_GE(std::max(other[0].z, other[1].z), std::min(edge[0].z, edge[1].z));
+        if (is_same_line && times != 0) {
+          EXPECT_GE(std::max(other[0].z, other[1].z), std::min(edge[0].z, edge[1].z));
+        }
       }
     }
     EXPECT_GT(feet, 20);
