@@ -7,8 +7,8 @@ namespace citykiln {
 namespace {
 
 constexpr TargetValues kTargets[] = {
-#define TARGET(name, option, instancing, nodes, quantised, draco, meshopt, transform, webp, lights, tested) \
-  {option, Instancing::instancing, nodes, quantised, draco, meshopt, transform, webp, lights, tested},
+#define TARGET(name, option, instancing, nodes, quantised, draco, meshopt, transform, webp, lights, flat, tested) \
+  {option, Instancing::instancing, nodes, quantised, draco, meshopt, transform, webp, lights, flat, tested},
 #include "compiler/contract/targets.inc"
 #undef TARGET
 };

@@ -28,6 +28,7 @@ struct TargetValues {
   bool reads_texture_transform = false;
   bool reads_webp = false;
   bool reads_lights = false;
+  bool shades_flat = false;
   std::string_view tested_with;  ///< "Blender 3.4"; empty for an untested preset.
 };
 

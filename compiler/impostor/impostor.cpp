@@ -37,11 +37,20 @@ Texel texel_of(const SurfaceMaterial& surface) {
   return texel;
 }
 
-// The nearest surface at a sample.
+// The nearest surface at a sample. Of two, the one with the lesser key is nearer, or has the lower index.
 struct Sample {
-  static constexpr std::uint32_t kNothing = 0xffffffffu;
-  std::int32_t depth = 0;  // behind the rectangle, in kQuantum_m
-  std::uint32_t surface = kNothing;
+  std::uint64_t key = ~std::uint64_t{0};  // depth above surface; all ones where there is nothing
+
+  static Sample of(std::int32_t depth, std::uint32_t surface) {
+    return {std::uint64_t{static_cast<std::uint32_t>(depth) ^ kSign} << 32 | surface};
+  }
+  bool is_empty() const { return key == ~std::uint64_t{0}; }
+  std::uint32_t surface() const { return static_cast<std::uint32_t>(key); }
+  // Behind the rectangle, in kQuantum_m.
+  std::int32_t depth() const { return static_cast<std::int32_t>(static_cast<std::uint32_t>(key >> 32) ^ kSign); }
+
+ private:
+  static constexpr std::uint32_t kSign = 0x80000000u;
 };
 
 // The z-buffer of a view.
@@ -60,7 +69,7 @@ struct Canvas {
     return Point{static_cast<std::int64_t>(std::floor(x + 0.5)), static_cast<std::int64_t>(std::floor(y + 0.5))};
   }
   double behind_m(Vec3 p) const { return dot(view.corner - p, out); }
-  const Sample& at(std::int64_t x, std::int64_t y) const { return samples[static_cast<std::size_t>(y * columns + x)]; }
+  Sample at(std::int64_t x, std::int64_t y) const { return samples[static_cast<std::size_t>(y * columns + x)]; }
 };
 
 bool overlap(const Box3& a, const Box3& b) {
@@ -144,23 +153,34 @@ Scan scan_from(const Projected& triangle, std::int64_t column, std::int64_t row)
   return scan;
 }
 
-void draw_sample(const View& view, double behind_m, std::uint32_t surface, Sample& sample) {
-  if (!(behind_m >= -view.before_m && behind_m <= view.behind_m)) return;
-  const auto depth = static_cast<std::int32_t>(std::floor(behind_m / kQuantum_m + 0.5));
-  const bool is_nearest =
-      sample.surface == Sample::kNothing || depth < sample.depth || (depth == sample.depth && surface < sample.surface);
-  if (is_nearest) sample = {depth, surface};
+bool is_in_depth(const View& view, double behind_m) { return behind_m >= -view.before_m && behind_m <= view.behind_m; }
+
+std::int32_t depth_at(double behind_m) { return static_cast<std::int32_t>(std::floor(behind_m / kQuantum_m + 0.5)); }
+
+// Draws samples of which `behind_m(i)` is the depth, a function that only rises or only falls: where its ends agree,
+// all do.
+template <typename Depth>
+void draw_samples(const View& view, std::span<Sample> samples, Depth behind_m, std::uint32_t surface) {
+  const auto draw = [&](std::size_t i, Sample sample) { samples[i].key = std::min(samples[i].key, sample.key); };
+  const double first_m = behind_m(0), last_m = behind_m(samples.size() - 1);
+  if (is_in_depth(view, first_m) && is_in_depth(view, last_m) && depth_at(first_m) == depth_at(last_m)) {
+    const Sample sample = Sample::of(depth_at(first_m), surface);
+    for (std::size_t i = 0; i < samples.size(); ++i) draw(i, sample);
+    return;
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (is_in_depth(view, behind_m(i))) draw(i, Sample::of(depth_at(behind_m(i)), surface));
 }
 
-// A triangle is convex: the row ends where the scan leaves it.
+// A triangle is convex: its samples of a row follow each other.
 void draw_row(const View& view, Scan scan, std::span<Sample> samples, std::uint32_t surface) {
-  bool has_entered = false;
-  for (std::size_t i = 0; i < samples.size(); ++i, scan.move(scan.along)) {
-    if (!scan.is_inside() && has_entered) return;
-    if (!scan.is_inside()) continue;
-    has_entered = true;
-    draw_sample(view, scan.behind_m + static_cast<double>(i) * scan.along_m, surface, samples[i]);
-  }
+  std::size_t first = 0;
+  for (; first < samples.size() && !scan.is_inside(); ++first) scan.move(scan.along);
+  std::size_t end = first;
+  for (; end < samples.size() && scan.is_inside(); ++end) scan.move(scan.along);
+  if (first == end) return;
+  const auto behind_m = [&](std::size_t i) { return scan.behind_m + static_cast<double>(first + i) * scan.along_m; };
+  draw_samples(view, samples.subspan(first, end - first), behind_m, surface);
 }
 
 // Depths within a rounding error of the range are left to draw_sample().
@@ -187,6 +207,7 @@ void draw(Canvas& canvas, const ModelTriangle& triangle) {
   const auto& [a, b, c] = projected->at;
   const SampleRange across = samples_between(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), canvas.columns);
   const SampleRange down = samples_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), canvas.rows);
+  if (across.first >= across.end || down.first >= down.end) return;
   Scan scan = scan_from(*projected, across.first, down.first);
   const double first_m = scan.behind_m;
   for (std::int64_t row = down.first; row < down.end; ++row, scan.move(scan.down)) {
@@ -213,9 +234,8 @@ Canvas drawn(const Model& model, const View& view, IsDrawn is_drawn) {
 }
 
 // The rise towards the viewer from one sample to the next; 0 if either is not covered.
-std::int64_t rise(const Sample& from, const Sample& to) {
-  if (from.surface == Sample::kNothing || to.surface == Sample::kNothing) return 0;
-  return std::int64_t{from.depth} - to.depth;
+std::int64_t rise(Sample from, Sample to) {
+  return from.is_empty() || to.is_empty() ? 0 : std::int64_t{from.depth()} - to.depth();
 }
 
 // Twice the rise through a texel along a line of `count` samples, of which `first` is the texel's first. The texel's
@@ -239,8 +259,8 @@ std::array<std::int16_t, 2> slopes_of(const Canvas& canvas, std::int64_t column,
   const std::int64_t left = column * kSamplesPerSide, top = row * kSamplesPerSide;
   std::int64_t along = 0, down = 0;
   for (std::int64_t i = 0; i < kSamplesPerSide; ++i) {
-    along += twice_rise(left, canvas.columns, [&](std::int64_t x) -> const Sample& { return canvas.at(x, top + i); });
-    down += twice_rise(top, canvas.rows, [&](std::int64_t y) -> const Sample& { return canvas.at(left + i, y); });
+    along += twice_rise(left, canvas.columns, [&](std::int64_t x) { return canvas.at(x, top + i); });
+    down += twice_rise(top, canvas.rows, [&](std::int64_t y) { return canvas.at(left + i, y); });
   }
   return {slope_of(along, canvas.view.texel_m), slope_of(down, canvas.view.texel_m)};
 }
@@ -253,35 +273,49 @@ struct Buffers {
 
 // The emission at a covered sample: that of a light source behind its surface, if it is visible past it.
 std::array<std::uint16_t, 3> emission_at(const Buffers& buffers, std::span<const Texel> surfaces, std::size_t at) {
-  const Sample& front = buffers.all.samples[at];
-  if (buffers.sources.empty() || buffers.sources[at].surface == Sample::kNothing)
-    return surfaces[front.surface].emission;
+  const Sample front = buffers.all.samples[at];
+  if (buffers.sources.empty() || buffers.sources[at].is_empty()) return surfaces[front.surface()].emission;
   constexpr auto kGap = static_cast<std::int32_t>(kMinOccluderGap_m / kQuantum_m);
-  const Sample& source = buffers.sources[at];
-  return surfaces[source.depth - front.depth > kGap ? source.surface : front.surface].emission;
+  const Sample source = buffers.sources[at];
+  return surfaces[source.depth() - front.depth() > kGap ? source.surface() : front.surface()].emission;
 }
 
-// The mean of a texel's samples. Runs of equal samples are counted instead of summed: most texels are one run.
+// Calls visit(index) for the samples of a texel, row by row.
+template <typename Visit>
+void each_sample(const Canvas& canvas, std::size_t column, std::size_t row, Visit visit) {
+  const auto columns = static_cast<std::size_t>(canvas.columns);
+  for (std::size_t y = row * kSamplesPerSide; y < (row + 1) * kSamplesPerSide; ++y)
+    for (std::size_t x = column * kSamplesPerSide; x < (column + 1) * kSamplesPerSide; ++x) visit(y * columns + x);
+}
+
+// Whether all samples of a texel show one surface, or nothing, and no light source is behind it: most texels.
+bool is_uniform(const Buffers& buffers, std::size_t column, std::size_t row, Sample first) {
+  std::uint64_t differs = 0, empty = ~std::uint64_t{0};
+  each_sample(buffers.all, column, row, [&](std::size_t at) { differs |= buffers.all.samples[at].key ^ first.key; });
+  if (static_cast<std::uint32_t>(differs) != 0) return false;
+  if (!buffers.sources.empty())
+    each_sample(buffers.all, column, row, [&](std::size_t at) { empty &= buffers.sources[at].key; });
+  return Sample{empty}.is_empty();
+}
+
+// The mean of a texel's samples.
 Texel texel_at(const Buffers& buffers, std::span<const Texel> surfaces, std::size_t column, std::size_t row) {
   const Canvas& canvas = buffers.all;
+  const Sample first =
+      canvas.at(static_cast<std::int64_t>(column * kSamplesPerSide), static_cast<std::int64_t>(row * kSamplesPerSide));
+  if (is_uniform(buffers, column, row, first)) {
+    if (first.is_empty()) return {};
+    Texel texel = surfaces[first.surface()];
+    texel.shown = kSamplesPerTexel;
+    return texel;
+  }
   TexelSum sum;
-  Texel run;
-  std::uint32_t run_surface = Sample::kNothing;
-  for (std::size_t y = row * kSamplesPerSide; y < (row + 1) * kSamplesPerSide; ++y)
-    for (std::size_t x = column * kSamplesPerSide; x < (column + 1) * kSamplesPerSide; ++x) {
-      const std::size_t at = y * static_cast<std::size_t>(canvas.columns) + x;
-      const std::uint32_t surface = canvas.samples[at].surface;
-      if (surface == Sample::kNothing) continue;
-      const auto emission = emission_at(buffers, surfaces, at);
-      if (surface == run_surface && emission == run.emission) {
-        ++run.shown;
-        continue;
-      }
-      sum.add(run);
-      run = surfaces[surface], run.emission = emission, run_surface = surface;
-    }
-  if (run.shown == kSamplesPerTexel) return run;
-  sum.add(run);
+  each_sample(canvas, column, row, [&](std::size_t at) {
+    if (canvas.samples[at].is_empty()) return;
+    Texel texel = surfaces[canvas.samples[at].surface()];
+    texel.emission = emission_at(buffers, surfaces, at);
+    sum.add(texel);
+  });
   return sum.mean(1);
 }
 
@@ -301,8 +335,12 @@ Picture picture_of(const Buffers& buffers, std::span<const Texel> surfaces) {
 void find_dominant(const Canvas& canvas, const Model& model, Impostor& impostor) {
   std::vector<std::uint64_t> counts(model.surfaces.size());
   std::uint64_t covered = 0;
-  for (const Sample& sample : canvas.samples)
-    if (sample.surface != Sample::kNothing) ++counts[sample.surface], ++covered;
+  // by runs, which are long
+  for (std::size_t at = 0, end = 0; at < canvas.samples.size(); at = end) {
+    const std::uint32_t surface = canvas.samples[at].surface();
+    while (end < canvas.samples.size() && canvas.samples[end].surface() == surface) ++end;
+    if (!canvas.samples[at].is_empty()) counts[surface] += end - at, covered += end - at;
+  }
   if (covered == 0) return;
   const auto most = std::ranges::max_element(counts);
   impostor.dominant = model.surfaces[static_cast<std::size_t>(most - counts.begin())];

@@ -1,9 +1,12 @@
 #include "exporters/gltf/decode_primitives.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "exporters/gltf/flat_shading.h"
 #include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
+#include "exporters/gltf/plant_tints.h"
 #include "exporters/gltf/split_buildings.h"
 
 namespace citykiln::exporters {
@@ -57,17 +60,37 @@ bake::Layer layer_in(const tinygltf::Value& primitive, const tinygltf::Value& me
   return *layer;
 }
 
+// The tint in the extras of a material, if it has one.
+materials::Tint tint_in(const tinygltf::Value& extras) {
+  materials::Tint tint = materials::kNoTint;
+  if (!extras.IsObject() || !extras.Has("tint")) return tint;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double channel = element(member(extras, "tint"), c);
+    expect(channel >= 0 && channel <= 255 && channel == std::floor(channel), "a tint of three bytes");
+    tint[c] = static_cast<std::uint8_t>(channel);
+  }
+  return tint;
+}
+
+std::vector<materials::Tint> colours_of(GltfReader& reader, int accessor, const materials::Tint& largest) {
+  auto colours =
+      values_of<materials::Tint>(reader, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
+  for (materials::Tint& colour : colours) colour = tint_of(colour, largest);
+  return colours;
+}
+
 Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
-  const bake::PrimitiveKey key =
-      primitive_key_named(item(reader.model.materials, p.material, "a material that exists").name);
+  const tinygltf::Material& material = item(reader.model.materials, p.material, "a material that exists");
+  const bake::PrimitiveKey key = primitive_key_named(material.name);
   out.material = key.material, out.colour_source = key.colour_source;
   out.positions = turned(values_of<Float3>(reader, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
                                            TINYGLTF_TYPE_VEC3));
-  out.normals = turned(
-      values_of<Float3>(reader, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
-  out.colours = values_of<materials::Tint>(reader, attribute(p.attributes, "COLOR_0"),
-                                           TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
+  const bool has_normals = p.attributes.count("NORMAL") != 0;
+  if (has_normals)
+    out.normals = turned(values_of<Float3>(reader, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                           TINYGLTF_TYPE_VEC3));
+  out.colours = colours_of(reader, attribute(p.attributes, "COLOR_0"), tint_in(material.extras));
   if (p.attributes.count("TEXCOORD_0") != 0)
     out.uvs = finite(values_of<Float2>(reader, attribute(p.attributes, "TEXCOORD_0"), TINYGLTF_COMPONENT_TYPE_FLOAT,
                                        TINYGLTF_TYPE_VEC2));
@@ -76,14 +99,14 @@ Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::si
                                                TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
                               features);
   const std::size_t n = out.positions.size();
-  expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n) &&
-             (out.uvs.empty() || out.uvs.size() == n),
+  expect((!has_normals || out.normals.size() == n) && out.colours.size() == n &&
+             (out.features.empty() || out.features.size() == n) && (out.uvs.empty() || out.uvs.size() == n),
          "as many values in each attribute");
   expect(out.colour_source == ColourSource::kByMaterial ||
              (!out.uvs.empty() && has_picture(reader.model, out.colour_source)),
          "an image, and uvs, for primitives that an image colours");
   out.triangles = triangles_of(reader, p.indices, n);
-  return out;
+  return has_normals ? out : with_face_normals(out);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "exporters/gltf/image_units.h"
 #include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
+#include "exporters/gltf/plant_tints.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -40,6 +41,13 @@ Info shown(GlbBuilder& f, const materials::TextureImage& picture) {
   info.index = picture_number(f, &picture);
   info.extensions["KHR_texture_transform"] = Value(Value::Object{{"scale", Value(scale)}});
   return info;
+}
+
+// Multiplies the base colour by a plant's tint, and says it in the extras, from which it is read back.
+void add_tint(const materials::Tint& tint, tinygltf::Material& m) {
+  if (tint == materials::kNoTint) return;
+  for (std::size_t c = 0; c < 3; ++c) m.pbrMetallicRoughness.baseColorFactor[c] *= tint[c] / 255.0;
+  m.extras = Value(Value::Object{{"tint", Value(Value::Array{Value(tint[0]), Value(tint[1]), Value(tint[2])})}});
 }
 
 // Sets the base colour. With an atlas or cutout the factor stays white, since the image holds the reflectance.
@@ -80,11 +88,13 @@ void set_emission(GlbBuilder& f, const MaterialKey& key, tinygltf::Material& m) 
 }
 
 // Some programs keep materials by name, across tiles and levels: those with images of this file have a name of their
-// own.
+// own, and those with a tint are named after it.
 std::string unique_name(const GlbBuilder& f, const MaterialKey& key) {
   std::string name = material_name(key.primitive, f.tile.textures);
   if (key.primitive.colour_source != ColourSource::kByMaterial)
     name += fmt::format("_{}_{}m", to_string(f.tile.tile), f.tile.tolerance_m);
+  else if (key.tint != materials::kNoTint)
+    name += fmt::format("_{:02x}{:02x}{:02x}", key.tint[0], key.tint[1], key.tint[2]);
   const auto is_taken = [&](const std::string& wanted) {
     return std::ranges::count(f.model.materials, wanted, &tinygltf::Material::name) > 0;
   };
@@ -97,12 +107,13 @@ std::string unique_name(const GlbBuilder& f, const MaterialKey& key) {
 }  // namespace
 
 MaterialKey material_key_of(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
-  const bake::PrimitiveKey shared{{}, p.material, !p.uvs.empty(), p.colour_source};
-  if (p.colour_source == ColourSource::kByCutout) return {shared, nullptr, cutout, has_backs(p)};
-  if (p.colour_source != ColourSource::kByMaterial) return {shared};
+  MaterialKey key{.primitive = {{}, p.material, !p.uvs.empty(), p.colour_source}, .tint = largest_tint(p)};
+  if (p.colour_source == ColourSource::kByCutout) key.cutout = cutout, key.has_backs = has_backs(p);
+  if (p.colour_source != ColourSource::kByMaterial) return key;
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
-  if (p.uvs.empty() || found == f.tile.textures.end()) return {{{}, p.material, false, ColourSource::kByMaterial}};
-  return {shared, &*found};
+  key.primitive.has_uvs = key.primitive.has_uvs && found != f.tile.textures.end();
+  if (key.primitive.has_uvs) key.texture = &*found;
+  return key;
 }
 
 const materials::TextureImage* normals_of(const GlbBuilder& f, const MaterialKey& key) {
@@ -119,6 +130,7 @@ int material_number(GlbBuilder& f, const MaterialKey& key) {
   tinygltf::Material m;
   m.name = unique_name(f, key);
   set_colour(f, key, m.pbrMetallicRoughness);
+  add_tint(key.tint, m);
   if (const materials::TextureImage* normals = normals_of(f, key))
     m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals);
   // leaves are flat; texels with an opacity below a half are holes

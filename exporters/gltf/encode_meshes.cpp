@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "exporters/gltf/encode_materials.h"
+#include "exporters/gltf/flat_shading.h"
 #include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/object_runs.h"
+#include "exporters/gltf/plant_tints.h"
 #include "exporters/gltf/tangents.h"
 
 namespace citykiln::exporters {
@@ -48,6 +50,12 @@ int add_indices(GlbBuilder& f, const Primitive& p) {
                         TINYGLTF_TYPE_SCALAR, count);
 }
 
+int add_colours(GlbBuilder& f, const Primitive& p, const materials::Tint& largest) {
+  const int view = f.add_view_of(p.colours, TINYGLTF_TARGET_ARRAY_BUFFER,
+                                 [&](const materials::Tint& tint) { return share_of(tint, largest); });
+  return f.add_accessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4, p.colours.size(), true);
+}
+
 int add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
   std::vector<bake::Float4> tangents = tangents_of(front);
   const std::size_t count = tangents.size();
@@ -64,9 +72,8 @@ tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& front, const im
   const std::optional<Primitive> both = key.has_backs ? std::optional(with_backs(front)) : std::nullopt;
   const Primitive& p = both ? *both : front;
   out.attributes["POSITION"] = add_positions(f, p.positions);
-  out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
-  out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
-                                              TINYGLTF_TARGET_ARRAY_BUFFER, true);
+  if (!p.normals.empty()) out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
+  out.attributes["COLOR_0"] = add_colours(f, p, key.tint);
   if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, key);
   if (normals_of(f, key) != nullptr) out.attributes["TANGENT"] = add_tangents(f, front, key.has_backs);
   if (!p.features.empty()) {
@@ -75,6 +82,20 @@ tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& front, const im
   }
   out.indices = add_indices(f, p);
   return out;
+}
+
+// Packed positions are rounded, so that faces lean.
+bool needs_no_normals(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
+  if (!values_of(f.options.target).shades_flat || f.options.compression != Compression::kNone) return false;
+  const MaterialKey key = material_key_of(f, p, cutout);
+  return !key.has_backs && normals_of(f, key) == nullptr && is_flat(p);
+}
+
+// Calls add(part) for parts with at most kMostVertices each, where objects allow.
+template <typename Add>
+void for_each_part(const Primitive& p, Add add) {
+  if (p.positions.size() <= kMostVertices) return add(p);
+  for (const ObjectRun& run : joined_runs(object_runs(p), kMostVertices)) add(part_of(p, run));
 }
 
 Value layer_extras(bake::Layer layer) { return Value(Value::Object{{"layer", Value(std::string(name_of(layer)))}}); }
@@ -94,11 +115,10 @@ int add_mesh(GlbBuilder& f, const std::string& name, std::span<const Primitive> 
     if (!is_one_layer) mesh.primitives.back().extras = layer_extras(p.layer);
   };
   for (const Primitive& p : primitives) {
-    if (p.positions.size() <= kMostVertices) {
-      add(p);
-      continue;
-    }
-    for (const ObjectRun& run : joined_runs(object_runs(p), kMostVertices)) add(part_of(p, run));
+    if (needs_no_normals(f, p, cutout))
+      for_each_part(without_normals(Primitive(p)), add);
+    else
+      for_each_part(p, add);
   }
   f.model.meshes.push_back(std::move(mesh));
   return static_cast<int>(f.model.meshes.size()) - 1;

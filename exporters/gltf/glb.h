@@ -40,6 +40,8 @@ struct GlbOptions {
 /// | images              | JPEG or WebP for opaque colours, else PNG or WebP (picture_formats.h), each once; the size |
 /// |                     | of a texel is in its extras                                                                |
 /// | normal maps         | with TANGENT                                                                               |
+/// | colours             | COLOR_0; of plants shares of the largest tint, which is a factor of the material           |
+/// |                     | (plant_tints.h)                                                                            |
 ///
 /// @param tile  Its primitives and instanced meshes sorted by layer.
 ///

@@ -23,6 +23,7 @@ struct MaterialKey {
   const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it.
   const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one.
   bool has_backs = false;                       ///< Faces of its own for both sides (leaf_backs.h).
+  materials::Tint tint = materials::kNoTint;    ///< Multiplies the base colour (plant_tints.h).
   bool operator==(const MaterialKey&) const = default;
 };
 

@@ -34,7 +34,7 @@ Key key_of_vertex(const Primitive& p, std::size_t v) {
   return {bits(p.positions[v][0]),
           bits(p.positions[v][1]),
           bits(p.positions[v][2]),
-          key_of_normal(p.normals[v]),
+          p.normals.empty() ? 0 : key_of_normal(p.normals[v]),
           std::bit_cast<std::uint32_t>(p.colours[v]),
           p.features.empty() ? 0 : p.features[v],
           bits(uv[0]),

@@ -12,8 +12,6 @@ func _init():
 	var facts = []
 	for path in job["files"]:
 		var scene = load(path).instance()
-		# the import script that the page for Godot names
-		load("res://leaf_colours.gd").new().colour(scene)
 		get_root().add_child(scene)
 		roots.append(scene)
 		facts.append(facts_of(scene))

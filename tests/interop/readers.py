@@ -275,7 +275,6 @@ def run_godot(folder, files, pictures=()):
     names = [project / Path(path).name for path in files]
     for path, name in zip(files, names, strict=True):
         shutil.copy(path, name)
-    shutil.copy(HERE.parent.parent / "exporters" / "gltf" / "howto" / "leaf_colours.gd", project)
     import_into(project, [name.name for name in names])
     job, facts = write_job(folder, [f"res://{name.name}" for name in names], pictures)
     return done_by([*godot(), "--path", project, "-s", HERE / "import_godot.gd"], facts, env={**os.environ, "JOB": str(job)})

@@ -305,6 +305,28 @@ TEST(GlbFacadeAtlas, LeanByAPictureOfTheirOwnWithTangents) {
   }
 }
 
+TEST(GlbMaterials, OfPlantsHaveTheLargestTintSoThatReadersWithoutVertexColoursShowIt) {
+  BakedTile tile = made_facade_tile(1);
+  auto& primitives = tile.instanced.front().primitives;
+  bake::Primitive& leaves =
+      *std::ranges::find(primitives, materials::ColourSource::kByCutout, &bake::Primitive::colour_source);
+  for (materials::Tint& tint : leaves.colours) tint = {51, 102, 0, 255};
+  leaves.colours.back() = {51, 51, 0, 255};
+  const auto gltf = gltf_of(tile);
+  int found = 0;
+  for (const auto& material : gltf["materials"]) {
+    if (material.value("extras", nlohmann::json::object()).value("tint", nlohmann::json()) !=
+        nlohmann::json({51, 102, 0}))
+      continue;
+    EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"], nlohmann::json({0.2, 0.4, 0.0, 1.0}));
+    ++found;
+  }
+  EXPECT_EQ(found, 1);
+  const auto back = decoded(encoded(tile, {}));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(*back, tile);
+}
+
 TEST(GlbMaterials, ShineAsTheTableSays) {
   std::mt19937 dice(5);
   BakedTile tile = made_tile(1);
@@ -361,8 +383,11 @@ TEST(GlbTextures, ShowTheirPictureTimesTheFactor) {
     const std::string name(values_of(texture.material).name);
     const auto material = material_called(gltf, name);
     const auto factor = colour_factor(texture);
+    const auto tint = material.value("extras", nlohmann::json::object()).value("tint", nlohmann::json({255, 255, 255}));
     for (std::size_t c = 0; c < 3; ++c)
-      EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"][c].get<double>(), factor[c]) << name;
+      EXPECT_DOUBLE_EQ(material["pbrMetallicRoughness"]["baseColorFactor"][c].get<double>(),
+                       factor[c] * (tint[c].get<double>() / 255))
+          << name;
     if (texture.colour.texels.empty()) continue;
     const auto shown = material["pbrMetallicRoughness"]["baseColorTexture"];
     const auto& image =
