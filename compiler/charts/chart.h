@@ -93,7 +93,7 @@ Result<std::vector<Chart>> chart_plant(const ChartRequest& request);
 /// meshing time over triangles.
 Result<std::vector<Chart>> chart_lsystem(const ChartRequest& request);
 
-/// For each kind of object of the 256 m tile of a map with the most buildings, over triangles: distance from the finest
+/// For each kind of object of the 128 m tile of a map with the most buildings, over triangles: distance from the finest
 /// level (sampled both ways), error of the picture, bytes and time, of levels cut from recipes and of the finest level
 /// simplified to as many triangles by OpenMesh and by meshoptimizer.
 Result<std::vector<Chart>> chart_lod(const ChartRequest& request);

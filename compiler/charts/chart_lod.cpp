@@ -25,7 +25,7 @@ using bake::BakedTile;
 /// The first is the finest level, which all others are compared with and made from.
 constexpr double kTolerances_m[] = {0.1, 0.5, 1.2, 2.5, 6, 12.5, 25};
 /// Small, so that the finest level can be decimated.
-constexpr double kTile_m = 256;
+constexpr double kTile_m = 128;
 /// A pixel of a picture is as large as the tolerance, within these widths in pixels.
 constexpr int kFewestPixels = 24, kMostPixels = 320;
 constexpr int kSamples = 48 * 128 * 128, kFewestSamples = 32;

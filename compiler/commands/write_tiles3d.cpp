@@ -82,6 +82,15 @@ struct InnerLevel {
 /// Shares of an inner level's tolerance: tiles are baked at the first and simplified by the second, or joined from
 /// nodes that have half of it, simplified by the second and without what is within the second of the terrain.
 constexpr double kBakeShare = 0.75, kSimplifyShare = 0.25;
+/// Measuring the error of decimated terrain takes time for each square of the tolerance. A tile whose tolerance is a
+/// smaller share of its side is not decimated, unless there are few of its height.
+constexpr double kLeastShareOfSide = 1.0 / 512;
+constexpr int kFewFromHeight = 3;
+
+bool is_decimated(int height, double tolerance_m, double side_m) {
+  return height >= kFewFromHeight || tolerance_m >= kLeastShareOfSide * side_m;
+}
+
 /// The share by which roads of nodes that are joined from nodes give way to the ground beside them.
 constexpr double kFadeShare = 0.125;
 
@@ -238,7 +247,9 @@ class TreeWriter {
       bake::drop_near_terrain(*joined, kSimplifyShare * level.tolerance_m);
       bake::fade_roads(*joined, kFadeShare * level.tolerance_m);
     }
-    bake::simplify_terrain(*joined, exporters::box_of(tree_, scene_.header, key), kSimplifyShare * level.tolerance_m);
+    const Box2 square = exporters::box_of(tree_, scene_.header, key);
+    const double simplify_m = kSimplifyShare * level.tolerance_m;
+    if (is_decimated(key.height, simplify_m, square.width())) bake::simplify_terrain(*joined, square, simplify_m);
     bake::drop_unused_features(*joined);
     return joined;
   }

@@ -19,7 +19,8 @@ namespace citykiln::commands {
 ///   left out.
 /// - Above the tiles is a quadtree over the region. The tolerance of an inner tile is twice its children's. Up to a
 ///   tolerance of 4/3 kCoarsest_m it is joined from tiles that are baked at 3/4 of it; above, from its children without
-///   what is near the terrain. The other quarter decimates its terrain (bake/simplify_tile.h).
+///   what is near the terrain. The other quarter decimates its terrain (bake/simplify_tile.h), unless the
+///   tile is wide and its tolerance small, as above levels of 2.5 m.
 /// - error_m of each tile is that of its content, and more than its children's.
 ///
 /// Adds to `report` what levels drop, unless .glb files are written too, which add the same; and kNoGeoidHeight.

@@ -161,7 +161,9 @@ void add_triangle(HalfedgeMesh& mesh, std::array<VertexHandle, 3> corners, std::
 }
 
 void fill(HalfedgeMesh& mesh, const LabelledMesh& source) {
-  omerr().disable();  // add_face() prints a line for each triangle that it refuses
+  // add_face() prints a line for each triangle that it refuses
+  static const bool is_quiet = (omerr().disable(), true);
+  static_cast<void>(is_quiet);
   mesh.request_vertex_status(), mesh.request_edge_status(), mesh.request_face_status();
   for (std::size_t i = 0; i < source.positions.size(); ++i) {
     const Vec3 p = source.positions[i];
