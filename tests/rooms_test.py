@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent
 ROWS = [
     ["compiler/contract"],
     ["compiler/geometry"],
-    ["compiler/source", "compiler/materials", "grammars", "lsystems"],
+    ["compiler/source", "compiler/materials", "compiler/simplify", "grammars", "lsystems"],
     ["compiler/impostor"],
     ["compiler/map"],
     ["compiler/roads"],
@@ -48,7 +48,7 @@ VAGUE = re.compile(r"(^|_)(util|utils|common|helper|helpers|manager|misc|core|st
 
 # Functions whose last bits differ between CPUs and C libraries.
 NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
-REPRODUCIBLE_ROOMS = ["grammars", "lsystems"] + [room for row in ROWS[4:14] for room in row]
+REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/simplify"] + [room for row in ROWS[4:14] for room in row]
 # sky light, which is only in rendered pictures
 EXEMPT = [Path("compiler/sky/generate.cpp"), Path("compiler/sky/sunlight.cpp")]
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "compiler/bake/bake_blocks.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 
@@ -69,6 +70,10 @@ void generate_textured_buildings(const scene::Header& header, const scene::Chunk
 
 void bake_buildings(Baking& baking, TileLevel& level, const buildings::Rulebook& rulebook, int threads,
                     Report& report) {
+  if (!baking.part && has_detail(Detail::kBlocks, baking.tolerance_m)) {
+    bake_blocks(baking, level, rulebook, threads, report);
+    return;
+  }
   const std::vector<buildings::Building>& all = baking.chunk.buildings;
   if (!level.buildings)
     level.buildings =

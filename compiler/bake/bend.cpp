@@ -10,6 +10,9 @@
 namespace citykiln::bake {
 namespace {
 
+// Beyond this, multiples of kQuantum_m are not exact in single precision.
+constexpr double kExactReach_m = 16384;
+
 Float3 narrowed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
 /// What all parts of a tile are bent by.
@@ -68,6 +71,16 @@ void bend(InstancedMesh& instanced, Bending& by) {
   }
 }
 
+// A bound of the rounding of positions to single precision, over that of kQuantum_m.
+double rounding_m(const BakedTile& tile) {
+  float reach_m = 0;
+  for (const Primitive& p : tile.primitives)
+    for (const Float3& at : p.positions)
+      for (const float c : at) reach_m = std::max(reach_m, std::abs(c));
+  constexpr double kDiagonal = 1.7320508075688773;  // of a cube
+  return double{reach_m} > kExactReach_m ? kDiagonal * 0x1p-24 * double{reach_m} : 0;
+}
+
 // How far the geoid over an edge is from the line between its ends.
 double geoid_error_m(const BakedTile& tile, const map::Geoid& geoid) {
   double farthest_m = 0;
@@ -98,7 +111,7 @@ BakedTile bent(BakedTile tile, const map::Globe& globe, const map::Geoid& geoid)
   for (InstancedMesh& instanced : tile.instanced) bend(instanced, by);
   tile.origin = by.to;
   const double stretch = 1 + by.high_m / map::kLeastRadius_m;
-  tile.error_m = tile.error_m * stretch + sag_m + kHalfDiagonal * kQuantum_m;
+  tile.error_m = tile.error_m * stretch + sag_m + kHalfDiagonal * kQuantum_m + rounding_m(tile);
   tile.plant_error_m *= stretch;
   return tile;
 }

@@ -160,7 +160,7 @@ void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& ge
 // Drops a building that, roof structures included, is lower than the tolerance: the ground is that near.
 GeneratedBuilding drop_if_low(const Level& level, GeneratedBuilding generated) {
   const Building& building = level.building;
-  if (building.top_m - building.bottom_m >= level.tolerance_m) return generated;
+  if (level.context.is_for_blocks || building.top_m - building.bottom_m >= level.tolerance_m) return generated;
   double top_m = building.top_m;
   for (const MaterialMesh& mesh : generated.meshes)
     for (const Vec3 p : mesh.mesh.positions) top_m = std::max(top_m, p.z);
@@ -197,7 +197,8 @@ std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook
   std::vector<GeneratedBuilding> levels;
   for (std::size_t i = 0; i < tolerances_m.size(); ++i) {
     assert(tolerances_m[i] > 0);
-    const bool has_textures = level.rules && has_detail(Detail::kFacadeTextures, tolerances_m[i]);
+    const bool has_textures =
+        level.rules && !context.is_for_blocks && has_detail(Detail::kFacadeTextures, tolerances_m[i]);
     if (has_textures && !detailed) detailed = detailed_model(level);
     level.tolerance_m = tolerances_m[i], level.detailed = has_textures ? &*detailed : nullptr;
     levels.push_back(generate(level, reports[i]));

@@ -23,6 +23,8 @@ struct GeneratedBuilding {
 struct SceneContext {
   std::uint64_t seed = 0;
   bool is_night = false;  ///< Sets the rules' attribute `night`: some windows are lit.
+  /// Low buildings are not left out, and none has facade textures (blocks/certified_blocks.h).
+  bool is_for_blocks = false;
 };
 
 /// Generates a building at one tolerance.

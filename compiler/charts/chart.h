@@ -98,6 +98,11 @@ Result<std::vector<Chart>> chart_lsystem(const ChartRequest& request);
 /// may be a manifest (.kiln).
 Result<std::vector<Chart>> chart_compression(const ChartRequest& request);
 
+/// For each kind of object of the 128 m tile of a map with the most buildings, over triangles: distance from the finest
+/// level (sampled both ways), error of the picture, bytes and time, of levels cut from recipes and of the finest level
+/// simplified to as many triangles by OpenMesh and by meshoptimizer.
+Result<std::vector<Chart>> chart_lod(const ChartRequest& request);
+
 /// Compiles the first map of the request. Errors: no map; those of compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);
 

@@ -33,7 +33,8 @@ constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},
                                Kind{"woods", charts::chart_woods},
                                Kind{"plant", charts::chart_plant},
                                Kind{"lsystem", charts::chart_lsystem},
-                               Kind{"compression", charts::chart_compression}};
+                               Kind{"compression", charts::chart_compression},
+                               Kind{"lod", charts::chart_lod}};
 
 std::string known_names() {
   std::string names;
@@ -85,7 +86,7 @@ Verb chart_verb() {
       {"names", "NAME...", known_names(), true, append_text(request->names)},
       {"--map", "FILE...", "maps for all charts except plane, terrain, plant and lsystem", true,
        append_text(request->maps)},
-      {"--dem", "FILE[,key=value...]", "heightmap for terrain, ground, view, profile and facade", true,
+      {"--dem", "FILE[,key=value...]", "heightmap for terrain, ground, view, profile, facade and lod", true,
        [request = request.get()](const std::string& t) { return parse_raster(t, *request); }},
       {"--bbox", "W,S,E,N", "terrain: part of the heightmap in degrees (default: all of it)", false,
        [request = request.get()](const std::string& t) { return parse_bbox(t, *request); }},

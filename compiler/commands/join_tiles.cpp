@@ -20,6 +20,9 @@ namespace {
 /// float32 holds multiples of 2^-10 m exactly up to this distance.
 constexpr double kExactReach_m = 16384;
 
+/// Of single precision, in all three coordinates, as a share of the largest.
+constexpr double kRounding = 1.7320508075688773 * 0x1p-24;
+
 Vec3 lowest_origin(std::span<const bake::BakedTile> tiles) {
   Vec3 low = tiles.front().origin;
   for (const bake::BakedTile& tile : tiles) {
@@ -132,7 +135,7 @@ void add_textures(bake::BakedTile& joined, std::span<const bake::BakedTile> tile
 
 }  // namespace
 
-Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
+Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles, JoinPrecision precision) {
   assert(!tiles.empty());
   bake::BakedTile joined{tiles.front().tile, lowest_origin(tiles), tiles.front().tolerance_m, 0, {}, {}, {}};
   std::set<OsmId> features;
@@ -169,7 +172,8 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
   }
   std::ranges::stable_sort(joined.instanced, {}, [](const bake::InstancedMesh& i) { return bake::layer_of(i); });
   bake::snap_image_uvs(joined);
-  if (reach_m > kExactReach_m) {
+  if (reach_m > kExactReach_m) joined.error_m += reach_m * kRounding;
+  if (reach_m > kExactReach_m && precision == JoinPrecision::kExact) {
     return Error{"", fmt::format("the tiles extend over {:.0f} km, but one file is exact to 16 km only; bake fewer "
                                  "tiles, or bake to a folder",
                                  reach_m / 1000)};

@@ -8,12 +8,19 @@
 
 namespace citykiln::commands {
 
-/// Guarantees: triangles and instances keep their exact places; one primitive for each key; each shows the texels of
+/// What to do with tiles over more than 16 km, where multiples of 2^-10 m are no longer exact in single precision.
+enum class JoinPrecision {
+  kExact,   ///< They are an error.
+  kRounded  ///< Positions are rounded, by up to 2^-24 of their distance from the origin; error_m grows by that.
+};
+
+/// Guarantees: triangles and instances keep their places; one primitive for each key; each shows the texels of
 /// its own tile's atlases, which are joined (join_marking_atlases.h, join_facade_atlases.h); the error is the largest
 /// of all.
 /// @param tiles  At least one. The joined tile has the name of the first; its origin is the lowest corner of all.
-/// Errors: tiles over more than 16 km, where float32 is no longer exact; marking atlases that cannot be joined.
+/// Errors: tiles over more than 16 km unless they may be rounded; marking atlases that cannot be joined.
 /// O(vertices).
-Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles);
+Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles,
+                                   JoinPrecision precision = JoinPrecision::kExact);
 
 }  // namespace citykiln::commands

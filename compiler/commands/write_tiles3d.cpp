@@ -6,9 +6,12 @@
 #include <cassert>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "compiler/bake/bend.h"
+#include "compiler/bake/fade_roads.h"
+#include "compiler/bake/simplify_tile.h"
 #include "compiler/commands/join_tiles.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/geoid.h"
@@ -22,9 +25,6 @@ namespace {
 
 using exporters::NodeKey;
 using exporters::TilesetTile;
-
-/// The side of the widest inner tile with content: single precision is exact over twice that.
-constexpr double kWidest_m = 8192;
 
 /// An encoded content that waits to be written, and its tile.
 struct Content {
@@ -73,17 +73,44 @@ class ContentMaker {
   int threads_;
 };
 
-/// The tolerances of inner tiles by height above the tiles, from 1: each twice the one below, up to kCoarsest_m.
-std::vector<double> inner_tolerances_m(double coarsest_m, int height) {
-  std::vector<double> all_m;
-  for (int h = 1; h <= height; ++h) all_m.push_back(std::min(kCoarsest_m, (h == 1 ? coarsest_m : all_m.back()) * 2));
-  return all_m;
+/// How the inner tiles of one height are made.
+struct InnerLevel {
+  double tolerance_m;            ///< Twice that of the height below.
+  std::optional<double> bake_m;  ///< The tolerance of the tiles that it is joined from; none: of the nodes below it.
+};
+
+/// Shares of an inner level's tolerance: tiles are baked at the first and simplified by the second, or joined from
+/// nodes that have half of it, simplified by the second and without what is within the second of the terrain.
+constexpr double kBakeShare = 0.75, kSimplifyShare = 0.25;
+/// Measuring the error of decimated terrain takes time for each square of the tolerance. A tile whose tolerance is a
+/// smaller share of its side is not decimated, unless there are few of its height.
+constexpr double kLeastShareOfSide = 1.0 / 512;
+constexpr int kFewFromHeight = 3;
+
+bool is_decimated(int height, double tolerance_m, double side_m) {
+  return height >= kFewFromHeight || tolerance_m >= kLeastShareOfSide * side_m;
+}
+
+/// The share by which roads of nodes that are joined from nodes give way to the ground beside them.
+constexpr double kFadeShare = 0.125;
+
+/// Inner levels by height above the tiles, from 1.
+std::vector<InnerLevel> inner_levels(double coarsest_m, int height) {
+  std::vector<InnerLevel> all;
+  for (int h = 1; h <= height; ++h) {
+    const double tolerance_m = 2 * (h == 1 ? coarsest_m : all.back().tolerance_m), bake_m = kBakeShare * tolerance_m;
+    if (h == 1)
+      all.push_back({tolerance_m, std::min(bake_m, kCoarsest_m)});
+    else
+      all.push_back({tolerance_m, bake_m <= kCoarsest_m ? std::optional(bake_m) : std::nullopt});
+  }
+  return all;
 }
 
 /// The levels of tiles, and those that only inner tiles are made of.
-std::vector<double> all_levels_m(std::vector<double> ladder_m, std::span<const double> inner_m) {
-  for (const double tolerance_m : inner_m)
-    if (tolerance_m > ladder_m.back()) ladder_m.push_back(tolerance_m);
+std::vector<double> all_levels_m(std::vector<double> ladder_m, std::span<const InnerLevel> inner) {
+  for (const InnerLevel& level : inner)
+    if (level.bake_m && *level.bake_m > ladder_m.back()) ladder_m.push_back(*level.bake_m);
   return ladder_m;
 }
 
@@ -98,8 +125,8 @@ class TreeWriter {
         folder_(folder),
         tree_(exporters::quadtree_of(scene.header, scene.chunks)),
         own_levels_(outputs.ladder_m.size()),
-        inner_m_(inner_tolerances_m(outputs.ladder_m.back(), tree_.root.height)),
-        levels_m_(all_levels_m(outputs.ladder_m, inner_m_)),
+        inner_(inner_levels(outputs.ladder_m.back(), tree_.root.height)),
+        levels_m_(all_levels_m(outputs.ladder_m, inner_)),
         slots_(scene.chunks.size() * levels_m_.size()) {}
 
   Result<TilesetTile> write(Report& report, const OnProgress& on_progress) {
@@ -125,7 +152,7 @@ class TreeWriter {
   Vec2 centre_of(NodeKey key) const { return exporters::box_of(tree_, scene_.header, key).centre(); }
 
   void process(ChunkLevel at, bake::BakedTile&& tile) {
-    if (std::ranges::find(inner_m_, levels_m_[at.level]) != inner_m_.end()) slot(at).coarse = tile;
+    if (std::ranges::find(inner_, levels_m_[at.level], &InnerLevel::bake_m) != inner_.end()) slot(at).coarse = tile;
     if (at.level >= own_levels_) return;
     const std::string name = fmt::format("{}_L{}.glb", to_string(tile.tile), at.level);
     const Vec2 centre = centre_of(exporters::leaf_of(tree_, tile.tile));
@@ -170,17 +197,17 @@ class TreeWriter {
   /// Hands the coarse levels of a tile to the inner nodes above it.
   void keep_coarse(std::size_t chunk) {
     NodeKey key = exporters::leaf_of(tree_, scene_.chunks[chunk].tile);
-    for (const double tolerance_m : inner_m_) {
+    for (const InnerLevel& inner : inner_) {
       key = exporters::parent_of(key);
-      const auto level = static_cast<std::size_t>(std::ranges::find(levels_m_, tolerance_m) - levels_m_.begin());
-      if (has_content(key)) parts_[key].push_back(*slot({chunk, level}).coarse);
+      tiles_[key].insert(scene_.chunks[chunk].tile);
+      if (!inner.bake_m) continue;
+      const auto level = static_cast<std::size_t>(std::ranges::find(levels_m_, *inner.bake_m) - levels_m_.begin());
+      parts_[key].push_back(*slot({chunk, level}).coarse);
     }
     for (std::size_t level = 0; level < levels_m_.size(); ++level) slot({chunk, level}).coarse.reset();
   }
 
-  bool has_content(NodeKey key) const {
-    return scene_.header.tile_m * static_cast<double>(std::int64_t{1} << key.height) <= kWidest_m;
-  }
+  const InnerLevel& inner_level(NodeKey key) const { return inner_[static_cast<std::size_t>(key.height - 1)]; }
 
   /// Adds a finished node to its parent, which is finished if this was its last child.
   Result<Done> complete(NodeKey key, TilesetTile&& tile) {
@@ -197,29 +224,44 @@ class TreeWriter {
 
   Result<TilesetTile> make_node(NodeKey key) {
     std::vector<TilesetTile> children = std::move(finished_.extract(key).mapped());
-    std::vector<TilesetTile> own(1);
-    if (has_content(key)) {
-      own.clear();
-      const std::vector<bake::BakedTile> parts = std::move(parts_.extract(key).mapped());
-      Result<bake::BakedTile> joined = join_tiles(parts);
-      if (!joined) return joined.error();
-      const std::string name = fmt::format("Q{}_{}_{}.glb", key.height, key.x, key.y);
-      if (const Result<Done> done = put(maker_.content_of(std::move(*joined), centre_of(key), name), own); !done)
-        return done.error();
-    }
+    std::vector<TilesetTile> own;
+    Result<bake::BakedTile> joined = simplified(key);
+    if (!joined) return joined.error();
+    if (key != tree_.root && !inner_level(exporters::parent_of(key)).bake_m)
+      parts_[exporters::parent_of(key)].push_back(*joined);
+    const std::string name = fmt::format("Q{}_{}_{}.glb", key.height, key.x, key.y);
+    if (const Result<Done> done = put(maker_.content_of(std::move(*joined), centre_of(key), name), own); !done)
+      return done.error();
     return with_children(std::move(own.front()), std::move(children));
   }
 
-  /// An inner node. Without content it shows nothing, so that its error is its size.
+  /// The parts of an inner node as one tile, simplified.
+  Result<bake::BakedTile> simplified(NodeKey key) {
+    const std::vector<bake::BakedTile> parts = std::move(parts_.extract(key).mapped());
+    Result<bake::BakedTile> joined = join_tiles(parts, JoinPrecision::kRounded);
+    if (!joined) return joined;
+    const InnerLevel& level = inner_level(key);
+    joined->tolerance_m = level.tolerance_m;
+    bake::remove_inner_skirts(*joined, tiles_.extract(key).mapped(), scene_.header.tile_m);
+    if (!level.bake_m) {
+      bake::drop_near_terrain(*joined, kSimplifyShare * level.tolerance_m);
+      bake::fade_roads(*joined, kFadeShare * level.tolerance_m);
+    }
+    const Box2 square = exporters::box_of(tree_, scene_.header, key);
+    const double simplify_m = kSimplifyShare * level.tolerance_m;
+    if (is_decimated(key.height, simplify_m, square.width())) bake::simplify_terrain(*joined, square, simplify_m);
+    bake::drop_unused_features(*joined);
+    return joined;
+  }
+
+  /// An inner node.
   static TilesetTile with_children(TilesetTile tile, std::vector<TilesetTile>&& children) {
-    if (tile.box.is_empty()) tile.box = exporters::OrientedBox(children.front().box.axes);
     double most_m = 0;
     for (const TilesetTile& child : children) {
       tile.box.grow(child.box);
       most_m = std::max(most_m, child.error_m);
     }
     tile.box.round_outwards();
-    if (tile.content.empty()) tile.error_m = length(tile.box.corner(7) - tile.box.corner(0));
     // a bound may be larger than the error, and errors must fall strictly
     tile.error_m = std::max(tile.error_m, most_m * kLeastRatio);
     tile.children = std::move(children);
@@ -234,11 +276,12 @@ class TreeWriter {
   exporters::OutputFolder& folder_;
   exporters::Quadtree tree_;
   std::size_t own_levels_;                                 ///< So many levels are contents of tiles.
-  std::vector<double> inner_m_;                            ///< Tolerances of inner nodes by height, from 1.
+  std::vector<InnerLevel> inner_;                          ///< By height, from 1.
   std::vector<double> levels_m_;                           ///< All that are baked.
   std::vector<Slot> slots_;                                ///< By chunk and level.
   std::vector<TilesetTile> chain_;                         ///< Of the tile that is taken, finest first.
   std::map<NodeKey, std::vector<bake::BakedTile>> parts_;  ///< What inner nodes are joined from.
+  std::map<NodeKey, std::set<scene::TileKey>> tiles_;      ///< All tiles below inner nodes.
   std::map<NodeKey, std::vector<TilesetTile>> finished_;   ///< The children of inner nodes.
   std::optional<TilesetTile> root_;
 };

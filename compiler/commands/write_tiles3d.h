@@ -17,12 +17,14 @@ namespace citykiln::commands {
 ///
 /// - A tile's levels are a chain, coarse to fine. A level that states no larger error than the finer one before it is
 ///   left out.
-/// - Above the tiles is a quadtree over the region. An inner tile is baked at twice its children's tolerance, at most
-///   kCoarsest_m, and joined from all tiles below it; inner tiles wider than 8,192 m have no content.
+/// - Above the tiles is a quadtree over the region. The tolerance of an inner tile is twice its children's. Up to a
+///   tolerance of 4/3 kCoarsest_m it is joined from tiles that are baked at 3/4 of it; above, from its children without
+///   what is near the terrain. The other quarter decimates its terrain (bake/simplify_tile.h), unless the
+///   tile is wide and its tolerance small, as above levels of 2.5 m.
 /// - error_m of each tile is that of its content, and more than its children's.
 ///
 /// Adds to `report` what levels drop, unless .glb files are written too, which add the same; and kNoGeoidHeight.
-/// Memory: bake_scene()'s, and the coarse levels of tiles whose inner tiles are not complete yet.
+/// Memory: bake_scene()'s, and the coarse levels of tiles and nodes whose parents are not complete yet.
 Result<std::vector<verify::WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
                                                        exporters::OutputFolder& folder, Report& report,
                                                        const OnProgress& on_progress);

@@ -3,6 +3,7 @@
 that fall, contents that are there. They are on the globe where the plane's .glb files say, the same on every run, and whole in parts."""
 import json
 import math
+import random
 import unittest
 
 from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, report_of, run, sha256
@@ -61,6 +62,49 @@ def vertices(tile):
 
     for root in gltf["scenes"][gltf.get("scene", 0)]["nodes"]:
         yield from visit(root, [0, 0, 0])
+
+
+def triangles(tile):
+    """The triangles of a content without its instances and plants, in the frame of its tileset (z up)."""
+    gltf = tile.gltf
+
+    def visit(number, parent):
+        node = gltf["nodes"][number]
+        place = [p + t for p, t in zip(parent, node.get("translation", [0, 0, 0]))]
+        is_shown = "mesh" in node and "extensions" not in node and "plants" not in node.get("name", "")
+        for primitive in gltf["meshes"][node["mesh"]]["primitives"] if is_shown else []:
+            points = [(p[0] + place[0], -p[2] - place[2], p[1] + place[1]) for p in tile.values(primitive["attributes"]["POSITION"])]
+            indices = [i[0] if isinstance(i, (tuple, list)) else i for i in tile.values(primitive["indices"])]
+            yield from ([points[i] for i in indices[t:t + 3]] for t in range(0, len(indices), 3))
+        for child in node.get("children", []):
+            yield from visit(child, place)
+
+    for root in gltf["scenes"][gltf.get("scene", 0)]["nodes"]:
+        yield from visit(root, [0, 0, 0])
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def to_triangle_m(p, triangle):
+    """The distance of a point from a triangle: to its plane where it is above the triangle, else to an edge."""
+    a, b, c = triangle
+    u, v, w = minus(b, a), minus(c, a), minus(p, a)
+    uu, uv, vv, wu, wv = dot(u, u), dot(u, v), dot(v, v), dot(w, u), dot(w, v)
+    area = uu * vv - uv * uv
+    if area > 0:
+        s, t = (vv * wu - uv * wv) / area, (uu * wv - uv * wu) / area
+        if s >= 0 and t >= 0 and s + t <= 1:
+            return math.dist(w, [s * x + t * y for x, y in zip(u, v)])
+
+    def to_edge(q, r):
+        edge = minus(r, q)
+        size = dot(edge, edge)
+        at = max(0, min(1, dot(minus(p, q), edge) / size)) if size else 0
+        return math.dist(p, [x + at * y for x, y in zip(q, edge)])
+
+    return min(to_edge(a, b), to_edge(b, c), to_edge(c, a))
 
 
 def relisted(listed):
@@ -142,6 +186,46 @@ class Tiles3d(ProgramTest):
                     along = [dot(axis, [p - c for p, c in zip(point, box[:3])]) / size for point in points]
                     self.assertLess(size - max(along), 5)
                     self.assertLess(size + min(along), 5)
+
+    def test_inner_tiles_of_every_width_have_content_and_buildings_up_to_100_m(self):
+        out = self.compiled("out", "--spec", TOWN / "spec.json", "--tile", "128", "--lods", "12.5", "--emit", "kiln,3dtiles")
+        tileset = Tileset(out / "3dtiles", self)
+        for tile, _, is_external in tileset.tiles:
+            self.assertTrue(is_external or "content" in tile)
+        inner = {uri: tile for uri, tile in tileset.contents().items() if uri.startswith("Q")}
+        heights = {int(uri[1]) for uri in inner}
+        self.assertGreaterEqual(max(heights), 4)
+        self.assertEqual(heights, set(range(1, max(heights) + 1)))
+        for uri, tile in inner.items():
+            tolerance_m = tile["extras"]["tolerance_m"]
+            self.assertEqual(tolerance_m, 12.5 * 2**int(uri[1]))
+            # the ellipsoid's sag, and what a parent is raised by
+            self.assertLess(tile["geometricError"], tolerance_m * 1.03)
+        layers = {uri: {node.get("name") for node in Glb(tileset.folder / uri).gltf["nodes"]} for uri in inner}
+        for height in (1, 2, 3):
+            self.assertTrue(any("buildings" in layers[uri] for uri in layers if int(uri[1]) == height))
+
+    def test_inner_tiles_are_as_near_to_finer_ones_as_both_state(self):
+        tileset = self.tileset()
+        contents = tileset.contents()
+        inner = next(uri for uri in contents if uri.startswith("Q1_0_0"))
+        surface = list(triangles(Glb(tileset.folder / inner)))
+        boxes = [([min(c) for c in zip(*t)], [max(c) for c in zip(*t)]) for t in surface]
+        draw = random.Random(1)
+        fine = [uri for uri in contents if uri.endswith("_L0.glb")]
+        allowed_m = contents[inner]["geometricError"] + max(contents[uri]["geometricError"] for uri in fine)
+        farthest_m = 0
+        for uri in fine:
+            for triangle in draw.sample(list(triangles(Glb(tileset.folder / uri))), 40):
+                place = [sum(c) / 3 for c in zip(*triangle)]
+                nearest_m = math.inf
+                for t, (low, high) in zip(surface, boxes):
+                    out = [max(f - x, 0, x - h) for f, x, h in zip(low, place, high)]
+                    if dot(out, out) < nearest_m**2:
+                        nearest_m = min(nearest_m, to_triangle_m(place, t))
+                farthest_m = max(farthest_m, nearest_m)
+        self.assertGreater(farthest_m, 1)
+        self.assertLessEqual(farthest_m, allowed_m)
 
     def test_every_file_is_named(self):
         tileset = self.tileset()

@@ -1,0 +1,41 @@
+// Primitives as one mesh that shares vertices by position, for decimation.
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "compiler/bake/baked_tile.h"
+#include "compiler/simplify/decimate.h"
+
+namespace citykiln::bake {
+
+/// Numbers positions in the order of their first use, equal ones alike.
+struct PositionNumbers {
+  std::map<Float3, std::uint32_t> numbers;
+  std::vector<Float3> positions;
+
+  std::uint32_t of(const Float3& p) {
+    const auto [found, is_new] = numbers.emplace(p, static_cast<std::uint32_t>(positions.size()));
+    if (is_new) positions.push_back(p);
+    return found->second;
+  }
+};
+
+/// Labels are indices of primitives. Vertices at which a primitive has several uvs are locked: a seam runs there.
+struct WeldedPrimitives {
+  simplify::LabelledMesh mesh;
+  std::vector<std::map<std::uint32_t, std::uint32_t>> vertex_at;  ///< By primitive: its first vertex at each position.
+};
+
+/// Welds the primitives that `is_in` says. Triangles that are degenerate after welding are left out. O(n log n).
+WeldedPrimitives welded(std::span<const Primitive> primitives, bool (*is_in)(const Primitive&));
+
+/// The primitive with these triangles and the vertices that they have, in the order of their first use.
+Primitive with_triangles(const Primitive& from, std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// Returns a primitive's triangles of a decimated mesh, with the vertices that it had at their corners.
+Primitive decimated_primitive(const Primitive& from, const WeldedPrimitives& source, std::uint32_t label,
+                              const simplify::DecimatedMesh& decimated);
+
+}  // namespace citykiln::bake

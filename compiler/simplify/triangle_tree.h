@@ -1,0 +1,54 @@
+// The nearest of many triangles, by a tree of boxes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/geometry/mesh.h"
+#include "compiler/geometry/vec.h"
+
+namespace citykiln::simplify {
+
+/// A triangle by its corners. It may be degenerate.
+struct Corners {
+  Vec3 a, b, c;
+};
+
+/// The corners of all triangles, in their order.
+std::vector<Corners> corners_of(const Mesh& mesh);
+
+/// The distance of a point from a closed triangle.
+double distance_m(Vec3 p, const Corners& triangle);
+
+class TriangleTree {
+ public:
+  struct Nearest {
+    double distance_m;  ///< Infinite for a tree without triangles.
+    std::uint32_t triangle;
+  };
+
+  /// O(n log n). The result does not depend on anything but the triangles and their order.
+  explicit TriangleTree(std::vector<Corners> triangles);
+
+  bool is_empty() const { return triangles_.empty(); }
+  const Corners& triangle(std::uint32_t i) const { return triangles_[i]; }
+
+  /// @param guess  Any triangle of the tree; a near one makes the search faster.
+  Nearest nearest(Vec3 p, std::uint32_t guess = 0) const;
+
+ private:
+  struct Node {
+    Vec3 low, high;
+    std::uint32_t first = 0, last = 0;  // of triangles
+    std::uint32_t second = 0;           // the first child is the next node; 0: a leaf
+  };
+
+  std::uint32_t build(std::uint32_t first, std::uint32_t last);
+  void search(std::uint32_t at, Vec3 p, Nearest& best) const;
+
+  std::vector<Corners> triangles_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace citykiln::simplify
