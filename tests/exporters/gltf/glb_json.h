@@ -110,6 +110,6 @@ inline nlohmann::json attributes_of(const nlohmann::json& gltf, const std::strin
   return {};
 }
 
-std::string images_of(const BakedTile& tile) { return gltf_of(tile)["images"].dump(); }
+inline std::string images_of(const BakedTile& tile) { return gltf_of(tile)["images"].dump(); }
 
 }  // namespace citykiln::exporters
