@@ -108,7 +108,7 @@ class BlenderImport(BlenderTest):
                 if "metallicRoughnessTexture" in values:
                     self.assertTrue(found["roughness_is_picture"])
                 else:
-                    self.assertLess(abs(found["roughness"] - values["roughnessFactor"]), 1e-5)
+                    self.assertLess(abs(found["roughness"] - values.get("roughnessFactor", 1)), 1e-5)
 
 
 @unittest.skipUnless(MADE_GLB, "MADE_GLB is not set")
