@@ -84,7 +84,7 @@ BakedTile simplified(const BakedTile& finest, Simplify simplify, Kind kind, std:
   BakedTile made = finest;
   std::vector<bake::Primitive> left = simplify(primitives_of(made), triangles);
   // houses have edges, hills have none
-  primitives_of(made) = kind == Kind::kBuildings ? with_flat_normals(left) : std::move(left);
+  primitives_of(made) = kind == Kind::kBuildings ? with_flat_normals(std::move(left)) : std::move(left);
   if (primitives_of(made).empty()) made.instanced.clear();
   return made;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "compiler/bake/weld.h"
+#include "exporters/gltf/flat_shading.h"
 
 namespace citykiln::charts {
 namespace {
@@ -66,32 +67,12 @@ std::vector<Primitive> simplified_by_meshoptimizer(const std::vector<Primitive>&
   return simplified(primitives, triangles, by_meshoptimizer);
 }
 
-std::vector<Primitive> with_flat_normals(const std::vector<Primitive>& primitives) {
-  std::vector<Primitive> all;
-  for (const Primitive& from : primitives) {
-    Primitive to{.material = from.material,
-                 .positions = {},
-                 .normals = {},
-                 .colours = {},
-                 .features = {},
-                 .triangles = {},
-                 .colour_source = from.colour_source,
-                 .layer = from.layer};
-    for (const Face& t : from.triangles) {
-      const auto at = [&](std::size_t i) { return bake::widened(from.positions[t[i]]); };
-      const Vec3 n = unit(cross(at(1) - at(0), at(2) - at(0)));
-      const auto first = static_cast<std::uint32_t>(to.positions.size());
-      for (const std::uint32_t v : t) {
-        to.positions.push_back(from.positions[v]), to.colours.push_back(from.colours[v]);
-        to.normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
-        if (!from.features.empty()) to.features.push_back(from.features[v]);
-        if (!from.uvs.empty()) to.uvs.push_back(from.uvs[v]);
-      }
-      to.triangles.push_back({first, first + 1, first + 2});
-    }
-    all.push_back(std::move(to));
+std::vector<Primitive> with_flat_normals(std::vector<Primitive>&& primitives) {
+  for (Primitive& p : primitives) {
+    p.normals.clear();
+    p = exporters::with_face_normals(p);
   }
-  return all;
+  return std::move(primitives);
 }
 
 }  // namespace citykiln::charts

@@ -22,6 +22,6 @@ std::vector<bake::Primitive> simplified_by_meshoptimizer(const std::vector<bake:
                                                          std::size_t triangles);
 
 /// The primitives with one normal for each triangle.
-std::vector<bake::Primitive> with_flat_normals(const std::vector<bake::Primitive>& primitives);
+std::vector<bake::Primitive> with_flat_normals(std::vector<bake::Primitive>&& primitives);
 
 }  // namespace citykiln::charts

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdio>
@@ -28,6 +29,16 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
+using Point = std::pair<double, double>;
+
+/// Whether an axis is logarithmic as drawn: gnuplot needs a value above 0 for that.
+bool is_logarithmic(const Chart& chart, const Axis& axis, double Point::*value) {
+  const auto has_positive = [&](const Series& series) {
+    return std::ranges::any_of(series.points, [&](const Point& point) { return point.*value > 0; });
+  };
+  return axis.is_logarithmic && std::ranges::any_of(chart.series, has_positive);
+}
+
 /// Data are inline blocks, so that only the picture is written.
 std::string gnuplot_script(const Chart& chart, const std::string& svg_path) {
   std::string script = fmt::format(
@@ -36,8 +47,8 @@ std::string gnuplot_script(const Chart& chart, const std::string& svg_path) {
       "set grid lc rgb '#dddddd'\nset key outside bottom center maxcols 2\nset border 3\nset tics nomirror\nset "
       "datafile separator ','\n",
       quoted(svg_path), quoted(chart.title), quoted(chart.x.label), quoted(chart.y.label));
-  if (chart.x.is_logarithmic) script += "set logscale x\n";
-  if (chart.y.is_logarithmic) script += "set logscale y\nset format y '%g'\n";
+  if (is_logarithmic(chart, chart.x, &Point::first)) script += "set logscale x\n";
+  if (is_logarithmic(chart, chart.y, &Point::second)) script += "set logscale y\nset format y '%g'\n";
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     fmt::format_to(std::back_inserter(script), "$s{} << EOD\n", i);
     for (const auto& [x, y] : chart.series[i].points) fmt::format_to(std::back_inserter(script), "{},{}\n", x, y);

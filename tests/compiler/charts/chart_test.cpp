@@ -33,6 +33,16 @@ TEST(Chart, WritesEverySeriesAsTableAndPicture) {
   if (!done) GTEST_SKIP() << to_string(done.error());
 }
 
+TEST(Chart, DrawsZerosOnLogarithmicAxes) {
+  const ScratchFolder folder;
+  const auto written = [&](double y) {
+    return write_chart({"zeros", "", {"x", true}, {"y", true}, {{"flat", {{11, y}, {11, y}}}}}, folder.path());
+  };
+  if (!written(1)) GTEST_SKIP() << "gnuplot is not installed";
+  const Result<Done> done = written(0);
+  EXPECT_TRUE(done) << to_string(done.error());
+}
+
 TEST(ChartOfThePlane, ShowsTheErrorBoundOfThePlane) {
   // scale error at the rim: under 8 ppm within 25 km
   const Result<std::vector<Chart>> charts = chart_plane({});
