@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "preview/specular.h"
+#include "preview/surface/specular.h"
 
 namespace citykiln::preview {
 namespace {
@@ -137,14 +137,14 @@ Rgb surface_light(const TraceContext& context, const Hit& hit, Vec3 direction, P
 
 }  // namespace
 
-Rgb trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDraw& draw) {
+TracedPath trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDraw& draw) {
   assert(context.bounces >= 0 && context.pixel_rad > 0);
   const auto hit = context.world.first_hit(from, direction, context.pixel_rad);
-  if (!hit) return context.lights.seen(direction);
+  if (!hit) return {context.lights.seen(direction), {}};
   Rgb light = context.lights.through_air(surface_light(context, *hit, direction, draw), direction, hit->distance_m);
   // a channel that is not a number becomes 0
   for (double& c : light) c = c > 0 ? std::min(c, kBrightest) : 0;
-  return light;
+  return {light, {hit->albedo, hit->shading_normal, hit->distance_m, hit->feature}};
 }
 
 }  // namespace citykiln::preview

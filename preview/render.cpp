@@ -1,3 +1,5 @@
+#include "preview/render.h"
+
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -5,7 +7,6 @@
 
 #include "compiler/contract/for_each_slot.h"
 #include "preview/path_trace.h"
-#include "preview/preview.h"
 
 namespace citykiln::preview {
 namespace {
@@ -50,7 +51,8 @@ Rgb pixel(const Shot& shot, const Options& options, int x, int y) {
     const UnitPair at = draw.next();
     const double px = (2 * (x + 0.5 + tent(at.u)) / options.width - 1) * shot.lens.half_width;
     const double py = (1 - 2 * (y + 0.5 + tent(at.v)) / options.height) * shot.lens.half_height;
-    sum = sum + trace(shot.context, shot.eye, unit(shot.lens.forward + shot.lens.right * px + shot.lens.up * py), draw);
+    sum = sum +
+          trace(shot.context, shot.eye, unit(shot.lens.forward + shot.lens.right * px + shot.lens.up * py), draw).light;
   }
   return sum * (options.exposure / samples);
 }
@@ -73,11 +75,8 @@ double adapted_exposure(const sky::Sky& sky) {
   return std::exp2(std::min(below_deg, kLowest_deg));
 }
 
-Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,
-             const Options& options) {
+Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options) {
   if (options.width <= 0 || options.height <= 0) return {};
-  const World world(tiles, camera.eye);
-  const Lights lights(sky::generate(sky));
   const Lens lens = lens_of(camera, options);
   const TraceContext context{world, lights, std::max(options.bounces, 0), 2 * lens.half_height / options.height};
   const Shot shot{context, lens, camera.eye - world.origin(), grid_of(options.width, options.height, options.samples)};
@@ -93,6 +92,12 @@ Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const 
     options.on_progress(static_cast<double>(++finished) / static_cast<double>(count));
   });
   return image;
+}
+
+Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,
+             const Options& options) {
+  const World world(tiles, camera.eye);
+  return render(world, Lights(sky::generate(sky)), camera, options);
 }
 
 }  // namespace citykiln::preview

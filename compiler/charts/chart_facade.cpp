@@ -12,7 +12,7 @@
 #include "compiler/charts/stopwatch.h"
 #include "compiler/map/locate.h"
 #include "exporters/gltf/glb.h"
-#include "preview/preview.h"
+#include "preview/render.h"
 
 namespace citykiln::charts {
 namespace {

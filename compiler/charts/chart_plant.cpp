@@ -17,7 +17,7 @@
 #include "lsystems/read_lsystem.h"
 #include "lsystems/tubes.h"
 #include "lsystems/turtle.h"
-#include "preview/preview.h"
+#include "preview/render.h"
 
 namespace citykiln::charts {
 namespace {

@@ -1,7 +1,7 @@
 // The error of a picture against another one.
 #pragma once
 
-#include "preview/preview.h"
+#include "preview/render.h"
 
 namespace citykiln::charts {
 

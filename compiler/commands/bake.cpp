@@ -23,7 +23,7 @@
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
 #include "exporters/usd/usdz.h"
-#include "preview/preview.h"
+#include "preview/camera/camera.h"
 
 namespace citykiln::commands {
 namespace {

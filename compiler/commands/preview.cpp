@@ -1,6 +1,4 @@
 // citykiln preview … -o picture.png: renders a picture of a manifest, a run's folder or .glb files.
-#include "preview/preview.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "compiler/commands/view_options.h"
 #include "compiler/sky/plan.h"
 #include "compiler/spec.h"
+#include "preview/render.h"
 
 namespace citykiln::commands {
 namespace {

@@ -1,10 +1,10 @@
 // Rays pass through holes of cutouts; leaves transmit light.
-#include "preview/cutout_texture.h"
+#include "preview/scene/cutout_texture.h"
 
 #include <gtest/gtest.h>
 
 #include "preview/path_trace.h"
-#include "preview/world.h"
+#include "preview/scene/world.h"
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {

@@ -1,11 +1,11 @@
-#include "preview/facade_atlas_texture.h"
+#include "preview/scene/facade_atlas_texture.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "compiler/materials/material.h"
-#include "preview/world.h"
+#include "preview/scene/world.h"
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {

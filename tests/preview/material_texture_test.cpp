@@ -1,10 +1,10 @@
-#include "preview/material_texture.h"
+#include "preview/scene/material_texture.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "preview/world.h"
+#include "preview/scene/world.h"
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {

@@ -1,4 +1,4 @@
-#include "preview/mip_texture.h"
+#include "preview/scene/mip_texture.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "compiler/materials/material.h"
-#include "preview/world.h"
+#include "preview/scene/world.h"
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string>
 
-#include "preview/preview.h"
-#include "preview/world.h"
+#include "preview/camera/camera.h"
+#include "preview/scene/world.h"
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {

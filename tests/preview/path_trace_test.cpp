@@ -36,7 +36,7 @@ Rgb seen(const std::vector<bake::BakedTile>& tiles, const Lights& lights, Vec3 e
   Rgb sum{};
   for (int i = 0; i < samples; ++i) {
     PathDraw draw(pixel, static_cast<std::uint32_t>(i));
-    sum = sum + trace(stage, eye - world.origin(), unit(look_at - eye), draw);
+    sum = sum + trace(stage, eye - world.origin(), unit(look_at - eye), draw).light;
   }
   return sum * (1.0 / samples);
 }

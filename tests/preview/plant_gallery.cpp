@@ -9,7 +9,7 @@
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/sky/plan.h"
 #include "exporters/gltf/glb.h"
-#include "preview/preview.h"
+#include "preview/render.h"
 
 namespace citykiln {
 namespace {

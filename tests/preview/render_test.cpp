@@ -1,3 +1,5 @@
+#include "preview/render.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 #include <cstring>
 #include <numbers>
 
-#include "preview/preview.h"
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {

@@ -1,4 +1,4 @@
-#include "preview/tone_map.h"
+#include "preview/picture/tone_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "preview/world.h"
+#include "preview/scene/world.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <set>
 
-#include "preview/preview.h"
-#include "preview/tone_map.h"
+#include "preview/picture/image.h"
+#include "preview/picture/tone_map.h"
 #include "tests/scratch_folder.h"
 
 namespace citykiln::preview {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
-#include "preview/cutout_texture.h"
-#include "preview/facade_atlas_texture.h"
-#include "preview/material_texture.h"
-#include "preview/mip_texture.h"
-#include "preview/world.h"
+#include "preview/scene/cutout_texture.h"
+#include "preview/scene/facade_atlas_texture.h"
+#include "preview/scene/material_texture.h"
+#include "preview/scene/mip_texture.h"
+#include "preview/scene/world.h"
 
 namespace citykiln::preview {
 

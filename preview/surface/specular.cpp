@@ -1,10 +1,10 @@
-#include "preview/specular.h"
+#include "preview/surface/specular.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "preview/water_waves.h"
+#include "preview/surface/water_waves.h"
 
 namespace citykiln::preview {
 namespace {

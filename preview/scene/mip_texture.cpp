@@ -1,4 +1,4 @@
-#include "preview/mip_texture.h"
+#include "preview/scene/mip_texture.h"
 
 #include <algorithm>
 #include <cassert>

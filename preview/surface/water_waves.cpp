@@ -1,4 +1,4 @@
-#include "preview/water_waves.h"
+#include "preview/surface/water_waves.h"
 
 #include <algorithm>
 #include <cassert>

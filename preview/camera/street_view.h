@@ -1,8 +1,8 @@
 // The named view "street": from eye height, near the most densely built part of the scene.
 #pragma once
 
-#include "preview/preview.h"
-#include "preview/scene_grid.h"
+#include "preview/camera/camera.h"
+#include "preview/camera/scene_grid.h"
 
 namespace citykiln::preview {
 

@@ -1,4 +1,4 @@
-#include "preview/cutout_texture.h"
+#include "preview/scene/cutout_texture.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "preview/mesh_part.h"
+#include "preview/scene/mesh_part.h"
 
 #include <algorithm>
 #include <cassert>

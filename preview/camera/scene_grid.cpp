@@ -1,4 +1,4 @@
-#include "preview/scene_grid.h"
+#include "preview/camera/scene_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "preview/instance_set.h"
+#include "preview/scene/instance_set.h"
 
 #include <algorithm>
 #include <cassert>

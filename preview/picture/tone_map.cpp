@@ -1,5 +1,5 @@
 // The curve is Stephen Hill's fit of the ACES reference and output transforms ("BakingLab", 2016).
-#include "preview/tone_map.h"
+#include "preview/picture/tone_map.h"
 
 #include <algorithm>
 #include <cmath>

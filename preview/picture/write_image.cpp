@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "preview/image_module/picture_io.h"
-#include "preview/preview.h"
-#include "preview/tone_map.h"
+#include "preview/picture/image.h"
+#include "preview/picture/tone_map.h"
 
 namespace citykiln::preview {
 namespace {

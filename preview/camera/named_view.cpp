@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "preview/preview.h"
-#include "preview/scene_grid.h"
-#include "preview/street_view.h"
+#include "preview/camera/camera.h"
+#include "preview/camera/scene_grid.h"
+#include "preview/camera/street_view.h"
 
 namespace citykiln::preview {
 namespace {

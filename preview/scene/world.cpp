@@ -1,12 +1,12 @@
-#include "preview/world.h"
+#include "preview/scene/world.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "preview/instance_set.h"
-#include "preview/material_texture.h"
-#include "preview/mesh_part.h"
+#include "preview/scene/instance_set.h"
+#include "preview/scene/material_texture.h"
+#include "preview/scene/mesh_part.h"
 
 namespace citykiln::preview {
 namespace {

@@ -1,4 +1,4 @@
-#include "preview/material_texture.h"
+#include "preview/scene/material_texture.h"
 
 namespace citykiln::preview {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "compiler/impostor/atlas.h"
-#include "preview/mip_texture.h"
+#include "preview/scene/mip_texture.h"
 
 namespace citykiln::preview {
 

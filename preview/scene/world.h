@@ -7,22 +7,9 @@
 #include <span>
 
 #include "compiler/bake/baked_tile.h"
+#include "preview/scene/hit.h"
 
 namespace citykiln::preview {
-
-/// A ray's hit on a surface. Frame of the world: metres from World::origin, x east, y north, z up.
-struct Hit {
-  Vec3 position;                     ///< On the triangle, not along the ray: its error does not grow with the distance.
-  Vec3 geometric_normal;             ///< Unit, towards the ray's origin.
-  Vec3 shading_normal;               ///< Unit, interpolated, on the same side.
-  std::array<double, 3> albedo{};    ///< Linear: the colour of material or image, times tint.
-  std::array<double, 3> emission{};  ///< Emitted radiance, in the sky's unit.
-  float roughness = 1;
-  double translucency = 0;  ///< Transmitted light as a share of reflected light.
-  materials::Material material{};
-  double distance_m = 0;
-  double rounding_m = 0;  ///< Upper bound of single precision's errors of a ray's origin here and of the plane.
-};
 
 /// Angle of the cone that a diffusely scattered ray stands for.
 inline constexpr double kScattered_rad = 0.2;
@@ -51,9 +38,5 @@ class World {
   struct Scene;
   std::unique_ptr<Scene> scene_;
 };
-
-/// An origin for rays that leave a hit without hitting it again: off the surface by the hit's rounding, to the side of
-/// the direction.
-Vec3 leave(const Hit& hit, Vec3 direction);
 
 }  // namespace citykiln::preview

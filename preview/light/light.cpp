@@ -1,4 +1,4 @@
-#include "preview/light.h"
+#include "preview/light/light.h"
 
 #include <algorithm>
 #include <cassert>

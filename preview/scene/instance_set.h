@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "preview/mesh_part.h"
+#include "preview/scene/mesh_part.h"
 
 namespace citykiln::preview {
 

@@ -1,4 +1,4 @@
-#include "preview/facade_atlas_texture.h"
+#include "preview/scene/facade_atlas_texture.h"
 
 namespace citykiln::preview {
 namespace {

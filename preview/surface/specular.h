@@ -1,8 +1,8 @@
 // Specular reflection of water and glass, blurred by their roughness.
 #pragma once
 
-#include "preview/light.h"
-#include "preview/world.h"
+#include "preview/light/light.h"
+#include "preview/scene/world.h"
 
 namespace citykiln::preview {
 

@@ -1,10 +1,10 @@
-#include "preview/street_view.h"
+#include "preview/camera/street_view.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "preview/world.h"
+#include "preview/scene/world.h"
 
 namespace citykiln::preview {
 namespace {
