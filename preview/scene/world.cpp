@@ -29,7 +29,8 @@ bool is_sound(const RTCRay& ray) {
 
 // Turns both normals towards the ray's origin; the geometric one replaces a shading normal that points away.
 void turn_normals(Hit& hit, Vec3 direction) {
-  if (dot(hit.geometric_normal, direction) > 0) {
+  hit.is_front = dot(hit.geometric_normal, direction) <= 0;
+  if (!hit.is_front) {
     hit.geometric_normal = hit.geometric_normal * -1;
     hit.shading_normal = hit.shading_normal * -1;
   }
@@ -54,6 +55,7 @@ struct World::Scene {
   std::vector<std::unique_ptr<FacadeAtlasTexture>> facade_atlas;
   std::vector<MeshPart> parts;                              // geometry ids 0 … n - 1
   std::vector<std::unique_ptr<InstanceSet>> instance_sets;  // geometry ids n …
+  std::vector<Emitter> emitters;
 
   ~Scene() {
     rtcReleaseScene(top);
@@ -123,6 +125,7 @@ struct World::Scene {
   }
 
   void commit() {
+    for (MeshPart& part : parts) add_emitters(part, emitters);
     for (const MeshPart& part : parts) attach(device, top, part);
     unsigned first = 0;
     for (const auto& set : instance_sets) {
@@ -152,6 +155,7 @@ World::World(std::span<const bake::BakedTile> tiles, Vec3 near) : scene_(std::ma
 World::~World() = default;
 World::World(World&&) noexcept = default;
 Vec3 World::origin() const { return scene_->origin; }
+std::span<const Emitter> World::emitters() const { return scene_->emitters; }
 
 std::optional<Hit> World::first_hit(Vec3 from, Vec3 direction, double spread_rad) const {
   RTCRayHit found{ray_of(from, direction), {}};
@@ -168,8 +172,9 @@ std::optional<Hit> World::first_hit(Vec3 from, Vec3 direction, double spread_rad
   return hit;
 }
 
-bool World::is_blocked(Vec3 from, Vec3 direction) const {
+bool World::is_blocked(Vec3 from, Vec3 direction, double distance_m) const {
   RTCRay ray = ray_of(from, direction);
+  ray.tfar = static_cast<float>(distance_m);
   if (!is_sound(ray)) return false;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
