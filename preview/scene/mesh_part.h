@@ -23,6 +23,8 @@ struct MeshPart {
   const MaterialTexture* material_texture = nullptr;  ///< Colour and normal.
   const FacadeAtlasTexture* facade_atlas = nullptr;   ///< Colour, normal, roughness and emission.
   const CutoutTexture* cutout = nullptr;              ///< Colour, normal and holes.
+  /// Of the tile: the primitive's vertices index them. Null: the hits of this part have no feature.
+  const std::vector<OsmId>* features = nullptr;
 };
 
 /// The cone that a ray stands for, where it hits.
