@@ -75,6 +75,17 @@ Rgb from_sky(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Unit
          (1 / (drawn.pdf + (goes_on ? bsdf.pdf(drawn.direction) : 0)));
 }
 
+// Light of sun and sky: of both where the eye sees the surface, else of one, chosen at random.
+Rgb from_outside(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, const Path& path, PathDraw& draw,
+                 bool goes_on) {
+  const UnitPair first = draw.next();
+  if (!context.lights.has_sun()) return from_sky(context, hit, bsdf, first, goes_on);
+  if (path.is_sharp)
+    return from_sun(context, hit, bsdf, first, goes_on) + from_sky(context, hit, bsdf, draw.next(), goes_on);
+  if (first.u < 0.5) return from_sun(context, hit, bsdf, {2 * first.u, first.v}, goes_on) * 2;
+  return from_sky(context, hit, bsdf, {2 * first.u - 1, first.v}, goes_on) * 2;
+}
+
 // The normal for choosing lights: none where light from both sides is scattered.
 Vec3 receiving_normal(const Hit& hit, const Bsdf& bsdf) { return bsdf.is_two_sided() ? Vec3{} : hit.geometric_normal; }
 
@@ -174,9 +185,7 @@ std::optional<Meeting> meet(const TraceContext& context, Path& path, PathDraw& d
   Bsdf bsdf(*hit, path.direction * -1, is_behind_matt ? kBlurredAlpha : 0);
   if (path.pdf == 0 && bsdf.alpha() < kSplitAlpha) bsdf.split();
   const bool goes_on = path.bounce < context.bounces;
-  const UnitPair for_sun = draw.next(), for_sky = draw.next();
-  path.light = path.light + path.weight * (from_sun(context, *hit, bsdf, for_sun, goes_on) +
-                                           from_sky(context, *hit, bsdf, for_sky, goes_on) +
+  path.light = path.light + path.weight * (from_outside(context, *hit, bsdf, path, draw, goes_on) +
                                            from_local(context, *hit, bsdf, draw, goes_on));
   return Meeting{*hit, bsdf};
 }

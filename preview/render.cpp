@@ -102,7 +102,8 @@ Image render(const World& world, const Lights& lights, const Camera& camera, con
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,
              const Options& options) {
   const World world(tiles, camera.eye);
-  return render(world, Lights(sky::generate(sky)), camera, options);
+  const auto lamps = sky::is_night(sky) ? lamps_of(tiles) : std::vector<StreetLamp>();
+  return render(world, Lights(sky::generate(sky), lamps), camera, options);
 }
 
 }  // namespace citykiln::preview

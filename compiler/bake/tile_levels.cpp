@@ -11,13 +11,6 @@
 namespace citykiln::bake {
 namespace {
 
-Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& map, const Box2& box) {
-  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), chunk.lamps.size()};
-  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
-  lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
-  return lamps;
-}
-
 // Adds the plants of hedges, where these stand on ground that the chunk holds.
 void add_hedges(const scene::Chunk& chunk, const plants::PlacingContext& land, plants::PlacedPlants& placed) {
   for (const props::Barrier& barrier : chunk.barriers)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/bake/ground_cells.h"
+#include "compiler/bake/place_lamps.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/generate.h"
 #include "compiler/plants/generate.h"
@@ -18,12 +19,6 @@
 #include "compiler/structures/stairs.h"
 
 namespace citykiln::bake {
-
-/// Street lamps, mapped ones first.
-struct Lamps {
-  std::vector<props::StreetLamp> standing;
-  std::size_t mapped = 0;
-};
 
 /// What all levels with Detail::kRoadSurfaces share, and what all levels without it do: the graded terrain, and what
 /// stands on it.

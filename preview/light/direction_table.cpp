@@ -48,6 +48,12 @@ DirectionTable::DirectionTable(std::vector<double> z_edges, int columns, std::ve
       sums_.push_back(sum += luminance(widened(cells_[static_cast<std::size_t>(row) * columns + column])) * of_row);
     row_sums_.push_back(total += sum);
   }
+  if (total > 0) pdf_per_light_ = columns / (2 * std::numbers::pi * total);
+}
+
+// The flux of a cell over its height and width, as a share of all.
+double DirectionTable::pdf_of(const std::array<float, 3>& cell) const {
+  return luminance(widened(cell)) * pdf_per_light_;
 }
 
 int DirectionTable::row_of(double z) const {
@@ -78,19 +84,17 @@ Rgb DirectionTable::radiance(Vec3 direction) const {
 DirectionSample DirectionTable::sample(UnitPair chance) const {
   if (!(row_sums_.back() > 0)) return {};
   const Step row = step_at(row_sums_.data(), rows(), chance.u);
-  const Step column = step_at(&sums_[static_cast<std::size_t>(row.index) * columns_], columns_, chance.v);
+  const std::size_t first = static_cast<std::size_t>(row.index) * columns_;
+  const Step column = step_at(&sums_[first], columns_, chance.v);
   const double z = z_edges_[row.index] + (z_edges_[row.index + 1] - z_edges_[row.index]) * row.within;
-  const Vec3 direction = direction_at((column.index + column.within) / columns_, z);
-  return {direction, pdf(direction)};
+  return {direction_at((column.index + column.within) / columns_, z), pdf_of(cells_[first + column.index])};
 }
 
 double DirectionTable::pdf(Vec3 direction) const {
   if (!(row_sums_.back() > 0) || direction.z < z_edges_.front() || direction.z > z_edges_.back()) return 0;
   const int row = row_of(direction.z);
   const int column = std::min(static_cast<int>(turn_of(direction) * columns_), columns_ - 1);
-  const Rgb cell = widened(cells_[static_cast<std::size_t>(row) * columns_ + column]);
-  // flux of the cell over its height and width, as a share of all
-  return luminance(cell) / row_sums_.back() * columns_ / (2 * std::numbers::pi);
+  return pdf_of(cells_[static_cast<std::size_t>(row) * columns_ + column]);
 }
 
 }  // namespace citykiln::preview

@@ -38,10 +38,12 @@ class DirectionTable {
 
  private:
   int row_of(double z) const;
+  double pdf_of(const std::array<float, 3>& cell) const;
   int rows() const { return static_cast<int>(z_edges_.size()) - 1; }
 
   std::vector<double> z_edges_;
   int columns_;
+  double pdf_per_light_ = 0;
   bool is_even_;  // all rows have the same height
   std::vector<std::array<float, 3>> cells_;
   std::vector<double> row_sums_, sums_;  // cumulative flux: of rows, and of cells within their row

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace citykiln::preview {
@@ -119,9 +120,10 @@ bool InstanceSet::is_of(const bake::InstancedMesh& mesh, const MipTexture* marki
          std::ranges::equal(materials_, materials) && std::ranges::all_of(parts_, is_on_it);
 }
 
-void InstanceSet::add(const bake::InstancedMesh& instanced, Vec3 offset) {
+void InstanceSet::add(const bake::InstancedMesh& instanced, const std::vector<OsmId>& features, Vec3 offset) {
   assert(instanced.scales.size() == instanced.translations.size() &&
          instanced.rotations.size() == instanced.translations.size());
+  batches_.push_back({transforms_.size(), &instanced, &features});
   transforms_.reserve(transforms_.size() + instanced.translations.size());
   for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
     const Vec3 at = bake::widened(instanced.translations[i]) + offset;
@@ -145,8 +147,16 @@ void InstanceSet::attach_to(RTCDevice device, RTCScene top, unsigned first) {
   rtcReleaseGeometry(geometry);
 }
 
+OsmId InstanceSet::feature_of(std::size_t instance) const {
+  const auto after = std::ranges::upper_bound(batches_, instance, {}, &Batch::first);
+  const Batch& batch = *std::prev(after);
+  const std::vector<std::uint32_t>& numbers = batch.instanced->features;
+  return numbers.empty() ? OsmId{} : (*batch.features)[numbers[instance - batch.first]];
+}
+
 Hit InstanceSet::hit_in_world(const RTCHit& found, const RayFootprint& footprint) const {
-  const InstanceTransform& transform = transforms_[found.instID[0] - first_];
+  const std::size_t instance = found.instID[0] - first_;
+  const InstanceTransform& transform = transforms_[instance];
   const Rotation rotation = rotation_of(transform.rotation);
   Hit hit =
       hit_on(parts_[found.geomID], found, {rotation.in(footprint.direction), footprint.across_m / transform.scale});
@@ -156,6 +166,7 @@ Hit InstanceSet::hit_in_world(const RTCHit& found, const RayFootprint& footprint
   hit.position = bake::widened(transform.translation) + rotation.out(hit.position) * transform.scale;
   hit.geometric_normal = rotation.out(hit.geometric_normal);
   hit.shading_normal = rotation.out(hit.shading_normal);
+  hit.feature = feature_of(instance);
   return hit;
 }
 

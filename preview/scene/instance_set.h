@@ -34,8 +34,9 @@ class InstanceSet {
              std::span<const MaterialTexture* const> materials) const;
   const impostor::SharedCutout& cutout() const { return mesh_->cutout; }
   const std::shared_ptr<const CutoutTexture>& cutout_texture() const { return cutout_; }
-  /// Adds the instances of a tile whose origin is at `offset` in the world.
-  void add(const bake::InstancedMesh& instanced, Vec3 offset);
+  /// Adds the instances of a tile whose origin is at `offset` in the world. Refers to both arguments.
+  /// @param features  Of the tile.
+  void add(const bake::InstancedMesh& instanced, const std::vector<OsmId>& features, Vec3 offset);
   /// Adds the instances to the uncommitted top scene, numbered from `first` in RTCHit::instID. The scene refers to this
   /// object, which must not move.
   void attach_to(RTCDevice device, RTCScene top, unsigned first);
@@ -47,6 +48,14 @@ class InstanceSet {
 
  private:
   struct Calls;
+  // The instances of one tile.
+  struct Batch {
+    std::size_t first;
+    const bake::InstancedMesh* instanced;
+    const std::vector<OsmId>* features;
+  };
+
+  OsmId feature_of(std::size_t instance) const;
 
   const bake::InstancedMesh* mesh_;
   std::vector<const MaterialTexture*> materials_;
@@ -55,6 +64,7 @@ class InstanceSet {
   RTCScene scene_;
   Vec3 low_, high_;  // of the mesh
   std::vector<InstanceTransform> transforms_;
+  std::vector<Batch> batches_;
   unsigned first_ = 0;
 };
 

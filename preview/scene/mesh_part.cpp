@@ -233,6 +233,7 @@ Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& footpr
     hit.shading_normal = hit.shading_normal + bake::widened(part.primitive->normals[corners[i]]) * weights[i];
   hit.rounding_m = plane_error_m(edge1, edge2, across);
   if (!part.emitters.empty()) hit.emitter = part.emitters[found.primID];
+  if (part.features != nullptr) hit.feature = (*part.features)[part.primitive->features[corners[0]]];
   set_material(hit, part, weights, found, footprint);
   return hit;
 }

@@ -24,6 +24,8 @@ struct MeshPart {
   const FacadeAtlasTexture* facade_atlas = nullptr;   ///< Colour, normal, roughness and emission.
   const CutoutTexture* cutout = nullptr;              ///< Colour, normal and holes.
   std::vector<std::uint32_t> emitters{};  ///< Per triangle its number; empty if the material does not shine.
+  /// Of the tile: the primitive's vertices index them. Null: the hits of this part have no feature.
+  const std::vector<OsmId>* features = nullptr;
 };
 
 /// The cone that a ray stands for, where it hits.

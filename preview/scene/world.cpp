@@ -97,10 +97,12 @@ struct World::Scene {
   void add_primitives(const bake::BakedTile& tile) {
     const MipTexture* marking_atlas = marking_atlas_of(tile);
     const FacadeAtlasTexture* facade_atlas = facade_atlas_of(tile);
-    for (const bake::Primitive& primitive : tile.primitives)
-      if (!primitive.triangles.empty())
-        parts.push_back(mesh_part_of(primitive, tile.origin - origin, marking_atlas,
-                                     material_of(tile, primitive.material), facade_atlas));
+    for (const bake::Primitive& primitive : tile.primitives) {
+      if (primitive.triangles.empty()) continue;
+      parts.push_back(mesh_part_of(primitive, tile.origin - origin, marking_atlas,
+                                   material_of(tile, primitive.material), facade_atlas));
+      if (!primitive.features.empty()) parts.back().features = &tile.features;
+    }
   }
 
   // The cutout's texture, which meshes with equal cutouts share; null where there is none.
@@ -120,7 +122,7 @@ struct World::Scene {
       if (set == instance_sets.end())
         set = instance_sets.insert(
             set, std::make_unique<InstanceSet>(device, instanced, marking_atlas, used, cutout_of(instanced)));
-      (*set)->add(instanced, tile.origin - origin);
+      (*set)->add(instanced, tile.features, tile.origin - origin);
     }
   }
 
