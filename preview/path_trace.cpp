@@ -89,19 +89,30 @@ Rgb from_outside(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, 
 // The normal for choosing lights: none where light from both sides is scattered.
 Vec3 receiving_normal(const Hit& hit, const Bsdf& bsdf) { return bsdf.is_two_sided() ? Vec3{} : hit.geometric_normal; }
 
-Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
-  if (context.local.is_empty()) return {};
-  const double choice = draw.next().u;
-  const std::optional<LightSample> drawn =
-      context.local.sample(hit.position, receiving_normal(hit, bsdf), choice, draw.next());
+Rgb from_lamp(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, double chance) {
+  const auto drawn = context.local.sample_lamp(hit.position, receiving_normal(hit, bsdf), chance);
   if (!drawn) return {};
-  const bool is_lamp = drawn->pdf <= 0;
   // mirrors see the glass of lamps
-  const Rgb reflected =
-      is_lamp && bsdf.alpha() < kMirrorAlpha ? bsdf.matt(drawn->direction) : bsdf.reflected(drawn->direction);
+  const bool is_mirror = bsdf.alpha() < kMirrorAlpha;
+  const Rgb reflected = is_mirror ? bsdf.matt(drawn->direction) : bsdf.reflected(drawn->direction);
   if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
-  const double share = goes_on && !is_lamp ? balanced(drawn->pdf, bsdf.pdf(drawn->direction)) : 1;
-  return drawn->light * reflected * share;
+  return drawn->light * reflected;
+}
+
+Rgb from_emitter(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
+  const double chance = draw.next().u;
+  const auto drawn = context.local.sample_emitter(hit.position, receiving_normal(hit, bsdf), chance, draw.next());
+  if (!drawn) return {};
+  const Rgb reflected = bsdf.reflected(drawn->direction);
+  if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
+  return drawn->light * reflected * (goes_on ? balanced(drawn->pdf, bsdf.pdf(drawn->direction)) : 1);
+}
+
+Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
+  Rgb light{};
+  if (context.local.has_lamps()) light = light + from_lamp(context, hit, bsdf, draw.next().u);
+  if (context.local.has_emitters()) light = light + from_emitter(context, hit, bsdf, draw, goes_on);
+  return light;
 }
 
 // Adds the light of a ray that hits nothing.

@@ -78,7 +78,7 @@ double adapted_exposure(const sky::Sky& sky) {
 Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options) {
   if (options.width <= 0 || options.height <= 0) return {};
   const Lens lens = lens_of(camera, options);
-  const LocalLights local(world.emitters(), lights.lamps(), world.origin());
+  const LocalLights local(world, lights.lamps(), options.threads);
   const TraceContext context{.world = world,
                              .lights = lights,
                              .local = local,
