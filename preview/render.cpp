@@ -78,7 +78,12 @@ double adapted_exposure(const sky::Sky& sky) {
 Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options) {
   if (options.width <= 0 || options.height <= 0) return {};
   const Lens lens = lens_of(camera, options);
-  const TraceContext context{world, lights, std::max(options.bounces, 0), 2 * lens.half_height / options.height};
+  const LocalLights local(world.emitters(), lights.lamps(), world.origin());
+  const TraceContext context{.world = world,
+                             .lights = lights,
+                             .local = local,
+                             .bounces = std::max(options.bounces, 0),
+                             .pixel_rad = 2 * lens.half_height / options.height};
   const Shot shot{context, lens, camera.eye - world.origin(), grid_of(options.width, options.height, options.samples)};
   Image image{options.width, options.height,
               std::vector<float>(static_cast<std::size_t>(options.width) * options.height * 3)};
@@ -97,7 +102,8 @@ Image render(const World& world, const Lights& lights, const Camera& camera, con
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,
              const Options& options) {
   const World world(tiles, camera.eye);
-  return render(world, Lights(sky::generate(sky)), camera, options);
+  const auto lamps = sky::is_night(sky) ? lamps_of(tiles) : std::vector<StreetLamp>();
+  return render(world, Lights(sky::generate(sky), lamps), camera, options);
 }
 
 }  // namespace citykiln::preview

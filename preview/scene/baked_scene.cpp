@@ -44,6 +44,7 @@ void BakedScene::add_primitives(const bake::BakedTile& tile) {
     MeshPart part = mesh_part_of(primitive, tile.origin - origin_, marking_atlas, material_of(tile, primitive.material),
                                  facade_atlas);
     if (!primitive.features.empty()) part.features = &tile.features;
+    add_emitters(part, emitters_);
     geometry_.add(std::move(part));
   }
 }

@@ -14,6 +14,8 @@ class BakedScene {
   BakedScene(RTCDevice device, std::span<const bake::BakedTile> tiles, Vec3 origin);
 
   const SceneGeometry& geometry() const { return geometry_; }
+  /// All triangles that shine, by their numbers in hits. Those of instances are left out.
+  std::span<const Emitter> emitters() const { return emitters_; }
 
  private:
   const MipTexture* marking_atlas_of(const bake::BakedTile& tile);
@@ -28,6 +30,7 @@ class BakedScene {
   std::vector<std::unique_ptr<MipTexture>> marking_atlases_;
   std::vector<std::unique_ptr<MaterialTexture>> material_textures_;
   std::vector<std::unique_ptr<FacadeAtlasTexture>> facade_atlases_;
+  std::vector<Emitter> emitters_;
   SceneGeometry geometry_;
 };
 

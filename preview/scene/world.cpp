@@ -27,7 +27,8 @@ bool is_sound(const RTCRay& ray) {
 
 // Turns both normals towards the ray's origin; the geometric one replaces a shading normal that points away.
 void turn_normals(Hit& hit, Vec3 direction) {
-  if (dot(hit.geometric_normal, direction) > 0) {
+  hit.is_front = dot(hit.geometric_normal, direction) <= 0;
+  if (!hit.is_front) {
     hit.geometric_normal = hit.geometric_normal * -1;
     hit.shading_normal = hit.shading_normal * -1;
   }
@@ -71,6 +72,10 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 Vec3 World::origin() const { return scene_->origin; }
 
+std::span<const Emitter> World::emitters() const {
+  return scene_->baked ? scene_->baked->emitters() : std::span<const Emitter>();
+}
+
 std::optional<CellCounters> World::counters() const {
   if (!scene_->cells) return std::nullopt;
   return scene_->cells->counters();
@@ -102,8 +107,9 @@ std::optional<Hit> World::first_hit(Vec3 from, Vec3 direction, double spread_rad
   return hit;
 }
 
-bool World::is_blocked(Vec3 from, Vec3 direction) const {
+bool World::is_blocked(Vec3 from, Vec3 direction, double distance_m) const {
   RTCRay ray = ray_of(from, direction);
+  ray.tfar = static_cast<float>(distance_m);
   if (!is_sound(ray)) return false;
   if (scene_->cells) {
     CellRay state(scene_->cells->readers());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -37,8 +38,11 @@ class World {
   /// nothing.
   /// @param spread_rad  Angle of the cone that the ray stands for: images are filtered over it.
   std::optional<Hit> first_hit(Vec3 from, Vec3 direction, double spread_rad = kScattered_rad) const;
-  /// Whether any surface is along the ray.
-  bool is_blocked(Vec3 from, Vec3 direction) const;
+  /// Whether any surface is along the ray, nearer than a distance > 0.
+  bool is_blocked(Vec3 from, Vec3 direction, double distance_m = std::numeric_limits<double>::infinity()) const;
+  /// All triangles that shine, by their numbers in hits. Those of instances are left out, and those of cells, which no
+  /// one knows before they are generated.
+  std::span<const Emitter> emitters() const;
   /// Of the cells; none for baked tiles.
   std::optional<CellCounters> counters() const;
 
