@@ -206,7 +206,7 @@ void attach(RTCDevice device, RTCScene scene, const MeshPart& part) {
   const bake::Primitive& primitive = *part.primitive;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, part.corners.data(), 0,
-                             sizeof(bake::Float3), primitive.positions.size());
+                             sizeof(bake::Float3), part.corners.size() - 1);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, primitive.triangles.data(), 0,
                              sizeof(primitive.triangles[0]), primitive.triangles.size());
   if (part.cutout != nullptr) {

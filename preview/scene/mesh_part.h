@@ -14,7 +14,8 @@
 
 namespace citykiln::preview {
 
-/// Triangles with their corners about the world's origin. Refers to the primitive and the images. At most one image is
+/// Triangles with their corners about the world's origin. Refers to the primitive, whose positions may be freed, and to
+/// the images. At most one image is
 /// not null: the one that colours the primitive instead of its material.
 struct MeshPart {
   const bake::Primitive* primitive = nullptr;
