@@ -62,19 +62,18 @@ bool is_free(const TraceContext& context, const Hit& hit, Vec3 direction,
 Rgb from_sun(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, UnitPair chance, bool goes_on) {
   if (!context.lights.has_sun()) return {};
   const Vec3 to_sun = context.lights.sample_sun(chance);
-  const Rgb reflected = bsdf.reflected(to_sun);
-  if (largest(reflected) <= 0 || !is_free(context, hit, to_sun)) return {};
+  const Scattering scattered = bsdf.scattering(to_sun);
+  if (largest(scattered.light) <= 0 || !is_free(context, hit, to_sun)) return {};
   const double pdf = 1 / context.lights.sun_solid_angle();
-  return context.lights.sun_radiance() * reflected * (1 / (pdf + (goes_on ? bsdf.pdf(to_sun) : 0)));
+  return context.lights.sun_radiance() * scattered.light * (1 / (pdf + (goes_on ? scattered.pdf : 0)));
 }
 
 Rgb from_sky(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, UnitPair chance, bool goes_on) {
   const DirectionSample drawn = context.lights.sample_sky(chance);
   if (drawn.pdf <= 0) return {};
-  const Rgb reflected = bsdf.reflected(drawn.direction);
-  if (largest(reflected) <= 0 || !is_free(context, hit, drawn.direction)) return {};
-  return context.lights.falling(drawn.direction) * reflected *
-         (1 / (drawn.pdf + (goes_on ? bsdf.pdf(drawn.direction) : 0)));
+  const Scattering scattered = bsdf.scattering(drawn.direction);
+  if (largest(scattered.light) <= 0 || !is_free(context, hit, drawn.direction)) return {};
+  return context.lights.falling(drawn.direction) * scattered.light * (1 / (drawn.pdf + (goes_on ? scattered.pdf : 0)));
 }
 
 // Light of sun and sky: of both where the eye sees the surface, else of one, chosen at random.
@@ -96,7 +95,7 @@ Rgb from_lamp(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, dou
   if (!drawn) return {};
   // mirrors see the glass of lamps
   const bool is_mirror = bsdf.alpha() < kMirrorAlpha;
-  const Rgb reflected = is_mirror ? bsdf.matt(drawn->direction) : bsdf.reflected(drawn->direction);
+  const Rgb reflected = is_mirror ? bsdf.matt(drawn->direction) : bsdf.scattering(drawn->direction).light;
   if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
   return drawn->light * reflected;
 }
@@ -105,9 +104,9 @@ Rgb from_emitter(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, 
   const double chance = draw.next().u;
   const auto drawn = context.local.sample_emitter(hit.position, receiving_normal(hit, bsdf), chance, draw.next());
   if (!drawn) return {};
-  const Rgb reflected = bsdf.reflected(drawn->direction);
-  if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
-  return drawn->light * reflected * (goes_on ? balanced(drawn->pdf, bsdf.pdf(drawn->direction)) : 1);
+  const Scattering scattered = bsdf.scattering(drawn->direction);
+  if (largest(scattered.light) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
+  return drawn->light * scattered.light * (goes_on ? balanced(drawn->pdf, scattered.pdf) : 1);
 }
 
 Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {

@@ -77,14 +77,20 @@ std::uint64_t key_of(std::uint64_t seed, std::uint32_t dimension) {
 SampleGrid grid_of(int width, int height, int samples) { return {log2_up(std::max(width, height)), log2_up(samples)}; }
 
 PixelSamples::PixelSamples(std::uint64_t seed, std::uint32_t x, std::uint32_t y, SampleGrid grid)
-    : seed_(seed), morton_(spread(x) | (spread(y) << 1)), grid_(grid) {
-  for (std::uint32_t dimension = 0; dimension < kOrdered; ++dimension) {
-    const std::uint64_t key = key_of(seed, dimension);
-    for (int digit = grid.log2_side - 1; digit >= 0; --digit) {
-      const std::uint64_t value = (morton_ >> (2 * digit)) & 3, above = morton_ >> (2 * digit + 2);
-      places_[dimension] |= shuffled(value, mix(above ^ key)) << (2 * digit);
-    }
+    : seed_(seed), morton_(spread(x) | (spread(y) << 1)), grid_(grid) {}
+
+std::uint64_t PixelSamples::place(std::uint32_t dimension) const {
+  static_assert(kOrdered <= 32);
+  std::uint64_t& place = places_[dimension];
+  if ((found_ >> dimension & 1) != 0) return place;
+  found_ |= 1u << dimension;
+  place = 0;
+  const std::uint64_t key = key_of(seed_, dimension);
+  for (int digit = grid_.log2_side - 1; digit >= 0; --digit) {
+    const std::uint64_t value = (morton_ >> (2 * digit)) & 3, above = morton_ >> (2 * digit + 2);
+    place |= shuffled(value, mix(above ^ key)) << (2 * digit);
   }
+  return place;
 }
 
 UnitPair PixelSamples::pair(std::uint32_t sample, std::uint32_t dimension) const {
@@ -94,7 +100,7 @@ UnitPair PixelSamples::pair(std::uint32_t sample, std::uint32_t dimension) const
     const std::uint64_t h = mix(whole ^ key);
     return {static_cast<double>(h >> 32) * 0x1p-32, static_cast<double>(h & 0xffffffffu) * 0x1p-32};
   }
-  std::uint64_t index = places_[dimension] << grid_.log2_samples;
+  std::uint64_t index = place(dimension) << grid_.log2_samples;
   int shift = grid_.log2_samples - 2;
   for (; shift >= 0; shift -= 2) index |= shuffled((sample >> shift) & 3, mix((whole >> (shift + 2)) ^ key)) << shift;
   // an odd power of two leaves one bit

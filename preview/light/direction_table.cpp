@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "preview/turn.h"
+
 namespace citykiln::preview {
 namespace {
 
@@ -30,8 +32,8 @@ double turn_of(Vec3 d) {
 }
 
 Vec3 direction_at(double turn, double z) {
-  const double r = std::sqrt(std::max(0.0, 1 - z * z)), angle = 2 * std::numbers::pi * turn;
-  return {r * std::cos(angle), r * std::sin(angle), z};
+  const Vec2 round = on_circle(turn) * std::sqrt(std::max(0.0, 1 - z * z));
+  return at_height(round, z);
 }
 
 DirectionTable::DirectionTable(std::vector<double> z_edges, int columns, std::vector<std::array<float, 3>> cells)

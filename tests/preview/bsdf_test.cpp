@@ -65,8 +65,8 @@ TEST(Bsdf, ScatteringIsReciprocal) {
         for (const double b : {20.0, 65.0}) {
           const Hit hit = surface(0.6, roughness, metallic);
           const Vec3 one = at_angle(a, 0.2), other = at_angle(b, 0.55);
-          const double there = Bsdf(hit, one, 0).reflected(other)[1] / other.z;
-          const double back = Bsdf(hit, other, 0).reflected(one)[1] / one.z;
+          const double there = Bsdf(hit, one, 0).scattering(other).light[1] / other.z;
+          const double back = Bsdf(hit, other, 0).scattering(one).light[1] / one.z;
           EXPECT_NEAR(there, back, 1e-9 + 1e-6 * back) << roughness << " " << metallic << " " << a << " " << b;
         }
 }
@@ -86,7 +86,7 @@ double chi_squared(const Bsdf& bsdf, int samples, int& cells) {
       const double z = -1 + 2 * (row + 0.5) / (kRows * kFine), r = std::sqrt(1 - z * z);
       const double turn = 2 * kPi * (column + 0.5) / (kColumns * kFine);
       const Vec3 d{r * std::cos(turn), r * std::sin(turn), z};
-      expected[cell_of(d)] += bsdf.pdf(d) * 4 * kPi / (kRows * kFine * kColumns * kFine) * samples;
+      expected[cell_of(d)] += bsdf.scattering(d).pdf * 4 * kPi / (kRows * kFine * kColumns * kFine) * samples;
     }
   const PixelSamples pixel(3, 5, 9, {0, 0});
   for (int i = 0; i < samples; ++i) {
