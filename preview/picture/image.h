@@ -21,11 +21,11 @@ struct RenderStatistics {
 /// What the first surfaces in a picture are, which guides filters and compositing. Row by row from the top, as the
 /// picture; means over the samples of a pixel, which are filtered like its colour.
 struct Guides {
-  std::vector<float> albedo;    ///< 3 a pixel, linear; 0 of the sky.
-  std::vector<float> normal;    ///< 3 a pixel: x east, y north, z up; shorter than 1 where surfaces differ.
-  std::vector<float> depth_m;   ///< Distance from the viewer, mean of the samples that meet a surface; infinity if none.
+  std::vector<float> albedo;   ///< 3 a pixel, linear; 0 of the sky.
+  std::vector<float> normal;   ///< 3 a pixel: x east, y north, z up; shorter than 1 where surfaces differ.
+  std::vector<float> depth_m;  ///< Distance from the viewer, mean of the samples that meet a surface; infinity if none.
   std::vector<float> variance;  ///< Estimated variance of the pixel's luminance, the error of its mean squared.
-  std::vector<OsmId> feature;   ///< The OSM object of most samples where one has more than half, else one of those seen.
+  std::vector<OsmId> feature;  ///< The OSM object of most samples where one has more than half, else one of those seen.
 };
 
 /// Linear RGB, row by row from the top.

@@ -9,9 +9,7 @@ namespace citykiln::preview {
 namespace {
 
 // Moves a mean towards another one by a share.
-void blend(float& mean, double other, double share) {
-  mean = static_cast<float>(mean + (other - mean) * share);
-}
+void blend(float& mean, double other, double share) { mean = static_cast<float>(mean + (other - mean) * share); }
 
 double luminance_of(const float* rgb) { return luminance({rgb[0], rgb[1], rgb[2]}); }
 

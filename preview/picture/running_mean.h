@@ -14,10 +14,10 @@ struct PixelSums {
   int count = 0, hits = 0;
   Rgb light{}, albedo{};
   Vec3 normal{};
-  double depth_m = 0;                       ///< Over the samples that meet a surface.
-  double luminance_mean = 0, squares = 0;   ///< Squares of the deviations of luminance from its mean.
-  OsmId feature{};                          ///< Candidate of a majority vote (Boyer, Moore 1981), …
-  int votes = 0;                            ///< … and its surplus of votes.
+  double depth_m = 0;                      ///< Over the samples that meet a surface.
+  double luminance_mean = 0, squares = 0;  ///< Squares of the deviations of luminance from its mean.
+  OsmId feature{};                         ///< Candidate of a majority vote (Boyer, Moore 1981), …
+  int votes = 0;                           ///< … and its surplus of votes.
 };
 
 /// Adds a path whose light is multiplied by `exposure`.

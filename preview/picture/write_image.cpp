@@ -91,7 +91,8 @@ Result<Done> write_image(const Image& image, const std::string& path, const std:
   if (is_exr)
     channels = exr_channels(image, ids);
   else
-    channels = {{"R", kCitykilnByte, &bytes[0], 3}, {"G", kCitykilnByte, &bytes[1], 3}, {"B", kCitykilnByte, &bytes[2], 3}};
+    channels = {
+        {"R", kCitykilnByte, &bytes[0], 3}, {"G", kCitykilnByte, &bytes[1], 3}, {"B", kCitykilnByte, &bytes[2], 3}};
   // a temporary name with the same extension, renamed at the end
   const std::string part = path.substr(0, path.size() - 4) + ".part" + path.substr(path.size() - 4);
   if (const Result<Done> written = write_part(part, image, channels, metadata); !written) {
