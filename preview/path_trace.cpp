@@ -3,148 +3,238 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
+#include <optional>
 
-#include "preview/surface/specular.h"
+#include "preview/surface/bsdf.h"
+#include "preview/surface/water_waves.h"
 
 namespace citykiln::preview {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+// Narrower lobes are mirrors: they see the glass of lamps, and do not count as bounces.
+constexpr double kMirrorAlpha = 0.1;
+constexpr int kMostMirrors = 6;
 
-// Samples are clamped to this, twice a white wall in the sun: brighter ones are rare and would stay visible as dots.
-constexpr double kBrightest = 12;
+// Both lobes of glossier surfaces are followed where these are seen first.
+constexpr double kSplitAlpha = 0.1;
 
-// Paths with a smaller weight are continued by Russian roulette: most rays that dark ground reflects do not matter.
-constexpr double kSmallWeight = 0.4;
+// Width of the microfacets of surfaces behind a matt reflection. Path regularisation: Kaplanyan, Dachsbacher, 2013.
+constexpr double kBlurredAlpha = 0.3;
 
-// Fades light where a smooth normal faces it but the flat triangle hides it, which would be a hard edge on large
-// triangles. Chiang, Li, Burley, "Taming the Shadow Terminator", SIGGRAPH 2019 talks.
-double terminator(const Hit& hit, Vec3 to_light) {
-  const double flat = dot(hit.geometric_normal, to_light), smooth = dot(hit.shading_normal, to_light);
-  if (flat <= 0 || smooth <= 0) return 0;
-  const double g = std::min(1.0, flat / (smooth * dot(hit.geometric_normal, hit.shading_normal)));
-  return g * (1 + g - g * g);
+// The luminance of lamp glass: 2,500 lm from a lantern of 0.1 m².
+constexpr double kLampGlass = 8000 / sky::kUnitLuminance_cd_m2;
+
+bool is_water(materials::Material m) { return m == materials::Material::kWater || m == materials::Material::kSea; }
+
+// A path on its way.
+struct Path {
+  Vec3 from, direction;
+  Rgb weight{1, 1, 1}, light{};
+  double spread_rad;
+  int bounce = 0, mirrors = 0;
+  bool is_sharp = true;  // the camera's, or a mirror's
+  // of the direction: its density, 0 for the camera's, and where it was sampled
+  double pdf = 0;
+  Vec3 sampled_at{}, normal{};
+};
+
+// Turns the normal of water by its waves, and widens its microfacets by those that are shorter than a pixel.
+void make_waves(Hit& hit, const TraceContext& context, double spread_rad, Vec3 direction) {
+  if (!is_water(hit.material) || hit.geometric_normal.z <= 0.9) return;
+  // at grazing angles a pixel covers more along the view than across it: the geometric mean of both
+  const double across_m = hit.distance_m * spread_rad, cosine = std::max(0.02, -dot(direction, hit.shading_normal));
+  const Waves waves =
+      waves_at(in_plan(hit.position + context.world.origin()), std::max(across_m / std::sqrt(cosine), 1e-3));
+  hit.shading_normal = waves.normal;
+  const double own = static_cast<double>(hit.roughness) * hit.roughness;
+  hit.roughness = static_cast<float>(std::sqrt(std::sqrt(own * own + 2 * waves.slope_spread)));
 }
 
-// The hit seen from its other side.
-Hit other_side(Hit hit) {
-  hit.geometric_normal = hit.geometric_normal * -1, hit.shading_normal = hit.shading_normal * -1;
-  return hit;
+double balanced(double own, double other) { return own / (own + other); }
+
+bool is_free(const TraceContext& context, const Hit& hit, Vec3 direction,
+             double distance_m = std::numeric_limits<double>::infinity()) {
+  return !context.world.is_blocked(leave(hit, direction), direction, distance_m);
 }
 
-// The share of paths that continue behind a leaf.
-double through_share(const Hit& hit) { return hit.translucency / (1 + hit.translucency); }
-
-// The cosine of light from a direction, for the other side of leaves times their translucency.
-double received(const Hit& hit, Vec3 to_light) {
-  if (hit.translucency > 0 && dot(hit.geometric_normal, to_light) < 0) {
-    Hit behind = other_side(hit);
-    behind.translucency = 0;
-    return hit.translucency * received(behind, to_light);
-  }
-  return std::max(0.0, dot(hit.shading_normal, to_light)) * terminator(hit, to_light);
-}
-
-Rgb from_sun(const TraceContext& context, const Hit& hit, UnitPair chance) {
+Rgb from_sun(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, UnitPair chance, bool goes_on) {
   if (!context.lights.has_sun()) return {};
   const Vec3 to_sun = context.lights.sample_sun(chance);
-  const double share = received(hit, to_sun) * context.lights.sun_solid_angle() / kPi;
-  if (share <= 0 || context.world.is_blocked(leave(hit, to_sun), to_sun)) return {};
-  return context.lights.model().sun_radiance * share;
+  const Rgb reflected = bsdf.reflected(to_sun);
+  if (largest(reflected) <= 0 || !is_free(context, hit, to_sun)) return {};
+  const double pdf = 1 / context.lights.sun_solid_angle();
+  return context.lights.sun_radiance() * reflected * (1 / (pdf + (goes_on ? bsdf.pdf(to_sun) : 0)));
 }
 
-// Light of the sky by a shadow ray. @param goes_on  Whether a cosine-weighted ray samples the sky, too.
-Rgb from_sky(const TraceContext& context, const Hit& hit, UnitPair chance, bool goes_on) {
+Rgb from_sky(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, UnitPair chance, bool goes_on) {
   const DirectionSample drawn = context.lights.sample_sky(chance);
   if (drawn.pdf <= 0) return {};
-  const double share = received(hit, drawn.direction);
-  if (share <= 0 || context.world.is_blocked(leave(hit, drawn.direction), drawn.direction)) return {};
-  const bool is_through = dot(hit.geometric_normal, drawn.direction) < 0;
-  const double side = is_through ? through_share(hit) : 1 - through_share(hit);
-  const double other = goes_on ? side * std::abs(dot(hit.shading_normal, drawn.direction)) / kPi : 0;
-  return context.lights.falling(drawn.direction) * (share / kPi / (drawn.pdf + other));
+  const Rgb reflected = bsdf.reflected(drawn.direction);
+  if (largest(reflected) <= 0 || !is_free(context, hit, drawn.direction)) return {};
+  return context.lights.falling(drawn.direction) * reflected *
+         (1 / (drawn.pdf + (goes_on ? bsdf.pdf(drawn.direction) : 0)));
 }
 
-// Light of a cosine-weighted ray that hits nothing: from the sky its share by the balance heuristic, from below the
-// horizon all of it, since shadow rays do not sample that.
-Rgb escaped(const TraceContext& context, const DirectionSample& ray) {
-  return context.lights.falling(ray.direction) * (ray.pdf / (ray.pdf + context.lights.sky_pdf(ray.direction)));
+// Light of sun and sky: of both where the eye sees the surface, else of one, chosen at random.
+Rgb from_outside(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, const Path& path, PathDraw& draw,
+                 bool goes_on) {
+  const UnitPair first = draw.next();
+  if (!context.lights.has_sun()) return from_sky(context, hit, bsdf, first, goes_on);
+  if (path.is_sharp)
+    return from_sun(context, hit, bsdf, first, goes_on) + from_sky(context, hit, bsdf, draw.next(), goes_on);
+  if (first.u < 0.5) return from_sun(context, hit, bsdf, {2 * first.u, first.v}, goes_on) * 2;
+  return from_sky(context, hit, bsdf, {2 * first.u - 1, first.v}, goes_on) * 2;
 }
 
-// Samples a cosine-weighted ray, from a leaf on either side, to which the hit is turned.
-DirectionSample sample_onward(Hit& hit, Rgb& weight, PathDraw& draw) {
-  double side = 1;
-  if (hit.translucency > 0) {
-    const bool is_through = draw.next().u < through_share(hit);
-    side = is_through ? through_share(hit) : 1 - through_share(hit);
-    weight = weight * (1 + hit.translucency);
-    if (is_through) hit = other_side(hit);
-  }
-  DirectionSample ray = sample_cosine(hit.shading_normal, draw.next());
-  ray.pdf *= side;
-  return ray;
+// The normal for choosing lights: none where light from both sides is scattered.
+Vec3 receiving_normal(const Hit& hit, const Bsdf& bsdf) { return bsdf.is_two_sided() ? Vec3{} : hit.geometric_normal; }
+
+Rgb from_lamp(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, double chance) {
+  const auto drawn = context.local.sample_lamp(hit.position, receiving_normal(hit, bsdf), chance);
+  if (!drawn) return {};
+  // mirrors see the glass of lamps
+  const bool is_mirror = bsdf.alpha() < kMirrorAlpha;
+  const Rgb reflected = is_mirror ? bsdf.matt(drawn->direction) : bsdf.reflected(drawn->direction);
+  if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
+  return drawn->light * reflected;
 }
 
-// The light that a diffuse surface emits and reflects, along a path of at most `bounces` more surfaces.
-Rgb body_light(const TraceContext& context, Hit hit, int bounces, PathDraw& draw) {
-  Rgb light{}, weight{1, 1, 1};
-  for (int bounce = 0;; ++bounce) {
-    light = light + weight * hit.emission;
-    weight = weight * hit.albedo;
-    const bool goes_on = bounce < bounces;
-    light = light + weight * (from_sun(context, hit, draw.next()) + from_sky(context, hit, draw.next(), goes_on));
-    if (!goes_on) return light;
-    const DirectionSample ray = sample_onward(hit, weight, draw);
-    weight = weight * terminator(hit, ray.direction);
-    const double carried = std::max({weight[0], weight[1], weight[2]}), kept = std::min(1.0, carried / kSmallWeight);
-    if (carried <= 0 || (kept < 1 && draw.next().u >= kept)) return light;
-    weight = weight * (1 / kept);
-    const auto next = context.world.first_hit(leave(hit, ray.direction), ray.direction);
-    if (!next) return light + weight * escaped(context, ray);
-    hit = *next;
-  }
+Rgb from_emitter(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
+  const double chance = draw.next().u;
+  const auto drawn = context.local.sample_emitter(hit.position, receiving_normal(hit, bsdf), chance, draw.next());
+  if (!drawn) return {};
+  const Rgb reflected = bsdf.reflected(drawn->direction);
+  if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
+  return drawn->light * reflected * (goes_on ? balanced(drawn->pdf, bsdf.pdf(drawn->direction)) : 1);
 }
 
-// Light of a specular ray: the diffuse light of what it hits, without a second reflection, or the sky; and the sun's
-// glint.
-Rgb mirrored_light(const TraceContext& context, const Hit& hit, const SpecularLobe& lobe, PathDraw& draw) {
-  const UnitPair chance = draw.next(), sun_chance = draw.next();
+Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
   Rgb light{};
-  const Vec3 out = lobe.draw(chance);
-  const auto met = context.world.first_hit(leave(hit, out), out, lobe.alpha);
-  if (met)
-    light =
-        context.lights.through_air(body_light(context, *met, std::min(context.bounces, 1), draw), out, met->distance_m);
-  else
-    light = context.lights.seen(out);
-  light = light * lobe.share(out);
-  if (!context.lights.has_sun()) return light;
-  const Vec3 to_sun = context.lights.sample_sun(sun_chance);
-  const Rgb glint = context.lights.model().sun_radiance * (lobe.glint(to_sun) * context.lights.sun_solid_angle());
-  // far from the highlight no shadow ray is needed
-  if (luminance(glint) < 0.002 || context.world.is_blocked(leave(hit, to_sun), to_sun)) return light;
-  return light + glint;
+  if (context.local.has_lamps()) light = light + from_lamp(context, hit, bsdf, draw.next().u);
+  if (context.local.has_emitters()) light = light + from_emitter(context, hit, bsdf, draw, goes_on);
+  return light;
 }
 
-Rgb surface_light(const TraceContext& context, const Hit& hit, Vec3 direction, PathDraw& draw) {
-  const Rgb body = body_light(context, hit, context.bounces, draw);
-  if (!is_smooth(hit)) return body;
-  const Vec3 origin = context.world.origin();
-  const SpecularLobe lobe = specular_lobe_of(hit, direction, in_plan(hit.position + origin), context.pixel_rad);
-  return body * (1 - lobe.fresnel) + mirrored_light(context, hit, lobe, draw);
+// Adds the light of a ray that hits nothing.
+void add_outside(const TraceContext& context, Path& path) {
+  const Lights& lights = context.lights;
+  // above the horizon both are the same
+  const Rgb sky = path.is_sharp ? lights.seen(path.direction) : lights.falling(path.direction);
+  path.light = path.light + path.weight * sky * (path.pdf > 0 ? balanced(path.pdf, lights.sky_pdf(path.direction)) : 1);
+  if (path.pdf <= 0 || !lights.is_in_sun(path.direction)) return;
+  const double share = balanced(path.pdf, 1 / lights.sun_solid_angle());
+  path.light = path.light + path.weight * lights.sun_radiance() * share;
+}
+
+// Adds the light that a surface emits.
+void add_emission(const TraceContext& context, const Hit& hit, Path& path) {
+  if (hit.material == materials::Material::kLampGlass && !context.lights.lamps().empty() && path.is_sharp)
+    path.light = path.light + path.weight * kLampGlass;
+  if (!hit.is_front || largest(hit.emission) <= 0) return;
+  if (hit.emitter == kNoEmitter || path.pdf <= 0) {
+    path.light = path.light + path.weight * hit.emission;
+    return;
+  }
+  const double other = context.local.pdf(hit.emitter, path.sampled_at, path.normal, path.direction, hit.distance_m);
+  path.light = path.light + path.weight * context.local.radiance_of(hit.emitter) * balanced(path.pdf, other);
+}
+
+// Fades what is behind air.
+void pass_air(const TraceContext& context, double distance_m, Path& path) {
+  const Rgb clear = context.lights.clearness(distance_m);
+  path.light = path.light + path.weight * context.lights.haze(path.direction) * (Rgb{1, 1, 1} - clear);
+  path.weight = path.weight * clear;
+}
+
+// Ends paths of little weight at random, and makes up for them. Returns false where the path ends.
+bool plays_roulette(const TraceContext& context, Path& path, PathDraw& draw) {
+  const double carried = largest(path.weight);
+  if (!(carried > 0)) return false;
+  if (carried >= context.roulette) return true;
+  const double kept = carried / context.roulette;
+  if (draw.next().u >= kept) return false;
+  path.weight = path.weight * (1 / kept);
+  return true;
+}
+
+// Continues a path in a sampled direction. Returns false where it ends.
+bool go_on(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, const BsdfSample& drawn, PathDraw& draw,
+           Path& path) {
+  path.weight = path.weight * drawn.weight;
+  path.direction = drawn.direction, path.pdf = drawn.pdf, path.from = leave(hit, drawn.direction);
+  path.sampled_at = hit.position, path.normal = receiving_normal(hit, bsdf);
+  path.is_sharp = drawn.lobe_rad < kMirrorAlpha;
+  path.spread_rad = std::max(path.spread_rad, std::min(drawn.lobe_rad, kScattered_rad));
+  if (!path.is_sharp || ++path.mirrors > kMostMirrors) ++path.bounce;
+  return plays_roulette(context, path, draw);
+}
+
+// Light that is not finite becomes 0.
+Rgb sound(Rgb light) {
+  for (double& c : light) c = c > 0 && std::isfinite(c) ? c : 0;
+  return light;
+}
+
+// A surface on a path.
+struct Meeting {
+  Hit hit;
+  Bsdf bsdf;
+};
+
+// The next surface, with all light that it sends along the path but that of the path's next direction. Empty where the
+// path leaves the scene.
+std::optional<Meeting> meet(const TraceContext& context, Path& path, PathDraw& draw) {
+  std::optional<Hit> hit = context.world.first_hit(path.from, path.direction, path.spread_rad);
+  if (!hit) {
+    add_outside(context, path);
+    return std::nullopt;
+  }
+  if (path.is_sharp) pass_air(context, hit->distance_m, path);
+  add_emission(context, *hit, path);
+  make_waves(*hit, context, path.spread_rad, path.direction);
+  const bool is_behind_matt = path.bounce > 0 && !context.has_caustics;
+  Bsdf bsdf(*hit, path.direction * -1, is_behind_matt ? kBlurredAlpha : 0);
+  if (path.pdf == 0 && bsdf.alpha() < kSplitAlpha) bsdf.split();
+  const bool goes_on = path.bounce < context.bounces;
+  path.light = path.light + path.weight * (from_outside(context, *hit, bsdf, path, draw, goes_on) +
+                                           from_local(context, *hit, bsdf, draw, goes_on));
+  return Meeting{*hit, bsdf};
+}
+
+// All light of a path after its first surface.
+Rgb light_behind(const TraceContext& context, Path path, PathDraw& draw) {
+  path.light = {};
+  while (true) {
+    const std::optional<Meeting> met = meet(context, path, draw);
+    if (!met || path.bounce >= context.bounces) return path.light;
+    const double lobe = draw.next().u;
+    const BsdfSample drawn = met->bsdf.sample(lobe, draw.next());
+    if (!go_on(context, met->hit, met->bsdf, drawn, draw, path)) return path.light;
+  }
 }
 
 }  // namespace
 
 TracedPath trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDraw& draw) {
   assert(context.bounces >= 0 && context.pixel_rad > 0);
-  const auto hit = context.world.first_hit(from, direction, context.pixel_rad);
-  if (!hit) return {context.lights.seen(direction), {}};
-  Rgb light = context.lights.through_air(surface_light(context, *hit, direction, draw), direction, hit->distance_m);
-  // a channel that is not a number becomes 0
-  for (double& c : light) c = c > 0 ? std::min(c, kBrightest) : 0;
-  return {light, {hit->albedo, hit->shading_normal, hit->distance_m, hit->feature}};
+  Path path{.from = from, .direction = direction, .spread_rad = context.pixel_rad};
+  const std::optional<Meeting> met = meet(context, path, draw);
+  if (!met) return {sound(path.light), {}};
+  const auto& [hit, bsdf] = *met;
+  Rgb light = path.light;
+  const auto follow = [&](const BsdfSample& drawn) {
+    Path next = path;
+    if (go_on(context, hit, bsdf, drawn, draw, next)) light = light + light_behind(context, next, draw);
+  };
+  const double lobe = draw.next().u;
+  const UnitPair chance = draw.next();
+  if (context.bounces > 0 && bsdf.is_split()) {
+    follow(bsdf.sample_facets(chance));
+    follow(bsdf.sample_body(lobe, draw.next()));
+  } else if (context.bounces > 0) {
+    follow(bsdf.sample(lobe, chance));
+  }
+  return {sound(light), {hit.albedo, hit.shading_normal, hit.distance_m, hit.feature}};
 }
 
 }  // namespace citykiln::preview

@@ -1,7 +1,8 @@
-// Light along paths: sun and sky on diffuse surfaces, emission, specular reflection of water and glass, air in between.
+// Light along paths: sun, sky, lamps and lit windows on surfaces that scatter it, air in between.
 #pragma once
 
 #include "preview/light/light.h"
+#include "preview/light/local_lights.h"
 #include "preview/scene/world.h"
 
 namespace citykiln::preview {
@@ -10,8 +11,12 @@ namespace citykiln::preview {
 struct TraceContext {
   const World& world;
   const Lights& lights;
-  int bounces = 3;           ///< Diffuse reflections after the first surface. >= 0.
+  const LocalLights& local;
+  int bounces = 3;           ///< Reflections after the first surface, but for those of mirrors. >= 0.
   double pixel_rad = 0.001;  ///< Angle of a pixel: shorter waves blur, finer textures are averaged. > 0.
+  double roulette = 0.4;     ///< Paths with a smaller weight may end (Russian roulette). 0: none do.
+  bool has_caustics =
+      false;  ///< Whether mirrors keep their sharpness after matt reflections, or are as rough as these.
 };
 
 /// The first surface along a path, which guides filters: what a pixel shows without light.
@@ -24,15 +29,17 @@ struct FirstSurface {
 
 /// One path.
 struct TracedPath {
-  Rgb light{};  ///< Radiance towards the viewer, in the sky's unit.
+  Rgb light{};  ///< Radiance towards the viewer, in the sky's unit. Finite, >= 0.
   FirstSurface first{};
 };
 
-/// One sample of the radiance towards `from` along a unit direction; each channel in [0, 12].
+/// One sample of the radiance towards `from` along a unit direction. Unbiased for the number of bounces, but for two
+/// simplifications: with has_caustics = false, light that mirrors throw on matt surfaces is blurred (their microfacets
+/// are at least 0.3 wide there); lamps are points, whose picture in narrow mirrors is their glass.
 ///
-/// Method: path tracing (Kajiya 1986). Each surface samples sun and sky by shadow rays, and a cosine-weighted ray
-/// continues the path; sky light that this ray finds is combined with the shadow ray's by the balance heuristic (Veach,
-/// Guibas 1995). A smooth surface that is seen first, or in a mirror, is followed twice: specular and diffuse.
+/// Method: path tracing (Kajiya 1986). At each surface sun, sky and one light of the scene are sampled by shadow rays,
+/// and one direction by the surface's scattering, which goes on; what both find is combined by the balance heuristic
+/// (Veach, Guibas 1995).
 TracedPath trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDraw& draw);
 
 }  // namespace citykiln::preview

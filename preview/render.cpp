@@ -180,11 +180,19 @@ double adapted_exposure(const sky::Sky& sky) {
   return std::exp2(std::min(below_deg, kLowest_deg));
 }
 
-Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options) {
+Image render(const World& world, const Lights& lights, const LocalLights& local, const Camera& camera,
+             const Options& options) {
   if (options.width <= 0 || options.height <= 0) return {};
   const auto begin = std::chrono::steady_clock::now();
   const CameraRays rays(camera, options.width, options.height);
-  const Shot shot{{world, lights, std::max(options.bounces, 0), rays.pixel_rad()}, rays, options};
+  const TraceContext context{.world = world,
+                             .lights = lights,
+                             .local = local,
+                             .bounces = std::max(options.bounces, 0),
+                             .pixel_rad = rays.pixel_rad(),
+                             .roulette = options.roulette,
+                             .has_caustics = options.has_caustics};
+  const Shot shot{context, rays, options};
   std::vector<Block> blocks;
   for (const GridPlace& place : in_morton_order(blocks_along(options.width), blocks_along(options.height)))
     blocks.push_back({.place = place});
@@ -202,10 +210,15 @@ Image render(const World& world, const Lights& lights, const Camera& camera, con
   return image;
 }
 
+Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options) {
+  return render(world, lights, LocalLights(world, lights.lamps(), options.threads), camera, options);
+}
+
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,
              const Options& options) {
   const World world(tiles, camera.eye);
-  return render(world, Lights(sky::generate(sky)), camera, options);
+  const auto lamps = sky::is_night(sky) ? lamps_of(tiles) : std::vector<StreetLamp>();
+  return render(world, Lights(sky::generate(sky), lamps), camera, options);
 }
 
 }  // namespace citykiln::preview

@@ -1,5 +1,6 @@
 #include "compiler/bake/bake_ground.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -22,18 +23,32 @@ void bake_cells(Baking& baking, std::span<const ground::GroundMesh> cells, std::
   }
 }
 
+Markings markings_of(const TileLevel& level, const std::vector<Built>& structures, double texel_m) {
+  std::vector<roads::MarkingLayout> layouts = level.cover->layouts;
+  const std::vector<roads::MarkingLayout> more = layouts_of(structures);
+  layouts.insert(layouts.end(), more.begin(), more.end());
+  return lay_out_markings(layouts, texel_m);
+}
+
+bool shows_markings(const Baking& baking) {
+  return std::ranges::any_of(baking.meshes, [](const LayeredMesh& each) {
+    return each.mesh.colour_source == materials::ColourSource::kByMarkingAtlas;
+  });
+}
+
 }  // namespace
 
-void bake_ground(Baking& baking, TileLevel& level, std::vector<Built> structures) {
-  scene::LandCover& cover = level.cover;
-  const std::size_t first_of_structures = cover.layouts.size();
-  for (const Built& built : structures)
-    for (const structures::MarkedMesh& marked : built.generated.marked) cover.layouts.push_back(marked.layout);
-  Markings markings = lay_out_markings(cover, baking.texel_m());
-  bake_cells(baking, level.cells, level.seen, cover, markings);
-  bake_cells(baking, level.beyond, level.seen_beyond, cover, markings);
-  bake_structures(baking, structures, markings, first_of_structures);
-  baking.tile.marking_atlas = std::move(markings.atlas);
+void bake_ground(Baking& baking, const TileLevel& level, std::vector<Built> structures) {
+  Markings own;
+  if (!level.markings) own = markings_of(level, structures, baking.texel_m());
+  const Markings& markings = level.markings ? *level.markings : own;
+  bake_cells(baking, level.cells, level.seen, *level.cover, markings);
+  bake_cells(baking, level.beyond, level.seen_beyond, *level.cover, markings);
+  bake_structures(baking, structures, markings);
+  if (!level.markings)
+    baking.tile.marking_atlas = std::move(own.atlas);
+  else if (!baking.cell && shows_markings(baking))
+    baking.tile.marking_atlas = markings.atlas;
 }
 
 }  // namespace citykiln::bake

@@ -9,8 +9,8 @@
 
 namespace citykiln::bake {
 
-/// Adds the level's cells with their materials and skirts, then the structures, and draws the tile's marking atlas: the
-/// ground's marking layouts first, then the structures'.
-void bake_ground(Baking& baking, TileLevel& level, std::vector<Built> structures);
+/// Adds the level's cells with their materials and skirts, then the structures. The tile gets the marking atlas of the
+/// level's markings if it shows any; without these an atlas of all that it shows is drawn. Cells get none.
+void bake_ground(Baking& baking, const TileLevel& level, std::vector<Built> structures);
 
 }  // namespace citykiln::bake

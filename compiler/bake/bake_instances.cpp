@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/bake/baked_cell.h"
 #include "compiler/bake/merge.h"
 #include "compiler/bake/stands.h"
 #include "compiler/contract/detail_tolerances.h"
@@ -12,11 +13,10 @@
 namespace citykiln::bake {
 namespace {
 
-// Adds an instanced mesh, unless the tolerance drops it. @param size_m  The size of the mesh at a scale of 1.
-void bake_instances(Baking& baking, const std::string& name, std::vector<Primitive> primitives,
-                    const impostor::SharedCutout& cutout, const std::vector<Placement>& placements, double size_m = 1) {
-  if (primitives.empty() || placements.empty()) return;
-  InstancedMesh instanced{.name = name, .primitives = std::move(primitives), .cutout = cutout};
+// The instances of a mesh, without its primitives. @param size_m  The size of the mesh at a scale of 1.
+InstancedMesh instances_of(const Baking& baking, const std::string& name, const std::vector<Placement>& placements,
+                           double size_m) {
+  InstancedMesh instanced{.name = name, .primitives = {}};
   for (const Placement& p : placements) {
     instanced.translations.push_back(offset_from(baking.tile.origin, p.at));
     // half of the rotation about z, from cosine and sine of the whole
@@ -26,7 +26,7 @@ void bake_instances(Baking& baking, const std::string& name, std::vector<Primiti
     instanced.scales.push_back(static_cast<float>(p.scale / size_m));
     instanced.features.push_back(number_of(baking.tile, p.feature));
   }
-  baking.tile.instanced.push_back(std::move(instanced));
+  return instanced;
 }
 
 // "oak_3".
@@ -41,11 +41,9 @@ double tallest(const std::vector<Placement>& placements) {
 }
 
 plants::PlacedPlants merged_variants(const plants::PlacedPlants& placed, double tolerance_m) {
-  const int variants = plants::variants_at(tolerance_m);
   plants::PlacedPlants merged;
   for (const auto& [prototype, placements] : placed) {
-    const auto variant = static_cast<std::uint8_t>(prototype.variant % variants);
-    std::vector<Placement>& all = merged[{prototype.species, variant}];
+    std::vector<Placement>& all = merged[merged_variant(prototype, tolerance_m)];
     all.insert(all.end(), placements.begin(), placements.end());
   }
   return merged;
@@ -66,6 +64,11 @@ void bake_stands(Baking& baking, const Stands& stands, const PrototypeCache& pro
   }
 }
 
+// The size for which the mesh of a kind of lamp is made.
+double tallest_of(const Baking& baking, props::LampKind kind, const std::vector<Placement>& placements) {
+  return baking.cell ? baking.cell->tallest_lamps_m.at(kind) : tallest(placements);
+}
+
 // Adds the lamps of one kind; returns false where the tolerance drops them.
 bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerrain& graded, props::LampKind kind) {
   constexpr const char* kNames[] = {"PostTopLamp", "ArmLamp"};
@@ -73,17 +76,24 @@ bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerr
   for (const props::StreetLamp& lamp : lamps.standing)
     if (lamp.kind == kind) placements.push_back(props::place(lamp, graded));
   if (placements.empty()) return true;
-  const double tallest_m = tallest(placements), height_m = prototype_height_m(tallest_m);
+  const double tallest_m = tallest_of(baking, kind, placements), height_m = prototype_height_m(tallest_m);
   props::GeneratedProp lamp = props::lamp_mesh(kind, tallest_m, baking.tolerance_m);
   for (materials::MaterialMesh& part : lamp.meshes)
     for (Vec3& p : part.mesh.positions) p = p * height_m;
   for (const Placement& p : placements) baking.certify(lamp.error_m, bounds_of(p));
-  bake_instances(baking, kNames[static_cast<std::size_t>(kind)], instanced_primitives(lamp.meshes, Layer::kProps), {},
-                 placements, height_m);
-  return !lamp.meshes.empty();
+  if (lamp.meshes.empty()) return false;
+  InstancedMesh instanced = instances_of(baking, kNames[static_cast<std::size_t>(kind)], placements, height_m);
+  instanced.primitives = instanced_primitives(lamp.meshes, Layer::kProps);
+  baking.tile.instanced.push_back(std::move(instanced));
+  return true;
 }
 
 }  // namespace
+
+plants::Prototype merged_variant(plants::Prototype prototype, double tolerance_m) {
+  const int variants = plants::variants_at(tolerance_m);
+  return {prototype.species, static_cast<std::uint8_t>(prototype.variant % variants)};
+}
 
 Placed placed_in(const Baking& baking, const SharedByLevels& shared) {
   Placed placed{shared.trees, shared.lamps};
@@ -95,7 +105,7 @@ Placed placed_in(const Baking& baking, const SharedByLevels& shared) {
   placed.lamps = {};
   for (std::size_t i = 0; i < shared.lamps.standing.size(); ++i) {
     const props::StreetLamp& lamp = shared.lamps.standing[i];
-    if (!baking.holds(bounds_of(props::place(lamp, shared.graded)))) continue;
+    if (!baking.holds(bounds_of(props::place(lamp, *shared.graded)))) continue;
     placed.lamps.standing.push_back(lamp);
     if (i < shared.lamps.mapped) ++placed.lamps.mapped;
   }
@@ -123,18 +133,28 @@ void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prot
               prototypes);
   for (const auto& [prototype, placements] : merged_variants(trees, baking.tolerance_m)) {
     if (placements.empty()) continue;
-    const double height_m = prototype_height_m(tallest(placements));
+    const double tallest_m = baking.cell ? baking.cell->tallest_plants_m.at(prototype) : tallest(placements);
+    const double height_m = prototype_height_m(tallest_m);
     const BakedPrototype& baked = prototypes.prototype(prototype, height_m, baking.tolerance_m);
-    baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest(placements));
-    bake_instances(baking, name_of(prototype), baked.primitives, baked.cutout, placements, height_m);
+    baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest_m);
+    if (baked.primitives.empty()) continue;
+    InstancedMesh instanced = instances_of(baking, name_of(prototype), placements, height_m);
+    instanced.cutout = baked.cutout;
+    if (!baking.cell) instanced.primitives = baked.primitives;
+    baking.cell ? baking.cell->plants.push_back({&baked, std::move(instanced)})
+                : baking.tile.instanced.push_back(std::move(instanced));
   }
+}
+
+Bounds bounds_of_pit(const props::TreePit& pit, const ground::GradedTerrain& graded) {
+  return bounds_of(Placement{at_height(pit.at, land_m(graded, pit.at)), 1, 0, pit.side_m, {}});
 }
 
 void bake_tree_pits(Baking& baking, const SharedByLevels& shared) {
   for (const props::TreePit& pit : shared.pits) {
-    const Bounds bounds = bounds_of(Placement{at_height(pit.at, land_m(shared.graded, pit.at)), 1, 0, pit.side_m, {}});
+    const Bounds bounds = bounds_of_pit(pit, *shared.graded);
     if (!baking.holds(bounds)) continue;
-    props::GeneratedProp generated = props::generate(pit, shared.graded, baking.tolerance_m);
+    props::GeneratedProp generated = props::generate(pit, *shared.graded, baking.tolerance_m);
     baking.certify(generated.error_m, bounds);
     baking.take(std::move(generated.meshes), Layer::kProps);
   }

@@ -22,9 +22,15 @@ void bake_canopy(Baking& baking, const TileLevel& level, Placed& placed);
 /// Adds the features of placed objects; call before features are numbered, and the functions below after.
 void name_placed(Baking& baking, const Placed& placed);
 
+/// The variant that stands for a prototype at a tolerance (plants::variants_at).
+plants::Prototype merged_variant(plants::Prototype prototype, double tolerance_m);
+
 /// Adds plants as instances of cached prototypes. Variants that look alike at the tolerance (plants::variants_at) are
 /// merged. Where there are more than `most_instances`, lamps included, stands become single meshes (stands.h).
 void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prototypes, std::size_t most_instances);
+
+/// The bounds of a tree pit on the ground.
+Bounds bounds_of_pit(const props::TreePit& pit, const ground::GradedTerrain& graded);
 
 /// Adds the tree pits; a pit is in the part of its tree.
 void bake_tree_pits(Baking& baking, const SharedByLevels& common);

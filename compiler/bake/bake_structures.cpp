@@ -63,13 +63,18 @@ std::vector<Built> generate_structures(const Baking& baking, Report& report) {
   return all;
 }
 
-void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings,
-                     std::size_t first_column) {
-  assert(first_column <= markings.columns.size());
+std::vector<roads::MarkingLayout> layouts_of(const std::vector<Built>& structures) {
+  std::vector<roads::MarkingLayout> layouts;
+  for (const Built& built : structures)
+    for (const structures::MarkedMesh& marked : built.generated.marked) layouts.push_back(marked.layout);
+  return layouts;
+}
+
+void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings) {
   for (auto& [built, bounds] : structures) {
     baking.certify(built.error_m, bounds);
     for (structures::MarkedMesh& marked : built.marked) {
-      map_to_atlas(markings.columns[first_column++], marked.mesh);
+      map_to_atlas(column_of(markings, marked.layout), marked.mesh);
       built.meshes.push_back(std::move(marked.mesh));
     }
     baking.take(std::move(built.meshes), Layer::kStructures);

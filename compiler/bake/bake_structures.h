@@ -20,10 +20,12 @@ struct Built {
 /// when the map was compiled. Accounts "bake/bridge", "bake/tunnel".
 std::vector<Built> generate_structures(const Baking& baking, Report& report);
 
+/// The marking layouts of structures.
+std::vector<roads::MarkingLayout> layouts_of(const std::vector<Built>& structures);
+
 /// Adds bridges and tunnels.
-/// @param markings  Their columns are those from `first_column` on, in the structures' order.
-void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings,
-                     std::size_t first_column);
+/// @param markings  Of their layouts, and others.
+void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings);
 
 /// Adds stairs. They lie on the ground, which is a ramp below them and replaces them where their error is within the
 /// tolerance.

@@ -17,13 +17,16 @@ namespace citykiln::bake {
 
 using materials::MaterialMesh;
 
-/// A tile, or one part of a tile for a view, while it is baked.
+struct CellBaking;
+
+/// A tile, or one part of a tile or cell for a view, while it is baked.
 struct Baking {
   const scene::Header& header;
   const scene::Chunk& chunk;
   double tolerance_m;
   BakedTile& tile;
-  const TilePart* part = nullptr;  ///< Null: the whole tile.
+  const TilePart* part = nullptr;    ///< Null: the whole tile.
+  const CellBaking* cell = nullptr;  ///< Of a cell (baked_cell.h).
   std::vector<LayeredMesh> meshes{};
   std::set<OsmId> features{OsmId{}};
 

@@ -56,7 +56,7 @@ MeshKey mesh_key(const scene::LandCover& cover, std::uint32_t surface, Material 
   return piece ? MeshKey{true, piece->run, material, layer} : MeshKey{false, surface, material, layer};
 }
 
-const Column* column_of(const Markings& markings, const roads::Piece* piece) {
+const Column* column_of_piece(const Markings& markings, const roads::Piece* piece) {
   if (!piece || piece->layout == roads::kNoMarkingLayout) return nullptr;
   const Column& column = markings.columns[piece->layout];
   return column.left_m < 0 ? nullptr : &column;
@@ -135,7 +135,7 @@ FaceUvs uvs_on_land(const CellContext& d, std::uint32_t face, Material material)
 std::optional<FaceUvs> uvs_of(const CellContext& d, std::uint32_t face, Material material) {
   const std::uint32_t surface = d.ground.face_cover[face];
   const roads::Piece* piece = piece_of(d.cover, surface);
-  if (const Column* column = column_of(d.markings, piece))
+  if (const Column* column = column_of_piece(d.markings, piece))
     return each_corner(d, face, [&](Vec3 p) { return on_atlas(*column, roads::uv_at(piece->frame, in_plan(p))); });
   if (piece) {
     const FaceUvs along = each_corner(d, face, [&](Vec3 p) { return on_grid(roads::uv_at(piece->frame, in_plan(p))); });
@@ -162,7 +162,8 @@ LayeredMesh empty_mesh(const CellContext& d, std::uint32_t surface, Material mat
   mesh.material = material;
   if (surface == kNoLandCover) return part;
   mesh.feature = d.cover.surfaces[surface].id.osm;
-  if (column_of(d.markings, piece_of(d.cover, surface))) mesh.colour_source = materials::ColourSource::kByMarkingAtlas;
+  if (column_of_piece(d.markings, piece_of(d.cover, surface)))
+    mesh.colour_source = materials::ColourSource::kByMarkingAtlas;
   return part;
 }
 
@@ -201,22 +202,22 @@ void add_face(std::vector<LayeredMesh>& all, const CellContext& d, std::uint32_t
 
 }  // namespace
 
-Markings lay_out_markings(const scene::LandCover& cover, double tolerance_m) {
-  std::vector<roads::CanonicalLayout> drawn;
-  std::vector<roads::MarkingLayout> unique;
-  for (const roads::MarkingLayout& layout : cover.layouts) {
-    drawn.push_back(roads::canonical_layout(layout));
-    unique.push_back(drawn.back().layout);
-  }
-  sort_unique(unique);
-  roads::MarkingAtlas atlas = roads::make_marking_atlas(unique, tolerance_m);
-  Markings markings{std::move(atlas.sheet), {}};
-  for (const roads::CanonicalLayout& d : drawn) {
-    const auto place = std::ranges::lower_bound(unique, d.layout) - unique.begin();
-    markings.columns.push_back({atlas.left_m[static_cast<std::size_t>(place)], d.is_turned, roads::width_m(d.layout),
-                                roads::length_m(d.layout)});
-  }
+Markings lay_out_markings(std::span<const roads::MarkingLayout> layouts, double tolerance_m) {
+  Markings markings;
+  for (const roads::MarkingLayout& layout : layouts) markings.drawn.push_back(roads::canonical_layout(layout).layout);
+  sort_unique(markings.drawn);
+  roads::MarkingAtlas atlas = roads::make_marking_atlas(markings.drawn, tolerance_m);
+  markings.atlas = std::move(atlas.sheet), markings.left_m = std::move(atlas.left_m);
+  for (const roads::MarkingLayout& layout : layouts) markings.columns.push_back(column_of(markings, layout));
   return markings;
+}
+
+Column column_of(const Markings& markings, const roads::MarkingLayout& layout) {
+  const auto [like, is_turned] = roads::canonical_layout(layout);
+  const auto place = std::ranges::lower_bound(markings.drawn, like);
+  assert(place != markings.drawn.end() && *place == like);
+  return {markings.left_m[static_cast<std::size_t>(place - markings.drawn.begin())], is_turned, roads::width_m(like),
+          roads::length_m(like)};
 }
 
 void map_to_atlas(const Column& column, MaterialMesh& mesh) {

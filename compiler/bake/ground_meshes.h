@@ -1,6 +1,7 @@
 // Divides the ground by material and gives it tints and texture coordinates.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "compiler/bake/layer.h"
@@ -22,10 +23,15 @@ struct Column {
 struct Markings {
   materials::TextureImage atlas;
   std::vector<Column> columns;
+  std::vector<roads::MarkingLayout> drawn{};  ///< The layouts on the atlas, sorted; what looks alike is once.
+  std::vector<double> left_m{};               ///< Of each of them, as Column::left_m.
 };
 
 /// Draws the marking atlas. Layouts that look alike share a column; the order of layouts does not change the atlas.
-Markings lay_out_markings(const scene::LandCover& cover, double tolerance_m);
+Markings lay_out_markings(std::span<const roads::MarkingLayout> layouts, double tolerance_m);
+
+/// The column of a layout, which looks like one of those that were laid out.
+Column column_of(const Markings& markings, const roads::MarkingLayout& layout);
 
 /// Moves a mesh's uvs from its layout to the marking atlas, if the layout is on it.
 void map_to_atlas(const Column& column, materials::MaterialMesh& mesh);

@@ -21,14 +21,20 @@ void snap(std::span<Primitive> primitives, ColourSource colour_source, const Tex
 
 }  // namespace
 
-void snap_image_uvs(BakedTile& tile) {
+void snap_image_uvs(BakedTile& tile) { snap_image_uvs(tile, tile.marking_atlas); }
+
+void snap_image_uvs(BakedTile& tile, const TextureImage& marking_atlas) {
   const auto snap_all = [&](std::vector<Primitive>& primitives, const TextureImage& cutout) {
-    snap(primitives, ColourSource::kByMarkingAtlas, tile.marking_atlas);
+    snap(primitives, ColourSource::kByMarkingAtlas, marking_atlas);
     snap(primitives, ColourSource::kByAtlas, tile.facade_atlas.colour);
     snap(primitives, ColourSource::kByCutout, cutout);
   };
   snap_all(tile.primitives, {});
   for (InstancedMesh& instanced : tile.instanced) snap_all(instanced.primitives, instanced.cutout->colour);
+}
+
+void snap_image_uvs(std::vector<Primitive>& primitives, const impostor::Cutout& cutout) {
+  snap(primitives, ColourSource::kByCutout, cutout.colour);
 }
 
 }  // namespace citykiln::bake

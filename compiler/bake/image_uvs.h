@@ -8,5 +8,9 @@ namespace citykiln::bake {
 /// Moves uvs on the marking atlas, the facade atlas and cutouts to multiples of materials::uv_step_m() of their image:
 /// by at most a sixteenth of a texel. Twice changes nothing more. Up to 2^22 steps. O(vertices).
 void snap_image_uvs(BakedTile& tile);
+/// The same for a tile that shows a marking atlas which it does not hold.
+void snap_image_uvs(BakedTile& tile, const materials::TextureImage& marking_atlas);
+/// The same for the primitives of an instanced mesh that show a cutout alone.
+void snap_image_uvs(std::vector<Primitive>& primitives, const impostor::Cutout& cutout);
 
 }  // namespace citykiln::bake

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
 
 namespace citykiln::bake {
@@ -40,6 +41,7 @@ const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, dou
       for (Vec3& p : dressed.mesh.positions) p = p * height_m;
     slot.baked.primitives = instanced_primitives(plant.meshes, Layer::kPlants);
     if (plant.shows_leaf_atlas) slot.baked.cutout = leaves().cutout;
+    snap_image_uvs(slot.baked.primitives, *slot.baked.cutout);
     slot.baked.error_per_m = plant.error_per_m;
   });
   return slot.baked;

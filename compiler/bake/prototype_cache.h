@@ -20,9 +20,10 @@ double prototype_height_m(double tallest_m);
 
 /// The mesh of a plant as tall as was asked for.
 struct BakedPrototype {
-  std::vector<Primitive> primitives;  ///< Empty where the tolerance drops the plant.
-  impostor::SharedCutout cutout;      ///< The leaf atlas, if the primitives show it.
-  double error_per_m = 0;             ///< Error of a plant per metre of its height.
+  std::vector<Primitive>
+      primitives;                 ///< Empty where the tolerance drops the plant. Uvs lie on the grid of image_uvs.h.
+  impostor::SharedCutout cutout;  ///< The leaf atlas, if the primitives show it.
+  double error_per_m = 0;         ///< Error of a plant per metre of its height.
 };
 
 /// A thread-safe cache of prototypes. Logically const: a prototype is a function of the header's species and of what is

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <map>
 
 #include "compiler/bake/ground_beyond.h"
 #include "compiler/bake/skirt.h"
@@ -10,13 +11,6 @@
 
 namespace citykiln::bake {
 namespace {
-
-Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& map, const Box2& box) {
-  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), chunk.lamps.size()};
-  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
-  lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
-  return lamps;
-}
 
 // Adds the plants of hedges, where these stand on ground that the chunk holds.
 void add_hedges(const scene::Chunk& chunk, const plants::PlacingContext& land, plants::PlacedPlants& placed) {
@@ -42,9 +36,10 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
   const ground::LandCoverIndex map = ground::index_land_cover(surfaces, box.widened(scene::kHalo_m));
-  SharedByLevels shared{.graded = scene::graded_terrain_of(header, chunk, tolerance_m),
-                        .lamps = place_lamps(chunk, map, box)};
-  const plants::PlacingContext land{map, shared.graded, box, header.seed, header.origin.lat_deg};
+  SharedByLevels shared{
+      .graded = std::make_shared<ground::GradedTerrain>(scene::graded_terrain_of(header, chunk, tolerance_m)),
+      .lamps = place_lamps(chunk, map, box)};
+  const plants::PlacingContext land{map, *shared.graded, box, header.seed, header.origin.lat_deg};
   shared.trees = plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land,
                                   shared.tree_report);
   shared.pits = props::tree_pits(joined(shared.trees), chunk.roads, map);
@@ -54,7 +49,7 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
     shared.canopies.push_back(plants::make_canopy(chunk.woods, chunk.corridors, land, canopy_m, month_of(header)));
   for (const roads::Road& road : chunk.roads)
     if (road.surface == map::LandCoverClass::kSteps)
-      shared.stairs.push_back(structures::stairs_on(road, map, shared.graded, box));
+      shared.stairs.push_back(structures::stairs_on(road, map, *shared.graded, box));
   std::erase_if(shared.stairs, [](const structures::Stairs& stairs) { return stairs.mesh.triangles.empty(); });
   return shared;
 }
@@ -94,17 +89,11 @@ std::vector<ViewCell> cells_at(const Box2& tile, double tolerance_m) {
 void generate_grounds(std::span<TileLevel> levels, const Box2& box, int threads) {
   std::vector<GroundLevel> grounds;
   for (const TileLevel& level : levels)
-    grounds.push_back({level.shared->graded, level.cover.surfaces, level.tolerance_m});
+    grounds.push_back({*level.shared->graded, level.cover->surfaces, level.tolerance_m});
   std::vector<Report> reports(levels.size());
   std::vector<std::vector<ground::GroundMesh>> cells = generate_cells(grounds, box, threads, reports);
   for (std::size_t i = 0; i < levels.size(); ++i)
     levels[i].cells = std::move(cells[i]), levels[i].cell_report = std::move(reports[i]);
-}
-
-// The level of the first cell that a box touches.
-int number_beside(std::span<const ViewCell> cells, const Box2& box) {
-  const auto cell = std::ranges::find_if(cells, [&](const ViewCell& c) { return c.level.cell.touches(box); });
-  return cell == cells.end() ? cells.front().number : cell->number;
 }
 
 // The ground under buildings across the extent's border. Each piece has skirts of its own on all sides.
@@ -113,7 +102,7 @@ void generate_beyond(TileLevel& level, const Box2& box, int threads) {
                                .skirt = box,
                                .skirt_m = kSkirtDepthTolerances * level.tolerance_m});
   std::vector<ground::GroundMesh> ground =
-      generate_cells(level.shared->graded, level.cover.surfaces, std::array{level.seen_beyond.back().level}, threads,
+      generate_cells(*level.shared->graded, level.cover->surfaces, std::array{level.seen_beyond.back().level}, threads,
                      level.cell_report);
   level.beyond.push_back(std::move(ground.front()));
 }
@@ -129,7 +118,8 @@ std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk
   for (const double tolerance_m : ladder_m) {
     assert(tolerance_m > 0);
     TileLevel& level = levels.emplace_back(TileLevel{tolerance_m, shared.at(tolerance_m)});
-    level.cover = scene::land_cover_of(header, chunk, tolerance_m), level.seen = cells_at(box, tolerance_m);
+    level.cover = std::make_shared<scene::LandCover>(scene::land_cover_of(header, chunk, tolerance_m)),
+    level.seen = cells_at(box, tolerance_m);
     if (has_canopy(tolerance_m)) level.canopy = canopies++;
   }
   generate_grounds(levels, box, threads);
@@ -139,24 +129,50 @@ std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk
   return levels;
 }
 
-std::vector<TileLevel> levels_for_view(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
-                                       std::span<const int> parts, int threads) {
+std::vector<TileLevel> bare_levels_for_view(const scene::Header& header, const scene::Chunk& chunk,
+                                            const ViewLevels& view, std::span<const int> parts) {
   const std::vector<ViewCell> all = cells_of(view, scene::box_of(header, chunk.tile));
   std::vector<double> tolerances_m;
   for (const int part : parts) tolerances_m.push_back(tolerance_m_of(view.view, part));
   SharedParts shared{header, chunk, tolerances_m, true};
   std::vector<TileLevel> levels;
+  std::map<double, std::shared_ptr<const scene::LandCover>> covers;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     TileLevel& level = levels.emplace_back(TileLevel{tolerances_m[i], shared.at(tolerances_m[i])});
-    std::ranges::copy_if(all, std::back_inserter(level.seen),
-                         [&](const auto& cell) { return cell.number == parts[i]; });
-    if (level.seen.empty()) continue;
-    level.cover = scene::land_cover_of(header, chunk, roads_tolerance_m(view, parts[i]));
-    std::vector<CellLevel> cells;
-    for (const ViewCell& cell : level.seen) cells.push_back(cell.level);
-    level.cells = generate_cells(level.shared->graded, level.cover.surfaces, cells, threads, level.cell_report);
-    for (const Box2& outside : ground_beyond(header, chunk))
-      if (number_beside(all, outside) == parts[i]) generate_beyond(level, outside, threads);
+    if (std::ranges::none_of(all, [&](const ViewCell& cell) { return cell.number == parts[i]; })) continue;
+    const double roads_m = roads_tolerance_m(view, parts[i]);
+    std::shared_ptr<const scene::LandCover>& cover = covers[roads_m];
+    if (!cover) cover = std::make_shared<scene::LandCover>(scene::land_cover_of(header, chunk, roads_m));
+    level.cover = cover;
+  }
+  return levels;
+}
+
+std::size_t cell_beside(std::span<const ViewCell> cells, const Box2& box) {
+  const auto cell = std::ranges::find_if(cells, [&](const ViewCell& c) { return c.level.cell.touches(box); });
+  return cell == cells.end() ? 0 : static_cast<std::size_t>(cell - cells.begin());
+}
+
+void generate_ground(TileLevel& level, std::vector<ViewCell> seen, std::span<const Box2> beyond, int threads) {
+  level.seen = std::move(seen);
+  std::vector<CellLevel> cells;
+  for (const ViewCell& cell : level.seen) cells.push_back(cell.level);
+  level.cells = generate_cells(*level.shared->graded, level.cover->surfaces, cells, threads, level.cell_report);
+  for (const Box2& outside : beyond) generate_beyond(level, outside, threads);
+}
+
+std::vector<TileLevel> levels_for_view(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
+                                       std::span<const int> parts, int threads) {
+  const std::vector<ViewCell> all = cells_of(view, scene::box_of(header, chunk.tile));
+  const std::vector<Box2> beyond = ground_beyond(header, chunk);
+  std::vector<TileLevel> levels = bare_levels_for_view(header, chunk, view, parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::vector<ViewCell> seen;
+    std::ranges::copy_if(all, std::back_inserter(seen), [&](const auto& cell) { return cell.number == parts[i]; });
+    std::vector<Box2> beside;
+    std::ranges::copy_if(beyond, std::back_inserter(beside),
+                         [&](const Box2& box) { return all[cell_beside(all, box)].number == parts[i]; });
+    if (!seen.empty()) generate_ground(levels[i], std::move(seen), beside, threads);
   }
   return levels;
 }

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground_meshes.h"
+#include "compiler/bake/place_lamps.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/generate.h"
 #include "compiler/plants/generate.h"
@@ -19,16 +21,10 @@
 
 namespace citykiln::bake {
 
-/// Street lamps, mapped ones first.
-struct Lamps {
-  std::vector<props::StreetLamp> standing;
-  std::size_t mapped = 0;
-};
-
 /// What all levels with Detail::kRoadSurfaces share, and what all levels without it do: the graded terrain, and what
 /// stands on it.
 struct SharedByLevels {
-  ground::GradedTerrain graded;
+  std::shared_ptr<const ground::GradedTerrain> graded;
   plants::PlacedPlants trees{};
   plants::PlacedPlants blades{};  ///< For levels with Detail::kGrassBlades; empty where no level has it.
   Report tree_report{};
@@ -45,7 +41,8 @@ using BuildingMeshes = std::vector<buildings::GeneratedBuilding>;
 struct TileLevel {
   double tolerance_m;
   std::shared_ptr<const SharedByLevels> shared;
-  scene::LandCover cover{};
+  std::shared_ptr<const scene::LandCover> cover = std::make_shared<scene::LandCover>();
+  std::shared_ptr<const Markings> markings{};  ///< Of all levels of a view; null: the level draws its own.
   std::vector<ViewCell> seen{};
   std::vector<ground::GroundMesh> cells{};   ///< One per entry of `seen`.
   std::vector<ViewCell> seen_beyond{};       ///< Ground outside of the extent, under buildings (ground_beyond.h).
@@ -59,6 +56,17 @@ struct TileLevel {
 /// Returns the levels of a whole tile, complete but for buildings. Cost: the ground's.
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
                                  std::span<const double> ladder_m, int threads);
+
+/// Returns a level per part of a tile for a view: what levels share and their land cover, without ground.
+/// @param parts  As levels_of_parts() returns them.
+std::vector<TileLevel> bare_levels_for_view(const scene::Header& header, const scene::Chunk& chunk,
+                                            const ViewLevels& view, std::span<const int> parts);
+
+/// The index of the cell to whose level ground beyond the extent belongs: the first that a box touches.
+std::size_t cell_beside(std::span<const ViewCell> cells, const Box2& box);
+
+/// Generates the ground of a bare level: cells, and boxes beyond the extent.
+void generate_ground(TileLevel& level, std::vector<ViewCell> seen, std::span<const Box2> beyond, int threads);
 
 /// Returns a level per part of a tile for a view, with the cells of that level.
 /// @param parts  As levels_of_parts() returns them.

@@ -144,10 +144,14 @@ std::vector<int> levels_of_parts(const ViewLevels& levels, const scene::Header& 
   return parts;
 }
 
+std::size_t part_at(const std::vector<int>& of_tile, int level) {
+  assert(!of_tile.empty());
+  const auto coarser = std::ranges::upper_bound(of_tile, level) - of_tile.begin();
+  return coarser == 0 ? 0 : static_cast<std::size_t>(coarser - 1);
+}
+
 bool is_in_part(const TilePart& part, const Bounds& bounds) {
-  assert(!part.of_tile.empty());
-  const auto coarser = std::ranges::upper_bound(part.of_tile, level_for(part.levels.view, bounds));
-  return part.level == (coarser == part.of_tile.begin() ? *coarser : *std::prev(coarser));
+  return part.level == part.of_tile[part_at(part.of_tile, level_for(part.levels.view, bounds))];
 }
 
 double roads_tolerance_m(const ViewLevels& levels, int level) {

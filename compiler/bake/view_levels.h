@@ -81,6 +81,9 @@ std::vector<ViewZone> zones_of(const ViewLevels& levels, const Box2& tile);
 /// The levels of a tile's parts, rising: those of its cells, and one that is fine enough for every object of the tile.
 std::vector<int> levels_of_parts(const ViewLevels& levels, const scene::Header& header, const scene::Chunk& chunk);
 
+/// The index among the levels of a tile's parts, rising, of the coarsest one that is at most `level`; 0 where none is.
+std::size_t part_at(const std::vector<int>& of_tile, int level);
+
 /// One part of a tile: what is baked at one of its levels.
 struct TilePart {
   const ViewLevels& levels;

@@ -15,7 +15,7 @@
 #include "compiler/contract/parse.h"
 #include "compiler/sky/plan.h"
 #include "compiler/spec.h"
-#include "preview/light/environment_map.h"
+#include "preview/light/read_environment.h"
 #include "preview/picture/denoise.h"
 #include "preview/picture/exposure.h"
 #include "preview/render.h"
@@ -49,12 +49,11 @@ Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Heade
 /// The environment map that replaces the sky, if one is given.
 Result<std::optional<preview::EnvironmentMap>> environment_of(const Request& request, const Console& console) {
   if (request.environment_path.empty()) return std::optional<preview::EnvironmentMap>();
-  Result<preview::ReadEnvironment> read = preview::read_environment(request.environment_path);
+  Result<preview::ReadEnvironment> read = preview::read_environment(request.environment_path, request.environment_turn_deg);
   if (!read) return read.error();
   if (read->mended > 0)
     console.print_line(fmt::format("note: {} has {} pixels that are negative or not finite; they count as black",
                                    request.environment_path, read->mended));
-  read->map.turn_deg = request.environment_turn_deg;
   return std::optional(std::move(read->map));
 }
 
@@ -96,6 +95,7 @@ void print_json(const preview::Image& image, const preview::Camera& camera, std:
 struct Stage {
   const preview::World& world;
   const preview::Lights& lights;
+  const preview::LocalLights& local;
   const sky::Sky& sky;
   preview::Options options;
 };
@@ -113,7 +113,7 @@ preview::Options options_of(const Request& request) {
 // Renders one frame and writes it. `exposure` is the factor of all frames, decided by the first one.
 Result<preview::Image> render_frame(const Request& request, const Stage& stage, const preview::Camera& camera,
                                     const std::string& path, std::optional<double>& exposure) {
-  preview::Image image = preview::render(stage.world, stage.lights, camera, stage.options);
+  preview::Image image = preview::render(stage.world, stage.lights, stage.local, camera, stage.options);
   if (request.is_denoised) image = preview::denoise(image, stage.options.threads);
   if (!exposure) exposure = preview::auto_exposure(image) * request.exposure.factor;
   preview::expose(image, *exposure);
@@ -161,8 +161,11 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *loaded, console);
   if (!cameras) return cameras.error();
   const preview::World world(loaded->tiles, cameras->front().eye);
-  const preview::Lights lights(sky::generate(*sky));
-  return render_frames(request, {world, lights, *sky, options_of(request)}, *cameras, loaded->tiles.size(), on_progress,
+  const auto lamps = sky::is_night(*sky) ? preview::lamps_of(loaded->tiles) : std::vector<preview::StreetLamp>();
+  const preview::Lights lights =
+      *environment ? preview::Lights(**environment, lamps) : preview::Lights(sky::generate(*sky), lamps);
+  const preview::LocalLights local(world, lights.lamps(), request.load.threads);
+  return render_frames(request, {world, lights, local, *sky, options_of(request)}, *cameras, loaded->tiles.size(), on_progress,
                        console);
 }
 
@@ -213,6 +216,12 @@ std::vector<Option> sampling_options(Request& request) {
        "such as 0.05, needs",
        false, store_number(request.options.noise, {})},
       {"--bounces", "N", "reflections of each light path (default: 3)", false, store_whole(request.options.bounces, 0)},
+      {"--roulette", "X",
+       "paths that carry less than this share of light may end, and those that do not count for them; 0: none end "
+       "(default: 0.4)",
+       false, store_number(request.options.roulette, {0, 1, true})},
+      {"--caustics", "", "light that mirrors and glass throw on matt surfaces stays sharp, with more noise", false,
+       store_switch(request.options.has_caustics)},
       {"--denoise", "", "removes the noise that is left, guided by albedo, normals and depth", false,
        store_switch(request.is_denoised)},
   };

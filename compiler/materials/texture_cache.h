@@ -18,14 +18,14 @@ class TextureCache {
 
   /// Returns the textures of those materials that have one. @param materials  Sorted, unique.
   std::vector<Texture> textures_of(std::span<const Material> materials, double tolerance_m) const;
+  /// Returns the texture of a material, which lives as long as the cache. Precondition: has_texture().
+  const Texture& texture(Material material, double tolerance_m) const;
 
  private:
   struct Slot {
     std::once_flag once;
     Texture texture;
   };
-
-  const Texture& texture(Material material, double tolerance_m) const;
 
   std::uint64_t seed_;
   mutable std::mutex mutex_;

@@ -1,17 +1,19 @@
 #include "preview/light/light.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "preview/surface/microfacet.h"
 
 namespace citykiln::preview {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Preetham's sky is smooth: cells of 0.028 rad² represent it within 1 %, but for the glow around the sun.
-constexpr int kAcross = 128, kDown = 64, kCells = kAcross * kDown;
+// Preetham's sky is smooth: interpolated between cells of 0.8 millisteradian it is right within 1 %, but for the glow
+// around the sun.
+constexpr int kAcross = 128, kDown = 64;
 
 // Extinction of clear air by molecules (at 680, 550 and 440 nm; Bruneton, Neyret, "Precomputed Atmospheric Scattering",
 // EGSR 2008, at sea level) and by dust. Together some 3.9 / 2.3e-5 = 170 km of sight, the clearest of days
@@ -24,66 +26,43 @@ constexpr double kHazeRise = 0.06;
 // The sky fades to haze within this angle below the horizon.
 constexpr double kHorizonBlur_rad = 0.06;
 
-double turn_of(Vec3 d) {
-  const double turn = std::atan2(d.y, d.x) / (2 * kPi);
-  return turn < 0 ? turn + 1 : turn;
+std::array<float, 3> narrowed(const Rgb& c) {
+  return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
 }
 
-int cell_of(Vec3 d) {
-  const int column = std::min(static_cast<int>(turn_of(d) * kAcross), kAcross - 1);
-  const int row = std::min(static_cast<int>(d.z * kDown), kDown - 1);
-  return row * kAcross + column;
+DirectionTable table_of(const sky::SkyModel& model) {
+  std::vector<double> z_edges;
+  for (int row = 0; row <= kDown; ++row) z_edges.push_back(static_cast<double>(row) / kDown);
+  std::vector<std::array<float, 3>> cells;
+  for (int row = 0; row < kDown; ++row)
+    for (int column = 0; column < kAcross; ++column)
+      cells.push_back(narrowed(sky::radiance(model, direction_at((column + 0.5) / kAcross, (row + 0.5) / kDown))));
+  return {std::move(z_edges), kAcross, std::move(cells)};
 }
 
-Vec3 direction_of(double turn, double z) {
-  const double r = std::sqrt(std::max(0.0, 1 - z * z)), angle = 2 * kPi * turn;
-  return {r * std::cos(angle), r * std::sin(angle), z};
-}
-
-// The step at which a cumulative sum exceeds a share of its total, and the position within it.
-struct Step {
-  int index;
-  double within;
-};
-
-Step step_at(const double* sums, int count, double share) {
-  const double wanted = share * sums[count - 1];
-  const int i = std::min(static_cast<int>(std::upper_bound(sums, sums + count, wanted) - sums), count - 1);
-  const double before = i > 0 ? sums[i - 1] : 0, size = sums[i] - before;
-  return {i, size > 0 ? std::clamp((wanted - before) / size, 0.0, 1.0) : 0.5};
+// The map's rows are turned upside down, its columns backwards and by half a circle: azimuths are counter-clockwise
+// from east.
+DirectionTable table_of(const EnvironmentMap& map) {
+  assert(map.width > 0 && map.height > 0);
+  std::vector<double> z_edges;
+  for (int row = 0; row <= map.height; ++row) z_edges.push_back(-std::cos(kPi * row / map.height));
+  std::vector<std::array<float, 3>> cells;
+  for (int row = map.height - 1; row >= 0; --row)
+    for (int column = 0; column < map.width; ++column) {
+      const int from = (map.width - 1 - column + map.width / 2 + map.width % 2) % map.width;
+      const float* texel = &map.rgb[(static_cast<std::size_t>(row) * map.width + from) * 3];
+      cells.push_back({texel[0], texel[1], texel[2]});
+    }
+  return {std::move(z_edges), map.width, std::move(cells)};
 }
 
 }  // namespace
 
-// Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
-Vec3 around(Vec3 n, double cos_angle, double turn) {
-  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-  const Vec3 tangent{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, other{b, sign + n.y * n.y * a, -n.y};
-  const double s = std::sqrt(std::max(0.0, 1 - cos_angle * cos_angle)), angle = 2 * kPi * turn;
-  return unit(tangent * (s * std::cos(angle)) + other * (s * std::sin(angle)) + n * cos_angle);
-}
-
-DirectionSample sample_cosine(Vec3 normal, UnitPair chance) {
-  assert(chance.u >= 0 && chance.u < 1);
-  const double cos_angle = std::sqrt(1 - chance.u);
-  return {around(normal, cos_angle, chance.v), cos_angle / kPi};
-}
-
-Lights::Lights(const sky::SkyModel& model)
-    : model_(model), cells_(kCells), ring_(kAcross + 1), row_sums_(kDown), sums_(kCells) {
+Lights::Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps)
+    : model_(model), table_(table_of(model)), ring_(kAcross + 1), lamps_(std::move(lamps)) {
   if (luminance(model.sun_radiance) > 0) sun_solid_angle_ = 2 * kPi * (1 - model.sun_cos_radius);
-  double total = 0;
-  for (int row = 0; row < kDown; ++row) {
-    double sum = 0;
-    for (int column = 0; column < kAcross; ++column) {
-      const int cell = row * kAcross + column;
-      cells_[cell] = sky::radiance(model, direction_of((column + 0.5) / kAcross, (row + 0.5) / kDown));
-      sums_[cell] = sum += luminance(cells_[cell]);
-    }
-    row_sums_[row] = total += sum;
-  }
   for (int i = 0; i <= kAcross; ++i) {
-    const Vec3 level = direction_of(static_cast<double>(i) / kAcross, 0);
+    const Vec3 level = direction_at(static_cast<double>(i) / kAcross, 0);
     ring_[i] = sky::radiance(model, unit(Vec3{level.x, level.y, kHazeRise}));
     if (i == kAcross) continue;
     haze_mean_ = haze_mean_ + ring_[i] * (1.0 / kAcross);
@@ -91,50 +70,38 @@ Lights::Lights(const sky::SkyModel& model)
   }
 }
 
-const Rgb& Lights::falling(Vec3 direction) const { return direction.z < 0 ? below_ : cells_[cell_of(direction)]; }
+Lights::Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps)
+    : is_map_(true), table_(table_of(map)), lamps_(std::move(lamps)) {}
 
-DirectionSample Lights::sample_sky(UnitPair chance) const {
-  if (row_sums_.back() <= 0) return {};
-  const Step row = step_at(row_sums_.data(), kDown, chance.u);
-  const Step column = step_at(&sums_[row.index * kAcross], kAcross, chance.v);
-  const Vec3 direction = direction_of((column.index + column.within) / kAcross, (row.index + row.within) / kDown);
-  return {direction, sky_pdf(direction)};
-}
-
-double Lights::sky_pdf(Vec3 direction) const {
-  if (direction.z < 0 || row_sums_.back() <= 0) return 0;
-  return luminance(cells_[cell_of(direction)]) / row_sums_.back() * (kCells / (2 * kPi));
-}
+Rgb Lights::falling(Vec3 direction) const { return direction.z < 0 && !is_map_ ? below_ : table_.radiance(direction); }
 
 Vec3 Lights::sample_sun(UnitPair chance) const {
-  return around(model_.to_sun, 1 - chance.u * (1 - model_.sun_cos_radius), chance.v);
+  const double cosine = 1 - chance.u * (1 - model_.sun_cos_radius), r = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+  const double turn = 2 * kPi * chance.v;
+  return unit(frame_about(model_.to_sun).out_of({r * std::cos(turn), r * std::sin(turn), cosine}));
 }
 
 Rgb Lights::haze(Vec3 direction) const {
+  if (is_map_) return {};
   const double place = turn_of(direction) * kAcross;
   const int i = std::min(static_cast<int>(place), kAcross - 1);
-  const double share = place - i;
   // straight down there is no azimuth
   const double level = direction.x * direction.x + direction.y * direction.y;
-  return (ring_[i] * (1 - share) + ring_[i + 1] * share) * level + haze_mean_ * (1 - level);
+  return mixed(haze_mean_, mixed(ring_[i], ring_[i + 1], place - i), level);
 }
 
 Rgb Lights::seen(Vec3 direction) const {
-  if (direction.z >= 0) return sky::radiance(model_, direction);
+  if (direction.z >= 0 || is_map_) return table_.radiance(direction);
   const double depth = std::min(-direction.z / kHorizonBlur_rad, 1.0), share = depth * depth * (3 - 2 * depth);
   if (share >= 1) return haze(direction);
-  const Rgb horizon = sky::radiance(model_, unit(Vec3{direction.x, direction.y, 0}));
-  return horizon * (1 - share) + haze(direction) * share;
+  return mixed(table_.radiance({direction.x, direction.y, 0}), haze(direction), share);
 }
 
-Rgb Lights::through_air(const Rgb& light, Vec3 direction, double distance_m) const {
-  const Rgb added = haze(direction);
-  Rgb out;
-  for (int c = 0; c < 3; ++c) {
-    const double clear = std::exp(-distance_m * kAir_per_m[c]);
-    out[c] = light[c] * clear + added[c] * (1 - clear);
-  }
-  return out;
+Rgb Lights::clearness(double distance_m) const {
+  if (is_map_) return {1, 1, 1};
+  Rgb clear;
+  for (int c = 0; c < 3; ++c) clear[c] = std::exp(-distance_m * kAir_per_m[c]);
+  return clear;
 }
 
 }  // namespace citykiln::preview

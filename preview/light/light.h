@@ -1,68 +1,60 @@
-// Light sources: the sky as a table of directions to sample, the sun's disk, and haze.
+// Light from outside of the scene: the sky or an environment map, the sun's disk, and haze.
 #pragma once
 
-#include <array>
+#include <optional>
 #include <vector>
 
 #include "compiler/sky/generate.h"
-#include "preview/samples.h"
+#include "preview/light/direction_table.h"
+#include "preview/light/environment_map.h"
+#include "preview/light/rgb.h"
+#include "preview/scene/lamps.h"
 
 namespace citykiln::preview {
 
-using sky::Rgb;
-
-inline Rgb operator*(const Rgb& a, const Rgb& b) { return {a[0] * b[0], a[1] * b[1], a[2] * b[2]}; }
-inline Rgb operator*(const Rgb& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
-inline Rgb operator+(const Rgb& a, const Rgb& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-/// Luminance of linear Rec. 709.
-inline double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
-
-/// A unit vector at an angle from `axis`, turned about it by `turn` of a full circle.
-Vec3 around(Vec3 axis, double cos_angle, double turn);
-
-/// A sampled direction and its probability density per steradian.
-struct DirectionSample {
-  Vec3 direction;
-  double pdf = 0;
-};
-
-/// A cosine-weighted sample about a unit vector.
-DirectionSample sample_cosine(Vec3 normal, UnitPair chance);
-
-/// The sources of light, and what rays see that hit nothing.
+/// The sources of light, but for what shines in the scene, and what rays see that hit nothing. Radiances are in
+/// sky::kUnitLuminance_cd_m2.
 class Lights {
  public:
-  explicit Lights(const sky::SkyModel& model);
+  /// @param lamps  Street lamps that are lit, plane metres.
+  explicit Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps = {});
+  /// An environment map replaces sky and sun, and there is no haze.
+  explicit Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps = {});
 
-  const sky::SkyModel& model() const { return model_; }
+  /// Whether it is clear air that fades what is far away.
+  bool has_air() const { return !is_map_; }
+  Rgb sun_radiance() const { return model_.sun_radiance; }
+  const std::vector<StreetLamp>& lamps() const { return lamps_; }
 
-  /// Sky radiance for lighting surfaces, piecewise constant on 128 by 64 cells of equal solid angle. From below the
-  /// horizon comes what dark ground reflects.
-  const Rgb& falling(Vec3 direction) const;
-  /// A sample of the sky above the horizon, in proportion to luminance; pdf 0 if the sky is black.
-  DirectionSample sample_sky(UnitPair chance) const;
+  /// Radiance for lighting surfaces. From below the horizon comes what dark ground reflects, or what the map shows.
+  Rgb falling(Vec3 direction) const;
+  /// A sample of the sky, in proportion to luminance; pdf 0 if the sky is black.
+  DirectionSample sample_sky(UnitPair chance) const { return table_.sample(chance); }
   /// The density of sample_sky() in a direction, per steradian.
-  double sky_pdf(Vec3 direction) const;
+  double sky_pdf(Vec3 direction) const { return table_.pdf(direction); }
 
   bool has_sun() const { return sun_solid_angle_ > 0; }
   /// A uniform sample of the sun's disk.
   Vec3 sample_sun(UnitPair chance) const;
   double sun_solid_angle() const { return sun_solid_angle_; }
+  bool is_in_sun(Vec3 direction) const { return has_sun() && dot(direction, model_.to_sun) >= model_.sun_cos_radius; }
 
-  /// The sky as the eye sees it. Below the horizon, beyond the edge of the ground, it is haze, since a dark or sharp
-  /// edge would look like a wall.
+  /// The sky as the eye sees it, without the sun's disk. Below the horizon, beyond the edge of the ground, it is haze,
+  /// since a dark or sharp edge would look like a wall.
   Rgb seen(Vec3 direction) const;
-  /// Light after `distance_m` of air: attenuated, with scattered light of the horizon's colour added.
-  Rgb through_air(const Rgb& light, Vec3 direction, double distance_m) const;
-
- private:
+  /// The share of light that passes `distance_m` of air, and the light that is scattered into the ray: that of the
+  /// horizon.
+  Rgb clearness(double distance_m) const;
   Rgb haze(Vec3 direction) const;
 
+ private:
   sky::SkyModel model_;
+  bool is_map_ = false;
   double sun_solid_angle_ = 0;
-  std::vector<Rgb> cells_, ring_;
+  DirectionTable table_;
+  std::vector<Rgb> ring_;  // of the horizon
   Rgb below_{}, haze_mean_{};
-  std::vector<double> row_sums_, sums_;  // cumulative luminance: of rows, and of cells within their row
+  std::vector<StreetLamp> lamps_;
 };
 
 }  // namespace citykiln::preview

@@ -14,6 +14,10 @@ CutoutTexture::CutoutTexture(const impostor::Cutout& cutout)
   if (!cutout.normal.texels.empty()) normal_.emplace(cutout.normal, TexelMeaning::kNormals, WrapMode::kClamp, kLevels);
 }
 
+std::size_t CutoutTexture::bytes() const {
+  return colour_.bytes() + cutout_->opacity.size() + (normal_ ? normal_->bytes() : 0);
+}
+
 double CutoutTexture::opacity(std::int64_t column, std::int64_t row) const {
   const std::int64_t columns = cutout_->colour.columns, rows = cutout_->colour.rows;
   if (column < 0 || row < 0 || column >= columns || row >= rows) return 0;

@@ -22,6 +22,8 @@ class CutoutTexture {
   /// Unit normal: along u, against v, outwards.
   Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
+  const impostor::Cutout& cutout() const { return *cutout_; }
+  std::size_t bytes() const;  ///< With the images.
 
  private:
   double opacity(std::int64_t column, std::int64_t row) const;

@@ -16,6 +16,10 @@ FacadeAtlasTexture::FacadeAtlasTexture(const impostor::Atlas& atlas)
   if (!atlas.normal.texels.empty()) normal_.emplace(atlas.normal, TexelMeaning::kNormals, WrapMode::kClamp, kLevels);
 }
 
+std::size_t FacadeAtlasTexture::bytes() const {
+  return colour_.bytes() + surface_.bytes() + (emission_ ? emission_->bytes() : 0) + (normal_ ? normal_->bytes() : 0);
+}
+
 Vec3 FacadeAtlasTexture::normal(const TextureFootprint& footprint) const {
   const auto [u, v, out] = normal_->mean(footprint);
   return unit(Vec3{u, v, out});

@@ -24,7 +24,9 @@ class FacadeAtlasTexture {
   }
   /// Unit normal: along u, against v, outwards.
   Vec3 normal(const TextureFootprint& footprint) const;
+  bool shines() const { return emission_.has_value(); }
   bool has_normals() const { return normal_.has_value(); }
+  std::size_t bytes() const;  ///< With the images.
   float roughness(const TextureFootprint& footprint) const { return static_cast<float>(surface_.mean(footprint)[1]); }
 
  private:

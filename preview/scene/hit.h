@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/materials/material.h"
+#include "preview/scene/emitters.h"
 
 namespace citykiln::preview {
 
@@ -16,8 +18,12 @@ struct Hit {
   Vec3 shading_normal;               ///< Unit, interpolated, on the same side.
   std::array<double, 3> albedo{};    ///< Linear: the colour of material or image, times tint.
   std::array<double, 3> emission{};  ///< Emitted radiance, in the sky's unit.
-  float roughness = 1;
-  double translucency = 0;  ///< Transmitted light as a share of reflected light.
+  std::uint32_t emitter = kNoEmitter;  ///< Number of the shining triangle (emitters.h).
+  bool is_front = true;                ///< Whether the ray met the triangle's front.
+  float roughness = 1;                 ///< As in glTF.
+  float metallic = 0;
+  float f0 = 0.04f;         ///< Reflectance at normal incidence, of what is not metal.
+  double translucency = 0;  ///< Light that passes a leaf as a share of the light that it reflects.
   materials::Material material{};
   OsmId feature{};  ///< The OSM object of the surface; none where it has none.
   double distance_m = 0;

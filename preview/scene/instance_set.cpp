@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace citykiln::preview {
@@ -49,9 +50,9 @@ struct InstanceSet::Calls {
     const auto& set = *static_cast<const InstanceSet*>(args->geometryUserPtr);
     const InstanceTransform& transform = set.transforms_[args->primID];
     const Rotation rotation = rotation_of(transform.rotation);
-    const Vec3 half = (set.high_ - set.low_) * (0.5 * transform.scale);
-    const Vec3 middle =
-        bake::widened(transform.translation) + rotation.out((set.low_ + set.high_) * (0.5 * transform.scale));
+    const Vec3 half = (set.mesh_->high() - set.mesh_->low()) * (0.5 * transform.scale);
+    const Vec3 middle = bake::widened(transform.translation) +
+                        rotation.out((set.mesh_->low() + set.mesh_->high()) * (0.5 * transform.scale));
     const Vec3 reach{half_extent({rotation.x.x, rotation.y.x, rotation.z.x}, half),
                      half_extent({rotation.x.y, rotation.y.y, rotation.z.y}, half),
                      half_extent({rotation.x.z, rotation.y.z, rotation.z.z}, half)};
@@ -70,7 +71,7 @@ struct InstanceSet::Calls {
     RTCRayHit& rayhit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
     RTCRayHit local{in_frame(rayhit.ray, set.transforms_[args->primID]), {}};
     local.hit.geomID = local.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(set.scene_, args->context, &local);
+    rtcIntersect1(set.mesh_->scene(), args->context, &local);
     if (local.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
     rayhit.hit = local.hit;
     rayhit.hit.instID[0] = set.first_ + args->primID;
@@ -82,46 +83,15 @@ struct InstanceSet::Calls {
     const auto& set = *static_cast<const InstanceSet*>(args->geometryUserPtr);
     RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
     RTCRay local = in_frame(ray, set.transforms_[args->primID]);
-    rtcOccluded1(set.scene_, args->context, &local);
+    rtcOccluded1(set.mesh_->scene(), args->context, &local);
     if (local.tfar < 0) ray.tfar = -std::numeric_limits<float>::infinity();
   }
 };
 
-InstanceSet::InstanceSet(RTCDevice device, const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
-                         std::vector<const MaterialTexture*> materials, std::shared_ptr<const CutoutTexture> cutout)
-    : mesh_(&mesh), materials_(std::move(materials)), cutout_(std::move(cutout)), scene_(rtcNewScene(device)) {
-  assert(materials_.size() == mesh.primitives.size());
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  low_ = {kFar, kFar, kFar}, high_ = {-kFar, -kFar, -kFar};
-  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
-    const bake::Primitive& primitive = mesh.primitives[i];
-    if (primitive.triangles.empty()) continue;
-    parts_.push_back(mesh_part_of(primitive, {}, marking_atlas, materials_[i], nullptr, cutout_.get()));
-    for (const bake::Float3& p : primitive.positions) {
-      low_ = {std::min<double>(low_.x, p[0]), std::min<double>(low_.y, p[1]), std::min<double>(low_.z, p[2])};
-      high_ = {std::max<double>(high_.x, p[0]), std::max<double>(high_.y, p[1]), std::max<double>(high_.z, p[2])};
-    }
-  }
-  for (const MeshPart& part : parts_) attach(device, scene_, part);
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-  rtcCommitScene(scene_);
-}
-
-InstanceSet::~InstanceSet() { rtcReleaseScene(scene_); }
-
-bool InstanceSet::is_of(const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
-                        std::span<const MaterialTexture* const> materials) const {
-  const auto is_on_it = [&](const MeshPart& part) {
-    return part.primitive->colour_source != materials::ColourSource::kByMarkingAtlas ||
-           part.marking_atlas == marking_atlas;
-  };
-  return mesh_->primitives == mesh.primitives && mesh_->cutout == mesh.cutout &&
-         std::ranges::equal(materials_, materials) && std::ranges::all_of(parts_, is_on_it);
-}
-
-void InstanceSet::add(const bake::InstancedMesh& instanced, Vec3 offset) {
+void InstanceSet::add(const bake::InstancedMesh& instanced, const std::vector<OsmId>& features, Vec3 offset) {
   assert(instanced.scales.size() == instanced.translations.size() &&
          instanced.rotations.size() == instanced.translations.size());
+  batches_.push_back({transforms_.size(), &instanced, &features});
   transforms_.reserve(transforms_.size() + instanced.translations.size());
   for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
     const Vec3 at = bake::widened(instanced.translations[i]) + offset;
@@ -134,7 +104,7 @@ void InstanceSet::attach_to(RTCDevice device, RTCScene top, unsigned first) {
   first_ = first;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   // a mesh without triangles has no bounds
-  rtcSetGeometryUserPrimitiveCount(geometry, parts_.empty() ? 0 : static_cast<unsigned>(transforms_.size()));
+  rtcSetGeometryUserPrimitiveCount(geometry, mesh_->parts().empty() ? 0 : static_cast<unsigned>(transforms_.size()));
   rtcSetGeometryUserData(geometry, this);
   rtcSetGeometryBoundsFunction(
       geometry, [](const RTCBoundsFunctionArguments* args) { Calls::bounds(args); }, nullptr);
@@ -145,17 +115,26 @@ void InstanceSet::attach_to(RTCDevice device, RTCScene top, unsigned first) {
   rtcReleaseGeometry(geometry);
 }
 
+OsmId InstanceSet::feature_of(std::size_t instance) const {
+  const auto after = std::ranges::upper_bound(batches_, instance, {}, &Batch::first);
+  const Batch& batch = *std::prev(after);
+  const std::vector<std::uint32_t>& numbers = batch.instanced->features;
+  return numbers.empty() ? OsmId{} : (*batch.features)[numbers[instance - batch.first]];
+}
+
 Hit InstanceSet::hit_in_world(const RTCHit& found, const RayFootprint& footprint) const {
-  const InstanceTransform& transform = transforms_[found.instID[0] - first_];
+  const std::size_t instance = found.instID[0] - first_;
+  const InstanceTransform& transform = transforms_[instance];
   const Rotation rotation = rotation_of(transform.rotation);
-  Hit hit =
-      hit_on(parts_[found.geomID], found, {rotation.in(footprint.direction), footprint.across_m / transform.scale});
+  Hit hit = hit_on(mesh_->parts()[found.geomID], found,
+                   {rotation.in(footprint.direction), footprint.across_m / transform.scale});
   // in the instance's frame the ray's origin is rounded once more
   constexpr double kRounding = 0x1p-24;
   hit.rounding_m = transform.scale * (hit.rounding_m + 2 * kRounding * length(hit.position));
   hit.position = bake::widened(transform.translation) + rotation.out(hit.position) * transform.scale;
   hit.geometric_normal = rotation.out(hit.geometric_normal);
   hit.shading_normal = rotation.out(hit.shading_normal);
+  hit.feature = feature_of(instance);
   return hit;
 }
 

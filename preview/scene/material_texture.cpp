@@ -11,6 +11,10 @@ MaterialTexture::MaterialTexture(const materials::Texture& texture)
     normal_.emplace(texture.normal, TexelMeaning::kNormals, WrapMode::kRepeat);
 }
 
+std::size_t MaterialTexture::bytes() const {
+  return (colour_ ? colour_->bytes() : 0) + (normal_ ? normal_->bytes() : 0);
+}
+
 std::array<double, 3> MaterialTexture::colour(const TextureFootprint& footprint) const {
   if (!colour_) return factor_;
   std::array<double, 3> mean = colour_->mean(footprint);

@@ -20,6 +20,7 @@ class MaterialTexture {
   /// Unit normal: along u, against v, outwards.
   Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
+  std::size_t bytes() const;  ///< With the images.
 
  private:
   const materials::Texture* texture_;

@@ -93,13 +93,22 @@ double translucency_of(materials::Material material) {
   return material == Material::kBroadLeaf ? 0.8 : material == Material::kNeedleLeaf ? 0.4 : 0;
 }
 
+// Reflectances at normal incidence for refractive indices 1.33 and 1.5; a window has two panes with two faces each,
+// half of whose light is seen.
+float f0_of(materials::Material material) {
+  using materials::Material;
+  if (material == Material::kWater || material == Material::kSea) return 0.02f;
+  return material == Material::kGlass || material == Material::kGlassFacade ? 0.08f : 0.04f;
+}
+
 void set_material(Hit& hit, const MeshPart& part, const std::array<double, 3>& weights, const RTCHit& found,
                   const RayFootprint& ray) {
   const bake::Primitive& primitive = *part.primitive;
   const materials::MaterialValues& values = values_of(primitive.material);
   const auto &own = values.base_colour, &emitted = emission_of(primitive.material);
   std::array<double, 3> colour{own[0], own[1], own[2]}, emission{emitted[0], emitted[1], emitted[2]};
-  hit.material = primitive.material, hit.roughness = values.roughness;
+  hit.material = primitive.material, hit.roughness = values.roughness, hit.metallic = values.metallic;
+  hit.f0 = f0_of(primitive.material);
   if (!primitive.uvs.empty()) {
     const HitTriangle t = hit_triangle(part, found);
     if (part.marking_atlas != nullptr) colour = part.marking_atlas->mean(texture_footprint_of(t, ray));
@@ -119,6 +128,27 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<double, 3>& w
     hit.albedo[c] = colour[c] * tint / 255;
     hit.emission[c] = emission[c] * (materials::kEmission_cd_m2 / sky::kUnitLuminance_cd_m2);
   }
+}
+
+// The mean light of a triangle, in the sky's unit: of its material, or of places all over it on the facade atlas.
+Rgb mean_emission(const MeshPart& part, std::size_t triangle) {
+  constexpr double kUnit = materials::kEmission_cd_m2 / sky::kUnitLuminance_cd_m2;
+  const auto& own = emission_of(part.primitive->material);
+  if (part.facade_atlas == nullptr || part.primitive->uvs.empty()) return Rgb{own[0], own[1], own[2]} * kUnit;
+  constexpr int kPlaces = 8;
+  RTCHit found{};
+  found.primID = static_cast<unsigned>(triangle);
+  const HitTriangle t = hit_triangle(part, found);
+  const double across_m = std::sqrt(std::abs(cross(t.uv[1] - t.uv[0], t.uv[2] - t.uv[0]))) / kPlaces;
+  Rgb sum{};
+  for (int i = 0; i < kPlaces; ++i)
+    for (int j = 0; j < kPlaces; ++j) {
+      double u = (i + 0.5) / kPlaces, v = (j + 0.5) / kPlaces;
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      const Vec2 at = t.uv[0] + (t.uv[1] - t.uv[0]) * u + (t.uv[2] - t.uv[0]) * v;
+      sum = sum + part.facade_atlas->emission({at, {}, across_m});
+    }
+  return sum * (kUnit / (kPlaces * kPlaces));
 }
 
 // Embree's filter of a hit: holes of cutouts are no hits. Called for single rays only.
@@ -149,6 +179,22 @@ MeshPart mesh_part_of(const bake::Primitive& primitive, Vec3 offset, const MipTe
   return part;
 }
 
+void add_emitters(MeshPart& part, std::vector<Emitter>& all) {
+  const bake::Primitive& primitive = *part.primitive;
+  const bool has_atlas = part.facade_atlas != nullptr && !primitive.uvs.empty();
+  if (has_atlas ? !part.facade_atlas->shines() : !emits(primitive.material)) return;
+  part.emitters.assign(primitive.triangles.size(), kNoEmitter);
+  for (std::size_t i = 0; i < primitive.triangles.size(); ++i) {
+    const Rgb radiance = mean_emission(part, i);
+    if (luminance(radiance) <= 0) continue;
+    const auto& corners = primitive.triangles[i];
+    const Vec3 p = bake::widened(part.corners[corners[0]]);
+    part.emitters[i] = static_cast<std::uint32_t>(all.size());
+    all.push_back(
+        {p, bake::widened(part.corners[corners[1]]) - p, bake::widened(part.corners[corners[2]]) - p, radiance});
+  }
+}
+
 void set_ray(RTCRay& ray, Vec3 from, Vec3 direction) {
   ray.org_x = static_cast<float>(from.x), ray.org_y = static_cast<float>(from.y),
   ray.org_z = static_cast<float>(from.z);
@@ -160,7 +206,7 @@ void attach(RTCDevice device, RTCScene scene, const MeshPart& part) {
   const bake::Primitive& primitive = *part.primitive;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, part.corners.data(), 0,
-                             sizeof(bake::Float3), primitive.positions.size());
+                             sizeof(bake::Float3), part.corners.size() - 1);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, primitive.triangles.data(), 0,
                              sizeof(primitive.triangles[0]), primitive.triangles.size());
   if (part.cutout != nullptr) {
@@ -186,6 +232,8 @@ Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& footpr
   for (int i = 0; i < 3; ++i)
     hit.shading_normal = hit.shading_normal + bake::widened(part.primitive->normals[corners[i]]) * weights[i];
   hit.rounding_m = plane_error_m(edge1, edge2, across);
+  if (!part.emitters.empty()) hit.emitter = part.emitters[found.primID];
+  if (part.features != nullptr) hit.feature = (*part.features)[part.primitive->features[corners[0]]];
   set_material(hit, part, weights, found, footprint);
   return hit;
 }

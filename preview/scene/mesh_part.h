@@ -14,7 +14,8 @@
 
 namespace citykiln::preview {
 
-/// Triangles with their corners about the world's origin. Refers to the primitive and the images. At most one image is
+/// Triangles with their corners about the world's origin. Refers to the primitive, whose positions may be freed, and to
+/// the images. At most one image is
 /// not null: the one that colours the primitive instead of its material.
 struct MeshPart {
   const bake::Primitive* primitive = nullptr;
@@ -23,6 +24,9 @@ struct MeshPart {
   const MaterialTexture* material_texture = nullptr;  ///< Colour and normal.
   const FacadeAtlasTexture* facade_atlas = nullptr;   ///< Colour, normal, roughness and emission.
   const CutoutTexture* cutout = nullptr;              ///< Colour, normal and holes.
+  std::vector<std::uint32_t> emitters{};  ///< Per triangle its number; empty if the material does not shine.
+  /// Of the tile: the primitive's vertices index them. Null: the hits of this part have no feature.
+  const std::vector<OsmId>* features = nullptr;
 };
 
 /// The cone that a ray stands for, where it hits.
@@ -40,6 +44,10 @@ MeshPart mesh_part_of(const bake::Primitive& primitive, Vec3 offset, const MipTe
 /// Adds a part to an uncommitted scene; its geometry id is the number of parts before it. The scene refers to the part,
 /// which must not move. Rays pass through the holes of its cutout.
 void attach(RTCDevice device, RTCScene scene, const MeshPart& part);
+
+/// Numbers the part's triangles that shine, from the size of `all` on, and adds them there. The light of a facade atlas
+/// is the mean over each triangle.
+void add_emitters(MeshPart& part, std::vector<Emitter>& all);
 
 /// Sets origin and direction of a ray, rounded once.
 void set_ray(RTCRay& ray, Vec3 from, Vec3 direction);

@@ -53,6 +53,12 @@ Shares shares(std::size_t i, std::size_t fine, std::size_t coarse) {
 
 }  // namespace
 
+std::size_t MipTexture::bytes() const {
+  std::size_t bytes = image_->texels.size() * sizeof(materials::TextureImage::Texel);
+  for (const Level& level : levels_) bytes += level.texels.size() * sizeof(Texel);
+  return bytes;
+}
+
 MipTexture::MipTexture(const materials::TextureImage& image, TexelMeaning texels, WrapMode sides, std::size_t levels)
     : image_(&image), texels_(texels), sides_(sides) {
   assert(image.texels.size() == std::size_t{image.columns} * image.rows && !image.texels.empty() && levels > 0);

@@ -40,6 +40,7 @@ class MipTexture {
                       WrapMode sides = WrapMode::kClamp, std::size_t levels = kAllLevels);
 
   const materials::TextureImage& image() const { return *image_; }
+  std::size_t bytes() const;  ///< With the image.
   /// The mean over a footprint: linear reflectance, numbers, or the normal. Footprints that are not finite give the
   /// mean of the image.
   std::array<double, 3> mean(const TextureFootprint& footprint) const;

@@ -44,7 +44,7 @@ struct OnePiece {
 TEST(Markings, OfAStripDrawnEitherWayShareAColumn) {
   scene::LandCover cover;
   cover.layouts = {marked(), roads::turned_round(marked())};
-  const Markings markings = lay_out_markings(cover, 0.05);
+  const Markings markings = lay_out_markings(cover.layouts, 0.05);
   ASSERT_EQ(markings.columns.size(), 2u);
   EXPECT_EQ(markings.columns[0].left_m, markings.columns[1].left_m);
   EXPECT_NE(markings.columns[0].is_turned, markings.columns[1].is_turned);
@@ -59,7 +59,7 @@ std::vector<materials::MaterialMesh> without_layers(std::vector<LayeredMesh> lay
 
 TEST(GroundMeshes, PutsMarkedPiecesOnTheMarkingAtlas) {
   const OnePiece one(0);
-  const Markings markings = lay_out_markings(one.cover, 0.05);
+  const Markings markings = lay_out_markings(one.cover.layouts, 0.05);
   const auto meshes = without_layers(material_meshes(one.ground, one.cover, markings, {}, 0.05));
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_EQ(meshes[0].colour_source, materials::ColourSource::kByMarkingAtlas);
@@ -78,7 +78,7 @@ TEST(GroundMeshes, PutsMarkedPiecesOnTheMarkingAtlas) {
 TEST(GroundMeshes, TellsTheMetresOfPiecesThatAreNotMarkedLessWholePeriods) {
   const OnePiece one(roads::kNoMarkingLayout);
   const auto meshes =
-      without_layers(material_meshes(one.ground, one.cover, lay_out_markings(one.cover, 0.05), {}, 0.05));
+      without_layers(material_meshes(one.ground, one.cover, lay_out_markings(one.cover.layouts, 0.05), {}, 0.05));
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_EQ(meshes[0].colour_source, materials::ColourSource::kByMaterial);
   EXPECT_EQ(meshes[0].uvs[0], (Vec2{7, 100 - materials::kTexturePeriod_m}));
@@ -91,7 +91,7 @@ TEST(GroundMeshes, KnowTheLayerOfTheirClass) {
   EXPECT_EQ(layer_of(map::LandCoverClass::kRailway), Layer::kRoads);
   EXPECT_EQ(layer_of(map::LandCoverClass::kRiver), Layer::kWater);
   const OnePiece one(0);
-  for (const LayeredMesh& part : material_meshes(one.ground, one.cover, lay_out_markings(one.cover, 0.05), {}, 0.05))
+  for (const LayeredMesh& part : material_meshes(one.ground, one.cover, lay_out_markings(one.cover.layouts, 0.05), {}, 0.05))
     EXPECT_EQ(part.layer, layer_of(one.cover.surfaces[0].surface));
 }
 

@@ -1,6 +1,7 @@
-#include "preview/light/environment_map.h"
+#include "preview/light/read_environment.h"
 
 #include <cmath>
+#include <utility>
 
 #include "preview/image_module/picture_io.h"
 #include "preview/picture/load_module.h"
@@ -39,9 +40,29 @@ std::size_t mend(std::vector<float>& rgb) {
   return mended;
 }
 
+// Moves columns, around both sides, so that those of a picture with the bearing `turn_deg` in its middle are where
+// EnvironmentMap has them, with east in its middle.
+std::vector<float> turned(const EnvironmentMap& map, double turn_deg) {
+  const double shift = (90 - turn_deg) / 360 * map.width, whole = std::floor(shift);
+  const auto share = static_cast<float>(shift - whole);
+  const auto column = [&](int x) {
+    const auto moved = static_cast<int>(std::fmod(x + whole, map.width));
+    return static_cast<std::size_t>(moved < 0 ? moved + map.width : moved);
+  };
+  std::vector<float> rgb(map.rgb.size());
+  const auto width = static_cast<std::size_t>(map.width);
+  for (std::size_t i = 0; i < rgb.size(); ++i) {
+    const std::size_t row = i / 3 / width * width, c = i % 3;
+    const int x = static_cast<int>(i / 3 - row);
+    const float near = map.rgb[(row + column(x)) * 3 + c], next = map.rgb[(row + column(x + 1)) * 3 + c];
+    rgb[i] = share > 0 ? near * (1 - share) + next * share : near;
+  }
+  return rgb;
+}
+
 }  // namespace
 
-Result<ReadEnvironment> read_environment(const std::string& path) {
+Result<ReadEnvironment> read_environment(const std::string& path, double turn_deg) {
   if (!path.ends_with(".exr") && !path.ends_with(".hdr"))
     return Error{path, "expected an environment map, a name that ends in .exr or .hdr"};
   const auto function = load_function("citykiln_image.so", CITYKILN_IMAGE_MODULE, "citykiln_read_picture");
@@ -54,6 +75,7 @@ Result<ReadEnvironment> read_environment(const std::string& path) {
     return Error{path, problem.empty() ? std::string("cannot be read: ") + error : problem};
   }
   read.mended = mend(read.map.rgb);
+  read.map.rgb = turned(read.map, turn_deg);
   return read;
 }
 

@@ -1,0 +1,101 @@
+#include "compiler/bake/bake_level.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/bake/bake_buildings.h"
+#include "compiler/bake/bake_ground.h"
+#include "compiler/bake/bake_instances.h"
+#include "compiler/bake/bake_structures.h"
+#include "compiler/bake/baking.h"
+#include "compiler/bake/clip_to_extent.h"
+#include "compiler/bake/image_uvs.h"
+#include "compiler/bake/merge.h"
+#include "compiler/contract/detail_tolerances.h"
+
+namespace citykiln::bake {
+namespace {
+
+// Frees each mesh when it is merged, so that no tile is held twice.
+void merge_meshes(Baking& baking) {
+  PrimitiveMap merged;
+  for (LayeredMesh& each : baking.meshes) {
+    const LayeredMesh part = std::move(each);
+    merge(merged, part, baking.tile.origin, number_of(baking.tile, part.mesh.feature));
+  }
+  baking.meshes.clear();
+  baking.tile.primitives = primitives_of(std::move(merged));
+}
+
+// Whole metres, at the height of the lowest ground, which keeps offsets small.
+Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
+  const auto lowest = std::min_element(heights.heights.begin(), heights.heights.end());
+  return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
+}
+
+// The barriers that are bands. Hedges are bands where they are not plants, whole, in the tile of their first point.
+std::vector<props::Barrier> bands_of(const Baking& baking) {
+  std::vector<props::Barrier> bands = baking.chunk.barriers;
+  const bool has_plants = baking.part || has_detail(Detail::kHedgePlants, baking.tolerance_m);
+  std::erase_if(bands, [&](const props::Barrier& b) {
+    const bool is_band = !has_plants && scene::is_anchored(baking.header, baking.chunk.tile, b.axis.front());
+    return b.kind == map::BarrierKind::kHedge && !is_band;
+  });
+  return bands;
+}
+
+// A barrier, clipped to the extent and closed there.
+props::GeneratedProp generate_within(const props::Barrier& barrier, const ground::GradedTerrain& graded,
+                                     double tolerance_m, const Box2& extent) {
+  props::GeneratedProp generated = props::generate(barrier, graded, tolerance_m);
+  std::vector<MaterialMesh*> meshes;
+  for (MaterialMesh& mesh : generated.meshes) meshes.push_back(&mesh);
+  Mesh caps = clip_solid_to_extent(meshes, extent);
+  if (!caps.triangles.empty()) {
+    const MaterialMesh& band = generated.meshes.front();
+    generated.meshes.push_back({std::move(caps), band.material, band.tint, band.feature});
+  }
+  std::erase_if(generated.meshes, [](const MaterialMesh& mesh) { return mesh.mesh.triangles.empty(); });
+  return generated;
+}
+
+}  // namespace
+
+BakedTile bake_level(const LevelRequest& request, TileLevel& level, const PrototypeCache& prototypes, int threads,
+                     Report& report) {
+  const auto& [header, chunk, part, cell, most_instances] = request;
+  const double tolerance_m = level.tolerance_m;
+  const SharedByLevels& shared = *level.shared;
+  const ground::GradedTerrain& graded = *shared.graded;
+  BakedTile tile{.tile = chunk.tile,
+                 .origin = origin_of(scene::box_of(header, chunk.tile), chunk.heights),
+                 .tolerance_m = tolerance_m};
+  if (part) tile.viewpoint = Viewpoint{part->levels.view.eye, part->levels.view.focal_px, 0};
+  Baking baking{header, chunk, tolerance_m, tile, part, cell};
+
+  std::vector<Built> structures = generate_structures(baking, report);
+  report.append(level.cell_report);
+  bake_ground(baking, level, std::move(structures));
+  bake_stairs(baking, shared.stairs);
+  bake_buildings(baking, level, prototypes.rulebook(), threads, report);
+  bake_each(
+      baking, Layer::kProps, bands_of(baking), "barrier", report,
+      [&](const auto& b) { return bounds_of(b, chunk.heights); },
+      [&](const auto& b) { return generate_within(b, graded, tolerance_m, header.region); });
+  report.append(shared.tree_report);
+  bake_tree_pits(baking, shared);
+  Placed placed = placed_in(baking, shared);
+  bake_canopy(baking, level, placed);
+  name_placed(baking, placed);
+
+  tile.features.assign(baking.features.begin(), baking.features.end());
+  if (!cell) tile.attributes = attributes_of(chunk, tile.features);
+  merge_meshes(baking);
+  bake_lamps(baking, placed.lamps, graded, report);
+  bake_trees(baking, placed, prototypes, most_instances);
+  snap_image_uvs(tile, cell && level.markings ? level.markings->atlas : tile.marking_atlas);
+  if (!cell) tile.textures = textures_shown(tile, baking.texel_m(), prototypes.textures());
+  return tile;
+}
+
+}  // namespace citykiln::bake

@@ -1,0 +1,28 @@
+#include "compiler/bake/place_lamps.h"
+
+#include "compiler/props/generate.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
+
+namespace citykiln::bake {
+
+Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& map, const Box2& box) {
+  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), chunk.lamps.size()};
+  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
+  lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
+  return lamps;
+}
+
+std::vector<PlacedLamp> lamps_of(const scene::Header& header, const scene::Chunk& chunk) {
+  constexpr double kFinest_m = 0;  // with kerbs
+  const Box2 box = scene::box_of(header, chunk.tile);
+  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
+  const Lamps lamps = place_lamps(chunk, ground::index_land_cover(surfaces, box.widened(scene::kHalo_m)), box);
+  std::vector<PlacedLamp> placed;
+  if (lamps.standing.empty()) return placed;
+  const ground::GradedTerrain graded = scene::graded_terrain_of(header, chunk, kFinest_m);
+  for (const props::StreetLamp& lamp : lamps.standing) placed.push_back({props::place(lamp, graded), lamp.kind});
+  return placed;
+}
+
+}  // namespace citykiln::bake

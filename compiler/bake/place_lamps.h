@@ -1,0 +1,33 @@
+// The street lamps of a tile, before anything of it is generated.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "compiler/geometry/placement.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/props/street_lamps.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::bake {
+
+/// Street lamps, mapped ones first.
+struct Lamps {
+  std::vector<props::StreetLamp> standing;
+  std::size_t mapped = 0;
+};
+
+/// The lamps in a box: mapped ones, and those along lit streets.
+/// @param map  Land cover of the box.
+Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& map, const Box2& box);
+
+/// A lamp on the ground.
+struct PlacedLamp {
+  Placement placement;  ///< +x is the direction of its arm, the scale its height in metres.
+  props::LampKind kind{};
+};
+
+/// Returns the lamps of a tile as fine levels have them. Cost: that of grading the terrain of the tile.
+std::vector<PlacedLamp> lamps_of(const scene::Header& header, const scene::Chunk& chunk);
+
+}  // namespace citykiln::bake

@@ -1,0 +1,100 @@
+#include "preview/light/direction_table.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace citykiln::preview {
+namespace {
+
+// The step at which a cumulative sum exceeds a share of its total, and the position within it.
+struct Step {
+  int index;
+  double within;
+};
+
+Step step_at(const double* sums, int count, double share) {
+  const double wanted = share * sums[count - 1];
+  const int i = std::min(static_cast<int>(std::upper_bound(sums, sums + count, wanted) - sums), count - 1);
+  const double before = i > 0 ? sums[i - 1] : 0, size = sums[i] - before;
+  return {i, size > 0 ? std::clamp((wanted - before) / size, 0.0, 1.0) : 0.5};
+}
+
+Rgb widened(const std::array<float, 3>& cell) { return {cell[0], cell[1], cell[2]}; }
+
+}  // namespace
+
+double turn_of(Vec3 d) {
+  const double turn = std::atan2(d.y, d.x) / (2 * std::numbers::pi);
+  return turn < 0 ? std::min(turn + 1, 1 - 0x1p-53) : turn;
+}
+
+Vec3 direction_at(double turn, double z) {
+  const double r = std::sqrt(std::max(0.0, 1 - z * z)), angle = 2 * std::numbers::pi * turn;
+  return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+DirectionTable::DirectionTable(std::vector<double> z_edges, int columns, std::vector<std::array<float, 3>> cells)
+    : z_edges_(std::move(z_edges)), columns_(columns), cells_(std::move(cells)) {
+  assert(z_edges_.size() >= 2 && columns > 0 && cells_.size() == (z_edges_.size() - 1) * columns);
+  const double height = (z_edges_.back() - z_edges_.front()) / rows();
+  is_even_ = true;
+  double total = 0;
+  for (int row = 0; row < rows(); ++row) {
+    const double of_row = z_edges_[row + 1] - z_edges_[row];
+    is_even_ = is_even_ && std::abs(of_row - height) < 1e-12;
+    double sum = 0;
+    for (int column = 0; column < columns; ++column)
+      sums_.push_back(sum += luminance(widened(cells_[static_cast<std::size_t>(row) * columns + column])) * of_row);
+    row_sums_.push_back(total += sum);
+  }
+  if (total > 0) pdf_per_light_ = columns / (2 * std::numbers::pi * total);
+}
+
+// The flux of a cell over its height and width, as a share of all.
+double DirectionTable::pdf_of(const std::array<float, 3>& cell) const {
+  return luminance(widened(cell)) * pdf_per_light_;
+}
+
+int DirectionTable::row_of(double z) const {
+  if (is_even_) {
+    const double at = (z - z_edges_.front()) / (z_edges_.back() - z_edges_.front()) * rows();
+    return std::clamp(static_cast<int>(at), 0, rows() - 1);
+  }
+  const auto above = std::upper_bound(z_edges_.begin() + 1, z_edges_.end() - 1, z);
+  return static_cast<int>(above - z_edges_.begin()) - 1;
+}
+
+Rgb DirectionTable::radiance(Vec3 direction) const {
+  const double column = turn_of(direction) * columns_ - 0.5;
+  const int left = column < 0 ? columns_ - 1 : static_cast<int>(column), right = left + 1 == columns_ ? 0 : left + 1;
+  const double across = column < 0 ? column + 1 : column - left;
+  const int own = row_of(direction.z);
+  const auto middle = [&](int row) { return (z_edges_[row] + z_edges_[row + 1]) / 2; };
+  const int low = std::clamp(direction.z < middle(own) ? own - 1 : own, 0, rows() - 1);
+  const int high = std::min(direction.z < middle(own) ? own : own + 1, rows() - 1);
+  const double up = high > low ? std::clamp((direction.z - middle(low)) / (middle(high) - middle(low)), 0.0, 1.0) : 0;
+  const auto at = [&](int row) {
+    const auto first = static_cast<std::size_t>(row) * columns_;
+    return mixed(widened(cells_[first + left]), widened(cells_[first + right]), across);
+  };
+  return mixed(at(low), at(high), up);
+}
+
+DirectionSample DirectionTable::sample(UnitPair chance) const {
+  if (!(row_sums_.back() > 0)) return {};
+  const Step row = step_at(row_sums_.data(), rows(), chance.u);
+  const std::size_t first = static_cast<std::size_t>(row.index) * columns_;
+  const Step column = step_at(&sums_[first], columns_, chance.v);
+  const double z = z_edges_[row.index] + (z_edges_[row.index + 1] - z_edges_[row.index]) * row.within;
+  return {direction_at((column.index + column.within) / columns_, z), pdf_of(cells_[first + column.index])};
+}
+
+double DirectionTable::pdf(Vec3 direction) const {
+  if (!(row_sums_.back() > 0) || direction.z < z_edges_.front() || direction.z > z_edges_.back()) return 0;
+  const int row = row_of(direction.z);
+  const int column = std::min(static_cast<int>(turn_of(direction) * columns_), columns_ - 1);
+  return pdf_of(cells_[static_cast<std::size_t>(row) * columns_ + column]);
+}
+
+}  // namespace citykiln::preview

@@ -1,0 +1,52 @@
+// Radiance by direction, which can be sampled.
+#pragma once
+
+#include <vector>
+
+#include "compiler/geometry/vec.h"
+#include "preview/light/rgb.h"
+#include "preview/samples.h"
+
+namespace citykiln::preview {
+
+/// A sampled direction and its probability density per steradian.
+struct DirectionSample {
+  Vec3 direction;
+  double pdf = 0;
+};
+
+/// Azimuth of a direction as a share of a full circle, in [0, 1), counter-clockwise from east.
+double turn_of(Vec3 direction);
+
+/// A unit vector with a given z.
+Vec3 direction_at(double turn, double z);
+
+/// Cells over all azimuths and a range of z. Radiance is interpolated between the centres of cells; the density of
+/// samples is constant in each.
+class DirectionTable {
+ public:
+  /// @param z_edges  Of the rows, increasing, in [-1, 1]; at least two.
+  /// @param cells    Row by row, from the lowest z.
+  DirectionTable(std::vector<double> z_edges, int columns, std::vector<std::array<float, 3>> cells);
+
+  /// Interpolated radiance; beyond the range of z that of its border.
+  Rgb radiance(Vec3 direction) const;
+  /// A sample in proportion to the cells' luminance; pdf 0 if all are black.
+  DirectionSample sample(UnitPair chance) const;
+  /// The density of sample(), per steradian; 0 beyond the range of z.
+  double pdf(Vec3 direction) const;
+
+ private:
+  int row_of(double z) const;
+  double pdf_of(const std::array<float, 3>& cell) const;
+  int rows() const { return static_cast<int>(z_edges_.size()) - 1; }
+
+  std::vector<double> z_edges_;
+  int columns_;
+  double pdf_per_light_ = 0;
+  bool is_even_;  // all rows have the same height
+  std::vector<std::array<float, 3>> cells_;
+  std::vector<double> row_sums_, sums_;  // cumulative flux: of rows, and of cells within their row
+};
+
+}  // namespace citykiln::preview

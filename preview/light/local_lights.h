@@ -1,0 +1,62 @@
+// Lights in the scene, street lamps and shining triangles, of which one is sampled for a place.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "preview/light/light_tree.h"
+#include "preview/light/rgb.h"
+#include "preview/samples.h"
+#include "preview/scene/emitters.h"
+#include "preview/scene/lamps.h"
+#include "preview/scene/world.h"
+
+namespace citykiln::preview {
+
+/// Light that may reach a place from a sampled point.
+struct LightSample {
+  Vec3 direction;         ///< Unit, towards the light.
+  double distance_m = 0;  ///< That must be free.
+  Rgb light{};            ///< Radiance over the density per steradian: times cosine and reflection it is an estimate.
+  double pdf = 0;         ///< Per steradian; 0: no ray hits the light by chance, so that this sample is all of it.
+};
+
+/// Immutable and thread-safe.
+class LocalLights {
+ public:
+  /// Emitters are the world's, which must outlive this object. Those that shine only on what is near, such as the walls
+  /// of rooms on each other, are not sampled: rays that find them by chance see them. Cost: 16 rays for each emitter.
+  LocalLights(const World& world, std::span<const StreetLamp> lamps, int threads);
+
+  bool has_lamps() const { return !lamp_tree_.is_empty(); }
+  bool has_emitters() const { return !emitter_tree_.is_empty(); }
+  /// Samples a lamp for a place. No ray hits a lamp by chance: pdf is 0. Empty: no lamp lights the place.
+  /// @param normal  As for LightTree::choose().
+  std::optional<LightSample> sample_lamp(Vec3 at, Vec3 normal, double chance) const;
+  /// Samples an emitter for a place, and a point on it. Empty: nothing lights the place, or the point does not.
+  std::optional<LightSample> sample_emitter(Vec3 at, Vec3 normal, double chance, UnitPair point) const;
+  bool is_sampled(std::uint32_t emitter) const { return is_sampled_[emitter] != 0; }
+  /// The density, per steradian, with which sample_emitter() finds this emitter in a direction; 0 for those not
+  /// sampled.
+  double pdf(std::uint32_t emitter, Vec3 at, Vec3 normal, Vec3 direction, double distance_m) const;
+  const Rgb& radiance_of(std::uint32_t emitter) const { return emitters_[emitter].radiance; }
+
+ private:
+  // A lamp as a point of light. Its housing, within radius_m of it, throws no shadow.
+  struct Lamp {
+    Vec3 at;
+    double radius_m;
+    Rgb intensity;  // along its axis: radiance times square metres
+    bool shines_down;
+  };
+
+  std::optional<LightSample> light_of(const Lamp& lamp, Vec3 at) const;
+  std::optional<LightSample> light_of(const Emitter& emitter, Vec3 at, UnitPair point) const;
+
+  std::span<const Emitter> emitters_;
+  std::vector<char> is_sampled_;
+  std::vector<Lamp> lamps_;
+  LightTree emitter_tree_, lamp_tree_;
+};
+
+}  // namespace citykiln::preview

@@ -1,0 +1,37 @@
+// Whole baked tiles in one Embree scene; tiles share equal meshes and images.
+#pragma once
+
+#include <span>
+
+#include "preview/scene/scene_geometry.h"
+
+namespace citykiln::preview {
+
+/// Refers to the tiles, which must outlive it.
+class BakedScene {
+ public:
+  /// @param origin  Of the world, plane metres.
+  BakedScene(RTCDevice device, std::span<const bake::BakedTile> tiles, Vec3 origin);
+
+  const SceneGeometry& geometry() const { return geometry_; }
+  /// All triangles that shine, by their numbers in hits. Those of instances are left out.
+  std::span<const Emitter> emitters() const { return emitters_; }
+
+ private:
+  const MipTexture* marking_atlas_of(const bake::BakedTile& tile);
+  const MaterialTexture* material_of(const bake::BakedTile& tile, materials::Material material);
+  const FacadeAtlasTexture* facade_atlas_of(const bake::BakedTile& tile);
+  std::shared_ptr<const CutoutTexture> cutout_of(const bake::InstancedMesh& instanced) const;
+  void add_primitives(const bake::BakedTile& tile);
+  void add_instances(const bake::BakedTile& tile);
+
+  RTCDevice device_;
+  Vec3 origin_;
+  std::vector<std::unique_ptr<MipTexture>> marking_atlases_;
+  std::vector<std::unique_ptr<MaterialTexture>> material_textures_;
+  std::vector<std::unique_ptr<FacadeAtlasTexture>> facade_atlases_;
+  std::vector<Emitter> emitters_;
+  SceneGeometry geometry_;
+};
+
+}  // namespace citykiln::preview

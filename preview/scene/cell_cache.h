@@ -1,0 +1,119 @@
+// Cells that are generated when a ray first enters their bounds, and freed when they exceed a budget.
+//
+//     ray ──► Embree's tree of the cells' bounds ──► a cell that is ready: its own hierarchy (no lock)
+//                                               └──► one that is not: this thread generates it; others that need it
+//                                               wait
+//
+// A thread that generates takes no part in other work (run_alone), so no thread waits for itself. A cell is a function
+// of scene and view, so pictures do not depend on budget, threads or the order of rays.
+#pragma once
+
+#include <array>
+#include <condition_variable>
+
+#include "preview/scene/cell.h"
+
+namespace citykiln::preview {
+
+/// What a cache has done, and holds.
+struct CellCounters {
+  std::size_t cells = 0;        ///< Of the scene.
+  std::size_t generated = 0;    ///< Cells, each time.
+  std::size_t regenerated = 0;  ///< Of these, cells that had been generated before.
+  std::size_t evicted = 0;
+  std::size_t tiles_prepared = 0;
+  std::int64_t geometry_bytes = 0, hierarchy_bytes = 0, texture_bytes = 0, tile_bytes = 0;  ///< Now.
+  std::int64_t peak_bytes = 0;  ///< The largest sum of these after an eviction.
+  std::int64_t over_bytes = 0;  ///< The largest excess over the budget that one cell needed.
+  double outside_m = 0;         ///< Largest distance by which a cell was larger than its bounds: 0 is right.
+  double generating_s = 0;      ///< Sum over threads.
+};
+
+/// Readers that may hold cells which are evicted: counted by two alternating phases, so that a writer waits for all who
+/// began before it (McKenney, "Sleepable Read-Copy Update", 2006). Entering and leaving cost one atomic addition each.
+class ReaderPhases {
+ public:
+  class Reader {
+   public:
+    explicit Reader(ReaderPhases& phases) : phases_(phases) { enter(); }
+    ~Reader() { leave(); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+    void enter();
+    void leave();
+
+   private:
+    ReaderPhases& phases_;
+    std::atomic<std::int64_t>* counter_ = nullptr;
+  };
+
+  /// Returns when all readers that had entered have left. One caller at a time, who is no reader.
+  void wait();
+
+ private:
+  static constexpr std::size_t kShards = 64;
+  struct alignas(64) Shard {
+    std::array<std::atomic<std::int64_t>, 2> readers{};
+  };
+  bool is_empty(std::size_t phase) const;
+
+  std::array<Shard, kShards> shards_{};
+  std::atomic<std::size_t> phase_ = 0;
+};
+
+/// A ray's state on its way through cells. Embree passes it to the callbacks as its context.
+struct CellRay : RTCIntersectContext {
+  explicit CellRay(ReaderPhases& phases) : RTCIntersectContext{}, reader(phases) { rtcInitIntersectContext(this); }
+  const Cell* hit = nullptr;         ///< The cell of the nearest hit; valid while this object lives.
+  std::shared_ptr<const Cell> kept;  ///< The same, where this ray has waited for a cell.
+  ReaderPhases::Reader reader;
+};
+
+/// Thread-safe. Cells of a source in one Embree scene.
+class CellCache {
+ public:
+  /// @param origin  Of the world, plane metres.
+  /// @param budget_bytes  For meshes, hierarchies, textures and prepared tiles. A ray can always go on: the cell that
+  /// it needs is kept even if that alone exceeds the budget.
+  CellCache(RTCDevice device, std::shared_ptr<const CellSource> source, Vec3 origin, std::size_t budget_bytes);
+  ~CellCache();
+
+  RTCScene scene() const { return top_; }
+  ReaderPhases& readers() const { return readers_; }
+  CellCounters counters() const;
+
+ private:
+  struct Calls;
+  struct Slot {
+    std::atomic<const Cell*> ready = nullptr;
+    std::atomic<std::uint32_t> used = 0;  // clock of the last use
+    std::shared_ptr<const Cell> owner;    // the rest under mutex_
+    bool is_generating = false, was_generated = false;
+  };
+
+  static bool on_memory(void* self, ssize_t bytes, bool post);
+  RTCBounds box_of(std::size_t cell) const;
+  const Cell* ready(std::size_t cell) const;
+  std::shared_ptr<const Cell> wait_for(std::size_t cell, CellRay& ray) const;
+  std::shared_ptr<const Cell> make(std::size_t cell) const;
+  std::shared_ptr<const Cell> generate(std::size_t cell) const;
+  void check_bounds(std::size_t cell, const Cell& made) const;
+  void evict(std::size_t kept) const;
+  std::int64_t bytes() const;
+
+  RTCDevice device_;
+  std::shared_ptr<const CellSource> source_;
+  Vec3 origin_;
+  std::int64_t budget_bytes_;
+  mutable MemoryUse use_;
+  mutable SharedByCells shared_;
+  mutable ReaderPhases readers_;
+  mutable std::vector<Slot> slots_;
+  mutable std::atomic<std::uint32_t> clock_ = 1;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  mutable CellCounters counters_;
+  RTCScene top_;
+};
+
+}  // namespace citykiln::preview

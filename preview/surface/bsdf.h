@@ -1,0 +1,74 @@
+// How a surface scatters light: glTF's metals and coated matt surfaces, water, panes of glass, and leaves.
+#pragma once
+
+#include "preview/light/rgb.h"
+#include "preview/samples.h"
+#include "preview/scene/hit.h"
+#include "preview/surface/microfacet.h"
+#include "preview/surface/reflected_energy.h"
+
+namespace citykiln::preview {
+
+/// A sampled direction from which light comes.
+struct BsdfSample {
+  Vec3 direction;
+  Rgb weight{};         ///< Light towards the eye per light from there, over the density; 0: no light.
+  double pdf = 0;       ///< Per steradian.
+  double lobe_rad = 1;  ///< Angle of the cone that a ray stands for.
+};
+
+/// The scattering of light at one hit. Energy is conserved: a white surface under even light is as bright as the light
+/// (tested to 0.1 %, metals 1 %), and scattering is reciprocal, but for water whose waves hide each other.
+///
+/// Method: one lobe of microfacets, with the light of several bounces between facets added (Kulla, Conty, "Revisiting
+/// Physically Based Shading at Imageworks", SIGGRAPH 2017 course), over a matt body, which gets what the facets let
+/// pass both ways (Ashikhmin, Shirley 2000). Leaves are matt on both sides.
+class Bsdf {
+ public:
+  /// @param to_eye  Unit, on the side of the hit's normals.
+  /// @param least_alpha  Narrower lobes are widened to this.
+  Bsdf(const Hit& hit, Vec3 to_eye, double least_alpha);
+
+  /// Radiance towards the eye per radiance from a direction, per steradian, cosine included.
+  Rgb reflected(Vec3 from) const;
+  /// The same of the body alone, without what its facets reflect once.
+  Rgb matt(Vec3 from) const { return of_body(from); }
+  /// From now on both lobes are sampled, one direction each, instead of one of them: pdf() is the sum of both.
+  void split();
+  bool is_split() const { return facets_share_ + body_share_ > 1.5; }
+  /// The density of sampled directions, per steradian.
+  double pdf(Vec3 direction) const;
+  /// @param lobe  In [0, 1), chooses the lobe.
+  BsdfSample sample(double lobe, UnitPair chance) const;
+  BsdfSample sample_facets(UnitPair chance) const;
+  /// @param side  In [0, 1), chooses the side of leaves.
+  BsdfSample sample_body(double side, UnitPair chance) const;
+
+  /// Whether light passes to the other side.
+  bool is_two_sided() const { return through_ > 0; }
+  /// The width of the microfacets; 1 for leaves.
+  double alpha() const { return facets_.alpha; }
+  /// The light that facets reflect towards the eye under even light of 1: a mirror's picture is as bright as that.
+  const Rgb& facets_energy() const { return energy_; }
+
+ private:
+  BsdfSample weighed(Vec3 direction, double lobe_rad) const;
+  Rgb of_body(Vec3 from) const;
+  Rgb of_facets(Vec3 from) const;
+  double facets_pdf(Vec3 direction) const;
+  Rgb energy_at(double cosine) const;
+
+  Vec3 outside_;  // geometric normal
+  Frame frame_;   // about the shading normal
+  Vec3 eye_;      // in the frame
+  Rgb body_{};    // reflectance of the body, with what the facets let pass towards the eye
+  double through_ = 0;
+  bool has_facets_;
+  Microfacets facets_{1};
+  Rgb f0_{}, several_{};  // reflectance at normal incidence; light of several bounces
+  double once_ = 1, once_mean_ = 1;
+  Rgb energy_{}, mean_energy_{};
+  double facets_share_ = 0, body_share_ = 1;  // probabilities of the lobes; 1 and 1 where both are sampled
+};
+
+}  // namespace citykiln::preview

@@ -1,0 +1,23 @@
+// How much of the light that falls on a rough surface its facets reflect, once or in several bounces between facets.
+#pragma once
+
+namespace citykiln::preview {
+
+/// Light that facets of a width reflect once, for a reflectance at normal incidence f0 (Schlick 1994):
+/// f0 * mirror + grazing.
+struct SingleReflection {
+  double mirror = 1, grazing = 0;
+
+  double of(double f0) const { return f0 * mirror + grazing; }
+  /// The same of facets that reflect everything.
+  double of_white() const { return mirror + grazing; }
+};
+
+/// By the cosine of the direction towards the eye, in (0, 1]. A table, interpolated; largest error 0.0005 where alpha
+/// is at least 0.01, which is also the least that is looked up.
+SingleReflection single_reflection(double alpha, double cosine);
+
+/// The same for light from everywhere above.
+SingleReflection mean_single_reflection(double alpha);
+
+}  // namespace citykiln::preview
