@@ -19,6 +19,7 @@
 #include "preview/picture/denoise.h"
 #include "preview/picture/exposure.h"
 #include "preview/render.h"
+#include "preview/window/interactive.h"
 
 namespace citykiln::commands {
 namespace {
@@ -36,7 +37,7 @@ struct Request {
   double environment_turn_deg = 0;
   PictureSize size;
   Exposure exposure;
-  bool is_denoised = false, keeps_frames = false;
+  bool is_denoised = false, keeps_frames = false, is_interactive = false;
   preview::Options options;
 };
 
@@ -49,7 +50,8 @@ Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Heade
 /// The environment map that replaces the sky, if one is given.
 Result<std::optional<preview::EnvironmentMap>> environment_of(const Request& request, const Console& console) {
   if (request.environment_path.empty()) return std::optional<preview::EnvironmentMap>();
-  Result<preview::ReadEnvironment> read = preview::read_environment(request.environment_path, request.environment_turn_deg);
+  Result<preview::ReadEnvironment> read =
+      preview::read_environment(request.environment_path, request.environment_turn_deg);
   if (!read) return read.error();
   if (read->mended > 0)
     console.print_line(fmt::format("note: {} has {} pixels that are negative or not finite; they count as black",
@@ -149,8 +151,27 @@ Result<Exit> render_frames(const Request& request, Stage stage, const std::vecto
   return Exit::kDone;
 }
 
+// Shows a window; the picture that P writes is the one of -o.
+Result<Exit> fly(const Request& request, const Stage& stage, const preview::Camera& camera, std::size_t tiles,
+                 const Console& console) {
+  preview::Options options = stage.options;
+  options.exposure = request.exposure.factor * preview::adapted_exposure(stage.sky);
+  options.has_guides = false;
+  const auto write = [&](const preview::Image& image, const preview::Camera& at) {
+    const Result<Done> written =
+        preview::write_image(image, request.picture_path.empty() ? "preview.png" : request.picture_path,
+                             metadata_of(image, at, stage.sky, options.exposure));
+    if (!written) return console.print_error(written.error());
+    print_json(image, at, tiles, console);
+  };
+  const Result<Done> shown = preview::show_interactive(stage.world, stage.lights, stage.local, camera, options, write);
+  if (!shown) return shown.error();
+  return Exit::kDone;
+}
+
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.picture_path.empty()) return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
+  if (request.picture_path.empty() && !request.is_interactive)
+    return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
   const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);
   if (!environment) return environment.error();
   const OnProgress on_progress = console.progress();
@@ -165,8 +186,9 @@ Result<Exit> run(const Request& request, const Console& console) {
   const preview::Lights lights =
       *environment ? preview::Lights(**environment, lamps) : preview::Lights(sky::generate(*sky), lamps);
   const preview::LocalLights local(world, lights.lamps(), request.load.threads);
-  return render_frames(request, {world, lights, local, *sky, options_of(request)}, *cameras, loaded->tiles.size(), on_progress,
-                       console);
+  const Stage stage{world, lights, local, *sky, options_of(request)};
+  if (request.is_interactive) return fly(request, stage, cameras->front(), loaded->tiles.size(), console);
+  return render_frames(request, stage, *cameras, loaded->tiles.size(), on_progress, console);
 }
 
 std::vector<Option> tile_options(LoadRequest& load) {
@@ -251,6 +273,10 @@ std::vector<Option> picture_options(Request& request) {
        false, store_exposure(request.exposure)},
       {"--keep-frames", "", "pictures of --path or --turntable that are there already are not rendered again", false,
        store_switch(request.keeps_frames)},
+      {"--interactive", "",
+       "a window to fly in while the picture refines: W A S D Q E and the mouse, shift is faster, + and - change the "
+       "exposure, P writes a picture (preview.png, or -o), Esc ends",
+       false, store_switch(request.is_interactive)},
       {"-o,--out", "FILE.png|FILE.exr",
        "picture to write, or with --path and --turntable pictures: frame_####.png; .exr has albedo, normals, depth and "
        "ids as further channels",
