@@ -2,47 +2,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "compiler/commands/ground_height.h"
+#include "compiler/commands/camera_options.h"
+#include "compiler/commands/frame_names.h"
 #include "compiler/commands/load_tiles.h"
+#include "compiler/commands/stop_on_interrupt.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
+#include "compiler/contract/parse.h"
 #include "compiler/sky/plan.h"
 #include "compiler/spec.h"
+#include "preview/light/read_environment.h"
+#include "preview/picture/denoise.h"
+#include "preview/picture/exposure.h"
 #include "preview/render.h"
+#include "preview/window/interactive.h"
 
 namespace citykiln::commands {
 namespace {
 
-struct Request {
-  LoadRequest load;
-  std::string picture_path, view = "overview";
-  std::optional<GivenPoint> eye, look_at;             ///< Plane metres.
-  std::optional<GivenPoint> eye_lonlat, look_lonlat;  ///< Longitude and latitude in degrees, height in metres.
-  std::optional<double> fov_deg;
-  PictureSize size;
-  preview::Options options;
+// --exposure: a factor, stops, or automatic.
+struct Exposure {
+  double factor = 1;
+  bool is_auto = false;
 };
 
-Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded, const Console& console) {
-  const GroundHeight ground_m = [&](Vec2 place) { return ground_height_m(loaded.tiles, place); };
-  const auto point = [&](const auto& in_plane, const auto& lonlat) {
-    return point_of(in_plane, lonlat, loaded.header, ground_m);
-  };
-  const Result<std::optional<Vec3>> eye = point(request.eye, request.eye_lonlat);
-  const Result<std::optional<Vec3>> look_at = point(request.look_at, request.look_lonlat);
-  if (!eye) return eye.error();
-  if (!look_at) return look_at.error();
-  if (eye->has_value() != look_at->has_value()) return Error{"", "--eye and --look must be given together"};
-  if (eye->has_value()) note_if_below_ground(**eye, ground_m, console);
-
-  Result<preview::Camera> camera =
-      eye->has_value() ? Result(preview::Camera{**eye, **look_at}) : preview::named_view(loaded.tiles, request.view);
-  if (camera && request.fov_deg) camera->vertical_fov_deg = *request.fov_deg;
-  return camera;
-}
+struct Request {
+  LoadRequest load;
+  CameraRequest camera;
+  std::string picture_path, environment_path;
+  double environment_turn_deg = 0;
+  PictureSize size;
+  Exposure exposure;
+  bool is_denoised = false, keeps_frames = false, is_interactive = false;
+  preview::Options options;
+};
 
 /// The scene's sky, or the sky at another time; without a manifest at 45° north.
 Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Header>& header) {
@@ -50,31 +47,148 @@ Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Heade
   return sky::plan(header ? header->origin : map::LonLat{0, 45}, request.load.time);
 }
 
+/// The environment map that replaces the sky, if one is given.
+Result<std::optional<preview::EnvironmentMap>> environment_of(const Request& request, const Console& console) {
+  if (request.environment_path.empty()) return std::optional<preview::EnvironmentMap>();
+  Result<preview::ReadEnvironment> read =
+      preview::read_environment(request.environment_path, request.environment_turn_deg);
+  if (!read) return read.error();
+  if (read->mended > 0)
+    console.print_line(fmt::format("note: {} has {} pixels that are negative or not finite; they count as black",
+                                   request.environment_path, read->mended));
+  return std::optional(std::move(read->map));
+}
+
+std::vector<preview::Metadata> metadata_of(const preview::Image& image, const preview::Camera& camera,
+                                           const sky::Sky& sky, double exposure) {
+  const auto text = [](Vec3 p) { return fmt::format("{:.3f},{:.3f},{:.3f}", p.x, p.y, p.z); };
+  const preview::RenderStatistics& made = image.statistics;
+  return {{"Eye", text(camera.eye)},
+          {"Look", text(camera.look_at)},
+          {"VerticalFieldOfView", fmt::format("{}", camera.vertical_fov_deg)},
+          {"LensDiameter", fmt::format("{}", camera.lens_radius_m * 2)},
+          {"Time", sky.time},
+          {"Exposure", fmt::format("{}", exposure)},
+          {"Samples", made.least_samples == made.most_samples
+                          ? fmt::format("{}", made.most_samples)
+                          : fmt::format("{} to {}", made.least_samples, made.most_samples)}};
+}
+
+void print_summary(const std::string& path, const preview::Image& image, std::size_t tiles, const Console& console) {
+  const preview::RenderStatistics& made = image.statistics;
+  const std::string paths = made.least_samples == made.most_samples
+                                ? fmt::format("{} paths each", made.most_samples)
+                                : fmt::format("{} to {} paths each", made.least_samples, made.most_samples);
+  console.print_line(fmt::format("{}: {} x {} pixels, {}, {} tiles{}", path, image.width, image.height, paths, tiles,
+                                 made.is_complete ? "" : "; interrupted before all paths were traced"));
+}
+
+void print_json(const preview::Image& image, const preview::Camera& camera, std::size_t tiles, const Console& console) {
+  const preview::RenderStatistics& made = image.statistics;
+  console.print_json(fmt::format(
+      R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}, "paths": {}, "seconds": {:.3f}, )"
+      R"("samples": [{}, {}], "complete": {}}})",
+      camera.eye.x, camera.eye.y, camera.eye.z, camera.look_at.x, camera.look_at.y, camera.look_at.z,
+      camera.vertical_fov_deg, tiles, made.paths, made.seconds, made.least_samples, made.most_samples,
+      made.is_complete));
+}
+
+// What all frames have in common.
+struct Stage {
+  const preview::World& world;
+  const preview::Lights& lights;
+  const preview::LocalLights& local;
+  const sky::Sky& sky;
+  preview::Options options;
+};
+
+// The options of render() for a request. @param on_progress  Must outlive them.
+preview::Options options_of(const Request& request) {
+  preview::Options options = request.options;
+  options.width = request.size.width, options.height = request.size.height;
+  options.threads = request.load.threads;
+  options.exposure = 1;
+  options.has_guides = request.is_denoised || request.picture_path.ends_with(".exr");
+  return options;
+}
+
+// Renders one frame and writes it. `exposure` is the factor of all frames, decided by the first one.
+Result<preview::Image> render_frame(const Request& request, const Stage& stage, const preview::Camera& camera,
+                                    const std::string& path, std::optional<double>& exposure) {
+  preview::Image image = preview::render(stage.world, stage.lights, stage.local, camera, stage.options);
+  if (request.is_denoised) image = preview::denoise(image, stage.options.threads);
+  if (!exposure) exposure = preview::auto_exposure(image) * request.exposure.factor;
+  preview::expose(image, *exposure);
+  const Result<Done> written = preview::write_image(image, path, metadata_of(image, camera, stage.sky, *exposure));
+  if (!written) return written.error();
+  return image;
+}
+
+Result<std::vector<std::string>> names_of(const Request& request, std::size_t cameras) {
+  if (!request.camera.is_film()) return std::vector{request.picture_path};
+  return frame_names(request.picture_path, static_cast<int>(cameras));
+}
+
+Result<Exit> render_frames(const Request& request, Stage stage, const std::vector<preview::Camera>& cameras,
+                           std::size_t tiles, const OnProgress& on_progress, const Console& console) {
+  const Result<std::vector<std::string>> names = names_of(request, cameras.size());
+  if (!names) return names.error();
+  const StopOnInterrupt interrupt;
+  stage.options.is_stopped = &interrupt.is_stopped();
+  std::optional<double> exposure;
+  if (!request.exposure.is_auto) exposure = request.exposure.factor * preview::adapted_exposure(stage.sky);
+  for (std::size_t i = 0; i < cameras.size() && !interrupt.is_stopped(); ++i) {
+    std::error_code none;
+    if (request.keeps_frames && std::filesystem::exists((*names)[i], none)) continue;
+    stage.options.on_progress = [&](double share) {
+      on_progress("render", (static_cast<double>(i) + share) / static_cast<double>(cameras.size()));
+    };
+    const Result<preview::Image> image = render_frame(request, stage, cameras[i], (*names)[i], exposure);
+    if (!image) return image.error();
+    print_summary((*names)[i], *image, tiles, console);
+    if (!request.camera.is_film()) print_json(*image, cameras[i], tiles, console);
+  }
+  return Exit::kDone;
+}
+
+// Shows a window; the picture that P writes is the one of -o.
+Result<Exit> fly(const Request& request, const Stage& stage, const preview::Camera& camera, std::size_t tiles,
+                 const Console& console) {
+  preview::Options options = stage.options;
+  options.exposure = request.exposure.factor * preview::adapted_exposure(stage.sky);
+  options.has_guides = false;
+  const auto write = [&](const preview::Image& image, const preview::Camera& at) {
+    const Result<Done> written =
+        preview::write_image(image, request.picture_path.empty() ? "preview.png" : request.picture_path,
+                             metadata_of(image, at, stage.sky, options.exposure));
+    if (!written) return console.print_error(written.error());
+    print_json(image, at, tiles, console);
+  };
+  const Result<Done> shown = preview::show_interactive(stage.world, stage.lights, stage.local, camera, options, write);
+  if (!shown) return shown.error();
+  return Exit::kDone;
+}
+
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.picture_path.empty()) return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
+  if (request.picture_path.empty() && !request.is_interactive)
+    return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
+  const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);
+  if (!environment) return environment.error();
   const OnProgress on_progress = console.progress();
   const Result<Loaded> loaded = load_tiles(request.load, on_progress);
   if (!loaded) return loaded.error();
   const Result<sky::Sky> sky = sky_of(request, loaded->header);
   if (!sky) return sky.error();
-  const Result<preview::Camera> camera = camera_of(request, *loaded, console);
-  if (!camera) return camera.error();
-
-  preview::Options options = request.options;
-  options.on_progress = [&](double share) { on_progress("render", share); };
-  options.width = request.size.width, options.height = request.size.height;
-  options.threads = request.load.threads;
-  options.exposure *= preview::adapted_exposure(*sky);
-  const preview::Image image = preview::render(loaded->tiles, *sky, *camera, options);
-  const Result<Done> written = preview::write_image(image, request.picture_path);
-  if (!written) return written.error();
-
-  console.print_line(fmt::format("{}: {} x {} pixels, {} paths each, {} tiles", request.picture_path, image.width,
-                                 image.height, options.samples, loaded->tiles.size()));
-  console.print_json(fmt::format(R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}}})",
-                                 camera->eye.x, camera->eye.y, camera->eye.z, camera->look_at.x, camera->look_at.y,
-                                 camera->look_at.z, camera->vertical_fov_deg, loaded->tiles.size()));
-  return Exit::kDone;
+  const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *loaded, console);
+  if (!cameras) return cameras.error();
+  const preview::World world(loaded->tiles, cameras->front().eye);
+  const auto lamps = sky::is_night(*sky) ? preview::lamps_of(loaded->tiles) : std::vector<preview::StreetLamp>();
+  const preview::Lights lights =
+      *environment ? preview::Lights(**environment, lamps) : preview::Lights(sky::generate(*sky), lamps);
+  const preview::LocalLights local(world, lights.lamps(), request.load.threads);
+  const Stage stage{world, lights, local, *sky, options_of(request)};
+  if (request.is_interactive) return fly(request, stage, cameras->front(), loaded->tiles.size(), console);
+  return render_frames(request, stage, *cameras, loaded->tiles.size(), on_progress, console);
 }
 
 std::vector<Option> tile_options(LoadRequest& load) {
@@ -91,38 +205,82 @@ std::vector<Option> tile_options(LoadRequest& load) {
   };
 }
 
-std::vector<Option> camera_options(Request& request) {
+Take store_exposure(Exposure& exposure) {
+  return [&exposure](const std::string& text) -> Result<Done> {
+    exposure = {.factor = 1, .is_auto = text.starts_with("auto")};
+    std::string_view number = std::string_view(text).substr(exposure.is_auto ? 4 : 0);
+    if (exposure.is_auto && number.empty()) return Done{};
+    const bool is_stops = number.starts_with('+') || number.starts_with('-');
+    const auto given = number_in<double>(number.starts_with('+') ? number.substr(1) : number);
+    const bool is_known = given && (is_stops ? std::abs(*given) <= 40 : *given > 0 && !exposure.is_auto);
+    if (!is_known)
+      return Error{"", fmt::format("expected stops with a sign such as +1 or -0.5, a factor above 0, auto, or auto+1, "
+                                   "found \"{}\"",
+                                   text)};
+    exposure.factor = is_stops ? std::exp2(*given) : *given;
+    return Done{};
+  };
+}
+
+Take store_switch(bool& is_on) {
+  return [&is_on](const std::string&) -> Result<Done> {
+    is_on = true;
+    return Done{};
+  };
+}
+
+std::vector<Option> sampling_options(Request& request) {
   return {
-      {"--view", "NAME", "overview, street, top, north, south, east, west or low (default: overview)", false,
-       store_text(request.view)},
-      {"--eye", "X,Y,Z",
-       "place of the viewer in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the ground; needs --look",
-       false, store_point(request.eye)},
-      {"--look", "X,Y,Z", "place in the middle of the picture, such as 0,0,20", false, store_point(request.look_at)},
-      {"--eye-lonlat", "LON,LAT,HEIGHT", "place of the viewer in degrees and metres, such as 7.42,43.73,150", false,
-       store_point(request.eye_lonlat)},
-      {"--look-lonlat", "LON,LAT,HEIGHT", "place in the middle of the picture in degrees and metres", false,
-       store_point(request.look_lonlat)},
-      {"--fov", "DEG", "vertical field of view in degrees (default: 45)", false,
-       store_number(request.fov_deg, kFieldsOfView_deg)},
+      {"--spp", "N", "light paths for each pixel; more give less noise (default: 64)", false,
+       store_whole(request.options.samples, 1)},
+      {"--noise", "X",
+       "fewer paths where they suffice: --spp is the most, and blocks of pixels get as many as a relative error of X, "
+       "such as 0.05, needs",
+       false, store_number(request.options.noise, {})},
+      {"--bounces", "N", "reflections of each light path (default: 3)", false, store_whole(request.options.bounces, 0)},
+      {"--roulette", "X",
+       "paths that carry less than this share of light may end, and those that do not count for them; 0: none end "
+       "(default: 0.4)",
+       false, store_number(request.options.roulette, {0, 1, true})},
+      {"--caustics", "", "light that mirrors and glass throw on matt surfaces stays sharp, with more noise", false,
+       store_switch(request.options.has_caustics)},
+      {"--denoise", "", "removes the noise that is left, guided by albedo, normals and depth", false,
+       store_switch(request.is_denoised)},
+  };
+}
+
+std::vector<Option> light_options(Request& request) {
+  return {
+      {"--time", "ISO",
+       "date and time of the sky in UTC, such as 2026-12-21T22:00 (default: the scene's); a manifest gets lit windows "
+       "by "
+       "night",
+       false, store_text(request.load.time)},
+      {"--environment", "FILE.exr|.hdr", "light from a panorama instead of sun and sky", false,
+       store_text(request.environment_path)},
+      {"--environment-turn", "DEG", "compass bearing of the panorama's middle (default: 0, north)", false,
+       store_number(request.environment_turn_deg, {-360, 360, true})},
   };
 }
 
 std::vector<Option> picture_options(Request& request) {
   return {
       {"--size", "WxH", "size in pixels (default: 1280x720)", false, store_size(request.size)},
-      {"--spp", "N", "light paths for each pixel; more give less noise (default: 64)", false,
-       store_whole(request.options.samples, 1)},
-      {"--bounces", "N", "reflections of each light path (default: 3)", false, store_whole(request.options.bounces, 0)},
-      {"--exposure", "X",
-       "factor on the brightness; the adaptation of eyes to the dark is added by itself (default: 1)", false,
-       store_number(request.options.exposure, {})},
-      {"--time", "ISO",
-       "date and time of the sky in UTC, such as 2026-12-21T22:00 (default: the scene's); a manifest gets lit windows "
-       "by "
-       "night",
-       false, store_text(request.load.time)},
-      {"-o,--out", "FILE.png|FILE.exr", "picture to write", false, store_text(request.picture_path)},
+      {"--exposure", "STOPS|X|auto",
+       "brightness: stops with a sign, such as +1 or -0.5, or a factor without, on top of the adaptation of eyes to "
+       "the "
+       "dark; auto is by the picture's own brightness, auto+1 a stop more (default: +0)",
+       false, store_exposure(request.exposure)},
+      {"--keep-frames", "", "pictures of --path or --turntable that are there already are not rendered again", false,
+       store_switch(request.keeps_frames)},
+      {"--interactive", "",
+       "a window to fly in while the picture refines: W A S D Q E and the mouse, shift is faster, + and - change the "
+       "exposure, P writes a picture (preview.png, or -o), Esc ends",
+       false, store_switch(request.is_interactive)},
+      {"-o,--out", "FILE.png|FILE.exr",
+       "picture to write, or with --path and --turntable pictures: frame_####.png; .exr has albedo, normals, depth and "
+       "ids as further channels",
+       false, store_text(request.picture_path)},
   };
 }
 
@@ -132,11 +290,13 @@ Verb preview_verb() {
   const auto request = std::make_shared<Request>();
   Verb verb{
       "preview", "renders a picture of a manifest, a run's folder or .glb files", tile_options(request->load), {}};
-  for (Option& option : camera_options(*request)) verb.options.push_back(std::move(option));
-  for (Option& option : picture_options(*request)) verb.options.push_back(std::move(option));
+  for (std::vector<Option> options : {camera_options(request->camera), sampling_options(*request),
+                                      light_options(*request), picture_options(*request)})
+    for (Option& option : options) verb.options.push_back(std::move(option));
   verb.examples = {"citykiln preview out/town -o town.png",
                    "citykiln preview out/town --view street --time 2026-12-21T22:00 -o night.png",
-                   "citykiln preview out/town/scene.kiln --eye 0,-200,+60 --look 0,0,+5 --spp 256 -o town.exr"};
+                   "citykiln preview out/town/scene.kiln --eye 0,-200,+60 --look 0,0,+5 --spp 256 -o town.exr",
+                   "citykiln preview out/town --turntable 100 --denoise --spp 16 -o frame_###.png"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }
