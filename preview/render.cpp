@@ -1,35 +1,25 @@
 #include "preview/render.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <numbers>
 
 #include "compiler/contract/for_each_slot.h"
+#include "preview/adaptive_samples.h"
+#include "preview/camera/camera_rays.h"
+#include "preview/morton_order.h"
 #include "preview/path_trace.h"
+#include "preview/picture/running_mean.h"
 
 namespace citykiln::preview {
 namespace {
 
 constexpr int kBlock_px = 32;
 
-int blocks(int pixels) { return (pixels + kBlock_px - 1) / kBlock_px; }
-
-// The camera's axes, and the half size of its picture at distance 1.
-struct Lens {
-  Vec3 forward, right, up;
-  double half_width, half_height;
-};
-
-Lens lens_of(const Camera& camera, const Options& options) {
-  // a camera without direction looks north
-  const Vec3 sight = unit(camera.look_at - camera.eye), forward = dot(sight, sight) > 0 ? sight : Vec3{0, 1, 0};
-  // straight up or down, north is up
-  const Vec3 pole = std::abs(forward.z) > 0.9999 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-  const Vec3 right = unit(cross(forward, pole));
-  const double half_height = std::tan(std::clamp(camera.vertical_fov_deg, 0.01, 179.0) * std::numbers::pi / 360);
-  return {forward, right, cross(right, forward), half_height * options.width / options.height, half_height};
-}
+// Seed of the samples after pilot samples: independent of them.
+constexpr std::uint64_t kFurtherSeed = 0x5851f42d4c957f2du;
 
 // Tent filter, one pixel to each side: smooth edges without blur.
 double tent(double u) { return u < 0.5 ? std::sqrt(2.0 * u) - 1 : 1 - std::sqrt(2.0 - 2.0 * u); }
@@ -37,34 +27,149 @@ double tent(double u) { return u < 0.5 ? std::sqrt(2.0 * u) - 1 : 1 - std::sqrt(
 // The inputs of a pixel.
 struct Shot {
   TraceContext context;
-  Lens lens;
-  Vec3 eye;  // in the world's frame
-  SampleGrid grid;
+  CameraRays rays;
+  const Options& options;
 };
 
-Rgb pixel(const Shot& shot, const Options& options, int x, int y) {
-  const int samples = std::max(options.samples, 1);
-  const PixelSamples chances(options.seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), shot.grid);
-  Rgb sum{};
-  for (int sample = 0; sample < samples; ++sample) {
+// Samples of one sequence of points that are added to each pixel of a block.
+struct Stretch {
+  std::uint64_t seed = 0;
+  SampleGrid grid;
+  int first = 0, count = 0;
+};
+
+// A block of pixels, the samples that its pixels have, and the sums of their weights and squared weights.
+struct Block {
+  GridPlace place;
+  int samples = 0;
+  double weights = 0, squared_weights = 0;
+};
+
+int blocks_along(int pixels) { return (pixels + kBlock_px - 1) / kBlock_px; }
+
+PixelSums sample_pixel(const Shot& shot, const Stretch& stretch, int x, int y) {
+  const PixelSamples chances(stretch.seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), stretch.grid);
+  PixelSums sums;
+  for (int sample = stretch.first; sample < stretch.first + stretch.count; ++sample) {
     PathDraw draw(chances, static_cast<std::uint32_t>(sample));
     const UnitPair at = draw.next();
-    const double px = (2 * (x + 0.5 + tent(at.u)) / options.width - 1) * shot.lens.half_width;
-    const double py = (1 - 2 * (y + 0.5 + tent(at.v)) / options.height) * shot.lens.half_height;
-    sum = sum +
-          trace(shot.context, shot.eye, unit(shot.lens.forward + shot.lens.right * px + shot.lens.up * py), draw).light;
+    const CameraRay ray = shot.rays.through(x + 0.5 + tent(at.u), y + 0.5 + tent(at.v), draw);
+    add(sums, trace(shot.context, ray.from - shot.context.world.origin(), ray.direction, draw), shot.options.exposure);
   }
-  return sum * (options.exposure / samples);
+  return sums;
 }
 
-void render_block(const Shot& shot, const Options& options, int block, Image& image) {
-  const int across = blocks(options.width), x0 = block % across * kBlock_px, y0 = block / across * kBlock_px;
-  for (int y = y0; y < std::min(y0 + kBlock_px, options.height); ++y)
-    for (int x = x0; x < std::min(x0 + kBlock_px, options.width); ++x) {
-      const Rgb rgb = pixel(shot, options, x, y);
-      float* out = &image.rgb[(static_cast<std::size_t>(y) * options.width + x) * 3];
-      for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(rgb[c]);
-    }
+// Calls `visit(x, y, index)` for each pixel of a block, in Morton order.
+template <typename Visit>
+void for_each_pixel(const Block& block, const Options& options, Visit visit) {
+  static const std::vector<GridPlace> kOrder = in_morton_order(kBlock_px, kBlock_px);
+  for (const GridPlace& within : kOrder) {
+    const int x = block.place.x * kBlock_px + within.x, y = block.place.y * kBlock_px + within.y;
+    if (x < options.width && y < options.height)
+      visit(x, y, static_cast<std::size_t>(y) * static_cast<std::size_t>(options.width) + static_cast<std::size_t>(x));
+  }
+}
+
+// Adds samples of equal weight to all pixels of a block.
+void sample_block(const Shot& shot, const Stretch& stretch, double weight, Block& block, RunningMean& mean) {
+  const double added = weight * stretch.count, share = added / (block.weights + added);
+  for_each_pixel(block, shot.options, [&](int x, int y, std::size_t pixel) {
+    mean.add(pixel, sample_pixel(shot, stretch, x, y), block.samples, block.samples == 0 ? 1 : share);
+  });
+  block.samples += stretch.count;
+  block.weights += added;
+  block.squared_weights += weight * added;
+}
+
+// Finished work in samples of blocks.
+class Progress {
+ public:
+  Progress(const Options& options, double all) : options_(options), all_(all) {}
+
+  void add(double done) {
+    if (!options_.on_progress) return;
+    const std::lock_guard one_at_a_time(mutex_);
+    done_ += done;
+    options_.on_progress(std::min(done_ / all_, 1.0));
+  }
+  void expect(double all) { all_ = all; }
+  bool is_stopped() const { return options_.is_stopped != nullptr && *options_.is_stopped; }
+
+ private:
+  const Options& options_;
+  double all_, done_ = 0;
+  std::mutex mutex_;
+};
+
+// Samples of one sequence for all blocks: of block i `counts[i]`, with `weights[i]` each, in passes that double.
+void run_passes(const Shot& shot, std::uint64_t seed, const std::vector<int>& counts,
+                const std::vector<double>& weights, std::vector<Block>& blocks, RunningMean& mean, Progress& progress) {
+  const Options& options = shot.options;
+  const int most = *std::ranges::max_element(counts);
+  const SampleGrid grid = grid_of(options.width, options.height, most);
+  for (int first = 0, end = 1; first < most && !progress.is_stopped(); first = end, end = std::min(2 * end, most)) {
+    for_each_index(blocks.size(), options.threads, [&](std::size_t i) {
+      const int count = std::min(end, counts[i]) - first;
+      if (count <= 0 || progress.is_stopped()) return;
+      sample_block(shot, {seed, grid, first, count}, weights[i], blocks[i], mean);
+      progress.add(count);
+    });
+    if (options.on_pass) options.on_pass(mean.image());
+  }
+}
+
+PilotBlock pilot_of(const Block& block, const Options& options, const RunningMean& mean) {
+  PilotBlock pilot;
+  int pixels = 0;
+  for_each_pixel(block, options, [&](int, int, std::size_t pixel) {
+    const float* rgb = &mean.image().rgb[pixel * 3];
+    pilot.luminance += luminance({rgb[0], rgb[1], rgb[2]});
+    pilot.variance += mean.sample_variance(pixel, block.samples);
+    ++pixels;
+  });
+  return {pilot.luminance / pixels, pilot.variance / pixels};
+}
+
+// The numbers of samples that blocks get after their pilot samples.
+std::vector<int> counts_after_pilot(const SamplePlan& plan, const std::vector<Block>& blocks, const Options& options,
+                                    const RunningMean& mean) {
+  std::vector<PilotBlock> pilots;
+  double sum = 0;
+  for (const Block& block : blocks) sum += pilots.emplace_back(pilot_of(block, options, mean)).luminance;
+  std::vector<int> counts;
+  for (const PilotBlock& pilot : pilots)
+    counts.push_back(further_samples(plan, pilot, sum / static_cast<double>(blocks.size()), options.noise));
+  return counts;
+}
+
+void sample_picture(const Shot& shot, std::vector<Block>& blocks, RunningMean& mean) {
+  const Options& options = shot.options;
+  const SamplePlan plan = plan_samples(options.samples, options.noise);
+  const double all = static_cast<double>(blocks.size());
+  Progress progress(options, all * plan.most);
+  const auto equal = [&](double weight) { return std::vector<double>(blocks.size(), weight); };
+  const auto each = [&](int count) { return std::vector<int>(blocks.size(), count); };
+  if (plan.pilot == 0) return run_passes(shot, options.seed, each(plan.most), equal(1), blocks, mean, progress);
+  run_passes(shot, options.seed, each(plan.pilot), equal(1.0 / plan.most), blocks, mean, progress);
+  if (progress.is_stopped()) return;
+  const std::vector<int> counts = counts_after_pilot(plan, blocks, options, mean);
+  std::vector<double> weights;
+  double expected = all * plan.pilot;
+  for (const int count : counts) weights.push_back((1 - plan.pilot_weight()) / count), expected += count;
+  progress.expect(expected);
+  run_passes(shot, options.seed ^ kFurtherSeed, counts, weights, blocks, mean, progress);
+}
+
+RenderStatistics statistics_of(const std::vector<Block>& blocks, const Options& options) {
+  RenderStatistics statistics;
+  statistics.least_samples = blocks.front().samples;
+  for (const Block& block : blocks) {
+    statistics.least_samples = std::min(statistics.least_samples, block.samples);
+    statistics.most_samples = std::max(statistics.most_samples, block.samples);
+    for_each_pixel(block, options,
+                   [&](int, int, std::size_t) { statistics.paths += static_cast<std::uint64_t>(block.samples); });
+  }
+  return statistics;
 }
 
 }  // namespace
@@ -77,25 +182,29 @@ double adapted_exposure(const sky::Sky& sky) {
 
 Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options) {
   if (options.width <= 0 || options.height <= 0) return {};
-  const Lens lens = lens_of(camera, options);
-  const LocalLights local(world.emitters(), lights.lamps(), world.origin());
+  const auto begin = std::chrono::steady_clock::now();
+  const CameraRays rays(camera, options.width, options.height);
+  const LocalLights local(world, lights.lamps(), options.threads);
   const TraceContext context{.world = world,
                              .lights = lights,
                              .local = local,
                              .bounces = std::max(options.bounces, 0),
-                             .pixel_rad = 2 * lens.half_height / options.height};
-  const Shot shot{context, lens, camera.eye - world.origin(), grid_of(options.width, options.height, options.samples)};
-  Image image{options.width, options.height,
-              std::vector<float>(static_cast<std::size_t>(options.width) * options.height * 3)};
-  const std::size_t count = static_cast<std::size_t>(blocks(options.width)) * blocks(options.height);
-  std::mutex progress;
-  std::size_t finished = 0;
-  for_each_index(count, options.threads, [&](std::size_t block) {
-    render_block(shot, options, static_cast<int>(block), image);
-    if (!options.on_progress) return;
-    const std::lock_guard one_at_a_time(progress);
-    options.on_progress(static_cast<double>(++finished) / static_cast<double>(count));
-  });
+                             .pixel_rad = rays.pixel_rad()};
+  const Shot shot{context, rays, options};
+  std::vector<Block> blocks;
+  for (const GridPlace& place : in_morton_order(blocks_along(options.width), blocks_along(options.height)))
+    blocks.push_back({.place = place});
+  RunningMean mean(options.width, options.height, options.has_guides);
+  sample_picture(shot, blocks, mean);
+  for (const Block& block : blocks)
+    for_each_pixel(block, options, [&](int, int, std::size_t pixel) {
+      const double all = block.weights * block.weights;
+      mean.set_samples(pixel, block.samples, all > 0 ? block.squared_weights / all : 0);
+    });
+  Image image = std::move(mean).finish();
+  image.statistics = statistics_of(blocks, options);
+  image.statistics.is_complete = options.is_stopped == nullptr || !*options.is_stopped;
+  image.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return image;
 }
 

@@ -1,6 +1,7 @@
 // Cameras, and views that are found by name.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -9,10 +10,20 @@
 
 namespace citykiln::preview {
 
-/// A pinhole camera in the plane, metres, z up.
+/// Where a camera is, and the point in the middle of its picture. Plane metres, z up.
+struct Pose {
+  Vec3 eye, look_at;
+};
+
+/// A camera in the plane, metres, z up: a pinhole or a thin lens, at rest or moving while its shutter is open.
 struct Camera {
   Vec3 eye, look_at;
   double vertical_fov_deg = 45;
+  double lens_radius_m = 0;  ///< 0: a pinhole, everything is in focus.
+  /// Distance along the view of the plane in focus; 0: that of look_at.
+  double focus_m = 0;
+  /// The pose when the shutter closes; it moves there evenly. Empty: the camera is at rest.
+  std::optional<Pose> shutter_end{};
 };
 
 /// A named view of a scene: "overview" (from the south-east, all of it), "street", "top", "north", "south", "east",

@@ -152,6 +152,7 @@ LightBounds LightTree::build(std::span<const LightBounds> lights, std::span<std:
     bounds = joined(before, build(lights, of.subspan(first), own));
   }
   nodes_[own] = {.centre = middle(bounds),
+                 .half = (bounds.high - bounds.low) * 0.5,
                  .axis = bounds.axis,
                  .radius_m = length(bounds.high - bounds.low) / 2,
                  .flux = bounds.flux,
@@ -164,12 +165,21 @@ LightBounds LightTree::build(std::span<const LightBounds> lights, std::span<std:
   return bounds;
 }
 
-// A bound of the light that a group may send to a place: its flux over the square of the distance, times the largest
-// cosines, at its surfaces and at the receiving one, of any point in the sphere around it.
+// An estimate of the light that a group sends to a place: its flux over the square of the distance, times the largest
+// cosines, at its surfaces and at the receiving one, of any point in its box. 0 only where no point sends light.
 double LightTree::importance(const Node& node, Vec3 at, Vec3 normal) {
   const Vec3 from = at - node.centre;
   const double distance2 = dot(from, from), radius2 = node.radius_m * node.radius_m;
-  const double shine = node.flux / std::max({distance2, radius2, 1e-6});
+  // of a group around the place, some are nearer than its centre
+  constexpr double kNearer = 0.25, kLeast_m2 = 1e-6;
+  const double apart2 = std::max({distance2, kNearer * radius2, kLeast_m2});
+  double shine = node.flux / apart2;
+  if (dot(normal, normal) > 0) {
+    const double rise = std::abs(normal.x) * node.half.x + std::abs(normal.y) * node.half.y +
+                        std::abs(normal.z) * node.half.z - dot(normal, from);
+    if (rise <= 0) return 0;
+    shine *= std::min(1.0, rise / std::sqrt(apart2));
+  }
   if (distance2 <= radius2) return shine;
   const Vec3 away = from * (1 / std::sqrt(distance2));
   const double sin_sphere = std::sqrt(radius2 / distance2), cos_sphere = sine_of(sin_sphere);
@@ -180,12 +190,7 @@ double LightTree::importance(const Node& node, Vec3 at, Vec3 normal) {
   if (cos_out <= node.cos_reach) return 0;
   // lamps shine sideways, too
   constexpr double kLeast = 0.05;
-  double cosine = std::max(cos_out, kLeast);
-  if (dot(normal, normal) > 0) {
-    const double in = -dot(normal, away);
-    cosine *= std::max(0.0, cos_of_difference(sine_of(in), in, sin_sphere, cos_sphere));
-  }
-  return shine * cosine;
+  return shine * std::max(cos_out, kLeast);
 }
 
 // The probability of the first child; negative if neither lights the place.

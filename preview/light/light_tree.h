@@ -49,9 +49,9 @@ class LightTree {
   double probability(std::uint32_t light, Vec3 at, Vec3 normal) const;
 
  private:
-  // What choices need of a group: the sphere around its box, and its cones by sine and cosine.
+  // What choices need of a group: its box, and its cones by sine and cosine.
   struct Node {
-    Vec3 centre, axis;
+    Vec3 centre, half, axis;
     double radius_m, flux, cos_spread, sin_spread, cos_reach;
     std::uint32_t light;   // of a leaf
     std::uint32_t second;  // index of the second child, the first follows its parent; 0: a leaf

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/contract/for_each_slot.h"
 #include "compiler/sky/generate.h"
+#include "preview/surface/microfacet.h"
 
 namespace citykiln::preview {
 namespace {
@@ -55,19 +57,43 @@ LightBounds bounds_of(const Emitter& e) {
           .flux = kPi * area_of(e) * luminance(e.radiance)};
 }
 
+// The share of an emitter's light that goes farther than across a room, by rays from its middle.
+double far_share(const World& world, const Emitter& emitter) {
+  constexpr int kSide = 4;
+  constexpr double kRoom_m = 4, kOff_m = 0.002;
+  const Vec3 normal = unit(cross(emitter.edge1, emitter.edge2));
+  if (!(dot(normal, normal) > 0)) return 0;
+  const Vec3 from = emitter.corner + (emitter.edge1 + emitter.edge2) * (1.0 / 3) + normal * kOff_m;
+  const Frame frame = frame_about(normal);
+  int free = 0;
+  for (int i = 0; i < kSide; ++i)
+    for (int j = 0; j < kSide; ++j) {
+      const double sine2 = (i + 0.5) / kSide, turn = 2 * kPi * (j + 0.5) / kSide, r = std::sqrt(sine2);
+      const Vec3 out = frame.out_of({r * std::cos(turn), r * std::sin(turn), std::sqrt(1 - sine2)});
+      if (!world.is_blocked(from, unit(out), kRoom_m)) ++free;
+    }
+  return static_cast<double>(free) / (kSide * kSide);
+}
+
 }  // namespace
 
-LocalLights::LocalLights(std::span<const Emitter> emitters, std::span<const StreetLamp> lamps, Vec3 world_origin)
-    : emitters_(emitters), tree_({}) {
-  std::vector<LightBounds> bounds;
-  for (const Emitter& emitter : emitters) bounds.push_back(bounds_of(emitter));
+LocalLights::LocalLights(const World& world, std::span<const StreetLamp> lamps, int threads)
+    : emitters_(world.emitters()), emitter_tree_({}), lamp_tree_({}) {
+  std::vector<LightBounds> bounds = for_each_slot<LightBounds>(emitters_.size(), threads, [&](std::size_t i) {
+    LightBounds of = bounds_of(emitters_[i]);
+    of.flux *= far_share(world, emitters_[i]);
+    return of;
+  });
+  for (const LightBounds& of : bounds) is_sampled_.push_back(of.flux > 0);
+  emitter_tree_ = LightTree(bounds);
+  bounds.clear();
   for (const StreetLamp& lamp : lamps) {
     const LampClass& of = class_of(lamp);
     const double candela = of.lumen / pattern_sr(lamp.has_arm) / sky::kUnitLuminance_cd_m2;
     // lanterns and heads are sized by the lamp's height (compiler/props)
     constexpr double kHead = 0.045;
     lamps_.push_back(
-        {lamp.at - world_origin, kHead * lamp.height_m, colour_of(of.temperature_k) * candela, lamp.has_arm});
+        {lamp.at - world.origin(), kHead * lamp.height_m, colour_of(of.temperature_k) * candela, lamp.has_arm});
     const Lamp& made = lamps_.back();
     bounds.push_back({.low = made.at,
                       .high = made.at,
@@ -75,10 +101,10 @@ LocalLights::LocalLights(std::span<const Emitter> emitters, std::span<const Stre
                       .reach_rad = lamp.has_arm ? kPi / 2 : kPi / 2 + kLanternRise_rad,
                       .flux = of.lumen / sky::kUnitLuminance_cd_m2});
   }
-  tree_ = LightTree(bounds);
+  lamp_tree_ = LightTree(bounds);
 }
 
-std::optional<LightSample> LocalLights::sample_lamp(const Lamp& lamp, Vec3 at) const {
+std::optional<LightSample> LocalLights::light_of(const Lamp& lamp, Vec3 at) const {
   const Vec3 to = lamp.at - at;
   const double distance_m = length(to);
   if (distance_m <= lamp.radius_m) return std::nullopt;
@@ -89,7 +115,7 @@ std::optional<LightSample> LocalLights::sample_lamp(const Lamp& lamp, Vec3 at) c
   return LightSample{direction, distance_m - lamp.radius_m, lamp.intensity * (share / (distance_m * distance_m)), 0};
 }
 
-std::optional<LightSample> LocalLights::sample_emitter(const Emitter& e, Vec3 at, UnitPair point) const {
+std::optional<LightSample> LocalLights::light_of(const Emitter& e, Vec3 at, UnitPair point) const {
   // uniform by area (Heitz, "A Low-Distortion Map Between Triangle and Square", 2019)
   const double u = point.u < point.v ? point.u / 2 : point.u - point.v / 2;
   const double v = point.u < point.v ? point.v - point.u / 2 : point.v / 2;
@@ -104,22 +130,28 @@ std::optional<LightSample> LocalLights::sample_emitter(const Emitter& e, Vec3 at
   return LightSample{to * (1 / distance_m), distance_m * kBefore, e.radiance * (1 / pdf), pdf};
 }
 
-std::optional<LightSample> LocalLights::sample(Vec3 at, Vec3 normal, double chance, UnitPair point) const {
-  const std::optional<LightChoice> chosen = tree_.choose(at, normal, chance);
+std::optional<LightSample> LocalLights::sample_lamp(Vec3 at, Vec3 normal, double chance) const {
+  const std::optional<LightChoice> chosen = lamp_tree_.choose(at, normal, chance);
   if (!chosen) return std::nullopt;
-  std::optional<LightSample> drawn = chosen->light < emitters_.size()
-                                         ? sample_emitter(emitters_[chosen->light], at, point)
-                                         : sample_lamp(lamps_[chosen->light - emitters_.size()], at);
-  if (!drawn) return std::nullopt;
-  drawn->light = drawn->light * (1 / chosen->probability), drawn->pdf *= chosen->probability;
+  std::optional<LightSample> drawn = light_of(lamps_[chosen->light], at);
+  if (drawn) drawn->light = drawn->light * (1 / chosen->probability);
+  return drawn;
+}
+
+std::optional<LightSample> LocalLights::sample_emitter(Vec3 at, Vec3 normal, double chance, UnitPair point) const {
+  const std::optional<LightChoice> chosen = emitter_tree_.choose(at, normal, chance);
+  if (!chosen) return std::nullopt;
+  std::optional<LightSample> drawn = light_of(emitters_[chosen->light], at, point);
+  if (drawn) drawn->light = drawn->light * (1 / chosen->probability), drawn->pdf *= chosen->probability;
   return drawn;
 }
 
 double LocalLights::pdf(std::uint32_t emitter, Vec3 at, Vec3 normal, Vec3 direction, double distance_m) const {
+  if (!is_sampled(emitter)) return 0;
   const Emitter& e = emitters_[emitter];
   const double facing = -dot(cross(e.edge1, e.edge2), direction);
   if (!(facing > 0)) return 0;
-  return tree_.probability(emitter, at, normal) * 2 * distance_m * distance_m / facing;
+  return emitter_tree_.probability(emitter, at, normal) * 2 * distance_m * distance_m / facing;
 }
 
 }  // namespace citykiln::preview

@@ -9,6 +9,7 @@
 #include "preview/samples.h"
 #include "preview/scene/emitters.h"
 #include "preview/scene/lamps.h"
+#include "preview/scene/world.h"
 
 namespace citykiln::preview {
 
@@ -23,14 +24,20 @@ struct LightSample {
 /// Immutable and thread-safe.
 class LocalLights {
  public:
-  /// @param emitters  Must outlive this object. @param world_origin  Of the emitters' frame, plane metres.
-  LocalLights(std::span<const Emitter> emitters, std::span<const StreetLamp> lamps, Vec3 world_origin);
+  /// Emitters are the world's, which must outlive this object. Those that shine only on what is near, such as the walls
+  /// of rooms on each other, are not sampled: rays that find them by chance see them. Cost: 16 rays for each emitter.
+  LocalLights(const World& world, std::span<const StreetLamp> lamps, int threads);
 
-  bool is_empty() const { return tree_.is_empty(); }
-  /// Samples a light for a place, and a point on it. Empty: nothing lights the place, or the point does not.
+  bool has_lamps() const { return !lamp_tree_.is_empty(); }
+  bool has_emitters() const { return !emitter_tree_.is_empty(); }
+  /// Samples a lamp for a place. No ray hits a lamp by chance: pdf is 0. Empty: no lamp lights the place.
   /// @param normal  As for LightTree::choose().
-  std::optional<LightSample> sample(Vec3 at, Vec3 normal, double chance, UnitPair point) const;
-  /// The density, per steradian, with which sample() finds this emitter in a direction.
+  std::optional<LightSample> sample_lamp(Vec3 at, Vec3 normal, double chance) const;
+  /// Samples an emitter for a place, and a point on it. Empty: nothing lights the place, or the point does not.
+  std::optional<LightSample> sample_emitter(Vec3 at, Vec3 normal, double chance, UnitPair point) const;
+  bool is_sampled(std::uint32_t emitter) const { return is_sampled_[emitter] != 0; }
+  /// The density, per steradian, with which sample_emitter() finds this emitter in a direction; 0 for those not
+  /// sampled.
   double pdf(std::uint32_t emitter, Vec3 at, Vec3 normal, Vec3 direction, double distance_m) const;
   const Rgb& radiance_of(std::uint32_t emitter) const { return emitters_[emitter].radiance; }
 
@@ -43,12 +50,13 @@ class LocalLights {
     bool shines_down;
   };
 
-  std::optional<LightSample> sample_lamp(const Lamp& lamp, Vec3 at) const;
-  std::optional<LightSample> sample_emitter(const Emitter& emitter, Vec3 at, UnitPair point) const;
+  std::optional<LightSample> light_of(const Lamp& lamp, Vec3 at) const;
+  std::optional<LightSample> light_of(const Emitter& emitter, Vec3 at, UnitPair point) const;
 
   std::span<const Emitter> emitters_;
+  std::vector<char> is_sampled_;
   std::vector<Lamp> lamps_;
-  LightTree tree_;  // emitters, then lamps
+  LightTree emitter_tree_, lamp_tree_;
 };
 
 }  // namespace citykiln::preview

@@ -1,51 +1,104 @@
-#include <dlfcn.h>
-
+#include <array>
 #include <cstdio>
-#include <filesystem>
+#include <limits>
 
 #include "preview/image_module/picture_io.h"
 #include "preview/picture/image.h"
+#include "preview/picture/load_module.h"
 #include "preview/picture/tone_map.h"
 
 namespace citykiln::preview {
 namespace {
 
-using WritePicture = decltype(&citykiln_write_picture);
-
-// Loads the module beside the program, or where the build put it.
-Result<WritePicture> load_module() {
-  const std::filesystem::path beside =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "citykiln_image.so";
-  for (const std::string& path : {beside.string(), std::string(CITYKILN_IMAGE_MODULE)})
-    if (void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL))
-      return reinterpret_cast<WritePicture>(dlsym(module, "citykiln_write_picture"));
-  return Error{"citykiln_image.so", std::string("cannot be loaded: ") + dlerror()};
-}
+// The names of a picture's parts in its file. OpenImageIO calls PNG's and OpenEXR's own texts by these names.
+constexpr const char* kCredit = "\u00a9 OpenStreetMap contributors, ODbL 1.0";
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+// OSM ids as whole numbers of 32 bits: an id may have more than 32, which float channels cannot hold exactly.
+struct IdChannels {
+  std::vector<std::uint32_t> low, high, type;
+};
+
+IdChannels id_channels(const std::vector<OsmId>& features) {
+  IdChannels ids;
+  for (const OsmId& feature : features) {
+    const auto bits = static_cast<std::uint64_t>(feature.id);
+    ids.low.push_back(static_cast<std::uint32_t>(bits));
+    ids.high.push_back(static_cast<std::uint32_t>(bits >> 32));
+    ids.type.push_back(static_cast<std::uint32_t>(feature.type));
+  }
+  return ids;
+}
+
+void add_three(std::vector<CitykilnChannel>& channels, const std::array<const char*, 3>& names, CitykilnSample type,
+               const std::vector<float>& samples) {
+  for (std::size_t c = 0; c < 3; ++c) channels.push_back({names[c], type, &samples[c], 3});
+}
+
+std::vector<CitykilnChannel> exr_channels(const Image& image, const IdChannels& ids) {
+  std::vector<CitykilnChannel> channels;
+  add_three(channels, {"R", "G", "B"}, kCitykilnHalf, image.rgb);
+  const Guides& guides = image.guides;
+  if (guides.albedo.empty()) return channels;
+  channels.push_back({"Z", kCitykilnFloat, guides.depth_m.data(), 1});
+  add_three(channels, {"albedo.R", "albedo.G", "albedo.B"}, kCitykilnHalf, guides.albedo);
+  channels.push_back({"id.high", kCitykilnUint, ids.high.data(), 1});
+  channels.push_back({"id.low", kCitykilnUint, ids.low.data(), 1});
+  channels.push_back({"id.type", kCitykilnUint, ids.type.data(), 1});
+  add_three(channels, {"normal.X", "normal.Y", "normal.Z"}, kCitykilnHalf, guides.normal);
+  channels.push_back({"samples", kCitykilnUint, image.samples.data(), 1});
+  channels.push_back({"variance", kCitykilnFloat, guides.variance.data(), 1});
+  return channels;
+}
+
+std::vector<std::uint8_t> screen_bytes(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(image.rgb.size());
+  for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
+    for (const std::uint8_t byte : tone_map(&image.rgb[i])) bytes.push_back(byte);
+  return bytes;
+}
+
+Result<Done> write_part(const std::string& part, const Image& image, const std::vector<CitykilnChannel>& channels,
+                        const std::vector<Metadata>& metadata) {
+  const auto function = load_function("citykiln_image.so", CITYKILN_IMAGE_MODULE, "citykiln_write_picture");
+  if (!function) return function.error();
+  std::vector<const char*> texts = {"Copyright", kCredit, "Software", "citykiln"};
+  for (const Metadata& fact : metadata) texts.push_back(fact.name.c_str()), texts.push_back(fact.value.c_str());
+  const CitykilnPicture picture{.width = image.width,
+                                .height = image.height,
+                                .channel_count = static_cast<int>(channels.size()),
+                                .channels = channels.data(),
+                                .text_count = static_cast<int>(texts.size() / 2),
+                                .texts = texts.data()};
+  char error[512] = "";
+  const auto write = reinterpret_cast<decltype(&citykiln_write_picture)>(*function);
+  if (write(part.c_str(), &picture, error, sizeof error) == 0) return Done{};
+  return Error{"", error};
+}
+
 }  // namespace
 
-Result<Done> write_image(const Image& image, const std::string& path) {
+Result<Done> write_image(const Image& image, const std::string& path, const std::vector<Metadata>& metadata) {
   const bool is_exr = ends_with(path, ".exr");
   if (!is_exr && !ends_with(path, ".png")) return Error{path, "expected a name that ends in .png or .exr"};
-  const auto module = load_module();
-  if (!module) return module.error();
-  std::vector<std::uint8_t> bytes;
-  if (!is_exr) {
-    bytes.reserve(image.rgb.size());
-    for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
-      for (const std::uint8_t byte : tone_map(&image.rgb[i])) bytes.push_back(byte);
-  }
+  const IdChannels ids = id_channels(is_exr ? image.guides.feature : std::vector<OsmId>{});
+  const std::vector<std::uint8_t> bytes = is_exr ? std::vector<std::uint8_t>{} : screen_bytes(image);
+  std::vector<CitykilnChannel> channels;
+  if (is_exr)
+    channels = exr_channels(image, ids);
+  else
+    channels = {
+        {"R", kCitykilnByte, &bytes[0], 3}, {"G", kCitykilnByte, &bytes[1], 3}, {"B", kCitykilnByte, &bytes[2], 3}};
   // a temporary name with the same extension, renamed at the end
   const std::string part = path.substr(0, path.size() - 4) + ".part" + path.substr(path.size() - 4);
-  char error[512] = "";
-  const void* pixels = is_exr ? static_cast<const void*>(image.rgb.data()) : bytes.data();
-  if ((*module)(part.c_str(), image.width, image.height, pixels, is_exr ? 1 : 0, error, sizeof error) != 0) {
+  if (const Result<Done> written = write_part(part, image, channels, metadata); !written) {
     std::remove(part.c_str());
-    return Error{path, std::string("cannot be written: ") + error};
+    if (!written.error().where.empty()) return written;
+    return Error{path, "cannot be written: " + written.error().message};
   }
   if (std::rename(part.c_str(), path.c_str()) != 0) {
     std::remove(part.c_str());

@@ -145,7 +145,10 @@ BsdfSample Bsdf::weighed(Vec3 direction, double lobe_rad) const {
 }
 
 BsdfSample Bsdf::sample_facets(UnitPair chance) const {
-  const Vec3 out = frame_.out_of(mirrored(eye_, facets_.sample(eye_, chance)));
+  const Vec3 local = mirrored(eye_, facets_.sample(eye_, chance));
+  // light between facets is added as that of several bounces
+  if (local.z <= 0) return {.direction = outside_};
+  const Vec3 out = frame_.out_of(local);
   const double flat = dot(outside_, out);
   return weighed(unit(flat >= 0 ? out : out - outside_ * (2 * flat)), facets_.alpha);
 }

@@ -1,0 +1,40 @@
+// The rays of a camera through its picture.
+#pragma once
+
+#include "preview/camera/camera.h"
+#include "preview/samples.h"
+
+namespace citykiln::preview {
+
+struct CameraRay {
+  Vec3 from, direction;  ///< Plane metres; unit.
+};
+
+/// A camera with the size of its picture.
+///
+/// Model: a thin lens (Kolb, Mitchell, Hanrahan 1995, section 2). All rays through a point of the picture meet in the
+/// plane in focus, whatever point of the lens they leave.
+class CameraRays {
+ public:
+  CameraRays(const Camera& camera, int width, int height);
+
+  /// A ray through a point of the picture in pixels, x to the right and y down from the top left corner. A thin lens
+  /// draws one pair of `draw`, a moving camera another; a pinhole at rest draws none.
+  CameraRay through(double x, double y, PathDraw& draw) const;
+  /// The angle of a pixel in the middle of the picture.
+  double pixel_rad() const { return 2 * half_height_ / height_; }
+
+ private:
+  Camera camera_;
+  double width_, height_;
+  double half_width_, half_height_;  // of the picture at distance 1
+};
+
+/// Unit vectors of a view: forward, right and up. A view without direction is to the north; straight up or down, north
+/// is up.
+struct ViewAxes {
+  Vec3 forward, right, up;
+};
+ViewAxes axes_of(const Pose& pose);
+
+}  // namespace citykiln::preview
