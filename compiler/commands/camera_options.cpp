@@ -72,7 +72,8 @@ void add_lens(preview::Camera& camera, const CameraRequest& request, const std::
       request.aperture->f_number > 0 ? focal_mm / request.aperture->f_number : request.aperture->diameter_mm;
   camera.lens_radius_m = diameter_mm / 2000;
   camera.focus_m = request.focus.distance_m.value_or(0);
-  if (focus) camera.focus_m = std::max(dot(*focus - camera.eye, preview::axes_of({camera.eye, camera.look_at}).forward), 0.01);
+  if (focus)
+    camera.focus_m = std::max(dot(*focus - camera.eye, preview::axes_of({camera.eye, camera.look_at}).forward), 0.01);
 }
 
 // The path in plane metres, with points close enough for the ground's height, and those without a height above it.
@@ -151,9 +152,8 @@ Result<preview::Camera> still_camera(const CameraRequest& request, const Loaded&
 }  // namespace
 
 Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, const Loaded& loaded,
-                                                const Console& console) {
+                                                const GroundHeight& ground_m, const Console& console) {
   if (const auto contradiction = contradiction_in(request)) return *contradiction;
-  const GroundHeight ground_m = [&](Vec2 place) { return ground_height_m(loaded.tiles, place); };
   const Result<Points> points = points_of(request, loaded, ground_m);
   if (!points) return points.error();
   if (request.path.empty() && points->eye.has_value() != points->look_at.has_value())

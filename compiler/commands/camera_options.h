@@ -46,6 +46,6 @@ std::vector<Option> camera_options(CameraRequest& request);
 /// The cameras of all frames; one unless a film is asked for. Errors: points without a ground or a plane to refer to,
 /// options that contradict each other, a path that cannot be read.
 Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, const Loaded& loaded,
-                                                const Console& console);
+                                                const GroundHeight& ground_m, const Console& console);
 
 }  // namespace citykiln::commands

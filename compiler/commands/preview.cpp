@@ -8,12 +8,11 @@
 
 #include "compiler/commands/camera_options.h"
 #include "compiler/commands/frame_names.h"
-#include "compiler/commands/load_tiles.h"
+#include "compiler/commands/load_rendered.h"
 #include "compiler/commands/stop_on_interrupt.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
 #include "compiler/contract/parse.h"
-#include "compiler/sky/plan.h"
 #include "compiler/spec.h"
 #include "preview/light/read_environment.h"
 #include "preview/picture/denoise.h"
@@ -31,8 +30,7 @@ struct Exposure {
 };
 
 struct Request {
-  LoadRequest load;
-  CameraRequest camera;
+  RenderedRequest rendered;
   std::string picture_path, environment_path;
   double environment_turn_deg = 0;
   PictureSize size;
@@ -40,12 +38,6 @@ struct Request {
   bool is_denoised = false, keeps_frames = false, is_interactive = false;
   preview::Options options;
 };
-
-/// The scene's sky, or the sky at another time; without a manifest at 45° north.
-Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Header>& header) {
-  if (header && request.load.time.empty()) return header->sky;
-  return sky::plan(header ? header->origin : map::LonLat{0, 45}, request.load.time);
-}
 
 /// The environment map that replaces the sky, if one is given.
 Result<std::optional<preview::EnvironmentMap>> environment_of(const Request& request, const Console& console) {
@@ -83,14 +75,23 @@ void print_summary(const std::string& path, const preview::Image& image, std::si
                                  made.is_complete ? "" : "; interrupted before all paths were traced"));
 }
 
-void print_json(const preview::Image& image, const preview::Camera& camera, std::size_t tiles, const Console& console) {
+/// What the cells took, if cells were rendered: a line, and members of the JSON object.
+std::string print_cells(const preview::World& world, std::size_t budget_bytes, const Console& console) {
+  const auto counters = world.counters();
+  if (!counters) return "";
+  console.print_line(text_of(*counters, budget_bytes));
+  return ", " + json_of(*counters, budget_bytes);
+}
+
+void print_json(const preview::Image& image, const preview::Camera& camera, std::size_t tiles, const std::string& cells,
+                const Console& console) {
   const preview::RenderStatistics& made = image.statistics;
   console.print_json(fmt::format(
       R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}, "paths": {}, "seconds": {:.3f}, )"
-      R"("samples": [{}, {}], "complete": {}}})",
+      R"("samples": [{}, {}], "complete": {}{}}})",
       camera.eye.x, camera.eye.y, camera.eye.z, camera.look_at.x, camera.look_at.y, camera.look_at.z,
-      camera.vertical_fov_deg, tiles, made.paths, made.seconds, made.least_samples, made.most_samples,
-      made.is_complete));
+      camera.vertical_fov_deg, tiles, made.paths, made.seconds, made.least_samples, made.most_samples, made.is_complete,
+      cells));
 }
 
 // What all frames have in common.
@@ -106,7 +107,7 @@ struct Stage {
 preview::Options options_of(const Request& request) {
   preview::Options options = request.options;
   options.width = request.size.width, options.height = request.size.height;
-  options.threads = request.load.threads;
+  options.threads = request.rendered.load.threads;
   options.exposure = 1;
   options.has_guides = request.is_denoised || request.picture_path.ends_with(".exr");
   return options;
@@ -125,12 +126,13 @@ Result<preview::Image> render_frame(const Request& request, const Stage& stage, 
 }
 
 Result<std::vector<std::string>> names_of(const Request& request, std::size_t cameras) {
-  if (!request.camera.is_film()) return std::vector{request.picture_path};
+  if (!request.rendered.camera.is_film()) return std::vector{request.picture_path};
   return frame_names(request.picture_path, static_cast<int>(cameras));
 }
 
 Result<Exit> render_frames(const Request& request, Stage stage, const std::vector<preview::Camera>& cameras,
-                           std::size_t tiles, const OnProgress& on_progress, const Console& console) {
+                           std::size_t tiles, const Console& console) {
+  const OnProgress on_progress = console.progress();
   const Result<std::vector<std::string>> names = names_of(request, cameras.size());
   if (!names) return names.error();
   const StopOnInterrupt interrupt;
@@ -146,7 +148,9 @@ Result<Exit> render_frames(const Request& request, Stage stage, const std::vecto
     const Result<preview::Image> image = render_frame(request, stage, cameras[i], (*names)[i], exposure);
     if (!image) return image.error();
     print_summary((*names)[i], *image, tiles, console);
-    if (!request.camera.is_film()) print_json(*image, cameras[i], tiles, console);
+    if (!request.rendered.camera.is_film())
+      print_json(*image, cameras[i], tiles, print_cells(stage.world, budget_bytes_of(request.rendered.cells), console),
+                 console);
   }
   return Exit::kDone;
 }
@@ -162,7 +166,7 @@ Result<Exit> fly(const Request& request, const Stage& stage, const preview::Came
         preview::write_image(image, request.picture_path.empty() ? "preview.png" : request.picture_path,
                              metadata_of(image, at, stage.sky, options.exposure));
     if (!written) return console.print_error(written.error());
-    print_json(image, at, tiles, console);
+    print_json(image, at, tiles, "", console);
   };
   const Result<Done> shown = preview::show_interactive(stage.world, stage.lights, stage.local, camera, options, write);
   if (!shown) return shown.error();
@@ -174,29 +178,32 @@ Result<Exit> run(const Request& request, const Console& console) {
     return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
   const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);
   if (!environment) return environment.error();
-  const OnProgress on_progress = console.progress();
-  const Result<Loaded> loaded = load_tiles(request.load, on_progress);
-  if (!loaded) return loaded.error();
-  const Result<sky::Sky> sky = sky_of(request, loaded->header);
-  if (!sky) return sky.error();
-  const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *loaded, console);
-  if (!cameras) return cameras.error();
-  const preview::World world(loaded->tiles, cameras->front().eye);
-  const auto lamps = sky::is_night(*sky) ? preview::lamps_of(loaded->tiles) : std::vector<preview::StreetLamp>();
-  const preview::Lights lights =
-      *environment ? preview::Lights(**environment, lamps) : preview::Lights(sky::generate(*sky), lamps);
-  const preview::LocalLights local(world, lights.lamps(), request.load.threads);
-  const Stage stage{world, lights, local, *sky, options_of(request)};
-  if (request.is_interactive) return fly(request, stage, cameras->front(), loaded->tiles.size(), console);
-  return render_frames(request, stage, *cameras, loaded->tiles.size(), on_progress, console);
+  RenderedRequest wanted = request.rendered;
+  wanted.height_px = request.size.height;
+  const Result<Rendered> rendered = load_rendered(wanted, console);
+  if (!rendered) return rendered.error();
+  const preview::World world = world_of(*rendered, request.rendered.cells);
+  const preview::Lights lights = *environment ? preview::Lights(**environment, rendered->lamps)
+                                              : preview::Lights(sky::generate(rendered->sky), rendered->lamps);
+  const preview::LocalLights local(world, lights.lamps(), request.rendered.load.threads);
+  const Stage stage{world, lights, local, rendered->sky, options_of(request)};
+  if (request.is_interactive) return fly(request, stage, rendered->cameras.front(), rendered->tiles(), console);
+  return render_frames(request, stage, rendered->cameras, rendered->tiles(), console);
 }
 
-std::vector<Option> tile_options(LoadRequest& load) {
+std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
   return {
       {"inputs", "SCENE.kiln|OUT|FILE.glb...", "what to render: a manifest, a run's folder, or .glb files", true,
        append_text(load.paths)},
-      {"--tolerance", "M", "tolerance in metres at which a manifest is baked (default: 0.1)", false,
-       store_tolerance(load.tolerance_m)},
+      {"--tolerance", "M",
+       "bakes a manifest at this tolerance in metres before rendering (default: each cell is generated when it is "
+       "seen, as fine as pixels need)",
+       false, store_tolerance(load.tolerance_m)},
+      {"--pixel-error", "PIXELS", "without --tolerance: largest error in the picture in pixels (default: 0.5)", false,
+       store_number(cells.pixel_error, {})},
+      {"--memory-budget", "SIZE",
+       "memory for generated cells, such as 200MB or 4GB (default: 2GB, or half of the machine's memory)", false,
+       store_bytes(cells.budget_bytes)},
       {"--level", "N", "level of detail of a folder's tiles, 0 is the finest (default: 0)", false,
        store_whole(load.level, 0)},
       {"--only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true,
@@ -255,7 +262,7 @@ std::vector<Option> light_options(Request& request) {
        "date and time of the sky in UTC, such as 2026-12-21T22:00 (default: the scene's); a manifest gets lit windows "
        "by "
        "night",
-       false, store_text(request.load.time)},
+       false, store_text(request.rendered.load.time)},
       {"--environment", "FILE.exr|.hdr", "light from a panorama instead of sun and sky", false,
        store_text(request.environment_path)},
       {"--environment-turn", "DEG", "compass bearing of the panorama's middle (default: 0, north)", false,
@@ -288,9 +295,11 @@ std::vector<Option> picture_options(Request& request) {
 
 Verb preview_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{
-      "preview", "renders a picture of a manifest, a run's folder or .glb files", tile_options(request->load), {}};
-  for (std::vector<Option> options : {camera_options(request->camera), sampling_options(*request),
+  Verb verb{"preview",
+            "renders a picture of a manifest, a run's folder or .glb files",
+            tile_options(request->rendered.load, request->rendered.cells),
+            {}};
+  for (std::vector<Option> options : {camera_options(request->rendered.camera), sampling_options(*request),
                                       light_options(*request), picture_options(*request)})
     for (Option& option : options) verb.options.push_back(std::move(option));
   verb.examples = {"citykiln preview out/town -o town.png",
