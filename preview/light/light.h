@@ -7,7 +7,7 @@
 #include "compiler/sky/generate.h"
 #include "preview/light/direction_table.h"
 #include "preview/light/environment_map.h"
-#include "preview/light/rgb.h"
+#include "preview/rgb.h"
 #include "preview/scene/lamps.h"
 #include "preview/surface/microfacet.h"
 

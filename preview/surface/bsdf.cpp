@@ -51,19 +51,19 @@ Rgb colour_of_several(const Rgb& f0, double once_mean) {
 
 }  // namespace
 
-Bsdf::Bsdf(const Hit& hit, Vec3 to_eye, double least_alpha)
-    : outside_(hit.geometric_normal),
-      frame_(frame_about(facing(hit.shading_normal, to_eye))),
+Bsdf::Bsdf(const SurfacePoint& surface, Vec3 to_eye, double least_alpha)
+    : outside_(surface.geometric_normal),
+      frame_(frame_about(facing(surface.shading_normal, to_eye))),
       eye_(frame_.into(to_eye)),
-      through_(hit.translucency),
-      has_facets_(hit.translucency <= 0) {
+      through_(surface.translucency),
+      has_facets_(surface.translucency <= 0) {
   eye_.z = std::max(eye_.z, 1e-4);
-  const Rgb albedo = hit.albedo;
+  const Rgb albedo = surface.albedo;
   body_ = albedo;
   if (!has_facets_) return;
-  const double own = static_cast<double>(hit.roughness) * hit.roughness;
+  const double own = static_cast<double>(surface.roughness) * surface.roughness;
   facets_.alpha = std::clamp(own, std::max(kLeastAlpha, least_alpha), 1.0);
-  f0_ = mixed(Rgb{hit.f0, hit.f0, hit.f0}, albedo, hit.metallic);
+  f0_ = mixed(Rgb{surface.f0, surface.f0, surface.f0}, albedo, surface.metallic);
   reflections_ = SingleReflections(facets_.alpha);
   const SingleReflection once = reflections_.at(eye_.z), mean = reflections_.mean();
   once_ = once.of_white(), seen_ = facets_.seen(eye_);
@@ -71,8 +71,8 @@ Bsdf::Bsdf(const Hit& hit, Vec3 to_eye, double least_alpha)
   several_ = colour_of_several(f0_, once_mean_);
   energy_ = energy_at(once);
   for (int c = 0; c < 3; ++c) mean_energy_[c] = std::min(mean.of(f0_[c]) + (1 - once_mean_) * several_[c], 0.999);
-  body_ = over(albedo * (1 - hit.metallic) * (kWhite - energy_), kWhite - mean_energy_);
-  const double facets = luminance(energy_), body = luminance(albedo * (1 - hit.metallic) * (kWhite - energy_));
+  body_ = over(albedo * (1 - surface.metallic) * (kWhite - energy_), kWhite - mean_energy_);
+  const double facets = luminance(energy_), body = luminance(albedo * (1 - surface.metallic) * (kWhite - energy_));
   // light of several bounces is sampled with the body
   const double most = body <= 0 && once_mean_ > 0.999 ? 1 : 0.9;
   facets_share_ = facets + body > 0 ? std::clamp(facets / (facets + body), 0.05, most) : most;

@@ -1,11 +1,11 @@
 // How a surface scatters light: glTF's metals and coated matt surfaces, water, panes of glass, and leaves.
 #pragma once
 
-#include "preview/light/rgb.h"
+#include "preview/rgb.h"
 #include "preview/samples.h"
-#include "preview/scene/hit.h"
 #include "preview/surface/microfacet.h"
 #include "preview/surface/reflected_energy.h"
+#include "preview/surface/surface_point.h"
 
 namespace citykiln::preview {
 
@@ -23,17 +23,17 @@ struct Scattering {
   double pdf = 0;  ///< Density, per steradian, with which the direction is sampled.
 };
 
-/// The scattering of light at one hit. Energy is conserved: a white surface under even light is as bright as the light
-/// (tested to 0.1 %, metals 1 %), and scattering is reciprocal, but for water whose waves hide each other.
+/// The scattering of light at one place. Energy is conserved: a white surface under even light is as bright as the
+/// light (tested to 0.1 %, metals 1 %), and scattering is reciprocal, but for water whose waves hide each other.
 ///
 /// Method: one lobe of microfacets, with the light of several bounces between facets added (Kulla, Conty, "Revisiting
 /// Physically Based Shading at Imageworks", SIGGRAPH 2017 course), over a matt body, which gets what the facets let
 /// pass both ways (Ashikhmin, Shirley 2000). Leaves are matt on both sides.
 class Bsdf {
  public:
-  /// @param to_eye  Unit, on the side of the hit's normals.
+  /// @param to_eye  Unit, on the side of the surface's normals.
   /// @param least_alpha  Narrower lobes are widened to this.
-  Bsdf(const Hit& hit, Vec3 to_eye, double least_alpha);
+  Bsdf(const SurfacePoint& surface, Vec3 to_eye, double least_alpha);
 
   /// The scattering of light from a direction.
   Scattering scattering(Vec3 from) const;
