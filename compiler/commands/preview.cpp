@@ -14,7 +14,7 @@
 #include "compiler/commands/view_options.h"
 #include "compiler/contract/parse.h"
 #include "compiler/spec.h"
-#include "preview/light/read_environment.h"
+#include "preview/picture/read_environment.h"
 #include "preview/picture/denoise.h"
 #include "preview/picture/exposure.h"
 #include "preview/render.h"

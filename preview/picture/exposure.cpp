@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preview/light/light.h"
+#include "preview/rgb.h"
 
 namespace citykiln::preview {
 
