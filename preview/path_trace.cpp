@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "preview/surface/bsdf.h"
@@ -32,6 +33,7 @@ struct Path {
   Rgb weight{1, 1, 1}, light{};
   double spread_rad;
   int bounce = 0, mirrors = 0;
+  bool is_first = true;
   bool is_sharp = true;  // the camera's, or a mirror's
   // of the direction: its density, 0 for the camera's, and where it was sampled
   double pdf = 0;
@@ -193,8 +195,11 @@ std::optional<Meeting> meet(const TraceContext& context, Path& path, PathDraw& d
   add_emission(context, *hit, path);
   make_waves(*hit, context, path.spread_rad, path.direction);
   const bool is_behind_matt = path.bounce > 0 && !context.has_caustics;
+  if (!path.is_first) hit->pane.reset();
+  if (hit->pane) hit->albedo = {};
   Bsdf bsdf(*hit, path.direction * -1, is_behind_matt ? kBlurredAlpha : 0);
-  if (path.pdf == 0 && bsdf.alpha() < kSplitAlpha) bsdf.split();
+  if (path.is_first && bsdf.alpha() < kSplitAlpha) bsdf.split();
+  path.is_first = false;
   const bool goes_on = path.bounce < context.bounces;
   path.light = path.light + path.weight * (from_outside(context, *hit, bsdf, path, draw, goes_on) +
                                            from_local(context, *hit, bsdf, draw, goes_on));
@@ -211,6 +216,37 @@ Rgb light_behind(const TraceContext& context, Path path, PathDraw& draw) {
     const BsdfSample drawn = met->bsdf.sample(lobe, draw.next());
     if (!go_on(context, met->hit, met->bsdf, drawn, draw, path)) return path.light;
   }
+}
+
+// Sunlight that falls through a pane to the surface of a room that the eye sees.
+Rgb sun_in_room(const TraceContext& context, const Hit& hit, const RoomWay& way, UnitPair chance) {
+  if (!context.lights.has_sun()) return {};
+  const Vec3 to_sun = context.lights.sample_sun(chance);
+  const Pane& pane = *hit.pane;
+  const double cosine = dot(way.normal, to_sun), outward = -dot(pane.inward, to_sun);
+  if (cosine <= 0 || outward <= 0) return {};
+  const Vec3 on_pane = way.seen_at + to_sun * (dot(way.seen_at - pane.corner, pane.inward) / outward);
+  const double x = dot(on_pane - pane.corner, pane.across), y = dot(on_pane - pane.corner, pane.up);
+  if (x < 0 || y < 0 || x > pane.width_m || y > pane.height_m) return {};
+  Hit at_pane = hit;
+  at_pane.position = on_pane;
+  if (!is_free(context, at_pane, to_sun)) return {};
+  return context.lights.sun_radiance() * way.albedo * (cosine * context.lights.sun_solid_angle() / std::numbers::pi);
+}
+
+// Light through a pane from the room behind it.
+Rgb light_of_room(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Path path, PathDraw& draw) {
+  const RoomWay way = way_through_room(*hit.pane, context.world.origin(), hit.position, path.direction, draw);
+  const Rgb passed = Rgb{1, 1, 1} - bsdf.facets_energy();
+  path.weight = path.weight * passed * passed;
+  const Rgb light = path.weight * sun_in_room(context, hit, way, draw.next());
+  path.weight = path.weight * way.weight;
+  if (largest(path.weight) <= 0) return light;
+  Hit at_pane = hit;
+  at_pane.position = way.from;
+  path.from = leave(at_pane, way.direction), path.direction = way.direction;
+  path.is_sharp = false, path.pdf = 0, path.spread_rad = kScattered_rad, ++path.bounce;
+  return light + light_behind(context, path, draw);
 }
 
 }  // namespace
@@ -230,7 +266,10 @@ TracedPath trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDra
   const UnitPair chance = draw.next();
   if (context.bounces > 0 && bsdf.is_split()) {
     follow(bsdf.sample_facets(chance));
-    follow(bsdf.sample_body(lobe, draw.next()));
+    if (hit.pane)
+      light = light + light_of_room(context, hit, bsdf, path, draw);
+    else
+      follow(bsdf.sample_body(lobe, draw.next()));
   } else if (context.bounces > 0) {
     follow(bsdf.sample(lobe, chance));
   }

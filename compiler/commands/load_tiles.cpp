@@ -31,7 +31,7 @@ Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_pr
   Loaded loaded;
   loaded.header = scene->header;
   Report report;
-  const std::vector<double> ladder_m = {request.tolerance_m};
+  const std::vector<double> ladder_m = {request.tolerance_m.value_or(0.1)};
   const Result<Done> baked = bake_scene(*scene, ladder_m, request.threads, report, on_progress,
                                         [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
                                           loaded.tiles.push_back(tile);
@@ -83,7 +83,7 @@ Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_prog
 }  // namespace
 
 Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progress) {
-  assert(request.tolerance_m > 0 && std::ranges::is_sorted(request.only));
+  assert(request.tolerance_m.value_or(1) > 0 && std::ranges::is_sorted(request.only));
   if (request.paths.empty())
     return Error{"", "no input is given; expected a manifest, a folder of a run, or .glb files"};
   const std::string& first = request.paths.front();

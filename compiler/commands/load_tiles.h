@@ -14,11 +14,11 @@
 namespace citykiln::commands {
 
 struct LoadRequest {
-  std::vector<std::string> paths;    ///< One .kiln, or one folder of a run, or .glb files.
-  std::string time;                  ///< Time of the sky for baking a manifest; "": the scene's.
-  double tolerance_m = 0.1;          ///< For baking a manifest.
-  std::size_t level = 0;             ///< Of a folder's tiles.
-  std::vector<scene::TileKey> only;  ///< If not empty, only these tiles.
+  std::vector<std::string> paths;     ///< One .kiln, or one folder of a run, or .glb files.
+  std::string time;                   ///< Time of the sky for baking a manifest; "": the scene's.
+  std::optional<double> tolerance_m;  ///< For baking a manifest; none: 0.1 m.
+  std::size_t level = 0;              ///< Of a folder's tiles.
+  std::vector<scene::TileKey> only;   ///< If not empty, only these tiles.
   int threads = 0;
 };
 

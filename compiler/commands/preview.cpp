@@ -8,12 +8,13 @@
 
 #include "compiler/commands/camera_options.h"
 #include "compiler/commands/frame_names.h"
+#include "compiler/commands/load_cells.h"
 #include "compiler/commands/load_tiles.h"
+#include "compiler/commands/preview_scene.h"
 #include "compiler/commands/stop_on_interrupt.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
 #include "compiler/contract/parse.h"
-#include "compiler/sky/plan.h"
 #include "compiler/spec.h"
 #include "preview/light/read_environment.h"
 #include "preview/picture/denoise.h"
@@ -32,6 +33,7 @@ struct Exposure {
 
 struct Request {
   LoadRequest load;
+  CellRequest cells;
   CameraRequest camera;
   std::string picture_path, environment_path;
   double environment_turn_deg = 0;
@@ -40,12 +42,6 @@ struct Request {
   bool is_denoised = false, keeps_frames = false, is_interactive = false;
   preview::Options options;
 };
-
-/// The scene's sky, or the sky at another time; without a manifest at 45° north.
-Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Header>& header) {
-  if (header && request.load.time.empty()) return header->sky;
-  return sky::plan(header ? header->origin : map::LonLat{0, 45}, request.load.time);
-}
 
 /// The environment map that replaces the sky, if one is given.
 Result<std::optional<preview::EnvironmentMap>> environment_of(const Request& request, const Console& console) {
@@ -74,52 +70,73 @@ std::vector<preview::Metadata> metadata_of(const preview::Image& image, const pr
                           : fmt::format("{} to {}", made.least_samples, made.most_samples)}};
 }
 
-void print_summary(const std::string& path, const preview::Image& image, std::size_t tiles, const Console& console) {
+// What all frames have in common.
+struct Stage {
+  const Request& request;
+  const PreviewScene& scene;
+  const preview::Lights& lights;
+  const Console& console;
+  preview::Options options;
+};
+
+// The surfaces that rays meet, and the lights among them.
+struct LitWorld {
+  preview::World world;
+  preview::LocalLights local;
+
+  LitWorld(const Stage& stage, const preview::Camera& camera)
+      : world(world_of(stage.scene, camera, stage.options.height, stage.request.cells)),
+        local(world, stage.lights.lamps(), stage.options.threads) {}
+};
+
+std::size_t budget_bytes_of(const CellRequest& request) {
+  return request.budget_bytes > 0 ? request.budget_bytes : default_budget_bytes();
+}
+
+void print_summary(const Stage& stage, const std::string& path, const preview::Image& image,
+                   const preview::World& world) {
   const preview::RenderStatistics& made = image.statistics;
   const std::string paths = made.least_samples == made.most_samples
                                 ? fmt::format("{} paths each", made.most_samples)
                                 : fmt::format("{} to {} paths each", made.least_samples, made.most_samples);
-  console.print_line(fmt::format("{}: {} x {} pixels, {}, {} tiles{}", path, image.width, image.height, paths, tiles,
-                                 made.is_complete ? "" : "; interrupted before all paths were traced"));
+  stage.console.print_line(fmt::format("{}: {} x {} pixels, {}, {} tiles{}", path, image.width, image.height, paths,
+                                       stage.scene.tiles(),
+                                       made.is_complete ? "" : "; interrupted before all paths were traced"));
+  if (const auto counters = world.counters())
+    stage.console.print_line(text_of(*counters, budget_bytes_of(stage.request.cells)));
 }
 
-void print_json(const preview::Image& image, const preview::Camera& camera, std::size_t tiles, const Console& console) {
+void print_json(const Stage& stage, const preview::Image& image, const preview::Camera& camera,
+                const preview::World& world) {
   const preview::RenderStatistics& made = image.statistics;
-  console.print_json(fmt::format(
+  const auto counters = world.counters();
+  const std::string cells = counters ? ", " + json_of(*counters, budget_bytes_of(stage.request.cells)) : "";
+  stage.console.print_json(fmt::format(
       R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}, "paths": {}, "seconds": {:.3f}, )"
-      R"("samples": [{}, {}], "complete": {}}})",
+      R"("samples": [{}, {}], "complete": {}{}}})",
       camera.eye.x, camera.eye.y, camera.eye.z, camera.look_at.x, camera.look_at.y, camera.look_at.z,
-      camera.vertical_fov_deg, tiles, made.paths, made.seconds, made.least_samples, made.most_samples,
-      made.is_complete));
+      camera.vertical_fov_deg, stage.scene.tiles(), made.paths, made.seconds, made.least_samples, made.most_samples,
+      made.is_complete, cells));
 }
 
-// What all frames have in common.
-struct Stage {
-  const preview::World& world;
-  const preview::Lights& lights;
-  const preview::LocalLights& local;
-  const sky::Sky& sky;
-  preview::Options options;
-};
-
-// The options of render() for a request. @param on_progress  Must outlive them.
+// The options of render() for a request.
 preview::Options options_of(const Request& request) {
   preview::Options options = request.options;
   options.width = request.size.width, options.height = request.size.height;
   options.threads = request.load.threads;
-  options.exposure = 1;
   options.has_guides = request.is_denoised || request.picture_path.ends_with(".exr");
   return options;
 }
 
 // Renders one frame and writes it. `exposure` is the factor of all frames, decided by the first one.
-Result<preview::Image> render_frame(const Request& request, const Stage& stage, const preview::Camera& camera,
+Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, const preview::Camera& camera,
                                     const std::string& path, std::optional<double>& exposure) {
-  preview::Image image = preview::render(stage.world, stage.lights, stage.local, camera, stage.options);
-  if (request.is_denoised) image = preview::denoise(image, stage.options.threads);
-  if (!exposure) exposure = preview::auto_exposure(image) * request.exposure.factor;
+  preview::Image image = preview::render(lit.world, stage.lights, lit.local, camera, stage.options);
+  if (stage.request.is_denoised) image = preview::denoise(image, stage.options.threads);
+  if (!exposure) exposure = preview::auto_exposure(image) * stage.request.exposure.factor;
   preview::expose(image, *exposure);
-  const Result<Done> written = preview::write_image(image, path, metadata_of(image, camera, stage.sky, *exposure));
+  const Result<Done> written =
+      preview::write_image(image, path, metadata_of(image, camera, stage.scene.sky, *exposure));
   if (!written) return written.error();
   return image;
 }
@@ -129,42 +146,45 @@ Result<std::vector<std::string>> names_of(const Request& request, std::size_t ca
   return frame_names(request.picture_path, static_cast<int>(cameras));
 }
 
-Result<Exit> render_frames(const Request& request, Stage stage, const std::vector<preview::Camera>& cameras,
-                           std::size_t tiles, const OnProgress& on_progress, const Console& console) {
-  const Result<std::vector<std::string>> names = names_of(request, cameras.size());
+Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& cameras, const OnProgress& on_progress) {
+  const Result<std::vector<std::string>> names = names_of(stage.request, cameras.size());
   if (!names) return names.error();
   const StopOnInterrupt interrupt;
   stage.options.is_stopped = &interrupt.is_stopped();
   std::optional<double> exposure;
-  if (!request.exposure.is_auto) exposure = request.exposure.factor * preview::adapted_exposure(stage.sky);
+  if (!stage.request.exposure.is_auto)
+    exposure = stage.request.exposure.factor * preview::adapted_exposure(stage.scene.sky);
+  std::optional<LitWorld> lit;
   for (std::size_t i = 0; i < cameras.size() && !interrupt.is_stopped(); ++i) {
     std::error_code none;
-    if (request.keeps_frames && std::filesystem::exists((*names)[i], none)) continue;
+    if (stage.request.keeps_frames && std::filesystem::exists((*names)[i], none)) continue;
     stage.options.on_progress = [&](double share) {
       on_progress("render", (static_cast<double>(i) + share) / static_cast<double>(cameras.size()));
     };
-    const Result<preview::Image> image = render_frame(request, stage, cameras[i], (*names)[i], exposure);
+    // cells are as fine as their camera needs; tiles are loaded once
+    if (!lit || stage.scene.recipes) lit.emplace(stage, cameras[i]);
+    const Result<preview::Image> image = render_frame(stage, *lit, cameras[i], (*names)[i], exposure);
     if (!image) return image.error();
-    print_summary((*names)[i], *image, tiles, console);
-    if (!request.camera.is_film()) print_json(*image, cameras[i], tiles, console);
+    print_summary(stage, (*names)[i], *image, lit->world);
+    if (!stage.request.camera.is_film()) print_json(stage, *image, cameras[i], lit->world);
   }
   return Exit::kDone;
 }
 
 // Shows a window; the picture that P writes is the one of -o.
-Result<Exit> fly(const Request& request, const Stage& stage, const preview::Camera& camera, std::size_t tiles,
-                 const Console& console) {
+Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
+  const LitWorld lit(stage, camera);
   preview::Options options = stage.options;
-  options.exposure = request.exposure.factor * preview::adapted_exposure(stage.sky);
+  options.exposure = stage.request.exposure.factor * preview::adapted_exposure(stage.scene.sky);
   options.has_guides = false;
-  const auto write = [&](const preview::Image& image, const preview::Camera& at) {
-    const Result<Done> written =
-        preview::write_image(image, request.picture_path.empty() ? "preview.png" : request.picture_path,
-                             metadata_of(image, at, stage.sky, options.exposure));
-    if (!written) return console.print_error(written.error());
-    print_json(image, at, tiles, console);
+  const std::string path = stage.request.picture_path.empty() ? "preview.png" : stage.request.picture_path;
+  const auto write = [&](const preview::Image& image, const preview::Camera& at, double exposure) {
+    const Result<Done> written = preview::write_image(image, path, metadata_of(image, at, stage.scene.sky, exposure));
+    if (!written) return stage.console.print_error(written.error());
+    stage.console.print_line(fmt::format("{}: eye {:.2f},{:.2f},{:.2f}, look {:.2f},{:.2f},{:.2f}", path, at.eye.x,
+                                         at.eye.y, at.eye.z, at.look_at.x, at.look_at.y, at.look_at.z));
   };
-  const Result<Done> shown = preview::show_interactive(stage.world, stage.lights, stage.local, camera, options, write);
+  const Result<Done> shown = preview::show_interactive(lit.world, stage.lights, lit.local, camera, options, write);
   if (!shown) return shown.error();
   return Exit::kDone;
 }
@@ -172,31 +192,39 @@ Result<Exit> fly(const Request& request, const Stage& stage, const preview::Came
 Result<Exit> run(const Request& request, const Console& console) {
   if (request.picture_path.empty() && !request.is_interactive)
     return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
+  if (request.is_interactive)
+    if (const Result<Done> ready = preview::check_window(); !ready) return ready.error();
   const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);
   if (!environment) return environment.error();
   const OnProgress on_progress = console.progress();
-  const Result<Loaded> loaded = load_tiles(request.load, on_progress);
-  if (!loaded) return loaded.error();
-  const Result<sky::Sky> sky = sky_of(request, loaded->header);
-  if (!sky) return sky.error();
-  const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *loaded, console);
+  const Result<PreviewScene> scene = load_preview_scene({.load = request.load,
+                                                         .cells = request.cells,
+                                                         .finds_views = request.camera.finds_view(),
+                                                         .needs_tiles = request.is_interactive},
+                                                        on_progress);
+  if (!scene) return scene.error();
+  const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
   if (!cameras) return cameras.error();
-  const preview::World world(loaded->tiles, cameras->front().eye);
-  const auto lamps = sky::is_night(*sky) ? preview::lamps_of(loaded->tiles) : std::vector<preview::StreetLamp>();
-  const preview::Lights lights =
-      *environment ? preview::Lights(**environment, lamps) : preview::Lights(sky::generate(*sky), lamps);
-  const preview::LocalLights local(world, lights.lamps(), request.load.threads);
-  const Stage stage{world, lights, local, *sky, options_of(request)};
-  if (request.is_interactive) return fly(request, stage, cameras->front(), loaded->tiles.size(), console);
-  return render_frames(request, stage, *cameras, loaded->tiles.size(), on_progress, console);
+  const preview::Lights lights = *environment ? preview::Lights(**environment, scene->lamps)
+                                              : preview::Lights(sky::generate(scene->sky), scene->lamps);
+  const Stage stage{request, *scene, lights, console, options_of(request)};
+  if (request.is_interactive) return fly(stage, cameras->front());
+  return render_frames(stage, *cameras, on_progress);
 }
 
-std::vector<Option> tile_options(LoadRequest& load) {
+std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
   return {
       {"inputs", "SCENE.kiln|OUT|FILE.glb...", "what to render: a manifest, a run's folder, or .glb files", true,
        append_text(load.paths)},
-      {"--tolerance", "M", "tolerance in metres at which a manifest is baked (default: 0.1)", false,
-       store_tolerance(load.tolerance_m)},
+      {"--tolerance", "M",
+       "bakes a manifest at this tolerance in metres before rendering (default: each cell is generated when it is "
+       "seen, as fine as pixels need)",
+       false, store_tolerance(load.tolerance_m)},
+      {"--pixel-error", "PIXELS", "without --tolerance: largest error in the picture in pixels (default: 0.5)", false,
+       store_number(cells.pixel_error, {})},
+      {"--memory-budget", "SIZE",
+       "memory for generated cells, such as 200MB or 4GB (default: 2GB, or half of the machine's memory)", false,
+       store_bytes(cells.budget_bytes)},
       {"--level", "N", "level of detail of a folder's tiles, 0 is the finest (default: 0)", false,
        store_whole(load.level, 0)},
       {"--only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true,
@@ -288,8 +316,10 @@ std::vector<Option> picture_options(Request& request) {
 
 Verb preview_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{
-      "preview", "renders a picture of a manifest, a run's folder or .glb files", tile_options(request->load), {}};
+  Verb verb{"preview",
+            "renders a picture of a manifest, a run's folder or .glb files",
+            tile_options(request->load, request->cells),
+            {}};
   for (std::vector<Option> options : {camera_options(request->camera), sampling_options(*request),
                                       light_options(*request), picture_options(*request)})
     for (Option& option : options) verb.options.push_back(std::move(option));

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/materials/material.h"
 #include "preview/scene/emitters.h"
+#include "preview/surface/room.h"
 
 namespace citykiln::preview {
 
@@ -25,7 +27,8 @@ struct Hit {
   float f0 = 0.04f;         ///< Reflectance at normal incidence, of what is not metal.
   double translucency = 0;  ///< Light that passes a leaf as a share of the light that it reflects.
   materials::Material material{};
-  OsmId feature{};  ///< The OSM object of the surface; none where it has none.
+  std::optional<Pane> pane{};  ///< Of window glass that is met from outside.
+  OsmId feature{};             ///< The OSM object of the surface; none where it has none.
   double distance_m = 0;
   double rounding_m = 0;  ///< Upper bound of single precision's errors of a ray's origin here and of the plane.
 };

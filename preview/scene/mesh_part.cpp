@@ -235,6 +235,8 @@ Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& footpr
   if (!part.emitters.empty()) hit.emitter = part.emitters[found.primID];
   if (part.features != nullptr) hit.feature = (*part.features)[part.primitive->features[corners[0]]];
   set_material(hit, part, weights, found, footprint);
+  if (hit.material == materials::Material::kGlass && dot(across, footprint.direction) < 0)
+    hit.pane = pane_of({p, p + edge1, p + edge2});
   return hit;
 }
 

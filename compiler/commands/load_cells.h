@@ -1,0 +1,45 @@
+// Loads a manifest for rendering straight from its recipes, cell by cell.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "compiler/commands/load_tiles.h"
+#include "compiler/commands/verb.h"
+#include "preview/camera/camera.h"
+#include "preview/scene/cell_cache.h"
+
+namespace citykiln::commands {
+
+/// How much memory cells may take, and how fine they are.
+struct CellRequest {
+  std::size_t budget_bytes = 0;  ///< 0: default_budget_bytes().
+  double pixel_error = 0.5;      ///< Largest error in the picture, pixels.
+};
+
+/// 2 GB, or half of the machine's memory where that is less.
+std::size_t default_budget_bytes();
+
+/// Stores a size of memory: "200MB", "4GB", "1.5GiB"; at least 1 MB.
+Take store_bytes(std::size_t& bytes);
+
+/// Whether a request asks for cells: a manifest without a tolerance.
+bool asks_for_cells(const LoadRequest& request);
+
+/// Reads the manifest, with the sky of the time that is asked for.
+Result<scene::Scene> read_scene(const LoadRequest& request);
+
+/// Coarse tiles of a scene, from which named views are chosen. Freed before rendering.
+std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads);
+
+/// The cells of a scene as a camera needs them for a picture `height_px` high.
+std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const preview::Camera& camera, int height_px,
+                                                     double pixel_error);
+
+/// One line: what the cells took.
+std::string text_of(const preview::CellCounters& counters, std::size_t budget_bytes);
+/// The same as members of a JSON object, without braces.
+std::string json_of(const preview::CellCounters& counters, std::size_t budget_bytes);
+
+}  // namespace citykiln::commands
