@@ -150,6 +150,7 @@ class Sorter {
       const auto is_dropped = [&](const auto& placed) {
         const plants::Prototype merged = merged_variant(placed.first, tolerance_m);
         const double height_m = prototype_height_m(tile_.sizes[part].plants_m.at(merged));
+        if (tolerance_m >= height_m) return true;
         return tile_.prototypes->prototype(merged, height_m, tolerance_m).primitives.empty();
       };
       for (CellParts& parts : tile_.objects)
@@ -209,7 +210,7 @@ std::size_t bytes_of(const scene::LandCover& cover) {
 // Edges of polygons are indexed by bucket, a few times each.
 std::size_t bytes_of(const ground::GradedTerrain& graded) {
   return graded.terrain.heights.capacity() * sizeof(std::int32_t) +
-         3 * (bytes_of(graded.paved) + bytes_of(graded.wet)) +
+         6 * (bytes_of(graded.paved) + bytes_of(graded.wet)) +
          graded.roads.segments.capacity() * (sizeof(ground::GradedSegment) + sizeof(ground::SegmentLine)) * 2;
 }
 

@@ -15,6 +15,22 @@ double prototype_height_m(double tallest_m) {
   return height_m;
 }
 
+namespace {
+
+template <typename T>
+std::size_t trimmed(std::vector<T>& all) {
+  all.shrink_to_fit();
+  return all.size() * sizeof(T);
+}
+
+// Frees what vectors have reserved.
+std::size_t bytes_of(Primitive& p) {
+  return trimmed(p.positions) + trimmed(p.normals) + trimmed(p.colours) + trimmed(p.features) + trimmed(p.triangles) +
+         trimmed(p.uvs);
+}
+
+}  // namespace
+
 // Nodes of a map stay where they are.
 PrototypeCache::Slot& PrototypeCache::slot(const Key& key) const {
   const std::lock_guard lock(mutex_);
@@ -34,7 +50,9 @@ const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, dou
   assert(height_m > 0 && tolerance_m > 0);
   Slot& slot = this->slot({prototype, height_m, tolerance_m});
   std::call_once(slot.once, [&] {
-    const plants::GrownPlant& grown = grown_plants_.grown(prototype);
+    std::shared_ptr<const plants::GrownPlant> recent;
+    if (kept_ == KeptPlants::kRecent) recent = grown_plants_.recent(prototype);
+    const plants::GrownPlant& grown = recent ? *recent : grown_plants_.grown(prototype);
     plants::PrototypeMesh plant =
         plants::prototype_mesh(grown, leaves().atlas, prototype.species, height_m, tolerance_m);
     for (materials::MaterialMesh& dressed : plant.meshes)
@@ -43,6 +61,7 @@ const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, dou
     if (plant.shows_leaf_atlas) slot.baked.cutout = leaves().cutout;
     snap_image_uvs(slot.baked.primitives, *slot.baked.cutout);
     slot.baked.error_per_m = plant.error_per_m;
+    for (Primitive& primitive : slot.baked.primitives) bytes_ += bytes_of(primitive);
   });
   return slot.baked;
 }

@@ -1,6 +1,7 @@
 // What the tiles of a run share, made once, when a tile first needs it: meshes of plant prototypes, and textures.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -26,12 +27,16 @@ struct BakedPrototype {
   double error_per_m = 0;         ///< Error of a plant per metre of its height.
 };
 
+/// Which grown plants a cache keeps, from which prototypes are made: 2 MB each.
+enum class KeptPlants { kAll, kRecent };
+
 /// A thread-safe cache of prototypes. Logically const: a prototype is a function of the header's species and of what is
 /// asked for, by exactly which it is kept. Memory: at 0.02 m some 2 MB per prototype.
 class PrototypeCache {
  public:
-  explicit PrototypeCache(const scene::Header& header)
-      : month_(month_of(header)),
+  explicit PrototypeCache(const scene::Header& header, KeptPlants kept = KeptPlants::kAll)
+      : kept_(kept),
+        month_(month_of(header)),
         grown_plants_(header.species, month_),
         textures_(header.seed),
         rulebook_(buildings::parse_rulebook(header.rules)) {}
@@ -41,6 +46,9 @@ class PrototypeCache {
   const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
   const materials::TextureCache& textures() const { return textures_; }
+
+  /// Of the meshes of all prototypes that were asked for, none of which is ever freed.
+  std::size_t bytes() const { return bytes_; }
 
   /// The header's rules, parsed.
   const buildings::Rulebook& rulebook() const { return rulebook_; }
@@ -60,6 +68,7 @@ class PrototypeCache {
   Slot& slot(const Key& key) const;
   const Leaves& leaves() const;
 
+  KeptPlants kept_;
   plants::Month month_;
   plants::GrownPlantCache grown_plants_;
   mutable std::once_flag leaves_once_;
@@ -68,6 +77,7 @@ class PrototypeCache {
   buildings::Rulebook rulebook_;
   mutable std::mutex mutex_;
   mutable std::map<Key, Slot> slots_;
+  mutable std::atomic<std::size_t> bytes_ = 0;
 };
 
 }  // namespace citykiln::bake

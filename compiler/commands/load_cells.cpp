@@ -28,9 +28,7 @@ constexpr double kCoarse_m = 2.5;
 
 double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) * 1e-6; }
 
-std::int64_t total(const preview::CellCounters& c) {
-  return c.geometry_bytes + c.hierarchy_bytes + c.texture_bytes + c.tile_bytes;
-}
+std::int64_t total(const preview::CellCounters& c) { return c.geometry_bytes + c.hierarchy_bytes + c.texture_bytes; }
 
 }  // namespace
 
@@ -39,6 +37,10 @@ std::size_t default_budget_bytes() {
   const long pages = sysconf(_SC_PHYS_PAGES), page_bytes = sysconf(_SC_PAGESIZE);
   if (pages <= 0 || page_bytes <= 0) return kMost;
   return std::min(kMost, static_cast<std::size_t>(pages) * static_cast<std::size_t>(page_bytes) / 2);
+}
+
+std::size_t budget_bytes_of(const CellRequest& request) {
+  return request.budget_bytes > 0 ? request.budget_bytes : default_budget_bytes();
 }
 
 Take store_bytes(std::size_t& bytes) {
@@ -96,10 +98,10 @@ std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const p
 std::string text_of(const preview::CellCounters& c, std::size_t budget_bytes) {
   std::string text = fmt::format(
       "cells: {} of {} generated in {:.1f} s, {} again; {:.0f} MB of {:.0f} MB (meshes {:.0f}, hierarchies {:.0f}, "
-      "textures {:.0f}, tiles {:.0f})",
+      "textures {:.0f}); beside it tiles {:.0f} MB in {:.1f} s, prototypes {:.0f} MB",
       c.generated - c.regenerated, c.cells, c.generating_s, c.regenerated, megabytes(total(c)),
       static_cast<double>(budget_bytes) * 1e-6, megabytes(c.geometry_bytes), megabytes(c.hierarchy_bytes),
-      megabytes(c.texture_bytes), megabytes(c.tile_bytes));
+      megabytes(c.texture_bytes), megabytes(c.tile_bytes), c.preparing_s, megabytes(c.prototype_bytes));
   if (c.over_bytes > 0)
     text += fmt::format("; the budget was exceeded by {:.1f} MB, which single cells needed", megabytes(c.over_bytes));
   if (c.outside_m > 0) text += fmt::format("; a cell was {:.3f} m larger than its bounds", c.outside_m);

@@ -16,7 +16,8 @@
 #include "compiler/commands/view_options.h"
 #include "compiler/contract/parse.h"
 #include "compiler/spec.h"
-#include "preview/light/read_environment.h"
+#include "preview/camera/view_probe.h"
+#include "preview/picture/read_environment.h"
 #include "preview/picture/denoise.h"
 #include "preview/picture/exposure.h"
 #include "preview/render.h"
@@ -70,6 +71,9 @@ std::vector<preview::Metadata> metadata_of(const preview::Image& image, const pr
                           : fmt::format("{} to {}", made.least_samples, made.most_samples)}};
 }
 
+// Eyes that have a surface this near in all directions of the picture are inside something.
+constexpr double kBlind_m = 0.3;
+
 // What all frames have in common.
 struct Stage {
   const Request& request;
@@ -88,10 +92,6 @@ struct LitWorld {
       : world(world_of(stage.scene, camera, stage.options.height, stage.request.cells)),
         local(world, stage.lights.lamps(), stage.options.threads) {}
 };
-
-std::size_t budget_bytes_of(const CellRequest& request) {
-  return request.budget_bytes > 0 ? request.budget_bytes : default_budget_bytes();
-}
 
 void print_summary(const Stage& stage, const std::string& path, const preview::Image& image,
                    const preview::World& world) {
@@ -141,6 +141,17 @@ Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, con
   return image;
 }
 
+// Says why a picture shows nothing: the eye is in a wall, or no light reaches what it sees.
+void note_if_blind(const Stage& stage, const preview::World& world, const preview::Camera& camera,
+                   const preview::Image& image) {
+  if (const double near_m = preview::farthest_in_picture_m(world, camera); near_m < kBlind_m)
+    return stage.console.print_line(fmt::format(
+        "note: a surface less than {:.2f} m away fills the picture; the eye may be inside a wall", kBlind_m));
+  if (preview::is_black(image))
+    stage.console.print_line(
+        "note: the picture is black; the eye may be inside a building or below the ground, or --exposure is too low");
+}
+
 Result<std::vector<std::string>> names_of(const Request& request, std::size_t cameras) {
   if (!request.camera.is_film()) return std::vector{request.picture_path};
   return frame_names(request.picture_path, static_cast<int>(cameras));
@@ -166,6 +177,7 @@ Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& came
     const Result<preview::Image> image = render_frame(stage, *lit, cameras[i], (*names)[i], exposure);
     if (!image) return image.error();
     print_summary(stage, (*names)[i], *image, lit->world);
+    note_if_blind(stage, lit->world, cameras[i], *image);
     if (!stage.request.camera.is_film()) print_json(stage, *image, cameras[i], lit->world);
   }
   return Exit::kDone;
@@ -197,14 +209,15 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);
   if (!environment) return environment.error();
   const OnProgress on_progress = console.progress();
-  const Result<PreviewScene> scene = load_preview_scene({.load = request.load,
-                                                         .cells = request.cells,
-                                                         .finds_views = request.camera.finds_view(),
-                                                         .needs_tiles = request.is_interactive},
-                                                        on_progress);
+  Result<PreviewScene> scene = load_preview_scene({.load = request.load,
+                                                   .cells = request.cells,
+                                                   .finds_views = request.camera.finds_view(),
+                                                   .needs_tiles = request.is_interactive},
+                                                  on_progress);
   if (!scene) return scene.error();
   const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
   if (!cameras) return cameras.error();
+  scene->for_views = {};
   const preview::Lights lights = *environment ? preview::Lights(**environment, scene->lamps)
                                               : preview::Lights(sky::generate(scene->sky), scene->lamps);
   const Stage stage{request, *scene, lights, console, options_of(request)};

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "preview/camera/camera_rays.h"
 #include "preview/camera/scene_grid.h"
 
 namespace citykiln::preview {
@@ -39,6 +41,23 @@ double ViewProbe::walk_m(Vec3 eye, Vec3 direction, double limit) const {
     for (const double side : {-1.0, 0.0, 1.0})
       sight = std::min(sight, sight_m(eye - Vec3{0, 0, lower_m}, unit(direction + aside * side), limit));
   return sight;
+}
+
+double farthest_in_picture_m(const World& world, const Camera& camera) {
+  constexpr int kSide = 9;
+  // a pinhole at rest draws nothing
+  const CameraRays rays({camera.eye, camera.look_at, camera.vertical_fov_deg}, kSide, kSide);
+  const PixelSamples chances(0, 0, 0, grid_of(1, 1, 1));
+  PathDraw draw(chances, 0);
+  double farthest = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const CameraRay ray = rays.through(x + 0.5, y + 0.5, draw);
+      const auto hit = world.first_hit(ray.from - world.origin(), ray.direction);
+      if (!hit) return std::numeric_limits<double>::infinity();
+      farthest = std::max(farthest, hit->distance_m);
+    }
+  return farthest;
 }
 
 std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core,

@@ -30,6 +30,9 @@ struct ViewProbe {
   double walk_m(Vec3 eye, Vec3 direction, double limit) const;
 };
 
+/// The farthest surface of 9 by 9 rays through a square picture; infinity if any of them meets nothing.
+double farthest_in_picture_m(const World& world, const Camera& camera);
+
 /// Middles of the triangles of some materials, the nearest to `core` first, at least `apart_m` apart, at most `count`.
 /// O(n log n).
 std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core,

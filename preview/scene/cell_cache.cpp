@@ -177,9 +177,7 @@ void CellCache::check_bounds(std::size_t cell, const Cell& made) const {
   counters_.outside_m = std::max(counters_.outside_m, outside_m);
 }
 
-std::int64_t CellCache::bytes() const {
-  return use_.geometry + use_.hierarchies + use_.textures + static_cast<std::int64_t>(source_->tile_bytes());
-}
+std::int64_t CellCache::bytes() const { return use_.geometry + use_.hierarchies + use_.textures; }
 
 // Frees cells, those that were used least recently first, until the budget holds. Called under mutex_.
 void CellCache::evict(std::size_t kept) const {
@@ -201,7 +199,7 @@ void CellCache::evict(std::size_t kept) const {
     }
     readers_.wait();
   }
-  while (bytes() > budget_bytes_ && source_->drop_tile()) {
+  while (source_->tile_bytes() > kTileBytes && source_->drop_tile()) {
   }
   counters_.peak_bytes = std::max(counters_.peak_bytes, bytes());
   counters_.over_bytes = std::max(counters_.over_bytes, bytes() - budget_bytes_);
@@ -211,6 +209,8 @@ CellCounters CellCache::counters() const {
   const std::lock_guard lock(mutex_);
   CellCounters now = counters_;
   now.geometry_bytes = use_.geometry, now.hierarchy_bytes = use_.hierarchies, now.texture_bytes = use_.textures;
+  now.prototype_bytes = static_cast<std::int64_t>(source_->prototypes().bytes());
+  now.preparing_s = source_->preparing_s();
   now.tile_bytes = static_cast<std::int64_t>(source_->tile_bytes()), now.tiles_prepared = source_->tiles_prepared();
   return now;
 }

@@ -22,11 +22,12 @@ struct CellCounters {
   std::size_t regenerated = 0;  ///< Of these, cells that had been generated before.
   std::size_t evicted = 0;
   std::size_t tiles_prepared = 0;
-  std::int64_t geometry_bytes = 0, hierarchy_bytes = 0, texture_bytes = 0, tile_bytes = 0;  ///< Now.
-  std::int64_t peak_bytes = 0;  ///< The largest sum of these after an eviction.
-  std::int64_t over_bytes = 0;  ///< The largest excess over the budget that one cell needed.
-  double outside_m = 0;         ///< Largest distance by which a cell was larger than its bounds: 0 is right.
-  double generating_s = 0;      ///< Sum over threads.
+  std::int64_t geometry_bytes = 0, hierarchy_bytes = 0, texture_bytes = 0, tile_bytes = 0,
+               prototype_bytes = 0;  ///< Now.
+  std::int64_t peak_bytes = 0;       ///< The largest sum of these after an eviction.
+  std::int64_t over_bytes = 0;       ///< The largest excess over the budget that one cell needed.
+  double outside_m = 0;              ///< Largest distance by which a cell was larger than its bounds: 0 is right.
+  double generating_s = 0, preparing_s = 0;  ///< Sums over threads; generating includes preparing tiles.
 };
 
 /// Readers that may hold cells which are evicted: counted by two alternating phases, so that a writer waits for all who
@@ -70,11 +71,16 @@ struct CellRay : RTCIntersectContext {
 };
 
 /// Thread-safe. Cells of a source in one Embree scene.
+///
+/// Memory: the budget holds for meshes, hierarchies and textures of cells, and of the prototypes and materials that
+/// they show. Beside it are the recipes, prepared tiles up to kTileBytes (or one), meshes of plants as the prototype
+/// cache has them, images of materials, and what the generation of a cell needs for a moment.
 class CellCache {
  public:
+  static constexpr std::size_t kTileBytes = 64'000'000;
+
   /// @param origin  Of the world, plane metres.
-  /// @param budget_bytes  For meshes, hierarchies, textures and prepared tiles. A ray can always go on: the cell that
-  /// it needs is kept even if that alone exceeds the budget.
+  /// @param budget_bytes  A ray can always go on: the cell that it needs is kept even if that alone exceeds the budget.
   CellCache(RTCDevice device, std::shared_ptr<const CellSource> source, Vec3 origin, std::size_t budget_bytes);
   ~CellCache();
 

@@ -1,6 +1,7 @@
 #include "preview/scene/cell_source.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "compiler/contract/for_each_slot.h"
 
@@ -9,7 +10,7 @@ namespace citykiln::preview {
 CellSource::CellSource(scene::Scene scene, const bake::View& view)
     : scene_(std::move(scene)),
       levels_(bake::levels_for(scene_, view)),
-      prototypes_(std::make_shared<const bake::PrototypeCache>(scene_.header)),
+      prototypes_(std::make_shared<const bake::PrototypeCache>(scene_.header, bake::KeptPlants::kRecent)),
       tiles_(scene_.chunks.size()) {
   const auto bounds = for_each_slot<std::vector<bake::Bounds>>(scene_.chunks.size(), 0, [&](std::size_t chunk) {
     return bake::cell_bounds(scene_.header, scene_.chunks[chunk], levels_);
@@ -24,9 +25,12 @@ std::shared_ptr<const bake::CellTile> CellSource::prepared(std::size_t chunk) co
   const std::lock_guard lock(tile.preparing);
   tile.used = ++clock_;
   if (tile.prepared) return tile.prepared;
+  const auto begin = std::chrono::steady_clock::now();
   tile.prepared = bake::prepare_cells(scene_.header, scene_.chunks[chunk], levels_, prototypes_);
   tile.bytes = bake::bytes_of(*tile.prepared);
   tile_bytes_ += tile.bytes, ++prepared_;
+  const auto spent = std::chrono::steady_clock::now() - begin;
+  preparing_us_ += static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(spent).count());
   return tile.prepared;
 }
 

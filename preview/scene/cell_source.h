@@ -29,6 +29,8 @@ class CellSource {
 
   /// Bytes of the prepared tiles; a bake in progress may prepare one more.
   std::size_t tile_bytes() const { return tile_bytes_; }
+  /// Sum over threads.
+  double preparing_s() const { return static_cast<double>(preparing_us_) * 1e-6; }
   /// How often tiles were prepared.
   std::size_t tiles_prepared() const { return prepared_; }
   /// Drops the prepared tile that was used least recently; false where there is none but that of the last bake.
@@ -54,7 +56,7 @@ class CellSource {
   std::vector<Cell> cells_;
   mutable std::vector<Tile> tiles_;
   mutable std::atomic<std::size_t> tile_bytes_ = 0, prepared_ = 0;
-  mutable std::atomic<std::uint64_t> clock_ = 0;
+  mutable std::atomic<std::uint64_t> clock_ = 0, preparing_us_ = 0;
 };
 
 }  // namespace citykiln::preview

@@ -76,4 +76,25 @@ const GrownPlant& GrownPlantCache::grown(Prototype prototype) const {
   return slot.grown;
 }
 
+std::shared_ptr<const GrownPlant> GrownPlantCache::recent(Prototype prototype) const {
+  const auto find = [&]() -> std::shared_ptr<const GrownPlant> {
+    const auto found = std::ranges::find(recent_, prototype, &Recent::prototype);
+    if (found == recent_.end()) return nullptr;
+    std::rotate(recent_.begin(), found, std::next(found));
+    return recent_.front().grown;
+  };
+  {
+    const std::lock_guard lock(recent_mutex_);
+    if (auto grown = find()) return grown;
+  }
+  // two threads may grow the same plant, which is the same both times
+  auto grown =
+      std::make_shared<const GrownPlant>(grow(texts_[static_cast<std::size_t>(prototype.species)], prototype, month_));
+  const std::lock_guard lock(recent_mutex_);
+  if (auto other = find()) return other;
+  recent_.push_front({prototype, grown});
+  if (recent_.size() > kRecent) recent_.pop_back();
+  return grown;
+}
+
 }  // namespace citykiln::plants

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <memory>
+#include <mutex>
 #include <span>
 
 #include "compiler/plants/appearance.h"
@@ -39,11 +41,22 @@ class GrownPlantCache {
   /// Valid as long as the cache. Cost: some 10 ms on first use, 2 MB.
   const GrownPlant& grown(Prototype prototype) const;
 
+  /// The same plant for callers with little memory: the cache keeps the last kRecent of these only, and grows others
+  /// again.
+  std::shared_ptr<const GrownPlant> recent(Prototype prototype) const;
+  static constexpr std::size_t kRecent = 16;
+
  private:
   struct Slot;
+  struct Recent {
+    Prototype prototype;
+    std::shared_ptr<const GrownPlant> grown;
+  };
   std::vector<SpeciesText> texts_;  // by species
   Month month_;
   std::unique_ptr<Slot[]> slots_;
+  mutable std::mutex recent_mutex_;
+  mutable std::deque<Recent> recent_;  // the last one first
 };
 
 }  // namespace citykiln::plants

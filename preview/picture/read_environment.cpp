@@ -1,4 +1,4 @@
-#include "preview/light/read_environment.h"
+#include "preview/picture/read_environment.h"
 
 #include <cmath>
 #include <utility>
