@@ -77,12 +77,13 @@ void add_lens(preview::Camera& camera, const CameraRequest& request, const std::
 }
 
 // The path in plane metres, with points close enough for the ground's height, and those without a height above it.
-Result<std::vector<Vec3>> line_of(const CameraRequest& request, const Loaded& loaded, const GroundHeight& ground_m) {
+Result<std::vector<Vec3>> line_of(const CameraRequest& request, const PreviewScene& scene,
+                                  const GroundHeight& ground_m) {
   const auto places = read_line_string(request.path);
   if (!places) return places.error();
-  if (!loaded.header)
+  if (!scene.loaded.header)
     return Error{"--path", "needs the scene's origin: give the manifest, or the folder that contains it"};
-  const map::Plane plane(loaded.header->origin);
+  const map::Plane plane(scene.loaded.header->origin);
   std::vector<Vec3> line;
   const auto add = [&](Vec2 at, std::optional<double> height_m) {
     if (!height_m) height_m = ground_m(at);
@@ -107,9 +108,9 @@ struct Points {
   std::optional<Vec3> eye, look_at, focus;
 };
 
-Result<Points> points_of(const CameraRequest& request, const Loaded& loaded, const GroundHeight& ground_m) {
+Result<Points> points_of(const CameraRequest& request, const PreviewScene& scene, const GroundHeight& ground_m) {
   const auto point = [&](const auto& in_plane, const auto& lonlat) {
-    return point_of(in_plane, lonlat, loaded.header, ground_m);
+    return point_of(in_plane, lonlat, scene.loaded.header, ground_m);
   };
   const Result<std::optional<Vec3>> eye = point(request.eye, request.eye_lonlat);
   if (!eye) return eye.error();
@@ -130,9 +131,9 @@ std::optional<Error> contradiction_in(const CameraRequest& request) {
   return std::nullopt;
 }
 
-Result<std::vector<preview::Camera>> path_cameras(const CameraRequest& request, const Loaded& loaded,
+Result<std::vector<preview::Camera>> path_cameras(const CameraRequest& request, const PreviewScene& scene,
                                                   const GroundHeight& ground_m, const Points& points) {
-  const Result<std::vector<Vec3>> line = line_of(request, loaded, ground_m);
+  const Result<std::vector<Vec3>> line = line_of(request, scene, ground_m);
   if (!line) return line.error();
   const double seconds = preview::length_m(*line) / request.speed_m_s.value_or(kSpeed_m_s);
   const double count = std::floor(seconds * preview::kFramesPerSecond) + 1;
@@ -144,28 +145,42 @@ Result<std::vector<preview::Camera>> path_cameras(const CameraRequest& request, 
                                         .look_at = points.look_at});
 }
 
-Result<preview::Camera> still_camera(const CameraRequest& request, const Loaded& loaded, const Points& points) {
+// A view that was chosen on coarse ground: near the ground its height above that is kept.
+preview::Camera on_ground(preview::Camera camera, const PreviewScene& scene, const GroundHeight& ground_m) {
+  constexpr double kNear_m = 5;
+  const std::optional<double> low_m = ground_height_m(scene.view_tiles(), in_plan(camera.eye));
+  if (!low_m || camera.eye.z - *low_m > kNear_m) return camera;
+  const std::optional<double> exact_m = ground_m(in_plan(camera.eye));
+  if (exact_m) camera.eye.z += *exact_m - *low_m, camera.look_at.z += *exact_m - *low_m;
+  return camera;
+}
+
+Result<preview::Camera> still_camera(const CameraRequest& request, const PreviewScene& scene, const Points& points,
+                                     const GroundHeight& ground_m) {
   if (points.eye) return preview::Camera{*points.eye, *points.look_at};
-  return preview::named_view(loaded.tiles, request.view);
+  const Result<preview::Camera> camera = preview::named_view(scene.view_tiles(), request.view);
+  if (!camera) return camera.error();
+  return on_ground(*camera, scene, ground_m);
 }
 
 }  // namespace
 
-Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, const Loaded& loaded,
-                                                const GroundHeight& ground_m, const Console& console) {
+Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, const PreviewScene& scene,
+                                                const Console& console) {
   if (const auto contradiction = contradiction_in(request)) return *contradiction;
-  const Result<Points> points = points_of(request, loaded, ground_m);
+  const GroundHeight ground_m = [&](Vec2 place) { return scene.ground_height_m(place); };
+  const Result<Points> points = points_of(request, scene, ground_m);
   if (!points) return points.error();
   if (request.path.empty() && points->eye.has_value() != points->look_at.has_value())
     return Error{"", "--eye and --look must be given together"};
   if (points->eye) note_if_below_ground(*points->eye, ground_m, console);
   std::vector<preview::Camera> cameras;
   if (!request.path.empty()) {
-    Result<std::vector<preview::Camera>> along = path_cameras(request, loaded, ground_m, *points);
+    Result<std::vector<preview::Camera>> along = path_cameras(request, scene, ground_m, *points);
     if (!along) return along.error();
     cameras = std::move(*along);
   } else {
-    const Result<preview::Camera> camera = still_camera(request, loaded, *points);
+    const Result<preview::Camera> camera = still_camera(request, scene, *points, ground_m);
     if (!camera) return camera.error();
     cameras = {*camera};
     if (request.turntable)
@@ -177,8 +192,10 @@ Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, co
 
 std::vector<Option> camera_options(CameraRequest& request) {
   return {
-      {"--view", "NAME", "overview, street, top, north, south, east, west or low (default: overview)", false,
-       store_text(request.view)},
+      {"--view", "NAME",
+       "overview, street, square, river, hilltop, roofs, skyline, low, top, north, south, east or west (default: "
+       "overview)",
+       false, store_text(request.view)},
       {"--eye", "X,Y,Z",
        "place of the viewer in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the ground; needs --look",
        false, store_point(request.eye)},

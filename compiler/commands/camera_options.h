@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/commands/load_tiles.h"
+#include "compiler/commands/preview_scene.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
 #include "preview/camera/camera.h"
@@ -39,13 +39,15 @@ struct CameraRequest {
 
   /// Whether numbered pictures are asked for.
   bool is_film() const { return !path.empty() || turntable.has_value(); }
+  /// Whether the scene decides where the camera is.
+  bool finds_view() const { return path.empty() && !eye && !eye_lonlat; }
 };
 
 std::vector<Option> camera_options(CameraRequest& request);
 
 /// The cameras of all frames; one unless a film is asked for. Errors: points without a ground or a plane to refer to,
 /// options that contradict each other, a path that cannot be read.
-Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, const Loaded& loaded,
-                                                const GroundHeight& ground_m, const Console& console);
+Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, const PreviewScene& scene,
+                                                const Console& console);
 
 }  // namespace citykiln::commands

@@ -8,12 +8,15 @@
 
 #include "compiler/commands/camera_options.h"
 #include "compiler/commands/frame_names.h"
-#include "compiler/commands/load_rendered.h"
+#include "compiler/commands/load_cells.h"
+#include "compiler/commands/load_tiles.h"
+#include "compiler/commands/preview_scene.h"
 #include "compiler/commands/stop_on_interrupt.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
 #include "compiler/contract/parse.h"
 #include "compiler/spec.h"
+#include "preview/camera/view_probe.h"
 #include "preview/picture/read_environment.h"
 #include "preview/picture/denoise.h"
 #include "preview/picture/exposure.h"
@@ -30,7 +33,9 @@ struct Exposure {
 };
 
 struct Request {
-  RenderedRequest rendered;
+  LoadRequest load;
+  CellRequest cells;
+  CameraRequest camera;
   std::string picture_path, environment_path;
   double environment_turn_deg = 0;
   PictureSize size;
@@ -66,109 +71,132 @@ std::vector<preview::Metadata> metadata_of(const preview::Image& image, const pr
                           : fmt::format("{} to {}", made.least_samples, made.most_samples)}};
 }
 
-void print_summary(const std::string& path, const preview::Image& image, std::size_t tiles, const Console& console) {
+// Eyes that have a surface this near in all directions of the picture are inside something.
+constexpr double kBlind_m = 0.3;
+
+// What all frames have in common.
+struct Stage {
+  const Request& request;
+  const PreviewScene& scene;
+  const preview::Lights& lights;
+  const Console& console;
+  preview::Options options;
+};
+
+// The surfaces that rays meet, and the lights among them.
+struct LitWorld {
+  preview::World world;
+  preview::LocalLights local;
+
+  LitWorld(const Stage& stage, const preview::Camera& camera)
+      : world(world_of(stage.scene, camera, stage.options.height, stage.request.cells)),
+        local(world, stage.lights.lamps(), stage.options.threads) {}
+};
+
+void print_summary(const Stage& stage, const std::string& path, const preview::Image& image,
+                   const preview::World& world) {
   const preview::RenderStatistics& made = image.statistics;
   const std::string paths = made.least_samples == made.most_samples
                                 ? fmt::format("{} paths each", made.most_samples)
                                 : fmt::format("{} to {} paths each", made.least_samples, made.most_samples);
-  console.print_line(fmt::format("{}: {} x {} pixels, {}, {} tiles{}", path, image.width, image.height, paths, tiles,
-                                 made.is_complete ? "" : "; interrupted before all paths were traced"));
+  stage.console.print_line(fmt::format("{}: {} x {} pixels, {}, {} tiles{}", path, image.width, image.height, paths,
+                                       stage.scene.tiles(),
+                                       made.is_complete ? "" : "; interrupted before all paths were traced"));
+  if (const auto counters = world.counters())
+    stage.console.print_line(text_of(*counters, budget_bytes_of(stage.request.cells)));
 }
 
-/// What the cells took, if cells were rendered: a line, and members of the JSON object.
-std::string print_cells(const preview::World& world, std::size_t budget_bytes, const Console& console) {
-  const auto counters = world.counters();
-  if (!counters) return "";
-  console.print_line(text_of(*counters, budget_bytes));
-  return ", " + json_of(*counters, budget_bytes);
-}
-
-void print_json(const preview::Image& image, const preview::Camera& camera, std::size_t tiles, const std::string& cells,
-                const Console& console) {
+void print_json(const Stage& stage, const preview::Image& image, const preview::Camera& camera,
+                const preview::World& world) {
   const preview::RenderStatistics& made = image.statistics;
-  console.print_json(fmt::format(
+  const auto counters = world.counters();
+  const std::string cells = counters ? ", " + json_of(*counters, budget_bytes_of(stage.request.cells)) : "";
+  stage.console.print_json(fmt::format(
       R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}, "paths": {}, "seconds": {:.3f}, )"
       R"("samples": [{}, {}], "complete": {}{}}})",
       camera.eye.x, camera.eye.y, camera.eye.z, camera.look_at.x, camera.look_at.y, camera.look_at.z,
-      camera.vertical_fov_deg, tiles, made.paths, made.seconds, made.least_samples, made.most_samples, made.is_complete,
-      cells));
+      camera.vertical_fov_deg, stage.scene.tiles(), made.paths, made.seconds, made.least_samples, made.most_samples,
+      made.is_complete, cells));
 }
 
-// What all frames have in common.
-struct Stage {
-  const preview::World& world;
-  const preview::Lights& lights;
-  const preview::LocalLights& local;
-  const sky::Sky& sky;
-  preview::Options options;
-};
-
-// The options of render() for a request. @param on_progress  Must outlive them.
+// The options of render() for a request.
 preview::Options options_of(const Request& request) {
   preview::Options options = request.options;
   options.width = request.size.width, options.height = request.size.height;
-  options.threads = request.rendered.load.threads;
-  options.exposure = 1;
+  options.threads = request.load.threads;
   options.has_guides = request.is_denoised || request.picture_path.ends_with(".exr");
   return options;
 }
 
 // Renders one frame and writes it. `exposure` is the factor of all frames, decided by the first one.
-Result<preview::Image> render_frame(const Request& request, const Stage& stage, const preview::Camera& camera,
+Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, const preview::Camera& camera,
                                     const std::string& path, std::optional<double>& exposure) {
-  preview::Image image = preview::render(stage.world, stage.lights, stage.local, camera, stage.options);
-  if (request.is_denoised) image = preview::denoise(image, stage.options.threads);
-  if (!exposure) exposure = preview::auto_exposure(image) * request.exposure.factor;
+  preview::Image image = preview::render(lit.world, stage.lights, lit.local, camera, stage.options);
+  if (stage.request.is_denoised) image = preview::denoise(image, stage.options.threads);
+  if (!exposure) exposure = preview::auto_exposure(image) * stage.request.exposure.factor;
   preview::expose(image, *exposure);
-  const Result<Done> written = preview::write_image(image, path, metadata_of(image, camera, stage.sky, *exposure));
+  const Result<Done> written =
+      preview::write_image(image, path, metadata_of(image, camera, stage.scene.sky, *exposure));
   if (!written) return written.error();
   return image;
 }
 
+// Says why a picture shows nothing: the eye is in a wall, or no light reaches what it sees.
+void note_if_blind(const Stage& stage, const preview::World& world, const preview::Camera& camera,
+                   const preview::Image& image) {
+  if (const double near_m = preview::farthest_in_picture_m(world, camera); near_m < kBlind_m)
+    return stage.console.print_line(fmt::format(
+        "note: a surface less than {:.2f} m away fills the picture; the eye may be inside a wall", kBlind_m));
+  if (preview::is_black(image))
+    stage.console.print_line(
+        "note: the picture is black; the eye may be inside a building or below the ground, or --exposure is too low");
+}
+
 Result<std::vector<std::string>> names_of(const Request& request, std::size_t cameras) {
-  if (!request.rendered.camera.is_film()) return std::vector{request.picture_path};
+  if (!request.camera.is_film()) return std::vector{request.picture_path};
   return frame_names(request.picture_path, static_cast<int>(cameras));
 }
 
-Result<Exit> render_frames(const Request& request, Stage stage, const std::vector<preview::Camera>& cameras,
-                           std::size_t tiles, const Console& console) {
-  const OnProgress on_progress = console.progress();
-  const Result<std::vector<std::string>> names = names_of(request, cameras.size());
+Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& cameras, const OnProgress& on_progress) {
+  const Result<std::vector<std::string>> names = names_of(stage.request, cameras.size());
   if (!names) return names.error();
   const StopOnInterrupt interrupt;
   stage.options.is_stopped = &interrupt.is_stopped();
   std::optional<double> exposure;
-  if (!request.exposure.is_auto) exposure = request.exposure.factor * preview::adapted_exposure(stage.sky);
+  if (!stage.request.exposure.is_auto)
+    exposure = stage.request.exposure.factor * preview::adapted_exposure(stage.scene.sky);
+  std::optional<LitWorld> lit;
   for (std::size_t i = 0; i < cameras.size() && !interrupt.is_stopped(); ++i) {
     std::error_code none;
-    if (request.keeps_frames && std::filesystem::exists((*names)[i], none)) continue;
+    if (stage.request.keeps_frames && std::filesystem::exists((*names)[i], none)) continue;
     stage.options.on_progress = [&](double share) {
       on_progress("render", (static_cast<double>(i) + share) / static_cast<double>(cameras.size()));
     };
-    const Result<preview::Image> image = render_frame(request, stage, cameras[i], (*names)[i], exposure);
+    // cells are as fine as their camera needs; tiles are loaded once
+    if (!lit || stage.scene.recipes) lit.emplace(stage, cameras[i]);
+    const Result<preview::Image> image = render_frame(stage, *lit, cameras[i], (*names)[i], exposure);
     if (!image) return image.error();
-    print_summary((*names)[i], *image, tiles, console);
-    if (!request.rendered.camera.is_film())
-      print_json(*image, cameras[i], tiles, print_cells(stage.world, budget_bytes_of(request.rendered.cells), console),
-                 console);
+    print_summary(stage, (*names)[i], *image, lit->world);
+    note_if_blind(stage, lit->world, cameras[i], *image);
+    if (!stage.request.camera.is_film()) print_json(stage, *image, cameras[i], lit->world);
   }
   return Exit::kDone;
 }
 
 // Shows a window; the picture that P writes is the one of -o.
-Result<Exit> fly(const Request& request, const Stage& stage, const preview::Camera& camera, std::size_t tiles,
-                 const Console& console) {
+Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
+  const LitWorld lit(stage, camera);
   preview::Options options = stage.options;
-  options.exposure = request.exposure.factor * preview::adapted_exposure(stage.sky);
+  options.exposure = stage.request.exposure.factor * preview::adapted_exposure(stage.scene.sky);
   options.has_guides = false;
-  const auto write = [&](const preview::Image& image, const preview::Camera& at) {
-    const Result<Done> written =
-        preview::write_image(image, request.picture_path.empty() ? "preview.png" : request.picture_path,
-                             metadata_of(image, at, stage.sky, options.exposure));
-    if (!written) return console.print_error(written.error());
-    print_json(image, at, tiles, "", console);
+  const std::string path = stage.request.picture_path.empty() ? "preview.png" : stage.request.picture_path;
+  const auto write = [&](const preview::Image& image, const preview::Camera& at, double exposure) {
+    const Result<Done> written = preview::write_image(image, path, metadata_of(image, at, stage.scene.sky, exposure));
+    if (!written) return stage.console.print_error(written.error());
+    stage.console.print_line(fmt::format("{}: eye {:.2f},{:.2f},{:.2f}, look {:.2f},{:.2f},{:.2f}", path, at.eye.x,
+                                         at.eye.y, at.eye.z, at.look_at.x, at.look_at.y, at.look_at.z));
   };
-  const Result<Done> shown = preview::show_interactive(stage.world, stage.lights, stage.local, camera, options, write);
+  const Result<Done> shown = preview::show_interactive(lit.world, stage.lights, lit.local, camera, options, write);
   if (!shown) return shown.error();
   return Exit::kDone;
 }
@@ -176,19 +204,25 @@ Result<Exit> fly(const Request& request, const Stage& stage, const preview::Came
 Result<Exit> run(const Request& request, const Console& console) {
   if (request.picture_path.empty() && !request.is_interactive)
     return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
+  if (request.is_interactive)
+    if (const Result<Done> ready = preview::check_window(); !ready) return ready.error();
   const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);
   if (!environment) return environment.error();
-  RenderedRequest wanted = request.rendered;
-  wanted.height_px = request.size.height;
-  const Result<Rendered> rendered = load_rendered(wanted, console);
-  if (!rendered) return rendered.error();
-  const preview::World world = world_of(*rendered, request.rendered.cells);
-  const preview::Lights lights = *environment ? preview::Lights(**environment, rendered->lamps)
-                                              : preview::Lights(sky::generate(rendered->sky), rendered->lamps);
-  const preview::LocalLights local(world, lights.lamps(), request.rendered.load.threads);
-  const Stage stage{world, lights, local, rendered->sky, options_of(request)};
-  if (request.is_interactive) return fly(request, stage, rendered->cameras.front(), rendered->tiles(), console);
-  return render_frames(request, stage, rendered->cameras, rendered->tiles(), console);
+  const OnProgress on_progress = console.progress();
+  Result<PreviewScene> scene = load_preview_scene({.load = request.load,
+                                                   .cells = request.cells,
+                                                   .finds_views = request.camera.finds_view(),
+                                                   .needs_tiles = request.is_interactive},
+                                                  on_progress);
+  if (!scene) return scene.error();
+  const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
+  if (!cameras) return cameras.error();
+  scene->for_views = {};
+  const preview::Lights lights = *environment ? preview::Lights(**environment, scene->lamps)
+                                              : preview::Lights(sky::generate(scene->sky), scene->lamps);
+  const Stage stage{request, *scene, lights, console, options_of(request)};
+  if (request.is_interactive) return fly(stage, cameras->front());
+  return render_frames(stage, *cameras, on_progress);
 }
 
 std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
@@ -262,7 +296,7 @@ std::vector<Option> light_options(Request& request) {
        "date and time of the sky in UTC, such as 2026-12-21T22:00 (default: the scene's); a manifest gets lit windows "
        "by "
        "night",
-       false, store_text(request.rendered.load.time)},
+       false, store_text(request.load.time)},
       {"--environment", "FILE.exr|.hdr", "light from a panorama instead of sun and sky", false,
        store_text(request.environment_path)},
       {"--environment-turn", "DEG", "compass bearing of the panorama's middle (default: 0, north)", false,
@@ -297,9 +331,9 @@ Verb preview_verb() {
   const auto request = std::make_shared<Request>();
   Verb verb{"preview",
             "renders a picture of a manifest, a run's folder or .glb files",
-            tile_options(request->rendered.load, request->rendered.cells),
+            tile_options(request->load, request->cells),
             {}};
-  for (std::vector<Option> options : {camera_options(request->rendered.camera), sampling_options(*request),
+  for (std::vector<Option> options : {camera_options(request->camera), sampling_options(*request),
                                       light_options(*request), picture_options(*request)})
     for (Option& option : options) verb.options.push_back(std::move(option));
   verb.examples = {"citykiln preview out/town -o town.png",

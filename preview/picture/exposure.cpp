@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "preview/picture/tone_map.h"
 #include "preview/rgb.h"
 
 namespace citykiln::preview {
@@ -20,6 +21,15 @@ double auto_exposure(const Image& image) {
   for (const double value : values) sum += std::log2(value);
   const double mean = std::exp2(sum / static_cast<double>(values.size()));
   return std::clamp(kMeanLuminance / mean, 0x1p-10, 0x1p20);
+}
+
+bool is_black(const Image& image) {
+  double sums[3] = {};
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) sums[i % 3] += image.rgb[i];
+  const double pixels = std::max<double>(static_cast<double>(image.rgb.size()) / 3, 1);
+  const float mean[] = {static_cast<float>(sums[0] / pixels), static_cast<float>(sums[1] / pixels),
+                        static_cast<float>(sums[2] / pixels)};
+  return std::ranges::max(tone_map(mean)) < 3;
 }
 
 void expose(Image& image, double factor) {

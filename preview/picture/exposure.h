@@ -13,6 +13,9 @@ double auto_exposure(const Image& image);
 /// The geometric mean luminance of pictures by day at exposure 1: the mean of the town and Monaco from above.
 inline constexpr double kMeanLuminance = 0.9;
 
+/// Whether a screen shows nothing: all channels of the picture's tone-mapped mean are below 3 of 255.
+bool is_black(const Image& image);
+
 /// Multiplies the light of a picture.
 void expose(Image& image, double factor);
 

@@ -52,15 +52,31 @@ std::vector<std::uint8_t> screen_bytes(const Image& image, double exposure) {
   return bytes;
 }
 
+// Opens a window; never null.
+Result<void*> open_window(const Module& module, int width, int height) {
+  char error[512] = "";
+  void* window = module.open(width, height, "citykiln", error, sizeof error);
+  if (window == nullptr) return Error{"--interactive", std::string("no window could be opened: ") + error};
+  return window;
+}
+
 }  // namespace
 
-Result<Done> show_interactive(const World& world, const Lights& lights, const LocalLights& local, const Camera& camera,
-                              const Options& options, const std::function<void(const Image&, const Camera&)>& write) {
+Result<Done> check_window() {
   const Result<Module> module = load_module();
   if (!module) return module.error();
-  char error[512] = "";
-  void* window = module->open(options.width, options.height, "citykiln", error, sizeof error);
-  if (window == nullptr) return Error{"--interactive", std::string("no window could be opened: ") + error};
+  const Result<void*> window = open_window(*module, 64, 64);
+  if (!window) return window.error();
+  module->close(*window);
+  return Done{};
+}
+
+Result<Done> show_interactive(const World& world, const Lights& lights, const LocalLights& local, const Camera& camera,
+                              const Options& options, const WritePicture& write) {
+  const Result<Module> module = load_module();
+  if (!module) return module.error();
+  const Result<void*> window = open_window(*module, options.width, options.height);
+  if (!window) return window.error();
   Options unexposed = options;
   unexposed.exposure = 1;
   RefiningPicture picture(world, lights, local, unexposed);
@@ -84,12 +100,12 @@ Result<Done> show_interactive(const World& world, const Lights& lights, const Lo
     if (input.asks_for_picture != 0 && !shown.rgb.empty()) {
       Image exposed = shown;
       expose(exposed, exposure);
-      write(exposed, now);
+      write(exposed, now, exposure);
     }
     const std::vector<std::uint8_t> bytes = is_new ? screen_bytes(shown, exposure) : std::vector<std::uint8_t>();
-    module->show(window, bytes.empty() ? nullptr : bytes.data(), shown.width, shown.height, &input);
+    module->show(*window, bytes.empty() ? nullptr : bytes.data(), shown.width, shown.height, &input);
   }
-  module->close(window);
+  module->close(*window);
   return Done{};
 }
 

@@ -114,7 +114,8 @@ TEST(Bsdf, SamplesFollowTheirDensity) {
   leaf.translucency = 0.7;
   SurfacePoint bent = surface(0.5, 0.5f, 0);
   bent.shading_normal = unit(Vec3{0.4, 0.1, 1});
-  const std::vector<SurfacePoint> surfaces = {surface(0.5, 0.5f, 0), surface(0.8, 0.6f, 1), surface(0.3, 1, 0.5f), leaf, bent};
+  const std::vector<SurfacePoint> surfaces = {surface(0.5, 0.5f, 0), surface(0.8, 0.6f, 1), surface(0.3, 1, 0.5f), leaf,
+                                              bent};
   for (const SurfacePoint& point : surfaces)
     for (const double angle : {10.0, 70.0}) {
       int cells = 0;
