@@ -86,18 +86,20 @@ std::optional<Camera> square_view(std::span<const bake::BakedTile> tiles, const 
 }
 
 std::optional<Camera> river_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid) {
-  constexpr double kEye_m = 4, kFar_m = 400, kLeast_m = 40;
+  constexpr double kEye_m = 4, kFar_m = 400, kLeast_m = 40, kBank_m = 6;
   const World world(tiles, grid.core_point());
   const ViewProbe look{world};
   Best best;
   const auto is_water = [](Material material) { return material == Material::kWater; };
   for (const Vec3& place : places_near(tiles, grid.core_point(), is_water, 25, 150)) {
     const Vec3 eye = place + Vec3{0, 0, kEye_m};
-    if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m || !is_under_the_sky(look, eye)) continue;
+    const double room_m = look.room_m(eye, kBank_m);
+    if (room_m < kElbowRoom_m || !is_under_the_sky(look, eye)) continue;
     for (int direction = 0; direction < kDirections; ++direction) {
       const double ahead_m = look.walk_m(eye, level(direction), kFar_m);
       if (ahead_m < kLeast_m) continue;
-      const double value = std::sqrt(ahead_m) * (1 + buildings_ahead(look, eye, direction, 0.06, kFar_m));
+      const double value =
+          room_m * room_m * std::sqrt(ahead_m) * (1 + buildings_ahead(look, eye, direction, 0.06, kFar_m));
       best.offer(value, {eye, eye + level(direction) * 60 + Vec3{0, 0, 1}, 50});
     }
   }
@@ -151,11 +153,13 @@ std::optional<Camera> skyline_view(std::span<const bake::BakedTile> tiles, const
   Best best;
   for (int direction = 0; direction < kDirections; ++direction) {
     const Vec2 from = in_plan(core) + in_plan(level(direction)) * away_m;
-    const double ground_m = std::max(grid.lowest_m(from), core.z);
+    // hills that a column's lowest point does not show
+    const Vec3 above = at_height(from, std::max(grid.highest_m(from), target.z) + 100);
+    const double ground_m = std::max(above.z - look.sight_m(above, {0, 0, -1}, 1e4), core.z);
     // as low as the way to the target allows
     for (double rise_m = kAbove_m; rise_m < away_m / 3; rise_m *= 1.3) {
       const Vec3 eye = at_height(from, ground_m + rise_m);
-      if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m) continue;
+      if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m || !is_under_the_sky(look, eye)) continue;
       const double seen_m = look.sight_m(eye, unit(target - eye), 1e6);
       if (seen_m < length(target - eye) - 200) continue;
       best.offer(1 / rise_m, {eye, target, kFov_deg});

@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <zlib.h>
 
 #include <cerrno>
 #include <cstdint>
@@ -41,8 +42,36 @@ OIIO::ImageSpec spec_of(const CitykilnPicture& picture) {
     spec.channelformats.push_back(type_of(picture.channels[c].type));
   }
   spec.attribute("oiio:ColorSpace", picture.channels[0].type == kCitykilnByte ? "sRGB" : "Linear");
-  for (int i = 0; i < picture.text_count; ++i) spec.attribute(picture.texts[2 * i], picture.texts[2 * i + 1]);
+  // PNG's own texts are Latin-1: add_texts() writes them
+  const bool is_png = picture.channels[0].type == kCitykilnByte;
+  for (int i = 0; i < picture.text_count && !is_png; ++i)
+    spec.attribute(picture.texts[2 * i], picture.texts[2 * i + 1]);
+  // else the time of writing is added, and equal pictures would differ
+  if (!is_png && spec.find_attribute("DateTime") == nullptr) spec.attribute("DateTime", "1970:01:01 00:00:00");
   return spec;
+}
+
+void add_number(std::string& bytes, std::uint32_t number) {
+  for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<char>(number >> shift & 0xff));
+}
+
+// A chunk "iTXt" (PNG 1.2, 4.2.3.3): a name and a text in UTF-8, not compressed, of no language.
+std::string text_chunk(const std::string& name, const std::string& text) {
+  const std::string body = "iTXt" + name + std::string(5, '\0') + text;
+  std::string chunk;
+  add_number(chunk, static_cast<std::uint32_t>(body.size() - 4));
+  chunk += body;
+  add_number(chunk, static_cast<std::uint32_t>(
+                        crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()))));
+  return chunk;
+}
+
+// Inserts the texts behind the header of a PNG file: 8 bytes of signature and 25 of IHDR.
+void add_texts(const CitykilnPicture& picture, Bytes& png) {
+  constexpr std::ptrdiff_t kHeader = 33;
+  std::string chunks;
+  for (int i = 0; i < picture.text_count; ++i) chunks += text_chunk(picture.texts[2 * i], picture.texts[2 * i + 1]);
+  png.insert(png.begin() + kHeader, chunks.begin(), chunks.end());
 }
 
 // The samples of all channels, pixel by pixel, in the types of the file.
@@ -71,7 +100,9 @@ std::string encode(const char* path, const CitykilnPicture& picture, Bytes& byte
   if (!out->open(path, spec)) return out->geterror();
   const bool written = out->write_image(OIIO::TypeDesc::UNKNOWN, interleaved(picture, spec).data());
   const std::string message = out->geterror();
-  return out->close() && written ? "" : message.empty() ? "could not be encoded" : message;
+  const bool is_whole = out->close() && written;
+  if (is_whole && picture.channels[0].type == kCitykilnByte) add_texts(picture, bytes);
+  return is_whole ? "" : message.empty() ? "could not be encoded" : message;
 }
 
 std::string save(const char* path, const Bytes& bytes) {

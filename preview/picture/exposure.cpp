@@ -20,7 +20,8 @@ double auto_exposure(const Image& image) {
   double sum = 0;
   for (const double value : values) sum += std::log2(value);
   const double mean = std::exp2(sum / static_cast<double>(values.size()));
-  return std::clamp(kMeanLuminance / mean, 0x1p-10, 0x1p20);
+  const double stops = std::log2(kMeanLuminance / mean);
+  return std::exp2(std::clamp(stops > 0 ? stops * 3 / 4 : stops, -10.0, 20.0));
 }
 
 bool is_black(const Image& image) {
