@@ -62,19 +62,18 @@ bool is_free(const TraceContext& context, const Hit& hit, Vec3 direction,
 Rgb from_sun(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, UnitPair chance, bool goes_on) {
   if (!context.lights.has_sun()) return {};
   const Vec3 to_sun = context.lights.sample_sun(chance);
-  const Rgb reflected = bsdf.reflected(to_sun);
-  if (largest(reflected) <= 0 || !is_free(context, hit, to_sun)) return {};
+  const Scattering scattered = bsdf.scattering(to_sun);
+  if (largest(scattered.light) <= 0 || !is_free(context, hit, to_sun)) return {};
   const double pdf = 1 / context.lights.sun_solid_angle();
-  return context.lights.sun_radiance() * reflected * (1 / (pdf + (goes_on ? bsdf.pdf(to_sun) : 0)));
+  return context.lights.sun_radiance() * scattered.light * (1 / (pdf + (goes_on ? scattered.pdf : 0)));
 }
 
 Rgb from_sky(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, UnitPair chance, bool goes_on) {
   const DirectionSample drawn = context.lights.sample_sky(chance);
   if (drawn.pdf <= 0) return {};
-  const Rgb reflected = bsdf.reflected(drawn.direction);
-  if (largest(reflected) <= 0 || !is_free(context, hit, drawn.direction)) return {};
-  return context.lights.falling(drawn.direction) * reflected *
-         (1 / (drawn.pdf + (goes_on ? bsdf.pdf(drawn.direction) : 0)));
+  const Scattering scattered = bsdf.scattering(drawn.direction);
+  if (largest(scattered.light) <= 0 || !is_free(context, hit, drawn.direction)) return {};
+  return context.lights.falling(drawn.direction) * scattered.light * (1 / (drawn.pdf + (goes_on ? scattered.pdf : 0)));
 }
 
 // Light of sun and sky: of both where the eye sees the surface, else of one, chosen at random.
@@ -96,7 +95,7 @@ Rgb from_lamp(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, dou
   if (!drawn) return {};
   // mirrors see the glass of lamps
   const bool is_mirror = bsdf.alpha() < kMirrorAlpha;
-  const Rgb reflected = is_mirror ? bsdf.matt(drawn->direction) : bsdf.reflected(drawn->direction);
+  const Rgb reflected = is_mirror ? bsdf.matt(drawn->direction) : bsdf.scattering(drawn->direction).light;
   if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
   return drawn->light * reflected;
 }
@@ -105,9 +104,9 @@ Rgb from_emitter(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, 
   const double chance = draw.next().u;
   const auto drawn = context.local.sample_emitter(hit.position, receiving_normal(hit, bsdf), chance, draw.next());
   if (!drawn) return {};
-  const Rgb reflected = bsdf.reflected(drawn->direction);
-  if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
-  return drawn->light * reflected * (goes_on ? balanced(drawn->pdf, bsdf.pdf(drawn->direction)) : 1);
+  const Scattering scattered = bsdf.scattering(drawn->direction);
+  if (largest(scattered.light) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
+  return drawn->light * scattered.light * (goes_on ? balanced(drawn->pdf, scattered.pdf) : 1);
 }
 
 Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
@@ -149,18 +148,18 @@ void pass_air(const TraceContext& context, double distance_m, Path& path) {
 }
 
 // Ends paths of little weight at random, and makes up for them. Returns false where the path ends.
-bool plays_roulette(const TraceContext& context, Path& path, PathDraw& draw) {
+bool plays_roulette(const TraceContext& context, Path& path, double chance) {
   const double carried = largest(path.weight);
   if (!(carried > 0)) return false;
   if (carried >= context.roulette) return true;
   const double kept = carried / context.roulette;
-  if (draw.next().u >= kept) return false;
+  if (chance >= kept) return false;
   path.weight = path.weight * (1 / kept);
   return true;
 }
 
 // Continues a path in a sampled direction. Returns false where it ends.
-bool go_on(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, const BsdfSample& drawn, PathDraw& draw,
+bool go_on(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, const BsdfSample& drawn, double chance,
            Path& path) {
   path.weight = path.weight * drawn.weight;
   path.direction = drawn.direction, path.pdf = drawn.pdf, path.from = leave(hit, drawn.direction);
@@ -168,7 +167,7 @@ bool go_on(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, const 
   path.is_sharp = drawn.lobe_rad < kMirrorAlpha;
   path.spread_rad = std::max(path.spread_rad, std::min(drawn.lobe_rad, kScattered_rad));
   if (!path.is_sharp || ++path.mirrors > kMostMirrors) ++path.bounce;
-  return plays_roulette(context, path, draw);
+  return plays_roulette(context, path, chance);
 }
 
 // Light that is not finite becomes 0.
@@ -212,9 +211,9 @@ Rgb light_behind(const TraceContext& context, Path path, PathDraw& draw) {
   while (true) {
     const std::optional<Meeting> met = meet(context, path, draw);
     if (!met || path.bounce >= context.bounces) return path.light;
-    const double lobe = draw.next().u;
-    const BsdfSample drawn = met->bsdf.sample(lobe, draw.next());
-    if (!go_on(context, met->hit, met->bsdf, drawn, draw, path)) return path.light;
+    const UnitPair choice = draw.next();
+    const BsdfSample drawn = met->bsdf.sample(choice.u, draw.next());
+    if (!go_on(context, met->hit, met->bsdf, drawn, choice.v, path)) return path.light;
   }
 }
 
@@ -258,20 +257,20 @@ TracedPath trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDra
   if (!met) return {sound(path.light), {}};
   const auto& [hit, bsdf] = *met;
   Rgb light = path.light;
+  const UnitPair choice = draw.next();
   const auto follow = [&](const BsdfSample& drawn) {
     Path next = path;
-    if (go_on(context, hit, bsdf, drawn, draw, next)) light = light + light_behind(context, next, draw);
+    if (go_on(context, hit, bsdf, drawn, choice.v, next)) light = light + light_behind(context, next, draw);
   };
-  const double lobe = draw.next().u;
   const UnitPair chance = draw.next();
   if (context.bounces > 0 && bsdf.is_split()) {
     follow(bsdf.sample_facets(chance));
     if (hit.pane)
       light = light + light_of_room(context, hit, bsdf, path, draw);
     else
-      follow(bsdf.sample_body(lobe, draw.next()));
+      follow(bsdf.sample_body(choice.u, draw.next()));
   } else if (context.bounces > 0) {
-    follow(bsdf.sample(lobe, chance));
+    follow(bsdf.sample(choice.u, chance));
   }
   return {sound(light), {hit.albedo, hit.shading_normal, hit.distance_m, hit.feature}};
 }

@@ -180,16 +180,18 @@ double adapted_exposure(const sky::Sky& sky) {
   return std::exp2(std::min(below_deg, kLowest_deg));
 }
 
-Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options) {
+Image render(const World& world, const Lights& lights, const LocalLights& local, const Camera& camera,
+             const Options& options) {
   if (options.width <= 0 || options.height <= 0) return {};
   const auto begin = std::chrono::steady_clock::now();
   const CameraRays rays(camera, options.width, options.height);
-  const LocalLights local(world, lights.lamps(), options.threads);
   const TraceContext context{.world = world,
                              .lights = lights,
                              .local = local,
                              .bounces = std::max(options.bounces, 0),
-                             .pixel_rad = rays.pixel_rad()};
+                             .pixel_rad = rays.pixel_rad(),
+                             .roulette = options.roulette,
+                             .has_caustics = options.has_caustics};
   const Shot shot{context, rays, options};
   std::vector<Block> blocks;
   for (const GridPlace& place : in_morton_order(blocks_along(options.width), blocks_along(options.height)))
@@ -206,6 +208,10 @@ Image render(const World& world, const Lights& lights, const Camera& camera, con
   image.statistics.is_complete = options.is_stopped == nullptr || !*options.is_stopped;
   image.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return image;
+}
+
+Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options) {
+  return render(world, lights, LocalLights(world, lights.lamps(), options.threads), camera, options);
 }
 
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,

@@ -9,6 +9,7 @@
 #include "compiler/sky/recipe.h"
 #include "preview/camera/camera.h"
 #include "preview/light/light.h"
+#include "preview/light/local_lights.h"
 #include "preview/picture/image.h"
 #include "preview/scene/world.h"
 
@@ -18,6 +19,8 @@ struct Options {
   int width = 1280, height = 720;
   int samples = 64;  ///< Paths per pixel; with `noise` at most.
   int bounces = 3;
+  double roulette = 0.1;      ///< As TraceContext.
+  bool has_caustics = false;  ///< As TraceContext.
   double exposure = 1;
   int threads = 0;
   std::uint64_t seed = 0;
@@ -37,6 +40,10 @@ struct Options {
 ///
 /// Method: passes over the picture, each of which doubles the samples. Blocks of 32 by 32 pixels, and pixels in them,
 /// follow in Morton order, so that neighbouring rays follow each other.
+Image render(const World& world, const Lights& lights, const LocalLights& local, const Camera& camera,
+             const Options& options);
+
+/// Renders one picture, with the lights in the world: several pictures share them better by the function above.
 Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options);
 
 /// Renders baked tiles: the same picture whether they were baked or read from .glb.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace citykiln::preview {
 namespace {
@@ -41,15 +42,25 @@ constexpr std::array<std::uint32_t, 64> kSecond = [] {
   return columns;
 }();
 
+// The same, for each byte of an index: the columns of its bits, added.
+constexpr std::array<std::array<std::uint32_t, 256>, 6> kSecondByByte = [] {
+  std::array<std::array<std::uint32_t, 256>, 6> tables{};
+  for (std::size_t byte = 0; byte < tables.size(); ++byte)
+    for (std::size_t value = 0; value < 256; ++value)
+      for (std::size_t bit = 0; bit < 8; ++bit)
+        if ((value >> bit & 1) != 0) tables[byte][value] ^= kSecond[8 * byte + bit];
+  return tables;
+}();
+
 std::uint32_t second_sobol(std::uint64_t index) {
+  assert(index >> 48 == 0);
   std::uint32_t v = 0;
-  for (; index != 0; index &= index - 1) v ^= kSecond[std::countr_zero(index)];
+  for (std::size_t byte = 0; index != 0; ++byte, index >>= 8) v ^= kSecondByByte[byte][index & 0xff];
   return v;
 }
 
-// Owen scrambling of binary digits, by a hash in which each bit depends only on those above it.
+// Owen scrambling of binary digits, given in reverse, by a hash in which each bit depends only on those above it.
 double scrambled(std::uint32_t v, std::uint32_t key) {
-  v = reversed(v);
   v ^= v * 0x3d20adeau;
   v += key;
   v *= (key >> 16) | 1;
@@ -77,14 +88,20 @@ std::uint64_t key_of(std::uint64_t seed, std::uint32_t dimension) {
 SampleGrid grid_of(int width, int height, int samples) { return {log2_up(std::max(width, height)), log2_up(samples)}; }
 
 PixelSamples::PixelSamples(std::uint64_t seed, std::uint32_t x, std::uint32_t y, SampleGrid grid)
-    : seed_(seed), morton_(spread(x) | (spread(y) << 1)), grid_(grid) {
-  for (std::uint32_t dimension = 0; dimension < kOrdered; ++dimension) {
-    const std::uint64_t key = key_of(seed, dimension);
-    for (int digit = grid.log2_side - 1; digit >= 0; --digit) {
-      const std::uint64_t value = (morton_ >> (2 * digit)) & 3, above = morton_ >> (2 * digit + 2);
-      places_[dimension] |= shuffled(value, mix(above ^ key)) << (2 * digit);
-    }
+    : seed_(seed), morton_(spread(x) | (spread(y) << 1)), grid_(grid) {}
+
+std::uint64_t PixelSamples::place(std::uint32_t dimension) const {
+  static_assert(kOrdered <= 32);
+  std::uint64_t& place = places_[dimension];
+  if ((found_ >> dimension & 1) != 0) return place;
+  found_ |= 1u << dimension;
+  place = 0;
+  const std::uint64_t key = key_of(seed_, dimension);
+  for (int digit = grid_.log2_side - 1; digit >= 0; --digit) {
+    const std::uint64_t value = (morton_ >> (2 * digit)) & 3, above = morton_ >> (2 * digit + 2);
+    place |= shuffled(value, mix(above ^ key)) << (2 * digit);
   }
+  return place;
 }
 
 UnitPair PixelSamples::pair(std::uint32_t sample, std::uint32_t dimension) const {
@@ -94,13 +111,13 @@ UnitPair PixelSamples::pair(std::uint32_t sample, std::uint32_t dimension) const
     const std::uint64_t h = mix(whole ^ key);
     return {static_cast<double>(h >> 32) * 0x1p-32, static_cast<double>(h & 0xffffffffu) * 0x1p-32};
   }
-  std::uint64_t index = places_[dimension] << grid_.log2_samples;
+  std::uint64_t index = place(dimension) << grid_.log2_samples;
   int shift = grid_.log2_samples - 2;
   for (; shift >= 0; shift -= 2) index |= shuffled((sample >> shift) & 3, mix((whole >> (shift + 2)) ^ key)) << shift;
   // an odd power of two leaves one bit
   if (shift == -1) index |= (sample & 1) ^ (mix((whole >> 1) ^ key) & 1);
-  return {scrambled(reversed(static_cast<std::uint32_t>(index)), static_cast<std::uint32_t>(key)),
-          scrambled(second_sobol(index), static_cast<std::uint32_t>(key >> 32))};
+  return {scrambled(static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(key)),
+          scrambled(reversed(second_sobol(index)), static_cast<std::uint32_t>(key >> 32))};
 }
 
 }  // namespace citykiln::preview

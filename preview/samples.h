@@ -21,7 +21,7 @@ struct SampleGrid {
 /// The smallest grid for a picture. Sizes and samples below 1 count as 1.
 SampleGrid grid_of(int width, int height, int samples);
 
-/// All samples of one pixel. Cost of construction: one hash per dimension and bit of the side.
+/// All samples of one pixel. Not thread-safe. Cost: one hash per dimension that is used and bit of the side.
 ///
 /// Method: Owen-scrambled Sobol points in the order of a shuffled Morton curve, so that every aligned square of pixels
 /// has evenly distributed points, too, and the remaining error looks like fine grain instead of clumps. Source: Ahmed,
@@ -35,11 +35,15 @@ class PixelSamples {
   UnitPair pair(std::uint32_t sample, std::uint32_t dimension) const;
 
  private:
+  std::uint64_t place(std::uint32_t dimension) const;
+
   // higher dimensions are plain hashes: by then a path carries little light
   static constexpr std::uint32_t kOrdered = 20;
   std::uint64_t seed_, morton_;
   SampleGrid grid_;
-  std::array<std::uint64_t, kOrdered> places_{};
+  // where the curve of a dimension passes the pixel, found when a path first needs it
+  mutable std::array<std::uint64_t, kOrdered> places_;
+  mutable std::uint32_t found_ = 0;
 };
 
 /// The points of one path, dimension by dimension.

@@ -39,6 +39,10 @@ std::size_t default_budget_bytes() {
   return std::min(kMost, static_cast<std::size_t>(pages) * static_cast<std::size_t>(page_bytes) / 2);
 }
 
+std::size_t budget_bytes_of(const CellRequest& request) {
+  return request.budget_bytes > 0 ? request.budget_bytes : default_budget_bytes();
+}
+
 Take store_bytes(std::size_t& bytes) {
   return [&bytes](const std::string& text) -> Result<Done> {
     const Error wrong{text, "expected a size of at least 1 MB, such as 200MB or 4GB"};

@@ -20,6 +20,8 @@ struct CellRequest {
 
 /// 2 GB, or half of the machine's memory where that is less.
 std::size_t default_budget_bytes();
+/// What is asked for, or the default.
+std::size_t budget_bytes_of(const CellRequest& request);
 
 /// Stores a size of memory: "200MB", "4GB", "1.5GiB"; at least 1 MB.
 Take store_bytes(std::size_t& bytes);

@@ -2,148 +2,227 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "compiler/commands/ground_height.h"
+#include "compiler/commands/camera_options.h"
+#include "compiler/commands/frame_names.h"
 #include "compiler/commands/load_cells.h"
 #include "compiler/commands/load_tiles.h"
+#include "compiler/commands/preview_scene.h"
+#include "compiler/commands/stop_on_interrupt.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
-#include "compiler/sky/plan.h"
+#include "compiler/contract/parse.h"
 #include "compiler/spec.h"
+#include "preview/camera/view_probe.h"
+#include "preview/picture/read_environment.h"
+#include "preview/picture/denoise.h"
+#include "preview/picture/exposure.h"
 #include "preview/render.h"
+#include "preview/window/interactive.h"
 
 namespace citykiln::commands {
 namespace {
 
+// --exposure: a factor, stops, or automatic.
+struct Exposure {
+  double factor = 1;
+  bool is_auto = false;
+};
+
 struct Request {
   LoadRequest load;
   CellRequest cells;
-  std::string picture_path, view = "overview";
-  std::optional<GivenPoint> eye, look_at;             ///< Plane metres.
-  std::optional<GivenPoint> eye_lonlat, look_lonlat;  ///< Longitude and latitude in degrees, height in metres.
-  std::optional<double> fov_deg;
+  CameraRequest camera;
+  std::string picture_path, environment_path;
+  double environment_turn_deg = 0;
   PictureSize size;
+  Exposure exposure;
+  bool is_denoised = false, keeps_frames = false, is_interactive = false;
   preview::Options options;
 };
 
-Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded, const GroundHeight& ground_m,
-                                  const Console& console) {
-  const auto point = [&](const auto& in_plane, const auto& lonlat) {
-    return point_of(in_plane, lonlat, loaded.header, ground_m);
-  };
-  const Result<std::optional<Vec3>> eye = point(request.eye, request.eye_lonlat);
-  const Result<std::optional<Vec3>> look_at = point(request.look_at, request.look_lonlat);
-  if (!eye) return eye.error();
-  if (!look_at) return look_at.error();
-  if (eye->has_value() != look_at->has_value()) return Error{"", "--eye and --look must be given together"};
-  if (eye->has_value()) note_if_below_ground(**eye, ground_m, console);
-
-  Result<preview::Camera> camera =
-      eye->has_value() ? Result(preview::Camera{**eye, **look_at}) : preview::named_view(loaded.tiles, request.view);
-  if (camera && request.fov_deg) camera->vertical_fov_deg = *request.fov_deg;
-  return camera;
+/// The environment map that replaces the sky, if one is given.
+Result<std::optional<preview::EnvironmentMap>> environment_of(const Request& request, const Console& console) {
+  if (request.environment_path.empty()) return std::optional<preview::EnvironmentMap>();
+  Result<preview::ReadEnvironment> read =
+      preview::read_environment(request.environment_path, request.environment_turn_deg);
+  if (!read) return read.error();
+  if (read->mended > 0)
+    console.print_line(fmt::format("note: {} has {} pixels that are negative or not finite; they count as black",
+                                   request.environment_path, read->mended));
+  return std::optional(std::move(read->map));
 }
 
-/// The scene's sky, or the sky at another time; without a manifest at 45° north.
-Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Header>& header) {
-  if (header && request.load.time.empty()) return header->sky;
-  return sky::plan(header ? header->origin : map::LonLat{0, 45}, request.load.time);
+std::vector<preview::Metadata> metadata_of(const preview::Image& image, const preview::Camera& camera,
+                                           const sky::Sky& sky, double exposure) {
+  const auto text = [](Vec3 p) { return fmt::format("{:.3f},{:.3f},{:.3f}", p.x, p.y, p.z); };
+  const preview::RenderStatistics& made = image.statistics;
+  return {{"Eye", text(camera.eye)},
+          {"Look", text(camera.look_at)},
+          {"VerticalFieldOfView", fmt::format("{}", camera.vertical_fov_deg)},
+          {"LensDiameter", fmt::format("{}", camera.lens_radius_m * 2)},
+          {"Time", sky.time},
+          {"Exposure", fmt::format("{}", exposure)},
+          {"Samples", made.least_samples == made.most_samples
+                          ? fmt::format("{}", made.most_samples)
+                          : fmt::format("{} to {}", made.least_samples, made.most_samples)}};
 }
 
-std::size_t budget_bytes_of(const CellRequest& request) {
-  return request.budget_bytes > 0 ? request.budget_bytes : default_budget_bytes();
-}
+// Eyes that have a surface this near in all directions of the picture are inside something.
+constexpr double kBlind_m = 0.3;
 
-/// What is rendered: tiles, or cells.
-struct Rendered {
-  Loaded loaded;  ///< Without tiles for cells.
-  preview::Camera camera;
-  sky::Sky sky;
-  std::shared_ptr<const preview::CellSource> cells;  ///< Null for tiles.
-  std::vector<preview::StreetLamp> lamps;
-
-  std::size_t tiles() const { return cells ? cells->scene().chunks.size() : loaded.tiles.size(); }
-  preview::World world(const CellRequest& request) const {
-    if (!cells) return preview::World(loaded.tiles, camera.eye);
-    return preview::World(cells, camera.eye, budget_bytes_of(request));
-  }
+// What all frames have in common.
+struct Stage {
+  const Request& request;
+  const PreviewScene& scene;
+  const preview::Lights& lights;
+  const Console& console;
+  preview::Options options;
 };
 
-Result<Rendered> render_tiles(const Request& request, const Console& console) {
-  Result<Loaded> loaded = load_tiles(request.load, console.progress());
-  if (!loaded) return loaded.error();
-  const Result<sky::Sky> sky = sky_of(request, loaded->header);
-  if (!sky) return sky.error();
-  const GroundHeight ground_m = [&](Vec2 place) { return ground_height_m(loaded->tiles, place); };
-  const Result<preview::Camera> camera = camera_of(request, *loaded, ground_m, console);
-  if (!camera) return camera.error();
-  std::vector<preview::StreetLamp> lamps;
-  if (sky::is_night(*sky)) lamps = preview::lamps_of(loaded->tiles);
-  return Rendered{std::move(*loaded), *camera, *sky, nullptr, std::move(lamps)};
+// The surfaces that rays meet, and the lights among them.
+struct LitWorld {
+  preview::World world;
+  preview::LocalLights local;
+
+  LitWorld(const Stage& stage, const preview::Camera& camera)
+      : world(world_of(stage.scene, camera, stage.options.height, stage.request.cells)),
+        local(world, stage.lights.lamps(), stage.options.threads) {}
+};
+
+void print_summary(const Stage& stage, const std::string& path, const preview::Image& image,
+                   const preview::World& world) {
+  const preview::RenderStatistics& made = image.statistics;
+  const std::string paths = made.least_samples == made.most_samples
+                                ? fmt::format("{} paths each", made.most_samples)
+                                : fmt::format("{} to {} paths each", made.least_samples, made.most_samples);
+  stage.console.print_line(fmt::format("{}: {} x {} pixels, {}, {} tiles{}", path, image.width, image.height, paths,
+                                       stage.scene.tiles(),
+                                       made.is_complete ? "" : "; interrupted before all paths were traced"));
+  if (const auto counters = world.counters())
+    stage.console.print_line(text_of(*counters, budget_bytes_of(stage.request.cells)));
 }
 
-/// A view that was chosen on coarse ground: near the ground its height above that is kept.
-preview::Camera on_ground(preview::Camera camera, std::span<const bake::BakedTile> coarse,
-                          const GroundHeight& ground_m) {
-  constexpr double kNear_m = 5;
-  const std::optional<double> low_m = ground_height_m(coarse, in_plan(camera.eye));
-  if (!low_m || camera.eye.z - *low_m > kNear_m) return camera;
-  if (const std::optional<double> exact_m = ground_m(in_plan(camera.eye))) {
-    camera.eye.z += *exact_m - *low_m, camera.look_at.z += *exact_m - *low_m;
+void print_json(const Stage& stage, const preview::Image& image, const preview::Camera& camera,
+                const preview::World& world) {
+  const preview::RenderStatistics& made = image.statistics;
+  const auto counters = world.counters();
+  const std::string cells = counters ? ", " + json_of(*counters, budget_bytes_of(stage.request.cells)) : "";
+  stage.console.print_json(fmt::format(
+      R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}, "paths": {}, "seconds": {:.3f}, )"
+      R"("samples": [{}, {}], "complete": {}{}}})",
+      camera.eye.x, camera.eye.y, camera.eye.z, camera.look_at.x, camera.look_at.y, camera.look_at.z,
+      camera.vertical_fov_deg, stage.scene.tiles(), made.paths, made.seconds, made.least_samples, made.most_samples,
+      made.is_complete, cells));
+}
+
+// The options of render() for a request.
+preview::Options options_of(const Request& request) {
+  preview::Options options = request.options;
+  options.width = request.size.width, options.height = request.size.height;
+  options.threads = request.load.threads;
+  options.has_guides = request.is_denoised || request.picture_path.ends_with(".exr");
+  return options;
+}
+
+// Renders one frame and writes it. `exposure` is the factor of all frames, decided by the first one.
+Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, const preview::Camera& camera,
+                                    const std::string& path, std::optional<double>& exposure) {
+  preview::Image image = preview::render(lit.world, stage.lights, lit.local, camera, stage.options);
+  if (stage.request.is_denoised) image = preview::denoise(image, stage.options.threads);
+  if (!exposure) exposure = preview::auto_exposure(image) * stage.request.exposure.factor;
+  preview::expose(image, *exposure);
+  const Result<Done> written =
+      preview::write_image(image, path, metadata_of(image, camera, stage.scene.sky, *exposure));
+  if (!written) return written.error();
+  return image;
+}
+
+// Says why a picture shows nothing: the eye is in a wall, or no light reaches what it sees.
+void note_if_blind(const Stage& stage, const preview::World& world, const preview::Camera& camera,
+                   const preview::Image& image) {
+  if (const double near_m = preview::farthest_in_picture_m(world, camera); near_m < kBlind_m)
+    return stage.console.print_line(fmt::format(
+        "note: a surface less than {:.2f} m away fills the picture; the eye may be inside a wall", kBlind_m));
+  if (preview::is_black(image))
+    stage.console.print_line(
+        "note: the picture is black; the eye may be inside a building or below the ground, or --exposure is too low");
+}
+
+Result<std::vector<std::string>> names_of(const Request& request, std::size_t cameras) {
+  if (!request.camera.is_film()) return std::vector{request.picture_path};
+  return frame_names(request.picture_path, static_cast<int>(cameras));
+}
+
+Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& cameras, const OnProgress& on_progress) {
+  const Result<std::vector<std::string>> names = names_of(stage.request, cameras.size());
+  if (!names) return names.error();
+  const StopOnInterrupt interrupt;
+  stage.options.is_stopped = &interrupt.is_stopped();
+  std::optional<double> exposure;
+  if (!stage.request.exposure.is_auto)
+    exposure = stage.request.exposure.factor * preview::adapted_exposure(stage.scene.sky);
+  std::optional<LitWorld> lit;
+  for (std::size_t i = 0; i < cameras.size() && !interrupt.is_stopped(); ++i) {
+    std::error_code none;
+    if (stage.request.keeps_frames && std::filesystem::exists((*names)[i], none)) continue;
+    stage.options.on_progress = [&](double share) {
+      on_progress("render", (static_cast<double>(i) + share) / static_cast<double>(cameras.size()));
+    };
+    // cells are as fine as their camera needs; tiles are loaded once
+    if (!lit || stage.scene.recipes) lit.emplace(stage, cameras[i]);
+    const Result<preview::Image> image = render_frame(stage, *lit, cameras[i], (*names)[i], exposure);
+    if (!image) return image.error();
+    print_summary(stage, (*names)[i], *image, lit->world);
+    note_if_blind(stage, lit->world, cameras[i], *image);
+    if (!stage.request.camera.is_film()) print_json(stage, *image, cameras[i], lit->world);
   }
-  return camera;
+  return Exit::kDone;
 }
 
-Result<Rendered> render_cells(const Request& request, const Console& console) {
-  Result<scene::Scene> scene = read_scene(request.load);
-  if (!scene) return scene.error();
-  const GroundHeight ground_m = [&](Vec2 place) { return ground_height_m(*scene, place); };
-  Loaded coarse{{}, scene->header};
-  const bool has_eye = request.eye || request.eye_lonlat;
-  if (!has_eye) coarse.tiles = coarse_tiles(*scene, request.load.threads);
-  Result<preview::Camera> camera = camera_of(request, coarse, ground_m, console);
-  if (!camera) return camera.error();
-  if (!has_eye) *camera = on_ground(*camera, coarse.tiles, ground_m);
-  const sky::Sky sky = scene->header.sky;
-  std::vector<preview::StreetLamp> lamps;
-  if (sky::is_night(sky)) lamps = preview::lamps_of(*scene, request.load.threads);
-  coarse.tiles = {};
-  return Rendered{std::move(coarse), *camera, sky,
-                  cells_for(std::move(*scene), *camera, request.size.height, request.cells.pixel_error),
-                  std::move(lamps)};
+// Shows a window; the picture that P writes is the one of -o.
+Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
+  const LitWorld lit(stage, camera);
+  preview::Options options = stage.options;
+  options.exposure = stage.request.exposure.factor * preview::adapted_exposure(stage.scene.sky);
+  options.has_guides = false;
+  const std::string path = stage.request.picture_path.empty() ? "preview.png" : stage.request.picture_path;
+  const auto write = [&](const preview::Image& image, const preview::Camera& at, double exposure) {
+    const Result<Done> written = preview::write_image(image, path, metadata_of(image, at, stage.scene.sky, exposure));
+    if (!written) return stage.console.print_error(written.error());
+    stage.console.print_line(fmt::format("{}: eye {:.2f},{:.2f},{:.2f}, look {:.2f},{:.2f},{:.2f}", path, at.eye.x,
+                                         at.eye.y, at.eye.z, at.look_at.x, at.look_at.y, at.look_at.z));
+  };
+  const Result<Done> shown = preview::show_interactive(lit.world, stage.lights, lit.local, camera, options, write);
+  if (!shown) return shown.error();
+  return Exit::kDone;
 }
 
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.picture_path.empty()) return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
+  if (request.picture_path.empty() && !request.is_interactive)
+    return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
+  if (request.is_interactive)
+    if (const Result<Done> ready = preview::check_window(); !ready) return ready.error();
+  const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);
+  if (!environment) return environment.error();
   const OnProgress on_progress = console.progress();
-  const Result<Rendered> rendered =
-      asks_for_cells(request.load) ? render_cells(request, console) : render_tiles(request, console);
-  if (!rendered) return rendered.error();
-  const preview::Camera& camera = rendered->camera;
-  preview::Options options = request.options;
-  options.on_progress = [&](double share) { on_progress("render", share); };
-  options.width = request.size.width, options.height = request.size.height;
-  options.threads = request.load.threads;
-  options.exposure *= preview::adapted_exposure(rendered->sky);
-  const preview::World world = rendered->world(request.cells);
-  const preview::Lights lights(sky::generate(rendered->sky), rendered->lamps);
-  const preview::Image image = preview::render(world, lights, camera, options);
-  const Result<Done> written = preview::write_image(image, request.picture_path);
-  if (!written) return written.error();
-
-  console.print_line(fmt::format("{}: {} x {} pixels, {} paths each, {} tiles", request.picture_path, image.width,
-                                 image.height, options.samples, rendered->tiles()));
-  std::string cells;
-  if (const auto counters = world.counters()) {
-    console.print_line(text_of(*counters, budget_bytes_of(request.cells)));
-    cells = ", " + json_of(*counters, budget_bytes_of(request.cells));
-  }
-  console.print_json(fmt::format(R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}{}}})",
-                                 camera.eye.x, camera.eye.y, camera.eye.z, camera.look_at.x, camera.look_at.y,
-                                 camera.look_at.z, camera.vertical_fov_deg, rendered->tiles(), cells));
-  return Exit::kDone;
+  Result<PreviewScene> scene = load_preview_scene({.load = request.load,
+                                                   .cells = request.cells,
+                                                   .finds_views = request.camera.finds_view(),
+                                                   .needs_tiles = request.is_interactive},
+                                                  on_progress);
+  if (!scene) return scene.error();
+  const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
+  if (!cameras) return cameras.error();
+  scene->for_views = {};
+  const preview::Lights lights = *environment ? preview::Lights(**environment, scene->lamps)
+                                              : preview::Lights(sky::generate(scene->sky), scene->lamps);
+  const Stage stage{request, *scene, lights, console, options_of(request)};
+  if (request.is_interactive) return fly(stage, cameras->front());
+  return render_frames(stage, *cameras, on_progress);
 }
 
 std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
@@ -167,38 +246,82 @@ std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
   };
 }
 
-std::vector<Option> camera_options(Request& request) {
+Take store_exposure(Exposure& exposure) {
+  return [&exposure](const std::string& text) -> Result<Done> {
+    exposure = {.factor = 1, .is_auto = text.starts_with("auto")};
+    std::string_view number = std::string_view(text).substr(exposure.is_auto ? 4 : 0);
+    if (exposure.is_auto && number.empty()) return Done{};
+    const bool is_stops = number.starts_with('+') || number.starts_with('-');
+    const auto given = number_in<double>(number.starts_with('+') ? number.substr(1) : number);
+    const bool is_known = given && (is_stops ? std::abs(*given) <= 40 : *given > 0 && !exposure.is_auto);
+    if (!is_known)
+      return Error{"", fmt::format("expected stops with a sign such as +1 or -0.5, a factor above 0, auto, or auto+1, "
+                                   "found \"{}\"",
+                                   text)};
+    exposure.factor = is_stops ? std::exp2(*given) : *given;
+    return Done{};
+  };
+}
+
+Take store_switch(bool& is_on) {
+  return [&is_on](const std::string&) -> Result<Done> {
+    is_on = true;
+    return Done{};
+  };
+}
+
+std::vector<Option> sampling_options(Request& request) {
   return {
-      {"--view", "NAME", "overview, street, top, north, south, east, west or low (default: overview)", false,
-       store_text(request.view)},
-      {"--eye", "X,Y,Z",
-       "place of the viewer in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the ground; needs --look",
-       false, store_point(request.eye)},
-      {"--look", "X,Y,Z", "place in the middle of the picture, such as 0,0,20", false, store_point(request.look_at)},
-      {"--eye-lonlat", "LON,LAT,HEIGHT", "place of the viewer in degrees and metres, such as 7.42,43.73,150", false,
-       store_point(request.eye_lonlat)},
-      {"--look-lonlat", "LON,LAT,HEIGHT", "place in the middle of the picture in degrees and metres", false,
-       store_point(request.look_lonlat)},
-      {"--fov", "DEG", "vertical field of view in degrees (default: 45)", false,
-       store_number(request.fov_deg, kFieldsOfView_deg)},
+      {"--spp", "N", "light paths for each pixel; more give less noise (default: 64)", false,
+       store_whole(request.options.samples, 1)},
+      {"--noise", "X",
+       "fewer paths where they suffice: --spp is the most, and blocks of pixels get as many as a relative error of X, "
+       "such as 0.05, needs",
+       false, store_number(request.options.noise, {})},
+      {"--bounces", "N", "reflections of each light path (default: 3)", false, store_whole(request.options.bounces, 0)},
+      {"--roulette", "X",
+       "paths that carry less than this share of light may end, and those that do not count for them; 0: none end "
+       "(default: 0.1)",
+       false, store_number(request.options.roulette, {0, 1, true})},
+      {"--caustics", "", "light that mirrors and glass throw on matt surfaces stays sharp, with more noise", false,
+       store_switch(request.options.has_caustics)},
+      {"--denoise", "", "removes the noise that is left, guided by albedo, normals and depth", false,
+       store_switch(request.is_denoised)},
+  };
+}
+
+std::vector<Option> light_options(Request& request) {
+  return {
+      {"--time", "ISO",
+       "date and time of the sky in UTC, such as 2026-12-21T22:00 (default: the scene's); a manifest gets lit windows "
+       "by "
+       "night",
+       false, store_text(request.load.time)},
+      {"--environment", "FILE.exr|.hdr", "light from a panorama instead of sun and sky", false,
+       store_text(request.environment_path)},
+      {"--environment-turn", "DEG", "compass bearing of the panorama's middle (default: 0, north)", false,
+       store_number(request.environment_turn_deg, {-360, 360, true})},
   };
 }
 
 std::vector<Option> picture_options(Request& request) {
   return {
       {"--size", "WxH", "size in pixels (default: 1280x720)", false, store_size(request.size)},
-      {"--spp", "N", "light paths for each pixel; more give less noise (default: 64)", false,
-       store_whole(request.options.samples, 1)},
-      {"--bounces", "N", "reflections of each light path (default: 3)", false, store_whole(request.options.bounces, 0)},
-      {"--exposure", "X",
-       "factor on the brightness; the adaptation of eyes to the dark is added by itself (default: 1)", false,
-       store_number(request.options.exposure, {})},
-      {"--time", "ISO",
-       "date and time of the sky in UTC, such as 2026-12-21T22:00 (default: the scene's); a manifest gets lit windows "
-       "by "
-       "night",
-       false, store_text(request.load.time)},
-      {"-o,--out", "FILE.png|FILE.exr", "picture to write", false, store_text(request.picture_path)},
+      {"--exposure", "STOPS|X|auto",
+       "brightness: stops with a sign, such as +1 or -0.5, or a factor without, on top of the adaptation of eyes to "
+       "the "
+       "dark; auto is by the picture's own brightness, auto+1 a stop more (default: +0)",
+       false, store_exposure(request.exposure)},
+      {"--keep-frames", "", "pictures of --path or --turntable that are there already are not rendered again", false,
+       store_switch(request.keeps_frames)},
+      {"--interactive", "",
+       "a window to fly in while the picture refines: W A S D Q E and the mouse, shift is faster, + and - change the "
+       "exposure, P writes a picture (preview.png, or -o), Esc ends",
+       false, store_switch(request.is_interactive)},
+      {"-o,--out", "FILE.png|FILE.exr",
+       "picture to write, or with --path and --turntable pictures: frame_####.png; .exr has albedo, normals, depth and "
+       "ids as further channels",
+       false, store_text(request.picture_path)},
   };
 }
 
@@ -210,11 +333,13 @@ Verb preview_verb() {
             "renders a picture of a manifest, a run's folder or .glb files",
             tile_options(request->load, request->cells),
             {}};
-  for (Option& option : camera_options(*request)) verb.options.push_back(std::move(option));
-  for (Option& option : picture_options(*request)) verb.options.push_back(std::move(option));
+  for (std::vector<Option> options : {camera_options(request->camera), sampling_options(*request),
+                                      light_options(*request), picture_options(*request)})
+    for (Option& option : options) verb.options.push_back(std::move(option));
   verb.examples = {"citykiln preview out/town -o town.png",
                    "citykiln preview out/town --view street --time 2026-12-21T22:00 -o night.png",
-                   "citykiln preview out/town/scene.kiln --eye 0,-200,+60 --look 0,0,+5 --spp 256 -o town.exr"};
+                   "citykiln preview out/town/scene.kiln --eye 0,-200,+60 --look 0,0,+5 --spp 256 -o town.exr",
+                   "citykiln preview out/town --turntable 100 --denoise --spp 16 -o frame_###.png"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

@@ -27,7 +27,9 @@ struct Camera {
 };
 
 /// A named view of a scene: "overview" (from the south-east, all of it), "street", "top", "north", "south", "east",
-/// "west", "low". A function of the tiles' content. Error: an unknown name; the message lists the known ones.
+/// "west", "low", and "square", "river", "hilltop", "roofs", "skyline", which a scene may lack (place_views.h). A
+/// function of the tiles' content. Errors: an unknown name; the message lists the known ones; a scene without such a
+/// place.
 Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name);
 
 }  // namespace citykiln::preview

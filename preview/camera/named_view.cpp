@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "preview/camera/camera.h"
+#include "preview/camera/place_views.h"
 #include "preview/camera/scene_grid.h"
 #include "preview/camera/street_view.h"
 
@@ -101,6 +102,20 @@ Camera low_view(const SceneGrid& grid) {
   return best;
 }
 
+// Views of places that not every scene has.
+struct PlaceView {
+  const char* name;
+  std::optional<Camera> (*find)(std::span<const bake::BakedTile> tiles, const SceneGrid& grid);
+  const char* lack;
+};
+
+constexpr PlaceView kPlaceViews[] = {
+    {"square", square_view, "there is no open paved place in this scene"},
+    {"river", river_view, "there is no open water in this scene"},
+    {"hilltop", hilltop_view, "there is no hill in this scene from which its middle can be seen"},
+    {"roofs", roofs_view, "nothing is built in this scene"},
+    {"skyline", skyline_view, "nothing tall is built in this scene"}};
+
 }  // namespace
 
 Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name) {
@@ -110,6 +125,13 @@ Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::str
   std::string known = "street, low";
   for (const View& view : kOutsideViews) {
     if (name == view.name) return outside_view(grid, view);
+    known += std::string(", ") + view.name;
+  }
+  for (const PlaceView& view : kPlaceViews) {
+    if (name == view.name) {
+      const std::optional<Camera> camera = view.find(tiles, grid);
+      return camera ? Result(*camera) : Error{"--view " + name, view.lack};
+    }
     known += std::string(", ") + view.name;
   }
   return Error{"--view " + name, "expected one of " + known};

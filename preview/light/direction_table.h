@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "compiler/geometry/vec.h"
-#include "preview/light/rgb.h"
+#include "preview/rgb.h"
 #include "preview/samples.h"
 
 namespace citykiln::preview {
@@ -20,6 +20,25 @@ double turn_of(Vec3 direction);
 
 /// A unit vector with a given z.
 Vec3 direction_at(double turn, double z);
+
+/// Sums of a series, from which one of its terms is drawn in proportion to its size. O(1) on average.
+class CumulativeSums {
+ public:
+  CumulativeSums() = default;
+  explicit CumulativeSums(std::vector<double> terms);
+
+  double total() const { return sums_.empty() ? 0 : sums_.back(); }
+  struct Step {
+    int index;
+    double within;  ///< [0, 1): where in the term.
+  };
+  /// @param share  In [0, 1).
+  Step at(double share) const;
+
+ private:
+  std::vector<double> sums_;
+  std::vector<int> guide_;  // for equal parts of the total the first term that may hold it
+};
 
 /// Cells over all azimuths and a range of z. Radiance is interpolated between the centres of cells; the density of
 /// samples is constant in each.
@@ -46,7 +65,8 @@ class DirectionTable {
   double pdf_per_light_ = 0;
   bool is_even_;  // all rows have the same height
   std::vector<std::array<float, 3>> cells_;
-  std::vector<double> row_sums_, sums_;  // cumulative flux: of rows, and of cells within their row
+  CumulativeSums row_sums_;           // flux of rows
+  std::vector<CumulativeSums> sums_;  // of cells within their row
 };
 
 }  // namespace citykiln::preview

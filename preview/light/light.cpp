@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "preview/surface/microfacet.h"
-
 namespace citykiln::preview {
 namespace {
 
@@ -59,7 +57,11 @@ DirectionTable table_of(const EnvironmentMap& map) {
 }  // namespace
 
 Lights::Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps)
-    : model_(model), table_(table_of(model)), ring_(kAcross + 1), lamps_(std::move(lamps)) {
+    : model_(model),
+      about_sun_(frame_about(unit(model.to_sun))),
+      table_(table_of(model)),
+      ring_(kAcross + 1),
+      lamps_(std::move(lamps)) {
   if (luminance(model.sun_radiance) > 0) sun_solid_angle_ = 2 * kPi * (1 - model.sun_cos_radius);
   for (int i = 0; i <= kAcross; ++i) {
     const Vec3 level = direction_at(static_cast<double>(i) / kAcross, 0);
@@ -76,9 +78,8 @@ Lights::Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps)
 Rgb Lights::falling(Vec3 direction) const { return direction.z < 0 && !is_map_ ? below_ : table_.radiance(direction); }
 
 Vec3 Lights::sample_sun(UnitPair chance) const {
-  const double cosine = 1 - chance.u * (1 - model_.sun_cos_radius), r = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  const double turn = 2 * kPi * chance.v;
-  return unit(frame_about(model_.to_sun).out_of({r * std::cos(turn), r * std::sin(turn), cosine}));
+  const double cosine = 1 - chance.u * (1 - model_.sun_cos_radius);
+  return about_sun_.out_of(direction_at(chance.v, cosine));
 }
 
 Rgb Lights::haze(Vec3 direction) const {

@@ -7,8 +7,9 @@
 #include "compiler/sky/generate.h"
 #include "preview/light/direction_table.h"
 #include "preview/light/environment_map.h"
-#include "preview/light/rgb.h"
+#include "preview/rgb.h"
 #include "preview/scene/lamps.h"
+#include "preview/surface/microfacet.h"
 
 namespace citykiln::preview {
 
@@ -51,6 +52,7 @@ class Lights {
   sky::SkyModel model_;
   bool is_map_ = false;
   double sun_solid_angle_ = 0;
+  Frame about_sun_{};
   DirectionTable table_;
   std::vector<Rgb> ring_;  // of the horizon
   Rgb below_{}, haze_mean_{};

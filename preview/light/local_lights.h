@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "preview/light/light_tree.h"
-#include "preview/light/rgb.h"
+#include "preview/rgb.h"
 #include "preview/samples.h"
 #include "preview/scene/emitters.h"
 #include "preview/scene/lamps.h"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "compiler/geometry/vec.h"
-#include "preview/light/rgb.h"
+#include "preview/rgb.h"
 
 namespace citykiln::preview {
 

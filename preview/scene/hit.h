@@ -1,31 +1,23 @@
 // What a ray hits.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
 #include "compiler/contract/stable_id.h"
-#include "compiler/geometry/vec.h"
 #include "compiler/materials/material.h"
 #include "preview/scene/emitters.h"
 #include "preview/surface/room.h"
+#include "preview/surface/surface_point.h"
 
 namespace citykiln::preview {
 
 /// A ray's hit on a surface. Frame of the world: metres from World::origin, x east, y north, z up.
-struct Hit {
-  Vec3 position;                     ///< On the triangle, not along the ray: its error does not grow with the distance.
-  Vec3 geometric_normal;             ///< Unit, towards the ray's origin.
-  Vec3 shading_normal;               ///< Unit, interpolated, on the same side.
-  std::array<double, 3> albedo{};    ///< Linear: the colour of material or image, times tint.
-  std::array<double, 3> emission{};  ///< Emitted radiance, in the sky's unit.
+struct Hit : SurfacePoint {
+  Vec3 position{};  ///< On the triangle, not along the ray: its error does not grow with the distance.
+  Rgb emission{};   ///< Emitted radiance, in the sky's unit.
   std::uint32_t emitter = kNoEmitter;  ///< Number of the shining triangle (emitters.h).
   bool is_front = true;                ///< Whether the ray met the triangle's front.
-  float roughness = 1;                 ///< As in glTF.
-  float metallic = 0;
-  float f0 = 0.04f;         ///< Reflectance at normal incidence, of what is not metal.
-  double translucency = 0;  ///< Light that passes a leaf as a share of the light that it reflects.
   materials::Material material{};
   std::optional<Pane> pane{};  ///< Of window glass that is met from outside.
   OsmId feature{};             ///< The OSM object of the surface; none where it has none.

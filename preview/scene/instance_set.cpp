@@ -131,7 +131,7 @@ Hit InstanceSet::hit_in_world(const RTCHit& found, const RayFootprint& footprint
   const InstanceTransform& transform = transforms_[instance];
   const Rotation rotation = rotation_of(transform.rotation);
   Hit hit = hit_on(mesh_->parts()[found.geomID], found,
-                   {rotation.in(footprint.direction), footprint.across_m / transform.scale});
+                   {rotation.in(footprint.direction), footprint.across_m / transform.scale, footprint.is_scattered});
   // in the instance's frame the ray's origin is rounded once more
   constexpr double kRounding = 0x1p-24;
   hit.rounding_m = transform.scale * (hit.rounding_m + 2 * kRounding * length(hit.position));

@@ -50,10 +50,11 @@ Vec2 uv_at(const HitTriangle& t) { return t.uv[0] + (t.uv[1] - t.uv[0]) * t.u + 
 // The part of an image that a ray covers: the flatter the ray, the longer.
 TextureFootprint texture_footprint_of(const HitTriangle& t, const RayFootprint& ray) {
   constexpr double kFlattest = 0.005;
+  if (ray.is_scattered) return {uv_at(t), {}, ray.across_m, true};
   const Vec3 edge1 = t.at[1] - t.at[0], edge2 = t.at[2] - t.at[0], normal = unit(cross(edge1, edge2));
   const double cosine = dot(normal, ray.direction);
   const Vec3 along = unit(ray.direction - normal * cosine) * (ray.across_m / 2 / std::max(std::abs(cosine), kFlattest));
-  return {uv_at(t), in_uvs(along, edge1, edge2, t.uv[1] - t.uv[0], t.uv[2] - t.uv[0]), ray.across_m};
+  return {uv_at(t), in_uvs(along, edge1, edge2, t.uv[1] - t.uv[0], t.uv[2] - t.uv[0]), ray.across_m, false};
 }
 
 // The same where a metre of the surface need not be a metre of the image: joined atlases of several levels have one
@@ -83,7 +84,7 @@ void apply_normal_map(Hit& hit, const HitTriangle& t, Vec3 normal, Vec3 seen_alo
 template <typename Texture>
 std::array<double, 3> apply_image(Hit& hit, const HitTriangle& t, const TextureFootprint& footprint,
                                   const Texture& image, Vec3 seen_along = {}) {
-  if (image.has_normals()) apply_normal_map(hit, t, image.normal(footprint), seen_along);
+  if (image.has_normals() && !footprint.is_rough) apply_normal_map(hit, t, image.normal(footprint), seen_along);
   return image.colour(footprint);
 }
 
@@ -146,7 +147,7 @@ Rgb mean_emission(const MeshPart& part, std::size_t triangle) {
       double u = (i + 0.5) / kPlaces, v = (j + 0.5) / kPlaces;
       if (u + v > 1) u = 1 - u, v = 1 - v;
       const Vec2 at = t.uv[0] + (t.uv[1] - t.uv[0]) * u + (t.uv[2] - t.uv[0]) * v;
-      sum = sum + part.facade_atlas->emission({at, {}, across_m});
+      sum = sum + part.facade_atlas->emission({at, {}, across_m, false});
     }
   return sum * (kUnit / (kPlaces * kPlaces));
 }

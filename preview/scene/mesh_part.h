@@ -33,6 +33,7 @@ struct MeshPart {
 struct RayFootprint {
   Vec3 direction;  ///< Unit.
   double across_m = 0;
+  bool is_scattered = false;  ///< Whether it was scattered diffusely: images need no care, and relief is left out.
 };
 
 /// Returns a part: the primitive's positions plus `offset`, rounded once, and, of these images, the one that the

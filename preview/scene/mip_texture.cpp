@@ -92,25 +92,45 @@ MipTexture::Level MipTexture::halved(const Level& level) const {
   return half;
 }
 
+// A place on a level in texels, whole turns of a repeated side left out.
+double MipTexture::on_level(double at_m, std::uint32_t side, std::size_t count, bool repeats) const {
+  const double turns = at_m / (side * static_cast<double>(image_->texel_m)), size = static_cast<double>(count);
+  return repeats ? (turns - std::floor(turns)) * size : std::clamp(turns * size, 0.0, size);
+}
+
 // Bilinear interpolation between the centres of four texels.
 std::array<double, 3> MipTexture::smooth(const Level& level, Vec2 at) const {
-  const double columns = static_cast<double>(level.columns), rows = static_cast<double>(level.rows);
-  const double across = at.x / (image_->columns * image_->texel_m), along = at.y / (image_->rows * image_->texel_m);
-  const auto repeated = [](double turns, double count) { return (turns - std::floor(turns)) * count + count - 0.5; };
-  const double x =
-      sides_ == WrapMode::kRepeat ? repeated(across, columns) : std::clamp(across * columns - 0.5, 0.0, columns - 1);
-  const double y = repeated(along, rows);
-  const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
-  const double right = x - static_cast<double>(column), up = y - static_cast<double>(row);
-  const std::size_t here = column % level.columns;
-  const std::size_t next =
-      sides_ == WrapMode::kRepeat ? (column + 1) % level.columns : std::min(column + 1, level.columns - 1);
+  const bool repeats = sides_ == WrapMode::kRepeat;
+  const double x = on_level(at.x, image_->columns, level.columns, repeats) - 0.5;
+  const double y = on_level(at.y, image_->rows, level.rows, true) - 0.5;
+  const double left = std::floor(x), low = std::floor(y), right = x - left, up = y - low;
+  const auto wrapped = [](double v, std::size_t count) {
+    const auto i = static_cast<std::int64_t>(v), n = static_cast<std::int64_t>(count);
+    return static_cast<std::size_t>(i < 0 ? i + n : i >= n ? i - n : i);
+  };
+  const auto clamped = [](double v, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp(v, 0.0, static_cast<double>(count - 1)));
+  };
+  const std::size_t here = repeats ? wrapped(left, level.columns) : clamped(left, level.columns);
+  const std::size_t next = repeats ? wrapped(left + 1, level.columns) : clamped(left + 1, level.columns);
+  const std::size_t row = wrapped(low, level.rows), above = wrapped(low + 1, level.rows);
   Rgb3 sum{};
-  add(sum, texel(level, here, row % level.rows), (1 - right) * (1 - up));
-  add(sum, texel(level, next, row % level.rows), right * (1 - up));
-  add(sum, texel(level, here, (row + 1) % level.rows), (1 - right) * up);
-  add(sum, texel(level, next, (row + 1) % level.rows), right * up);
+  add(sum, texel(level, here, row), (1 - right) * (1 - up));
+  add(sum, texel(level, next, row), right * (1 - up));
+  add(sum, texel(level, here, above), (1 - right) * up);
+  add(sum, texel(level, next, above), right * up);
   return sum;
+}
+
+std::array<double, 3> MipTexture::nearest(Vec2 at, double across_m) const {
+  const double texels = std::min(across_m / image_->texel_m, 1e9);
+  const auto wanted = texels > 1 ? static_cast<std::size_t>(std::ilogb(texels)) : 0;
+  const Level& level = levels_[std::min(wanted, levels_.size() - 1)];
+  const auto place = [](double v, std::size_t count) { return std::min(static_cast<std::size_t>(v), count - 1); };
+  const Texel found =
+      texel(level, place(on_level(at.x, image_->columns, level.columns, sides_ == WrapMode::kRepeat), level.columns),
+            place(on_level(at.y, image_->rows, level.rows, true), level.rows));
+  return {found[0], found[1], found[2]};
 }
 
 // Interpolates between the two levels whose texel sizes are nearest.
@@ -131,6 +151,7 @@ std::array<double, 3> MipTexture::mean(const TextureFootprint& footprint) const 
   if (!std::isfinite(half_m) || !std::isfinite(footprint.across_m) ||
       !std::isfinite(footprint.centre.x + footprint.centre.y))
     return smooth(levels_.back(), {});
+  if (footprint.is_rough) return nearest(footprint.centre, footprint.across_m);
   const double least_m = std::max(footprint.across_m, image_->texel_m);
   const int disks = static_cast<int>(std::clamp(std::ceil(2 * half_m / least_m), 1.0, 1.0 * kMostDisks));
   const double across_m = std::max(footprint.across_m, 2 * half_m / disks);

@@ -11,9 +11,10 @@ namespace citykiln::preview {
 
 /// The part of an image that a ray covers: an ellipse about `centre`, `across_m` wide and elongated along `along`.
 struct TextureFootprint {
-  Vec2 centre;          ///< Metres on the image.
-  Vec2 along;           ///< From the centre to the far end; zero: a disk.
-  double across_m = 0;  ///< Diameter. 0: single texels.
+  Vec2 centre;            ///< Metres on the image.
+  Vec2 along;             ///< From the centre to the far end; zero: a disk.
+  double across_m = 0;    ///< Diameter. 0: single texels.
+  bool is_rough = false;  ///< Whether the nearest texel of the nearest level will do.
 };
 
 /// The meaning of texels.
@@ -54,7 +55,9 @@ class MipTexture {
 
   Texel texel(const Level& level, std::size_t column, std::size_t row) const;
   Level halved(const Level& level) const;
+  double on_level(double at_m, std::uint32_t side, std::size_t count, bool repeats) const;
   std::array<double, 3> smooth(const Level& level, Vec2 at) const;
+  std::array<double, 3> nearest(Vec2 at, double across_m) const;
   std::array<double, 3> disk(Vec2 at, double across_m) const;
 
   const materials::TextureImage* image_;

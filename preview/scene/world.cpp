@@ -88,7 +88,7 @@ std::optional<Hit> World::first_hit(Vec3 from, Vec3 direction, double spread_rad
   std::optional<Hit> hit;
   const auto take = [&](const SceneGeometry* geometry) {
     if (found.hit.geomID != RTC_INVALID_GEOMETRY_ID)
-      hit = geometry->hit_of(found.hit, {direction, found.ray.tfar * spread_rad});
+      hit = geometry->hit_of(found.hit, {direction, found.ray.tfar * spread_rad, spread_rad >= kScattered_rad});
   };
   if (scene_->cells) {
     CellRay ray(scene_->cells->readers());

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "preview/turn.h"
+
 namespace citykiln::preview {
 namespace {
 
@@ -49,89 +51,72 @@ Rgb colour_of_several(const Rgb& f0, double once_mean) {
 
 }  // namespace
 
-Bsdf::Bsdf(const Hit& hit, Vec3 to_eye, double least_alpha)
-    : outside_(hit.geometric_normal),
-      frame_(frame_about(facing(hit.shading_normal, to_eye))),
+Bsdf::Bsdf(const SurfacePoint& surface, Vec3 to_eye, double least_alpha)
+    : outside_(surface.geometric_normal),
+      frame_(frame_about(facing(surface.shading_normal, to_eye))),
       eye_(frame_.into(to_eye)),
-      through_(hit.translucency),
-      has_facets_(hit.translucency <= 0) {
+      through_(surface.translucency),
+      has_facets_(surface.translucency <= 0) {
   eye_.z = std::max(eye_.z, 1e-4);
-  const Rgb albedo = hit.albedo;
+  const Rgb albedo = surface.albedo;
   body_ = albedo;
   if (!has_facets_) return;
-  const double own = static_cast<double>(hit.roughness) * hit.roughness;
+  const double own = static_cast<double>(surface.roughness) * surface.roughness;
   facets_.alpha = std::clamp(own, std::max(kLeastAlpha, least_alpha), 1.0);
-  f0_ = mixed(Rgb{hit.f0, hit.f0, hit.f0}, albedo, hit.metallic);
-  once_ = single_reflection(facets_.alpha, eye_.z).of_white();
-  const SingleReflection mean = mean_single_reflection(facets_.alpha);
+  f0_ = mixed(Rgb{surface.f0, surface.f0, surface.f0}, albedo, surface.metallic);
+  reflections_ = SingleReflections(facets_.alpha);
+  const SingleReflection once = reflections_.at(eye_.z), mean = reflections_.mean();
+  once_ = once.of_white(), seen_ = facets_.seen(eye_);
   once_mean_ = mean.of_white();
   several_ = colour_of_several(f0_, once_mean_);
-  energy_ = energy_at(eye_.z);
+  energy_ = energy_at(once);
   for (int c = 0; c < 3; ++c) mean_energy_[c] = std::min(mean.of(f0_[c]) + (1 - once_mean_) * several_[c], 0.999);
-  body_ = over(albedo * (1 - hit.metallic) * (kWhite - energy_), kWhite - mean_energy_);
-  const double facets = luminance(energy_), body = luminance(albedo * (1 - hit.metallic) * (kWhite - energy_));
+  body_ = over(albedo * (1 - surface.metallic) * (kWhite - energy_), kWhite - mean_energy_);
+  const double facets = luminance(energy_), body = luminance(albedo * (1 - surface.metallic) * (kWhite - energy_));
   // light of several bounces is sampled with the body
   const double most = body <= 0 && once_mean_ > 0.999 ? 1 : 0.9;
   facets_share_ = facets + body > 0 ? std::clamp(facets / (facets + body), 0.05, most) : most;
   body_share_ = 1 - facets_share_;
 }
 
-Rgb Bsdf::energy_at(double cosine) const {
-  const SingleReflection once = single_reflection(facets_.alpha, cosine);
+Rgb Bsdf::energy_at(const SingleReflection& once) const {
+  const double several = 1 - once.of_white();
   Rgb energy;
-  for (int c = 0; c < 3; ++c) energy[c] = std::min(once.of(f0_[c]) + (1 - once.of_white()) * several_[c], 1.0);
+  for (int c = 0; c < 3; ++c) energy[c] = std::min(once.of(f0_[c]) + several * several_[c], 1.0);
   return energy;
 }
 
-Rgb Bsdf::of_body(Vec3 from) const {
-  const double cosine = dot(frame_.z, from), flat = dot(outside_, from);
-  const double fade = terminator(std::abs(flat), std::abs(cosine), dot(outside_, frame_.z)) * std::abs(cosine) / kPi;
+// @param flat, cosine  Of the direction with the geometric and the shading normal.
+Rgb Bsdf::of_body(double flat, double cosine) const {
   if (flat * cosine <= 0) return {};
+  const double fade = terminator(std::abs(flat), std::abs(cosine), dot(outside_, frame_.z)) * std::abs(cosine) / kPi;
   if (flat < 0) return body_ * (through_ * fade);
   if (!has_facets_) return body_ * fade;
-  const SingleReflection once = single_reflection(facets_.alpha, cosine);
+  const SingleReflection once = reflections_.at(cosine);
   // what is left of light that passes the facets, and light that several facets reflect
   const double several = (1 - once_) * (1 - once.of_white()) / std::max(1 - once_mean_, 1e-6);
-  Rgb light;
-  for (int c = 0; c < 3; ++c) {
-    const double energy = std::min(once.of(f0_[c]) + (1 - once.of_white()) * several_[c], 1.0);
-    light[c] = (body_[c] * (1 - energy) + several * several_[c]) * fade;
-  }
-  return light;
+  return (body_ * (kWhite - energy_at(once)) + several_ * several) * fade;
 }
 
-// The facets' light from a direction in the frame, over the cosine at the eye.
-Rgb Bsdf::of_facets(Vec3 from) const {
-  if (from.z <= 0) return {};
+// Adds the facets' light from a direction in the frame.
+void Bsdf::add_facets(Vec3 from, Scattering& to) const {
   const Vec3 facet = unit(from + eye_);
-  const double light = facets_.density(facet) * facets_.seen(eye_, from) / (4 * eye_.z);
-  const double share = grazing(dot(from, facet));
-  return mixed(f0_, kWhite, share) * light;
+  const double cosine = dot(from, facet), density = facets_.density(facet) / (4 * eye_.z);
+  to.light = to.light + mixed(f0_, kWhite, grazing(cosine)) * (density * facets_.seen(eye_, from));
+  to.pdf += facets_share_ * density * seen_;
 }
 
-Rgb Bsdf::reflected(Vec3 from) const {
-  Rgb light = of_body(from);
-  const double flat = dot(outside_, from);
-  if (!has_facets_ || flat <= 0) return light;
-  // light that facets send below the surface is reflected by the next one along the surface
-  light = light + of_facets(frame_.into(from));
-  return light + of_facets(frame_.into(from - outside_ * (2 * flat)));
-}
-
-double Bsdf::facets_pdf(Vec3 direction) const {
-  if (direction.z <= 0) return 0;
-  const Vec3 facet = unit(direction + eye_);
-  return facets_.pdf(facet, eye_) / (4 * std::max(1e-9, dot(eye_, facet)));
-}
-
-double Bsdf::pdf(Vec3 direction) const {
-  const double flat = dot(outside_, direction), cosine = dot(frame_.z, direction);
+Scattering Bsdf::scattering(Vec3 from) const {
+  const double flat = dot(outside_, from), cosine = dot(frame_.z, from);
+  Scattering all{.light = of_body(flat, cosine)};
   const double side = through_ > 0 ? (cosine < 0 ? through_ : 1) / (1 + through_) : cosine > 0 ? 1 : 0;
-  double pdf = body_share_ * side * std::abs(cosine) / kPi;
-  if (facets_share_ > 0 && flat > 0)
-    pdf += facets_share_ *
-           (facets_pdf(frame_.into(direction)) + facets_pdf(frame_.into(direction - outside_ * (2 * flat))));
-  return pdf;
+  all.pdf = body_share_ * side * std::abs(cosine) / kPi;
+  if (!has_facets_ || flat <= 0) return all;
+  if (cosine > 0) add_facets(frame_.into(from), all);
+  // light that facets send below the surface is reflected by the next one along the surface
+  const Vec3 below = from - outside_ * (2 * flat);
+  if (dot(frame_.z, below) > 0) add_facets(frame_.into(below), all);
+  return all;
 }
 
 void Bsdf::split() {
@@ -139,15 +124,14 @@ void Bsdf::split() {
 }
 
 BsdfSample Bsdf::weighed(Vec3 direction, double lobe_rad) const {
-  BsdfSample drawn{.direction = direction, .pdf = pdf(direction), .lobe_rad = lobe_rad};
-  if (drawn.pdf > 0) drawn.weight = reflected(direction) * (1 / drawn.pdf);
-  return drawn;
+  const Scattering all = scattering(direction);
+  return {direction, all.pdf > 0 ? all.light * (1 / all.pdf) : Rgb{}, all.pdf, lobe_rad};
 }
 
 BsdfSample Bsdf::sample_facets(UnitPair chance) const {
   const Vec3 local = mirrored(eye_, facets_.sample(eye_, chance));
   // light between facets is added as that of several bounces
-  if (local.z <= 0) return {.direction = outside_};
+  if (local.z <= 0) return {.direction = outside_, .pdf = 0};
   const Vec3 out = frame_.out_of(local);
   const double flat = dot(outside_, out);
   return weighed(unit(flat >= 0 ? out : out - outside_ * (2 * flat)), facets_.alpha);
@@ -155,8 +139,8 @@ BsdfSample Bsdf::sample_facets(UnitPair chance) const {
 
 BsdfSample Bsdf::sample_body(double side, UnitPair chance) const {
   const bool is_through = side * (1 + through_) >= 1;
-  const double r = std::sqrt(chance.u), turn = 2 * kPi * chance.v, up = std::sqrt(1 - chance.u);
-  return weighed(unit(frame_.out_of({r * std::cos(turn), r * std::sin(turn), is_through ? -up : up})), 1);
+  const double up = std::sqrt(1 - chance.u);
+  return weighed(frame_.out_of(at_height(on_circle(chance.v) * std::sqrt(chance.u), is_through ? -up : up)), 1);
 }
 
 BsdfSample Bsdf::sample(double lobe, UnitPair chance) const {

@@ -1,11 +1,11 @@
 // How a surface scatters light: glTF's metals and coated matt surfaces, water, panes of glass, and leaves.
 #pragma once
 
-#include "preview/light/rgb.h"
+#include "preview/rgb.h"
 #include "preview/samples.h"
-#include "preview/scene/hit.h"
 #include "preview/surface/microfacet.h"
 #include "preview/surface/reflected_energy.h"
+#include "preview/surface/surface_point.h"
 
 namespace citykiln::preview {
 
@@ -17,27 +17,31 @@ struct BsdfSample {
   double lobe_rad = 1;  ///< Angle of the cone that a ray stands for.
 };
 
-/// The scattering of light at one hit. Energy is conserved: a white surface under even light is as bright as the light
-/// (tested to 0.1 %, metals 1 %), and scattering is reciprocal, but for water whose waves hide each other.
+/// Light that is scattered towards the eye.
+struct Scattering {
+  Rgb light{};     ///< Radiance towards the eye per radiance from a direction, per steradian, cosine included.
+  double pdf = 0;  ///< Density, per steradian, with which the direction is sampled.
+};
+
+/// The scattering of light at one place. Energy is conserved: a white surface under even light is as bright as the
+/// light (tested to 0.1 %, metals 1 %), and scattering is reciprocal, but for water whose waves hide each other.
 ///
 /// Method: one lobe of microfacets, with the light of several bounces between facets added (Kulla, Conty, "Revisiting
 /// Physically Based Shading at Imageworks", SIGGRAPH 2017 course), over a matt body, which gets what the facets let
 /// pass both ways (Ashikhmin, Shirley 2000). Leaves are matt on both sides.
 class Bsdf {
  public:
-  /// @param to_eye  Unit, on the side of the hit's normals.
+  /// @param to_eye  Unit, on the side of the surface's normals.
   /// @param least_alpha  Narrower lobes are widened to this.
-  Bsdf(const Hit& hit, Vec3 to_eye, double least_alpha);
+  Bsdf(const SurfacePoint& surface, Vec3 to_eye, double least_alpha);
 
-  /// Radiance towards the eye per radiance from a direction, per steradian, cosine included.
-  Rgb reflected(Vec3 from) const;
+  /// The scattering of light from a direction.
+  Scattering scattering(Vec3 from) const;
   /// The same of the body alone, without what its facets reflect once.
-  Rgb matt(Vec3 from) const { return of_body(from); }
-  /// From now on both lobes are sampled, one direction each, instead of one of them: pdf() is the sum of both.
+  Rgb matt(Vec3 from) const { return of_body(dot(outside_, from), dot(frame_.z, from)); }
+  /// From now on both lobes are sampled, one direction each, instead of one of them: the density is the sum of both.
   void split();
   bool is_split() const { return facets_share_ + body_share_ > 1.5; }
-  /// The density of sampled directions, per steradian.
-  double pdf(Vec3 direction) const;
   /// @param lobe  In [0, 1), chooses the lobe.
   BsdfSample sample(double lobe, UnitPair chance) const;
   BsdfSample sample_facets(UnitPair chance) const;
@@ -53,10 +57,9 @@ class Bsdf {
 
  private:
   BsdfSample weighed(Vec3 direction, double lobe_rad) const;
-  Rgb of_body(Vec3 from) const;
-  Rgb of_facets(Vec3 from) const;
-  double facets_pdf(Vec3 direction) const;
-  Rgb energy_at(double cosine) const;
+  Rgb of_body(double flat, double cosine) const;
+  void add_facets(Vec3 from, Scattering& to) const;
+  Rgb energy_at(const SingleReflection& once) const;
 
   Vec3 outside_;  // geometric normal
   Frame frame_;   // about the shading normal
@@ -65,8 +68,9 @@ class Bsdf {
   double through_ = 0;
   bool has_facets_;
   Microfacets facets_{1};
+  SingleReflections reflections_{1};
   Rgb f0_{}, several_{};  // reflectance at normal incidence; light of several bounces
-  double once_ = 1, once_mean_ = 1;
+  double once_ = 1, once_mean_ = 1, seen_ = 1;
   Rgb energy_{}, mean_energy_{};
   double facets_share_ = 0, body_share_ = 1;  // probabilities of the lobes; 1 and 1 where both are sampled
 };

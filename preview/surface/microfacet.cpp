@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "preview/turn.h"
+
 namespace citykiln::preview {
 
 Frame frame_about(Vec3 n) {
@@ -34,8 +36,8 @@ Vec3 Microfacets::sample(Vec3 from, UnitPair chance) const {
   const double level = std::sqrt(view.x * view.x + view.y * view.y);
   const Vec3 across = level > 0 ? Vec3{-view.y / level, view.x / level, 0} : Vec3{1, 0, 0};
   const Vec3 other = cross(view, across);
-  const double r = std::sqrt(chance.u), turn = 2 * std::numbers::pi * chance.v, s = (1 + view.z) / 2;
-  const double a = r * std::cos(turn), whole = r * std::sin(turn);
+  const Vec2 round = on_circle(chance.v) * std::sqrt(chance.u);
+  const double a = round.x, whole = round.y, s = (1 + view.z) / 2;
   const double b = (1 - s) * std::sqrt(std::max(0.0, 1 - a * a)) + s * whole;
   const Vec3 facet = across * a + other * b + view * std::sqrt(std::max(0.0, 1 - a * a - b * b));
   return unit(Vec3{alpha * facet.x, alpha * facet.y, std::max(1e-9, facet.z)});

@@ -86,23 +86,24 @@ Place place_of(double at, int count) {
   return {before, clamped - before};
 }
 
-Place row_of(double alpha) {
-  return place_of((std::sqrt(std::max(0.0, alpha)) - kLeastRow) / (1 - kLeastRow) * (kRows - 1), kRows);
-}
-
 }  // namespace
 
-SingleReflection single_reflection(double alpha, double cosine) {
-  const Place row = row_of(alpha), column = place_of(std::sqrt(std::max(0.0, cosine)) * (kColumns - 1), kColumns);
-  const auto along = [&](int r) {
-    return between(table().cells[r][column.before], table().cells[r][column.before + 1], column.share);
-  };
-  return between(along(row.before), along(row.before + 1), row.share);
+SingleReflections::SingleReflections(double alpha) {
+  const Place place = place_of((std::sqrt(std::max(0.0, alpha)) - kLeastRow) / (1 - kLeastRow) * (kRows - 1), kRows);
+  row_ = place.before, share_ = place.share;
 }
 
-SingleReflection mean_single_reflection(double alpha) {
-  const Place row = row_of(alpha);
-  return between(table().means[row.before], table().means[row.before + 1], row.share);
+SingleReflection SingleReflections::at(double cosine) const {
+  const Place column = place_of(std::sqrt(std::max(0.0, cosine)) * (kColumns - 1), kColumns);
+  const auto along = [&](const std::array<SingleReflection, kColumns>& row) {
+    return between(row[column.before], row[column.before + 1], column.share);
+  };
+  const Table& all = table();
+  return between(along(all.cells[row_]), along(all.cells[row_ + 1]), share_);
+}
+
+SingleReflection SingleReflections::mean() const {
+  return between(table().means[row_], table().means[row_ + 1], share_);
 }
 
 }  // namespace citykiln::preview

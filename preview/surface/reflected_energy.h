@@ -13,11 +13,19 @@ struct SingleReflection {
   double of_white() const { return mirror + grazing; }
 };
 
-/// By the cosine of the direction towards the eye, in (0, 1]. A table, interpolated; largest error 0.0005 where alpha
-/// is at least 0.01, which is also the least that is looked up.
-SingleReflection single_reflection(double alpha, double cosine);
+/// Single reflections for one width of facets, by the cosine of the direction towards the eye, in (0, 1]. A table,
+/// interpolated; largest error 0.0005 where alpha is at least 0.01, which is also the least that is looked up.
+class SingleReflections {
+ public:
+  explicit SingleReflections(double alpha);
 
-/// The same for light from everywhere above.
-SingleReflection mean_single_reflection(double alpha);
+  SingleReflection at(double cosine) const;
+  /// For light from everywhere above.
+  SingleReflection mean() const;
+
+ private:
+  int row_;
+  double share_;  // of the next row
+};
 
 }  // namespace citykiln::preview

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "compiler/geometry/vec.h"
-#include "preview/light/rgb.h"
+#include "preview/rgb.h"
 #include "preview/samples.h"
 
 namespace citykiln::preview {

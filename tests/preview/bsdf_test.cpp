@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Hit surface(double albedo, float roughness, float metallic, Vec3 normal = {0, 0, 1}) {
-  Hit hit;
+SurfacePoint surface(double albedo, float roughness, float metallic, Vec3 normal = {0, 0, 1}) {
+  SurfacePoint hit;
   hit.geometric_normal = hit.shading_normal = unit(normal);
   hit.albedo = {albedo, albedo, albedo};
   hit.roughness = roughness, hit.metallic = metallic;
@@ -27,7 +27,7 @@ Vec3 at_angle(double degrees, double turn = 0.1) {
 }
 
 // The light towards the eye under even light of 1, by the sampled directions.
-double furnace(const Hit& hit, Vec3 to_eye) {
+double furnace(const SurfacePoint& hit, Vec3 to_eye) {
   constexpr int kSide = 48;
   const Bsdf bsdf(hit, to_eye, 0);
   const PixelSamples pixel(7, 0, 0, grid_of(1, 1, kSide * kSide));
@@ -53,7 +53,7 @@ TEST(Bsdf, WhiteMetalsAreAsBrightAsEvenLight) {
 }
 
 TEST(Bsdf, LeavesShareTheirLightBetweenBothSides) {
-  Hit leaf = surface(0.5, 1, 0);
+  SurfacePoint leaf = surface(0.5, 1, 0);
   leaf.translucency = 1;
   EXPECT_NEAR(furnace(leaf, at_angle(40)), 1, 1e-6);
 }
@@ -63,10 +63,10 @@ TEST(Bsdf, ScatteringIsReciprocal) {
     for (const float metallic : {0.0f, 0.5f, 1.0f})
       for (const double a : {5.0, 50.0, 75.0})
         for (const double b : {20.0, 65.0}) {
-          const Hit hit = surface(0.6, roughness, metallic);
+          const SurfacePoint hit = surface(0.6, roughness, metallic);
           const Vec3 one = at_angle(a, 0.2), other = at_angle(b, 0.55);
-          const double there = Bsdf(hit, one, 0).reflected(other)[1] / other.z;
-          const double back = Bsdf(hit, other, 0).reflected(one)[1] / one.z;
+          const double there = Bsdf(hit, one, 0).scattering(other).light[1] / other.z;
+          const double back = Bsdf(hit, other, 0).scattering(one).light[1] / one.z;
           EXPECT_NEAR(there, back, 1e-9 + 1e-6 * back) << roughness << " " << metallic << " " << a << " " << b;
         }
 }
@@ -86,7 +86,7 @@ double chi_squared(const Bsdf& bsdf, int samples, int& cells) {
       const double z = -1 + 2 * (row + 0.5) / (kRows * kFine), r = std::sqrt(1 - z * z);
       const double turn = 2 * kPi * (column + 0.5) / (kColumns * kFine);
       const Vec3 d{r * std::cos(turn), r * std::sin(turn), z};
-      expected[cell_of(d)] += bsdf.pdf(d) * 4 * kPi / (kRows * kFine * kColumns * kFine) * samples;
+      expected[cell_of(d)] += bsdf.scattering(d).pdf * 4 * kPi / (kRows * kFine * kColumns * kFine) * samples;
     }
   const PixelSamples pixel(3, 5, 9, {0, 0});
   for (int i = 0; i < samples; ++i) {
@@ -110,19 +110,20 @@ double chi_squared(const Bsdf& bsdf, int samples, int& cells) {
 }
 
 TEST(Bsdf, SamplesFollowTheirDensity) {
-  Hit leaf = surface(0.4, 1, 0);
+  SurfacePoint leaf = surface(0.4, 1, 0);
   leaf.translucency = 0.7;
-  Hit bent = surface(0.5, 0.5f, 0);
+  SurfacePoint bent = surface(0.5, 0.5f, 0);
   bent.shading_normal = unit(Vec3{0.4, 0.1, 1});
-  const std::vector<Hit> surfaces = {surface(0.5, 0.5f, 0), surface(0.8, 0.6f, 1), surface(0.3, 1, 0.5f), leaf, bent};
-  for (const Hit& hit : surfaces)
+  const std::vector<SurfacePoint> surfaces = {surface(0.5, 0.5f, 0), surface(0.8, 0.6f, 1), surface(0.3, 1, 0.5f), leaf,
+                                              bent};
+  for (const SurfacePoint& point : surfaces)
     for (const double angle : {10.0, 70.0}) {
       int cells = 0;
-      const double chi2 = chi_squared(Bsdf(hit, at_angle(angle), 0), 200000, cells);
+      const double chi2 = chi_squared(Bsdf(point, at_angle(angle), 0), 200000, cells);
       ASSERT_GT(cells, 20);
       // Wilson and Hilferty's approximation of the 99.9 % quantile
       const double n = cells - 1, limit = n * std::pow(1 - 2 / (9 * n) + 3.09 * std::sqrt(2 / (9 * n)), 3);
-      EXPECT_LT(chi2, limit) << hit.roughness << " " << angle << " of " << cells;
+      EXPECT_LT(chi2, limit) << point.roughness << " " << angle << " of " << cells;
     }
 }
 

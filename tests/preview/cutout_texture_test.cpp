@@ -53,7 +53,8 @@ TEST(CutoutTexture, KeepsItsNormalsSeenFromBehind) {
   cutout.normal = {2, 1, 1, {{218, 128, 218}}};
   tile.instanced[0].cutout = std::move(cutout);
   const World world(std::span(&tile, 1), {});
-  const auto before = world.first_hit({-0.5, -5, 1}, {0, 1, 0}), behind = world.first_hit({-0.5, 5, 1}, {0, -1, 0});
+  const auto before = world.first_hit({-0.5, -5, 1}, {0, 1, 0}, 1e-3),
+             behind = world.first_hit({-0.5, 5, 1}, {0, -1, 0}, 1e-3);
   ASSERT_TRUE(before && behind);
   EXPECT_NEAR(before->shading_normal.x, std::sqrt(0.5), 0.02);
   EXPECT_NEAR(behind->shading_normal.x, std::sqrt(0.5), 0.02);

@@ -1,0 +1,168 @@
+#include "preview/camera/place_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "preview/camera/view_probe.h"
+
+namespace citykiln::preview {
+namespace {
+
+using materials::Material;
+
+constexpr double kElbowRoom_m = 2;
+
+// The best of the values seen, and what it belongs to.
+struct Best {
+  double value = 0;
+  std::optional<Camera> camera{};
+
+  void offer(double other, const Camera& of) {
+    if (other > value) value = other, camera = of;
+  }
+};
+
+bool is_under_the_sky(const ViewProbe& look, Vec3 eye) { return look.sight_m(eye, {0, 0, 1}, 100) >= 100; }
+
+// How many of the directions meet a building at a distance.
+int buildings_around(const ViewProbe& look, Vec3 eye, double near_m) {
+  int count = 0;
+  for (int direction = 0; direction < kDirections; ++direction)
+    count += look.meets_building(eye, unit(level(direction) + Vec3{0, 0, 0.1}), near_m) ? 1 : 0;
+  return count;
+}
+
+// How many rays within 30° to both sides of a direction, a little up and down, meet a building.
+int buildings_ahead(const ViewProbe& look, Vec3 eye, int direction, double rise, double far_m) {
+  int count = 0;
+  for (const int aside : {-2, -1, 0, 1, 2})
+    for (const double up : {rise - 0.06, rise, rise + 0.06})
+      count += look.meets_building(eye, unit(level(direction + aside) + Vec3{0, 0, up}), far_m) ? 1 : 0;
+  return count;
+}
+
+// How far one sees over a square: short sights count most, since a street is long one way and narrow the other.
+double width_of_square(const ViewProbe& look, Vec3 eye) {
+  constexpr double kFar_m = 60;
+  double inverse = 0;
+  for (int direction = 0; direction < kDirections; ++direction)
+    inverse += 1 / std::max(look.sight_m(eye, level(direction), kFar_m), 0.1);
+  return kDirections / inverse;
+}
+
+double highest_about(const SceneGrid& grid, Vec3 place) {
+  double highest = place.z;
+  for (const double x : {-40, 0, 40})
+    for (const double y : {-40, 0, 40}) highest = std::max(highest, grid.highest_m(in_plan(place) + Vec2{x, y}));
+  return highest;
+}
+
+}  // namespace
+
+std::optional<Camera> square_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid) {
+  constexpr double kEye_m = 2.4, kNear_m = 80, kLeastWidth_m = 15;
+  const World world(tiles, grid.core_point());
+  const ViewProbe look{world};
+  Best best;
+  const auto is_paved = [](Material material) { return material == Material::kPaving; };
+  for (const Vec3& place : places_near(tiles, grid.core_point(), is_paved, 10, 300)) {
+    const Vec3 middle = place + Vec3{0, 0, kEye_m};
+    const double width_m = width_of_square(look, middle);
+    if (width_m < kLeastWidth_m || width_m < best.value / 2 || !is_under_the_sky(look, middle)) continue;
+    const double value = width_m * buildings_around(look, middle, kNear_m) / kDirections;
+    for (int direction = 0; direction < kDirections; ++direction) {
+      // from near the edge, across the middle
+      const double back_m = look.walk_m(middle, level(direction) * -1, 40) - kElbowRoom_m - 1;
+      const Vec3 eye = middle - level(direction) * std::max(0.0, back_m);
+      if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m || !is_under_the_sky(look, eye)) continue;
+      const double ahead_m = look.walk_m(eye, level(direction), kNear_m);
+      if (ahead_m < kLeastWidth_m) continue;
+      const int buildings = buildings_ahead(look, eye, direction, 0.1, 2 * kNear_m);
+      best.offer(value * (1 + buildings) * ahead_m, {eye, eye + level(direction) * 40 + Vec3{0, 0, 3}, 60});
+    }
+  }
+  return best.camera;
+}
+
+std::optional<Camera> river_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid) {
+  constexpr double kEye_m = 4, kFar_m = 400, kLeast_m = 40;
+  const World world(tiles, grid.core_point());
+  const ViewProbe look{world};
+  Best best;
+  const auto is_water = [](Material material) { return material == Material::kWater; };
+  for (const Vec3& place : places_near(tiles, grid.core_point(), is_water, 25, 150)) {
+    const Vec3 eye = place + Vec3{0, 0, kEye_m};
+    if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m || !is_under_the_sky(look, eye)) continue;
+    for (int direction = 0; direction < kDirections; ++direction) {
+      const double ahead_m = look.walk_m(eye, level(direction), kFar_m);
+      if (ahead_m < kLeast_m) continue;
+      const double value = std::sqrt(ahead_m) * (1 + buildings_ahead(look, eye, direction, 0.06, kFar_m));
+      best.offer(value, {eye, eye + level(direction) * 60 + Vec3{0, 0, 1}, 50});
+    }
+  }
+  return best.camera;
+}
+
+std::optional<Camera> hilltop_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid) {
+  constexpr double kAbove_m = 15, kNearest_m = 150, kFarthest_m = 3000, kLeastHigher_m = 20;
+  const World world(tiles, grid.core_point());
+  const ViewProbe look{world};
+  const Vec3 target = grid.core_point() + Vec3{0, 0, 10};
+  Best best;
+  for (const Vec3& ground : grid.points()) {
+    const double low_m = grid.lowest_m(in_plan(ground));
+    const double away_m = distance(in_plan(ground), in_plan(target));
+    if (ground.z > low_m || away_m < kNearest_m || away_m > kFarthest_m || low_m < target.z + kLeastHigher_m) continue;
+    // the column's lowest ground may be far below its middle
+    const Vec3 above{ground.x, ground.y, grid.highest_m(in_plan(ground)) + 100};
+    const Vec3 eye = above - Vec3{0, 0, look.sight_m(above, {0, 0, -1}, 1000) - kAbove_m};
+    const Vec3 to = unit(target - eye);
+    if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m) continue;
+    if (look.sight_m(eye, to, 1e6) < length(target - eye) - 60) continue;
+    // steep enough to show the place as a map is seen, and near
+    best.offer((eye.z - target.z) / std::sqrt(away_m), {eye, target, 45});
+  }
+  return best.camera;
+}
+
+std::optional<Camera> roofs_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid) {
+  constexpr double kAbove_m = 8, kFall = -0.2, kFar_m = 300;
+  const World world(tiles, grid.core_point());
+  const ViewProbe look{world};
+  const Vec3 core = grid.core_point();
+  const Vec3 eye = at_height(in_plan(core), highest_about(grid, core) + kAbove_m);
+  Best best;
+  for (int direction = 0; direction < kDirections; ++direction)
+    best.offer(buildings_ahead(look, eye, direction, kFall, kFar_m),
+               {eye, eye + level(direction) * 100 + Vec3{0, 0, kFall * 100}, 50});
+  return best.camera;
+}
+
+std::optional<Camera> skyline_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid) {
+  constexpr double kAway_m = 1500, kAbove_m = 6, kFov_deg = 22;
+  const World world(tiles, grid.core_point());
+  const ViewProbe look{world};
+  const Vec3 core = grid.core_point();
+  const double tall_m = std::max(0.0, highest_about(grid, core) - core.z);
+  if (tall_m <= 3) return std::nullopt;
+  const double away_m = std::max(kAway_m, 6 * tall_m);
+  const Vec3 target = core + Vec3{0, 0, tall_m / 2};
+  Best best;
+  for (int direction = 0; direction < kDirections; ++direction) {
+    const Vec2 from = in_plan(core) + in_plan(level(direction)) * away_m;
+    const double ground_m = std::max(grid.lowest_m(from), core.z);
+    // as low as the way to the target allows
+    for (double rise_m = kAbove_m; rise_m < away_m / 3; rise_m *= 1.3) {
+      const Vec3 eye = at_height(from, ground_m + rise_m);
+      if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m) continue;
+      const double seen_m = look.sight_m(eye, unit(target - eye), 1e6);
+      if (seen_m < length(target - eye) - 200) continue;
+      best.offer(1 / rise_m, {eye, target, kFov_deg});
+      break;
+    }
+  }
+  return best.camera;
+}
+
+}  // namespace citykiln::preview

@@ -1,0 +1,40 @@
+#include "preview/picture/exposure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "preview/picture/tone_map.h"
+#include "preview/rgb.h"
+
+namespace citykiln::preview {
+
+double auto_exposure(const Image& image) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
+    const double value = luminance({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
+    if (std::isfinite(value) && value > 0) values.push_back(value);
+  }
+  if (values.empty()) return 1;
+  std::ranges::sort(values);
+  values.resize(std::max<std::size_t>(values.size() * 49 / 50, 1));
+  double sum = 0;
+  for (const double value : values) sum += std::log2(value);
+  const double mean = std::exp2(sum / static_cast<double>(values.size()));
+  return std::clamp(kMeanLuminance / mean, 0x1p-10, 0x1p20);
+}
+
+bool is_black(const Image& image) {
+  double sums[3] = {};
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) sums[i % 3] += image.rgb[i];
+  const double pixels = std::max<double>(static_cast<double>(image.rgb.size()) / 3, 1);
+  const float mean[] = {static_cast<float>(sums[0] / pixels), static_cast<float>(sums[1] / pixels),
+                        static_cast<float>(sums[2] / pixels)};
+  return std::ranges::max(tone_map(mean)) < 3;
+}
+
+void expose(Image& image, double factor) {
+  for (float& c : image.rgb) c *= static_cast<float>(factor);
+  for (float& v : image.guides.variance) v *= static_cast<float>(factor * factor);
+}
+
+}  // namespace citykiln::preview
