@@ -69,7 +69,8 @@ TEST(CameraRays, OfAMovingCameraStartAlongItsWay) {
     const double x = rays.through(80, 45, draw).from.x;
     least = std::min(least, x), most = std::max(most, x), sum += x;
   }
-  EXPECT_GE(least, 3), EXPECT_LE(most, 5);
+  EXPECT_GE(least, 3);
+  EXPECT_LE(most, 5);
   EXPECT_NEAR(sum / 64, 4, 0.02);
   EXPECT_GT(most - least, 1.9);
 }
