@@ -14,7 +14,7 @@ struct TraceContext {
   const LocalLights& local;
   int bounces = 3;           ///< Reflections after the first surface, but for those of mirrors. >= 0.
   double pixel_rad = 0.001;  ///< Angle of a pixel: shorter waves blur, finer textures are averaged. > 0.
-  double roulette = 0.4;     ///< Paths with a smaller weight may end (Russian roulette). 0: none do.
+  double roulette = 0.1;     ///< Paths with a smaller weight may end (Russian roulette). 0: none do.
   bool has_caustics =
       false;  ///< Whether mirrors keep their sharpness after matt reflections, or are as rough as these.
 };

@@ -19,7 +19,7 @@ struct Options {
   int width = 1280, height = 720;
   int samples = 64;  ///< Paths per pixel; with `noise` at most.
   int bounces = 3;
-  double roulette = 0.4;      ///< As TraceContext.
+  double roulette = 0.1;      ///< As TraceContext.
   bool has_caustics = false;  ///< As TraceContext.
   double exposure = 1;
   int threads = 0;

@@ -103,6 +103,14 @@ Result<std::vector<Chart>> chart_compression(const ChartRequest& request);
 /// simplified to as many triangles by OpenMesh and by meshoptimizer.
 Result<std::vector<Chart>> chart_lod(const ChartRequest& request);
 
+/// Relative error of a map's street over rendering time, against a long reference, for numbers of samples and bounces,
+/// Russian roulette and denoising.
+Result<std::vector<Chart>> chart_render(const ChartRequest& request);
+
+/// Relative error of the light of many lamps by one of them, over their number: chosen by the light tree, or uniformly.
+/// Needs no map.
+Result<std::vector<Chart>> chart_lights(const ChartRequest& request);
+
 /// Compiles the first map of the request. Errors: no map; those of compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);
 

@@ -34,7 +34,9 @@ constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},
                                Kind{"plant", charts::chart_plant},
                                Kind{"lsystem", charts::chart_lsystem},
                                Kind{"compression", charts::chart_compression},
-                               Kind{"lod", charts::chart_lod}};
+                               Kind{"lod", charts::chart_lod},
+                               Kind{"render", charts::chart_render},
+                               Kind{"lights", charts::chart_lights}};
 
 std::string known_names() {
   std::string names;

@@ -281,7 +281,7 @@ std::vector<Option> sampling_options(Request& request) {
       {"--bounces", "N", "reflections of each light path (default: 3)", false, store_whole(request.options.bounces, 0)},
       {"--roulette", "X",
        "paths that carry less than this share of light may end, and those that do not count for them; 0: none end "
-       "(default: 0.4)",
+       "(default: 0.1)",
        false, store_number(request.options.roulette, {0, 1, true})},
       {"--caustics", "", "light that mirrors and glass throw on matt surfaces stays sharp, with more noise", false,
        store_switch(request.options.has_caustics)},

@@ -36,12 +36,17 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
       height_(height),
       half_height_(std::tan(std::clamp(camera.vertical_fov_deg, 0.01, 179.0) * std::numbers::pi / 360)) {
   half_width_ = half_height_ * width_ / height_;
+  axes_ = axes_of({camera.eye, camera.look_at});
 }
 
 CameraRay CameraRays::through(double x, double y, PathDraw& draw) const {
   Pose pose{camera_.eye, camera_.look_at};
-  if (camera_.shutter_end) pose = between(pose, *camera_.shutter_end, draw.next().u);
-  const auto [forward, right, up] = axes_of(pose);
+  ViewAxes axes = axes_;
+  if (camera_.shutter_end) {
+    pose = between(pose, *camera_.shutter_end, draw.next().u);
+    axes = axes_of(pose);
+  }
+  const auto& [forward, right, up] = axes;
   const double px = (2 * x / width_ - 1) * half_width_, py = (1 - 2 * y / height_) * half_height_;
   const Vec3 sight = forward + right * px + up * py;
   if (camera_.lens_radius_m <= 0) return {pose.eye, unit(sight)};

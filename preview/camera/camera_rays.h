@@ -10,6 +10,13 @@ struct CameraRay {
   Vec3 from, direction;  ///< Plane metres; unit.
 };
 
+/// Unit vectors of a view: forward, right and up. A view without direction is to the north; straight up or down, north
+/// is up.
+struct ViewAxes {
+  Vec3 forward, right, up;
+};
+ViewAxes axes_of(const Pose& pose);
+
 /// A camera with the size of its picture.
 ///
 /// Model: a thin lens (Kolb, Mitchell, Hanrahan 1995, section 2). All rays through a point of the picture meet in the
@@ -28,13 +35,7 @@ class CameraRays {
   Camera camera_;
   double width_, height_;
   double half_width_, half_height_;  // of the picture at distance 1
+  ViewAxes axes_;
 };
-
-/// Unit vectors of a view: forward, right and up. A view without direction is to the north; straight up or down, north
-/// is up.
-struct ViewAxes {
-  Vec3 forward, right, up;
-};
-ViewAxes axes_of(const Pose& pose);
 
 }  // namespace citykiln::preview

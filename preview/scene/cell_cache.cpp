@@ -47,6 +47,7 @@ struct CellCache::Calls {
     RTCRayHit& rayhit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
     std::shared_ptr<const Cell> waited;
     const Cell* cell = cache.ready(args->primID);
+    if (cell == nullptr && !cache.may_meet(args->primID, rayhit.ray)) return;
     if (cell == nullptr) cell = (waited = cache.wait_for(args->primID, ray)).get();
     RTCRayHit local = rayhit;
     local.hit.geomID = local.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -64,6 +65,7 @@ struct CellCache::Calls {
     RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
     std::shared_ptr<const Cell> waited;
     const Cell* cell = cache.ready(args->primID);
+    if (cell == nullptr && !cache.may_meet(args->primID, ray)) return;
     if (cell == nullptr) cell = (waited = cache.wait_for(args->primID, state)).get();
     RTCRay local = ray;
     rtcOccluded1(cell->geometry().scene(), args->context, &local);
@@ -130,9 +132,14 @@ const Cell* CellCache::ready(std::size_t cell) const {
   return made;
 }
 
+bool CellCache::may_meet(std::size_t cell, const RTCRay& ray) const {
+  const CellExtent* extent = slots_[cell].extent.load(std::memory_order_acquire);
+  return extent == nullptr || extent->may_meet(ray);
+}
+
 // The ray is no reader meanwhile, so that evictions need not wait for it; the cell that it has hit is kept.
 std::shared_ptr<const Cell> CellCache::wait_for(std::size_t cell, CellRay& ray) const {
-  if (ray.hit != nullptr && !ray.kept) ray.kept = ray.hit->shared_from_this();
+  if (ray.hit != nullptr && ray.kept.get() != ray.hit) ray.kept = ray.hit->shared_from_this();
   ray.reader.leave();
   std::shared_ptr<const Cell> made = make(cell);
   ray.reader.enter();
@@ -150,6 +157,11 @@ std::shared_ptr<const Cell> CellCache::make(std::size_t cell) const {
   lock.lock();
   ++counters_.generated;
   if (slot.was_generated) ++counters_.regenerated;
+  if (!slot.extent_owner) {
+    auto extent = std::make_unique<CellExtent>(made->bounds());
+    made->geometry().add_to(*extent);
+    slot.extent.store(extent.get(), std::memory_order_release), slot.extent_owner = std::move(extent);
+  }
   slot.owner = made, slot.is_generating = false, slot.was_generated = true;
   slot.used = ++clock_;
   slot.ready.store(made.get());

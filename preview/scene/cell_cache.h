@@ -92,14 +92,17 @@ class CellCache {
   struct Calls;
   struct Slot {
     std::atomic<const Cell*> ready = nullptr;
-    std::atomic<std::uint32_t> used = 0;  // clock of the last use
-    std::shared_ptr<const Cell> owner;    // the rest under mutex_
+    std::atomic<const CellExtent*> extent = nullptr;  // since the cell was first generated
+    std::atomic<std::uint32_t> used = 0;              // clock of the last use
+    std::shared_ptr<const Cell> owner;                // the rest under mutex_
+    std::unique_ptr<const CellExtent> extent_owner;
     bool is_generating = false, was_generated = false;
   };
 
   static bool on_memory(void* self, ssize_t bytes, bool post);
   RTCBounds box_of(std::size_t cell) const;
   const Cell* ready(std::size_t cell) const;
+  bool may_meet(std::size_t cell, const RTCRay& ray) const;
   std::shared_ptr<const Cell> wait_for(std::size_t cell, CellRay& ray) const;
   std::shared_ptr<const Cell> make(std::size_t cell) const;
   std::shared_ptr<const Cell> generate(std::size_t cell) const;

@@ -47,22 +47,7 @@ double half_extent(Vec3 row, Vec3 half) {
 // Embree's callbacks for one instance.
 struct InstanceSet::Calls {
   static void bounds(const RTCBoundsFunctionArguments* args) {
-    const auto& set = *static_cast<const InstanceSet*>(args->geometryUserPtr);
-    const InstanceTransform& transform = set.transforms_[args->primID];
-    const Rotation rotation = rotation_of(transform.rotation);
-    const Vec3 half = (set.mesh_->high() - set.mesh_->low()) * (0.5 * transform.scale);
-    const Vec3 middle = bake::widened(transform.translation) +
-                        rotation.out((set.mesh_->low() + set.mesh_->high()) * (0.5 * transform.scale));
-    const Vec3 reach{half_extent({rotation.x.x, rotation.y.x, rotation.z.x}, half),
-                     half_extent({rotation.x.y, rotation.y.y, rotation.z.y}, half),
-                     half_extent({rotation.x.z, rotation.y.z, rotation.z.z}, half)};
-    // single precision may round a bound inwards
-    constexpr double kWider = 0x1p-22;
-    const auto below = [](double v, double r) { return static_cast<float>(v - r - kWider * (std::abs(v) + r)); };
-    const auto above = [](double v, double r) { return static_cast<float>(v + r + kWider * (std::abs(v) + r)); };
-    RTCBounds& b = *args->bounds_o;
-    b.lower_x = below(middle.x, reach.x), b.lower_y = below(middle.y, reach.y), b.lower_z = below(middle.z, reach.z);
-    b.upper_x = above(middle.x, reach.x), b.upper_y = above(middle.y, reach.y), b.upper_z = above(middle.z, reach.z);
+    *args->bounds_o = static_cast<const InstanceSet*>(args->geometryUserPtr)->box_of(args->primID);
   }
 
   static void intersect(const RTCIntersectFunctionNArguments* args) {
@@ -113,6 +98,25 @@ void InstanceSet::attach_to(RTCDevice device, RTCScene top, unsigned first) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(top, geometry);
   rtcReleaseGeometry(geometry);
+}
+
+RTCBounds InstanceSet::box_of(std::size_t instance) const {
+  const InstanceTransform& transform = transforms_[instance];
+  const Rotation rotation = rotation_of(transform.rotation);
+  const Vec3 half = (mesh_->high() - mesh_->low()) * (0.5 * transform.scale);
+  const Vec3 middle =
+      bake::widened(transform.translation) + rotation.out((mesh_->low() + mesh_->high()) * (0.5 * transform.scale));
+  const Vec3 reach{half_extent({rotation.x.x, rotation.y.x, rotation.z.x}, half),
+                   half_extent({rotation.x.y, rotation.y.y, rotation.z.y}, half),
+                   half_extent({rotation.x.z, rotation.y.z, rotation.z.z}, half)};
+  // single precision may round a bound inwards
+  constexpr double kWider = 0x1p-22;
+  const auto below = [](double v, double r) { return static_cast<float>(v - r - kWider * (std::abs(v) + r)); };
+  const auto above = [](double v, double r) { return static_cast<float>(v + r + kWider * (std::abs(v) + r)); };
+  RTCBounds b{};
+  b.lower_x = below(middle.x, reach.x), b.lower_y = below(middle.y, reach.y), b.lower_z = below(middle.z, reach.z);
+  b.upper_x = above(middle.x, reach.x), b.upper_y = above(middle.y, reach.y), b.upper_z = above(middle.z, reach.z);
+  return b;
 }
 
 OsmId InstanceSet::feature_of(std::size_t instance) const {

@@ -31,6 +31,8 @@ class InstanceSet {
   /// object, which must not move.
   void attach_to(RTCDevice device, RTCScene top, unsigned first);
 
+  /// The box of an instance in the world; of a mesh without triangles an empty one.
+  RTCBounds box_of(std::size_t instance) const;
   unsigned first() const { return first_; }
   std::size_t size() const { return transforms_.size(); }
   std::size_t bytes() const { return transforms_.capacity() * sizeof(InstanceTransform); }  ///< Without the mesh.

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "preview/scene/cell_extent.h"
 #include "preview/scene/instance_set.h"
 #include "preview/scene/mesh_part.h"
 
@@ -26,6 +27,8 @@ class SceneGeometry {
   RTCScene scene() const { return scene_; }
   /// The meaning of a hit in the scene: in the world's frame, its normals not turned towards the ray.
   Hit hit_of(const RTCHit& found, const RayFootprint& footprint) const;
+  /// Adds the boxes of all triangles and instances. O(n).
+  void add_to(CellExtent& extent) const;
   /// Of corners and instances, without primitives, meshes of instances and Embree's hierarchies.
   std::size_t bytes() const;
 
