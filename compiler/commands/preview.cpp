@@ -17,9 +17,9 @@
 #include "compiler/contract/parse.h"
 #include "compiler/spec.h"
 #include "preview/camera/view_probe.h"
-#include "preview/picture/read_environment.h"
 #include "preview/picture/denoise.h"
 #include "preview/picture/exposure.h"
+#include "preview/picture/read_environment.h"
 #include "preview/render.h"
 #include "preview/window/interactive.h"
 
@@ -29,7 +29,10 @@ namespace {
 // --exposure: a factor, stops, or automatic.
 struct Exposure {
   double factor = 1;
-  bool is_auto = false;
+  bool is_auto = false, is_given = false;
+
+  /// By night, unless given, it is automatic: streets have a thousand times the light of the sky, or none.
+  bool is_auto_under(const sky::Sky& sky) const { return is_auto || (!is_given && sky::is_night(sky)); }
 };
 
 struct Request {
@@ -163,7 +166,7 @@ Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& came
   const StopOnInterrupt interrupt;
   stage.options.is_stopped = &interrupt.is_stopped();
   std::optional<double> exposure;
-  if (!stage.request.exposure.is_auto)
+  if (!stage.request.exposure.is_auto_under(stage.scene.sky))
     exposure = stage.request.exposure.factor * preview::adapted_exposure(stage.scene.sky);
   std::optional<LitWorld> lit;
   for (std::size_t i = 0; i < cameras.size() && !interrupt.is_stopped(); ++i) {
@@ -248,7 +251,7 @@ std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
 
 Take store_exposure(Exposure& exposure) {
   return [&exposure](const std::string& text) -> Result<Done> {
-    exposure = {.factor = 1, .is_auto = text.starts_with("auto")};
+    exposure = {.factor = 1, .is_auto = text.starts_with("auto"), .is_given = true};
     std::string_view number = std::string_view(text).substr(exposure.is_auto ? 4 : 0);
     if (exposure.is_auto && number.empty()) return Done{};
     const bool is_stops = number.starts_with('+') || number.starts_with('-');
@@ -310,7 +313,8 @@ std::vector<Option> picture_options(Request& request) {
       {"--exposure", "STOPS|X|auto",
        "brightness: stops with a sign, such as +1 or -0.5, or a factor without, on top of the adaptation of eyes to "
        "the "
-       "dark; auto is by the picture's own brightness, auto+1 a stop more (default: +0)",
+       "dark; auto is by the picture's own brightness, auto+1 a stop more (default: +0 by day, auto "
+       "by night)",
        false, store_exposure(request.exposure)},
       {"--keep-frames", "", "pictures of --path or --turntable that are there already are not rendered again", false,
        store_switch(request.keeps_frames)},

@@ -16,7 +16,11 @@ double auto_exposure(const Image& image) {
   }
   if (values.empty()) return 1;
   std::ranges::sort(values);
+  // a night sky says nothing about the brightness of a street
+  constexpr double kBlack = 1.0 / 300;
+  const double bright = values[values.size() * 9 / 10];
   values.resize(std::max<std::size_t>(values.size() * 49 / 50, 1));
+  values.erase(values.begin(), std::ranges::lower_bound(values, std::min(bright * kBlack, values.back())));
   double sum = 0;
   for (const double value : values) sum += std::log2(value);
   const double mean = std::exp2(sum / static_cast<double>(values.size()));

@@ -91,7 +91,8 @@ TEST(GroundMeshes, KnowTheLayerOfTheirClass) {
   EXPECT_EQ(layer_of(map::LandCoverClass::kRailway), Layer::kRoads);
   EXPECT_EQ(layer_of(map::LandCoverClass::kRiver), Layer::kWater);
   const OnePiece one(0);
-  for (const LayeredMesh& part : material_meshes(one.ground, one.cover, lay_out_markings(one.cover.layouts, 0.05), {}, 0.05))
+  for (const LayeredMesh& part :
+       material_meshes(one.ground, one.cover, lay_out_markings(one.cover.layouts, 0.05), {}, 0.05))
     EXPECT_EQ(part.layer, layer_of(one.cover.surfaces[0].surface));
 }
 
