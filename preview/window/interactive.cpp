@@ -53,9 +53,9 @@ std::vector<std::uint8_t> screen_bytes(const Image& image, double exposure) {
 }
 
 // Opens a window; never null.
-Result<void*> open_window(const Module& module, int width, int height) {
+Result<void*> open_window(const Module& module, int width, int height, const char* title) {
   char error[512] = "";
-  void* window = module.open(width, height, "citykiln", error, sizeof error);
+  void* window = module.open(width, height, title, error, sizeof error);
   if (window == nullptr) return Error{"--interactive", std::string("no window could be opened: ") + error};
   return window;
 }
@@ -65,7 +65,7 @@ Result<void*> open_window(const Module& module, int width, int height) {
 Result<Done> check_window() {
   const Result<Module> module = load_module();
   if (!module) return module.error();
-  const Result<void*> window = open_window(*module, 64, 64);
+  const Result<void*> window = open_window(*module, 64, 64, "citykiln starts");
   if (!window) return window.error();
   module->close(*window);
   return Done{};
@@ -75,7 +75,7 @@ Result<Done> show_interactive(const World& world, const Lights& lights, const Lo
                               const Options& options, const WritePicture& write) {
   const Result<Module> module = load_module();
   if (!module) return module.error();
-  const Result<void*> window = open_window(*module, options.width, options.height);
+  const Result<void*> window = open_window(*module, options.width, options.height, "citykiln");
   if (!window) return window.error();
   Options unexposed = options;
   unexposed.exposure = 1;

@@ -76,7 +76,7 @@ double t_of(const std::vector<double>& a, const std::vector<double>& b) {
 TEST(AdaptiveSampling, HasNoBias) {
   const std::vector tiles = {passage()};
   const sky::Sky sky{"", unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
-  const Camera camera{{0, 2, 1.6}, {0, 20, 2}, 50};
+  const Camera camera{{0, 2, 1.6}, {12, 20, 6}, 50};
   Options options;
   options.width = 64, options.height = 32, options.samples = 32;
   std::vector<double> fixed_left, fixed_right, adapted_left, adapted_right;
