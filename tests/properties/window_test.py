@@ -42,21 +42,21 @@ class Window(unittest.TestCase):
     def test_shows_a_picture_that_keys_move(self):
         out = self.folder / "out"
         made = subprocess.run([PROGRAM, "compile", "--spec", ROOT / "examples/town/spec.json", "--emit", "kiln", "-o", out,
-                               "--only", "0_0"], capture_output=True, text=True, check=False)
+                               "--only", "0_0"], capture_output=True, text=True, check=False, cwd=ROOT)
         self.assertEqual(made.returncode, 0, made.stderr)
         picture = self.folder / "p.png"
         command = f"""
             timeout 200 {PROGRAM} preview {out}/scene.kiln --tolerance 2.5 --view low --size 320x180 --spp 4 --interactive -o {picture} &
             pid=$!
             window=$(timeout 150 sh -c 'until xdotool search --name "^citykiln$" 2>/dev/null; do sleep 0.3; done' | tail -1)
-            sleep 5
+            sleep 8
             cp {self.folder}/Xvfb_screen0 {self.folder}/before
             xdotool windowfocus $window
-            xdotool keydown --window $window w; sleep 1.5; xdotool keyup --window $window w
-            sleep 5
+            xdotool keydown --window $window w; sleep 3; xdotool keyup --window $window w
+            sleep 8
             cp {self.folder}/Xvfb_screen0 {self.folder}/after
             xdotool key --window $window p
-            sleep 1
+            sleep 4
             xdotool key --window $window Escape 2>/dev/null
             wait $pid"""
         done = run_in_display(self.folder, command)
