@@ -48,11 +48,12 @@ Result<Street> street_of(const ChartRequest& request) {
   if (!scene) return scene.error();
   std::vector<bake::BakedTile> tiles;
   Report ignored;
-  const Result<Done> baked = bake_scene(*scene, std::vector{kTolerance_m}, request.threads, ignored, [](std::string_view, double) {},
-                                        [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
-                                          tiles.push_back(tile);
-                                          return Done{};
-                                        });
+  const Result<Done> baked = bake_scene(
+      *scene, std::vector{kTolerance_m}, request.threads, ignored, [](std::string_view, double) {},
+      [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
+        tiles.push_back(tile);
+        return Done{};
+      });
   if (!baked) return baked.error();
   const Result<preview::Camera> camera = preview::named_view(tiles, "street");
   if (!camera) return camera.error();

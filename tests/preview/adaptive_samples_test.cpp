@@ -84,7 +84,7 @@ TEST(AdaptiveSampling, HasNoBias) {
   for (std::uint64_t seed = 0; seed < 64; ++seed) {
     options.seed = 2 * seed, options.noise = 0, options.samples = 16;
     const Halves fixed = means_of(render(tiles, sky, camera, options));
-    options.seed = 2 * seed + 1, options.noise = 0.05, options.samples = 128;
+    options.seed = 2 * seed + 1, options.noise = 0.07, options.samples = 64;
     const Image image = render(tiles, sky, camera, options);
     adapts |= image.statistics.least_samples < image.statistics.most_samples;
     const Halves adapted = means_of(image);
