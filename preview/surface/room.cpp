@@ -31,7 +31,9 @@ double share_of(const Pane& pane, Vec3 origin, std::uint64_t salt) {
   const Vec3 p = pane.corner + origin;
   std::uint64_t h = salt * 0x9e3779b97f4a7c15u;
   for (const double v : {p.x, p.y, p.z}) {
-    h ^= static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v * 10)));
+    // off the grid of positions, so that both triangles of a pane, which round differently, agree
+    constexpr double kOff = 0.3123;
+    h ^= static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v * 10 + kOff)));
     h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u, h = (h ^ (h >> 27)) * 0x94d049bb133111ebu, h ^= h >> 31;
   }
   return static_cast<double>(h >> 11) * 0x1p-53;
@@ -76,7 +78,7 @@ bool is_on_pane(const Pane& pane, const Spot& spot) {
 }  // namespace
 
 std::optional<Pane> pane_of(const Vec3 (&triangle)[3]) {
-  constexpr double kLeast_m = 0.2, kUpright = 0.1, kHalf = 0.95;
+  constexpr double kLeast_m = 0.2, kUpright = 0.1, kOff_m = 0.02;
   const Vec3 normal = unit(cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
   if (!(dot(normal, normal) > 0) || std::abs(normal.z) > kUpright) return std::nullopt;
   Pane pane{.across = unit(Vec3{-normal.y, normal.x, 0}), .inward = normal * -1};
@@ -89,8 +91,11 @@ std::optional<Pane> pane_of(const Vec3 (&triangle)[3]) {
   }
   pane.width_m = right - left, pane.height_m = high - low;
   pane.corner = triangle[0] + pane.across * left + pane.up * low;
-  const double twice_area = length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
-  const bool is_half = twice_area > kHalf * pane.width_m * pane.height_m;
+  const auto is_corner = [&](const Vec3& p) {
+    const double x = dot(p - pane.corner, pane.across), y = dot(p - pane.corner, pane.up);
+    return std::min(x, pane.width_m - x) < kOff_m && std::min(y, pane.height_m - y) < kOff_m;
+  };
+  const bool is_half = std::ranges::all_of(triangle, is_corner);
   return is_half && std::min(pane.width_m, pane.height_m) >= kLeast_m ? std::optional(pane) : std::nullopt;
 }
 
