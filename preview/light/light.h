@@ -22,8 +22,6 @@ class Lights {
   /// An environment map replaces sky and sun, and there is no haze.
   explicit Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps = {});
 
-  /// Whether it is clear air that fades what is far away.
-  bool has_air() const { return !is_map_; }
   Rgb sun_radiance() const { return model_.sun_radiance; }
   const std::vector<StreetLamp>& lamps() const { return lamps_; }
 
