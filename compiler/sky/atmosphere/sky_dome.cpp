@@ -56,7 +56,8 @@ auto mixed(const Table& a, const Table& b, float share) {
 SkyDome::Light SkyDome::light_of(const MarchedLight& marched, double cosine, double scale) {
   Bands smooth = marched.more;
   const auto phase = static_cast<float>(molecules_phase(cosine));
-  for (int b = 0; b < kBands; ++b) smooth[b] += phase * marched.molecules[b];
+  const auto glow = static_cast<float>(aerosols_glow(cosine));
+  for (int b = 0; b < kBands; ++b) smooth[b] += phase * marched.molecules[b] + glow * marched.aerosols_twice[b];
   return {narrowed(rgb_of(smooth), scale), narrowed(rgb_of(marched.aerosols), scale)};
 }
 
