@@ -9,6 +9,7 @@
 #include "compiler/bake/baked_tile.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
+#include "compiler/sky/air_settings.h"
 #include "compiler/stage_timer.h"
 
 namespace citykiln::commands {

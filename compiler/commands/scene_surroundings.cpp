@@ -66,6 +66,7 @@ preview::Rgb albedo_of(map::LandCoverClass cover) {
 
 // Means of the places about a direction.
 preview::Edge edge_of(const std::vector<Sample>& samples, int direction) {
+  using preview::operator+, preview::operator*;
   preview::Edge edge;
   constexpr int kEach = kPlaces / kDirections, kReach = kBlur * kEach;
   double land = 0;
