@@ -63,6 +63,8 @@ Lights::Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps)
       ring_(kAcross + 1),
       lamps_(std::move(lamps)) {
   if (luminance(model.sun_radiance) > 0) sun_solid_angle_ = 2 * kPi * (1 - model.sun_cos_radius);
+  if (sun_solid_angle_ > 0 && table_.flux() > 0)
+    sun_to_sky_ = luminance(model.sun_radiance) * sun_solid_angle_ / table_.flux();
   for (int i = 0; i <= kAcross; ++i) {
     const Vec3 level = direction_at(static_cast<double>(i) / kAcross, 0);
     ring_[i] = sky::radiance(model, unit(Vec3{level.x, level.y, kHazeRise}));
