@@ -270,6 +270,7 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                                   double resampling_error_m, const std::vector<std::string>& credits) {
   Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
   if (!sky) return sky.error();
+  sky::set_air(spec.air, *sky);
   scene::Header header{.origin = plane.origin(),
                        .region = region,
                        .tile_m = spec.tile_m,

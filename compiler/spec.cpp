@@ -148,6 +148,29 @@ Result<Done> set_time(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+/// Stores a number of the air within limits.
+Result<Done> put_number(std::string_view text, double low, double high, std::string_view what,
+                        std::optional<double>& target) {
+  const auto number = number_in<double>(text);
+  if (!number || !(*number >= low && *number <= high)) return expected(what, text);
+  target = number;
+  return Done{};
+}
+
+Result<Done> set_visibility(CompileSpec& spec, std::string_view text) {
+  return put_number(text, sky::kHaziest_km, sky::kClearest_km, "a visibility from 1 to 300 (kilometres), such as 30",
+                    spec.air.visibility_km);
+}
+
+Result<Done> set_turbidity(CompileSpec& spec, std::string_view text) {
+  return put_number(text, sky::kLeastTurbidity, sky::kMostTurbidity, "a turbidity from 1 to 20, such as 2.6",
+                    spec.air.turbidity);
+}
+
+Result<Done> set_ground_albedo(CompileSpec& spec, std::string_view text) {
+  return put_number(text, 0, 1, "an albedo from 0 to 1, such as 0.2", spec.air.ground_albedo);
+}
+
 Result<Done> set_seed(CompileSpec& spec, std::string_view text) {
   const auto seed = number_in<std::uint64_t>(text);
   if (!seed) return expected("a whole number of at least 0, such as 7", text);
@@ -229,8 +252,16 @@ constexpr Setting kSettings[] = {
      "(default: layer)",
      false, set_split},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
-    {"time", "ISO", "date and time of the sky in UTC, such as 2026-06-21T15:00 (default: midsummer, 15:00 solar time)",
+    {"time", "ISO",
+     "date and time of the sky in UTC, or with an offset from it, such as 2026-06-21T20:30+02:00 (default: midsummer, "
+     "15:00 solar time)",
      false, set_time},
+    {"visibility", "KM",
+     "how far one sees at sea level, 1 to 300 km (default: 100, or by the turbidity if that is given)", false,
+     set_visibility},
+    {"turbidity", "T", "haze of the whole sky: 2 clear, 10 hazy (default: 2.6)", false, set_turbidity},
+    {"ground-albedo", "X", "share of light that the land around reflects into the air, 0 to 1 (default: 0.2)", false,
+     set_ground_albedo},
     {"seed", "N", "seed of all random choices, a whole number (default: 0)", false, set_seed},
     {"snow-line", "M", "land above this height in metres is covered by snow, such as 2800 (default: no snow)", false,
      set_snow_line},

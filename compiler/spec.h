@@ -19,6 +19,7 @@
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/locate.h"
 #include "compiler/scene/scene.h"
+#include "compiler/sky/air_settings.h"
 #include "compiler/source/raster.h"
 
 namespace citykiln {
@@ -74,8 +75,9 @@ struct CompileSpec {
   std::optional<double> snow_line_m;  ///< Land above it is covered by snow.
   std::string rules_folder;           ///< Rule files that replace shipped ones of the same name; "" for none.
   World world = World::kByOutput;     ///< 3D Tiles are on the ellipsoid, other outputs in the plane.
-  std::string time;                   ///< Of the sky, ISO 8601, UTC; see sky::plan.
-  int threads = 0;                    ///< 0: all processors. Does not change outputs.
+  std::string time;                   ///< Of the sky, ISO 8601; see sky::plan.
+  sky::AirSettings air;
+  int threads = 0;  ///< 0: all processors. Does not change outputs.
   Strictness strict;
   Outputs outputs;
 };

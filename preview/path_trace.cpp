@@ -128,8 +128,9 @@ Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Pa
 // Adds the light of a ray that hits nothing.
 void add_outside(const TraceContext& context, Path& path) {
   const Lights& lights = context.lights;
-  // above the horizon both are the same
-  const Rgb sky = path.is_sharp ? lights.seen(path.direction) : lights.falling(path.direction);
+  const Vec3 from = path.from + context.world.origin();
+  const Rgb sky = path.is_sharp ? lights.seen(from, path.direction, context.pixel_rad, path.is_first)
+                                : lights.falling(path.direction);
   const bool is_shared = path.pdf > 0 && path.has_sampled_sky;
   path.light = path.light + path.weight * sky * (is_shared ? balanced(path.pdf, lights.sky_pdf(path.direction)) : 1);
   if (path.pdf <= 0 || !lights.is_in_sun(path.direction)) return;
@@ -152,9 +153,9 @@ void add_emission(const TraceContext& context, const Hit& hit, Path& path) {
 
 // Fades what is behind air.
 void pass_air(const TraceContext& context, double distance_m, Path& path) {
-  const Rgb clear = context.lights.clearness(distance_m);
-  path.light = path.light + path.weight * context.lights.haze(path.direction) * (Rgb{1, 1, 1} - clear);
-  path.weight = path.weight * clear;
+  const sky::AirPath air = context.lights.air(path.from + context.world.origin(), path.direction, distance_m);
+  path.light = path.light + path.weight * air.added;
+  path.weight = path.weight * air.passed;
 }
 
 // Ends paths of little weight at random, and makes up for them. Returns false where the path ends.

@@ -111,6 +111,11 @@ Result<std::vector<Chart>> chart_render(const ChartRequest& request);
 /// Needs no map.
 Result<std::vector<Chart>> chart_lights(const ChartRequest& request);
 
+/// Luminance of the sky along the sun's vertical for four heights of the sun, by the sky model, by Preetham's, and by a
+/// spectral Monte Carlo integration; errors of the model over the whole sky, and the time to prepare it, over the sun's
+/// height. Needs no map.
+Result<std::vector<Chart>> chart_sky(const ChartRequest& request);
+
 /// Compiles the first map of the request. Errors: no map; those of compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);
 

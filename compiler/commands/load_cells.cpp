@@ -7,9 +7,9 @@
 #include <charconv>
 #include <filesystem>
 
+#include "compiler/commands/requested_sky.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/pipeline.h"
-#include "compiler/sky/plan.h"
 #include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
@@ -68,8 +68,7 @@ Result<scene::Scene> read_scene(const LoadRequest& request) {
   Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();
   if (scene->chunks.empty()) return Error{*path, "contains no tiles"};
-  if (request.time.empty()) return scene;
-  Result<sky::Sky> sky = sky::plan(scene->header.origin, request.time);
+  Result<sky::Sky> sky = sky_of(request, scene->header);
   if (!sky) return sky.error();
   scene->header.sky = std::move(*sky);
   return scene;

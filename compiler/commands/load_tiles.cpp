@@ -6,9 +6,9 @@
 #include <cassert>
 #include <filesystem>
 
+#include "compiler/commands/requested_sky.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/pipeline.h"
-#include "compiler/sky/plan.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"
@@ -23,11 +23,9 @@ Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_pr
   if (!path) return path.error();
   Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();
-  if (!request.time.empty()) {
-    Result<sky::Sky> sky = sky::plan(scene->header.origin, request.time);
-    if (!sky) return sky.error();
-    scene->header.sky = std::move(*sky);
-  }
+  Result<sky::Sky> sky = sky_of(request, scene->header);
+  if (!sky) return sky.error();
+  scene->header.sky = std::move(*sky);
   Loaded loaded;
   loaded.header = scene->header;
   Report report;

@@ -16,6 +16,7 @@ namespace citykiln::commands {
 struct LoadRequest {
   std::vector<std::string> paths;     ///< One .kiln, or one folder of a run, or .glb files.
   std::string time;                   ///< Time of the sky for baking a manifest; "": the scene's.
+  sky::AirSettings air;               ///< What of it replaces the scene's.
   std::optional<double> tolerance_m;  ///< For baking a manifest; none: 0.1 m.
   std::size_t level = 0;              ///< Of a folder's tiles.
   std::vector<scene::TileKey> only;   ///< If not empty, only these tiles.

@@ -43,6 +43,7 @@ struct Request {
   double environment_turn_deg = 0;
   PictureSize size;
   Exposure exposure;
+  std::optional<double> fog_share;
   bool is_denoised = false, keeps_frames = false, is_interactive = false;
   preview::Options options;
 };
@@ -215,14 +216,16 @@ Result<Exit> run(const Request& request, const Console& console) {
   Result<PreviewScene> scene = load_preview_scene({.load = request.load,
                                                    .cells = request.cells,
                                                    .finds_views = request.camera.finds_view(),
-                                                   .needs_tiles = request.is_interactive},
+                                                   .needs_tiles = request.is_interactive,
+                                                   .fog_share = request.fog_share},
                                                   on_progress);
   if (!scene) return scene.error();
   const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
   if (!cameras) return cameras.error();
   scene->for_views = {};
   const preview::Lights lights = *environment ? preview::Lights(**environment, scene->lamps)
-                                              : preview::Lights(sky::generate(scene->sky), scene->lamps);
+                                              : preview::Lights(sky::generate(scene->sky, cameras->front().eye.z),
+                                                                scene->lamps, scene->around, scene->fog);
   const Stage stage{request, *scene, lights, console, options_of(request)};
   if (request.is_interactive) return fly(stage, cameras->front());
   return render_frames(stage, *cameras, on_progress);
@@ -296,10 +299,16 @@ std::vector<Option> sampling_options(Request& request) {
 std::vector<Option> light_options(Request& request) {
   return {
       {"--time", "ISO",
-       "date and time of the sky in UTC, such as 2026-12-21T22:00 (default: the scene's); a manifest gets lit windows "
-       "by "
-       "night",
+       "date and time of the sky in UTC, or with an offset from it, such as 2026-12-21T23:00+01:00 (default: the "
+       "scene's); a manifest gets lit windows by night",
        false, store_text(request.load.time)},
+      {"--visibility", "KM", "how far one sees at sea level (default: the scene's)", false,
+       store_number(request.load.air.visibility_km, {sky::kHaziest_km, sky::kClearest_km, true})},
+      {"--turbidity", "T", "haze of the whole sky: 2 clear, 10 hazy (default: the scene's)", false,
+       store_number(request.load.air.turbidity, {sky::kLeastTurbidity, sky::kMostTurbidity, true})},
+      {"--fog", "SHARE",
+       "fog fills valleys up to the height below which this share of a manifest's ground is, such as 0.2", false,
+       store_number(request.fog_share, {0, 1, true})},
       {"--environment", "FILE.exr|.hdr", "light from a panorama instead of sun and sky", false,
        store_text(request.environment_path)},
       {"--environment-turn", "DEG", "compass bearing of the panorama's middle (default: 0, north)", false,

@@ -5,7 +5,8 @@
 #include <filesystem>
 
 #include "compiler/commands/ground_height.h"
-#include "compiler/sky/plan.h"
+#include "compiler/commands/requested_sky.h"
+#include "compiler/commands/scene_surroundings.h"
 #include "compiler/verify/run_report.h"
 
 namespace citykiln::commands {
@@ -14,10 +15,9 @@ namespace {
 // The tolerance of the tiles from which views are found: coarse enough to be quick, fine enough for streets and walls.
 constexpr double kViewTolerance_m = 2.5;
 
-/// The scene's sky, or the sky at another time; without a manifest at 45° north.
-Result<sky::Sky> sky_of(const LoadRequest& request, const std::optional<scene::Header>& header) {
-  if (header && request.time.empty()) return header->sky;
-  return sky::plan(header ? header->origin : map::LonLat{0, 45}, request.time);
+void look_around(const scene::Scene& recipes, const SceneRequest& request, PreviewScene& scene) {
+  scene.around = surroundings_of(recipes);
+  if (request.fog_share) scene.fog = fog_of(recipes, *request.fog_share);
 }
 
 // The level of a folder for views, if it is coarser than the one that is rendered.
@@ -55,11 +55,15 @@ std::optional<double> PreviewScene::ground_height_m(Vec2 place) const {
 }
 
 Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnProgress& on_progress) {
+  const bool is_manifest = request.load.paths.size() == 1 && request.load.paths.front().ends_with(".kiln");
+  if (request.fog_share && !is_manifest)
+    return Error{"--fog", "needs a manifest (scene.kiln), which knows the valleys"};
   PreviewScene scene;
   if (asks_for_cells(request.load) && !request.needs_tiles) {
     Result<scene::Scene> recipes = read_scene(request.load);
     if (!recipes) return recipes.error();
     scene.loaded.header = recipes->header, scene.sky = recipes->header.sky;
+    look_around(*recipes, request, scene);
     if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(*recipes, request.load.threads);
     scene.recipes = std::move(*recipes);
   } else {
@@ -69,6 +73,11 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
     if (!sky) return sky.error();
     scene.loaded = std::move(*loaded), scene.sky = *sky;
     if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
+    if (is_manifest) {
+      const Result<scene::Scene> recipes = read_scene(request.load);
+      if (!recipes) return recipes.error();
+      look_around(*recipes, request, scene);
+    }
   }
   if (!request.finds_views) return scene;
   on_progress("find a view", 0);

@@ -8,6 +8,8 @@
 #include "compiler/commands/load_cells.h"
 #include "compiler/commands/load_tiles.h"
 #include "compiler/commands/view_options.h"
+#include "preview/light/fog.h"
+#include "preview/light/surroundings.h"
 #include "preview/scene/lamps.h"
 #include "preview/scene/world.h"
 
@@ -18,7 +20,9 @@ struct PreviewScene {
   std::optional<scene::Scene> recipes{};     ///< Of a manifest whose cells are generated when rays meet them.
   std::vector<bake::BakedTile> for_views{};  ///< Tiles at some 2.5 m from which views are found; empty: use `loaded`.
   sky::Sky sky{};
-  std::vector<preview::StreetLamp> lamps{};  ///< Lit ones.
+  std::vector<preview::StreetLamp> lamps{};       ///< Lit ones.
+  std::optional<preview::Surroundings> around{};  ///< Of a manifest.
+  std::optional<preview::Fog> fog{};              ///< Of a manifest, if asked for.
 
   std::size_t tiles() const { return recipes ? recipes->chunks.size() : loaded.tiles.size(); }
   /// The tiles from which views are found. With a manifest, or a folder that has a level of 2.5 m, they do not depend
@@ -32,8 +36,9 @@ struct PreviewScene {
 struct SceneRequest {
   LoadRequest load;
   CellRequest cells;
-  bool finds_views = true;   ///< Whether view_tiles() are needed.
-  bool needs_tiles = false;  ///< Bakes a manifest even if no tolerance is given.
+  bool finds_views = true;            ///< Whether view_tiles() are needed.
+  bool needs_tiles = false;           ///< Bakes a manifest even if no tolerance is given.
+  std::optional<double> fog_share{};  ///< Fog up to the height below which this share of the ground is.
 };
 
 /// Errors: those of load_tiles(), and a time that is not one.

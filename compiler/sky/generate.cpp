@@ -1,106 +1,95 @@
-// Sky radiance after Preetham, Shirley, Smits, "A Practical Analytic Model for Daylight", SIGGRAPH 1999, appendix 2: at
-// zenith angle θ and angle γ from the sun, luminance and chromaticities are zenith · F(θ, γ) / F(0, θ_sun), with the
-// function F of Perez et al. 1993. Differences: when the sun is below the horizon, the sky of a sun at the horizon is
-// dimmed as twilight is; negative values are clamped to 0; luminances are scaled to measured daylight.
 #include "compiler/sky/generate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "compiler/sky/sunlight.h"
-
 namespace citykiln::sky {
 namespace {
 
+constexpr double kPi = std::numbers::pi;
 constexpr double kUnit_kcd_m2 = kUnitLuminance_cd_m2 / 1000;
 
-// The model's clear sky illuminates the ground with 28 klx for a sun at 60 degrees; measured are 14 to 17 klx.
-constexpr double kMeasuredShare = 0.55;
+// Illuminance of the sun outside of the atmosphere, to which domes are relative.
+constexpr double kSolar_lx = 128000;
 
-// Decades of luminance per degree of sun depression (Rozenberg 1966: 400 lx at sunset, 3.4 lx at -6 degrees), and the
-// share that remains at night.
-constexpr double kTwilightPerDegree = 0.345, kNight = 1e-6;
+// The natural sky far from towns and the Milky Way has 21.9 magnitudes per square arcsecond, half of it airglow
+// (Leinert et al. 1998, "The 1997 reference of diffuse night sky brightness").
+constexpr double kAirglow_cd_m2 = 1.8e-4;
 
-// F has a pole at the horizon: smaller cosines of the zenith angle are clamped.
-constexpr double kMinCosZenith = 0.01;
-// Reflectance of the ground that is seen below the horizon.
-constexpr double kGroundReflectance = 0.35;
+// The moon counts when the sun is 6° below the horizon: before, twilight has twenty times its light.
+constexpr double kDark = -0.1045;
 
-// Coefficients A to E of F for Y, x and y: linear in the turbidity.
-struct Linear {
-  double per_turbidity, constant;
-};
-constexpr Linear kPerez[3][5] = {
-    {{0.1787, -1.4630}, {-0.3554, 0.4275}, {-0.0227, 5.3251}, {0.1206, -2.5771}, {-0.0670, 0.3703}},
-    {{-0.0193, -0.2592}, {-0.0665, 0.0008}, {-0.0004, 0.2125}, {-0.0641, -0.8989}, {-0.0033, 0.0452}},
-    {{-0.0167, -0.2608}, {-0.0950, 0.0092}, {-0.0079, 0.2102}, {-0.0441, -1.6537}, {-0.0109, 0.0529}}};
+// The brightest stars come out when the sun is 3° below the horizon.
+constexpr double kStarsOut = -0.05;
 
-// Chromaticities at the zenith: cubic polynomials of the sun's zenith angle (falling powers), times T², T and 1.
-constexpr double kZenithX[3][4] = {
-    {0.00166, -0.00375, 0.00209, 0}, {-0.02903, 0.06377, -0.03202, 0.00394}, {0.11693, -0.21196, 0.06052, 0.25886}};
-constexpr double kZenithY[3][4] = {
-    {0.00275, -0.00610, 0.00317, 0}, {-0.04214, 0.08970, -0.04153, 0.00516}, {0.15346, -0.26756, 0.06670, 0.26688}};
+// Of the sun's disk or the moon's.
+double solid_angle_sr() { return 2 * kPi * (1 - std::cos(kSunRadius_rad)); }
 
-double chromaticity(const double (&rows)[3][4], double angle, double turbidity) {
-  double sum = 0;
-  for (const auto& row : rows) sum = sum * turbidity + ((row[0] * angle + row[1]) * angle + row[2]) * angle + row[3];
-  return sum;
+// Illuminance by the moon outside of the atmosphere. Its visual magnitude by the phase angle in degrees is -12.73 +
+// 0.026 |a| + 4e-9 a⁴ (Allen, "Astrophysical Quantities"); magnitude 0 is 2.54e-6 lx.
+double moonlight_lx(double lit) {
+  const double phase_deg = std::acos(std::clamp(2 * lit - 1, -1.0, 1.0)) * 180 / kPi;
+  const double magnitude = -12.73 + 0.026 * phase_deg + 4e-9 * std::pow(phase_deg, 4);
+  return 2.54e-6 * std::pow(10, -0.4 * magnitude);
 }
 
-// kcd/m². Not below 0.05: the formula becomes negative for low suns.
-double zenith_luminance(double angle, double turbidity) {
-  const double chi = (4.0 / 9 - turbidity / 120) * (std::numbers::pi - 2 * angle);
-  return std::max(0.05, (4.0453 * turbidity - 4.9710) * std::tan(chi) - 0.2155 * turbidity + 2.4192);
-}
+Rgb times(const Rgb& light, double factor) { return {light[0] * factor, light[1] * factor, light[2] * factor}; }
+Rgb plus(const Rgb& a, const Rgb& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
-// F(θ, γ) = (1 + A e^(B / cos θ)) (1 + C e^(D γ) + E cos² γ).
-double perez(const std::array<double, 5>& c, double cos_zenith, double cos_sun) {
-  const double angle = std::acos(std::clamp(cos_sun, -1.0, 1.0));
-  return (1 + c[0] * std::exp(c[1] / cos_zenith)) * (1 + c[2] * std::exp(c[3] * angle) + c[4] * cos_sun * cos_sun);
-}
-
-double twilight(double cos_zenith) {
-  const double below_deg = std::asin(std::clamp(-cos_zenith, 0.0, 1.0)) * 180 / std::numbers::pi;
-  return std::max(kNight, std::pow(10.0, -kTwilightPerDegree * below_deg));
-}
-
-// Converts chromaticity and luminance (kcd/m²) to linear RGB in kUnitLuminance_cd_m2.
-Rgb rgb_of(double x, double y, double luminance) {
-  Rgb rgb = rgb_of_xyz({x / y * luminance, luminance, (1 - x - y) / y * luminance});
-  for (double& c : rgb) c = std::max(0.0, c * (kMeasuredShare / kUnit_kcd_m2));
-  return rgb;
+bool has_moonlight(const Sky& sky) {
+  return sky.to_sun.z < kDark && sky.to_moon.z > -kSunRadius_rad && sky.moon_lit > 0.01;
 }
 
 }  // namespace
 
-SkyModel generate(const Sky& sky) {
+SkyModel generate(const Sky& sky, double eye_height_m) {
+  const LitAir lit(air_of(sky));
   SkyModel model;
   model.to_sun = unit(sky.to_sun);
   model.sun_cos_radius = std::cos(kSunRadius_rad);
-  model.sun_radiance = sun_luminance_kcd_m2(model.to_sun.z, sky.turbidity);
-  for (double& c : model.sun_radiance) c /= kUnit_kcd_m2;
-  const double cos_zenith = std::clamp(model.to_sun.z, 0.0, 1.0), angle = std::acos(cos_zenith);
-  model.zenith = {zenith_luminance(angle, sky.turbidity) * twilight(model.to_sun.z),
-                  chromaticity(kZenithX, angle, sky.turbidity), chromaticity(kZenithY, angle, sky.turbidity)};
-  for (int row = 0; row < 3; ++row) {
-    for (int i = 0; i < 5; ++i)
-      model.coefficients[row][i] = kPerez[row][i].per_turbidity * sky.turbidity + kPerez[row][i].constant;
-    model.zenith[row] /= perez(model.coefficients[row], 1, cos_zenith);
+  model.domes.push_back(std::make_shared<SkyDome>(lit, model.to_sun, eye_height_m, 1));
+  model.moon = {.to_moon = unit(sky.to_moon), .to_sun = model.to_sun};
+  if (has_moonlight(sky)) {
+    const double moonlight = moonlight_lx(sky.moon_lit) / kSolar_lx;
+    model.domes.push_back(std::make_shared<SkyDome>(lit, model.moon.to_moon, eye_height_m, moonlight));
+    model.to_sun = model.moon.to_moon;
   }
+  const SkyDome& lamp = *model.domes.back();
+  model.sun_radiance = times(lamp.direct(), 1 / (kUnit_kcd_m2 * solid_angle_sr()));
+  if (model.domes.size() > 1) model.moon.radiance = times(model.sun_radiance, 1 / sky.moon_lit);
+  const double airglow = kAirglow_cd_m2 / kUnitLuminance_cd_m2;
+  model.everywhere = {airglow, airglow, airglow};
+  model.white_ground = model.everywhere;
+  for (const auto& dome : model.domes)
+    model.white_ground = plus(model.white_ground, times(dome->ground(), 1 / (kPi * kUnit_kcd_m2)));
+  model.ground_albedo = sky.ground_albedo;
+  if (sky.to_sun.z < kStarsOut) model.stars = stars_of(sky);
   return model;
 }
 
+Rgb ground_radiance(const SkyModel& model) { return times(model.white_ground, model.ground_albedo); }
+
 Rgb radiance(const SkyModel& model, Vec3 direction) {
-  const bool is_below = direction.z < 0;
-  const Vec3 seen = is_below ? unit(Vec3{direction.x, direction.y, 0}) : direction;
-  const double cos_zenith = std::max(seen.z, kMinCosZenith), cos_sun = dot(seen, model.to_sun);
-  std::array<double, 3> yxy{};
-  for (int row = 0; row < 3; ++row) yxy[row] = model.zenith[row] * perez(model.coefficients[row], cos_zenith, cos_sun);
-  Rgb rgb = rgb_of(yxy[1], yxy[2], std::max(0.0, yxy[0]));
-  if (is_below)
-    for (double& c : rgb) c *= kGroundReflectance;
-  return rgb;
+  if (direction.z < 0 && model.domes.empty()) return ground_radiance(model);
+  if (direction.z < 0 && model.domes.front()->sees_sea(direction)) {
+    const AirPath path = air(model, direction, model.domes.front()->sea_m(direction));
+    const Rgb ground = ground_radiance(model);
+    return plus(path.added, {path.passed[0] * ground[0], path.passed[1] * ground[1], path.passed[2] * ground[2]});
+  }
+  Rgb sum = model.everywhere;
+  for (const auto& dome : model.domes) sum = plus(sum, times(dome->radiance(direction), 1 / kUnit_kcd_m2));
+  return sum;
+}
+
+AirPath air(const SkyModel& model, Vec3 direction, double distance_m) {
+  AirPath sum;
+  for (const auto& dome : model.domes) {
+    const AirPath path = dome->air(direction, distance_m);
+    sum.passed = path.passed;
+    sum.added = plus(sum.added, times(path.added, 1 / kUnit_kcd_m2));
+  }
+  return sum;
 }
 
 }  // namespace citykiln::sky

@@ -13,6 +13,7 @@
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/map/building_classes.h"
 #include "compiler/map/locate.h"
+#include "compiler/sky/air_settings.h"
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/kiln/chunk_codec.h"
@@ -72,12 +73,18 @@ RawBytes raw_chunk(const scene::Chunk& chunk) {
   return raw;
 }
 
+// Steps of 2^-20 are exact as integers.
+std::vector<std::int64_t> steps_of(Vec3 v) {
+  return {std::llround(v.x * 0x1p20), std::llround(v.y * 0x1p20), std::llround(v.z * 0x1p20)};
+}
+
 flatbuffers::Offset<fbs::Sky> sky_of(flatbuffers::FlatBufferBuilder& builder, const sky::Sky& sky) {
-  // steps of 2^-20 are exact as integers
-  const std::vector<std::int64_t> to_sun = {std::llround(sky.to_sun.x * 0x1p20), std::llround(sky.to_sun.y * 0x1p20),
-                                            std::llround(sky.to_sun.z * 0x1p20)};
   const auto time = builder.CreateString(sky.time);
-  return fbs::CreateSky(builder, time, builder.CreateVector(to_sun), sky.turbidity);
+  const auto direction = [&](Vec3 v) { return builder.CreateVector(steps_of(v)); };
+  const auto sun = direction(sky.to_sun), moon = direction(sky.to_moon);
+  const auto pole = direction(sky.to_pole), equinox = direction(sky.to_equinox);
+  return fbs::CreateSky(builder, time, sun, sky.turbidity, sky.visibility_km, sky.ground_albedo, moon,
+                        std::llround(sky.moon_lit * 0x1p20), pole, equinox);
 }
 
 flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder, const scene::Scene& scene,
@@ -187,11 +194,42 @@ Error damaged_header(const std::string& name) {
   return {name, "expected a citykiln manifest, found one whose header is damaged"};
 }
 
+// A direction; nothing unless it is nearly a unit vector.
+std::optional<Vec3> direction_of(const flatbuffers::Vector<std::int64_t>* steps) {
+  if (steps == nullptr || steps->size() != 3) return std::nullopt;
+  const auto part = [&](unsigned i) { return static_cast<double>((*steps)[i]) * 0x1p-20; };
+  const Vec3 v{part(0), part(1), part(2)};
+  const double length2 = dot(v, v);
+  return length2 > 0.99 && length2 < 1.01 ? std::optional(v) : std::nullopt;
+}
+
+// Whether values are such as compile writes.
+bool is_sound(const sky::Sky& sky) {
+  return sky.turbidity >= sky::kLeastTurbidity && sky.turbidity <= sky::kMostTurbidity &&
+         sky.visibility_km >= sky::kHaziest_km && sky.visibility_km <= sky::kClearest_km && sky.ground_albedo >= 0 &&
+         sky.ground_albedo <= 1 && sky.moon_lit >= 0 && sky.moon_lit <= 1;
+}
+
+std::optional<sky::Sky> plain(const fbs::Sky& s) {
+  const auto sun = direction_of(s.to_sun()), moon = direction_of(s.to_moon());
+  const auto pole = direction_of(s.to_pole()), equinox = direction_of(s.to_equinox());
+  if (!sun || !moon || !pole || !equinox) return std::nullopt;
+  const sky::Sky sky{.time = s.time() != nullptr ? s.time()->str() : "",
+                     .to_sun = *sun,
+                     .turbidity = s.turbidity(),
+                     .visibility_km = s.visibility_km(),
+                     .ground_albedo = s.ground_albedo(),
+                     .to_moon = *moon,
+                     .moon_lit = static_cast<double>(s.moon_lit()) * 0x1p-20,
+                     .to_pole = *pole,
+                     .to_equinox = *equinox};
+  return is_sound(sky) ? std::optional(sky) : std::nullopt;
+}
+
 // Converts the header to plain data and checks its values.
 Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const std::string& name) {
   const Error damaged = damaged_header(name);
-  if (h.region_m() == nullptr || h.region_m()->size() != 4 || h.sky() == nullptr || h.sky()->to_sun() == nullptr ||
-      h.sky()->to_sun()->size() != 3 ||
+  if (h.region_m() == nullptr || h.region_m()->size() != 4 || h.sky() == nullptr ||
       size_of(h.sources()) + size_of(h.attributions()) + size_of(h.rules()) + size_of(h.species()) > raw_size)
     return damaged;
   scene::Header header;
@@ -203,12 +241,9 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   const bool has_origin = std::abs(header.origin.lon_deg) <= 180 && std::abs(header.origin.lat_deg) <= 90;
   if (!has_origin || !is_whole_cells(header.region, header.tile_m) || !std::isfinite(header.resampling_error_m))
     return damaged;
-  const auto& s = *h.sky();
-  if (s.time() != nullptr) header.sky.time = s.time()->str();
-  header.sky.to_sun = {(*s.to_sun())[0] * 0x1p-20, (*s.to_sun())[1] * 0x1p-20, (*s.to_sun())[2] * 0x1p-20};
-  header.sky.turbidity = s.turbidity();
-  const double length2 = dot(header.sky.to_sun, header.sky.to_sun);
-  if (!(length2 > 0.99 && length2 < 1.01) || !(header.sky.turbidity >= 1 && header.sky.turbidity <= 20)) return damaged;
+  std::optional<sky::Sky> sky = plain(*h.sky());
+  if (!sky) return damaged;
+  header.sky = std::move(*sky);
   if (std::isinf(h.snow_line_m())) return damaged;
   if (!std::isnan(h.snow_line_m())) header.snow_line_m = h.snow_line_m();
   header.sources = strings_of(h.sources()), header.attributions = strings_of(h.attributions());

@@ -1,7 +1,9 @@
 #include "preview/light/light.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace citykiln::preview {
@@ -9,20 +11,15 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Preetham's sky is smooth: interpolated between cells of 0.8 millisteradian it is right within 1 %, but for the glow
-// around the sun.
+// Cells from which directions are drawn, finer near the horizon: their radiance is that of their middle.
 constexpr int kAcross = 128, kDown = 64;
 
-// Extinction of clear air by molecules (at 680, 550 and 440 nm; Bruneton, Neyret, "Precomputed Atmospheric Scattering",
-// EGSR 2008, at sea level) and by dust. Together some 3.9 / 2.3e-5 = 170 km of sight, the clearest of days
-// (Koschmieder), so that cities are visible from a few kilometres.
-constexpr Rgb kAir_per_m = {5.8e-6 + 6e-6, 13.5e-6 + 6e-6, 33.1e-6 + 6e-6};
-
-// Haze has the colour of the sky at this height above the horizon, where the eye looks through some 40 km of air.
-constexpr double kHazeRise = 0.06;
-
-// The sky fades to haze within this angle below the horizon.
-constexpr double kHorizonBlur_rad = 0.06;
+// Reflectance of the sea's body, and the slope of its waves, which see the sky that much above the horizon.
+constexpr Rgb kSeaBody = {0.008, 0.02, 0.03};
+constexpr double kWaveSlope = 0.12;
+// Thick fog is lit as a white floor is, and sends this share of it in every direction.
+constexpr double kFogAlbedo = 0.8;
+constexpr double kWaterNormal = 0.02;  // Fresnel reflectance at right angles
 
 std::array<float, 3> narrowed(const Rgb& c) {
   return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
@@ -30,11 +27,12 @@ std::array<float, 3> narrowed(const Rgb& c) {
 
 DirectionTable table_of(const sky::SkyModel& model) {
   std::vector<double> z_edges;
-  for (int row = 0; row <= kDown; ++row) z_edges.push_back(static_cast<double>(row) / kDown);
+  for (int row = 0; row <= kDown; ++row) z_edges.push_back(std::pow(static_cast<double>(row) / kDown, 1.5));
   std::vector<std::array<float, 3>> cells;
   for (int row = 0; row < kDown; ++row)
     for (int column = 0; column < kAcross; ++column)
-      cells.push_back(narrowed(sky::radiance(model, direction_at((column + 0.5) / kAcross, (row + 0.5) / kDown))));
+      cells.push_back(narrowed(
+          sky::radiance(model, direction_at((column + 0.5) / kAcross, (z_edges[row] + z_edges[row + 1]) / 2))));
   return {std::move(z_edges), kAcross, std::move(cells)};
 }
 
@@ -56,55 +54,79 @@ DirectionTable table_of(const EnvironmentMap& map) {
 
 }  // namespace
 
-Lights::Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps)
+Lights::Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps, std::optional<Surroundings> around,
+               std::optional<Fog> fog)
     : model_(model),
       about_sun_(frame_about(unit(model.to_sun))),
       table_(table_of(model)),
-      ring_(kAcross + 1),
+      stars_(model.stars),
+      around_(std::move(around)),
+      fog_(fog),
+      below_(sky::ground_radiance(model)),
       lamps_(std::move(lamps)) {
   if (luminance(model.sun_radiance) > 0) sun_solid_angle_ = 2 * kPi * (1 - model.sun_cos_radius);
   if (sun_solid_angle_ > 0 && table_.flux() > 0)
     sun_to_sky_ = luminance(model.sun_radiance) * sun_solid_angle_ / table_.flux();
-  for (int i = 0; i <= kAcross; ++i) {
-    const Vec3 level = direction_at(static_cast<double>(i) / kAcross, 0);
-    ring_[i] = sky::radiance(model, unit(Vec3{level.x, level.y, kHazeRise}));
-    if (i == kAcross) continue;
-    haze_mean_ = haze_mean_ + ring_[i] * (1.0 / kAcross);
-    below_ = below_ + sky::radiance(model, unit(Vec3{level.x, level.y, -kHazeRise})) * (1.0 / kAcross);
-  }
 }
 
 Lights::Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps)
     : is_map_(true), table_(table_of(map)), lamps_(std::move(lamps)) {}
 
-Rgb Lights::falling(Vec3 direction) const { return direction.z < 0 && !is_map_ ? below_ : table_.radiance(direction); }
+Rgb Lights::falling(Vec3 direction) const {
+  if (is_map_) return table_.radiance(direction);
+  return direction.z < 0 ? below_ : sky::radiance(model_, direction);
+}
 
 Vec3 Lights::sample_sun(UnitPair chance) const {
   const double cosine = 1 - chance.u * (1 - model_.sun_cos_radius);
   return about_sun_.out_of(direction_at(chance.v, cosine));
 }
 
-Rgb Lights::haze(Vec3 direction) const {
+// Stars and the moon, as they are outside of the air. The moon hides stars; the terminator is where the sun is level.
+Rgb Lights::bodies(Vec3 direction, double pixel_rad) const {
+  const sky::MoonDisk& moon = model_.moon;
+  const double off = dot(direction, moon.to_moon);
+  if (off < model_.sun_cos_radius || largest(moon.radiance) <= 0) return stars_.radiance(direction, pixel_rad);
+  const Vec3 aside = (direction - moon.to_moon * off) * (1 / sky::kSunRadius_rad);
+  const double depth = std::sqrt(std::max(0.0, 1 - dot(aside, aside)));
+  const bool is_lit = dot(aside - moon.to_moon * depth, moon.to_sun) > 0;
+  return is_lit ? moon.radiance : Rgb{};
+}
+
+Rgb Lights::around_at(Vec2 place, Vec3 direction) const {
+  const Edge edge = edge_at(*around_, place);
+  const Vec3 mirrored = unit(Vec3{direction.x, direction.y, -direction.z + kWaveSlope});
+  const double grazing = std::pow(1 - mirrored.z, 5), reflectance = kWaterNormal + (1 - kWaterNormal) * grazing;
+  const Rgb sea = sky::radiance(model_, mirrored) * reflectance + model_.white_ground * kSeaBody;
+  return mixed(model_.white_ground * edge.albedo, sea, edge.sea);
+}
+
+Rgb Lights::behind_fog(Vec3 from, Vec3 direction, const Rgb& light) const {
+  if (!fog_) return light;
+  const double passed = passed_fog(*fog_, from, direction, std::numeric_limits<double>::infinity());
+  return mixed(model_.white_ground * kFogAlbedo, light, passed);
+}
+
+Rgb Lights::seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) const {
+  if (is_map_) return table_.radiance(direction);
+  if (around_)
+    if (const auto ground = meet_ground(*around_, from, direction)) {
+      const sky::AirPath path = air(from, direction, ground->distance_m);
+      return path.added + path.passed * around_at(ground->place, direction);
+    }
+  const Rgb sky = sky::radiance(model_, direction);
+  const Rgb behind = is_camera && direction.z >= 0 ? bodies(direction, pixel_rad) : Rgb{};
+  constexpr double kFarthest_m = 2e5;  // beyond is no air, but for rays along the ground
+  const Rgb all = largest(behind) > 0 ? sky + behind * sky::air(model_, direction, kFarthest_m).passed : sky;
+  return behind_fog(from, direction, all);
+}
+
+sky::AirPath Lights::air(Vec3 from, Vec3 direction, double distance_m) const {
   if (is_map_) return {};
-  const double place = turn_of(direction) * kAcross;
-  const int i = std::min(static_cast<int>(place), kAcross - 1);
-  // straight down there is no azimuth
-  const double level = direction.x * direction.x + direction.y * direction.y;
-  return mixed(haze_mean_, mixed(ring_[i], ring_[i + 1], place - i), level);
-}
-
-Rgb Lights::seen(Vec3 direction) const {
-  if (direction.z >= 0 || is_map_) return table_.radiance(direction);
-  const double depth = std::min(-direction.z / kHorizonBlur_rad, 1.0), share = depth * depth * (3 - 2 * depth);
-  if (share >= 1) return haze(direction);
-  return mixed(table_.radiance({direction.x, direction.y, 0}), haze(direction), share);
-}
-
-Rgb Lights::clearness(double distance_m) const {
-  if (is_map_) return {1, 1, 1};
-  Rgb clear;
-  for (int c = 0; c < 3; ++c) clear[c] = std::exp(-distance_m * kAir_per_m[c]);
-  return clear;
+  sky::AirPath path = sky::air(model_, direction, distance_m);
+  if (!fog_) return path;
+  const double passed = passed_fog(*fog_, from, direction, distance_m);
+  return {path.passed * passed, mixed(model_.white_ground * kFogAlbedo, path.added, passed)};
 }
 
 }  // namespace citykiln::preview

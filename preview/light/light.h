@@ -1,4 +1,4 @@
-// Light from outside of the scene: the sky or an environment map, the sun's disk, and haze.
+// Light from outside of the scene: sky, sun, moon and stars, or an environment map; the land around; and the air.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,9 @@
 #include "compiler/sky/generate.h"
 #include "preview/light/direction_table.h"
 #include "preview/light/environment_map.h"
+#include "preview/light/fog.h"
+#include "preview/light/star_map.h"
+#include "preview/light/surroundings.h"
 #include "preview/rgb.h"
 #include "preview/scene/lamps.h"
 #include "preview/surface/microfacet.h"
@@ -14,20 +17,24 @@
 namespace citykiln::preview {
 
 /// The sources of light, but for what shines in the scene, and what rays see that hit nothing. Radiances are in
-/// sky::kUnitLuminance_cd_m2.
+/// sky::kUnitLuminance_cd_m2. "The sun" is the disk that throws shadows: by night the moon's.
 class Lights {
  public:
-  /// @param lamps  Street lamps that are lit, plane metres.
-  explicit Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps = {});
-  /// An environment map replaces sky and sun, and there is no haze.
+  /// @param lamps   Street lamps that are lit, plane metres.
+  /// @param around  The land around the scene; none: the ground at sea level.
+  /// @param fog     Hides what the eye sees, and takes no light from surfaces.
+  explicit Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps = {},
+                  std::optional<Surroundings> around = {}, std::optional<Fog> fog = {});
+  /// An environment map replaces sky and sun, and there is no air.
   explicit Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps = {});
 
   Rgb sun_radiance() const { return model_.sun_radiance; }
   const std::vector<StreetLamp>& lamps() const { return lamps_; }
 
-  /// Radiance for lighting surfaces. From below the horizon comes what dark ground reflects, or what the map shows.
+  /// Radiance for lighting surfaces, without the sun's disk. From below the horizon comes what the ground around
+  /// reflects, or what the map shows.
   Rgb falling(Vec3 direction) const;
-  /// A sample of the sky, in proportion to luminance; pdf 0 if the sky is black.
+  /// A sample of the sky, about in proportion to luminance; pdf 0 if the sky is black.
   DirectionSample sample_sky(UnitPair chance) const { return table_.sample(chance); }
   /// The density of sample_sky() in a direction, per steradian.
   double sky_pdf(Vec3 direction) const { return table_.pdf(direction); }
@@ -41,22 +48,28 @@ class Lights {
   double sun_solid_angle() const { return sun_solid_angle_; }
   bool is_in_sun(Vec3 direction) const { return has_sun() && dot(direction, model_.to_sun) >= model_.sun_cos_radius; }
 
-  /// The sky as the eye sees it, without the sun's disk. Below the horizon, beyond the edge of the ground, it is haze,
-  /// since a dark or sharp edge would look like a wall.
-  Rgb seen(Vec3 direction) const;
-  /// The share of light that passes `distance_m` of air, and the light that is scattered into the ray: that of the
-  /// horizon.
-  Rgb clearness(double distance_m) const;
-  Rgb haze(Vec3 direction) const;
+  /// What the eye sees along a ray that hits nothing: the sky, or the land and sea around, behind air. Without the
+  /// sun's disk; stars and the moon's disk are seen by rays of the camera alone, which `is_camera` says.
+  /// @param from  Plane metres; z above sea level. @param pixel_rad  Angle of a pixel.
+  Rgb seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) const;
+  /// The air and the fog between the eye and a surface.
+  /// @param from  As for seen().
+  sky::AirPath air(Vec3 from, Vec3 direction, double distance_m) const;
 
  private:
+  Rgb bodies(Vec3 direction, double pixel_rad) const;
+  Rgb around_at(Vec2 place, Vec3 direction) const;
+  Rgb behind_fog(Vec3 from, Vec3 direction, const Rgb& light) const;
+
   sky::SkyModel model_;
   bool is_map_ = false;
   double sun_solid_angle_ = 0, sun_to_sky_ = 0;
   Frame about_sun_{};
   DirectionTable table_;
-  std::vector<Rgb> ring_;  // of the horizon
-  Rgb below_{}, haze_mean_{};
+  StarMap stars_;
+  std::optional<Surroundings> around_;
+  std::optional<Fog> fog_;
+  Rgb below_{};
   std::vector<StreetLamp> lamps_;
 };
 

@@ -24,14 +24,19 @@ Row times(const Matrix& m, const Row& v) { return {times(m[0], v), times(m[1], v
 
 double curve(double v) { return (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081); }
 
-std::uint8_t srgb_byte(double v) {
+std::uint8_t srgb_byte(double v, double rounding) {
   const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::clamp(encoded, 0.0, 1.0) * 255 + 0.5);
+  return static_cast<std::uint8_t>(std::min(std::clamp(encoded, 0.0, 1.0) * 255 + rounding, 255.0));
 }
 
 }  // namespace
 
-std::array<std::uint8_t, 3> tone_map(const float* rgb) {
+double dither_at(int x, int y) {
+  const auto fraction = [](double v) { return v - std::floor(v); };
+  return fraction(52.9829189 * fraction(0.06711056 * x + 0.00583715 * y));
+}
+
+std::array<std::uint8_t, 3> tone_map(const float* rgb, double rounding) {
   Row light;
   for (int c = 0; c < 3; ++c) {
     const double v = std::isfinite(rgb[c]) ? std::max(0.0f, rgb[c]) : 0;
@@ -40,7 +45,7 @@ std::array<std::uint8_t, 3> tone_map(const float* rgb) {
   Row film = times(kIntoFilm, light);
   for (double& c : film) c = curve(c);
   const Row shown = times(kOutOfFilm, film);
-  return {srgb_byte(shown[0]), srgb_byte(shown[1]), srgb_byte(shown[2])};
+  return {srgb_byte(shown[0], rounding), srgb_byte(shown[1], rounding), srgb_byte(shown[2], rounding)};
 }
 
 }  // namespace citykiln::preview

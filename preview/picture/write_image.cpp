@@ -57,8 +57,11 @@ std::vector<CitykilnChannel> exr_channels(const Image& image, const IdChannels& 
 std::vector<std::uint8_t> screen_bytes(const Image& image) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(image.rgb.size());
-  for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
-    for (const std::uint8_t byte : tone_map(&image.rgb[i])) bytes.push_back(byte);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const std::size_t first = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + x) * 3;
+      for (const std::uint8_t byte : tone_map(&image.rgb[first], dither_at(x, y))) bytes.push_back(byte);
+    }
   return bytes;
 }
 

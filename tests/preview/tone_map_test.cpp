@@ -58,5 +58,24 @@ TEST(ToneMap, OneBadChannelSpoilsNoOther) {
   }
 }
 
+// A level between two bytes is shown by the share of pixels that have the higher one.
+TEST(DitherAt, ShowsLevelsBetweenBytes) {
+  constexpr int kSide = 128;
+  for (const float v : {0.02f, 0.1f, 0.123f, 0.5f}) {
+    const float rgb[] = {v, v, v};
+    double mean = 0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) mean += tone_map(rgb, dither_at(x, y))[1] / double{kSide * kSide};
+    const float next[] = {v * 1.002f, v * 1.002f, v * 1.002f};
+    double after = 0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) after += tone_map(next, dither_at(x, y))[1] / double{kSide * kSide};
+    EXPECT_NEAR(mean, toned(v, v, v)[1], 0.51);
+    EXPECT_GT(after, mean);
+  }
+  const float black[] = {0, 0, 0};
+  for (int x = 0; x < 1000; ++x) EXPECT_EQ(tone_map(black, dither_at(x, 7)), (Bytes{0, 0, 0}));
+}
+
 }  // namespace
 }  // namespace citykiln::preview

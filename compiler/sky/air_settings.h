@@ -1,0 +1,23 @@
+// Settings of the air that a user may give.
+#pragma once
+
+#include <optional>
+
+#include "compiler/sky/recipe.h"
+
+namespace citykiln::sky {
+
+/// Limits of the settings, for the command line and for manifests.
+inline constexpr double kClearest_km = 300, kHaziest_km = 1;
+inline constexpr double kLeastTurbidity = 1, kMostTurbidity = 20;
+
+struct AirSettings {
+  std::optional<double> turbidity{}, visibility_km{}, ground_albedo{};
+  bool operator==(const AirSettings&) const = default;
+};
+
+/// Puts what is set into a sky. A turbidity alone sets the visibility too: that of aerosols with a scale height of 6
+/// km. The same bits on every CPU.
+void set_air(const AirSettings& settings, Sky& sky);
+
+}  // namespace citykiln::sky

@@ -1,0 +1,42 @@
+// What air is made of: molecules, aerosols and ozone, by height and wavelength, over a spherical Earth.
+#pragma once
+
+#include "compiler/sky/recipe.h"
+
+namespace citykiln::sky {
+
+/// Radius of the Earth, and the height above which there is no air.
+inline constexpr double kEarth_m = 6371000, kTop_m = 100000;
+
+/// Densities relative to sea level; that of ozone relative to the middle of its layer.
+struct Densities {
+  double molecules, aerosols, ozone;
+};
+
+/// What each wavelength loses and scatters where the density is 1, per metre.
+struct Coefficients {
+  double molecules;           ///< Scattering alone.
+  double aerosols, absorbed;  ///< Extinction by aerosols, and the part of it that is absorption.
+  double ozone;               ///< Absorption alone.
+};
+
+/// The air of a sky. Densities fall exponentially, but for ozone, which is a layer from 10 to 40 km.
+struct Air {
+  double aerosols_550_per_m;  ///< Extinction at sea level: 3.912 / visibility (Koschmieder) less that of molecules.
+  double aerosols_height_m;   ///< Scale height: that which gives the column its turbidity.
+  double ground_albedo;
+};
+
+/// The air of a sky's visibility and turbidity. A scale height is from 0.5 to 8 km; beyond, the turbidity gives way.
+Air air_of(const Sky& sky);
+
+/// @param height_m  Above sea level; air below sea level is as at sea level.
+Densities densities_at(const Air& air, double height_m);
+Coefficients coefficients_at(const Air& air, double nm);
+
+/// Scattering by direction, per steradian; 1 over the sphere. Molecules: Rayleigh. Aerosols: Henyey and Greenstein.
+inline constexpr double kForward = 0.76;  ///< Mean cosine of aerosols.
+double molecules_phase(double cosine);
+double aerosols_phase(double cosine);
+
+}  // namespace citykiln::sky

@@ -1,0 +1,103 @@
+#include "compiler/sky/atmosphere/march.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace citykiln::sky {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// (1 - e^-x) / x, with the series where the difference would lose its digits.
+float mean_share(float x, float share) { return x < 0.01f ? 1 - x * (0.5f - x * (1.0f / 6)) : (1 - share) / x; }
+
+// What the moments of light scattered by molecules and by aerosols are multiplied with, in a direction: (2 l + 1) g_l /
+// 4π, where g_l are the moments of the phase functions, times the factors of the addition theorem.
+struct PhaseMoments {
+  float molecules[kMoments], aerosols[kMoments];
+};
+PhaseMoments phase_moments(double z, double x) {
+  const MomentBasis basis = moment_basis(z, x);
+  PhaseMoments phase;
+  for (int i = 0; i < kMoments; ++i) {
+    const int degree = kMomentDegrees[i];
+    const double shared = basis[i] * kAdditionFactors[i] * (2 * degree + 1) / (4 * kPi);
+    constexpr double kOfMolecules[] = {1, 0, 0.1, 0, 0};
+    constexpr double kOfAerosols[] = {1, kForward, kForward * kForward, kForward * kForward * kForward,
+                                      kForward * kForward * kForward * kForward};
+    phase.molecules[i] = static_cast<float>(shared * kOfMolecules[degree]);
+    phase.aerosols[i] = static_cast<float>(shared * kOfAerosols[degree]);
+  }
+  return phase;
+}
+
+}  // namespace
+
+PlaceOnRay place_on(const AirRay& ray, double way_m) {
+  const Vec3 at = Vec3{0, 0, kEarth_m + ray.height_m} + ray.direction * way_m;
+  const double r = length(at);
+  const Vec3 up = at * (1 / r);
+  const double source = dot(up, ray.to_source), z = dot(up, ray.direction);
+  const double level = std::sqrt(std::max(1e-12, 1 - source * source));
+  return {.height_m = std::max(0.0, r - kEarth_m),
+          .source_cosine = source,
+          .up = z,
+          .along = (dot(ray.direction, ray.to_source) - z * source) / level};
+}
+
+Bands direct_light(const LitAir& lit, double height_m, double source_cosine) {
+  const auto share = static_cast<float>(disk_share(height_m, source_cosine));
+  if (share <= 0) return {};
+  Bands light = transmitted(lit.coefficients, lit.columns.at(height_m, source_cosine));
+  for (float& v : light) v *= share;
+  return light;
+}
+
+void march(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, double from_m, double to_m,
+           MarchedLight& light) {
+  const PlaceOnRay place = place_on(ray, (from_m + to_m) / 2);
+  const Densities density = densities_at(lit.air, place.height_m);
+  const auto step_m = static_cast<float>(to_m - from_m);
+  const auto molecules = static_cast<float>(density.molecules), aerosols = static_cast<float>(density.aerosols);
+  const auto ozone = static_cast<float>(density.ozone);
+  const BandCoefficients c = lit.coefficients;  // a copy, which nothing else can change: loops are vectorised
+  Bands reaching;  // the share of what is scattered in this step that gets to the ray's begin, times metres
+  for (int b = 0; b < kBands; ++b) {
+    const float depth = (c.molecules[b] * molecules + c.aerosols[b] * aerosols + c.ozone[b] * ozone) * step_m;
+    const float share = exponential_below(-depth);
+    reaching[b] = light.passed[b] * step_m * mean_share(depth, share);
+    light.passed[b] *= share;
+  }
+  if (sources.has_direct && disk_share(place.height_m, place.source_cosine) > 0) {
+    const Bands direct = direct_light(lit, place.height_m, place.source_cosine);
+    for (int b = 0; b < kBands; ++b) {
+      light.molecules[b] += reaching[b] * c.molecules[b] * molecules * direct[b];
+      light.aerosols[b] += reaching[b] * c.aerosols_scattered[b] * aerosols * direct[b];
+    }
+  }
+  if (sources.field == nullptr) return;
+  const Moments moments = sources.field->at(place.height_m, place.source_cosine);
+  const PhaseMoments phase = phase_moments(place.up, place.along);
+  Bands by_molecules{}, by_aerosols{};
+  for (int i = 0; i < kMoments; ++i)
+    for (int b = 0; b < kBands; ++b) {
+      by_molecules[b] += moments[i][b] * phase.molecules[i];
+      by_aerosols[b] += moments[i][b] * phase.aerosols[i];
+    }
+  for (int b = 0; b < kBands; ++b)
+    light.more[b] += reaching[b] * (c.molecules[b] * molecules * by_molecules[b] +
+                                    c.aerosols_scattered[b] * aerosols * by_aerosols[b]);
+}
+
+MarchedLight march_out(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, int steps) {
+  MarchedLight light;
+  const double end_m = way_m(ray.height_m, ray.direction.z);
+  for (int i = 0; i < steps; ++i) {
+    const double from = static_cast<double>(i) / steps, to = static_cast<double>(i + 1) / steps;
+    march(lit, sources, ray, from * from * end_m, to * to * end_m, light);
+  }
+  return light;
+}
+
+}  // namespace citykiln::sky

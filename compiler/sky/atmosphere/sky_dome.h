@@ -1,0 +1,62 @@
+// The light of the sky for one source, sun or moon, seen from one height.
+#pragma once
+
+#include <vector>
+
+#include "compiler/sky/atmosphere/march.h"
+
+namespace citykiln::sky {
+
+/// What air does to light on its way to the eye.
+struct AirPath {
+  Rgb passed{1, 1, 1};  ///< Share of light from behind that passes.
+  Rgb added{};          ///< Light that is scattered into the ray.
+};
+
+/// Radiances in klx per steradian (kcd/m²), linear sRGB, without colours outside of its gamut.
+///
+/// Method: radiance is tabulated by the angle above the horizon (finer near it) and the azimuth from the source, and
+/// light in the air by direction and distance. What aerosols scatter once is kept without its phase function, which is
+/// peaked about the source and multiplied later.
+class SkyDome {
+ public:
+  /// @param irradiance  Of the source outside of the atmosphere, relative to the sun's. Cost: 0.2 s.
+  SkyDome(const LitAir& lit, Vec3 to_source, double eye_height_m, double irradiance);
+
+  /// The sky in a unit direction, without the source's disk; below the horizon as at it. O(1).
+  Rgb radiance(Vec3 direction) const;
+  /// The air along a ray from the eye, whatever it meets at a distance up to 200 km; beyond as at 200 km. O(1).
+  AirPath air(Vec3 direction, double distance_m) const;
+
+  /// Direct light of the source at the eye: illuminance, klx, of a surface that faces it.
+  Rgb direct() const { return direct_; }
+  /// Illuminance of level ground at sea level, klx.
+  Rgb ground() const { return ground_; }
+  /// Whether a ray from the eye meets the sea, and how far away.
+  bool sees_sea(Vec3 direction) const { return direction.z < horizon_cosine(eye_height_m_); }
+  double sea_m(Vec3 direction) const { return way_m(eye_height_m_, direction.z); }
+
+ private:
+  // Radiances without and with the aerosols' phase function.
+  struct Light {
+    std::array<float, 3> smooth, aerosols;
+  };
+  struct Cell {
+    int index;
+    double share;
+  };
+  Cell azimuth_cell(Vec3 direction, int columns) const;
+  static Light light_of(const MarchedLight& marched, double cosine, double scale);
+  Rgb with_phase(const Light& light, Vec3 direction) const;
+  void fill_sky(const LitAir& lit, const ScatteredField& field);
+  void fill_air(const LitAir& lit, const ScatteredField& field);
+
+  Vec3 to_source_;
+  double eye_height_m_, irradiance_, horizon_rad_;
+  Rgb direct_{}, ground_{};
+  std::vector<Light> sky_;                   // rows above the horizon, columns of azimuth
+  std::vector<Light> air_;                   // rows, columns, distances; per metre
+  std::vector<std::array<float, 3>> depth_;  // rows, distances; per metre
+};
+
+}  // namespace citykiln::sky

@@ -1,0 +1,107 @@
+#include "compiler/sky/parse_time.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+
+namespace citykiln::sky {
+namespace {
+
+constexpr double kUnixEpoch = 2440587.5, kJ2000 = 2451545.0;  // Julian dates
+constexpr int kLargestOffset_min = 14 * 60;                   // Line Islands; all others are smaller
+
+/// Reads a text from left to right; once something does not fit, it stays wrong.
+class Cursor {
+ public:
+  explicit Cursor(const std::string& text) : text_(text) {}
+
+  int number(int digits) {
+    int value = 0;
+    for (int i = 0; i < digits; ++i) {
+      const bool is_digit = at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9';
+      if (!is_digit) return is_right_ = false, 0;
+      value = value * 10 + (text_[at_++] - '0');
+    }
+    return value;
+  }
+  bool skip(char c) {
+    if (at_ >= text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+  void expect(char c) { is_right_ = skip(c) && is_right_; }
+  bool is_at_end() const { return at_ == text_.size(); }
+  bool is_right() const { return is_right_; }
+
+ private:
+  const std::string& text_;
+  std::size_t at_ = 0;
+  bool is_right_ = true;
+};
+
+struct Fields {
+  int year, month, day, hour, minute, second = 0;
+  int offset_min = 0;
+};
+
+// Minutes east of UTC: "Z", "+02:00", "+0200", "+02" or nothing.
+int read_offset_min(Cursor& cursor) {
+  if (cursor.is_at_end() || cursor.skip('Z')) return 0;
+  const bool is_west = cursor.skip('-');
+  if (!is_west) cursor.expect('+');
+  const int hours = cursor.number(2);
+  const bool has_minutes = cursor.skip(':') || !cursor.is_at_end();
+  const int minutes = has_minutes ? cursor.number(2) : 0;
+  // more than an hour's minutes become an offset that is refused
+  const int offset_min = minutes < 60 ? hours * 60 + minutes : 2 * kLargestOffset_min;
+  return is_west ? -offset_min : offset_min;
+}
+
+std::optional<Fields> read_fields(const std::string& text) {
+  Cursor cursor(text);
+  Fields f{};
+  f.year = cursor.number(4), cursor.expect('-');
+  f.month = cursor.number(2), cursor.expect('-');
+  f.day = cursor.number(2), cursor.expect('T');
+  f.hour = cursor.number(2), cursor.expect(':');
+  f.minute = cursor.number(2);
+  if (cursor.skip(':')) f.second = cursor.number(2);
+  f.offset_min = read_offset_min(cursor);
+  return cursor.is_right() && cursor.is_at_end() ? std::optional(f) : std::nullopt;
+}
+
+std::string text_of(std::chrono::sys_seconds moment) {
+  const auto day = std::chrono::floor<std::chrono::days>(moment);
+  const std::chrono::year_month_day date(day);
+  const std::chrono::hh_mm_ss time(moment - day);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), time.hours().count(),
+                     time.minutes().count(), time.seconds().count());
+}
+
+}  // namespace
+
+Result<Moment> parse_time(const std::string& text) {
+  const std::optional<Fields> f = read_fields(text);
+  if (!f)
+    return Error{text, "expected a time like 2026-06-21T15:00 (UTC) or 2026-06-21T17:00+02:00, with seconds or not"};
+  const std::chrono::year_month_day date{std::chrono::year(f->year),
+                                         std::chrono::month(static_cast<unsigned>(f->month)),
+                                         std::chrono::day(static_cast<unsigned>(f->day))};
+  if (!date.ok()) return Error{text, "the calendar has no such date"};
+  if (f->second == 60) return Error{text, "leap seconds are not supported; give second 59"};
+  if (f->hour > 23 || f->minute > 59 || f->second > 59) return Error{text, "expected a time from 00:00:00 to 23:59:59"};
+  if (std::abs(f->offset_min) > kLargestOffset_min)
+    return Error{text, "expected an offset from UTC of -14:00 to +14:00, with minutes up to 59"};
+  const std::chrono::sys_seconds moment = std::chrono::sys_days(date) + std::chrono::hours(f->hour) +
+                                          std::chrono::minutes(f->minute - f->offset_min) +
+                                          std::chrono::seconds(f->second);
+  const auto year = std::chrono::year_month_day(std::chrono::floor<std::chrono::days>(moment)).year();
+  if (year < std::chrono::year(0) || year > std::chrono::year(9999))
+    return Error{text, "expected a moment in the years 0 to 9999, in UTC"};
+  const double days = static_cast<double>(moment.time_since_epoch().count()) / 86400 + kUnixEpoch - kJ2000;
+  return Moment{f->offset_min == 0 ? text : text_of(moment), days};
+}
+
+}  // namespace citykiln::sky
