@@ -12,6 +12,7 @@
 #include "preview/morton_order.h"
 #include "preview/path_trace.h"
 #include "preview/picture/running_mean.h"
+#include "preview/scene/cell_cache.h"
 
 namespace citykiln::preview {
 namespace {
@@ -101,18 +102,29 @@ class Progress {
   std::mutex mutex_;
 };
 
-// Samples of one sequence for all blocks: of block i `counts[i]`, with `weights[i]` each, in passes that double.
+// Whether cells had to be generated again: then blocks of pixels are finished one by one, since each pass over the
+// picture needs all cells that it shows.
+bool lacks_memory(const World& world) {
+  const auto counters = world.counters();
+  return counters && counters->regenerated > 0;
+}
+
+// Samples of one sequence for all blocks: of block i `counts[i]`, with `weights[i]` each, in passes that double. The
+// sums of a pixel do not depend on how many passes its block takes at a time.
 void run_passes(const Shot& shot, std::uint64_t seed, const std::vector<int>& counts,
                 const std::vector<double>& weights, std::vector<Block>& blocks, RunningMean& mean, Progress& progress) {
   const Options& options = shot.options;
   const int most = *std::ranges::max_element(counts);
   const SampleGrid grid = grid_of(options.width, options.height, most);
-  for (int first = 0, end = 1; first < most && !progress.is_stopped(); first = end, end = std::min(2 * end, most)) {
+  for (int first = 0, last = 1; first < most && !progress.is_stopped(); first = last, last = std::min(2 * last, most)) {
+    if (lacks_memory(shot.context.world)) last = most;
     for_each_index(blocks.size(), options.threads, [&](std::size_t i) {
-      const int count = std::min(end, counts[i]) - first;
-      if (count <= 0 || progress.is_stopped()) return;
-      sample_block(shot, {seed, grid, first, count}, weights[i], blocks[i], mean);
-      progress.add(count);
+      for (int from = first; from < last; from = std::max(2 * from, 1)) {
+        const int count = std::min({std::max(2 * from, 1), last, counts[i]}) - from;
+        if (count <= 0 || progress.is_stopped()) return;
+        sample_block(shot, {seed, grid, from, count}, weights[i], blocks[i], mean);
+        progress.add(count);
+      }
     });
     if (options.on_pass) options.on_pass(mean.image());
   }

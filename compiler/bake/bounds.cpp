@@ -20,6 +20,15 @@ double distance_m(const Bounds& bounds, Vec3 place) {
                      beyond(bounds.low_m, bounds.high_m, place.z)});
 }
 
+double distance_m(const Bounds& a, const Bounds& b) {
+  const auto gap = [](double a_low, double a_high, double b_low, double b_high) {
+    return std::max({a_low - b_high, b_low - a_high, 0.0});
+  };
+  return length(Vec3{gap(a.plan.min.x, a.plan.max.x, b.plan.min.x, b.plan.max.x),
+                     gap(a.plan.min.y, a.plan.max.y, b.plan.min.y, b.plan.max.y),
+                     gap(a.low_m, a.high_m, b.low_m, b.high_m)});
+}
+
 Bounds bounds_of(const buildings::Building& building) {
   return {box_of(building.footprint.outer).widened(kBuildingMargin_m), building.bottom_m,
           building.top_m + kBuildingMargin_m};

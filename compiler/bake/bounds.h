@@ -21,6 +21,8 @@ struct Bounds {
 
 /// The distance from a point to the bounds; 0 inside.
 double distance_m(const Bounds& bounds, Vec3 place);
+/// The distance between the nearest points of both; 0 where they overlap.
+double distance_m(const Bounds& a, const Bounds& b);
 
 Bounds bounds_of(const buildings::Building& building);
 /// Includes parapets and portals; from the feet of piers to the top of a bore.

@@ -3,12 +3,16 @@
 //
 //     eye ·------- distance ------->| error      pixels = error / distance · focal length
 //
+// What no pixel shows directly, nor a shadow, may be coarser (Sight).
+//
 // Level n has the tolerance 2^n · View::finest_m. The ground has a level per cell. The side between two cells has the
 // smaller of their tolerances, so that they meet vertex for vertex as cells of one tolerance do. Only where one of them
 // has Detail::kRoadSurfaces and the other does not their heights differ: there skirts hang from both.
 #pragma once
 
+#include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "compiler/bake/bounds.h"
@@ -17,13 +21,35 @@
 
 namespace citykiln::bake {
 
-/// A viewpoint, whatever the direction of view.
-struct View {
-  Vec3 eye;                ///< Plane metres.
-  double focal_px = 0;     ///< Focal length in pixels (focal_length_px). > 0.
-  double pixel_error = 1;  ///< > 0.
-  double finest_m = 0.02;  ///< The smallest tolerance, however near the eye. > 0.
+/// The part of a scene that one picture shows, and the part whose shadows may fall there. The rest is met by scattered
+/// light and in reflections alone.
+struct Sight {
+  struct Plane {
+    Vec3 normal;  ///< Unit, away from the picture.
+    double offset_m = 0;
+  };
+  std::array<Plane, 4> sides;      ///< Of the pyramid that the picture shows.
+  Vec3 to_sun{};                   ///< Unit; zero: nothing throws a sharp shadow.
+  double lowest_m = 0;             ///< Nothing that receives shadows is lower.
+  double longest_shadow_m = 3000;  ///< Along the light.
+  double unseen_rad = 0;           ///< Largest angle of an error outside, seen from the eye. >= 0.
 };
+
+/// False only if neither the bounds nor their shadow are in the picture.
+bool is_seen(const Sight& sight, const Bounds& bounds);
+
+/// A viewpoint, or several, whatever the direction of view.
+struct View {
+  Vec3 eye;                         ///< Plane metres.
+  double focal_px = 0;              ///< Focal length in pixels (focal_length_px). > 0.
+  double pixel_error = 1;           ///< > 0.
+  double finest_m = 0.02;           ///< The smallest tolerance, however near the eye. > 0.
+  std::vector<Bounds> more_eyes{};  ///< Boxes of further eyes: the nearest eye counts, wherever it is in its box.
+  std::optional<Sight> sight{};     ///< Of a single picture: what it does not show may be coarser.
+};
+
+/// The distance from the nearest eye to the bounds; 0 where one may be inside.
+double distance_m(const View& view, const Bounds& bounds);
 
 /// The focal length of a picture in pixels: an object as long as it is far away is this many pixels long in the middle
 /// of the picture. Rounded to 2^-10 pixels.
@@ -32,8 +58,8 @@ double focal_length_px(int height_px, double vertical_fov_deg);
 /// The tolerance of a level.
 double tolerance_m_of(const View& view, int level);
 
-/// The coarsest level whose error is not longer than the view's pixel error at the nearest point of the bounds; 0 where
-/// no level is fine enough.
+/// The coarsest level whose error is not longer than the view's pixel error at the nearest point of the bounds, or,
+/// where the view's sight does not reach, than its larger angle; 0 where no level is fine enough.
 int level_for(const View& view, const Bounds& bounds);
 
 /// An upper bound of an error's length in the picture. 0 for bounds so near that they are baked at the finest tolerance

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "compiler/commands/load_tiles.h"
@@ -16,7 +17,20 @@ namespace citykiln::commands {
 struct CellRequest {
   std::size_t budget_bytes = 0;  ///< 0: default_budget_bytes().
   double pixel_error = 0.5;      ///< Largest error in the picture, pixels.
+  double unseen_deg = 1;         ///< Largest angle of errors that only scattered light and reflections show.
 };
+
+/// Pictures of a scene.
+struct Viewing {
+  std::span<const preview::Camera> cameras;
+  int width_px = 0, height_px = 0;  ///< Of each picture. > 0.
+};
+
+/// The eyes of all pictures, those at the end of a motion too.
+Viewers viewers_of(const Viewing& viewing, double pixel_error);
+
+/// What a camera at rest shows, a pixel and its lens wider.
+bake::Sight sight_of(const preview::Camera& camera, int width_px, int height_px);
 
 /// 2 GB, or half of the machine's memory where that is less.
 std::size_t default_budget_bytes();
@@ -35,9 +49,10 @@ Result<scene::Scene> read_scene(const LoadRequest& request);
 /// Coarse tiles of a scene, from which named views are chosen. Freed before rendering.
 std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads);
 
-/// The cells of a scene as a camera needs them for a picture `height_px` high.
-std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const preview::Camera& camera, int height_px,
-                                                     double pixel_error);
+/// The cells of a scene as all of the pictures need them. What a single picture of a camera at rest does not show, nor
+/// a shadow of the sun in it, may have errors up to the larger angle.
+std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const Viewing& viewing,
+                                                     const CellRequest& request);
 
 /// One line: what the cells took.
 std::string text_of(const preview::CellCounters& counters, std::size_t budget_bytes);

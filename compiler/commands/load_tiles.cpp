@@ -4,8 +4,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+#include <ranges>
 
+#include "compiler/commands/read_tileset_tree.h"
 #include "compiler/commands/requested_sky.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/pipeline.h"
@@ -49,15 +55,23 @@ Result<std::optional<scene::Header>> header_beside(const fs::path& manifest_path
   return std::optional(scene->header);
 }
 
-Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path& manifest_path,
-                          const OnProgress& on_progress) {
-  Loaded loaded;
+Result<std::vector<bake::BakedTile>> read_all(const std::vector<std::string>& paths, const OnProgress& on_progress) {
+  std::vector<bake::BakedTile> tiles;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     on_progress("read tiles", static_cast<double>(i) / static_cast<double>(paths.size()));
     Result<bake::BakedTile> tile = exporters::read_glb(paths[i]);
     if (!tile) return tile.error();
-    loaded.tiles.push_back(std::move(*tile));
+    tiles.push_back(std::move(*tile));
   }
+  return tiles;
+}
+
+Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path& manifest_path,
+                          const OnProgress& on_progress) {
+  Loaded loaded;
+  Result<std::vector<bake::BakedTile>> tiles = read_all(paths, on_progress);
+  if (!tiles) return tiles.error();
+  loaded.tiles = std::move(*tiles);
   std::ranges::stable_sort(loaded.tiles, {}, &bake::BakedTile::tile);
   Result<std::optional<scene::Header>> header = header_beside(manifest_path, loaded.tiles.front().tile);
   if (!header) return header.error();
@@ -70,15 +84,124 @@ Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_prog
   const Result<verify::RunRecord> record = verify::read_report(folder);
   if (!record) return record.error();
   std::vector<std::string> paths;
+  const std::size_t level = request.level.value_or(0);
   for (const verify::WrittenTile& tile : record->tiles) {
     const bool is_asked_for = request.only.empty() || std::ranges::binary_search(request.only, tile.tile);
-    if (tile.level == request.level && is_asked_for) paths.push_back(folder + "/" + tile.file.name);
+    if (tile.level == level && is_asked_for) paths.push_back(folder + "/" + tile.file.name);
   }
-  if (paths.empty()) return Error{folder, fmt::format("has none of the requested tiles at level {}", request.level)};
+  if (paths.empty()) return Error{folder, fmt::format("has none of the requested tiles at level {}", level)};
   return read_files(paths, fs::path(folder) / "scene.kiln", on_progress);
 }
 
+// Coarse enough to be quick, fine enough for the heights of streets.
+constexpr double kCoarse_m = 2.5;
+
+double from_coarse(double error_m) { return std::abs(std::log(std::max(error_m, 1e-6) / kCoarse_m)); }
+
+// The levels of one tile, of which a coarse level has been read, as a chain from the coarsest to the finest.
+TileNode chain_of(const std::vector<const verify::WrittenTile*>& coarsest_first, const std::string& folder,
+                  const exporters::OrientedBox& box) {
+  TileNode chain;
+  for (const verify::WrittenTile* level : coarsest_first | std::views::reverse) {
+    TileNode node{.box = box, .error_m = level->tolerance_m, .path = folder + "/" + level->file.name};
+    if (!chain.path.empty()) node.children.push_back(std::move(chain));
+    chain = std::move(node);
+  }
+  return chain;
+}
+
+// Adds a tile of a run to the tree, by its levels.
+Result<Done> add_tile(std::vector<const verify::WrittenTile*> levels, const std::string& folder, TileTree& tree) {
+  std::ranges::stable_sort(levels, std::ranges::greater{}, &verify::WrittenTile::tolerance_m);
+  const verify::WrittenTile& coarse =
+      **std::ranges::min_element(levels, {}, [](const auto* level) { return from_coarse(level->tolerance_m); });
+  const std::string path = folder + "/" + coarse.file.name;
+  Result<bake::BakedTile> tile = exporters::read_glb(path);
+  if (!tile) return tile.error();
+  exporters::OrientedBox box = exporters::box_of(*tile, {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}});
+  if (!box.is_empty()) box.round_outwards(coarse.tolerance_m);
+  tree.root.box.grow(box);
+  tree.root.children.push_back(chain_of(levels, folder, box));
+  tree.coarse_paths.push_back(path), tree.coarse.push_back(std::move(*tile));
+  return Done{};
+}
+
+Result<TileTree> tree_of_run(const LoadRequest& request, const verify::RunRecord& record,
+                             const OnProgress& on_progress) {
+  const std::string& folder = request.paths.front();
+  std::map<scene::TileKey, std::vector<const verify::WrittenTile*>> levels;
+  for (const verify::WrittenTile& tile : record.tiles)
+    if (request.only.empty() || std::ranges::binary_search(request.only, tile.tile)) levels[tile.tile].push_back(&tile);
+  if (levels.empty()) return Error{folder, "has none of the requested tiles"};
+  TileTree tree{.root = {.error_m = std::numeric_limits<double>::infinity()}, .manifest_path = folder + "/scene.kiln"};
+  for (const auto& [key, of_tile] : levels) {
+    on_progress("read coarse tiles", static_cast<double>(tree.coarse.size()) / static_cast<double>(levels.size()));
+    if (const Result<Done> added = add_tile(of_tile, folder, tree); !added) return added.error();
+  }
+  return tree;
+}
+
+Result<TileTree> tree_of_tileset(const LoadRequest& request, const std::string& folder, const OnProgress& on_progress) {
+  if (!request.only.empty()) return Error{"--only", "cannot be used with 3D Tiles, whose inner tiles join several"};
+  Result<TileNode> root = read_tileset_tree(folder);
+  if (!root) return root.error();
+  TileTree tree{.root = std::move(*root), .manifest_path = folder + "/../scene.kiln"};
+  tree.coarse_paths = contents_of(tree.root, [](const TileNode& node) { return node.error_m <= kCoarse_m; });
+  if (tree.coarse_paths.empty()) return Error{folder, "has a tileset without contents"};
+  Result<std::vector<bake::BakedTile>> coarse = read_all(tree.coarse_paths, on_progress);
+  if (!coarse) return coarse.error();
+  tree.coarse = std::move(*coarse);
+  return tree;
+}
+
+bool has_tileset(const fs::path& folder) {
+  std::error_code none;
+  return fs::exists(folder / "tileset.json", none);
+}
+
 }  // namespace
+
+std::optional<scene::Header> header_of(const std::string& manifest_path, std::span<const bake::BakedTile> tiles) {
+  std::error_code none;
+  if (!fs::exists(manifest_path, none)) return std::nullopt;
+  for (const bake::BakedTile& tile : tiles)
+    if (const auto header = header_beside(manifest_path, tile.tile); header && *header) return **header;
+  return std::nullopt;
+}
+
+bool asks_for_levels(const LoadRequest& request) {
+  std::error_code none;
+  return !request.level && request.paths.size() == 1 && fs::is_directory(request.paths.front(), none);
+}
+
+Result<TileTree> read_tile_tree(const LoadRequest& request, const OnProgress& on_progress) {
+  const std::string& folder = request.paths.front();
+  if (has_tileset(folder)) return tree_of_tileset(request, folder, on_progress);
+  const Result<verify::RunRecord> record = verify::read_report(folder);
+  if (!record) return record.error();
+  if (!record->tiles.empty()) return tree_of_run(request, *record, on_progress);
+  if (has_tileset(folder + "/3dtiles")) return tree_of_tileset(request, folder + "/3dtiles", on_progress);
+  return Error{folder, "has no .glb tiles and no 3D Tiles; give its scene.kiln, or write tiles with --emit glb"};
+}
+
+Result<Loaded> load_contents(TileTree& tree, const std::vector<std::string>& paths, const OnProgress& on_progress) {
+  Loaded loaded;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    on_progress("read tiles", static_cast<double>(i) / static_cast<double>(paths.size()));
+    const auto known =
+        static_cast<std::size_t>(std::ranges::find(tree.coarse_paths, paths[i]) - tree.coarse_paths.begin());
+    if (known < tree.coarse.size()) {
+      loaded.tiles.push_back(std::move(tree.coarse[known]));
+      continue;
+    }
+    Result<bake::BakedTile> tile = exporters::read_glb(paths[i]);
+    if (!tile) return tile.error();
+    loaded.tiles.push_back(std::move(*tile));
+  }
+  tree.coarse_paths.clear(), tree.coarse.clear();
+  loaded.header = header_of(tree.manifest_path, loaded.tiles);
+  return loaded;
+}
 
 Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progress) {
   assert(request.tolerance_m.value_or(1) > 0 && std::ranges::is_sorted(request.only));

@@ -92,8 +92,8 @@ struct LitWorld {
   preview::World world;
   preview::LocalLights local;
 
-  LitWorld(const Stage& stage, const preview::Camera& camera)
-      : world(world_of(stage.scene, camera, stage.options.height, stage.request.cells)),
+  LitWorld(const Stage& stage, std::span<const preview::Camera> cameras)
+      : world(world_of(stage.scene, {cameras, stage.options.width, stage.options.height}, stage.request.cells)),
         local(world, stage.lights.lamps(), stage.options.threads) {}
 };
 
@@ -176,8 +176,7 @@ Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& came
     stage.options.on_progress = [&](double share) {
       on_progress("render", (static_cast<double>(i) + share) / static_cast<double>(cameras.size()));
     };
-    // cells are as fine as their camera needs; tiles are loaded once
-    if (!lit || stage.scene.recipes) lit.emplace(stage, cameras[i]);
+    if (!lit) lit.emplace(stage, cameras);
     const Result<preview::Image> image = render_frame(stage, *lit, cameras[i], (*names)[i], exposure);
     if (!image) return image.error();
     print_summary(stage, (*names)[i], *image, lit->world);
@@ -189,7 +188,7 @@ Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& came
 
 // Shows a window; the picture that P writes is the one of -o.
 Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
-  const LitWorld lit(stage, camera);
+  const LitWorld lit(stage, std::span(&camera, 1));
   preview::Options options = stage.options;
   options.exposure = stage.request.exposure.factor * preview::adapted_exposure(stage.scene.sky);
   options.has_guides = false;
@@ -213,16 +212,24 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);
   if (!environment) return environment.error();
   const OnProgress on_progress = console.progress();
-  Result<PreviewScene> scene = load_preview_scene({.load = request.load,
-                                                   .cells = request.cells,
-                                                   .finds_views = request.camera.finds_view(),
-                                                   .needs_tiles = request.is_interactive,
-                                                   .fog_share = request.fog_share},
-                                                  on_progress);
+  const SceneRequest wanted{.load = request.load,
+                            .cells = request.cells,
+                            .finds_views = request.camera.finds_view(),
+                            .needs_tiles = request.is_interactive,
+                            .fog_share = request.fog_share};
+  Result<PreviewScene> scene = load_preview_scene(wanted, on_progress);
   if (!scene) return scene.error();
   const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
   if (!cameras) return cameras.error();
   scene->for_views = {};
+  if (scene->tree) {
+    // a window's camera goes anywhere
+    const std::span<const preview::Camera> seen =
+        request.is_interactive ? std::span<const preview::Camera>() : *cameras;
+    const Viewing viewing{seen, request.size.width, request.size.height};
+    if (const Result<Done> read = load_levels(*scene, wanted, viewing, on_progress); !read) return read.error();
+    console.print_line(levels_text(scene->loaded.tiles));
+  }
   const preview::Lights lights = *environment ? preview::Lights(**environment, scene->lamps)
                                               : preview::Lights(sky::generate(scene->sky, cameras->front().eye.z),
                                                                 scene->lamps, scene->around, scene->fog);
@@ -239,13 +246,20 @@ std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
        "bakes a manifest at this tolerance in metres before rendering (default: each cell is generated when it is "
        "seen, as fine as pixels need)",
        false, store_tolerance(load.tolerance_m)},
-      {"--pixel-error", "PIXELS", "without --tolerance: largest error in the picture in pixels (default: 0.5)", false,
+      {"--pixel-error", "PIXELS",
+       "without --tolerance or --level: largest error in the picture in pixels (default: 0.5)", false,
        store_number(cells.pixel_error, {})},
+      {"--unseen-error", "DEG",
+       "for cells that a still picture does not show, nor their shadows: largest error as an angle from the viewer; 0: "
+       "as for those that it shows (default: 1)",
+       false, store_number(cells.unseen_deg, {0, 90, true})},
       {"--memory-budget", "SIZE",
        "memory for generated cells, such as 200MB or 4GB (default: 2GB, or half of the machine's memory)", false,
        store_bytes(cells.budget_bytes)},
-      {"--level", "N", "level of detail of a folder's tiles, 0 is the finest (default: 0)", false,
-       store_whole(load.level, 0)},
+      {"--level", "N",
+       "level of detail of a folder's tiles, 0 is the finest (default: for each tile the coarsest that --pixel-error "
+       "allows)",
+       false, store_whole(load.level, 0)},
       {"--only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true,
        [&](const std::string& t) { return add_tiles(t, load.only); }},
       threads_option(load.threads),

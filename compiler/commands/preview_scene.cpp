@@ -1,6 +1,9 @@
 #include "compiler/commands/preview_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <filesystem>
 
@@ -8,6 +11,7 @@
 #include "compiler/commands/requested_sky.h"
 #include "compiler/commands/scene_surroundings.h"
 #include "compiler/verify/run_report.h"
+#include "exporters/gltf/glb.h"
 
 namespace citykiln::commands {
 namespace {
@@ -29,7 +33,8 @@ std::optional<std::size_t> view_level_of(const LoadRequest& request) {
   const auto fits = std::ranges::find_if(record->tiles, [](const verify::WrittenTile& tile) {
     return std::abs(tile.tolerance_m - kViewTolerance_m) < 0.01 * kViewTolerance_m;
   });
-  return fits != record->tiles.end() && fits->level != request.level ? std::optional(fits->level) : std::nullopt;
+  return fits != record->tiles.end() && fits->level != request.level.value_or(0) ? std::optional(fits->level)
+                                                                                 : std::nullopt;
 }
 
 Result<std::vector<bake::BakedTile>> view_tiles_of(const LoadRequest& request) {
@@ -51,7 +56,21 @@ Result<std::vector<bake::BakedTile>> view_tiles_of(const LoadRequest& request) {
 }  // namespace
 
 std::optional<double> PreviewScene::ground_height_m(Vec2 place) const {
-  return recipes ? commands::ground_height_m(*recipes, place) : commands::ground_height_m(loaded.tiles, place);
+  if (!tree)
+    return recipes ? commands::ground_height_m(*recipes, place) : commands::ground_height_m(loaded.tiles, place);
+  constexpr std::size_t kMostKept = 4;
+  std::optional<double> highest;
+  for (const std::string& path : finest_contents_at(tree->root, place)) {
+    if (!ground_tiles_.contains(path)) {
+      if (ground_tiles_.size() >= kMostKept) ground_tiles_.clear();
+      Result<bake::BakedTile> tile = exporters::read_glb(path);
+      if (!tile) continue;
+      ground_tiles_.emplace(path, std::move(*tile));
+    }
+    const auto height_m = commands::ground_height_m(std::span(&ground_tiles_.at(path), 1), place);
+    if (height_m) highest = std::max(highest.value_or(*height_m), *height_m);
+  }
+  return highest;
 }
 
 Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnProgress& on_progress) {
@@ -59,6 +78,13 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
   if (request.fog_share && !is_manifest)
     return Error{"--fog", "needs a manifest (scene.kiln), which knows the valleys"};
   PreviewScene scene;
+  if (asks_for_levels(request.load)) {
+    Result<TileTree> tree = read_tile_tree(request.load, on_progress);
+    if (!tree) return tree.error();
+    scene.loaded.header = header_of(tree->manifest_path, tree->coarse);
+    scene.tree = std::move(*tree);
+    return scene;
+  }
   if (asks_for_cells(request.load) && !request.needs_tiles) {
     Result<scene::Scene> recipes = read_scene(request.load);
     if (!recipes) return recipes.error();
@@ -87,11 +113,34 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
   return scene;
 }
 
-preview::World world_of(const PreviewScene& scene, const preview::Camera& camera, int height_px,
-                        const CellRequest& cells) {
-  if (!scene.recipes) return preview::World(scene.loaded.tiles, camera.eye);
-  return preview::World(cells_for(*scene.recipes, camera, height_px, cells.pixel_error), camera.eye,
-                        cells.budget_bytes > 0 ? cells.budget_bytes : default_budget_bytes());
+Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const Viewing& viewing,
+                         const OnProgress& on_progress) {
+  if (!scene.tree) return Done{};
+  const Viewers viewers = viewers_of(viewing, request.cells.pixel_error);
+  const auto is_fine = [&](const TileNode& node) { return !viewers.eyes.empty() && is_fine_for(viewers, node); };
+  Result<Loaded> loaded = load_contents(*scene.tree, contents_of(scene.tree->root, is_fine), on_progress);
+  if (!loaded) return loaded.error();
+  const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
+  if (!sky) return sky.error();
+  scene.loaded = std::move(*loaded), scene.sky = *sky, scene.tree.reset();
+  if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
+  return Done{};
+}
+
+std::string levels_text(std::span<const bake::BakedTile> tiles) {
+  std::map<double, std::size_t> counts;
+  for (const bake::BakedTile& tile : tiles) ++counts[tile.tolerance_m];
+  std::string text = "tiles:";
+  for (const auto& [tolerance_m, count] : counts)
+    text += fmt::format("{} {} at {} m", text.ends_with(':') ? "" : ",", count, tolerance_m);
+  return text;
+}
+
+preview::World world_of(const PreviewScene& scene, const Viewing& viewing, const CellRequest& cells) {
+  assert(!viewing.cameras.empty());
+  const Vec3 eye = viewing.cameras.front().eye;
+  if (!scene.recipes) return preview::World(scene.loaded.tiles, eye);
+  return preview::World(cells_for(*scene.recipes, viewing, cells), eye, budget_bytes_of(cells));
 }
 
 }  // namespace citykiln::commands

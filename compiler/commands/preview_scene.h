@@ -1,8 +1,10 @@
 // The scene that preview renders: baked tiles, or the recipes of a manifest.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "compiler/commands/load_cells.h"
@@ -19,6 +21,7 @@ struct PreviewScene {
   Loaded loaded;                             ///< Without tiles where there are recipes.
   std::optional<scene::Scene> recipes{};     ///< Of a manifest whose cells are generated when rays meet them.
   std::vector<bake::BakedTile> for_views{};  ///< Tiles at some 2.5 m from which views are found; empty: use `loaded`.
+  std::optional<TileTree> tree{};            ///< Of a folder, until load_levels().
   sky::Sky sky{};
   std::vector<preview::StreetLamp> lamps{};       ///< Lit ones.
   std::optional<preview::Surroundings> around{};  ///< Of a manifest.
@@ -28,9 +31,14 @@ struct PreviewScene {
   /// The tiles from which views are found. With a manifest, or a folder that has a level of 2.5 m, they do not depend
   /// on the level that is rendered.
   std::span<const bake::BakedTile> view_tiles() const {
+    if (tree) return tree->coarse;
     return for_views.empty() ? std::span<const bake::BakedTile>(loaded.tiles) : for_views;
   }
+  /// Of the finest level.
   std::optional<double> ground_height_m(Vec2 place) const;
+
+ private:
+  mutable std::map<std::string, bake::BakedTile> ground_tiles_{};  // of `tree`, last asked for
 };
 
 struct SceneRequest {
@@ -44,9 +52,16 @@ struct SceneRequest {
 /// Errors: those of load_tiles(), and a time that is not one.
 Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnProgress& on_progress);
 
-/// The scene for rays from a camera: of recipes, cells as fine as the camera needs; of tiles, the same for all cameras.
+/// Reads the tiles of `scene.tree`, each at the coarsest level whose error is not longer than the pixel error in any
+/// picture; without cameras the finest. Sets sky and lamps. Does nothing for other scenes. Errors: those of reading.
+Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const Viewing& viewing,
+                         const OnProgress& on_progress);
+
+/// One line: how many tiles have which tolerance.
+std::string levels_text(std::span<const bake::BakedTile> tiles);
+
+/// The scene for rays from cameras: of recipes, cells as fine as the cameras need; of tiles, the same for all cameras.
 /// Refers to the scene, which must outlive it.
-preview::World world_of(const PreviewScene& scene, const preview::Camera& camera, int height_px,
-                        const CellRequest& cells);
+preview::World world_of(const PreviewScene& scene, const Viewing& viewing, const CellRequest& cells);
 
 }  // namespace citykiln::commands

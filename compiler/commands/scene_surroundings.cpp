@@ -8,6 +8,8 @@
 namespace citykiln::commands {
 namespace {
 
+using preview::operator+, preview::operator*;
+
 constexpr int kPlaces = 256, kDirections = 64;
 // Colours are means of as many directions on both sides.
 constexpr int kBlur = kDirections / 16;

@@ -1,6 +1,7 @@
 // Radiance by direction, which can be sampled.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "compiler/geometry/vec.h"
@@ -54,6 +55,8 @@ class DirectionTable {
   DirectionSample sample(UnitPair chance) const;
   /// The density of sample(), per steradian; 0 beyond the range of z.
   double pdf(Vec3 direction) const;
+  /// The luminance of all cells times their solid angles.
+  double flux() const { return row_sums_.total() * 2 * std::numbers::pi / columns_; }
 
  private:
   int row_of(double z) const;

@@ -39,6 +39,9 @@ class Lights {
   /// The density of sample_sky() in a direction, per steradian.
   double sky_pdf(Vec3 direction) const { return table_.pdf(direction); }
 
+  /// The sun's flux over that of the sky, both through planes that face them; 0 without a sun.
+  double sun_to_sky() const { return sun_to_sky_; }
+
   bool has_sun() const { return sun_solid_angle_ > 0; }
   /// A uniform sample of the sun's disk.
   Vec3 sample_sun(UnitPair chance) const;
@@ -60,7 +63,7 @@ class Lights {
 
   sky::SkyModel model_;
   bool is_map_ = false;
-  double sun_solid_angle_ = 0;
+  double sun_solid_angle_ = 0, sun_to_sky_ = 0;
   Frame about_sun_{};
   DirectionTable table_;
   StarMap stars_;

@@ -1,0 +1,41 @@
+// Generates the particles of a cloud.
+#pragma once
+
+#include <vector>
+
+#include "compiler/sky/clouds/place_clouds.h"
+
+namespace citykiln::sky {
+
+/// A sphere of cloud, in the layer's frame.
+struct CloudParticle {
+  Vec3 centre;
+  double radius_m = 0;
+};
+
+/// A cloud is the union of its particles above the layer's base, evenly filled with droplets.
+struct CloudParticles {
+  std::vector<CloudParticle> spheres;  ///< The larger ones first.
+  double finest_m = 0;                 ///< Particles of smaller radii were left out.
+};
+
+/// Extinction by the droplets or the ice of a kind, per metre. Sources: cumulus and stratus have 0.3 and 0.2 g of water
+/// in a cubic metre, in droplets of 10 µm (Rogers, Yau, "A Short Course in Cloud Physics", 1989): 3 w / (2 rho r);
+/// cirrus about 0.3 per km (Sassen, Comstock 2001).
+double extinction_per_m(CloudKind kind);
+
+/// The particles of a cloud down to a radius: heaps of spheres, on whose upper surfaces sit smaller ones, and so on
+/// (Bouthors, Neyret, "Modeling Clouds Shape", Eurographics 2004). A coarser cloud lacks the smallest particles, and
+/// has the others where they were.
+/// @param finest_m  > 0, metres of the frame. Cost: O(particles).
+CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, double finest_m);
+
+/// The largest error of optical depth of a coarser cloud, of `rays` random rays through it, against `finest_m`.
+double optical_depth_error(const CloudLayer& layer, const Cloud& cloud, double coarse_m, double finest_m, int rays);
+
+/// The optical depth of a cloud along a ray. O(n log n).
+/// @param from, direction  In the layer's frame; lengths along the ray are those of `direction`, and its length is that
+///        of one metre of the plane.
+double optical_depth(CloudKind kind, const CloudParticles& particles, Vec3 from, Vec3 direction);
+
+}  // namespace citykiln::sky

@@ -1,0 +1,98 @@
+#include "compiler/sky/clouds/place_clouds.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "compiler/contract/draw.h"
+#include "compiler/geometry/mathematics.h"
+
+namespace citykiln::sky {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// How clouds of a kind are shaped. `spacing` is in heights of the layer's frame.
+struct KindShape {
+  double spacing, stretch, flatten;
+};
+
+KindShape shape_of(CloudKind kind) {
+  switch (kind) {
+    case CloudKind::kStratus:
+      return {1.2, 1, 0.3};
+    case CloudKind::kCirrus:
+      return {1.5, 8, 0.35};
+    default:
+      return {1.7, 1, 1};
+  }
+}
+
+// Discs of these radii at independent places cover as much as is asked for; at most nearly all.
+double mean_square_radius_m2(double cover, double kept, double spacing_m) {
+  const double wanted = -logarithm(1 - std::min(cover, 0.97));
+  return wanted * spacing_m * spacing_m / (kPi * kept);
+}
+
+// A share of cells that are not empty.
+double kept_share(double cover) { return 0.3 + 0.7 * cover; }
+
+Cloud cloud_at(const CloudLayer& layer, const LayerFrame& frame, std::int64_t column, std::int64_t row) {
+  const double spacing_m = shape_of(layer.kind).spacing * frame.height_m;
+  const StableId whole = stable_id(ObjectId{{OsmType::kNone, static_cast<std::int64_t>(layer.kind)}}),
+                 in_row = stable_id(whole, "row", static_cast<std::uint64_t>(row)),
+                 id = stable_id(in_row, "cloud", static_cast<std::uint64_t>(column));
+  const Draw draw(layer.seed, id, "place");
+  Cloud cloud;
+  cloud.id = id;
+  if (draw.unit(0) >= kept_share(layer.cover)) return cloud;
+  cloud.centre = {(static_cast<double>(column) + draw.between(0.1, 0.9, 1)) * spacing_m,
+                  (static_cast<double>(row) + draw.between(0.1, 0.9, 2)) * spacing_m};
+  // the square of the radius is uniform between half and one and a half times its mean
+  const double mean = mean_square_radius_m2(layer.cover, kept_share(layer.cover), spacing_m);
+  const double size = draw.between(0.5, 1.5, 3);
+  cloud.radius_m = std::sqrt(mean * size);
+  const double share = layer.kind == CloudKind::kCumulus ? 0.4 + 0.4 * size : draw.between(0.8, 1, 4);
+  cloud.height_m = frame.height_m * std::min(share, 1.0);
+  return cloud;
+}
+
+}  // namespace
+
+Vec3 LayerFrame::into_direction(Vec3 p) const {
+  return {(p.x * along.x + p.y * along.y) / stretch, p.y * along.x - p.x * along.y, p.z / flatten};
+}
+
+Vec3 LayerFrame::into(Vec3 p) const { return into_direction({p.x, p.y, p.z - base_m}); }
+
+Vec3 LayerFrame::out_of(Vec3 p) const {
+  const double u = p.x * stretch;
+  return {u * along.x - p.y * along.y, u * along.y + p.y * along.x, p.z * flatten + base_m};
+}
+
+LayerFrame frame_of(const CloudLayer& layer) {
+  assert(is_sound(layer));
+  const KindShape shape = shape_of(layer.kind);
+  const Vec2 along = length(layer.wind) > 0 ? unit(layer.wind) : Vec2{1, 0};
+  return {along, shape.stretch, shape.flatten, layer.base_m, (layer.top_m - layer.base_m) / shape.flatten};
+}
+
+std::vector<Cloud> clouds_in(const CloudLayer& layer, const Box2& plan) {
+  if (layer.cover <= 0 || plan.is_empty()) return {};
+  const LayerFrame frame = frame_of(layer);
+  const double spacing_m = shape_of(layer.kind).spacing * frame.height_m;
+  Box2 own;
+  for (const Vec2 corner : {plan.min, plan.max, Vec2{plan.min.x, plan.max.y}, Vec2{plan.max.x, plan.min.y}})
+    own.grow(in_plan(frame.into(at_height(corner, 0))));
+  const auto cell = [&](double m) { return static_cast<std::int64_t>(std::floor(m / spacing_m)); };
+  std::vector<Cloud> clouds;
+  for (std::int64_t row = cell(own.min.y); row <= cell(own.max.y); ++row)
+    for (std::int64_t column = cell(own.min.x); column <= cell(own.max.x); ++column) {
+      const Cloud cloud = cloud_at(layer, frame, column, row);
+      const bool is_inside = plan.contains_half_open(in_plan(frame.out_of(at_height(cloud.centre, 0))));
+      if (cloud.radius_m > 0 && is_inside) clouds.push_back(cloud);
+    }
+  return clouds;
+}
+
+}  // namespace citykiln::sky
