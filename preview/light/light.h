@@ -58,7 +58,7 @@ class Lights {
 
  private:
   Rgb bodies(Vec3 direction, double pixel_rad) const;
-  Rgb around_at(Vec2 place, Vec3 direction) const;
+  Rgb around_at(const Edge& edge, Vec3 direction) const;
   Rgb behind_fog(Vec3 from, Vec3 direction, const Rgb& light) const;
 
   sky::SkyModel model_;
