@@ -12,7 +12,7 @@ using preview::operator+, preview::operator*;
 
 constexpr int kPlaces = 256, kDirections = 64;
 // Colours are means of as many directions on both sides.
-constexpr int kBlur = kDirections / 16;
+constexpr int kBlur = kDirections / 8;
 
 /// A place at the edge.
 struct Sample {

@@ -120,6 +120,16 @@ Rgb Lights::seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) co
   return behind_fog(from, direction, all);
 }
 
+std::optional<double> Lights::ground_m(Vec3 from, Vec3 direction) const {
+  if (is_map_) return std::nullopt;
+  if (around_) {
+    const auto ground = meet_ground(*around_, from, direction);
+    return ground ? std::optional(ground->distance_m) : std::nullopt;
+  }
+  const bool sees_sea = !model_.domes.empty() && model_.domes.front()->sees_sea(direction);
+  return sees_sea ? std::optional(model_.domes.front()->sea_m(direction)) : std::nullopt;
+}
+
 sky::AirPath Lights::air(Vec3 from, Vec3 direction, double distance_m) const {
   if (is_map_) return {};
   sky::AirPath path = sky::air(model_, direction, distance_m);

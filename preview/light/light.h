@@ -52,6 +52,8 @@ class Lights {
   /// sun's disk; stars and the moon's disk are seen by rays of the camera alone, which `is_camera` says.
   /// @param from  Plane metres; z above sea level. @param pixel_rad  Angle of a pixel.
   Rgb seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) const;
+  /// The distance at which a ray that hits nothing meets the ground around, if it does.
+  std::optional<double> ground_m(Vec3 from, Vec3 direction) const;
   /// The air and the fog between the eye and a surface.
   /// @param from  As for seen().
   sky::AirPath air(Vec3 from, Vec3 direction, double distance_m) const;
