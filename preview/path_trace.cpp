@@ -66,7 +66,8 @@ Rgb from_sun(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Unit
   const Scattering scattered = bsdf.scattering(to_sun);
   if (largest(scattered.light) <= 0 || !is_free(context, hit, to_sun)) return {};
   const double pdf = 1 / context.lights.sun_solid_angle();
-  return context.lights.sun_radiance() * scattered.light * (1 / (pdf + (goes_on ? scattered.pdf : 0)));
+  const double passed = context.lights.sun_passed(hit.position + context.world.origin());
+  return context.lights.sun_radiance() * scattered.light * (passed / (pdf + (goes_on ? scattered.pdf : 0)));
 }
 
 Rgb from_sky(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, UnitPair chance, bool goes_on) {
@@ -74,7 +75,8 @@ Rgb from_sky(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Unit
   if (drawn.pdf <= 0) return {};
   const Scattering scattered = bsdf.scattering(drawn.direction);
   if (largest(scattered.light) <= 0 || !is_free(context, hit, drawn.direction)) return {};
-  return context.lights.falling(drawn.direction) * scattered.light * (1 / (drawn.pdf + (goes_on ? scattered.pdf : 0)));
+  return context.lights.falling(hit.position + context.world.origin(), drawn.direction) * scattered.light *
+         (1 / (drawn.pdf + (goes_on ? scattered.pdf : 0)));
 }
 
 // Whether the sky is sampled where a path goes on. Beside a bright sun the sky adds little noise, and the path's next
@@ -130,12 +132,12 @@ void add_outside(const TraceContext& context, Path& path) {
   const Lights& lights = context.lights;
   const Vec3 from = path.from + context.world.origin();
   const Rgb sky = path.is_sharp ? lights.seen(from, path.direction, context.pixel_rad, path.is_first)
-                                : lights.falling(path.direction);
+                                : lights.falling(from, path.direction);
   const bool is_shared = path.pdf > 0 && path.has_sampled_sky;
   path.light = path.light + path.weight * sky * (is_shared ? balanced(path.pdf, lights.sky_pdf(path.direction)) : 1);
   if (path.pdf <= 0 || !lights.is_in_sun(path.direction)) return;
   const double share = balanced(path.pdf, 1 / lights.sun_solid_angle());
-  path.light = path.light + path.weight * lights.sun_radiance() * share;
+  path.light = path.light + path.weight * lights.sun_radiance() * (share * lights.sun_passed(from));
 }
 
 // Adds the light that a surface emits.
@@ -242,7 +244,9 @@ Rgb sun_in_room(const TraceContext& context, const Hit& hit, const RoomWay& way,
   Hit at_pane = hit;
   at_pane.position = on_pane;
   if (!is_free(context, at_pane, to_sun)) return {};
-  return context.lights.sun_radiance() * way.albedo * (cosine * context.lights.sun_solid_angle() / std::numbers::pi);
+  const double passed = context.lights.sun_passed(on_pane + context.world.origin());
+  return context.lights.sun_radiance() * way.albedo *
+         (passed * cosine * context.lights.sun_solid_angle() / std::numbers::pi);
 }
 
 // Light through a pane from the room behind it.

@@ -34,7 +34,7 @@ TEST(StarMap, HasAllLightOfAStarWhateverThePixel) {
 }
 
 TEST(StarMap, IsDarkBetweenStarsAndBelowTheHorizon) {
-  const StarMap map({{{1, 0, 0}, {1, 1, 1}}});
+  const StarMap map(std::vector<sky::Star>{{{1, 0, 0}, {1, 1, 1}}});
   EXPECT_GT(largest(map.radiance(unit(Vec3{1, 0, 0.0001}), 0.001)), 0);
   EXPECT_EQ(largest(map.radiance(unit(Vec3{1, 0, -0.0001}), 0.001)), 0);
   EXPECT_EQ(largest(map.radiance(unit(Vec3{1, 0.01, 0.0001}), 0.001)), 0);
