@@ -19,6 +19,9 @@ constexpr double kTermLight = 1, kTermExtinction = 0.28, kTermAsymmetry = 0.3;
 // Droplets scatter half of their light by less than ten degrees, so shadows are cast by the rest.
 constexpr double kShadowExtinction = 0.5;
 
+// Clouds that let less pass are the last thing that is seen.
+constexpr double kOpaque = 0.002;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The diffuse light that passes a plane layer (Bohren, "Multiple scattering of light and some of its observable
@@ -88,13 +91,14 @@ class CloudField::March {
 
   void through(const Layer& layer, std::span<const SpherePart> parts) {
     layer_ = &layer, reached_m_ = 0;
-    sun_ = sky_ = ground_ = 0;
+    sums_ = {};
     for (const SpherePart& part : parts) {
       leave_until(part.begin);
       go_to(part.begin);
-      change(part.sphere, 1);
-      open_.push_back({part.end, part.sphere});
-      std::ranges::push_heap(open_, std::greater());
+      if (path_.passed < kOpaque) break;
+      change(part, 1);
+      open_.push_back(part);
+      std::ranges::push_heap(open_, ends_later);
     }
     leave_until(kInfinity);
   }
@@ -102,29 +106,47 @@ class CloudField::March {
   double mean_distance_m() const { return seen_ > 0 ? distances_ / seen_ : 0; }
 
  private:
-  void change(std::uint32_t sphere, double by) {
-    const Lit& lit = layer_->lit[sphere];
-    for (int i = 0; i < kTerms; ++i) sun_ += by * lit.sun[i] * phases_[i];
-    sky_ += by * lit.sky, ground_ += by * lit.ground;
+  // Of the sun, the sky, the ground, and the weights themselves, over spheres that the ray is in.
+  using Sums = std::array<double, 4>;
+
+  static bool ends_later(const SpherePart& a, const SpherePart& b) { return a.end > b.end; }
+
+  // A sphere's weight at a distance t is (t - begin) (end - t) / radius², which is 0 where it begins and ends, so that
+  // no outlines are seen.
+  void change(const SpherePart& part, double by) {
+    const Lit& lit = layer_->lit[part.sphere];
+    double sun = 0;
+    for (int i = 0; i < kTerms; ++i) sun += lit.sun[i] * phases_[i];
+    const double radius_m = layer_->spheres.radius_m(part.sphere), square = by / (radius_m * radius_m);
+    const std::array<double, 3> powers = {-part.begin * part.end * square, (part.begin + part.end) * square, -square};
+    const Sums light = {sun, lit.sky, lit.ground, 1};
+    for (std::size_t p = 0; p < powers.size(); ++p)
+      for (std::size_t i = 0; i < light.size(); ++i) sums_[p][i] += powers[p] * light[i];
   }
 
   void leave_until(double until_m) {
-    while (!open_.empty() && open_.front().first <= until_m) {
-      go_to(open_.front().first);
-      change(open_.front().second, -1);
-      std::ranges::pop_heap(open_, std::greater());
+    while (!open_.empty() && open_.front().end <= until_m) {
+      go_to(open_.front().end);
+      change(open_.front(), -1);
+      std::ranges::pop_heap(open_, ends_later);
       open_.pop_back();
     }
+    if (open_.empty()) sums_ = {};
   }
 
+  // The weighted mean light halfway to a place, of droplets from here to there.
   void go_to(double to_m) {
     const double step_m = to_m - reached_m_, middle_m = (to_m + reached_m_) / 2;
     reached_m_ = std::max(reached_m_, to_m);
     if (open_.empty() || step_m <= 0) return;
+    const auto at_middle = [&](std::size_t i) {
+      return std::max(0.0, sums_[0][i] + middle_m * (sums_[1][i] + middle_m * sums_[2][i]));
+    };
     const double here = path_.passed * -std::expm1(-layer_->spheres.extinction_per_m() * step_m);
-    const double each = here / static_cast<double>(open_.size());
+    const double weights = at_middle(3), each = weights > 0 ? here / weights : 0;
     const CloudLight& light = field_.light_;
-    path_.added = path_.added + light.sun * (sun_ * each) + light.sky * (sky_ * each) + light.ground * (ground_ * each);
+    path_.added = path_.added + light.sun * (at_middle(0) * each) + light.sky * (at_middle(1) * each) +
+                  light.ground * (at_middle(2) * each);
     path_.passed -= here, seen_ += here, distances_ += here * middle_m;
   }
 
@@ -132,8 +154,9 @@ class CloudField::March {
   CloudPath& path_;
   const Layer* layer_ = nullptr;
   std::array<double, kTerms> phases_{};
-  std::vector<std::pair<double, std::uint32_t>> open_;     // where spheres end that the ray is in: a heap
-  double reached_m_ = 0, sun_ = 0, sky_ = 0, ground_ = 0;  // the last three: sums over these spheres
+  std::vector<SpherePart> open_;  // spheres that the ray is in: a heap, the one that ends first in front
+  double reached_m_ = 0;
+  std::array<Sums, 3> sums_{};  // times the powers of the distance
   double seen_ = 0, distances_ = 0;
 };
 

@@ -36,6 +36,8 @@ class CloudSpheres {
   std::size_t clouds() const { return clouds_; }
   /// Plane metres.
   Vec3 centre(std::size_t sphere) const { return frame_.out_of(spheres_[sphere].centre); }
+  /// Across the wind.
+  double radius_m(std::size_t sphere) const { return spheres_[sphere].radius_m; }
   double extinction_per_m() const { return extinction_per_m_; }
 
  private:
