@@ -264,13 +264,20 @@ Rgb light_of_room(const TraceContext& context, const Hit& hit, const Bsdf& bsdf,
   return light + light_behind(context, path, draw);
 }
 
+// What guides filters where a path leaves the scene: the ground around ends at a sharp horizon.
+FirstSurface first_outside(const TraceContext& context, Vec3 from, Vec3 direction) {
+  const auto distance_m = context.lights.ground_m(from + context.world.origin(), direction);
+  if (!distance_m) return {};
+  return {.albedo = {1, 1, 1}, .normal = {0, 0, 1}, .distance_m = *distance_m, .feature = {}};
+}
+
 }  // namespace
 
 TracedPath trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDraw& draw) {
   assert(context.bounces >= 0 && context.pixel_rad > 0);
   Path path{.from = from, .direction = direction, .spread_rad = context.pixel_rad};
   const std::optional<Meeting> met = meet(context, path, draw);
-  if (!met) return {sound(path.light), {}};
+  if (!met) return {sound(path.light), first_outside(context, from, direction)};
   const auto& [hit, bsdf] = *met;
   Rgb light = path.light;
   const UnitPair choice = draw.next();

@@ -12,8 +12,7 @@ using preview::operator+, preview::operator*;
 
 constexpr int kPlaces = 256, kDirections = 64;
 // Colours are means of as many directions on both sides.
-constexpr int kBlur = kDirections / 16;
-constexpr double kSeaShare = 0.1;
+constexpr int kBlur = kDirections / 8;
 
 /// A place at the edge.
 struct Sample {
@@ -68,25 +67,21 @@ preview::Rgb albedo_of(map::LandCoverClass cover) {
 
 // Means of the places about a direction.
 preview::Edge edge_of(const std::vector<Sample>& samples, int direction) {
+  using preview::operator+, preview::operator*;
   preview::Edge edge;
   constexpr int kEach = kPlaces / kDirections, kReach = kBlur * kEach;
   double land = 0;
   for (int i = -kReach; i <= kReach; ++i) {
     const Sample& sample = samples[static_cast<std::size_t>(direction * kEach + i + kPlaces) % kPlaces];
-    if (sample.cover == map::LandCoverClass::kSea)
+    const bool is_sea = sample.cover == map::LandCoverClass::kSea;
+    edge.height_m += (is_sea ? 0 : sample.height_m) / (2 * kReach + 1);
+    if (is_sea)
       edge.sea += 1.0 / (2 * kReach + 1);
     else
       edge.albedo = edge.albedo + albedo_of(sample.cover), ++land;
   }
   if (land > 0) edge.albedo = edge.albedo * (1 / land);
   return edge;
-}
-
-double height_m_of(std::vector<Sample> samples) {
-  const auto at_sea = std::ranges::count(samples, map::LandCoverClass::kSea, &Sample::cover);
-  if (static_cast<double>(at_sea) > kSeaShare * kPlaces) return 0;
-  std::ranges::nth_element(samples, samples.begin() + kPlaces / 4, {}, &Sample::height_m);
-  return samples[kPlaces / 4].height_m;
 }
 
 }  // namespace
@@ -100,7 +95,7 @@ preview::Surroundings surroundings_of(const scene::Scene& scene) {
     const scene::Chunk& chunk = nearest_chunk(scene, p);
     samples.push_back({map::height_m_at(chunk.heights, p), cover_at(chunk, p)});
   }
-  preview::Surroundings around{.centre = box.centre(), .height_m = height_m_of(samples), .ring = {}};
+  preview::Surroundings around{.box = box, .ring = {}};
   for (int i = 0; i < kDirections; ++i) around.ring.push_back(edge_of(samples, i));
   return around;
 }

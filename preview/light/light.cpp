@@ -103,8 +103,7 @@ Rgb Lights::bodies(Vec3 direction, double pixel_rad) const {
   return is_lit ? moon.radiance : Rgb{};
 }
 
-Rgb Lights::around_at(Vec2 place, Vec3 direction) const {
-  const Edge edge = edge_at(*around_, place);
+Rgb Lights::around_at(const Edge& edge, Vec3 direction) const {
   const Vec3 mirrored = unit(Vec3{direction.x, direction.y, -direction.z + kWaveSlope});
   const double grazing = std::pow(1 - mirrored.z, 5), reflectance = kWaterNormal + (1 - kWaterNormal) * grazing;
   const Rgb sea = sky::radiance(model_, mirrored) * reflectance + model_.white_ground * kSeaBody;
@@ -122,13 +121,23 @@ Rgb Lights::seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) co
   if (around_)
     if (const auto ground = meet_ground(*around_, from, direction)) {
       const sky::AirPath path = air(from, direction, ground->distance_m);
-      return path.added + path.passed * around_at(ground->place, direction);
+      return path.added + path.passed * around_at(ground->edge, direction);
     }
   const Rgb sky = sky::radiance(model_, direction);
   const Rgb behind = is_camera && direction.z >= 0 ? bodies(direction, pixel_rad) : Rgb{};
   constexpr double kFarthest_m = 2e5;  // beyond is no air, but for rays along the ground
   const Rgb all = largest(behind) > 0 ? sky + behind * sky::air(model_, direction, kFarthest_m).passed : sky;
   return behind_fog(from, direction, behind_clouds(from, direction, all));
+}
+
+std::optional<double> Lights::ground_m(Vec3 from, Vec3 direction) const {
+  if (is_map_) return std::nullopt;
+  if (around_) {
+    const auto ground = meet_ground(*around_, from, direction);
+    return ground ? std::optional(ground->distance_m) : std::nullopt;
+  }
+  const bool sees_sea = !model_.domes.empty() && model_.domes.front()->sees_sea(direction);
+  return sees_sea ? std::optional(model_.domes.front()->sea_m(direction)) : std::nullopt;
 }
 
 sky::AirPath Lights::air(Vec3 from, Vec3 direction, double distance_m) const {

@@ -59,6 +59,8 @@ class Lights {
   /// sun's disk; stars and the moon's disk are seen by rays of the camera alone, which `is_camera` says.
   /// @param from  Plane metres; z above sea level. @param pixel_rad  Angle of a pixel.
   Rgb seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) const;
+  /// The distance at which a ray that hits nothing meets the ground around, if it does.
+  std::optional<double> ground_m(Vec3 from, Vec3 direction) const;
   /// The air, the fog and the clouds between the eye and a surface.
   /// @param from  As for seen().
   sky::AirPath air(Vec3 from, Vec3 direction, double distance_m) const;
@@ -67,7 +69,7 @@ class Lights {
   sky::AirPath clear_air(Vec3 from, Vec3 direction, double distance_m) const;
   Rgb behind_clouds(Vec3 from, Vec3 direction, const Rgb& light) const;
   Rgb bodies(Vec3 direction, double pixel_rad) const;
-  Rgb around_at(Vec2 place, Vec3 direction) const;
+  Rgb around_at(const Edge& edge, Vec3 direction) const;
   Rgb behind_fog(Vec3 from, Vec3 direction, const Rgb& light) const;
 
   sky::SkyModel model_;

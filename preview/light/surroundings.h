@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "compiler/geometry/box.h"
 #include "compiler/geometry/vec.h"
 #include "preview/rgb.h"
 
@@ -11,25 +12,26 @@ namespace citykiln::preview {
 
 /// What is at the edge of a scene in one direction.
 struct Edge {
-  Rgb albedo{};    ///< Of its land.
-  double sea = 0;  ///< Share of sea, 0 to 1.
+  Rgb albedo{};         ///< Of its land.
+  double sea = 0;       ///< Share of sea, 0 to 1.
+  double height_m = 0;  ///< Above sea level.
 };
 
-/// A sphere about the Earth's middle at one height, with the colours of the scene's edge.
+/// Beyond a scene's box the ground goes on at the height of its edge, as a part of a sphere about the Earth's middle,
+/// with the edge's colours.
 struct Surroundings {
-  Vec2 centre;             ///< Of the scene, plane metres.
-  double height_m = 0;     ///< Above sea level.
-  std::vector<Edge> ring;  ///< By azimuth, counter-clockwise from east; not empty.
+  Box2 box;                ///< Of the scene, plane metres; not empty.
+  std::vector<Edge> ring;  ///< By azimuth from the box's centre, counter-clockwise from east; not empty.
 };
 
 /// Where a ray meets the ground around.
 struct GroundPoint {
   double distance_m;
-  Vec2 place;  ///< Plane metres.
+  Edge edge;  ///< In the direction in which the ray leaves the box.
 };
 
-/// The first point of the sphere along a ray; empty if it passes above the horizon. An eye below the sphere meets one
-/// that is just below it.
+/// The first point of the ground around along a ray that hits nothing in the scene; empty if it passes above the
+/// horizon. A ray that leaves the box below the edge's height meets the ground there.
 /// @param from  Plane metres; z above sea level.
 std::optional<GroundPoint> meet_ground(const Surroundings& around, Vec3 from, Vec3 direction);
 

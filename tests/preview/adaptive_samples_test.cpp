@@ -79,13 +79,15 @@ TEST(AdaptiveSampling, HasNoBias) {
   const Camera camera{{0, 2, 1.6}, {12, 20, 6}, 50};
   Options options;
   options.width = 64, options.height = 32, options.samples = 32;
+  const World world(tiles, camera.eye);
+  const Lights lights(sky::generate(sky));
   std::vector<double> fixed_left, fixed_right, adapted_left, adapted_right;
   bool adapts = false;
   for (std::uint64_t seed = 0; seed < 64; ++seed) {
     options.seed = 2 * seed, options.noise = 0, options.samples = 16;
-    const Halves fixed = means_of(render(tiles, sky, camera, options));
-    options.seed = 2 * seed + 1, options.noise = 0.07, options.samples = 64;
-    const Image image = render(tiles, sky, camera, options);
+    const Halves fixed = means_of(render(world, lights, camera, options));
+    options.seed = 2 * seed + 1, options.noise = 0.05, options.samples = 64;
+    const Image image = render(world, lights, camera, options);
     adapts |= image.statistics.least_samples < image.statistics.most_samples;
     const Halves adapted = means_of(image);
     fixed_left.push_back(fixed.left), fixed_right.push_back(fixed.right);

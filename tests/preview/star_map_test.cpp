@@ -27,7 +27,7 @@ double illuminance_lx(const StarMap& map, Vec3 about, double pixel_rad) {
 
 TEST(StarMap, HasAllLightOfAStarWhateverThePixel) {
   for (const Vec3 direction : {unit(Vec3{1, 0.0001, 0.4}), unit(Vec3{0.3, -1, 0.02}), unit(Vec3{0.001, 0.002, 1})}) {
-    const StarMap map({{direction, {1e-6, 1e-6, 1e-6}}});
+    const StarMap map(std::vector<sky::Star>{{direction, {1e-6, 1e-6, 1e-6}}});
     for (const double pixel_rad : {0.0008, 0.002, 0.02})
       EXPECT_NEAR(illuminance_lx(map, direction, pixel_rad), 1e-6, 3e-8) << pixel_rad;
   }

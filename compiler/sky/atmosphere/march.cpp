@@ -71,9 +71,13 @@ void march(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, 
   }
   if (sources.has_direct && disk_share(place.height_m, place.source_cosine) > 0) {
     const Bands direct = direct_light(lit, place.height_m, place.source_cosine);
+    // light that aerosols scattered forwards comes along nearly the same way as direct light
+    const float before = lit.columns.at(place.height_m, place.source_cosine).aerosols;
     for (int b = 0; b < kBands; ++b) {
+      const float by_aerosols = reaching[b] * c.aerosols_scattered[b] * aerosols * direct[b];
       light.molecules[b] += reaching[b] * c.molecules[b] * molecules * direct[b];
-      light.aerosols[b] += reaching[b] * c.aerosols_scattered[b] * aerosols * direct[b];
+      light.aerosols[b] += by_aerosols;
+      light.aerosols_twice[b] += by_aerosols * before * c.aerosols_scattered[b];
     }
   }
   if (sources.field == nullptr) return;
@@ -88,6 +92,15 @@ void march(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, 
   for (int b = 0; b < kBands; ++b)
     light.more[b] += reaching[b] * (c.molecules[b] * molecules * by_molecules[b] +
                                     c.aerosols_scattered[b] * aerosols * by_aerosols[b]);
+}
+
+double aerosols_glow(double cosine) {
+  constexpr double g = kForward * kForward;
+  const double x = cosine, x2 = x * x;
+  const double base = 1 + g * g - 2 * g * x, all = (1 - g * g) / (base * std::sqrt(base));
+  const double held = 1 + 3 * g * x + 5 * g * g * (3 * x2 - 1) / 2 + 7 * g * g * g * x * (5 * x2 - 3) / 2 +
+                      9 * g * g * g * g * (35 * x2 * x2 - 30 * x2 + 3) / 8;
+  return (all - held) / (4 * kPi);
 }
 
 MarchedLight march_out(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, int steps) {

@@ -18,6 +18,7 @@ struct LitAir {
 /// Light that comes along a ray from the way that was marched. Sunlight has irradiance 1 outside of the atmosphere.
 struct MarchedLight {
   Bands molecules{}, aerosols{};  ///< Scattered once, by phase functions of 1.
+  Bands aerosols_twice{};         ///< Scattered by aerosols twice, by a phase function of 1 (aerosols_glow()).
   Bands more{};                   ///< Scattered more often, or by the ground before.
   Bands passed = filled(1);       ///< Share of light from behind that passes.
 };
@@ -50,5 +51,9 @@ MarchedLight march_out(const LitAir& lit, const MarchedSources& sources, const A
 
 /// The direct light of the source at a place: irradiance of a surface that faces it.
 Bands direct_light(const LitAir& lit, double height_m, double source_cosine);
+
+/// The part of light scattered twice by aerosols that a ScatteredField does not hold: the narrow glow about the source,
+/// of degrees above 4. Per steradian.
+double aerosols_glow(double cosine);
 
 }  // namespace citykiln::sky

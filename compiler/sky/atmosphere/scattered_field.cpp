@@ -13,7 +13,7 @@ constexpr double kPi = std::numbers::pi;
 
 // Nodes: heights, finer near the ground, and zenith angles within 12 degrees. These are a degree apart for low sources,
 // since twilight falls by half in a degree.
-constexpr int kHeights = 12;
+constexpr int kHeights = 16;
 constexpr double kHighest_m = 75000, kReach_rad = 12 * kPi / 180;
 int angles_for(double source_angle_rad) {
   const double above_deg = 90 - source_angle_rad * 180 / kPi;
@@ -29,7 +29,7 @@ constexpr int kAzimuths = 6;
 
 // The first sweep gathers light scattered once, each of the others adds at least one order.
 constexpr int kSweeps = 5;
-constexpr int kSteps = 12;
+constexpr int kSteps = 16;
 
 double height_m(int row) {
   const double root = static_cast<double>(row) / (kHeights - 1);

@@ -56,7 +56,8 @@ auto mixed(const Table& a, const Table& b, float share) {
 SkyDome::Light SkyDome::light_of(const MarchedLight& marched, double cosine, double scale) {
   Bands smooth = marched.more;
   const auto phase = static_cast<float>(molecules_phase(cosine));
-  for (int b = 0; b < kBands; ++b) smooth[b] += phase * marched.molecules[b];
+  const auto glow = static_cast<float>(aerosols_glow(cosine));
+  for (int b = 0; b < kBands; ++b) smooth[b] += phase * marched.molecules[b] + glow * marched.aerosols_twice[b];
   return {narrowed(rgb_of(smooth), scale), narrowed(rgb_of(marched.aerosols), scale)};
 }
 
@@ -103,16 +104,16 @@ void SkyDome::fill_air(const LitAir& lit, const ScatteredField& field) {
       MarchedLight light;
       double from_m = 0;
       for (int slice = 0; slice < kDistances; ++slice) {
-        // the first slice has the limit at 0
-        const double to_m = slice == 0 ? 1 : std::max(from_m, std::min(distance_m(slice), std::max(end_m, 1.0)));
+        // the first slice has the limit at 0; behind the sea nothing is added
+        const double slice_m = std::max(1.0, distance_m(slice)), to_m = std::max(from_m, std::min(slice_m, end_m));
         if (to_m > from_m) march(lit, {.field = &field}, ray, from_m, to_m, light);
         from_m = to_m;
-        air_.push_back(light_of(light, dot(direction, to_source), irradiance_ / to_m));
+        air_.push_back(light_of(light, dot(direction, to_source), irradiance_ / slice_m));
         if (column > 0) continue;
         const Rgb passed = rgb_of(light.passed);
         Rgb depth;
         for (int c = 0; c < 3; ++c) depth[c] = -std::log(std::clamp(passed[c] / white[c], 1e-9, 1.0));
-        depth_.push_back(narrowed(depth, 1 / to_m));
+        depth_.push_back(narrowed(depth, 1 / slice_m));
       }
     }
 }
