@@ -92,13 +92,19 @@ std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads
   return done ? std::move(tiles) : std::vector<bake::BakedTile>();
 }
 
-Viewers viewers_of(const Viewing& viewing, double pixel_error) {
-  Viewers viewers{.eyes = {}, .pixel_error = pixel_error};
-  for (const preview::Camera& camera : viewing.cameras) {
-    viewers.eyes.push_back(camera.eye);
-    if (camera.shutter_end) viewers.eyes.push_back(camera.shutter_end->eye);
-    viewers.focal_px = std::max(viewers.focal_px, bake::focal_length_px(viewing.height_px, camera.vertical_fov_deg));
+std::vector<Vec3> eyes_of(std::span<const preview::Camera> cameras) {
+  std::vector<Vec3> eyes;
+  for (const preview::Camera& camera : cameras) {
+    eyes.push_back(camera.eye);
+    if (camera.shutter_end) eyes.push_back(camera.shutter_end->eye);
   }
+  return eyes;
+}
+
+Viewers viewers_of(const Viewing& viewing, double pixel_error) {
+  Viewers viewers{.eyes = eyes_of(viewing.cameras), .pixel_error = pixel_error};
+  for (const preview::Camera& camera : viewing.cameras)
+    viewers.focal_px = std::max(viewers.focal_px, bake::focal_length_px(viewing.height_px, camera.vertical_fov_deg));
   return viewers;
 }
 

@@ -26,6 +26,8 @@ struct Viewing {
   int width_px = 0, height_px = 0;  ///< Of each picture. > 0.
 };
 
+/// The eyes of cameras, those at the end of a motion too.
+std::vector<Vec3> eyes_of(std::span<const preview::Camera> cameras);
 /// The eyes of all pictures, those at the end of a motion too.
 Viewers viewers_of(const Viewing& viewing, double pixel_error);
 

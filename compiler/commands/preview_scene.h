@@ -11,6 +11,7 @@
 #include "compiler/commands/load_tiles.h"
 #include "compiler/commands/view_options.h"
 #include "preview/scene/lamps.h"
+#include "preview/scene/lit_panes.h"
 #include "preview/scene/world.h"
 
 namespace citykiln::commands {
@@ -22,6 +23,7 @@ struct PreviewScene {
   std::optional<TileTree> tree{};            ///< Of a folder, until load_levels().
   sky::Sky sky{};
   std::vector<preview::StreetLamp> lamps{};  ///< Lit ones.
+  std::vector<preview::LitPane> panes{};     ///< By night, of recipes near the cameras.
 
   std::size_t tiles() const { return recipes ? recipes->chunks.size() : loaded.tiles.size(); }
   /// The tiles from which views are found. With a manifest, or a folder that has a level of 2.5 m, they do not depend
