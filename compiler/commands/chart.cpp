@@ -36,7 +36,8 @@ constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},
                                Kind{"compression", charts::chart_compression},
                                Kind{"lod", charts::chart_lod},
                                Kind{"render", charts::chart_render},
-                               Kind{"lights", charts::chart_lights}};
+                               Kind{"lights", charts::chart_lights},
+                               Kind{"forms", charts::chart_forms}};
 
 std::string known_names() {
   std::string names;

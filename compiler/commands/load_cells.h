@@ -26,13 +26,8 @@ struct Viewing {
   int width_px = 0, height_px = 0;  ///< Of each picture. > 0.
 };
 
-/// The eyes of cameras, those at the end of a motion too.
-std::vector<Vec3> eyes_of(std::span<const preview::Camera> cameras);
 /// The eyes of all pictures, those at the end of a motion too.
 Viewers viewers_of(const Viewing& viewing, double pixel_error);
-
-/// What a camera at rest shows, a pixel and its lens wider.
-bake::Sight sight_of(const preview::Camera& camera, int width_px, int height_px);
 
 /// 2 GB, or half of the machine's memory where that is less.
 std::size_t default_budget_bytes();

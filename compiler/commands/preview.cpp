@@ -21,6 +21,7 @@
 #include "preview/picture/exposure.h"
 #include "preview/picture/read_environment.h"
 #include "preview/render.h"
+#include "preview/scene/cell_view.h"
 #include "preview/window/interactive.h"
 
 namespace citykiln::commands {
@@ -220,7 +221,8 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
   if (!cameras) return cameras.error();
   scene->for_views = {};
-  if (scene->recipes) scene->panes = preview::lit_panes_of(*scene->recipes, eyes_of(*cameras), request.load.threads);
+  if (scene->recipes)
+    scene->panes = preview::lit_panes_of(*scene->recipes, preview::eyes_of(*cameras), request.load.threads);
   if (scene->tree) {
     // a window's camera goes anywhere
     const std::span<const preview::Camera> seen =
