@@ -56,23 +56,39 @@ void add_patch(Vec3 a, Vec3 b, Vec3 c, double luminance, std::vector<Patch>& pat
   patches.push_back(patch);
 }
 
-// Walls of rooms shine on each other; from outside their back is seen, which faces as the window does.
+// How far what shines about a patch stands out from it: the depth of a room before its back wall.
+double depth_m(const Patch& patch, std::span<const Vec3> shining) {
+  constexpr double kDeepest_m = 1;
+  const Vec2 outward{patch.along.y, -patch.along.x};
+  double deepest_m = 0;
+  for (const Vec3 p : shining) {
+    const double x = dot(in_plan(p), patch.along), off_m = dot(in_plan(p), outward) - patch.off_m;
+    if (off_m > deepest_m && off_m < kDeepest_m && p.z > patch.z0 - kGap_m && p.z < patch.z1 + kGap_m &&
+        x > patch.x0 - kGap_m && x < patch.x1 + kGap_m)
+      deepest_m = off_m;
+  }
+  return deepest_m;
+}
+
+// From outside the back of a room is seen, which faces as the window does, and its sides: all through its opening.
 std::vector<LitPane> panes_of(const buildings::Building& building, const buildings::GeneratedBuilding& generated) {
   std::vector<Patch> patches;
+  std::vector<Vec3> shining;
   for (const materials::MaterialMesh& part : generated.meshes) {
     const auto& emitted = materials::emission_of(part.material);
     const double shine = luminance({emitted[0], emitted[1], emitted[2]});
     if (shine <= 0) continue;
+    shining.insert(shining.end(), part.mesh.positions.begin(), part.mesh.positions.end());
     for (const Triangle& t : part.mesh.triangles)
       add_patch(part.mesh.positions[t[0]], part.mesh.positions[t[1]], part.mesh.positions[t[2]], shine, patches);
   }
   std::vector<LitPane> panes;
   constexpr double kLeast_m = 0.4;  // sides of rooms are narrower
   for (const Patch& p : patches) {
-    const Vec2 outward{p.along.y, -p.along.x}, at = p.along * p.x0 + outward * p.off_m;
+    const Vec2 outward{p.along.y, -p.along.x}, back = p.along * p.x0 + outward * p.off_m;
     if (p.x1 - p.x0 < kLeast_m || p.z1 - p.z0 < kLeast_m) continue;
     panes.push_back({.building = building.id.osm,
-                     .corner = at_height(at, p.z0),
+                     .corner = at_height(back + outward * depth_m(p, shining), p.z0),
                      .along = p.along,
                      .width_m = p.x1 - p.x0,
                      .height_m = p.z1 - p.z0,
