@@ -12,9 +12,9 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/pipeline.h"
 #include "exporters/gltf/glb.h"
+#include "preview/camera/cell_view.h"
 #include "preview/render.h"
 #include "preview/scene/cell_cache.h"
-#include "preview/scene/cell_view.h"
 
 namespace citykiln::charts {
 namespace {

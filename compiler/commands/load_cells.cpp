@@ -11,7 +11,7 @@
 #include "compiler/pipeline.h"
 #include "compiler/sky/plan.h"
 #include "exporters/kiln/manifest.h"
-#include "preview/scene/cell_view.h"
+#include "preview/camera/cell_view.h"
 
 namespace citykiln::commands {
 namespace {

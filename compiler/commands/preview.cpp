@@ -16,12 +16,12 @@
 #include "compiler/commands/view_options.h"
 #include "compiler/contract/parse.h"
 #include "compiler/spec.h"
+#include "preview/camera/cell_view.h"
 #include "preview/camera/view_probe.h"
 #include "preview/picture/denoise.h"
 #include "preview/picture/exposure.h"
 #include "preview/picture/read_environment.h"
 #include "preview/render.h"
-#include "preview/scene/cell_view.h"
 #include "preview/window/interactive.h"
 
 namespace citykiln::commands {

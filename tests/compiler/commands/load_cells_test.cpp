@@ -8,8 +8,8 @@
 #include "compiler/pipeline.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_raster.h"
+#include "preview/camera/cell_view.h"
 #include "preview/render.h"
-#include "preview/scene/cell_view.h"
 #include "preview/scene/lit_panes.h"
 
 namespace citykiln::commands {

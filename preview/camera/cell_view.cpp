@@ -1,4 +1,4 @@
-#include "preview/scene/cell_view.h"
+#include "preview/camera/cell_view.h"
 
 #include <algorithm>
 #include <cassert>
