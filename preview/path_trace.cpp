@@ -120,10 +120,25 @@ Rgb from_emitter(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, 
   return drawn->light * scattered.light * (goes_on ? balanced(drawn->pdf, scattered.pdf) : 1);
 }
 
+// Light of a lit window whose building may not be generated yet: the ray finds out.
+Rgb from_pane(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
+  const PaneLights& panes = context.local.panes();
+  const double chance = draw.next().u;
+  const auto drawn = panes.sample(hit.position, receiving_normal(hit, bsdf), chance, draw.next());
+  if (!drawn) return {};
+  const Scattering scattered = bsdf.scattering(drawn->direction);
+  if (largest(scattered.light) <= 0) return {};
+  const std::optional<Hit> met = context.world.first_hit(leave(hit, drawn->direction), drawn->direction);
+  if (!met || !met->is_front || largest(met->emission) <= 0) return {};
+  if (panes.pane_of(*met, hit.position, drawn->direction) != drawn->pane) return {};
+  return met->emission * scattered.light * (1 / (drawn->pdf + (goes_on ? scattered.pdf : 0)));
+}
+
 Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
   Rgb light{};
   if (context.local.has_lamps()) light = light + from_lamp(context, hit, bsdf, draw.next().u);
   if (context.local.has_emitters()) light = light + from_emitter(context, hit, bsdf, draw, goes_on);
+  if (!context.local.panes().is_empty()) light = light + from_pane(context, hit, bsdf, draw, goes_on);
   return light;
 }
 
@@ -146,7 +161,11 @@ void add_emission(const TraceContext& context, const Hit& hit, Path& path) {
     path.light = path.light + path.weight * kLampGlass;
   if (!hit.is_front || largest(hit.emission) <= 0) return;
   if (hit.emitter == kNoEmitter || path.pdf <= 0) {
-    path.light = path.light + path.weight * hit.emission;
+    const PaneLights& panes = context.local.panes();
+    const bool is_sampled = path.pdf > 0 && !panes.is_empty();
+    const std::uint32_t pane = is_sampled ? panes.pane_of(hit, path.sampled_at, path.direction) : kNoPane;
+    const double other = is_sampled ? panes.pdf(pane, path.sampled_at, path.normal, path.direction) : 0;
+    path.light = path.light + path.weight * hit.emission * (path.pdf > 0 ? balanced(path.pdf, other) : 1);
     return;
   }
   const double other = context.local.pdf(hit.emitter, path.sampled_at, path.normal, path.direction, hit.distance_m);

@@ -16,6 +16,7 @@
 #include "compiler/commands/view_options.h"
 #include "compiler/contract/parse.h"
 #include "compiler/spec.h"
+#include "preview/camera/cell_view.h"
 #include "preview/camera/view_probe.h"
 #include "preview/picture/denoise.h"
 #include "preview/picture/exposure.h"
@@ -94,7 +95,7 @@ struct LitWorld {
 
   LitWorld(const Stage& stage, std::span<const preview::Camera> cameras)
       : world(world_of(stage.scene, {cameras, stage.options.width, stage.options.height}, stage.request.cells)),
-        local(world, stage.lights.lamps(), stage.options.threads) {}
+        local(world, stage.lights.lamps(), stage.options.threads, stage.scene.panes) {}
 };
 
 void print_summary(const Stage& stage, const std::string& path, const preview::Image& image,
@@ -231,6 +232,8 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
   if (!cameras) return cameras.error();
   scene->for_views = {};
+  if (scene->recipes)
+    scene->panes = preview::lit_panes_of(*scene->recipes, preview::eyes_of(*cameras), request.load.threads);
   if (scene->tree) {
     // a window's camera goes anywhere
     const std::span<const preview::Camera> seen =
