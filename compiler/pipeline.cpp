@@ -24,6 +24,7 @@
 #include "compiler/roads/width_limits/limit_widths.h"
 #include "compiler/scene/assemble.h"
 #include "compiler/scene/land_cover.h"
+#include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
@@ -40,7 +41,7 @@ bool is_empty(const map::Features& features);
 Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                       std::vector<std::string>& credits, Report& report);
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
-                                  double resampling_error_m, const std::vector<std::string>& credits);
+                                  const map::Heightfield& heights, const std::vector<std::string>& credits);
 
 /// The rule files that the styles of the buildings need. A file in the spec's folder replaces the shipped file of its
 /// name.
@@ -117,7 +118,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   // describe the sky and the sources, and sort all recipes into tiles
   timer.enter("sort into tiles");
   recipes.texts = features.texts;
-  Result<scene::Header> header = make_header(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
+  Result<scene::Header> header = make_header(spec, plane, features.region, recipes.heights, credits);
   if (!header) return header.error();
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
   if (!rules) return rules.error();
@@ -265,17 +266,31 @@ Result<Done> are_tiles_of(const scene::Header& header, std::span<const scene::Ti
 
 std::string file_name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
+// Whole metres.
+double mean_height_m(const map::Heightfield& heights) {
+  if (heights.heights.empty()) return 0;
+  std::int64_t sum = 0;
+  for (const std::int32_t height : heights.heights) sum += height;
+  return std::floor(static_cast<double>(sum) / static_cast<double>(heights.heights.size()) * map::kHeightQuantum_m);
+}
+
 /// The properties of the whole scene.
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
-                                  double resampling_error_m, const std::vector<std::string>& credits) {
+                                  const map::Heightfield& heights, const std::vector<std::string>& credits) {
   Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
   if (!sky) return sky.error();
   sky::set_air(spec.air, *sky);
+  sky->ground_m = mean_height_m(heights);
+  if (!spec.clouds.empty()) {
+    Result<std::vector<sky::CloudLayer>> clouds = sky::read_clouds(spec.clouds, sky->ground_m, spec.seed);
+    if (!clouds) return clouds.error();
+    sky->clouds = std::move(*clouds);
+  }
   scene::Header header{.origin = plane.origin(),
                        .region = region,
                        .tile_m = spec.tile_m,
                        .seed = spec.seed,
-                       .resampling_error_m = resampling_error_m,
+                       .resampling_error_m = heights.resampling_error_m,
                        .sky = std::move(*sky),
                        .sources = {file_name_of(spec.map_path)},
                        .attributions = {std::string(kOsmCredit)},

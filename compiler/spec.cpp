@@ -11,6 +11,7 @@
 #include "compiler/contract/code_names.h"
 #include "compiler/contract/nearest_name.h"
 #include "compiler/contract/parse.h"
+#include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_raster.h"
 
@@ -171,6 +172,13 @@ Result<Done> set_ground_albedo(CompileSpec& spec, std::string_view text) {
   return put_number(text, 0, 1, "an albedo from 0 to 1, such as 0.2", spec.air.ground_albedo);
 }
 
+Result<Done> set_clouds(CompileSpec& spec, std::string_view text) {
+  const auto layers = sky::read_clouds(std::string(text), 0, 0);
+  if (!layers) return layers.error();
+  spec.clouds = text;
+  return Done{};
+}
+
 Result<Done> set_seed(CompileSpec& spec, std::string_view text) {
   const auto seed = number_in<std::uint64_t>(text);
   if (!seed) return expected("a whole number of at least 0, such as 7", text);
@@ -262,6 +270,8 @@ constexpr Setting kSettings[] = {
     {"turbidity", "T", "haze of the whole sky: 2 clear, 10 hazy (default: 2.6)", false, set_turbidity},
     {"ground-albedo", "X", "share of light that the land around reflects into the air, 0 to 1 (default: 0.2)", false,
      set_ground_albedo},
+    {"clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky, by name or in layers (default: clear)",
+     false, set_clouds},
     {"seed", "N", "seed of all random choices, a whole number (default: 0)", false, set_seed},
     {"snow-line", "M", "land above this height in metres is covered by snow, such as 2800 (default: no snow)", false,
      set_snow_line},

@@ -77,6 +77,7 @@ struct CompileSpec {
   World world = World::kByOutput;     ///< 3D Tiles are on the ellipsoid, other outputs in the plane.
   std::string time;                   ///< Of the sky, ISO 8601; see sky::plan.
   sky::AirSettings air;
+  std::string clouds;  ///< Of sky::read_clouds(); "" for none.
   int threads = 0;  ///< 0: all processors. Does not change outputs.
   Strictness strict;
   Outputs outputs;

@@ -66,7 +66,8 @@ Rgb from_sun(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Unit
   const Scattering scattered = bsdf.scattering(to_sun);
   if (largest(scattered.light) <= 0 || !is_free(context, hit, to_sun)) return {};
   const double pdf = 1 / context.lights.sun_solid_angle();
-  return context.lights.sun_radiance() * scattered.light * (1 / (pdf + (goes_on ? scattered.pdf : 0)));
+  const double passed = context.lights.sun_passed(hit.position + context.world.origin());
+  return context.lights.sun_radiance() * scattered.light * (passed / (pdf + (goes_on ? scattered.pdf : 0)));
 }
 
 Rgb from_sky(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, UnitPair chance, bool goes_on) {
@@ -74,7 +75,8 @@ Rgb from_sky(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Unit
   if (drawn.pdf <= 0) return {};
   const Scattering scattered = bsdf.scattering(drawn.direction);
   if (largest(scattered.light) <= 0 || !is_free(context, hit, drawn.direction)) return {};
-  return context.lights.falling(drawn.direction) * scattered.light * (1 / (drawn.pdf + (goes_on ? scattered.pdf : 0)));
+  return context.lights.falling(hit.position + context.world.origin(), drawn.direction) * scattered.light *
+         (1 / (drawn.pdf + (goes_on ? scattered.pdf : 0)));
 }
 
 // Whether the sky is sampled where a path goes on. Beside a bright sun the sky adds little noise, and the path's next
@@ -118,10 +120,25 @@ Rgb from_emitter(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, 
   return drawn->light * scattered.light * (goes_on ? balanced(drawn->pdf, scattered.pdf) : 1);
 }
 
+// Light of a lit window whose building may not be generated yet: the ray finds out.
+Rgb from_pane(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
+  const PaneLights& panes = context.local.panes();
+  const double chance = draw.next().u;
+  const auto drawn = panes.sample(hit.position, receiving_normal(hit, bsdf), chance, draw.next());
+  if (!drawn) return {};
+  const Scattering scattered = bsdf.scattering(drawn->direction);
+  if (largest(scattered.light) <= 0) return {};
+  const std::optional<Hit> met = context.world.first_hit(leave(hit, drawn->direction), drawn->direction);
+  if (!met || !met->is_front || largest(met->emission) <= 0) return {};
+  if (panes.pane_of(*met, hit.position, drawn->direction) != drawn->pane) return {};
+  return met->emission * scattered.light * (1 / (drawn->pdf + (goes_on ? scattered.pdf : 0)));
+}
+
 Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
   Rgb light{};
   if (context.local.has_lamps()) light = light + from_lamp(context, hit, bsdf, draw.next().u);
   if (context.local.has_emitters()) light = light + from_emitter(context, hit, bsdf, draw, goes_on);
+  if (!context.local.panes().is_empty()) light = light + from_pane(context, hit, bsdf, draw, goes_on);
   return light;
 }
 
@@ -130,12 +147,12 @@ void add_outside(const TraceContext& context, Path& path) {
   const Lights& lights = context.lights;
   const Vec3 from = path.from + context.world.origin();
   const Rgb sky = path.is_sharp ? lights.seen(from, path.direction, context.pixel_rad, path.is_first)
-                                : lights.falling(path.direction);
+                                : lights.falling(from, path.direction);
   const bool is_shared = path.pdf > 0 && path.has_sampled_sky;
   path.light = path.light + path.weight * sky * (is_shared ? balanced(path.pdf, lights.sky_pdf(path.direction)) : 1);
   if (path.pdf <= 0 || !lights.is_in_sun(path.direction)) return;
   const double share = balanced(path.pdf, 1 / lights.sun_solid_angle());
-  path.light = path.light + path.weight * lights.sun_radiance() * share;
+  path.light = path.light + path.weight * lights.sun_radiance() * (share * lights.sun_passed(from));
 }
 
 // Adds the light that a surface emits.
@@ -144,7 +161,11 @@ void add_emission(const TraceContext& context, const Hit& hit, Path& path) {
     path.light = path.light + path.weight * kLampGlass;
   if (!hit.is_front || largest(hit.emission) <= 0) return;
   if (hit.emitter == kNoEmitter || path.pdf <= 0) {
-    path.light = path.light + path.weight * hit.emission;
+    const PaneLights& panes = context.local.panes();
+    const bool is_sampled = path.pdf > 0 && !panes.is_empty();
+    const std::uint32_t pane = is_sampled ? panes.pane_of(hit, path.sampled_at, path.direction) : kNoPane;
+    const double other = is_sampled ? panes.pdf(pane, path.sampled_at, path.normal, path.direction) : 0;
+    path.light = path.light + path.weight * hit.emission * (path.pdf > 0 ? balanced(path.pdf, other) : 1);
     return;
   }
   const double other = context.local.pdf(hit.emitter, path.sampled_at, path.normal, path.direction, hit.distance_m);
@@ -242,7 +263,9 @@ Rgb sun_in_room(const TraceContext& context, const Hit& hit, const RoomWay& way,
   Hit at_pane = hit;
   at_pane.position = on_pane;
   if (!is_free(context, at_pane, to_sun)) return {};
-  return context.lights.sun_radiance() * way.albedo * (cosine * context.lights.sun_solid_angle() / std::numbers::pi);
+  const double passed = context.lights.sun_passed(on_pane + context.world.origin());
+  return context.lights.sun_radiance() * way.albedo *
+         (passed * cosine * context.lights.sun_solid_angle() / std::numbers::pi);
 }
 
 // Light through a pane from the room behind it.

@@ -107,6 +107,11 @@ Result<std::vector<Chart>> chart_lod(const ChartRequest& request);
 /// Russian roulette and denoising.
 Result<std::vector<Chart>> chart_render(const ChartRequest& request);
 
+/// Time and memory of a map's street rendered from stored tiles and from recipes: over the number of tiles, over the
+/// budget for generated cells, and with buildings one to three times as high. Memory is that of meshes, hierarchies,
+/// textures, and of stored tiles.
+Result<std::vector<Chart>> chart_forms(const ChartRequest& request);
+
 /// Relative error of the light of many lamps by one of them, over their number: chosen by the light tree, or uniformly.
 /// Needs no map.
 Result<std::vector<Chart>> chart_lights(const ChartRequest& request);

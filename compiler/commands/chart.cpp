@@ -37,6 +37,7 @@ constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},
                                Kind{"lod", charts::chart_lod},
                                Kind{"render", charts::chart_render},
                                Kind{"lights", charts::chart_lights},
+                               Kind{"forms", charts::chart_forms},
                                Kind{"sky", charts::chart_sky}};
 
 std::string known_names() {

@@ -5,16 +5,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
-#include <limits>
-#include <numbers>
 
 #include "compiler/commands/requested_sky.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/pipeline.h"
 #include "exporters/kiln/manifest.h"
-#include "preview/camera/camera_rays.h"
+#include "preview/camera/cell_view.h"
 
 namespace citykiln::commands {
 namespace {
@@ -92,69 +89,19 @@ std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads
 }
 
 Viewers viewers_of(const Viewing& viewing, double pixel_error) {
-  Viewers viewers{.eyes = {}, .pixel_error = pixel_error};
-  for (const preview::Camera& camera : viewing.cameras) {
-    viewers.eyes.push_back(camera.eye);
-    if (camera.shutter_end) viewers.eyes.push_back(camera.shutter_end->eye);
+  Viewers viewers{.eyes = preview::eyes_of(viewing.cameras), .pixel_error = pixel_error};
+  for (const preview::Camera& camera : viewing.cameras)
     viewers.focal_px = std::max(viewers.focal_px, bake::focal_length_px(viewing.height_px, camera.vertical_fov_deg));
-  }
   return viewers;
 }
 
-bake::Sight sight_of(const preview::Camera& camera, int width_px, int height_px) {
-  // pixels gather light up to one pixel aside
-  constexpr int kWider_px = 2;
-  const preview::ViewAxes axes = preview::axes_of({camera.eye, camera.look_at});
-  const double up = std::tan(camera.vertical_fov_deg * std::numbers::pi / 360) * (height_px + kWider_px) / height_px;
-  const double right = up * (width_px + kWider_px) / (height_px + kWider_px);
-  const auto side = [&](Vec3 across, double reach) {
-    const Vec3 normal = unit(across - axes.forward * reach);
-    return bake::Sight::Plane{normal, dot(normal, camera.eye) + camera.lens_radius_m};
-  };
-  return {.sides = {side(axes.right, right), side(axes.right * -1, right), side(axes.up, up), side(axes.up * -1, up)}};
-}
-
-namespace {
-
-// Of films with more frames, neighbouring eyes are joined.
-constexpr std::size_t kMostEyes = 64;
-
-// Boxes of neighbouring eyes.
-std::vector<bake::Bounds> boxes_of(std::span<const Vec3> eyes) {
-  std::vector<bake::Bounds> boxes;
-  const std::size_t each = (eyes.size() + kMostEyes - 1) / kMostEyes;
-  for (std::size_t i = 0; i < eyes.size(); i += each) {
-    bake::Bounds box{.low_m = eyes[i].z, .high_m = eyes[i].z};
-    for (const Vec3 eye : eyes.subspan(i, std::min(each, eyes.size() - i))) {
-      box.plan.grow(in_plan(eye));
-      box.low_m = std::min(box.low_m, eye.z), box.high_m = std::max(box.high_m, eye.z);
-    }
-    boxes.push_back(box);
-  }
-  return boxes;
-}
-
-double lowest_m(const scene::Scene& scene) {
-  double lowest_m = std::numeric_limits<double>::infinity();
-  for (const scene::Chunk& chunk : scene.chunks)
-    lowest_m = std::min(lowest_m, bake::bounds_of(chunk.heights, scene::box_of(scene.header, chunk.tile)).low_m);
-  return lowest_m;
-}
-
-}  // namespace
-
 std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const Viewing& viewing,
                                                      const CellRequest& request) {
-  const Viewers viewers = viewers_of(viewing, request.pixel_error);
-  bake::View view{.eye = viewers.eyes.front(), .focal_px = viewers.focal_px, .pixel_error = request.pixel_error};
-  if (viewers.eyes.size() > 1) {
-    view.more_eyes = boxes_of(std::span(viewers.eyes).subspan(1));
-  } else if (request.unseen_deg > 0) {
-    view.sight = sight_of(viewing.cameras.front(), viewing.width_px, viewing.height_px);
-    view.sight->unseen_rad = request.unseen_deg * std::numbers::pi / 180;
-    view.sight->lowest_m = lowest_m(scene);
-    if (!sky::is_night(scene.header.sky)) view.sight->to_sun = scene.header.sky.to_sun;
-  }
+  const bake::View view = preview::cell_view(scene, viewing.cameras,
+                                             {.width_px = viewing.width_px,
+                                              .height_px = viewing.height_px,
+                                              .pixel_error = request.pixel_error,
+                                              .unseen_deg = request.unseen_deg});
   return std::make_shared<preview::CellSource>(std::move(scene), view);
 }
 

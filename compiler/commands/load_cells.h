@@ -29,9 +29,6 @@ struct Viewing {
 /// The eyes of all pictures, those at the end of a motion too.
 Viewers viewers_of(const Viewing& viewing, double pixel_error);
 
-/// What a camera at rest shows, a pixel and its lens wider.
-bake::Sight sight_of(const preview::Camera& camera, int width_px, int height_px);
-
 /// 2 GB, or half of the machine's memory where that is less.
 std::size_t default_budget_bytes();
 /// What is asked for, or the default.

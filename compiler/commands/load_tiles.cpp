@@ -89,7 +89,7 @@ Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_prog
     const bool is_asked_for = request.only.empty() || std::ranges::binary_search(request.only, tile.tile);
     if (tile.level == level && is_asked_for) paths.push_back(folder + "/" + tile.file.name);
   }
-  if (paths.empty()) return Error{folder, fmt::format("has none of the requested tiles at level {}", level)};
+  if (paths.empty()) return Error{folder, fmt::format("has none of the requested tiles at level {} as .glb", level)};
   return read_files(paths, fs::path(folder) / "scene.kiln", on_progress);
 }
 
@@ -178,6 +178,7 @@ Result<TileTree> read_tile_tree(const LoadRequest& request, const OnProgress& on
   const std::string& folder = request.paths.front();
   if (has_tileset(folder)) return tree_of_tileset(request, folder, on_progress);
   const Result<verify::RunRecord> record = verify::read_report(folder);
+  if (!record && has_tileset(folder + "/3dtiles")) return tree_of_tileset(request, folder + "/3dtiles", on_progress);
   if (!record) return record.error();
   if (!record->tiles.empty()) return tree_of_run(request, *record, on_progress);
   if (has_tileset(folder + "/3dtiles")) return tree_of_tileset(request, folder + "/3dtiles", on_progress);
@@ -213,6 +214,8 @@ Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progr
   if ((is_manifest || is_folder) && request.paths.size() > 1)
     return Error{first, "cannot be combined with other inputs; give one manifest, one folder, or .glb files"};
   if (is_manifest) return bake_manifest(request, on_progress);
+  if (is_folder && has_tileset(first))
+    return Error{"--level", "is for .glb tiles; of 3D Tiles --pixel-error chooses the levels"};
   if (is_folder) return read_folder(request, on_progress);
   // the manifest of OUT/glb/0_0_L0.glb is OUT/scene.kiln
   return read_files(request.paths, fs::path(first).parent_path() / ".." / "scene.kiln", on_progress);

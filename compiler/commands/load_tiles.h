@@ -19,6 +19,7 @@ struct LoadRequest {
   std::vector<std::string> paths;      ///< One .kiln, or one folder of a run, or .glb files.
   std::string time;                    ///< Time of the sky for baking a manifest; "": the scene's.
   sky::AirSettings air;                ///< What of it replaces the scene's.
+  std::string clouds;                  ///< Of sky::read_clouds(); "": the scene's.
   std::optional<double> tolerance_m;   ///< For baking a manifest; none: 0.1 m.
   std::optional<std::size_t> level{};  ///< Of a folder's tiles; none: 0, or by tile (asks_for_levels()).
   std::vector<scene::TileKey> only;    ///< If not empty, only these tiles.

@@ -16,6 +16,7 @@
 #include "compiler/commands/view_options.h"
 #include "compiler/contract/parse.h"
 #include "compiler/spec.h"
+#include "preview/camera/cell_view.h"
 #include "preview/camera/view_probe.h"
 #include "preview/picture/denoise.h"
 #include "preview/picture/exposure.h"
@@ -94,7 +95,7 @@ struct LitWorld {
 
   LitWorld(const Stage& stage, std::span<const preview::Camera> cameras)
       : world(world_of(stage.scene, {cameras, stage.options.width, stage.options.height}, stage.request.cells)),
-        local(world, stage.lights.lamps(), stage.options.threads) {}
+        local(world, stage.lights.lamps(), stage.options.threads, stage.scene.panes) {}
 };
 
 void print_summary(const Stage& stage, const std::string& path, const preview::Image& image,
@@ -204,6 +205,15 @@ Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
   return Exit::kDone;
 }
 
+// The clouds of a scene's sky, as fine as the first camera needs: particles of two hundredths of a degree.
+std::shared_ptr<const preview::CloudField> clouds_of(const PreviewScene& scene, const preview::Camera& camera,
+                                                     int threads) {
+  constexpr double kFinest = 0.006;
+  if (scene.sky.clouds.empty()) return nullptr;
+  const preview::CloudLight light = preview::light_on_clouds(sky::generate(scene.sky, camera.eye.z));
+  return std::make_shared<preview::CloudField>(scene.sky.clouds, light, camera.eye, kFinest, threads);
+}
+
 Result<Exit> run(const Request& request, const Console& console) {
   if (request.picture_path.empty() && !request.is_interactive)
     return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
@@ -222,6 +232,8 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
   if (!cameras) return cameras.error();
   scene->for_views = {};
+  if (scene->recipes)
+    scene->panes = preview::lit_panes_of(*scene->recipes, preview::eyes_of(*cameras), request.load.threads);
   if (scene->tree) {
     // a window's camera goes anywhere
     const std::span<const preview::Camera> seen =
@@ -230,9 +242,10 @@ Result<Exit> run(const Request& request, const Console& console) {
     if (const Result<Done> read = load_levels(*scene, wanted, viewing, on_progress); !read) return read.error();
     console.print_line(levels_text(scene->loaded.tiles));
   }
-  const preview::Lights lights = *environment ? preview::Lights(**environment, scene->lamps)
-                                              : preview::Lights(sky::generate(scene->sky, cameras->front().eye.z),
-                                                                scene->lamps, scene->around, scene->fog);
+  const preview::Lights lights =
+      *environment ? preview::Lights(**environment, scene->lamps)
+                   : preview::Lights(sky::generate(scene->sky, cameras->front().eye.z), scene->lamps, scene->around,
+                                     scene->fog, clouds_of(*scene, cameras->front(), request.load.threads));
   const Stage stage{request, *scene, lights, console, options_of(request)};
   if (request.is_interactive) return fly(stage, cameras->front());
   return render_frames(stage, *cameras, on_progress);
@@ -323,6 +336,8 @@ std::vector<Option> light_options(Request& request) {
       {"--fog", "SHARE",
        "fog fills valleys up to the height below which this share of a manifest's ground is, such as 0.2", false,
        store_number(request.fog_share, {0, 1, true})},
+      {"--clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky (default: the scene's, or clear)", false,
+       store_text(request.load.clouds)},
       {"--environment", "FILE.exr|.hdr", "light from a panorama instead of sun and sky", false,
        store_text(request.environment_path)},
       {"--environment-turn", "DEG", "compass bearing of the panorama's middle (default: 0, north)", false,

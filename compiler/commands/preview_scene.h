@@ -13,6 +13,7 @@
 #include "preview/light/fog.h"
 #include "preview/light/surroundings.h"
 #include "preview/scene/lamps.h"
+#include "preview/scene/lit_panes.h"
 #include "preview/scene/world.h"
 
 namespace citykiln::commands {
@@ -26,6 +27,7 @@ struct PreviewScene {
   std::vector<preview::StreetLamp> lamps{};       ///< Lit ones.
   std::optional<preview::Surroundings> around{};  ///< Of a manifest.
   std::optional<preview::Fog> fog{};              ///< Of a manifest, if asked for.
+  std::vector<preview::LitPane> panes{};          ///< By night, of recipes near the cameras.
 
   std::size_t tiles() const { return recipes ? recipes->chunks.size() : loaded.tiles.size(); }
   /// The tiles from which views are found. With a manifest, or a folder that has a level of 2.5 m, they do not depend

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "compiler/geometry/vec.h"
+#include "compiler/sky/clouds/recipe.h"
 
 namespace citykiln::sky {
 
@@ -19,6 +21,8 @@ struct Sky {
   double moon_lit = 0;         ///< Lit share of the moon's disk: 0 new, 1 full; a multiple of 2^-20.
   Vec3 to_pole{0, 0, 1};       ///< Declination 90° of J2000.0, without refraction.
   Vec3 to_equinox{0, -1, 0};   ///< Right ascension 0, declination 0 of J2000.0, without refraction.
+  double ground_m = 0;         ///< Mean height of the ground above sea level: heights of named clouds are above it.
+  std::vector<CloudLayer> clouds{};
   bool operator==(const Sky&) const = default;
 };
 

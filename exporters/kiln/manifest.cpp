@@ -83,8 +83,13 @@ flatbuffers::Offset<fbs::Sky> sky_of(flatbuffers::FlatBufferBuilder& builder, co
   const auto direction = [&](Vec3 v) { return builder.CreateVector(steps_of(v)); };
   const auto sun = direction(sky.to_sun), moon = direction(sky.to_moon);
   const auto pole = direction(sky.to_pole), equinox = direction(sky.to_equinox);
+  std::vector<flatbuffers::Offset<fbs::CloudLayer>> layers;
+  for (const sky::CloudLayer& layer : sky.clouds)
+    layers.push_back(fbs::CreateCloudLayer(builder, static_cast<std::uint8_t>(layer.kind), layer.cover, layer.base_m,
+                                           layer.top_m, layer.wind.x, layer.wind.y, layer.seed));
+  const auto clouds = builder.CreateVector(layers);
   return fbs::CreateSky(builder, time, sun, sky.turbidity, sky.visibility_km, sky.ground_albedo, moon,
-                        std::llround(sky.moon_lit * 0x1p20), pole, equinox);
+                        std::llround(sky.moon_lit * 0x1p20), pole, equinox, sky.ground_m, clouds);
 }
 
 flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder, const scene::Scene& scene,
@@ -207,7 +212,23 @@ std::optional<Vec3> direction_of(const flatbuffers::Vector<std::int64_t>* steps)
 bool is_sound(const sky::Sky& sky) {
   return sky.turbidity >= sky::kLeastTurbidity && sky.turbidity <= sky::kMostTurbidity &&
          sky.visibility_km >= sky::kHaziest_km && sky.visibility_km <= sky::kClearest_km && sky.ground_albedo >= 0 &&
-         sky.ground_albedo <= 1 && sky.moon_lit >= 0 && sky.moon_lit <= 1;
+         sky.ground_albedo <= 1 && sky.moon_lit >= 0 && sky.moon_lit <= 1 && std::abs(sky.ground_m) <= 20000 &&
+         sky.clouds.size() <= sky::kMostCloudLayers &&
+         std::ranges::all_of(sky.clouds, [](const sky::CloudLayer& layer) { return sky::is_sound(layer); });
+}
+
+std::vector<sky::CloudLayer> clouds_of(const fbs::Sky& s) {
+  std::vector<sky::CloudLayer> layers;
+  for (unsigned i = 0; i < (s.clouds() != nullptr ? s.clouds()->size() : 0); ++i) {
+    const fbs::CloudLayer& layer = *s.clouds()->Get(i);
+    layers.push_back({static_cast<sky::CloudKind>(layer.kind()),
+                      layer.cover(),
+                      layer.base_m(),
+                      layer.top_m(),
+                      {layer.wind_x(), layer.wind_y()},
+                      layer.seed()});
+  }
+  return layers;
 }
 
 std::optional<sky::Sky> plain(const fbs::Sky& s) {
@@ -222,7 +243,9 @@ std::optional<sky::Sky> plain(const fbs::Sky& s) {
                      .to_moon = *moon,
                      .moon_lit = static_cast<double>(s.moon_lit()) * 0x1p-20,
                      .to_pole = *pole,
-                     .to_equinox = *equinox};
+                     .to_equinox = *equinox,
+                     .ground_m = s.ground_m(),
+                     .clouds = clouds_of(s)};
   return is_sound(sky) ? std::optional(sky) : std::nullopt;
 }
 

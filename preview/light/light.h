@@ -1,10 +1,12 @@
 // Light from outside of the scene: sky, sun, moon and stars, or an environment map; the land around; and the air.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "compiler/sky/generate.h"
+#include "preview/clouds/cloud_field.h"
 #include "preview/light/direction_table.h"
 #include "preview/light/environment_map.h"
 #include "preview/light/fog.h"
@@ -23,8 +25,10 @@ class Lights {
   /// @param lamps   Street lamps that are lit, plane metres.
   /// @param around  The land around the scene; none: the ground at sea level.
   /// @param fog     Hides what the eye sees, and takes no light from surfaces.
+  /// @param clouds  Null where there are none.
   explicit Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps = {},
-                  std::optional<Surroundings> around = {}, std::optional<Fog> fog = {});
+                  std::optional<Surroundings> around = {}, std::optional<Fog> fog = {},
+                  std::shared_ptr<const CloudField> clouds = {});
   /// An environment map replaces sky and sun, and there is no air.
   explicit Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps = {});
 
@@ -33,7 +37,10 @@ class Lights {
 
   /// Radiance for lighting surfaces, without the sun's disk. From below the horizon comes what the ground around
   /// reflects, or what the map shows.
-  Rgb falling(Vec3 direction) const;
+  /// @param from  As for seen().
+  Rgb falling(Vec3 from, Vec3 direction) const;
+  /// The share of the sun's light that clouds let pass to a place.
+  double sun_passed(Vec3 from) const { return clouds_ ? clouds_->sun_passed(from) : 1; }
   /// A sample of the sky, about in proportion to luminance; pdf 0 if the sky is black.
   DirectionSample sample_sky(UnitPair chance) const { return table_.sample(chance); }
   /// The density of sample_sky() in a direction, per steradian.
@@ -54,11 +61,13 @@ class Lights {
   Rgb seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) const;
   /// The distance at which a ray that hits nothing meets the ground around, if it does.
   std::optional<double> ground_m(Vec3 from, Vec3 direction) const;
-  /// The air and the fog between the eye and a surface.
+  /// The air, the fog and the clouds between the eye and a surface.
   /// @param from  As for seen().
   sky::AirPath air(Vec3 from, Vec3 direction, double distance_m) const;
 
  private:
+  sky::AirPath clear_air(Vec3 from, Vec3 direction, double distance_m) const;
+  Rgb behind_clouds(Vec3 from, Vec3 direction, const Rgb& light) const;
   Rgb bodies(Vec3 direction, double pixel_rad) const;
   Rgb around_at(const Edge& edge, Vec3 direction) const;
   Rgb behind_fog(Vec3 from, Vec3 direction, const Rgb& light) const;
@@ -71,6 +80,7 @@ class Lights {
   StarMap stars_;
   std::optional<Surroundings> around_;
   std::optional<Fog> fog_;
+  std::shared_ptr<const CloudField> clouds_;
   Rgb below_{};
   std::vector<StreetLamp> lamps_;
 };

@@ -77,8 +77,9 @@ double far_share(const World& world, const Emitter& emitter) {
 
 }  // namespace
 
-LocalLights::LocalLights(const World& world, std::span<const StreetLamp> lamps, int threads)
-    : emitters_(world.emitters()), emitter_tree_({}), lamp_tree_({}) {
+LocalLights::LocalLights(const World& world, std::span<const StreetLamp> lamps, int threads,
+                         std::span<const LitPane> panes)
+    : emitters_(world.emitters()), emitter_tree_({}), lamp_tree_({}), panes_(panes, world.origin()) {
   std::vector<LightBounds> bounds = for_each_slot<LightBounds>(emitters_.size(), threads, [&](std::size_t i) {
     LightBounds of = bounds_of(emitters_[i]);
     of.flux *= far_share(world, emitters_[i]);

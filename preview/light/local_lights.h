@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "preview/light/light_tree.h"
+#include "preview/light/pane_lights.h"
 #include "preview/rgb.h"
 #include "preview/samples.h"
 #include "preview/scene/emitters.h"
@@ -26,10 +27,12 @@ class LocalLights {
  public:
   /// Emitters are the world's, which must outlive this object. Those that shine only on what is near, such as the walls
   /// of rooms on each other, are not sampled: rays that find them by chance see them. Cost: 16 rays for each emitter.
-  LocalLights(const World& world, std::span<const StreetLamp> lamps, int threads);
+  /// @param panes  Of a world of cells, whose emitters are not known.
+  LocalLights(const World& world, std::span<const StreetLamp> lamps, int threads, std::span<const LitPane> panes = {});
 
   bool has_lamps() const { return !lamp_tree_.is_empty(); }
   bool has_emitters() const { return !emitter_tree_.is_empty(); }
+  const PaneLights& panes() const { return panes_; }
   /// Samples a lamp for a place. No ray hits a lamp by chance: pdf is 0. Empty: no lamp lights the place.
   /// @param normal  As for LightTree::choose().
   std::optional<LightSample> sample_lamp(Vec3 at, Vec3 normal, double chance) const;
@@ -57,6 +60,7 @@ class LocalLights {
   std::vector<char> is_sampled_;
   std::vector<Lamp> lamps_;
   LightTree emitter_tree_, lamp_tree_;
+  PaneLights panes_;
 };
 
 }  // namespace citykiln::preview

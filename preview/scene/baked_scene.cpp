@@ -11,6 +11,15 @@ BakedScene::BakedScene(RTCDevice device, std::span<const bake::BakedTile> tiles,
   geometry_.commit();
 }
 
+std::size_t BakedScene::bytes() const {
+  std::size_t bytes = geometry_.bytes();
+  for (const auto& set : geometry_.instance_sets()) bytes += set->mesh().bytes();
+  for (const auto& texture : marking_atlases_) bytes += texture->bytes();
+  for (const auto& texture : material_textures_) bytes += texture->bytes();
+  for (const auto& texture : facade_atlases_) bytes += texture->bytes();
+  return bytes;
+}
+
 // Tiles with equal marking atlases share one.
 const MipTexture* BakedScene::marking_atlas_of(const bake::BakedTile& tile) {
   if (tile.marking_atlas.texels.empty()) return nullptr;

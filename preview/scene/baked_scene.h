@@ -16,6 +16,8 @@ class BakedScene {
   const SceneGeometry& geometry() const { return geometry_; }
   /// All triangles that shine, by their numbers in hits. Those of instances are left out.
   std::span<const Emitter> emitters() const { return emitters_; }
+  /// Of corners, instances and textures, without the tiles and Embree's hierarchies.
+  std::size_t bytes() const;
 
  private:
   const MipTexture* marking_atlas_of(const bake::BakedTile& tile);

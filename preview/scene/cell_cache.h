@@ -77,7 +77,7 @@ struct CellRay : RTCIntersectContext {
 /// cache has them, images of materials, and what the generation of a cell needs for a moment.
 class CellCache {
  public:
-  static constexpr std::size_t kTileBytes = 64'000'000;
+  static constexpr std::size_t kTileBytes = 100'000'000;
 
   /// @param origin  Of the world, plane metres.
   /// @param budget_bytes  A ray can always go on: the cell that it needs is kept even if that alone exceeds the budget.

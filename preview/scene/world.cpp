@@ -1,5 +1,6 @@
 #include "preview/scene/world.h"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -50,6 +51,7 @@ struct World::Scene {
   // one of them
   std::unique_ptr<BakedScene> baked{};
   std::unique_ptr<CellCache> cells{};
+  std::atomic<std::int64_t> hierarchy_bytes = 0;  // of baked tiles
 
   explicit Scene(Vec3 near) {
     const auto whole = [](double v) { return std::isfinite(v) ? std::round(v) : 0; };
@@ -62,6 +64,11 @@ struct World::Scene {
 };
 
 World::World(std::span<const bake::BakedTile> tiles, Vec3 near) : scene_(std::make_unique<Scene>(near)) {
+  const auto count = [](void* scene, ssize_t bytes, bool) {
+    static_cast<Scene*>(scene)->hierarchy_bytes += bytes;
+    return true;
+  };
+  rtcSetDeviceMemoryMonitorFunction(scene_->device, count, scene_.get());
   scene_->baked = std::make_unique<BakedScene>(scene_->device, tiles, scene_->origin);
 }
 World::World(std::shared_ptr<const CellSource> source, Vec3 near, std::size_t budget_bytes)
@@ -79,6 +86,12 @@ std::span<const Emitter> World::emitters() const {
 std::optional<CellCounters> World::counters() const {
   if (!scene_->cells) return std::nullopt;
   return scene_->cells->counters();
+}
+
+std::size_t World::bytes() const {
+  if (scene_->baked) return scene_->baked->bytes() + static_cast<std::size_t>(scene_->hierarchy_bytes);
+  const CellCounters now = scene_->cells->counters();
+  return static_cast<std::size_t>(now.geometry_bytes + now.hierarchy_bytes + now.texture_bytes);
 }
 
 std::optional<Hit> World::first_hit(Vec3 from, Vec3 direction, double spread_rad) const {

@@ -45,6 +45,8 @@ class World {
   std::span<const Emitter> emitters() const;
   /// Of the cells; none for baked tiles.
   std::optional<CellCounters> counters() const;
+  /// Meshes, hierarchies and textures; of baked tiles without the tiles themselves.
+  std::size_t bytes() const;
 
  private:
   struct Scene;

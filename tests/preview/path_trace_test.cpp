@@ -80,7 +80,7 @@ bake::Primitive bowl(Vec3 centre, double radius, Material material) {
 
 TEST(Trace, AnEvenSkyIsEven) {
   const Lights lights(even_sky(1));
-  const Rgb white = lights.falling({0, 0, 1});
+  const Rgb white = lights.falling({}, {0, 0, 1});
   EXPECT_NEAR(white[1], 1, 0.1);
   for (const Vec3 d : {Vec3{1, 0, 0.01}, Vec3{-1, 2, 0.5}, Vec3{0, 0, 1}})
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(lights.seen({0, 0, 2}, unit(d), 0.001, true)[c], white[c], 1e-9);
@@ -89,7 +89,7 @@ TEST(Trace, AnEvenSkyIsEven) {
 // The furnace test: an open surface under a uniform sky reflects exactly its reflectance of it.
 TEST(Trace, OpenGroundSendsBackItsReflectanceOfAnEvenSky) {
   const Lights lights(even_sky(1));
-  const Rgb white = lights.falling({0, 0, 1});
+  const Rgb white = lights.falling({}, {0, 0, 1});
   for (const Material material : {Material::kSnow, Material::kPaint, Material::kGrass, Material::kBrick})
     for (const int bounces : {0, 3}) {
       const std::vector tiles = {tile({0, 0, 0}, {floor({-9, -9, 0}, {9, 9, 0}, material)})};
@@ -103,7 +103,7 @@ TEST(Trace, OpenGroundSendsBackItsReflectanceOfAnEvenSky) {
 // a/2 + (a/2)² + … of the sky, n + 1 terms.
 TEST(Trace, ABowlShinesAsItsBouncesAddUp) {
   const Lights lights(even_sky(1));
-  const Rgb white = lights.falling({0, 0, 1});
+  const Rgb white = lights.falling({}, {0, 0, 1});
   const std::vector tiles = {tile({0, 0, 0}, {bowl({0, 0, 0}, 10, Material::kPaint)})};
   const double half = reflectance_of(Material::kPaint)[0] / 2;
   double sum = 0;
@@ -125,7 +125,7 @@ TEST(Trace, SunlitGroundHasItsIrradiance) {
     const std::vector tiles = {tile({0, 0, 0}, {floor({-9, -9, 0}, {9, 9, 0}, Material::kConcrete)})};
     const Rgb light = seen(tiles, lights, {0, -1, 2}, {0.3, 0.4, 0}, 1024, 3);
     for (int c = 0; c < 3; ++c) {
-      const double falling = 30000 * solid_angle * std::sin(e) / kPi + lights.falling({0, 0, 1})[c];
+      const double falling = 30000 * solid_angle * std::sin(e) / kPi + lights.falling({}, {0, 0, 1})[c];
       // its coat adds up to a tenth
       const double wanted = albedo_of(Material::kConcrete)[c] * falling;
       EXPECT_GT(light[c], 0.98 * wanted) << elevation_deg;

@@ -6,8 +6,11 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/pipeline.h"
+#include "compiler/sky/plan.h"
 #include "compiler/source/read_raster.h"
+#include "preview/camera/cell_view.h"
 #include "preview/render.h"
+#include "preview/scene/lit_panes.h"
 
 namespace citykiln::commands {
 namespace {
@@ -38,6 +41,12 @@ preview::Camera camera_above(const scene::Scene& scene, double above_m) {
   return {at_height(place, ground_m + above_m), at_height(place + Vec2{300, 80}, ground_m), 50};
 }
 
+// As a picture needs them; what it does not show as fine as the rest.
+std::shared_ptr<const preview::CellSource> cells_of(const scene::Scene& scene, const preview::Camera& camera,
+                                                    const preview::Options& options, double unseen_deg = 0) {
+  return cells_for(scene, {std::span(&camera, 1), options.width, options.height}, {.unseen_deg = unseen_deg});
+}
+
 struct Rendered {
   preview::Image image;
   preview::CellCounters counters;
@@ -45,7 +54,7 @@ struct Rendered {
 
 Rendered rendered(const scene::Scene& scene, const preview::Camera& camera, const preview::Options& options,
                   std::size_t budget_bytes) {
-  const preview::World world(cells_for(scene, camera, options.height, 0.5), camera.eye, budget_bytes);
+  const preview::World world(cells_of(scene, camera, options), camera.eye, budget_bytes);
   const preview::Lights lights(sky::generate(scene.header.sky));
   return {preview::render(world, lights, camera, options), *world.counters()};
 }
@@ -79,7 +88,7 @@ TEST(Cells, PicturesAreThoseOfTheBakedForm) {
   preview::Options options;
   options.width = 192, options.height = 108, options.samples = 2;
   const Rendered cells = rendered(scene, camera, options, 4'000'000'000);
-  const auto source = cells_for(scene, camera, options.height, 0.5);
+  const auto source = cells_of(scene, camera, options);
   std::vector<bake::BakedTile> tiles;
   for (const scene::Chunk& chunk : scene.chunks)
     for (bake::BakedTile& part : bake::bake(scene.header, chunk, source->levels(), 0)) tiles.push_back(std::move(part));
@@ -92,6 +101,91 @@ TEST(Cells, PicturesAreThoseOfTheBakedForm) {
     different += most > 1.0 / 255 ? 1 : 0;
   }
   EXPECT_LE(different, baked.rgb.size() / 3 / 50);
+}
+
+double mean_of(const preview::Image& image) {
+  double sum = 0;
+  for (const float v : image.rgb) sum += v;
+  return sum / static_cast<double>(image.rgb.size());
+}
+
+TEST(Cells, ThatAPictureDoesNotShowTakeLessMemoryAndLeaveThePicture) {
+  const scene::Scene scene = town();
+  const preview::Camera camera = camera_above(scene, 5);
+  preview::Options options;
+  options.width = 48, options.height = 27, options.samples = 16;
+  const preview::Lights lights(sky::generate(scene.header.sky));
+  const auto render = [&](double unseen_deg) {
+    const preview::World world(cells_of(scene, camera, options, unseen_deg), camera.eye, 4'000'000'000);
+    preview::Image image = preview::render(world, lights, camera, options);
+    return Rendered{std::move(image), *world.counters()};
+  };
+  const Rendered fine = render(0), coarse = render(1);
+  EXPECT_LT(bytes_of(coarse.counters) * 10, bytes_of(fine.counters) * 9);
+  EXPECT_NEAR(mean_of(coarse.image) / mean_of(fine.image), 1, 0.01);
+}
+
+// The cells of a film are as fine as those of each of its frames.
+TEST(Cells, OfAFilmAreAsFineAsTheNearestFrameNeeds) {
+  const scene::Scene scene = town();
+  std::vector<preview::Camera> film;
+  for (int i = 0; i < 150; ++i) film.push_back({{-400.0 + 5 * i, 20, 400}, {0, 0, 360}});
+  const preview::CellFineness fineness{.width_px = 320, .height_px = 180, .unseen_deg = 0};
+  const bake::View all = preview::cell_view(scene, film, fineness);
+  EXPECT_LE(all.more_eyes.size(), 65u);
+  const bake::ViewLevels levels = bake::levels_for(scene, all);
+  std::vector<int> finest(levels.cells.size(), bake::ViewLevels::kNoLevel);
+  for (const preview::Camera& camera : film) {
+    const auto own = bake::levels_for(scene, preview::cell_view(scene, std::span(&camera, 1), fineness));
+    for (std::size_t i = 0; i < finest.size(); ++i) finest[i] = std::min(finest[i], own.cells[i]);
+  }
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < finest.size(); ++i) {
+    EXPECT_LE(levels.cells[i], finest[i]);
+    equal += levels.cells[i] == finest[i] ? 1 : 0;
+  }
+  EXPECT_GT(equal * 10, finest.size() * 9);
+}
+
+// Means of many small pictures by night, lit by windows alone, with and without sampling of panes.
+TEST(Cells, SampledPanesAreAsBrightAsThoseFoundByChance) {
+  scene::Scene scene = town();
+  Result<sky::Sky> night = sky::plan(scene.header.origin, "2026-12-21T22:00");
+  ASSERT_TRUE(night);
+  scene.header.sky = *night;
+  const preview::Camera camera = camera_above(scene, 8);
+  preview::Options options;
+  options.width = 24, options.height = 16, options.samples = 16, options.bounces = 1;
+  options.has_caustics = true, options.roulette = 0;
+  const preview::World world(cells_of(scene, camera, options), camera.eye, 4'000'000'000);
+  const preview::Lights lights(sky::generate(scene.header.sky));
+  const auto panes = preview::lit_panes_of(scene, std::span(&camera.eye, 1), 0);
+  ASSERT_GT(panes.size(), 100u);
+  const preview::LocalLights chance(world, {}, 0), sampled(world, {}, 0, panes);
+  const auto mean = [&](const preview::LocalLights& local, std::uint64_t seed) {
+    options.seed = seed;
+    const preview::Image image = preview::render(world, lights, local, camera, options);
+    return mean_of(image);
+  };
+  constexpr int kSeeds = 64;
+  double sum = 0, squares = 0, of_chance = 0, of_sampled = 0;
+  std::vector<double> all[2];
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const double a = mean(sampled, seed), b = mean(chance, seed + 1000), difference = a - b;
+    sum += difference, squares += difference * difference;
+    of_sampled += a, of_chance += b;
+    all[0].push_back(a), all[1].push_back(b);
+  }
+  const auto variance = [&](const std::vector<double>& values, double total) {
+    double of = 0;
+    for (const double v : values) of += (v - total / kSeeds) * (v - total / kSeeds);
+    return of / (kSeeds - 1);
+  };
+  const double t = sum / kSeeds / std::sqrt((squares - sum * sum / kSeeds) / (kSeeds - 1) / kSeeds);
+  EXPECT_GT(of_chance, 0);
+  // Student's t for 63 degrees of freedom, two-sided 99.9 %
+  EXPECT_LT(std::abs(t), 3.45) << of_sampled / of_chance;
+  EXPECT_LT(variance(all[0], of_sampled), variance(all[1], of_chance));
 }
 
 TEST(MemoryBudget, IsANumberWithAUnit) {

@@ -1,0 +1,195 @@
+#include "preview/clouds/cloud_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "compiler/contract/for_each_slot.h"
+#include "preview/light/direction_table.h"
+
+namespace citykiln::preview {
+namespace {
+
+// Of each term against the one before: its light, the extinction on its way, and the mean cosine of its last
+// scattering.
+constexpr double kTermLight = 1, kTermExtinction = 0.28, kTermAsymmetry = 0.3;
+
+// Droplets scatter half of their light by less than ten degrees, so shadows are cast by the rest.
+constexpr double kShadowExtinction = 0.5;
+
+// Clouds that let less pass are the last thing that is seen.
+constexpr double kOpaque = 0.002;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The diffuse light that passes a plane layer (Bohren, "Multiple scattering of light and some of its observable
+// consequences", 1987).
+double passed_by_layer(double optical_depth) { return 1 / (1 + 0.75 * (1 - kDropletAsymmetry) * optical_depth); }
+
+}  // namespace
+
+double henyey_greenstein(double cosine, double g) {
+  const double d = 1 + g * g - 2 * g * cosine;
+  return (1 - g * g) / (4 * std::numbers::pi * d * std::sqrt(d));
+}
+
+CloudLight light_on_clouds(const sky::SkyModel& model) {
+  CloudLight light{.to_sun = unit(model.to_sun)};
+  light.sun = model.sun_radiance * (2 * std::numbers::pi * (1 - model.sun_cos_radius));
+  constexpr int kAround = 16, kUp = 8;
+  for (int row = 0; row < kUp; ++row)
+    for (int i = 0; i < kAround; ++i)
+      light.sky = light.sky +
+                  sky::radiance(model, direction_at((i + 0.5) / kAround, (row + 0.5) / kUp)) * (1.0 / (kAround * kUp));
+  light.ground = sky::ground_radiance(model);
+  return light;
+}
+
+CloudField::CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest,
+                       int threads)
+    : light_(light) {
+  std::vector<sky::CloudLayer> upwards(layers.begin(), layers.end());
+  std::ranges::stable_sort(upwards, {}, &sky::CloudLayer::base_m);
+  for (const sky::CloudLayer& layer : upwards) add(CloudSpheres(layer, eye, finest), threads);
+}
+
+CloudField::CloudField(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, const CloudLight& light)
+    : light_(light) {
+  add(CloudSpheres(layer, std::move(spheres)), 0);
+}
+
+void CloudField::add(CloudSpheres spheres, int threads) {
+  std::vector<Lit> lit = for_each_slot<Lit>(spheres.size(), threads, [&](std::size_t i) { return lit_at(spheres, i); });
+  layers_.push_back({std::move(spheres), std::move(lit)});
+}
+
+// Layers do not shade each other: the higher one lets most light pass.
+CloudField::Lit CloudField::lit_at(const CloudSpheres& spheres, std::size_t sphere) const {
+  const Vec3 at = spheres.centre(sphere);
+  const double from_sun = spheres.optical_depth(at, light_.to_sun);
+  Lit lit{};
+  double share = 1, extinction = 1;
+  for (float& term : lit.sun) {
+    term = static_cast<float>(share * std::exp(-extinction * from_sun));
+    share *= kTermLight, extinction *= kTermExtinction;
+  }
+  lit.sky = static_cast<float>(passed_by_layer(spheres.optical_depth(at, {0, 0, 1})) / 2);
+  lit.ground = static_cast<float>(passed_by_layer(spheres.optical_depth(at, {0, 0, -1})) / 2);
+  return lit;
+}
+
+// A way along a ray through overlapping spheres of one layer, from where one begins or ends to where the next does.
+class CloudField::March {
+ public:
+  March(const CloudField& field, Vec3 direction, CloudPath& path) : field_(field), path_(path) {
+    double g = kDropletAsymmetry;
+    for (double& phase : phases_)
+      phase = henyey_greenstein(dot(direction, field.light_.to_sun), g), g *= kTermAsymmetry;
+  }
+
+  void through(const Layer& layer, std::span<const SpherePart> parts) {
+    layer_ = &layer, reached_m_ = 0;
+    sums_ = {};
+    for (const SpherePart& part : parts) {
+      leave_until(part.begin);
+      go_to(part.begin);
+      if (path_.passed < kOpaque) break;
+      change(part, 1);
+      open_.push_back(part);
+      std::ranges::push_heap(open_, ends_later);
+    }
+    leave_until(kInfinity);
+  }
+
+  double mean_distance_m() const { return seen_ > 0 ? distances_ / seen_ : 0; }
+
+ private:
+  // Of the sun, the sky, the ground, and the weights themselves, over spheres that the ray is in.
+  using Sums = std::array<double, 4>;
+
+  static bool ends_later(const SpherePart& a, const SpherePart& b) { return a.end > b.end; }
+
+  // A sphere's weight at a distance t is (t - begin) (end - t) / radius², which is 0 where it begins and ends, so that
+  // no outlines are seen.
+  void change(const SpherePart& part, double by) {
+    const Lit& lit = layer_->lit[part.sphere];
+    double sun = 0;
+    for (int i = 0; i < kTerms; ++i) sun += lit.sun[i] * phases_[i];
+    const double radius_m = layer_->spheres.radius_m(part.sphere), square = by / (radius_m * radius_m);
+    const std::array<double, 3> powers = {-part.begin * part.end * square, (part.begin + part.end) * square, -square};
+    const Sums light = {sun, lit.sky, lit.ground, 1};
+    for (std::size_t p = 0; p < powers.size(); ++p)
+      for (std::size_t i = 0; i < light.size(); ++i) sums_[p][i] += powers[p] * light[i];
+  }
+
+  void leave_until(double until_m) {
+    while (!open_.empty() && open_.front().end <= until_m) {
+      go_to(open_.front().end);
+      change(open_.front(), -1);
+      std::ranges::pop_heap(open_, ends_later);
+      open_.pop_back();
+    }
+    if (open_.empty()) sums_ = {};
+  }
+
+  // The weighted mean light halfway to a place, of droplets from here to there.
+  void go_to(double to_m) {
+    const double step_m = to_m - reached_m_, middle_m = (to_m + reached_m_) / 2;
+    reached_m_ = std::max(reached_m_, to_m);
+    if (open_.empty() || step_m <= 0) return;
+    const auto at_middle = [&](std::size_t i) {
+      return std::max(0.0, sums_[0][i] + middle_m * (sums_[1][i] + middle_m * sums_[2][i]));
+    };
+    const double here = path_.passed * -std::expm1(-layer_->spheres.extinction_per_m() * step_m);
+    const double weights = at_middle(3), each = weights > 0 ? here / weights : 0;
+    const CloudLight& light = field_.light_;
+    path_.added = path_.added + light.sun * (at_middle(0) * each) + light.sky * (at_middle(1) * each) +
+                  light.ground * (at_middle(2) * each);
+    path_.passed -= here, seen_ += here, distances_ += here * middle_m;
+  }
+
+  const CloudField& field_;
+  CloudPath& path_;
+  const Layer* layer_ = nullptr;
+  std::array<double, kTerms> phases_{};
+  std::vector<SpherePart> open_;  // spheres that the ray is in: a heap, the one that ends first in front
+  double reached_m_ = 0;
+  std::array<Sums, 3> sums_{};  // times the powers of the distance
+  double seen_ = 0, distances_ = 0;
+};
+
+CloudPath CloudField::along(Vec3 from, Vec3 direction, double distance_m) const {
+  CloudPath path;
+  March march(*this, direction, path);
+  std::vector<SpherePart> parts;
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    // the nearer one first
+    const Layer& layer = layers_[direction.z >= 0 ? i : layers_.size() - 1 - i];
+    layer.spheres.parts_of(from, direction, distance_m, parts);
+    if (!parts.empty()) march.through(layer, parts);
+  }
+  path.distance_m = march.mean_distance_m();
+  return path;
+}
+
+double CloudField::sun_passed(Vec3 from) const {
+  double depth = 0;
+  for (const Layer& layer : layers_) depth += layer.spheres.optical_depth(from, light_.to_sun);
+  return std::exp(-kShadowExtinction * depth);
+}
+
+std::size_t CloudField::particles() const {
+  std::size_t sum = 0;
+  for (const Layer& layer : layers_) sum += layer.spheres.size();
+  return sum;
+}
+
+std::size_t CloudField::clouds() const {
+  std::size_t sum = 0;
+  for (const Layer& layer : layers_) sum += layer.spheres.clouds();
+  return sum;
+}
+
+}  // namespace citykiln::preview

@@ -1,0 +1,151 @@
+#include "preview/clouds/cloud_spheres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace citykiln::preview {
+namespace {
+
+// Finer particles are smaller than the edges of real clouds are sharp.
+constexpr double kFinest_m = 12;
+
+// What a ray needs in Embree's callback.
+struct PartsRay : RTCIntersectContext {
+  const sky::CloudParticle* spheres = nullptr;
+  Vec3 from, direction;  // in the layer's frame
+  double farthest_m = 0;
+  std::vector<SpherePart>* parts = nullptr;
+};
+
+// The part of a ray inside of a sphere, above the base.
+std::pair<double, double> inside(const sky::CloudParticle& sphere, Vec3 from, Vec3 direction) {
+  const Vec3 off = from - sphere.centre;
+  const double a = dot(direction, direction), b = dot(off, direction);
+  const double root2 = b * b - a * (dot(off, off) - sphere.radius_m * sphere.radius_m);
+  if (root2 <= 0) return {0, 0};
+  const double root = std::sqrt(root2);
+  double begin = (-b - root) / a, end = (-b + root) / a;
+  const double base = direction.z != 0 ? -from.z / direction.z : from.z >= 0 ? -1e30 : 1e30;
+  if (direction.z >= 0)
+    begin = std::max(begin, base);
+  else
+    end = std::min(end, base);
+  return {begin, end};
+}
+
+}  // namespace
+
+// Embree's callbacks.
+struct CloudSpheres::Calls {
+  static void bounds(const RTCBoundsFunctionArguments* args) {
+    const auto& self = *static_cast<const CloudSpheres*>(args->geometryUserPtr);
+    const sky::CloudParticle& sphere = self.spheres_[args->primID];
+    const Vec3 at = sphere.centre - self.origin_;
+    // rounding to single precision
+    const double r = sphere.radius_m + 0x1p-20 * (std::abs(at.x) + std::abs(at.y) + std::abs(at.z)) + 0.01;
+    RTCBounds& box = *args->bounds_o;
+    box.lower_x = static_cast<float>(at.x - r), box.upper_x = static_cast<float>(at.x + r);
+    box.lower_y = static_cast<float>(at.y - r), box.upper_y = static_cast<float>(at.y + r);
+    box.lower_z = static_cast<float>(at.z - r), box.upper_z = static_cast<float>(at.z + r);
+  }
+
+  static void intersect(const RTCIntersectFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    const auto& ray = *static_cast<const PartsRay*>(args->context);
+    auto [begin, end] = inside(ray.spheres[args->primID], ray.from, ray.direction);
+    begin = std::max(begin, 0.0), end = std::min(end, ray.farthest_m);
+    if (end > begin) ray.parts->push_back({begin, end, args->primID});
+  }
+};
+
+CloudSpheres::CloudSpheres(const sky::CloudLayer& layer, Vec3 eye, double finest)
+    : frame_(sky::frame_of(layer)), extinction_per_m_(sky::extinction_per_m(layer.kind)) {
+  const Box2 around = Box2{in_plan(eye), in_plan(eye)}.widened(kFarthestCloud_m);
+  for (const sky::Cloud& cloud : sky::clouds_in(layer, around)) {
+    const Vec3 middle = frame_.out_of(at_height(cloud.centre, cloud.height_m / 2));
+    const double away_m = std::max(0.0, length(middle - eye) - cloud.radius_m);
+    if (length(in_plan(middle - eye)) > kFarthestCloud_m) continue;
+    const double finest_m = std::max(kFinest_m, finest * away_m);
+    for (const sky::CloudParticle& sphere : sky::generate_cloud(layer, cloud, finest_m).spheres)
+      spheres_.push_back(sphere);
+    ++clouds_;
+  }
+  origin_ = frame_.into(eye);
+  build();
+}
+
+CloudSpheres::CloudSpheres(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres)
+    : frame_(sky::frame_of(layer)),
+      extinction_per_m_(sky::extinction_per_m(layer.kind)),
+      spheres_(std::move(spheres)),
+      clouds_(1) {
+  if (!spheres_.empty()) origin_ = spheres_.front().centre;
+  build();
+}
+
+CloudSpheres::CloudSpheres(CloudSpheres&& other) noexcept
+    : frame_(other.frame_),
+      extinction_per_m_(other.extinction_per_m_),
+      spheres_(std::move(other.spheres_)),
+      clouds_(other.clouds_),
+      origin_(other.origin_) {
+  build();
+}
+
+CloudSpheres::~CloudSpheres() {
+  if (scene_ != nullptr) rtcReleaseScene(scene_);
+  if (device_ != nullptr) rtcReleaseDevice(device_);
+}
+
+void CloudSpheres::build() {
+  if (spheres_.empty()) return;
+  device_ = rtcNewDevice(nullptr);
+  scene_ = rtcNewScene(device_);
+  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(spheres_.size()));
+  rtcSetGeometryUserData(geometry, this);
+  rtcSetGeometryBoundsFunction(
+      geometry, [](const RTCBoundsFunctionArguments* args) { Calls::bounds(args); }, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* args) { Calls::intersect(args); });
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene_, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene_);
+}
+
+void CloudSpheres::parts_of(Vec3 from, Vec3 direction, double distance_m, std::vector<SpherePart>& parts) const {
+  parts.clear();
+  if (spheres_.empty()) return;
+  PartsRay context;
+  rtcInitIntersectContext(&context);
+  context.spheres = spheres_.data(), context.parts = &parts;
+  context.from = frame_.into(from), context.direction = frame_.into_direction(direction);
+  context.farthest_m = std::min(distance_m, 4 * kFarthestCloud_m);
+  const Vec3 at = context.from - origin_, along = context.direction;
+  RTCRayHit ray{};
+  ray.ray.org_x = static_cast<float>(at.x), ray.ray.org_y = static_cast<float>(at.y);
+  ray.ray.org_z = static_cast<float>(at.z);
+  ray.ray.dir_x = static_cast<float>(along.x), ray.ray.dir_y = static_cast<float>(along.y);
+  ray.ray.dir_z = static_cast<float>(along.z);
+  ray.ray.tfar = static_cast<float>(context.farthest_m), ray.ray.mask = 0xffffffffu;
+  ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_, &context, &ray);
+  std::ranges::sort(parts, [](const SpherePart& a, const SpherePart& b) {
+    return std::pair(a.begin, a.sphere) < std::pair(b.begin, b.sphere);
+  });
+}
+
+double CloudSpheres::optical_depth(Vec3 from, Vec3 direction) const {
+  std::vector<SpherePart> parts;
+  parts_of(from, direction, std::numeric_limits<double>::infinity(), parts);
+  double sum_m = 0, reached = 0;
+  for (const SpherePart& part : parts) {
+    sum_m += std::max(0.0, part.end - std::max(part.begin, reached));
+    reached = std::max(reached, part.end);
+  }
+  return sum_m * extinction_per_m_;
+}
+
+}  // namespace citykiln::preview

@@ -1,0 +1,91 @@
+// Light in clouds against paths of light, and shapes whose light is known.
+#include "preview/clouds/cloud_field.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiler/contract/draw.h"
+#include "preview/clouds/cloud_paths.h"
+
+namespace citykiln::preview {
+namespace {
+
+constexpr sky::CloudLayer kLayer = {sky::CloudKind::kCumulus, 0.4, 1500, 2300, {3, 4}, 7};
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Numbers of a sequence of its own.
+struct Random {
+  Draw draw;
+  std::uint32_t next = 0;
+  double operator()() { return draw.unit(next++); }
+};
+
+TEST(CloudField, ASphereLetsPassWhatItsChordDoes) {
+  const CloudField field(kLayer, {{{0, 0, 400}, 100}}, {.sun = {}, .sky = {}, .ground = {}});
+  const double extinction = sky::extinction_per_m(sky::CloudKind::kCumulus);
+  const CloudPath through = field.along({-1000, 0, 1900}, {1, 0, 0}, kInfinity);
+  EXPECT_NEAR(through.passed, std::exp(-200 * extinction), 1e-9);
+  EXPECT_NEAR(field.along({-1000, 0, 1900}, {1, 0, 0}, 1000).passed, std::exp(-100 * extinction), 1e-9);
+  EXPECT_EQ(field.along({-1000, 120, 1900}, {1, 0, 0}, kInfinity).passed, 1);
+  EXPECT_GT(through.distance_m, 900);
+  EXPECT_LT(through.distance_m, 1000);
+}
+
+// Droplets absorb nothing: a cloud under even light cannot be seen.
+TEST(CloudField, PathsInEvenLightAreAsBrightAsTheLight) {
+  const CloudSpheres spheres(kLayer, {{{0, 0, 400}, 150}, {{120, 40, 350}, 120}});
+  const CloudLight light{.sun = {}, .sky = {1, 1, 1}, .ground = {1, 1, 1}};
+  double sum = 0;
+  constexpr int kPaths = 4000;
+  for (std::uint32_t i = 0; i < kPaths; ++i) {
+    const CloudPath path =
+        cloud_path(spheres, light, {-1000, 20, 1890}, {1, 0, 0}, 5000, Random{{5, StableId{i}, "path"}});
+    sum += path.added[1] + path.passed;
+  }
+  EXPECT_NEAR(sum / kPaths, 1, 1e-12);
+}
+
+// A cloud from four sides, by CloudField over that of paths.
+struct Ratios {
+  double sum = 0, least = 1e9, most = 0;
+  int count = 0;
+  void add(double ratio) { sum += ratio, least = std::min(least, ratio), most = std::max(most, ratio), ++count; }
+};
+
+void compare(const sky::Cloud& cloud, const CloudLight& light, Ratios& ratios) {
+  const sky::CloudParticles particles = sky::generate_cloud(kLayer, cloud, 60);
+  const CloudField field(kLayer, particles.spheres, light);
+  const CloudSpheres spheres(kLayer, particles.spheres);
+  const Vec3 middle = sky::frame_of(kLayer).out_of(at_height(cloud.centre, cloud.height_m * 0.4));
+  for (const Vec3 side : {Vec3{1, 0, -0.3}, Vec3{0, 1, -0.3}, Vec3{-1, 0, -0.3}, Vec3{0, -1, -0.3}}) {
+    double fast = 0, exact = 0;
+    for (std::uint32_t i = 0; i < 600; ++i) {
+      const Draw draw(3, StableId{i}, "ray");
+      const auto off = [&](std::uint32_t n) { return draw.between(-0.6, 0.6, n) * cloud.radius_m; };
+      const Vec3 eye = middle + side * 3000, along = unit(middle + Vec3{off(0), off(1), off(2) / 2} - eye);
+      fast += field.along(eye, along, kInfinity).added[1];
+      exact += cloud_path(spheres, light, eye, along, 1000, Random{{9, StableId{i}, "path"}}).added[1];
+    }
+    ratios.add(fast / exact);
+  }
+}
+
+TEST(CloudField, IsAboutAsBrightAsPathsThroughTheCloud) {
+  const std::vector<sky::Cloud> clouds = sky::clouds_in(kLayer, {{-9000, -9000}, {9000, 9000}});
+  ASSERT_GT(clouds.size(), 3U);
+  Ratios ratios;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (const double height : {0.2, 1.0, 4.0})
+      compare(clouds[c],
+              {.to_sun = unit(Vec3{1, 0, height}), .sun = {3, 3, 3}, .sky = {0.2, 0.2, 0.2}, .ground = {0.1, 0.1, 0.1}},
+              ratios);
+  EXPECT_NEAR(ratios.sum / ratios.count, 1, 0.1);
+  EXPECT_GT(ratios.least, 0.6);
+  EXPECT_LT(ratios.most, 1.5);
+}
+
+}  // namespace
+}  // namespace citykiln::preview
