@@ -13,7 +13,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 constexpr int kRows = 72, kColumns = 40, kSteps = 40;
-constexpr int kAirRows = 41, kAirColumns = 17, kDistances = 24;
+constexpr int kAirRows = 61, kAirColumns = 17, kDistances = 24;
 constexpr double kFarthest_m = 200000;
 
 Vec3 along(double angle_rad, double azimuth_rad) {
@@ -100,14 +100,14 @@ void SkyDome::fill_air(const LitAir& lit, const ScatteredField& field) {
     for (int column = 0; column < kAirColumns; ++column) {
       const Vec3 direction = along(air_angle_rad(row), kPi * column / (kAirColumns - 1));
       const AirRay ray{eye_height_m_, direction, to_source};
-      const double end_m = way_m(eye_height_m_, direction.z);
       MarchedLight light;
       double from_m = 0;
       for (int slice = 0; slice < kDistances; ++slice) {
-        // the first slice has the limit at 0; behind the sea nothing is added
-        const double slice_m = std::max(1.0, distance_m(slice)), to_m = std::max(from_m, std::min(slice_m, end_m));
-        if (to_m > from_m) march(lit, {.field = &field}, ray, from_m, to_m, light);
-        from_m = to_m;
+        // the first slice has the limit at 0; below the sea the air goes on as at its surface, so that rows beside the
+        // horizon can be interpolated
+        const double slice_m = std::max(1.0, distance_m(slice));
+        march(lit, {.field = &field}, ray, from_m, slice_m, light);
+        from_m = slice_m;
         air_.push_back(light_of(light, dot(direction, to_source), irradiance_ / slice_m));
         if (column > 0) continue;
         const Rgb passed = rgb_of(light.passed);
