@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "compiler/sky/atmosphere/air.h"
 #include "preview/light/direction_table.h"
@@ -14,8 +15,8 @@ namespace {
 // A ray leaves the box at least so far above the ground around.
 constexpr double kClearance_m = 1.5;
 
-// The distance at which a ray leaves a box for good; 0 if it does not meet it.
-double exit_m(const Box2& box, Vec2 from, Vec2 direction) {
+// The distances at which a ray enters a box, 0 from inside, and leaves it; both 0 if it does not meet it.
+std::pair<double, double> crossing_m(const Box2& box, Vec2 from, Vec2 direction) {
   double in = 0, out = std::numeric_limits<double>::infinity();
   const auto cut = [&](double at, double step, double low, double high) {
     if (step == 0) return void(at < low || at > high ? out = 0 : out);
@@ -24,7 +25,7 @@ double exit_m(const Box2& box, Vec2 from, Vec2 direction) {
   };
   cut(from.x, direction.x, box.min.x, box.max.x);
   cut(from.y, direction.y, box.min.y, box.max.y);
-  return in < out && std::isfinite(out) ? out : 0;
+  return in < out && std::isfinite(out) ? std::pair(in, out) : std::pair(0.0, 0.0);
 }
 
 // The distance from a height to a sphere below it.
@@ -40,7 +41,11 @@ std::optional<double> sphere_m(double height_m, double above_m, double direction
 
 std::optional<GroundPoint> meet_ground(const Surroundings& around, Vec3 from, Vec3 direction) {
   if (direction.z >= 0) return std::nullopt;
-  const double left_m = exit_m(around.box, in_plan(from), in_plan(direction));
+  const auto [entered_m, left_m] = crossing_m(around.box, in_plan(from), in_plan(direction));
+  // from outside, the ground may be before the box
+  const Edge before = edge_at(around, in_plan(from + direction * entered_m));
+  const auto near_m = sphere_m(from.z, std::max(kClearance_m, from.z - before.height_m), direction.z);
+  if (entered_m > 0 && near_m && *near_m <= entered_m) return GroundPoint{*near_m, before};
   const Vec3 at = from + direction * left_m;
   const Edge edge = edge_at(around, in_plan(at));
   const auto beyond_m = sphere_m(at.z, std::max(kClearance_m, at.z - edge.height_m), direction.z);

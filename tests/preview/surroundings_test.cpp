@@ -33,6 +33,11 @@ TEST(MeetGround, IsBeyondTheBox) {
   const auto low = meet_ground(plain_at(500), {0, 0, 120}, unit(Vec3{1, 0, -0.1}));
   ASSERT_TRUE(low);
   EXPECT_NEAR(low->distance_m, 315 * std::sqrt(1.01), 2);
+  // an eye outside that looks towards it from far away: the ground on this side
+  const auto far = meet_ground(plain_at(20), {-5000, 0, 120}, unit(Vec3{1, 0, -0.1}));
+  ASSERT_TRUE(far);
+  EXPECT_NEAR(far->distance_m, 1000 * std::sqrt(1.01), 2);
+  EXPECT_EQ(far->edge.albedo[1], 0.4);
   // an eye outside that looks away from it
   const auto away = meet_ground(plain_at(20), {400, 0, 120}, unit(Vec3{1, 0, -0.1}));
   ASSERT_TRUE(away);
