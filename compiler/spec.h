@@ -78,7 +78,7 @@ struct CompileSpec {
   std::string time;                   ///< Of the sky, ISO 8601; see sky::plan.
   sky::AirSettings air;
   std::string clouds;  ///< Of sky::read_clouds(); "" for none.
-  int threads = 0;  ///< 0: all processors. Does not change outputs.
+  int threads = 0;     ///< 0: all processors. Does not change outputs.
   Strictness strict;
   Outputs outputs;
 };

@@ -120,6 +120,9 @@ Result<std::vector<Chart>> chart_lights(const ChartRequest& request);
 /// spectral Monte Carlo integration; errors of the model over the whole sky, and the time to prepare it, over the sun's
 /// height. Needs no map.
 Result<std::vector<Chart>> chart_sky(const ChartRequest& request);
+/// Errors of optical depth over particles for three cumulus clouds; their light, and that of single scattering, over
+/// that of paths; the time of paths over that of CloudField.
+Result<std::vector<Chart>> chart_cloud(const ChartRequest& request);
 
 /// Compiles the first map of the request. Errors: no map; those of compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);

@@ -38,7 +38,8 @@ constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},
                                Kind{"render", charts::chart_render},
                                Kind{"lights", charts::chart_lights},
                                Kind{"forms", charts::chart_forms},
-                               Kind{"sky", charts::chart_sky}};
+                               Kind{"sky", charts::chart_sky},
+                               Kind{"cloud", charts::chart_cloud}};
 
 std::string known_names() {
   std::string names;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "compiler/contract/for_each_slot.h"
-#include "preview/light/direction_table.h"
+#include "preview/turn.h"
 
 namespace citykiln::preview {
 namespace {
@@ -28,6 +28,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // consequences", 1987).
 double passed_by_layer(double optical_depth) { return 1 / (1 + 0.75 * (1 - kDropletAsymmetry) * optical_depth); }
 
+Vec3 upwards(double turn, double z) { return at_height(on_circle(turn) * std::sqrt(1 - z * z), z); }
+
 }  // namespace
 
 double henyey_greenstein(double cosine, double g) {
@@ -41,8 +43,8 @@ CloudLight light_on_clouds(const sky::SkyModel& model) {
   constexpr int kAround = 16, kUp = 8;
   for (int row = 0; row < kUp; ++row)
     for (int i = 0; i < kAround; ++i)
-      light.sky = light.sky +
-                  sky::radiance(model, direction_at((i + 0.5) / kAround, (row + 0.5) / kUp)) * (1.0 / (kAround * kUp));
+      light.sky =
+          light.sky + sky::radiance(model, upwards((i + 0.5) / kAround, (row + 0.5) / kUp)) * (1.0 / (kAround * kUp));
   light.ground = sky::ground_radiance(model);
   return light;
 }

@@ -53,6 +53,9 @@ class SceneMaker {
     h.resampling_error_m = 0.125;
     h.sky = {"2024-06-21T12:00:00Z", {0.6, 0, 0.8}, 2.6};
     h.sky.to_sun = {629146 * 0x1p-20, 0, 838861 * 0x1p-20};
+    h.sky.ground_m = 412;
+    h.sky.clouds = {{sky::CloudKind::kCumulus, 0.4, 1500, 2300, {3, -4}, 7},
+                    {sky::CloudKind::kCirrus, 1, 8000, 8100, {}, 0}};
     if (h.seed % 2 == 0) h.snow_line_m = 2200.5;
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
     h.species = {{"oak", "n: 1\naxiom: F\n"}, {"reed", ""}};
