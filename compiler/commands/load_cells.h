@@ -17,7 +17,7 @@ namespace citykiln::commands {
 struct CellRequest {
   std::size_t budget_bytes = 0;  ///< 0: default_budget_bytes().
   double pixel_error = 0.5;      ///< Largest error in the picture, pixels.
-  double unseen_deg = 1;         ///< Largest angle of errors that only scattered light and reflections show.
+  double unseen_deg = 0;         ///< Largest angle of errors that only scattered light and reflections show.
 };
 
 /// Pictures of a scene.

@@ -264,7 +264,7 @@ std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
        store_number(cells.pixel_error, {})},
       {"--unseen-error", "DEG",
        "for cells that a still picture does not show, nor their shadows: largest error as an angle from the viewer; 0: "
-       "as for those that it shows (default: 1)",
+       "as for those that it shows (default: 0)",
        false, store_number(cells.unseen_deg, {0, 90, true})},
       {"--memory-budget", "SIZE",
        "memory for generated cells, such as 200MB or 4GB (default: 2GB, or half of the machine's memory)", false,

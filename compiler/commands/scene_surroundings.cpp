@@ -97,6 +97,7 @@ preview::Surroundings surroundings_of(const scene::Scene& scene) {
   }
   preview::Surroundings around{.box = box, .ring = {}};
   for (int i = 0; i < kDirections; ++i) around.ring.push_back(edge_of(samples, i));
+  around.mean = preview::mean_of(around.ring);
   return around;
 }
 

@@ -17,17 +17,21 @@ struct Edge {
   double height_m = 0;  ///< Above sea level.
 };
 
-/// Beyond a scene's box the ground goes on at the height of its edge, as a part of a sphere about the Earth's middle,
-/// with the edge's colours.
+/// Beyond a scene's box the ground goes on with the height and the colours of its edge, which fade into their means far
+/// from it, and follows the Earth's curve.
 struct Surroundings {
   Box2 box;                ///< Of the scene, plane metres; not empty.
   std::vector<Edge> ring;  ///< By azimuth from the box's centre, counter-clockwise from east; not empty.
+  Edge mean{};             ///< Of the ring.
 };
+
+/// The mean of all edges; the albedo is that of the land among them.
+Edge mean_of(const std::vector<Edge>& ring);
 
 /// Where a ray meets the ground around.
 struct GroundPoint {
   double distance_m;
-  Edge edge;  ///< In the direction in which the ray leaves the box.
+  Edge edge;
 };
 
 /// The first point of the ground around along a ray that hits nothing in the scene; empty if it passes above the
@@ -35,7 +39,9 @@ struct GroundPoint {
 /// @param from  Plane metres; z above sea level.
 std::optional<GroundPoint> meet_ground(const Surroundings& around, Vec3 from, Vec3 direction);
 
-/// The edge in the direction of a place from the centre, interpolated.
+/// The ground around at a place outside of the box: the edge in the direction of the place from the centre,
+/// interpolated, and the mean of all, which has half of the weight at kFade_m from the box.
+inline constexpr double kFade_m = 2000;
 Edge edge_at(const Surroundings& around, Vec2 place);
 
 }  // namespace citykiln::preview
