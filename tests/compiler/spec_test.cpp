@@ -65,7 +65,11 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"threads", "2"},
                                                       {"snow-line", "2200"},
                                                       {"strict", "true"},
-                                                      {"time", "2026-06-21T15:00"}};
+                                                      {"time", "2026-06-21T15:00+02:00"},
+                                                      {"visibility", "30"},
+                                                      {"turbidity", "3"},
+                                                      {"ground-albedo", "0.3"},
+                                                      {"clouds", "fair"}};
   for (const auto& [name, text] : rows) EXPECT_EQ(objection(name, text), "") << name;
   EXPECT_EQ(std::size(rows), settings().size()) << "a setting without a row here";
 }

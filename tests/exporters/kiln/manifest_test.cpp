@@ -200,11 +200,11 @@ TEST(Manifest, AnotherFormatIsOneClearLineWhateverElseIsThere) {
   Bytes newer = encode_manifest(made(4), 1);
   put_number(newer, 8, 9, 2);
   EXPECT_EQ(refusal(decoded(newer)),
-            "town.kiln: has manifest format 9, expected 2: made by citykiln 0.1.0, and this is 0.1.0; compile the map "
+            "town.kiln: has manifest format 9, expected 3: made by citykiln 0.1.0, and this is 0.1.0; compile the map "
             "again (citykiln compile MAP -o OUT), or bake it with that version");
   std::fill(newer.begin() + 12, newer.end(), std::byte{0xff});
   EXPECT_EQ(refusal(decoded(newer)),
-            "town.kiln: has manifest format 9, expected 2: made by citykiln, and this is 0.1.0; compile the map again "
+            "town.kiln: has manifest format 9, expected 3: made by citykiln, and this is 0.1.0; compile the map again "
             "(citykiln compile MAP -o OUT), or bake it with that version");
 }
 
