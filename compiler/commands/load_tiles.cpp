@@ -33,7 +33,7 @@ Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_pr
   if (!sky) return sky.error();
   scene->header.sky = std::move(*sky);
   Loaded loaded;
-  loaded.header = scene->header;
+  loaded.header = scene->header, loaded.manifest_path = *path;
   Report report;
   const std::vector<double> ladder_m = {request.tolerance_m.value_or(0.1)};
   const Result<Done> baked = bake_scene(*scene, ladder_m, request.threads, report, on_progress,
@@ -76,6 +76,7 @@ Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path&
   Result<std::optional<scene::Header>> header = header_beside(manifest_path, loaded.tiles.front().tile);
   if (!header) return header.error();
   loaded.header = std::move(*header);
+  if (loaded.header) loaded.manifest_path = manifest_path.string();
   return loaded;
 }
 

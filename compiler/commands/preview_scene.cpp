@@ -12,6 +12,7 @@
 #include "compiler/commands/scene_surroundings.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/gltf/glb.h"
+#include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
 namespace {
@@ -22,6 +23,21 @@ constexpr double kViewTolerance_m = 2.5;
 void look_around(const scene::Scene& recipes, const SceneRequest& request, PreviewScene& scene) {
   scene.around = surroundings_of(recipes);
   if (request.fog_share) scene.fog = fog_of(recipes, *request.fog_share);
+}
+
+// The same by the manifest of baked tiles, where there is one.
+void look_around(const std::string& manifest_path, const std::vector<scene::TileKey>& only, const SceneRequest& request,
+                 PreviewScene& scene) {
+  if (manifest_path.empty()) return;
+  const Result<scene::Scene> recipes = exporters::read_manifest(manifest_path, only);
+  if (recipes && !recipes->chunks.empty()) look_around(*recipes, request, scene);
+}
+
+std::vector<scene::TileKey> keys_of(std::span<const bake::BakedTile> tiles) {
+  std::vector<scene::TileKey> keys;
+  for (const bake::BakedTile& tile : tiles) keys.push_back(tile.tile);
+  keys.erase(std::ranges::unique(keys).begin(), keys.end());
+  return keys;
 }
 
 // The level of a folder for views, if it is coarser than the one that is rendered.
@@ -99,11 +115,7 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
     if (!sky) return sky.error();
     scene.loaded = std::move(*loaded), scene.sky = *sky;
     if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
-    if (is_manifest) {
-      const Result<scene::Scene> recipes = read_scene(request.load);
-      if (!recipes) return recipes.error();
-      look_around(*recipes, request, scene);
-    }
+    look_around(scene.loaded.manifest_path, keys_of(scene.loaded.tiles), request, scene);
   }
   if (!request.finds_views) return scene;
   on_progress("find a view", 0);
@@ -122,6 +134,7 @@ Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const
   if (!loaded) return loaded.error();
   const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
   if (!sky) return sky.error();
+  look_around(scene.tree->manifest_path, request.load.only, request, scene);
   scene.loaded = std::move(*loaded), scene.sky = *sky, scene.tree.reset();
   if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
   return Done{};

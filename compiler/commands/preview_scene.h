@@ -25,7 +25,7 @@ struct PreviewScene {
   std::optional<TileTree> tree{};            ///< Of a folder, until load_levels().
   sky::Sky sky{};
   std::vector<preview::StreetLamp> lamps{};       ///< Lit ones.
-  std::optional<preview::Surroundings> around{};  ///< Of a manifest.
+  std::optional<preview::Surroundings> around{};  ///< Of a manifest, or of the one beside the tiles.
   std::optional<preview::Fog> fog{};              ///< Of a manifest, if asked for.
   std::vector<preview::LitPane> panes{};          ///< By night, of recipes near the cameras.
 

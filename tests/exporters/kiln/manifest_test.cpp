@@ -54,7 +54,7 @@ Bytes assembled(std::span<const std::byte> header, std::span<const std::byte> bo
   Bytes bytes(kPreamble + header.size() + body.size());
   std::ranges::copy(body, std::ranges::copy(header, bytes.begin() + kPreamble).out);
   std::ranges::copy(std::as_bytes(std::span("CITYKILN")).first(8), bytes.begin());
-  put_number(bytes, 8, 2, 2), put_number(bytes, 10, 0, 2), put_number(bytes, 12, header.size(), 4);
+  put_number(bytes, 8, 3, 2), put_number(bytes, 10, 0, 2), put_number(bytes, 12, header.size(), 4);
   put_number(bytes, 16, hash_of(header, hash_of(std::span(bytes).first(16))), 8);
   return bytes;
 }
