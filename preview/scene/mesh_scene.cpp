@@ -36,11 +36,12 @@ bool MeshScene::is_of(const bake::InstancedMesh& mesh, const MipTexture* marking
     return part.primitive->colour_source != materials::ColourSource::kByMarkingAtlas ||
            part.marking_atlas == marking_atlas;
   };
+  // many meshes have the same large picture, so it is compared last
+  if (*primitives_ != mesh.primitives || !std::ranges::equal(materials_, materials)) return false;
+  if (!std::ranges::all_of(parts_, is_on_it)) return false;
   const bool has_cutout = !mesh.cutout->colour.texels.empty();
   if (has_cutout != (cutout_ != nullptr)) return false;
-  if (has_cutout && &cutout_->cutout() != &*mesh.cutout && !(cutout_->cutout() == *mesh.cutout)) return false;
-  return *primitives_ == mesh.primitives && std::ranges::equal(materials_, materials) &&
-         std::ranges::all_of(parts_, is_on_it);
+  return !has_cutout || &cutout_->cutout() == &*mesh.cutout || cutout_->cutout() == *mesh.cutout;
 }
 
 std::size_t MeshScene::bytes() const {
