@@ -205,7 +205,7 @@ Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
   return Exit::kDone;
 }
 
-// The clouds of a scene's sky, as fine as the first camera needs: particles of two hundredths of a degree.
+// The clouds of a scene's sky, as fine as the first camera needs: particles of a third of a degree in radius.
 std::shared_ptr<const preview::CloudField> clouds_of(const PreviewScene& scene, const preview::Camera& camera,
                                                      int threads) {
   constexpr double kFinest = 0.006;

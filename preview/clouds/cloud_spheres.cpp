@@ -19,22 +19,6 @@ struct PartsRay : RTCIntersectContext {
   std::vector<SpherePart>* parts = nullptr;
 };
 
-// The part of a ray inside of a sphere, above the base.
-std::pair<double, double> inside(const sky::CloudParticle& sphere, Vec3 from, Vec3 direction) {
-  const Vec3 off = from - sphere.centre;
-  const double a = dot(direction, direction), b = dot(off, direction);
-  const double root2 = b * b - a * (dot(off, off) - sphere.radius_m * sphere.radius_m);
-  if (root2 <= 0) return {0, 0};
-  const double root = std::sqrt(root2);
-  double begin = (-b - root) / a, end = (-b + root) / a;
-  const double base = direction.z != 0 ? -from.z / direction.z : from.z >= 0 ? -1e30 : 1e30;
-  if (direction.z >= 0)
-    begin = std::max(begin, base);
-  else
-    end = std::min(end, base);
-  return {begin, end};
-}
-
 }  // namespace
 
 // Embree's callbacks.
@@ -54,7 +38,7 @@ struct CloudSpheres::Calls {
   static void intersect(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     const auto& ray = *static_cast<const PartsRay*>(args->context);
-    auto [begin, end] = inside(ray.spheres[args->primID], ray.from, ray.direction);
+    auto [begin, end] = sky::part_inside(ray.spheres[args->primID], ray.from, ray.direction);
     begin = std::max(begin, 0.0), end = std::min(end, ray.farthest_m);
     if (end > begin) ray.parts->push_back({begin, end, args->primID});
   }

@@ -18,8 +18,8 @@ struct SpherePart {
 /// Thread-safe.
 class CloudSpheres {
  public:
-  /// The clouds of a layer around an eye, each with particles as fine as pixels need: those nearer than kNear_m down to
-  /// `finest` times their distance in radius, and no finer than kFinest_m.
+  /// The clouds of a layer around an eye, each with particles as fine as pixels need: down to a radius of
+  /// `finest` times their distance from the eye, and to 12 m.
   CloudSpheres(const sky::CloudLayer& layer, Vec3 eye, double finest);
   explicit CloudSpheres(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres);
   ~CloudSpheres();

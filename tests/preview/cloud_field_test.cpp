@@ -34,6 +34,17 @@ TEST(CloudField, ASphereLetsPassWhatItsChordDoes) {
   EXPECT_LT(through.distance_m, 1000);
 }
 
+TEST(CloudField, ThrowsAShadowAwayFromTheSun) {
+  const CloudField field(kLayer, {{{0, 0, 400}, 100}},
+                         {.to_sun = unit(Vec3{1, 0, 1}), .sun = {}, .sky = {}, .ground = {}});
+  // the sphere's middle is 1,900 m up
+  const sky::LayerFrame frame = sky::frame_of(kLayer);
+  const Vec3 middle = frame.out_of({0, 0, 400});
+  EXPECT_LT(field.sun_passed(middle - unit(Vec3{1, 0, 1}) * 2000), 0.05);
+  EXPECT_EQ(field.sun_passed(middle - Vec3{0, 0, 1900}), 1);
+  EXPECT_EQ(field.sun_passed(middle + unit(Vec3{1, 0, 1}) * 200), 1);
+}
+
 // Droplets absorb nothing: a cloud under even light cannot be seen.
 TEST(CloudField, PathsInEvenLightAreAsBrightAsTheLight) {
   const CloudSpheres spheres(kLayer, {{{0, 0, 400}, 150}, {{120, 40, 350}, 120}});

@@ -74,24 +74,6 @@ void add_on(std::uint64_t seed, const Grown& on, const std::vector<CloudParticle
   }
 }
 
-// A ray's part inside of a sphere.
-std::pair<double, double> inside(const CloudParticle& sphere, Vec3 from, Vec3 direction) {
-  const Vec3 off = from - sphere.centre;
-  const double a = dot(direction, direction), b = dot(off, direction);
-  const double root2 = b * b - a * (dot(off, off) - sphere.radius_m * sphere.radius_m);
-  if (root2 <= 0) return {0, 0};
-  const double root = std::sqrt(root2);
-  return {(-b - root) / a, (-b + root) / a};
-}
-
-// Cuts a part of a ray to what is above the base.
-std::pair<double, double> above_base(std::pair<double, double> part, double from_z, double direction_z) {
-  if (direction_z == 0) return from_z >= 0 ? part : std::pair<double, double>{0, 0};
-  const double base = -from_z / direction_z;
-  if (direction_z > 0) return {std::max(part.first, base), part.second};
-  return {part.first, std::min(part.second, base)};
-}
-
 }  // namespace
 
 double extinction_per_m(CloudKind kind) {
@@ -122,10 +104,21 @@ CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, doubl
   return all;
 }
 
+std::pair<double, double> part_inside(const CloudParticle& sphere, Vec3 from, Vec3 direction) {
+  const Vec3 off = from - sphere.centre;
+  const double a = dot(direction, direction), b = dot(off, direction);
+  const double root2 = b * b - a * (dot(off, off) - sphere.radius_m * sphere.radius_m);
+  if (root2 <= 0) return {0, 0};
+  const double root = std::sqrt(root2), begin = (-b - root) / a, end = (-b + root) / a;
+  if (direction.z == 0) return from.z >= 0 ? std::pair(begin, end) : std::pair(0.0, 0.0);
+  const double base = -from.z / direction.z;
+  return direction.z > 0 ? std::pair(std::max(begin, base), end) : std::pair(begin, std::min(end, base));
+}
+
 double optical_depth(CloudKind kind, const CloudParticles& particles, Vec3 from, Vec3 direction) {
   std::vector<std::pair<double, double>> parts;
   for (const CloudParticle& sphere : particles.spheres) {
-    const auto [begin, end] = above_base(inside(sphere, from, direction), from.z, direction.z);
+    const auto [begin, end] = part_inside(sphere, from, direction);
     if (end > std::max(begin, 0.0)) parts.push_back({std::max(begin, 0.0), end});
   }
   std::ranges::sort(parts);

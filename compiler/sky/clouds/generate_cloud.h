@@ -1,6 +1,7 @@
 // Generates the particles of a cloud.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "compiler/sky/clouds/place_clouds.h"
@@ -32,6 +33,10 @@ CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, doubl
 
 /// The largest error of optical depth of a coarser cloud, of `rays` random rays through it, against `finest_m`.
 double optical_depth_error(const CloudLayer& layer, const Cloud& cloud, double coarse_m, double finest_m, int rays);
+
+/// Where a ray, or the line that it lies on, enters and leaves a sphere above the base, in lengths of `direction`; the
+/// second is not larger than the first where it does not meet it. Frame of the layer.
+std::pair<double, double> part_inside(const CloudParticle& sphere, Vec3 from, Vec3 direction);
 
 /// The optical depth of a cloud along a ray. O(n log n).
 /// @param from, direction  In the layer's frame; lengths along the ray are those of `direction`, and its length is that
