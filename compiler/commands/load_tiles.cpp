@@ -146,7 +146,7 @@ Result<TileTree> tree_of_tileset(const LoadRequest& request, const std::string& 
   if (!request.only.empty()) return Error{"--only", "cannot be used with 3D Tiles, whose inner tiles join several"};
   Result<TileNode> root = read_tileset_tree(folder);
   if (!root) return root.error();
-  TileTree tree{.root = std::move(*root), .manifest_path = folder + "/../scene.kiln"};
+  TileTree tree{.root = std::move(*root), .manifest_path = folder + "/../scene.kiln", .is_on_ellipsoid = true};
   tree.coarse_paths = contents_of(tree.root, [](const TileNode& node) { return node.error_m <= kCoarse_m; });
   if (tree.coarse_paths.empty()) return Error{folder, "has a tileset without contents"};
   Result<std::vector<bake::BakedTile>> coarse = read_all(tree.coarse_paths, on_progress);

@@ -39,7 +39,8 @@ bool asks_for_levels(const LoadRequest& request);
 /// The tiles of a folder at all levels, and coarse tiles, from which views are found.
 struct TileTree {
   TileNode root;
-  std::string manifest_path;  ///< Of the folder; may be absent.
+  std::string manifest_path;     ///< Of the folder; may be absent.
+  bool is_on_ellipsoid = false;  ///< Of 3D Tiles, whose frame is not the plane.
   std::vector<std::string> coarse_paths{};
   std::vector<bake::BakedTile> coarse{};  ///< Of `coarse_paths`: of each tile the level nearest to 2.5 m.
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "compiler/bake/bake_surroundings.h"
 #include "compiler/commands/ground_height.h"
 #include "compiler/commands/requested_sky.h"
 #include "compiler/commands/scene_surroundings.h"
@@ -20,8 +21,22 @@ namespace {
 // The tolerance of the tiles from which views are found: coarse enough to be quick, fine enough for streets and walls.
 constexpr double kViewTolerance_m = 2.5;
 
+// The tiles' part of the plane where they fill a box, else an empty one.
+Box2 filled_box(const scene::Scene& recipes) {
+  Box2 all;
+  double area_m2 = 0;
+  for (const scene::Chunk& chunk : recipes.chunks) {
+    const Box2 box = scene::box_of(recipes.header, chunk.tile);
+    all.grow(box.min), all.grow(box.max);
+    area_m2 += box.width() * box.height();
+  }
+  return area_m2 == all.width() * all.height() ? all : Box2{};
+}
+
 void look_around(const scene::Scene& recipes, const SceneRequest& request, PreviewScene& scene) {
   scene.around = surroundings_of(recipes);
+  scene.backdrop = bake::bake_surroundings(recipes);
+  scene.clear = filled_box(recipes);
   if (request.fog_share) scene.fog = fog_of(recipes, *request.fog_share);
 }
 
@@ -135,6 +150,8 @@ Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const
   const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
   if (!sky) return sky.error();
   look_around(scene.tree->manifest_path, request.load.only, request, scene);
+  // land in the plane does not meet tiles on the ellipsoid
+  if (scene.tree->is_on_ellipsoid) scene.backdrop.reset();
   scene.loaded = std::move(*loaded), scene.sky = *sky, scene.tree.reset();
   if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
   return Done{};
@@ -152,8 +169,9 @@ std::string levels_text(std::span<const bake::BakedTile> tiles) {
 preview::World world_of(const PreviewScene& scene, const Viewing& viewing, const CellRequest& cells) {
   assert(!viewing.cameras.empty());
   const Vec3 eye = viewing.cameras.front().eye;
-  if (!scene.recipes) return preview::World(scene.loaded.tiles, eye);
-  return preview::World(cells_for(*scene.recipes, viewing, cells), eye, budget_bytes_of(cells));
+  const preview::Backdrop backdrop{scene.backdrop ? &*scene.backdrop : nullptr, scene.clear};
+  if (!scene.recipes) return preview::World(scene.loaded.tiles, eye, backdrop);
+  return preview::World(cells_for(*scene.recipes, viewing, cells), eye, budget_bytes_of(cells), backdrop);
 }
 
 }  // namespace citykiln::commands

@@ -26,6 +26,8 @@ struct PreviewScene {
   sky::Sky sky{};
   std::vector<preview::StreetLamp> lamps{};       ///< Lit ones.
   std::optional<preview::Surroundings> around{};  ///< Of a manifest, or of the one beside the tiles.
+  std::optional<bake::BakedTile> backdrop{};      ///< The land around, where a heightmap knew it.
+  Box2 clear{};                                   ///< preview::Backdrop::clear.
   std::optional<preview::Fog> fog{};              ///< Of a manifest, if asked for.
   std::vector<preview::LitPane> panes{};          ///< By night, of recipes near the cameras.
 

@@ -7,7 +7,8 @@
 
 namespace citykiln::commands {
 
-/// The land and sea at the edge of a scene's chunks, continued to the horizon.
+/// The land and sea at the edge of a scene's chunks, or at the end of the grid around them (scene::Header::around),
+/// continued to the horizon.
 ///
 /// Method: along the edge 256 places have the height of the terrain, and the colour of the topmost land cover polygon.
 /// The ground around has the height of a quarter of them from below, or of the sea where a tenth of them is sea;
