@@ -25,6 +25,8 @@ constexpr int kBlur = kDirections / 8;
 
 // Rock begins to show at 35°, and all is rock at 48°.
 constexpr double kFirstRockCosine = 0.819;
+// Towns grow on land below 6°, and on none above 14°, a slope of 1 in 4.
+constexpr double kTownCosine = 0.9945, kTownEndsCosine = 0.970;
 // Between these belts rock grows to this share of level ground.
 constexpr double kRockFrom_m = 2400, kRockUpTo_m = 2900, kRockShare = 0.7;
 // Woods and open land in patches of these wavelengths.
@@ -39,7 +41,8 @@ Colour mixed(const Colour& a, const Colour& b, double share) {
 }
 
 EdgeCover mixed(const EdgeCover& a, const EdgeCover& b, double share) {
-  return {a.wood_share + (b.wood_share - a.wood_share) * share, mixed(a.open, b.open, share)};
+  return {std::lerp(a.wood_share, b.wood_share, share), mixed(a.open, b.open, share),
+          std::lerp(a.built_share, b.built_share, share), mixed(a.built, b.built, share)};
 }
 
 Colour colour_of(Material material) {
@@ -53,26 +56,52 @@ Colour in_month(Material material, plants::Month month) {
   return {colour[0] * tint.red, colour[1] * tint.green, colour[2] * tint.blue};
 }
 
-// Sums over places.
+bool is_built(LandCoverGroup group) {
+  switch (group) {
+    case LandCoverGroup::kTown:
+    case LandCoverGroup::kIndustry:
+    case LandCoverGroup::kPaved:
+    case LandCoverGroup::kRoad:
+    case LandCoverGroup::kPath:
+    case LandCoverGroup::kRail:
+    case LandCoverGroup::kBuilding:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// The mean colour of places.
+struct MeanColour {
+  double count = 0;
+  Colour sum{};
+
+  void add(const Colour& colour) {
+    ++count;
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c];
+  }
+  Colour or_else(const Colour& otherwise) const {
+    return count == 0 ? otherwise : Colour{sum[0] / count, sum[1] / count, sum[2] / count};
+  }
+};
+
+// Sums over places on land.
 struct Sum {
-  double land = 0, wood = 0;
-  Colour open{};
+  double wood = 0;
+  MeanColour open{}, built{};
 
   void add(map::LandCoverClass cover, plants::Month month) {
     const map::LandCoverValues& values = map::values_of(cover);
-    if (values.group == LandCoverGroup::kWater) return;
-    ++land;
+    if (values.group == LandCoverGroup::kWater || values.group == LandCoverGroup::kUnknown) return;
     if (values.group == LandCoverGroup::kForest) return void(++wood);
-    const Colour colour = in_month(values.material, month);
-    for (std::size_t c = 0; c < 3; ++c) open[c] += colour[c];
+    (is_built(values.group) ? built : open).add(in_month(values.material, month));
   }
 
   EdgeCover mean(const EdgeCover& otherwise) const {
+    const double grown = wood + open.count, land = grown + built.count;
     if (land == 0) return otherwise;
-    EdgeCover cover{wood / land, otherwise.open};
-    if (land > wood)
-      for (std::size_t c = 0; c < 3; ++c) cover.open[c] = open[c] / (land - wood);
-    return cover;
+    return {grown > 0 ? wood / grown : otherwise.wood_share, open.or_else(otherwise.open), built.count / land,
+            built.or_else(otherwise.built)};
   }
 };
 
@@ -108,15 +137,20 @@ double patch_at(Vec2 place, std::uint64_t seed) {
   return std::clamp(0.5 + 0.8 * noise, 0.0, 1.0);
 }
 
-Colour growing_at(const FarLand& land, Vec2 place, double belt_m) {
-  constexpr double kSharpness = 3;
+// What grows at a place: woods in patches, on slopes away from the sun more than on others, up to the tree line.
+Colour growing_at(const FarLand& land, const EdgeCover& cover, const plants::Habitat& habitat) {
+  constexpr double kSharpness = 3, kShadeShare = 0.5;
   const plants::Month month = scene::month_of(land.header);
-  const EdgeCover cover = cover_at(land, place);
-  const double dense = plants::wood_share_at(belt_m), high = (1 - dense) / (1 - plants::kSparseWood);
-  const double wood_share = cover.wood_share * (1 - high);
-  const double wood = std::clamp((wood_share - patch_at(place, land.header.seed)) * kSharpness + wood_share, 0.0, 1.0);
+  const double dense = plants::wood_share_at(habitat.belt_m), high = (1 - dense) / (1 - plants::kSparseWood);
+  const double share = cover.wood_share * (1 - high) * (1 + kShadeShare * habitat.shade);
+  const double wood = std::clamp((share - patch_at(habitat.at, land.header.seed)) * kSharpness + share, 0.0, 1.0);
   const Colour open = mixed(cover.open, in_month(Material::kMeadow, month), high);
   return mixed(open, in_month(Material::kForestFloor, month), wood);
+}
+
+// Towns go on beyond the edge where the land is not steep.
+double built_share(const EdgeCover& cover, Vec3 normal) {
+  return cover.built_share * (1 - rises(-kTownCosine, -kTownEndsCosine, -normal.z));
 }
 
 double rock_share(double belt_m, Vec3 normal) {
@@ -139,7 +173,8 @@ FarLand far_land_of(const scene::GroundLookup& lookup, const scene::Header& head
   for (const Vec2 place : scene::places_on_border(lookup.box(), kPlaces)) covers.push_back(lookup.at(place).cover);
   Sum all;
   for (const map::LandCoverClass cover : covers) all.add(cover, month);
-  land.mean = all.mean({0, in_month(Material::kUnknownGround, month)});
+  const Colour unknown = in_month(Material::kUnknownGround, month);
+  land.mean = all.mean({0, unknown, 0, unknown});
   constexpr int kEach = kPlaces / kDirections;
   for (int direction = 0; direction < kDirections; ++direction) {
     Sum own;
@@ -155,8 +190,10 @@ materials::SurfaceMaterial look_of(const FarLand& land, Vec3 place, Vec3 normal)
   const Vec2 at = in_plan(place);
   const GroundFace face{.surface = map::LandCoverClass::kMeadow, .normal = normal, .centre = place};
   if (material_of(face, land.header.snow_line_m, land.header.seed) == Material::kSnow) return {Material::kSnow};
-  const double belt_m = plants::habitat_at(land.header.origin.lat_deg, at, place.z, normal, false).belt_m;
-  const Colour colour = mixed(growing_at(land, at, belt_m), colour_of(Material::kRock), rock_share(belt_m, normal));
+  const plants::Habitat habitat = plants::habitat_at(land.header.origin.lat_deg, at, place.z, normal, false);
+  const EdgeCover cover = cover_at(land, at);
+  const Colour soft = mixed(growing_at(land, cover, habitat), cover.built, built_share(cover, normal));
+  const Colour colour = mixed(soft, colour_of(Material::kRock), rock_share(habitat.belt_m, normal));
   return {kBase, tint_of(colour, place_tint(at, Material::kMeadow, land.header.seed))};
 }
 

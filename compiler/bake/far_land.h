@@ -13,8 +13,10 @@ using Colour = std::array<double, 3>;
 
 /// The land cover in one direction.
 struct EdgeCover {
-  double wood_share = 0;  ///< Of its land.
-  Colour open{};          ///< Mean of its land without woods.
+  double wood_share = 0;   ///< Of its land that is not built on.
+  Colour open{};           ///< Mean of the rest of that land.
+  double built_share = 0;  ///< Of its land: towns, industry, roads, buildings.
+  Colour built{};          ///< Mean of these.
 };
 
 /// The land cover at the edge of a scene.
@@ -25,7 +27,7 @@ struct FarLand {
   EdgeCover mean{};
 };
 
-/// Looks along the border of the scene's tiles. Land alone counts; without any, unknown ground.
+/// Looks along the border of the scene's tiles. Known land alone counts; without any, all is unknown ground.
 /// @param header  Must outlive the result.
 FarLand far_land_of(const scene::GroundLookup& lookup, const scene::Header& header);
 

@@ -29,8 +29,9 @@ struct LoadRequest {
 struct Loaded {
   std::vector<bake::BakedTile> tiles;  ///< Sorted by tile.
   std::optional<scene::Header>
-      header;                   ///< Of the given manifest, or of the manifest beside the folder of the .glb files.
-  std::string manifest_path{};  ///< The manifest that the header is of; "" for none.
+      header;  ///< Of the given manifest, or of the manifest beside the folder of the .glb files.
+  std::optional<bake::BakedTile> backdrop{};  ///< The land around (bake/bake_surroundings.h), where its file was read.
+  std::string manifest_path{};                ///< The manifest that the header is of; "" for none.
 };
 
 /// Whether a request asks for a run's folder, each of whose tiles has a level that suits the cameras.

@@ -52,21 +52,34 @@ void stand_on(const surroundings::Surroundings& grid, std::vector<scene::GroundP
   }
 }
 
-}  // namespace
-
-preview::Surroundings surroundings_of(const scene::Scene& scene) {
-  assert(!scene.chunks.empty());
-  const scene::GroundLookup lookup(scene);
-  preview::Surroundings around{.box = lookup.box(), .ring = {}};
+std::vector<scene::GroundPlace> samples_on_border(const scene::GroundLookup& lookup) {
   std::vector<scene::GroundPlace> samples;
   for (const Vec2 place : scene::places_on_border(lookup.box(), kPlaces)) samples.push_back(lookup.at(place));
-  if (const surroundings::Surroundings& grid = scene.header.around; !grid.is_empty()) {
-    around.box = grid.box();
-    stand_on(grid, samples);
-  }
+  return samples;
+}
+
+preview::Surroundings beyond(const Box2& box, const std::vector<scene::GroundPlace>& samples) {
+  preview::Surroundings around{.box = box, .ring = {}};
   for (int i = 0; i < kDirections; ++i) around.ring.push_back(edge_of(samples, i));
   around.mean = preview::mean_of(around.ring);
   return around;
+}
+
+}  // namespace
+
+preview::Surroundings plain_around(const scene::Scene& scene) {
+  assert(!scene.chunks.empty());
+  const scene::GroundLookup lookup(scene);
+  return beyond(lookup.box(), samples_on_border(lookup));
+}
+
+preview::Surroundings surroundings_of(const scene::Scene& scene) {
+  const surroundings::Surroundings& grid = scene.header.around;
+  if (grid.is_empty()) return plain_around(scene);
+  assert(!scene.chunks.empty());
+  std::vector<scene::GroundPlace> samples = samples_on_border(scene::GroundLookup(scene));
+  stand_on(grid, samples);
+  return beyond(grid.box(), samples);
 }
 
 preview::Fog fog_of(const scene::Scene& scene, double share) {

@@ -1,6 +1,7 @@
 #include "compiler/surroundings/plan.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -17,12 +18,27 @@ using map::RasterSampler;
 
 constexpr auto kQuantaPerMetre = static_cast<std::int32_t>(1 / map::kHeightQuantum_m);
 
+// The distance from a line to its nearest neighbour.
+std::int32_t step_m(const std::vector<std::int32_t>& lines, std::size_t line) {
+  const std::int32_t before = line > 0 ? lines[line] - lines[line - 1] : lines[1] - lines[0];
+  return line + 1 < lines.size() ? std::min(before, lines[line + 1] - lines[line]) : before;
+}
+
+// Heights beside wide cells are multiples of more metres: a 256th of the cell's longer side.
+std::int32_t grain_m(const Surroundings& around, std::size_t column, std::size_t row) {
+  const auto longer_m = static_cast<std::uint32_t>(std::max(step_m(around.x_m, column), step_m(around.y_m, row)));
+  return static_cast<std::int32_t>(std::bit_floor(std::max(1u, longer_m / 256)));
+}
+
 // Samples the heightmaps; returns which heights are known.
-std::vector<bool> sample(std::span<const RasterSampler> samplers, const map::Plane& plane, Surroundings& around) {
+std::vector<bool> sample(std::span<const RasterSampler> samplers, const map::Plane& plane, bool has_sea,
+                         Surroundings& around) {
   std::vector<bool> known;
   for (std::size_t row = 0; row < around.rows(); ++row)
     for (std::size_t column = 0; column < around.columns(); ++column) {
-      const auto quanta = map::quantised_height(samplers, plane, around.vertex(column, row), kQuantaPerMetre);
+      // 4 m are land and not sea
+      const std::int32_t grain = kQuantaPerMetre * (has_sea ? 1 : grain_m(around, column, row));
+      const auto quanta = map::quantised_height(samplers, plane, around.vertex(column, row), grain);
       const double height_m = quanta ? *quanta / kQuantaPerMetre : 0;
       known.push_back(quanta && std::abs(height_m) <= kHighest_m);
       around.heights_m.push_back(known.back() ? static_cast<std::int32_t>(height_m) : 0);
@@ -95,7 +111,7 @@ Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Pl
                       .heights_m = {},
                       .covers = {}};
   if (around.columns() > kMostLines || around.rows() > kMostLines) return Surroundings();
-  const std::vector<bool> known = sample(*samplers, plane, around);
+  const std::vector<bool> known = sample(*samplers, plane, place.has_sea, around);
   if (!knows_far_places(around, known, place.region)) return Surroundings();
   around.covers.assign(around.heights_m.size(), Cover::kLand);
   if (place.has_sea) find_sea(known, around);

@@ -26,7 +26,8 @@ struct Place {
 /// Returns the grid around the extent, out to kReach_m, or an empty one where no heightmap knows a place kLeastKnown_m
 /// away.
 ///
-/// - A vertex has the height of the first heightmap that covers it, rounded to whole metres.
+/// - A vertex has the height of the first heightmap that covers it, rounded to whole metres, or to 2, 4, 8 m where its
+///   cells are wide and no coast needs more.
 /// - Vertices that none covers have the height of the nearest known one of their row, which fades into the mean of all
 ///   known heights, or is sea beside sea: nothing ends in a wall.
 /// - Where the extent has a coast, heights up to 0 are sea. Heightmaps of 1 to 3 arc seconds have 0 at sea.

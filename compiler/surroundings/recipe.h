@@ -1,7 +1,7 @@
 // The land and sea around the extent: a grid of heights whose cells grow with their distance from the extent.
 //
 //      ┆  ┆ ┆┆┌────────┐┆┆ ┆  ┆
-//     ─┼──┼─┼┼┤ extent ├┼┼─┼──┼─      lines run through; rows and columns are 64 m wide beside the extent, 5 km
+//     ─┼──┼─┼┼┤ extent ├┼┼─┼──┼─      lines run through; rows and columns are 64 m wide beside the extent, 2.5 km
 //      ┆  ┆ ┆┆└────────┘┆┆ ┆  ┆       at the end
 #pragma once
 
