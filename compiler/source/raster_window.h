@@ -6,7 +6,7 @@
 
 namespace citykiln::source {
 
-/// Columns column + stride · i for i below `columns`, and rows likewise; no columns if no sample is needed.
+/// Columns column + stride · i for i below `columns`, rows in the same way; no columns if no sample is needed.
 struct PixelWindow {
   int column = 0, row = 0, columns = 0, rows = 0;
   int stride = 1;  ///< 1: every sample.

@@ -16,7 +16,7 @@ inline constexpr double kCellShare = 1.0 / 24;
 /// The lines that cross an axis: borders of the extent and of its tiles, multiples of 128 m or coarser between them,
 /// and beyond the extent steps that grow with the distance. Ascending. At most some 230 beyond it and 64 in it, or as
 /// many as it has tiles.
-/// @param low_m, high_m  The extent's sides, whole multiples of map::kCell_m. @param tile_m  Likewise.
+/// @param low_m, high_m  The extent's sides, whole multiples of map::kCell_m, as is `tile_m`.
 std::vector<std::int32_t> lines_for(double low_m, double high_m, double tile_m);
 
 }  // namespace citykiln::surroundings

@@ -23,7 +23,7 @@ class BackdropScene {
 
   BakedScene scene_;
   Box2 clear_;        // in the world's frame
-  double highest_m_;  // likewise
+  double highest_m_;  // above the origin
 };
 
 }  // namespace citykiln::preview
