@@ -22,7 +22,8 @@ const Place kPlace{.region = {{-1664, -1664}, {2048, 896}}, .tile_m = 1024};
 template <typename Height>
 source::Raster raster_of(Height height_m, double west_deg = 0.7, double east_deg = 2.4) {
   constexpr double kSpacing_deg = 1.0 / 240, kNorth = 43.3, kSouth = 41.7;
-  source::Raster raster{.file_name = "hills.hgt", .credit = "", .heights_m = {}, .system_wkt = ""};
+  source::Raster raster;
+  raster.file_name = "hills.hgt";
   raster.columns = static_cast<int>((east_deg - west_deg) / kSpacing_deg) + 1;
   raster.rows = static_cast<int>((kNorth - kSouth) / kSpacing_deg) + 1;
   raster.from_grid = {west_deg, kSpacing_deg, 0, kNorth, 0, -kSpacing_deg};
@@ -136,7 +137,7 @@ TEST(PlanSurroundings, SeaStaysSeaAndOnlyWhereThereIsACoast) {
   for (std::size_t i = 0; i < around.covers.size(); ++i) {
     const bool is_south = around.vertex(0, i / around.columns()).y < -26000;
     EXPECT_EQ(around.covers[i] == Cover::kSea, around.heights_m[i] == 0);
-    if (is_south) EXPECT_EQ(around.covers[i], Cover::kSea) << i;
+    EXPECT_TRUE(!is_south || around.covers[i] == Cover::kSea) << i;
     seas += around.covers[i] == Cover::kSea;
   }
   EXPECT_GT(seas, 1000);
@@ -150,7 +151,8 @@ TEST(PlanSurroundingsReal, AndorraIsWithinItsStatedErrors) {
   const map::Plane plane(kOrigin);
   const source::LonLatBox window = map::lonlat_box_of(kPlace.region.widened(kReach_m), plane);
   Report report;
-  const std::vector<source::RasterSpec> specs = {{.path = path, .bounds = {}, .encoding = "", .credit = ""}};
+  std::vector<source::RasterSpec> specs(1);
+  specs[0].path = path;
   const auto rasters = source::read_heightmaps(specs, &window, report, kSampleSpacing_m);
   ASSERT_TRUE(rasters);
   const Surroundings around = planned(*rasters);
