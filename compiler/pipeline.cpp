@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -252,9 +253,9 @@ Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, co
       source::read_heightmaps(spec.rasters, &window, repeated, surroundings::kSampleSpacing_m);
   if (!rasters) return rasters.error();
   const auto is_sea = [](const ground::LandCoverPolygon& cover) { return cover.surface == map::LandCoverClass::kSea; };
-  return surroundings::plan(
-      *rasters, plane,
-      {.region = region, .tile_m = spec.tile_m, .has_sea = std::ranges::any_of(recipes.surfaces, is_sea)});
+  surroundings::Place place{.region = region, .tile_m = spec.tile_m};
+  std::ranges::copy_if(recipes.surfaces, std::back_inserter(place.sea), is_sea);
+  return surroundings::plan(*rasters, plane, place);
 }
 
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region) {

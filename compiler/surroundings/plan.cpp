@@ -53,9 +53,18 @@ bool knows_far_places(const Surroundings& around, const std::vector<bool>& known
   return false;
 }
 
-void find_sea(const std::vector<bool>& known, Surroundings& around) {
-  for (std::size_t i = 0; i < around.heights_m.size(); ++i)
-    if (known[i] && around.heights_m[i] <= 0) around.covers[i] = Cover::kSea, around.heights_m[i] = 0;
+bool is_sea(const Place& place, Vec2 p, bool is_known, std::int32_t height_m) {
+  if (!place.region.contains(p)) return is_known && height_m <= 0;
+  return std::ranges::any_of(place.sea, [&](const auto& sea) { return ground::winding_number(sea, p) > 0; });
+}
+
+void find_sea(const Place& place, const std::vector<bool>& known, Surroundings& around) {
+  for (std::size_t row = 0; row < around.rows(); ++row)
+    for (std::size_t column = 0; column < around.columns(); ++column) {
+      const std::size_t at = around.index(column, row);
+      if (!is_sea(place, around.vertex(column, row), known[at], around.heights_m[at])) continue;
+      around.covers[at] = Cover::kSea, around.heights_m[at] = 0;
+    }
 }
 
 // Distances of samples from the grid.
@@ -85,7 +94,7 @@ void measure(const source::Raster& raster, std::span<const RasterSampler> earlie
       const Vec2 p = plane.forward(at);
       const float height_m = raster.at(c, r);
       if (!box.contains(p) || place.region.contains(p) || !map::is_height(height_m) || is_hidden(earlier, at)) continue;
-      const double sample_m = place.has_sea ? std::max(0.0f, height_m) : height_m;
+      const double sample_m = !place.sea.empty() ? std::max(0.0f, height_m) : height_m;
       errors.add(sample_m - height_m_at(around, p));
     }
 }
@@ -111,10 +120,10 @@ Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Pl
                       .heights_m = {},
                       .covers = {}};
   if (around.columns() > kMostLines || around.rows() > kMostLines) return Surroundings();
-  const std::vector<bool> known = sample(*samplers, plane, place.has_sea, around);
+  const std::vector<bool> known = sample(*samplers, plane, !place.sea.empty(), around);
   if (!knows_far_places(around, known, place.region)) return Surroundings();
   around.covers.assign(around.heights_m.size(), Cover::kLand);
-  if (place.has_sea) find_sea(known, around);
+  if (!place.sea.empty()) find_sea(place, known, around);
   fill_unknown(known, around);
   state_errors(rasters, *samplers, plane, place, around);
   return around;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "compiler/contract/result.h"
+#include "compiler/ground/recipe.h"
 #include "compiler/map/plane.h"
 #include "compiler/source/raster.h"
 #include "compiler/surroundings/recipe.h"
@@ -18,9 +20,9 @@ inline constexpr double kLeastKnown_m = 1000;
 
 /// What the grid is planned for.
 struct Place {
-  Box2 region;           ///< The extent.
-  double tile_m = 1024;  ///< Of its tiles.
-  bool has_sea = false;  ///< Whether the extent has a coast: only then low ground is sea.
+  Box2 region;                                  ///< The extent.
+  double tile_m = 1024;                         ///< Of its tiles.
+  std::vector<ground::LandCoverPolygon> sea{};  ///< Of the extent. Where there is none, there is none beyond it.
 };
 
 /// Returns the grid around the extent, out to kReach_m, or an empty one where no heightmap knows a place kLeastKnown_m
@@ -30,7 +32,9 @@ struct Place {
 ///   cells are wide and no coast needs more.
 /// - Vertices that none covers have the height of the nearest known one of their row, which fades into the mean of all
 ///   known heights, or is sea beside sea: nothing ends in a wall.
-/// - Where the extent has a coast, heights up to 0 are sea. Heightmaps of 1 to 3 arc seconds have 0 at sea.
+/// - Where the extent has a coast, heights up to 0 are sea beyond it: heightmaps of 1 to 3 arc seconds have 0 at sea.
+/// In
+///   the extent the coastline says what is sea.
 ///
 /// Error: a heightmap's reference system is unknown. Same bytes on every CPU. Cost: 0.4 µs a sample.
 /// @param rasters  Without voids, in the order of precedence.

@@ -131,12 +131,19 @@ TEST(PlanSurroundings, SeaStaysSeaAndOnlyWhereThereIsACoast) {
   // the sea is known to 1.6° only
   const std::vector<source::Raster> rasters = {raster_of(coast_m, 0.7, 1.6)};
   Place by_sea = kPlace;
-  by_sea.has_sea = true;
+  // a bay in the extent, whose ground is above 0 in the heightmap
+  const Box2 bay{{-1700, -1700}, {-1000, -1000}};
+  by_sea.sea = {{.id = {{OsmType::kWay, 1}, 0},
+                 .surface = map::LandCoverClass::kSea,
+                 .rings = {{bay.min, {bay.max.x, bay.min.y}, bay.max, {bay.min.x, bay.max.y}}}}};
   const Surroundings around = planned(rasters, by_sea);
   int seas = 0;
   for (std::size_t i = 0; i < around.covers.size(); ++i) {
     const bool is_south = around.vertex(0, i / around.columns()).y < -26000;
     EXPECT_EQ(around.covers[i] == Cover::kSea, around.heights_m[i] == 0);
+    const Vec2 p = around.vertex(i % around.columns(), i / around.columns());
+    EXPECT_TRUE(!kPlace.region.contains(p) || (around.covers[i] == Cover::kSea) == bay.contains(p))
+        << p.x << " " << p.y;
     EXPECT_TRUE(!is_south || around.covers[i] == Cover::kSea) << i;
     seas += around.covers[i] == Cover::kSea;
   }
