@@ -430,6 +430,12 @@ for _ in range(140):
     if is_open(p, 3) and not inside(p, LAKE) and distance_to_line(p, RIVER) > 13:
         node(p, {"natural": "tree", "height": str(round(chance.between(5, 14), 1))})
 
+# steel silos beside a hall
+for x, y in ((392, -242), (392, -254)):
+    ring = circle((x, y), 4.5, 16)
+    if is_free(ring, 1):
+        add_house(ring, {"building": "silo", "height": "19", "building:material": "stainless_steel", "roof:material": "stainless_steel", "roof:shape": "cone", "roof:height": "2"})
+
 
 # ---- writing ----
 def escaped(text):

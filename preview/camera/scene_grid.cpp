@@ -38,6 +38,7 @@ bool is_built(Material material) {
     case Material::kSlate:
     case Material::kFlatRoof:
     case Material::kMetalRoof:
+    case Material::kBareMetal:
       return true;
     default:
       return false;

@@ -65,6 +65,7 @@ Lights::Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps, std::o
       clouds_(std::move(clouds)),
       below_(sky::ground_radiance(model)),
       lamps_(std::move(lamps)) {
+  if (around_) bound_heights(*around_);
   if (luminance(model.sun_radiance) > 0) sun_solid_angle_ = 2 * kPi * (1 - model.sun_cos_radius);
   if (sun_solid_angle_ > 0 && table_.flux() > 0)
     sun_to_sky_ = luminance(model.sun_radiance) * sun_solid_angle_ / table_.flux();

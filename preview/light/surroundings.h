@@ -1,6 +1,7 @@
 // The land and sea around a scene, out to the horizon.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,12 @@ struct Surroundings {
   Box2 box;                ///< Of the scene, plane metres; not empty.
   std::vector<Edge> ring;  ///< By azimuth from the box's centre, counter-clockwise from east; not empty.
   Edge mean{};             ///< Of the ring.
+  /// The lowest and the highest of the ring; rays are followed only in between.
+  double lowest_m = -std::numeric_limits<double>::infinity(), highest_m = std::numeric_limits<double>::infinity();
 };
+
+/// Sets the lowest and the highest height of the ring.
+void bound_heights(Surroundings& around);
 
 /// The mean of all edges; the albedo is that of the land among them.
 Edge mean_of(const std::vector<Edge>& ring);

@@ -157,11 +157,6 @@ std::shared_ptr<const Cell> CellCache::make(std::size_t cell) const {
   lock.lock();
   ++counters_.generated;
   if (slot.was_generated) ++counters_.regenerated;
-  if (!slot.extent_owner) {
-    auto extent = std::make_unique<CellExtent>(made->bounds());
-    made->geometry().add_to(*extent);
-    slot.extent.store(extent.get(), std::memory_order_release), slot.extent_owner = std::move(extent);
-  }
   slot.owner = made, slot.is_generating = false, slot.was_generated = true;
   slot.used = ++clock_;
   slot.ready.store(made.get());
@@ -191,6 +186,16 @@ void CellCache::check_bounds(std::size_t cell, const Cell& made) const {
 
 std::int64_t CellCache::bytes() const { return use_.geometry + use_.hierarchies + use_.textures; }
 
+// Keeps where a cell has anything, and hides the cell from rays that come now.
+void CellCache::hide(Slot& slot) const {
+  if (!slot.extent_owner) {
+    auto extent = std::make_unique<CellExtent>(slot.owner->bounds());
+    slot.owner->geometry().add_to(*extent);
+    slot.extent.store(extent.get(), std::memory_order_release), slot.extent_owner = std::move(extent);
+  }
+  slot.ready.store(nullptr);
+}
+
 // Frees cells, those that were used least recently first, until the budget holds. Called under mutex_.
 void CellCache::evict(std::size_t kept) const {
   while (bytes() > budget_bytes_) {
@@ -205,13 +210,14 @@ void CellCache::evict(std::size_t kept) const {
     for (Slot* slot : oldest) {
       if (expected >= over_bytes) break;
       expected += static_cast<std::int64_t>(slot->owner->bytes());
-      slot->ready.store(nullptr);
+      hide(*slot);
       freed.push_back(std::move(slot->owner));
       ++counters_.evicted;
     }
     readers_.wait();
   }
-  while (source_->tile_bytes() > kTileBytes && source_->drop_tile()) {
+  const auto left = static_cast<std::size_t>(std::max<std::int64_t>(0, budget_bytes_ - bytes()));
+  while (source_->tile_bytes() > kTileBytes + left && source_->drop_tile()) {
   }
   counters_.peak_bytes = std::max(counters_.peak_bytes, bytes());
   counters_.over_bytes = std::max(counters_.over_bytes, bytes() - budget_bytes_);

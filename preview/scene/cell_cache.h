@@ -73,8 +73,9 @@ struct CellRay : RTCIntersectContext {
 /// Thread-safe. Cells of a source in one Embree scene.
 ///
 /// Memory: the budget holds for meshes, hierarchies and textures of cells, and of the prototypes and materials that
-/// they show. Beside it are the recipes, prepared tiles up to kTileBytes (or one), meshes of plants as the prototype
-/// cache has them, images of materials, and what the generation of a cell needs for a moment.
+/// they show; prepared tiles may have what is left of it. Beside it are the recipes, prepared tiles up to kTileBytes
+/// (or one), the extents of freed cells (8 kB each), meshes of plants as the prototype cache has them, images of
+/// materials, and what the generation of a cell needs for a moment.
 class CellCache {
  public:
   static constexpr std::size_t kTileBytes = 100'000'000;
@@ -92,7 +93,7 @@ class CellCache {
   struct Calls;
   struct Slot {
     std::atomic<const Cell*> ready = nullptr;
-    std::atomic<const CellExtent*> extent = nullptr;  // since the cell was first generated
+    std::atomic<const CellExtent*> extent = nullptr;  // since the cell was first freed
     std::atomic<std::uint32_t> used = 0;              // clock of the last use
     std::shared_ptr<const Cell> owner;                // the rest under mutex_
     std::unique_ptr<const CellExtent> extent_owner;
@@ -107,6 +108,7 @@ class CellCache {
   std::shared_ptr<const Cell> make(std::size_t cell) const;
   std::shared_ptr<const Cell> generate(std::size_t cell) const;
   void check_bounds(std::size_t cell, const Cell& made) const;
+  void hide(Slot& slot) const;
   void evict(std::size_t kept) const;
   std::int64_t bytes() const;
 

@@ -1,7 +1,8 @@
-// A facade atlas as rays see it: colour, roughness, emission and normal, filtered over the ray's footprint.
+// A facade atlas as rays see it: colour, roughness, metalness, emission and normal, filtered over the ray's footprint.
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "compiler/impostor/atlas.h"
 #include "preview/scene/mip_texture.h"
@@ -27,7 +28,11 @@ class FacadeAtlasTexture {
   bool shines() const { return emission_.has_value(); }
   bool has_normals() const { return normal_.has_value(); }
   std::size_t bytes() const;  ///< With the images.
-  float roughness(const TextureFootprint& footprint) const { return static_cast<float>(surface_.mean(footprint)[1]); }
+  /// Mean roughness and metalness, in [0, 1].
+  std::pair<float, float> surface(const TextureFootprint& footprint) const {
+    const auto mean = surface_.mean(footprint);
+    return {static_cast<float>(mean[1]), static_cast<float>(mean[2])};
+  }
 
  private:
   const impostor::Atlas* atlas_;

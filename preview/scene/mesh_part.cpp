@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <tuple>
 
 #include "compiler/sky/generate.h"
 
@@ -118,7 +119,8 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<double, 3>& w
     if (part.cutout != nullptr) colour = apply_image(hit, t, footprint, *part.cutout, ray.direction);
     if (part.facade_atlas != nullptr) {
       colour = apply_image(hit, t, footprint, *part.facade_atlas);
-      hit.roughness = part.facade_atlas->roughness(footprint), emission = part.facade_atlas->emission(footprint);
+      std::tie(hit.roughness, hit.metallic) = part.facade_atlas->surface(footprint);
+      emission = part.facade_atlas->emission(footprint);
     }
   }
   hit.translucency = translucency_of(primitive.material);

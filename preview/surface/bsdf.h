@@ -24,7 +24,8 @@ struct Scattering {
 };
 
 /// The scattering of light at one place. Energy is conserved: a white surface under even light is as bright as the
-/// light (tested to 0.4 %, metals 1 %), and scattering is reciprocal, but for water whose waves hide each other.
+/// light (tested to 0.1 %, half rough coats 0.2 %, metals 1 %), and scattering is reciprocal, but for water whose waves
+/// hide each other.
 ///
 /// Method: one lobe of microfacets, with the light of several bounces between facets added (Kulla, Conty, "Revisiting
 /// Physically Based Shading at Imageworks", SIGGRAPH 2017 course), over a matt body, which gets what the facets let

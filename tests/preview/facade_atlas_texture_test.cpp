@@ -16,13 +16,13 @@ using materials::TextureImage;
 
 constexpr double kTexel_m = 0.5;
 
-// Black and rough on the left, white and smooth on the right.
+// Black and rough on the left, white, smooth and half metal on the right.
 impostor::Atlas halves() {
   impostor::Atlas atlas{{kTexel_m, 64, 64, {}}, {kTexel_m, 64, 64, {}}, {}, {}};
   for (int i = 0; i < 64 * 64; ++i) {
     const bool is_left = i % 64 < 32;
     atlas.colour.texels.push_back(is_left ? TextureImage::Texel{} : TextureImage::Texel{255, 255, 255});
-    atlas.surface.texels.push_back(is_left ? TextureImage::Texel{255, 255, 0} : TextureImage::Texel{255, 51, 0});
+    atlas.surface.texels.push_back(is_left ? TextureImage::Texel{255, 255, 0} : TextureImage::Texel{255, 51, 128});
   }
   return atlas;
 }
@@ -48,12 +48,14 @@ Hit seen_at(const bake::BakedTile& tile, Vec2 at, double spread_rad) {
   return *hit;
 }
 
-TEST(FacadeAtlasTexture, SaysColourAndRoughness) {
+TEST(FacadeAtlasTexture, SaysColourRoughnessAndMetalness) {
   const Hit left = seen_at(textured_faces(1), {8, 16}, 0), right = seen_at(textured_faces(1), {24, 16}, 0);
   EXPECT_NEAR(left.albedo[0], 0, 1e-6);
   EXPECT_NEAR(left.roughness, 1, 1e-6);
   EXPECT_NEAR(right.albedo[0], 1, 1e-6);
   EXPECT_NEAR(right.roughness, 0.2, 1e-6);
+  EXPECT_EQ(left.metallic, 0);
+  EXPECT_NEAR(right.metallic, 128 / 255.0, 1e-6);
 }
 
 // u runs east here and v north, so a normal against v points south.

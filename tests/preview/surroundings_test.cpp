@@ -45,6 +45,26 @@ TEST(MeetGround, IsBeyondTheBox) {
   EXPECT_NEAR(away->distance_m, 1000 * std::sqrt(1.01), 2);
 }
 
+// Knowing the range of heights makes it faster, and moves no point by more than a ten thousandth of its distance.
+TEST(MeetGround, IsTheSameWithBoundedHeights) {
+  Surroundings hills = plain_at(100);
+  hills.ring[0].height_m = 300, hills.ring[3].height_m = 20, hills.mean = mean_of(hills.ring);
+  Surroundings bounded = hills;
+  bound_heights(bounded);
+  EXPECT_EQ(bounded.lowest_m, 20);
+  EXPECT_EQ(bounded.highest_m, 300);
+  int met = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double turn = 2.4 * i, dip = 0.0005 * (i % 400);
+    const Vec3 from{50.0 * (i % 7), 0, 10.0 + 37 * (i % 31)}, down = unit({std::cos(turn), std::sin(turn), -dip});
+    const auto slow = meet_ground(hills, from, down), fast = meet_ground(bounded, from, down);
+    ASSERT_EQ(slow.has_value(), fast.has_value()) << i;
+    if (slow) EXPECT_NEAR(fast->distance_m, slow->distance_m, 3e-4 * slow->distance_m) << i;
+    met += slow.has_value();
+  }
+  EXPECT_GT(met, 500);
+}
+
 TEST(EdgeAt, IsInterpolatedByAzimuth) {
   const Surroundings around = plain_at(0);
   EXPECT_EQ(edge_at(around, {200, 0}).albedo[1], 0.3);  // east

@@ -73,6 +73,9 @@ TEST(LocateFootprints, ColoursMaterialsAndClassAreRead) {
   EXPECT_EQ(f.roof_material, Material::kSlate);
   EXPECT_EQ(f.building_class, static_cast<std::uint8_t>(BuildingClass::kChurch));
   EXPECT_FALSE(footprint_of("building=yes").wall_material.has_value());
+  const Footprint silo = footprint_of("building=silo building:material=stainless_steel roof:material=aluminium");
+  EXPECT_EQ(silo.wall_material, Material::kBareMetal);
+  EXPECT_EQ(silo.roof_material, Material::kBareMetal);
 }
 
 TEST(LocateFootprints, RoofsAreReadAsSimple3DBuildingsHasThem) {
