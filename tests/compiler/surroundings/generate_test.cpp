@@ -18,7 +18,7 @@ using materials::MaterialMesh;
 
 const Box2 kRegion{{-256, -128}, {256, 128}};
 
-double terrain_m(Vec2 p) { return 600 + 0.15 * p.x - 0.1 * p.y + 8 * std::sin(p.x / 50); }
+double terrain_m(Vec2 p) { return 600 + 0.06 * p.x - 0.05 * p.y + 8 * std::sin(p.x / 50); }
 
 Surroundings hills(bool has_sea = false) {
   Surroundings around{.x_m = lines_for(kRegion.min.x, kRegion.max.x, 256),
