@@ -16,6 +16,7 @@
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/leaf_backs.h"
 #include "exporters/usd/read_layer.h"
+#include "exporters/usd/usd_names.h"
 
 namespace citykiln::verify {
 namespace {
@@ -354,6 +355,10 @@ Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
   std::map<std::string, const UsdReadPrim*> by_payload;
   for (const UsdReadPrim& prim : layer->prims)
     for (const std::string& payload : payload_names(prim, "usd")) by_payload[payload] = &prim;
+  // the land around is no tile
+  if (by_payload.erase(exporters::kUsdSurroundingsName) > 0)
+    results.usd_scene.test(bool{read(loaded.folder + "/" + exporters::kUsdSurroundingsName)},
+                           std::string(exporters::kUsdSurroundingsName) + " cannot be read");
   results.usd_scene.test(by_payload.size() == tiles.size(), name + " has other tiles than the run");
   results.usd_scene.test(
       texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
