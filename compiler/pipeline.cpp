@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -33,6 +34,8 @@
 #include "compiler/structures/plan_parapet_gaps.h"
 #include "compiler/structures/plan_piers.h"
 #include "compiler/structures/within_extent.h"
+#include "compiler/surroundings/grid_lines.h"
+#include "compiler/surroundings/plan.h"
 
 namespace citykiln {
 namespace {
@@ -42,6 +45,10 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
                                       std::vector<std::string>& credits, Report& report);
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                   const map::Heightfield& heights, const std::vector<std::string>& credits);
+
+/// The land around the region as far as the heightmaps know it.
+Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
+                                                     const scene::Recipes& recipes, const Box2& region);
 
 /// The rule files that the styles of the buildings need. A file in the spec's folder replaces the shipped file of its
 /// name.
@@ -115,6 +122,11 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   timer.enter("props");
   recipes.props = props::plan(features, report);
 
+  // plan the land around the extent
+  timer.enter("surroundings");
+  Result<surroundings::Surroundings> around = plan_surroundings(spec, plane, recipes, features.region);
+  if (!around) return around.error();
+
   // describe the sky and the sources, and sort all recipes into tiles
   timer.enter("sort into tiles");
   recipes.texts = features.texts;
@@ -123,6 +135,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
+  header->around = std::move(*around);
   header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   map::Places places = map::places_of(*osm, report);
@@ -230,6 +243,19 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
   for (const source::RasterSpec& raster : spec.rasters) credits.push_back(raster.credit);
 
   return map::resample(*rasters, plane, region, report);
+}
+
+Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
+                                                     const scene::Recipes& recipes, const Box2& region) {
+  const source::LonLatBox window = map::lonlat_box_of(region.widened(surroundings::kReach_m), plane);
+  Report repeated;  // of what is diagnosed within the region already, or lies beyond it
+  const Result<std::vector<source::Raster>> rasters =
+      source::read_heightmaps(spec.rasters, &window, repeated, surroundings::kSampleSpacing_m);
+  if (!rasters) return rasters.error();
+  const auto is_sea = [](const ground::LandCoverPolygon& cover) { return cover.surface == map::LandCoverClass::kSea; };
+  surroundings::Place place{.region = region, .tile_m = spec.tile_m};
+  std::ranges::copy_if(recipes.surfaces, std::back_inserter(place.sea), is_sea);
+  return surroundings::plan(*rasters, plane, place);
 }
 
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region) {

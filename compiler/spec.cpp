@@ -197,6 +197,12 @@ Result<Done> set_tags(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+Result<Done> set_surroundings(CompileSpec& spec, std::string_view text) {
+  if (text != "true" && text != "false") return expected("true or false", text);
+  spec.outputs.surroundings = text == "true";
+  return Done{};
+}
+
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
   spec.strict = {.is_on = text != "false", .codes = {}};
   if (text == "true" || text == "false") return Done{};
@@ -259,6 +265,10 @@ constexpr Setting kSettings[] = {
      "nodes of a tile: one, one for each layer (ground, roads, water, buildings ...), or one for each building too "
      "(default: layer)",
      false, set_split},
+    {"surroundings", "",
+     "writes the land around the map, as far as the heightmaps know it, as a tile of its own: glb/surroundings.glb, "
+     "usd/surroundings.usdc, a tile of 3dtiles",
+     false, set_surroundings},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
     {"time", "ISO",
      "date and time of the sky in UTC, or with an offset from it, such as 2026-06-21T20:30+02:00 (default: midsummer, "

@@ -41,11 +41,12 @@ Result<Layout> parse_layout(std::string_view text);
 /// The files that a run writes into its folder.
 struct Outputs {
   std::string folder;
-  bool manifest = true;  ///< scene.kiln
-  bool glb = true;       ///< glb/<x>_<y>_L<n>.glb
-  bool usd = false;      ///< usd/scene.usda and the layers of its tiles
-  bool tiles3d = false;  ///< 3dtiles/tileset.json and its contents, on the ellipsoid.
-  std::string geoid;     ///< Of map::read_geoid(); "" where no height of the geoid is given.
+  bool manifest = true;       ///< scene.kiln
+  bool glb = true;            ///< glb/<x>_<y>_L<n>.glb
+  bool usd = false;           ///< usd/scene.usda and the layers of its tiles
+  bool tiles3d = false;       ///< 3dtiles/tileset.json and its contents, on the ellipsoid.
+  bool surroundings = false;  ///< The land around the extent as a tile of its own, in glTF and USD.
+  std::string geoid;          ///< Of map::read_geoid(); "" where no height of the geoid is given.
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
   Compress compress = Compress::kNone;

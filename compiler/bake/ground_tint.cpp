@@ -66,12 +66,6 @@ TintFactor crop_in(plants::Month month, std::size_t field) {
   return kCrops[kCropLetters.find(kFields[index_of(month)][field])];
 }
 
-TintFactor seasonal_tint(plants::Month month, Material material) {
-  const auto year = std::ranges::find(kMonths, material, &Months::material);
-  if (year == std::end(kMonths)) return {};
-  return std::ranges::find(kSeasonalTints, year->months[index_of(month)], &SeasonalTint::letter)->factor;
-}
-
 bool is_green(Material material) {
   switch (material) {
     case Material::kUnknownGround:
@@ -109,6 +103,12 @@ bool has_soft_border(map::LandCoverClass surface) {
   const LandCoverGroup group = map::values_of(surface).group;
   return group == LandCoverGroup::kForest || group == LandCoverGroup::kGrassland ||
          group == LandCoverGroup::kScrubland || group == LandCoverGroup::kWetland || group == LandCoverGroup::kBare;
+}
+
+TintFactor seasonal_tint(plants::Month month, Material material) {
+  const auto year = std::ranges::find(kMonths, material, &Months::material);
+  if (year == std::end(kMonths)) return {};
+  return std::ranges::find(kSeasonalTints, year->months[index_of(month)], &SeasonalTint::letter)->factor;
 }
 
 TintFactor surface_tint(const LandCoverPolygon& surface, Material material, std::uint64_t seed, plants::Month month) {

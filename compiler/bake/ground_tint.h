@@ -26,6 +26,9 @@ bool has_soft_border(map::LandCoverClass surface);
 TintFactor surface_tint(const ground::LandCoverPolygon& surface, materials::Material material, std::uint64_t seed,
                         plants::Month month = plants::kMidsummer);
 
+/// The tint of a material in a month (seasonal_tints.inc); none for what does not change.
+TintFactor seasonal_tint(plants::Month month, materials::Material material);
+
 /// The tint of a place: noise with wavelengths of 35 to 300 m, of brightness and, on vegetation, of dryness. A function
 /// of the place, so that tiles agree.
 TintFactor place_tint(Vec2 place_m, materials::Material material, std::uint64_t seed);

@@ -193,7 +193,7 @@ void add_settings(Verb& verb, Request& request) {
     const std::string_view name = setting.name;
     if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
         name != "compress" && name != "layout" && name != "max-bytes" && name != "max-triangles" && name != "world" &&
-        name != "geoid-height" && name != "threads") {
+        name != "geoid-height" && name != "threads" && name != "surroundings") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);

@@ -12,6 +12,7 @@
 #include <optional>
 #include <ranges>
 
+#include "compiler/bake/bake_surroundings.h"
 #include "compiler/commands/read_tileset_tree.h"
 #include "compiler/commands/requested_sky.h"
 #include "compiler/commands/run_paths.h"
@@ -72,12 +73,33 @@ Result<std::vector<bake::BakedTile>> read_all(const std::vector<std::string>& pa
   return tiles;
 }
 
+bool is_backdrop(const bake::BakedTile& tile) { return tile.tile == bake::kSurroundingsTile; }
+
+// Takes the land around out of the tiles, or reads it from the file beside them.
+Result<Done> find_backdrop(const fs::path& folder, Loaded& loaded) {
+  const auto given = std::ranges::find_if(loaded.tiles, is_backdrop);
+  if (given != loaded.tiles.end()) {
+    loaded.backdrop = std::move(*given), loaded.tiles.erase(given);
+    return Done{};
+  }
+  const fs::path beside = folder / "surroundings.glb";
+  std::error_code none;
+  if (!fs::exists(beside, none)) return Done{};
+  Result<bake::BakedTile> tile = exporters::read_glb(beside.string());
+  if (!tile) return tile.error();
+  loaded.backdrop = std::move(*tile);
+  return Done{};
+}
+
 Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path& manifest_path,
                           const OnProgress& on_progress) {
   Loaded loaded;
   Result<std::vector<bake::BakedTile>> tiles = read_all(paths, on_progress);
   if (!tiles) return tiles.error();
   loaded.tiles = std::move(*tiles);
+  const Result<Done> around = find_backdrop(fs::path(paths.front()).parent_path(), loaded);
+  if (!around) return around.error();
+  if (loaded.tiles.empty()) return Error{paths.front(), "is the land around a scene; give its tiles too"};
   std::ranges::stable_sort(loaded.tiles, {}, &bake::BakedTile::tile);
   Result<std::optional<scene::Header>> header = header_beside(manifest_path, loaded.tiles.front().tile);
   if (!header) return header.error();
@@ -148,16 +170,25 @@ Result<TileTree> tree_of_run(const LoadRequest& request, const verify::RunRecord
   return tree;
 }
 
+// Views are not found in the land around.
+void leave_out_backdrop(TileTree& tree) {
+  const auto found = std::ranges::find_if(tree.coarse, is_backdrop);
+  if (found == tree.coarse.end()) return;
+  tree.coarse_paths.erase(tree.coarse_paths.begin() + (found - tree.coarse.begin()));
+  tree.coarse.erase(found);
+}
+
 Result<TileTree> tree_of_tileset(const LoadRequest& request, const std::string& folder, const OnProgress& on_progress) {
   if (!request.only.empty()) return Error{"--only", "cannot be used with 3D Tiles, whose inner tiles join several"};
   Result<TileNode> root = read_tileset_tree(folder);
   if (!root) return root.error();
-  TileTree tree{.root = std::move(*root), .manifest_path = folder + "/../scene.kiln"};
+  TileTree tree{.root = std::move(*root), .manifest_path = folder + "/../scene.kiln", .is_on_ellipsoid = true};
   tree.coarse_paths = contents_of(tree.root, [](const TileNode& node) { return node.error_m <= kCoarse_m; });
   if (tree.coarse_paths.empty()) return Error{folder, "has a tileset without contents"};
   Result<std::vector<bake::BakedTile>> coarse = read_all(tree.coarse_paths, on_progress);
   if (!coarse) return coarse.error();
   tree.coarse = std::move(*coarse);
+  leave_out_backdrop(tree);
   return tree;
 }
 
@@ -207,6 +238,9 @@ Result<Loaded> load_contents(TileTree& tree, const std::vector<std::string>& pat
     loaded.tiles.push_back(std::move(*tile));
   }
   tree.coarse_paths.clear(), tree.coarse.clear();
+  if (!tree.is_on_ellipsoid && !paths.empty())
+    if (const Result<Done> done = find_backdrop(fs::path(paths.front()).parent_path(), loaded); !done)
+      return done.error();
   loaded.header = header_of(tree.manifest_path, loaded.tiles);
   return loaded;
 }

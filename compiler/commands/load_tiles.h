@@ -29,8 +29,9 @@ struct LoadRequest {
 struct Loaded {
   std::vector<bake::BakedTile> tiles;  ///< Sorted by tile.
   std::optional<scene::Header>
-      header;                   ///< Of the given manifest, or of the manifest beside the folder of the .glb files.
-  std::string manifest_path{};  ///< The manifest that the header is of; "" for none.
+      header;  ///< Of the given manifest, or of the manifest beside the folder of the .glb files.
+  std::optional<bake::BakedTile> backdrop{};  ///< The land around (bake/bake_surroundings.h), where its file was read.
+  std::string manifest_path{};                ///< The manifest that the header is of; "" for none.
 };
 
 /// Whether a request asks for a run's folder, each of whose tiles has a level that suits the cameras.
@@ -39,7 +40,8 @@ bool asks_for_levels(const LoadRequest& request);
 /// The tiles of a folder at all levels, and coarse tiles, from which views are found.
 struct TileTree {
   TileNode root;
-  std::string manifest_path;  ///< Of the folder; may be absent.
+  std::string manifest_path;     ///< Of the folder; may be absent.
+  bool is_on_ellipsoid = false;  ///< Of 3D Tiles, whose frame is not the plane.
   std::vector<std::string> coarse_paths{};
   std::vector<bake::BakedTile> coarse{};  ///< Of `coarse_paths`: of each tile the level nearest to 2.5 m.
 };

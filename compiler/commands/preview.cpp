@@ -242,6 +242,8 @@ Result<Exit> run(const Request& request, const Console& console) {
     if (const Result<Done> read = load_levels(*scene, wanted, viewing, on_progress); !read) return read.error();
     console.print_line(levels_text(scene->loaded.tiles));
   }
+  if (!request.is_interactive && leave_out_hiding_land(*scene, *cameras))
+    console.print_line("note: the land around the map would hide it from here and is left out");
   const preview::Lights lights =
       *environment ? preview::Lights(**environment, scene->lamps)
                    : preview::Lights(sky::generate(scene->sky, cameras->front().eye.z), scene->lamps, scene->around,

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "compiler/bake/bake_surroundings.h"
 #include "compiler/commands/ground_height.h"
+#include "compiler/commands/hidden_by_land.h"
 #include "compiler/commands/requested_sky.h"
 #include "compiler/commands/scene_surroundings.h"
 #include "compiler/verify/run_report.h"
@@ -20,14 +22,30 @@ namespace {
 // The tolerance of the tiles from which views are found: coarse enough to be quick, fine enough for streets and walls.
 constexpr double kViewTolerance_m = 2.5;
 
+// The tiles' part of the plane where they fill a box, else an empty one.
+Box2 filled_box(const scene::Scene& recipes) {
+  Box2 all;
+  double area_m2 = 0;
+  for (const scene::Chunk& chunk : recipes.chunks) {
+    const Box2 box = scene::box_of(recipes.header, chunk.tile);
+    all.grow(box.min), all.grow(box.max);
+    area_m2 += box.width() * box.height();
+  }
+  return area_m2 == all.width() * all.height() ? all : Box2{};
+}
+
 void look_around(const scene::Scene& recipes, const SceneRequest& request, PreviewScene& scene) {
   scene.around = surroundings_of(recipes);
+  if (!recipes.header.around.is_empty()) scene.plain = plain_around(recipes);
+  scene.backdrop = bake::bake_surroundings(recipes);
+  scene.clear = filled_box(recipes);
   if (request.fog_share) scene.fog = fog_of(recipes, *request.fog_share);
 }
 
 // The same by the manifest of baked tiles, where there is one.
 void look_around(const std::string& manifest_path, const std::vector<scene::TileKey>& only, const SceneRequest& request,
                  PreviewScene& scene) {
+  scene.backdrop = std::move(scene.loaded.backdrop);
   if (manifest_path.empty()) return;
   const Result<scene::Scene> recipes = exporters::read_manifest(manifest_path, only);
   if (recipes && !recipes->chunks.empty()) look_around(*recipes, request, scene);
@@ -134,10 +152,23 @@ Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const
   if (!loaded) return loaded.error();
   const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
   if (!sky) return sky.error();
+  scene.loaded = std::move(*loaded), scene.sky = *sky;
   look_around(scene.tree->manifest_path, request.load.only, request, scene);
-  scene.loaded = std::move(*loaded), scene.sky = *sky, scene.tree.reset();
+  // land in the plane does not meet tiles on the ellipsoid
+  if (scene.tree->is_on_ellipsoid) scene.backdrop.reset();
+  scene.tree.reset();
   if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
   return Done{};
+}
+
+bool leave_out_hiding_land(PreviewScene& scene, std::span<const preview::Camera> cameras) {
+  if (!scene.backdrop || !scene.plain || !scene.loaded.header) return false;
+  const auto is_hidden = [&](const preview::Camera& camera) {
+    return is_hidden_by_land(*scene.loaded.header, scene.plain->box, camera.eye, camera.look_at);
+  };
+  if (std::ranges::none_of(cameras, is_hidden)) return false;
+  scene.backdrop.reset(), scene.around = std::move(scene.plain);
+  return true;
 }
 
 std::string levels_text(std::span<const bake::BakedTile> tiles) {
@@ -152,8 +183,9 @@ std::string levels_text(std::span<const bake::BakedTile> tiles) {
 preview::World world_of(const PreviewScene& scene, const Viewing& viewing, const CellRequest& cells) {
   assert(!viewing.cameras.empty());
   const Vec3 eye = viewing.cameras.front().eye;
-  if (!scene.recipes) return preview::World(scene.loaded.tiles, eye);
-  return preview::World(cells_for(*scene.recipes, viewing, cells), eye, budget_bytes_of(cells));
+  const preview::Backdrop backdrop{scene.backdrop ? &*scene.backdrop : nullptr, scene.clear};
+  if (!scene.recipes) return preview::World(scene.loaded.tiles, eye, backdrop);
+  return preview::World(cells_for(*scene.recipes, viewing, cells), eye, budget_bytes_of(cells), backdrop);
 }
 
 }  // namespace citykiln::commands

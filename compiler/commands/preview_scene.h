@@ -26,6 +26,9 @@ struct PreviewScene {
   sky::Sky sky{};
   std::vector<preview::StreetLamp> lamps{};       ///< Lit ones.
   std::optional<preview::Surroundings> around{};  ///< Of a manifest, or of the one beside the tiles.
+  std::optional<bake::BakedTile> backdrop{};      ///< The land around, where a heightmap knew it.
+  Box2 clear{};                                   ///< preview::Backdrop::clear.
+  std::optional<preview::Surroundings> plain{};   ///< What replaces `around` and `backdrop` (leave_out_hiding_land()).
   std::optional<preview::Fog> fog{};              ///< Of a manifest, if asked for.
   std::vector<preview::LitPane> panes{};          ///< By night, of recipes near the cameras.
 
@@ -58,6 +61,11 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
 /// picture; without cameras the finest. Sets sky and lamps. Does nothing for other scenes. Errors: those of reading.
 Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const Viewing& viewing,
                          const OnProgress& on_progress);
+
+/// Leaves out the land around where it would hide the scene: a camera outside of the tiles is below it, or it is
+/// between a camera and the place in the tiles that it looks at. Returns whether it does. Views are chosen for the
+/// tiles alone.
+bool leave_out_hiding_land(PreviewScene& scene, std::span<const preview::Camera> cameras);
 
 /// One line: how many tiles have which tolerance.
 std::string levels_text(std::span<const bake::BakedTile> tiles);

@@ -40,13 +40,20 @@ Result<Done> UsdWriter::write(const ReadyUsd& ready, verify::WrittenFiles& writt
   return folder_.write(record.file.name, ready.encoded.layer);
 }
 
+Result<Done> UsdWriter::write_surroundings(const bake::BakedTile& tile, verify::WrittenFiles& written) {
+  const exporters::UsdLevel encoded = exporters::encode_level(tile, header_, "textures/");
+  around_ = {tile.origin, encoded.bounds};
+  return write_file(exporters::kUsdSurroundingsName, encoded.layer, written);
+}
+
 Result<Done> UsdWriter::finish(verify::WrittenFiles& written) {
   for (const exporters::UsdTile& tile : tiles_) {
     const std::string name = exporters::usd_tile_name(tile.tile);
     if (const Result<Done> done = write_file(name, exporters::encode_tile_layer(tile, header_), written); !done)
       return done;
   }
-  return write_file(exporters::kUsdSceneName, exporters::encode_scene(tiles_, header_), written);
+  return write_file(exporters::kUsdSceneName, exporters::encode_scene(tiles_, header_, around_ ? &*around_ : nullptr),
+                    written);
 }
 
 }  // namespace citykiln::commands

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ class UsdWriter {
   UsdWriter(const scene::Header& header, exporters::OutputFolder& folder) : header_(header), folder_(folder) {}
 
   Result<Done> write(const ReadyUsd& ready, verify::WrittenFiles& written);
+  /// Writes the layer of the land around the scene, which finish() then names.
+  Result<Done> write_surroundings(const bake::BakedTile& tile, verify::WrittenFiles& written);
   /// Writes the layers of tiles and scene. Call once, after the last level.
   Result<Done> finish(verify::WrittenFiles& written);
 
@@ -40,6 +43,7 @@ class UsdWriter {
   exporters::OutputFolder& folder_;
   std::set<std::string> textures_;
   std::vector<exporters::UsdTile> tiles_;
+  std::optional<exporters::UsdSurroundings> around_;
 };
 
 }  // namespace citykiln::commands

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "compiler/bake/bake.h"
+#include "compiler/bake/bake_surroundings.h"
 #include "compiler/commands/bake_keys.h"
 #include "compiler/commands/usd_outputs.h"
 #include "compiler/commands/write_tiles3d.h"
@@ -144,9 +145,30 @@ class TileWriter {
   }
 
   // The files that name others, after all tiles.
-  Result<Done> finish(WrittenOutputs& written) { return outputs_.usd ? usd_.finish(written.files) : Done{}; }
+  Result<Done> finish(WrittenOutputs& written) {
+    if (outputs_.surroundings)
+      if (const Result<Done> done = write_surroundings(written); !done) return done;
+    return outputs_.usd ? usd_.finish(written.files) : Done{};
+  }
 
  private:
+  Result<Done> write_surroundings(WrittenOutputs& written) {
+    const std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene_);
+    written.lacks_surroundings = !tile;
+    if (!tile) return Done{};
+    if (outputs_.usd)
+      if (const Result<Done> done = usd_.write_surroundings(*tile, written.files); !done) return done;
+    if (!outputs_.glb) return Done{};
+    // one small file: not packed, and on no grid of the tiles
+    exporters::GlbOptions options = verify::glb_options_of(outputs_);
+    options.compression = exporters::Compression::kNone;
+    const exporters::EncodedTile encoded = exporters::encode_tile(*tile, scene_.header, options, threads_);
+    const Result<verify::WrittenFile> file = commands::write(exporters::kSurroundingsGlb, encoded.glb, folder_);
+    if (!file) return file.error();
+    written.files.files.push_back(*file);
+    return Done{};
+  }
+
   struct SolvedTile {
     ReadyTile tile;
     Report diagnosed;
@@ -287,6 +309,8 @@ Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& re
 void print_notes(const std::string& folder, const WrittenOutputs& written, const exporters::FileList& files,
                  const Console& console) {
   if (!written.solved.empty()) console.print_line(written.solved);
+  if (written.lacks_surroundings)
+    console.print_line("note: no surroundings are written: no heightmap knows the land 1 km around the map (--dem)");
   if (written.taken_over > 0)
     console.print_line(fmt::format("note: {} of {} tile files were whole from an interrupted run and not baked again",
                                    written.taken_over, written.files.tiles.size()));

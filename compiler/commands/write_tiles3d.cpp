@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "compiler/bake/bake_surroundings.h"
 #include "compiler/bake/bend.h"
 #include "compiler/bake/fade_roads.h"
 #include "compiler/bake/simplify_tile.h"
@@ -286,6 +287,30 @@ class TreeWriter {
   std::optional<TilesetTile> root_;
 };
 
+/// A root without content above the scene's and the land around it, which are shown together.
+TilesetTile joined(TilesetTile&& root, TilesetTile&& around) {
+  TilesetTile both;
+  both.box = root.box;
+  both.box.grow(around.box);
+  both.box.round_outwards();
+  both.error_m = 2 * std::max(root.error_m, around.error_m);
+  both.children = {std::move(root), std::move(around)};
+  return both;
+}
+
+/// Bakes and writes the land around the scene, where it is known, and puts it beside the root.
+Result<Done> add_surroundings(const scene::Scene& scene, const ContentMaker& maker, exporters::OutputFolder& folder,
+                              TilesetTile& root, std::vector<verify::WrittenFile>& files) {
+  std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene, bake::EarthCurve::kNone);
+  if (!tile) return Done{};
+  Content content = maker.content_of(std::move(*tile), scene.header.region.centre(), "surroundings.glb");
+  const std::string name = "3dtiles/" + content.tile.content;
+  if (const Result<Done> done = folder.write(name, content.glb); !done) return done;
+  files.push_back({name, content.glb.size()});
+  root = joined(std::move(root), std::move(content.tile));
+  return Done{};
+}
+
 }  // namespace
 
 Result<std::vector<verify::WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
@@ -301,6 +326,9 @@ Result<std::vector<verify::WrittenFile>> write_tiles3d(const scene::Scene& scene
   Report repeated;
   Result<TilesetTile> root = writer.write(outputs.glb ? repeated : report, on_progress);
   if (!root) return root.error();
+  if (outputs.surroundings)
+    if (const Result<Done> done = add_surroundings(scene, maker, folder, *root, writer.files); !done)
+      return done.error();
   for (const exporters::TilesetFile& file : exporters::encode_tileset(std::move(*root), maker.facts(outputs.geoid))) {
     const auto bytes = exporters::bytes_of(file.json);
     if (const Result<Done> done = folder.write(file.name, bytes); !done) return done.error();

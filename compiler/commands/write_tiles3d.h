@@ -23,6 +23,8 @@ namespace citykiln::commands {
 ///   tile is wide and its tolerance small, as above levels of 2.5 m.
 /// - error_m of each tile is that of its content, and more than its children's.
 ///
+/// - With Outputs::surroundings the root has no content and two children: the tree and the land around it.
+///
 /// Adds to `report` what levels drop, unless .glb files are written too, which add the same; and kNoGeoidHeight.
 /// Memory: bake_scene()'s, and the coarse levels of tiles and nodes whose parents are not complete yet.
 Result<std::vector<verify::WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,

@@ -20,6 +20,7 @@
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/sky/recipe.h"
 #include "compiler/structures/recipe.h"
+#include "compiler/surroundings/recipe.h"
 
 namespace citykiln::scene {
 
@@ -49,6 +50,7 @@ struct Header {
   std::optional<double> snow_line_m{};         ///< Land above it, in the heights' datum, is under snow.
   std::vector<buildings::RuleText> rules{};    ///< Of the buildings' styles, sorted by name.
   std::vector<plants::SpeciesText> species{};  ///< Of the plants' species, sorted by name.
+  surroundings::Surroundings around{};         ///< The land and sea beyond the region; may be empty.
   bool operator==(const Header&) const = default;
 };
 

@@ -19,9 +19,26 @@ constexpr double kSrtmVoid = -32768;
 // larger values are heights in no unit: they are undeclared nodata values
 constexpr double kNoHeight = 1e9;
 
+// Reads whole rows and keeps every n-th sample: GDAL's own thinning would read means from overviews, where there are
+// any.
+bool read_thinned(GDALRasterBand& band, const PixelWindow& window, std::vector<double>& values) {
+  const int across = (window.columns - 1) * window.stride + 1;
+  std::vector<double> row(static_cast<std::size_t>(across));
+  for (int r = 0; r < window.rows; ++r) {
+    const int y = window.row + r * window.stride;
+    if (band.RasterIO(GF_Read, window.column, y, across, 1, row.data(), across, 1, GDT_Float64, 0, 0, nullptr) !=
+        CE_None)
+      return false;
+    for (int c = 0; c < window.columns; ++c)
+      values[static_cast<std::size_t>(r) * window.columns + c] = row[static_cast<std::size_t>(c) * window.stride];
+  }
+  return true;
+}
+
 // Reads a window of one band as doubles. Returns false on failure.
 bool read_band(GDALRasterBand& band, const PixelWindow& window, std::vector<double>& values) {
   values.resize(static_cast<std::size_t>(window.columns) * window.rows);
+  if (window.stride > 1) return read_thinned(band, window, values);
   return band.RasterIO(GF_Read, window.column, window.row, window.columns, window.rows, values.data(), window.columns,
                        window.rows, GDT_Float64, 0, 0, nullptr) == CE_None;
 }
@@ -82,8 +99,8 @@ Result<std::vector<float>> read_coloured(GDALDataset& dataset, const PixelWindow
 }  // namespace
 
 Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec) {
-  assert(window.column >= 0 && window.column + window.columns <= dataset.GetRasterXSize());
-  assert(window.row >= 0 && window.row + window.rows <= dataset.GetRasterYSize());
+  assert(window.column >= 0 && window.column + (window.columns - 1) * window.stride < dataset.GetRasterXSize());
+  assert(window.row >= 0 && window.row + (window.rows - 1) * window.stride < dataset.GetRasterYSize());
   const int bands = dataset.GetRasterCount();
   GDALRasterBand& first = *dataset.GetRasterBand(1);
   if (spec.encoding.empty()) {

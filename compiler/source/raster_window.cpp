@@ -59,4 +59,14 @@ Result<PixelWindow> window_of(const Raster& raster, const LonLatBox& box) {
   return PixelWindow{column, row, column_count, row_count};
 }
 
+PixelWindow thinned(PixelWindow window, const Raster& raster, double spacing_m) {
+  const double longer_m = std::max(raster.spacing_m.x, raster.spacing_m.y);
+  if (!(longer_m > 0) || window.columns == 0) return window;
+  // a raster of a single sample has no spacing to speak of
+  const int most = std::max(1, std::max(window.columns, window.rows));
+  window.stride = std::clamp(static_cast<int>(std::min(spacing_m / longer_m, 1e6)), 1, most);
+  window.columns = (window.columns - 1) / window.stride + 1, window.rows = (window.rows - 1) / window.stride + 1;
+  return window;
+}
+
 }  // namespace citykiln::source

@@ -141,11 +141,12 @@ void cut(const PixelWindow& window, Raster& raster) {
   std::array<double, 6>& a = raster.from_grid;
   a[0] += a[1] * window.column + a[2] * window.row;
   a[3] += a[4] * window.column + a[5] * window.row;
+  for (const int step : {1, 2, 4, 5}) a[static_cast<std::size_t>(step)] *= window.stride;
   raster.columns = window.columns;
   raster.rows = window.rows;
 }
 
-Result<Raster> read(const RasterSpec& spec, const LonLatBox* box) {
+Result<Raster> read(const RasterSpec& spec, const LonLatBox* box, double spacing_m) {
   Result<GDALDatasetUniquePtr> dataset = open(spec.path);
   if (!dataset) return dataset.error();
   Raster raster;
@@ -162,6 +163,7 @@ Result<Raster> read(const RasterSpec& spec, const LonLatBox* box) {
     if (!needed) return needed.error();
     window = *needed;
   }
+  if (spacing_m > 0) raster.spacing_m = spacing_m_of(raster), window = thinned(window, raster, spacing_m);
   cut(window, raster);
   if (raster.columns == 0) return raster;
   Result<std::vector<float>> heights_m = read_samples(**dataset, window, spec);
@@ -174,19 +176,19 @@ Result<Raster> read(const RasterSpec& spec, const LonLatBox* box) {
 
 }  // namespace
 
-Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window) {
+Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window, double spacing_m) {
   try {
-    return read(spec, window);
+    return read(spec, window, spacing_m);
   } catch (const std::exception&) {
     return Error{spec.path, "not enough memory to hold the heightmap"};
   }
 }
 
-Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window,
-                                            Report& report) {
+Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report,
+                                            double spacing_m) {
   std::vector<Raster> rasters;
   for (const RasterSpec& spec : specs) {
-    Result<Raster> raster = read_raster(spec, window);
+    Result<Raster> raster = read_raster(spec, window, spacing_m);
     if (!raster) return raster.error();
     rasters.push_back(std::move(*raster));
   }

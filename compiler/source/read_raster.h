@@ -18,13 +18,15 @@ Result<RasterSpec> parse_raster_spec(std::string_view text);
 
 /// Reads the samples of one heightmap; voids become NaN.
 /// @param window  If given, only samples inside this box and a margin of 16 samples are read; a raster outside of it
-/// has no columns and no rows. Errors: a missing or unreadable file, a picture without bounds, an encoding that does
-/// not fit the bands.
-Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window);
+/// has no columns and no rows.
+/// @param spacing_m  Samples up to so far apart will do: of a finer raster every n-th is read. 0: all. Errors: a
+/// missing or unreadable file, a picture without bounds, an encoding that does not fit the bands.
+Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window, double spacing_m = 0);
 
 /// Reads heightmaps and mends them: joins files of one grid (join_rasters.h), removes spikes (spikes_to_voids.h), fills
 /// voids. The result has the order of the specs. Errors: those of read_raster().
-Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report);
+Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report,
+                                            double spacing_m = 0);
 
 /// Returns the transformation from longitude and latitude (WGS84 degrees) to the raster's own system, by GDAL/PROJ; the
 /// identity if system_wkt is empty. Not safe to call from two threads.

@@ -1,5 +1,6 @@
 #include <sstream>
 
+#include "compiler/bake/bake_surroundings.h"
 #include "exporters/file.h"
 #include "exporters/gltf/compress_glb.h"
 #include "exporters/gltf/encode_nodes.h"
@@ -55,7 +56,8 @@ Value tile_extras(const BakedTile& tile, const scene::Header& header, const GlbO
 
 tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header, const GlbOptions& options) {
   tinygltf::Node root;
-  root.name = "tile_" + std::to_string(tile.tile.x) + "_" + std::to_string(tile.tile.y);
+  const bool is_around = tile.tile == bake::kSurroundingsTile;
+  root.name = is_around ? "surroundings" : "tile_" + std::to_string(tile.tile.x) + "_" + std::to_string(tile.tile.y);
   // whole metres, so that tiles imported side by side fit exactly
   root.translation = {tile.origin.x, tile.origin.z, 0.0 - tile.origin.y};
   root.extras = tile_extras(tile, header, options);

@@ -26,6 +26,8 @@ EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header
 
 /// "glb/3_-2_L0.glb".
 std::string glb_name(scene::TileKey tile, std::size_t level);
+/// Of the tile that bake::bake_surroundings() returns.
+inline constexpr const char* kSurroundingsGlb = "glb/surroundings.glb";
 
 /// Returns the number of triangles of a baked tile; each instance's triangles are counted.
 std::uint64_t triangles_of(const bake::BakedTile& tile);

@@ -18,6 +18,7 @@
 #include "exporters/file.h"
 #include "exporters/kiln/chunk_codec.h"
 #include "exporters/kiln/streams.h"
+#include "exporters/kiln/surroundings_codec.h"
 #include "exporters/kiln/zstd_frame.h"
 #include "exporters/manifest_generated.h"
 
@@ -30,7 +31,7 @@ using ByteSpan = std::span<const std::byte>;
 using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
-constexpr std::uint16_t kMajor = 3, kMinor = 0;
+constexpr std::uint16_t kMajor = 3, kMinor = 1;
 constexpr const char* kGeneratorVersion = "0.1.0";
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
@@ -116,6 +117,15 @@ std::vector<flatbuffers::Offset<fbs::Rule>> rules_of(flatbuffers::FlatBufferBuil
   return offsets;
 }
 
+// Null where there are none, which leaves the header's bytes as they are without.
+flatbuffers::Offset<fbs::Surroundings> surroundings_of(flatbuffers::FlatBufferBuilder& builder,
+                                                       const surroundings::Surroundings& around) {
+  if (around.is_empty()) return 0;
+  const SurroundingsStreams streams = encode_surroundings(around);
+  return fbs::CreateSurroundingsDirect(builder, &streams.x, &streams.y, &streams.heights, &streams.covers,
+                                       around.error_m, around.rms_error_m);
+}
+
 RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, const RawBytes& dictionary) {
   flatbuffers::FlatBufferBuilder builder;
   const scene::Header& h = scene.header;
@@ -130,10 +140,11 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   // NaN: there is none
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
   const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species);
+  const auto around = surroundings_of(builder, h.around);
   builder.Finish(fbs::CreateHeaderDirect(builder, kGeneratorVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
                                          &region, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
                                          kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m,
-                                         &rules, &species));
+                                         &rules, &species, around));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -249,6 +260,17 @@ std::optional<sky::Sky> plain(const fbs::Sky& s) {
   return is_sound(sky) ? std::optional(sky) : std::nullopt;
 }
 
+// Nothing where a stream ends early or late, or the values are not such as compile writes.
+std::optional<surroundings::Surroundings> plain(const fbs::Surroundings& s) {
+  const auto bytes = [](const flatbuffers::Vector<std::uint8_t>* stream) {
+    return stream == nullptr ? std::span<const std::uint8_t>() : std::span(stream->data(), stream->size());
+  };
+  auto around = decode_surroundings(bytes(s.x()), bytes(s.y()), bytes(s.heights()), bytes(s.covers()));
+  if (!around) return std::nullopt;
+  around->error_m = s.error_m(), around->rms_error_m = s.rms_error_m();
+  return surroundings::is_sound(*around) ? std::move(around) : std::nullopt;
+}
+
 // Converts the header to plain data and checks its values.
 Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const std::string& name) {
   const Error damaged = damaged_header(name);
@@ -272,6 +294,10 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   header.sources = strings_of(h.sources()), header.attributions = strings_of(h.attributions());
   header.rules = texts_of<buildings::RuleText>(h.rules());
   header.species = texts_of<plants::SpeciesText>(h.species());
+  if (h.around() == nullptr) return header;
+  std::optional<surroundings::Surroundings> around = plain(*h.around());
+  if (!around) return damaged;
+  header.around = std::move(*around);
   return header;
 }
 

@@ -103,8 +103,9 @@ UsdDictionary plane_data(const scene::Header& header) {
           {"lat_0", header.origin.lat_deg}};
 }
 
-void write_tile_prim(TextWriter& writer, const UsdTile& tile) {
-  const std::string file = usd_tile_name(tile.tile);
+// A prim whose content is a payload: a file beside the scene's layer, or below it.
+void write_payload(TextWriter& writer, const std::string& name, const std::string& path, const UsdBounds& bounds,
+                   Vec3 origin) {
   writer.write_lines(fmt::format(R"(
 def Xform "{}" (
     prepend apiSchemas = ["GeomModelAPI"]
@@ -116,8 +117,11 @@ def Xform "{}" (
     double3 xformOp:translate = {}
     uniform token[] xformOpOrder = ["xformOp:translate"]
 }})",
-                                 usd_tile_prim(tile.tile), file.substr(file.find('/') + 1),
-                                 hint_of(tile.levels.front().bounds), text_of(tile.origin)));
+                                 name, path.substr(path.find('/') + 1), hint_of(bounds), text_of(origin)));
+}
+
+void write_tile_prim(TextWriter& writer, const UsdTile& tile) {
+  write_payload(writer, usd_tile_prim(tile.tile), usd_tile_name(tile.tile), tile.levels.front().bounds, tile.origin);
 }
 
 }  // namespace
@@ -145,7 +149,8 @@ def Xform "tile" (
   return writer.finish();
 }
 
-std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene::Header& header) {
+std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene::Header& header,
+                                    const UsdSurroundings* around) {
   assert(std::ranges::is_sorted(tiles, {}, &UsdTile::tile));
   TextWriter writer({.default_prim = "scene", .custom_data = plane_data(header)});
   UsdBounds bounds;
@@ -154,6 +159,7 @@ std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene:
   writer.begin_prim({.type = "Xform", .name = "scene", .api_schemas = {"GeomModelAPI"}, .kind = "assembly"});
   writer.write_lines(hint_of(bounds));
   write_lights(writer, header.sky);
+  if (around != nullptr) write_payload(writer, "surroundings", kUsdSurroundingsName, around->bounds, around->origin);
   writer.begin_prim({.type = "Xform", .name = "tiles", .kind = "group"});
   for (const UsdTile& tile : tiles) write_tile_prim(writer, tile);
   writer.end_prim(), writer.end_prim();

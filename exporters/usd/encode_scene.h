@@ -22,6 +22,12 @@ struct UsdTile {
   std::vector<UsdTileLevel> levels;  ///< Finest first; not empty.
 };
 
+/// The layer of the land around the scene (bake/bake_surroundings.h), kUsdSurroundingsName.
+struct UsdSurroundings {
+  Vec3 origin;       ///< Plane metres.
+  UsdBounds bounds;  ///< In the layer's frame.
+};
+
 /// Returns the layer of a tile: the prim "tile", moved to the tile's origin, with a variant of the set "level" for each
 /// level, "L0" the finest and the default. Each has the level's layer as its payload, its bounds, and its tolerance and
 /// error as customData.
@@ -34,7 +40,9 @@ std::vector<std::byte> encode_tile_layer(const UsdTile& tile, const scene::Heade
 /// Light: a white surface that faces the sun at the zenith reflects a radiance of 1. customData of the sun has its
 /// illuminance in lux, of a clear sky: 127,500 exp(-0.21 m) for the relative air mass m. Source: IES Lighting Handbook,
 /// 9th edition, 8-6; Kasten and Young, "Revised optical air mass tables", Applied Optics 28, 1989.
-/// @param tiles  Sorted.
-std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene::Header& header);
+/// @param tiles  Sorted. @param around  Null where it is not written; a payload beside the tiles, outside of the
+/// scene's bounds.
+std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene::Header& header,
+                                    const UsdSurroundings* around = nullptr);
 
 }  // namespace citykiln::exporters

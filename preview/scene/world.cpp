@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "preview/scene/backdrop_scene.h"
 #include "preview/scene/baked_scene.h"
 #include "preview/scene/cell_cache.h"
 
@@ -51,29 +52,36 @@ struct World::Scene {
   // one of them
   std::unique_ptr<BakedScene> baked{};
   std::unique_ptr<CellCache> cells{};
+  std::unique_ptr<BackdropScene> backdrop{};      // beside either; null: none
   std::atomic<std::int64_t> hierarchy_bytes = 0;  // of baked tiles
 
   explicit Scene(Vec3 near) {
     const auto whole = [](double v) { return std::isfinite(v) ? std::round(v) : 0; };
     origin = {whole(near.x), whole(near.y), whole(near.z)};
   }
+  void add(const Backdrop& around) {
+    if (around.tile != nullptr) backdrop = std::make_unique<BackdropScene>(device, around, origin);
+  }
   ~Scene() {
-    baked.reset(), cells.reset();
+    baked.reset(), cells.reset(), backdrop.reset();
     rtcReleaseDevice(device);
   }
 };
 
-World::World(std::span<const bake::BakedTile> tiles, Vec3 near) : scene_(std::make_unique<Scene>(near)) {
+World::World(std::span<const bake::BakedTile> tiles, Vec3 near, const Backdrop& backdrop)
+    : scene_(std::make_unique<Scene>(near)) {
   const auto count = [](void* scene, ssize_t bytes, bool) {
     static_cast<Scene*>(scene)->hierarchy_bytes += bytes;
     return true;
   };
   rtcSetDeviceMemoryMonitorFunction(scene_->device, count, scene_.get());
   scene_->baked = std::make_unique<BakedScene>(scene_->device, tiles, scene_->origin);
+  scene_->add(backdrop);
 }
-World::World(std::shared_ptr<const CellSource> source, Vec3 near, std::size_t budget_bytes)
+World::World(std::shared_ptr<const CellSource> source, Vec3 near, std::size_t budget_bytes, const Backdrop& backdrop)
     : scene_(std::make_unique<Scene>(near)) {
   scene_->cells = std::make_unique<CellCache>(scene_->device, std::move(source), scene_->origin, budget_bytes);
+  scene_->add(backdrop);
 }
 World::~World() = default;
 World::World(World&&) noexcept = default;
@@ -113,6 +121,7 @@ std::optional<Hit> World::first_hit(Vec3 from, Vec3 direction, double spread_rad
     rtcIntersect1(scene_->baked->geometry().scene(), &context, &found);
     take(&scene_->baked->geometry());
   }
+  if (scene_->backdrop && scene_->backdrop->intersect(found)) take(&scene_->backdrop->geometry());
   if (!hit) return std::nullopt;
   turn_normals(*hit, direction);
   hit->distance_m = found.ray.tfar;
@@ -132,7 +141,7 @@ bool World::is_blocked(Vec3 from, Vec3 direction, double distance_m) const {
     rtcInitIntersectContext(&context);
     rtcOccluded1(scene_->baked->geometry().scene(), &context, &ray);
   }
-  return ray.tfar < 0;
+  return ray.tfar < 0 || (scene_->backdrop && scene_->backdrop->is_blocking(ray));
 }
 
 Vec3 leave(const Hit& hit, Vec3 direction) {

@@ -57,6 +57,7 @@ class SceneMaker {
     h.sky.clouds = {{sky::CloudKind::kCumulus, 0.4, 1500, 2300, {3, -4}, 7},
                     {sky::CloudKind::kCirrus, 1, 8000, 8100, {}, 0}};
     if (h.seed % 2 == 0) h.snow_line_m = 2200.5;
+    if (h.seed % 4 < 2) h.around = surroundings();
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
     h.species = {{"oak", "n: 1\naxiom: F\n"}, {"reed", ""}};
     h.sources = {"town.osm", "hills.tif"}, h.attributions = {"© OpenStreetMap contributors"};
@@ -65,6 +66,21 @@ class SceneMaker {
 
  private:
   static constexpr double kQuantum_m = 0x1p-10;
+
+  surroundings::Surroundings surroundings() {
+    surroundings::Surroundings around{.x_m = {-300, -128, 0, 128, 400},
+                                      .y_m = {-90, 0, 128},
+                                      .heights_m = {},
+                                      .covers = {},
+                                      .error_m = 41,
+                                      .rms_error_m = 7};
+    for (int i = 0; i < 15; ++i) {
+      const bool is_sea = below(3) == 0;
+      around.heights_m.push_back(is_sea ? 0 : static_cast<std::int32_t>(below(3000)) - 100);
+      around.covers.push_back(is_sea ? surroundings::Cover::kSea : surroundings::Cover::kLand);
+    }
+    return around;
+  }
 
   std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(dice_() % count); }
   plants::SpeciesMix species_mix() {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/plants/tree_line.h"
+
 namespace citykiln::plants {
 namespace {
 
@@ -12,9 +14,6 @@ constexpr double kHeightSpread = 0.3;
 
 // Wood::height_m is that of a species with this default height; other species scale with theirs.
 constexpr double kTall_m = 22;
-
-// Belts between which the density falls to kSparse, the share at the tree line.
-constexpr double kDenseUpTo_m = 2100, kSparseFrom_m = 2500, kSparse = 0.15;
 
 // The wood of each polygon. `surfaces` is sorted by id; a building may have the id of a wood.
 std::vector<std::uint32_t> woods_by_surface(std::span<const Wood> woods,
@@ -27,11 +26,6 @@ std::vector<std::uint32_t> woods_by_surface(std::span<const Wood> woods,
       of_surface[s] = static_cast<std::uint32_t>(found - woods.begin());
   }
   return of_surface;
-}
-
-double share_at(double belt_m) {
-  const double up = (belt_m - kDenseUpTo_m) / (kSparseFrom_m - kDenseUpTo_m);
-  return 1 - (1 - kSparse) * std::clamp(up, 0.0, 1.0);
 }
 
 double distance_to(const CorridorIndex::Segment& s, Vec2 p) {
@@ -65,7 +59,7 @@ SampleDensity density_at(const WoodMap& woods, Vec2 p) {
   density.height_m = height_m_at(context.ground.terrain, p);
   const Vec3 normal = normal_at(context.ground.terrain, p);
   density.normal_z = normal.z;
-  density.share *= share_at(habitat_at(context.latitude_deg, p, density.height_m, normal, false).belt_m);
+  density.share *= wood_share_at(habitat_at(context.latitude_deg, p, density.height_m, normal, false).belt_m);
   return density;
 }
 

@@ -284,6 +284,40 @@ class Chunk:
                 self.metres("barrier height"), self.metres("barrier width"))
 
 
+class Around:
+    """The land around the region: lines, heights by crossing, and which of them are sea."""
+
+    def __init__(self, table):
+        x, y, heights, covers = (Stream(table.bytes(field)) for field in range(4))
+        self.x, self.y = all_of(x, Stream.step), all_of(y, Stream.step)
+        self.heights = []
+        for row in range(len(self.y)):
+            for column in range(len(self.x)):
+                self.heights.append(self.predicted(column, row) + heights.signed())
+        self.is_sea = []
+        for number, run in enumerate(all_of(covers, Stream.plain)):
+            self.is_sea += [number % 2 == 1] * run
+        self.error_m, self.rms_error_m = table.number(4, "d"), table.number(5, "d")
+        assert heights.at == len(heights.data) and len(self.is_sea) == len(self.heights)
+
+    def at(self, column, row):
+        return self.heights[row * len(self.x) + column]
+
+    def predicted(self, column, row):
+        if column == 0:
+            return self.at(0, row - 1) if row else 0
+        if row == 0:
+            return self.at(column - 1, 0)
+        return self.at(column - 1, row) + self.at(column, row - 1) - self.at(column - 1, row - 1)
+
+
+def all_of(stream, take):
+    numbers = []
+    while stream.at < len(stream.data):
+        numbers.append(take(stream))
+    return numbers
+
+
 class Manifest:
     """Maps tiles to chunks; checks every hash, size and offset."""
 
@@ -297,6 +331,7 @@ class Manifest:
         self.dictionary = header.bytes(13)
         line_m = header.number(14, "d") if header.place(14) else math.nan
         self.snow_line_m = None if math.isnan(line_m) else line_m
+        self.around = Around(header.table(17)) if header.place(17) else None
         self.chunks, end = {}, 0
         for tile, size, value in tiles_of(header.table(12)):
             assert not self.chunks or max(self.chunks) < tile
@@ -313,6 +348,12 @@ def tiles_of(index):
     tiles = [((x.step(), y.step()), size.plain(), value) for value in struct.unpack_from(f"<{count}Q", index.data, at)]
     assert all(stream.at == len(stream.data) for stream in (x, y, size))
     return tiles
+
+
+def centre_of(path):
+    """Longitude and latitude in the middle of an .osm file's nodes."""
+    places = [(float(node.get("lon")), float(node.get("lat"))) for node in ElementTree.parse(path).getroot().iter("node")]
+    return tuple(sum(axis) / len(places) for axis in zip(*places, strict=True))
 
 
 def tags_in_map(path):
@@ -370,6 +411,25 @@ class Page(ProgramTest):
         for arguments, line_m in ([], None), (["--snow-line", "2200.5"], 2200.5):
             out = self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln", *arguments)
             self.assertEqual(Manifest((out / "scene.kiln").read_bytes()).snow_line_m, line_m)
+
+    def test_says_what_is_around(self):
+        self.assertIsNone(Manifest((self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln") / "scene.kiln").read_bytes()).around)
+        heights = self.folder / "wide.asc"
+        rows = [[round(100 + 40 * math.sin(x / 3) + y) for x in range(60)] for y in range(60)]
+        lon, lat = centre_of(GOLDEN / "crossing" / "map.osm")
+        heights.write_text(f"ncols 60\nnrows 60\nxllcenter {lon - 0.3}\nyllcenter {lat - 0.3}\ncellsize 0.01\n"
+                           + "\n".join(" ".join(map(str, row)) for row in rows))
+        out = self.compiled("around", GOLDEN / "crossing" / "map.osm", "--dem", heights, "--emit", "kiln")
+        around = Manifest((out / "scene.kiln").read_bytes()).around
+        self.assertEqual((around.x, around.y), (sorted(set(around.x)), sorted(set(around.y))))
+        self.assertGreater(len(around.x), 100)
+        self.assertGreaterEqual(around.x[-1] - around.x[0], 120000)
+        west, south, east, north = report_of(out)["region_m"]
+        self.assertLessEqual({west, east}, set(around.x))
+        self.assertLessEqual({south, north}, set(around.y))
+        self.assertGreater(max(around.heights) - min(around.heights), 60)
+        self.assertTrue(0 < around.rms_error_m <= around.error_m < 50)
+        self.assertFalse(any(around.is_sea))
 
     def test_says_where_things_are(self):
         chunks, _ = self.read(GOLDEN / "crossing")

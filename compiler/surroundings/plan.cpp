@@ -1,0 +1,132 @@
+#include "compiler/surroundings/plan.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include "compiler/map/heightfield.h"
+#include "compiler/map/raster_sampler.h"
+#include "compiler/surroundings/curvature.h"
+#include "compiler/surroundings/fill_unknown.h"
+#include "compiler/surroundings/grid_lines.h"
+
+namespace citykiln::surroundings {
+namespace {
+
+using map::RasterSampler;
+
+constexpr auto kQuantaPerMetre = static_cast<std::int32_t>(1 / map::kHeightQuantum_m);
+
+// The distance from a line to its nearest neighbour.
+std::int32_t step_m(const std::vector<std::int32_t>& lines, std::size_t line) {
+  const std::int32_t before = line > 0 ? lines[line] - lines[line - 1] : lines[1] - lines[0];
+  return line + 1 < lines.size() ? std::min(before, lines[line + 1] - lines[line]) : before;
+}
+
+// Heights beside wide cells are multiples of more metres: a 256th of the cell's longer side.
+std::int32_t grain_m(const Surroundings& around, std::size_t column, std::size_t row) {
+  const auto longer_m = static_cast<std::uint32_t>(std::max(step_m(around.x_m, column), step_m(around.y_m, row)));
+  return static_cast<std::int32_t>(std::bit_floor(std::max(1u, longer_m / 256)));
+}
+
+// Samples the heightmaps; returns which heights are known.
+std::vector<bool> sample(std::span<const RasterSampler> samplers, const map::Plane& plane, bool has_sea,
+                         Surroundings& around) {
+  std::vector<bool> known;
+  for (std::size_t row = 0; row < around.rows(); ++row)
+    for (std::size_t column = 0; column < around.columns(); ++column) {
+      // 4 m are land and not sea
+      const std::int32_t grain = kQuantaPerMetre * (has_sea ? 1 : grain_m(around, column, row));
+      const auto quanta = map::quantised_height(samplers, plane, around.vertex(column, row), grain);
+      const double height_m = quanta ? *quanta / kQuantaPerMetre : 0;
+      known.push_back(quanta && std::abs(height_m) <= kHighest_m);
+      around.heights_m.push_back(known.back() ? static_cast<std::int32_t>(height_m) : 0);
+    }
+  return known;
+}
+
+bool knows_far_places(const Surroundings& around, const std::vector<bool>& known, const Box2& region) {
+  for (std::size_t row = 0; row < around.rows(); ++row)
+    for (std::size_t column = 0; column < around.columns(); ++column)
+      if (known[around.index(column, row)] && away_m(region, around.vertex(column, row)) >= kLeastKnown_m) return true;
+  return false;
+}
+
+bool is_sea(const Place& place, Vec2 p, bool is_known, std::int32_t height_m) {
+  if (!place.region.contains(p)) return is_known && height_m <= 0;
+  return std::ranges::any_of(place.sea, [&](const auto& sea) { return ground::winding_number(sea, p) > 0; });
+}
+
+void find_sea(const Place& place, const std::vector<bool>& known, Surroundings& around) {
+  for (std::size_t row = 0; row < around.rows(); ++row)
+    for (std::size_t column = 0; column < around.columns(); ++column) {
+      const std::size_t at = around.index(column, row);
+      if (!is_sea(place, around.vertex(column, row), known[at], around.heights_m[at])) continue;
+      around.covers[at] = Cover::kSea, around.heights_m[at] = 0;
+    }
+}
+
+// Distances of samples from the grid.
+struct Errors {
+  double largest_m = 0, sum_m2 = 0, count = 0;
+  void add(double error_m) {
+    largest_m = std::max(largest_m, std::abs(error_m));
+    sum_m2 += error_m * error_m, ++count;
+  }
+};
+
+// Whether an earlier heightmap covers the place.
+bool is_hidden(std::span<const RasterSampler> earlier, map::LonLat at) {
+  return std::ranges::any_of(earlier, [&](const RasterSampler& sampler) {
+    return sampler.height_m<double>(at.lon_deg, at.lat_deg).has_value();
+  });
+}
+
+void measure(const source::Raster& raster, std::span<const RasterSampler> earlier, const map::Plane& plane,
+             const Place& place, const Surroundings& around, Errors& errors) {
+  if (!raster.system_wkt.empty()) return;  // only samples in degrees can be placed exactly
+  const Box2 box = around.box();
+  for (int r = 0; r < raster.rows; ++r)
+    for (int c = 0; c < raster.columns; ++c) {
+      const auto& g = raster.from_grid;
+      const map::LonLat at{g[0] + g[1] * c + g[2] * r, g[3] + g[4] * c + g[5] * r};
+      const Vec2 p = plane.forward(at);
+      const float height_m = raster.at(c, r);
+      if (!box.contains(p) || place.region.contains(p) || !map::is_height(height_m) || is_hidden(earlier, at)) continue;
+      const double sample_m = !place.sea.empty() ? std::max(0.0f, height_m) : height_m;
+      errors.add(sample_m - height_m_at(around, p));
+    }
+}
+
+// Whole metres, rounded up: reported, not computed with.
+void state_errors(std::span<const source::Raster> rasters, std::span<const RasterSampler> samplers,
+                  const map::Plane& plane, const Place& place, Surroundings& around) {
+  Errors errors;
+  for (std::size_t i = 0; i < rasters.size(); ++i) measure(rasters[i], samplers.first(i), plane, place, around, errors);
+  if (errors.count == 0) return;
+  around.error_m = std::min(std::ceil(errors.largest_m), 2 * kHighest_m);
+  around.rms_error_m = std::min(std::ceil(std::sqrt(errors.sum_m2 / errors.count)), 2 * kHighest_m);
+}
+
+}  // namespace
+
+Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Plane& plane, const Place& place) {
+  if (rasters.empty()) return Surroundings();
+  const Result<std::vector<RasterSampler>> samplers = map::samplers_of(rasters);
+  if (!samplers) return samplers.error();
+  Surroundings around{.x_m = lines_for(place.region.min.x, place.region.max.x, place.tile_m),
+                      .y_m = lines_for(place.region.min.y, place.region.max.y, place.tile_m),
+                      .heights_m = {},
+                      .covers = {}};
+  if (around.columns() > kMostLines || around.rows() > kMostLines) return Surroundings();
+  const std::vector<bool> known = sample(*samplers, plane, !place.sea.empty(), around);
+  if (!knows_far_places(around, known, place.region)) return Surroundings();
+  around.covers.assign(around.heights_m.size(), Cover::kLand);
+  if (!place.sea.empty()) find_sea(place, known, around);
+  fill_unknown(known, around);
+  state_errors(rasters, *samplers, plane, place, around);
+  return around;
+}
+
+}  // namespace citykiln::surroundings

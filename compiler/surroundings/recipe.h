@@ -1,0 +1,54 @@
+// The land and sea around the extent: a grid of heights whose cells grow with their distance from the extent.
+//
+//      ┆  ┆ ┆┆┌────────┐┆┆ ┆  ┆
+//     ─┼──┼─┼┼┤ extent ├┼┼─┼──┼─      lines run through; rows and columns are 64 m wide beside the extent, 2.5 km
+//      ┆  ┆ ┆┆└────────┘┆┆ ┆  ┆       at the end
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "compiler/geometry/box.h"
+
+namespace citykiln::surroundings {
+
+/// What is at a vertex of the grid.
+enum class Cover : std::uint8_t { kLand, kSea, kCount };
+
+/// Heights at the crossings of lines. Each cell is split by its diagonal from south-west to north-east. The Earth's
+/// curve is not in it (curvature.h).
+struct Surroundings {
+  std::vector<std::int32_t> x_m, y_m;   ///< Of the lines, plane metres, ascending. Both empty: nothing is known.
+  std::vector<std::int32_t> heights_m;  ///< Above sea level, row by row from the south; 0 at sea.
+  std::vector<Cover> covers;            ///< In the same order.
+  /// Vertical distances from the heightmap's samples beyond the extent to the grid: the largest one, and the root of
+  /// the mean square. Where samples are in degrees.
+  double error_m = 0, rms_error_m = 0;
+  bool operator==(const Surroundings&) const = default;
+
+  bool is_empty() const { return heights_m.empty(); }
+  std::size_t columns() const { return x_m.size(); }
+  std::size_t rows() const { return y_m.size(); }
+  std::size_t index(std::size_t column, std::size_t row) const { return row * columns() + column; }
+  Vec2 vertex(std::size_t column, std::size_t row) const {
+    return {static_cast<double>(x_m[column]), static_cast<double>(y_m[row])};
+  }
+  Box2 box() const { return {vertex(0, 0), vertex(columns() - 1, rows() - 1)}; }
+};
+
+/// Whether the lists fit together: at least two lines each way, ascending and within kFarthest_m of the plane's origin,
+/// a known cover and a height within kHighest_m at each crossing, errors that are not negative; or nothing at all.
+bool is_sound(const Surroundings& around);
+
+inline constexpr double kFarthest_m = 0x1p20, kHighest_m = 10000;
+/// The most lines each way.
+inline constexpr std::size_t kMostLines = 4096;
+
+/// The height of the grid at a place; outside that of the nearest place in it. O(log n).
+/// @param around  Not empty.
+double height_m_at(const Surroundings& around, Vec2 place);
+/// The cover of the vertex south-west of a place, or of the nearest one outside.
+Cover cover_at(const Surroundings& around, Vec2 place);
+
+}  // namespace citykiln::surroundings
