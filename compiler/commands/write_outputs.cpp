@@ -14,6 +14,7 @@
 #include "compiler/bake/bake.h"
 #include "compiler/commands/bake_keys.h"
 #include "compiler/commands/usd_outputs.h"
+#include "compiler/commands/write_clouds.h"
 #include "compiler/commands/write_tiles3d.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/pipeline.h"
@@ -257,6 +258,8 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
     if (!file) return file.error();
     written.files.files.push_back(*file);
   }
+  if (const auto done = write_clouds(scene, outputs, threads, folder, written.files.files, written.notes); !done)
+    return done.error();
   if (outputs.tiles3d) {
     auto files = write_tiles3d(scene, outputs, threads, folder, report, on_progress);
     if (!files) return files.error();
@@ -287,6 +290,7 @@ Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& re
 void print_notes(const std::string& folder, const WrittenOutputs& written, const exporters::FileList& files,
                  const Console& console) {
   if (!written.solved.empty()) console.print_line(written.solved);
+  for (const std::string& note : written.notes) console.print_line(note);
   if (written.taken_over > 0)
     console.print_line(fmt::format("note: {} of {} tile files were whole from an interrupted run and not baked again",
                                    written.taken_over, written.files.tiles.size()));

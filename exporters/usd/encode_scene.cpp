@@ -103,6 +103,15 @@ UsdDictionary plane_data(const scene::Header& header) {
           {"lat_0", header.origin.lat_deg}};
 }
 
+// The layer of clouds (encode_cloud_layer.h) is loaded like a tile.
+constexpr std::string_view kCloudsPrim = R"(
+def Xform "clouds" (
+    kind = "component"
+    prepend payload = @./clouds.usdc@
+)
+{
+})";
+
 void write_tile_prim(TextWriter& writer, const UsdTile& tile) {
   const std::string file = usd_tile_name(tile.tile);
   writer.write_lines(fmt::format(R"(
@@ -154,6 +163,7 @@ std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene:
   writer.begin_prim({.type = "Xform", .name = "scene", .api_schemas = {"GeomModelAPI"}, .kind = "assembly"});
   writer.write_lines(hint_of(bounds));
   write_lights(writer, header.sky);
+  if (!header.sky.clouds.empty()) writer.write_lines(kCloudsPrim);
   writer.begin_prim({.type = "Xform", .name = "tiles", .kind = "group"});
   for (const UsdTile& tile : tiles) write_tile_prim(writer, tile);
   writer.end_prim(), writer.end_prim();

@@ -77,6 +77,15 @@ LayerFrame frame_of(const CloudLayer& layer) {
   return {along, shape.stretch, shape.flatten, layer.base_m, (layer.top_m - layer.base_m) / shape.flatten};
 }
 
+Box2 within_limit(const CloudLayer& layer, const Box2& plan) {
+  const LayerFrame frame = frame_of(layer);
+  const double spacing_m = shape_of(layer.kind).spacing * frame.height_m;
+  const double cells = plan.width() * plan.height() / (frame.stretch * spacing_m * spacing_m);
+  if (plan.is_empty() || cells <= kMostClouds) return plan;
+  const Vec2 half = (plan.max - plan.min) * (0.5 * std::sqrt(kMostClouds / cells));
+  return {plan.centre() - half, plan.centre() + half};
+}
+
 std::vector<Cloud> clouds_in(const CloudLayer& layer, const Box2& plan) {
   if (layer.cover <= 0 || plan.is_empty()) return {};
   const LayerFrame frame = frame_of(layer);
