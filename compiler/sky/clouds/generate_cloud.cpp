@@ -104,15 +104,24 @@ CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, doubl
   return all;
 }
 
-std::pair<double, double> part_inside(const CloudParticle& sphere, Vec3 from, Vec3 direction) {
+std::pair<double, double> chord_of(const CloudParticle& sphere, Vec3 from, Vec3 direction) {
   const Vec3 off = from - sphere.centre;
   const double a = dot(direction, direction), b = dot(off, direction);
   const double root2 = b * b - a * (dot(off, off) - sphere.radius_m * sphere.radius_m);
   if (root2 <= 0) return {0, 0};
-  const double root = std::sqrt(root2), begin = (-b - root) / a, end = (-b + root) / a;
-  if (direction.z == 0) return from.z >= 0 ? std::pair(begin, end) : std::pair(0.0, 0.0);
+  const double root = std::sqrt(root2);
+  return {(-b - root) / a, (-b + root) / a};
+}
+
+std::pair<double, double> above_base(std::pair<double, double> chord, Vec3 from, Vec3 direction) {
+  const auto [begin, end] = chord;
+  if (direction.z == 0) return from.z >= 0 ? chord : std::pair(0.0, 0.0);
   const double base = -from.z / direction.z;
   return direction.z > 0 ? std::pair(std::max(begin, base), end) : std::pair(begin, std::min(end, base));
+}
+
+std::pair<double, double> part_inside(const CloudParticle& sphere, Vec3 from, Vec3 direction) {
+  return above_base(chord_of(sphere, from, direction), from, direction);
 }
 
 double optical_depth(CloudKind kind, const CloudParticles& particles, Vec3 from, Vec3 direction) {

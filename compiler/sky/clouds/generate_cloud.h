@@ -34,8 +34,12 @@ CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, doubl
 /// The largest error of optical depth of a coarser cloud, of `rays` random rays through it, against `finest_m`.
 double optical_depth_error(const CloudLayer& layer, const Cloud& cloud, double coarse_m, double finest_m, int rays);
 
-/// Where a ray, or the line that it lies on, enters and leaves a sphere above the base, in lengths of `direction`; the
-/// second is not larger than the first where it does not meet it. Frame of the layer.
+/// Where the line that a ray lies on enters and leaves a sphere, in lengths of `direction`; {0, 0} where it does not
+/// meet it. Frame of the layer.
+std::pair<double, double> chord_of(const CloudParticle& sphere, Vec3 from, Vec3 direction);
+/// The part of a chord above the base; its end is not after its begin where there is none.
+std::pair<double, double> above_base(std::pair<double, double> chord, Vec3 from, Vec3 direction);
+/// Both.
 std::pair<double, double> part_inside(const CloudParticle& sphere, Vec3 from, Vec3 direction);
 
 /// The optical depth of a cloud along a ray. O(n log n).
