@@ -59,19 +59,26 @@ struct Grown {
 
 // Adds smaller particles on the surface of one, where neither a heap nor the particle below hides them, down to a
 // radius. Which ones these are depends on nothing else, so that coarser clouds have the same.
-void add_on(std::uint64_t seed, const Grown& on, const std::vector<CloudParticle>& heaps, double finest_m,
-            std::vector<Grown>& next) {
+// Returns the largest radius that was left out.
+double add_on(std::uint64_t seed, const Grown& on, const std::vector<CloudParticle>& heaps, double finest_m,
+              std::vector<Grown>& next) {
+  double left_out_m = 0;
   const Draw draw(seed, on.id, "particles");
   const double turn = draw.unit(0), root_m = on.sphere.radius_m;
   for (std::uint32_t i = 0; i < kOnEach; ++i) {
     const CloudParticle grown{on.sphere.centre + place_on_sphere(i, turn) * (root_m * 0.92),
                               root_m * draw.between(0.32, 0.52, 1 + i)};
-    if (grown.radius_m < finest_m || grown.centre.z < 0 || is_inside(grown.centre, on.below)) continue;
+    if (grown.centre.z < 0 || is_inside(grown.centre, on.below)) continue;
     const auto hides = [&](const CloudParticle& heap) {
       return heap.centre != on.sphere.centre && is_inside(grown.centre, heap);
     };
-    if (std::ranges::none_of(heaps, hides)) next.push_back({grown, stable_id(on.id, "particle", i), on.sphere});
+    if (std::ranges::any_of(heaps, hides)) continue;
+    if (grown.radius_m < finest_m)
+      left_out_m = std::max(left_out_m, grown.radius_m);
+    else
+      next.push_back({grown, stable_id(on.id, "particle", i), on.sphere});
   }
+  return left_out_m;
 }
 
 }  // namespace
@@ -89,7 +96,8 @@ double extinction_per_m(CloudKind kind) {
 
 CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, double finest_m) {
   assert(finest_m > 0);
-  CloudParticles all{.spheres = {}, .finest_m = finest_m};
+  CloudParticles all{.spheres = {}, .finest_m = finest_m, .depth_error = 0};
+  double left_out_m = 0;
   const std::vector<CloudParticle> heaps = first_level(layer, cloud);
   std::vector<Grown> level;
   for (const CloudParticle& heap : heaps) level.push_back({heap, stable_id(cloud.id, "heap", level.size())});
@@ -97,9 +105,11 @@ CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, doubl
     for (const Grown& grown : level) all.spheres.push_back(grown.sphere);
     if (depth + 1 >= kMostLevels) break;
     std::vector<Grown> next;
-    for (const Grown& on : level) add_on(layer.seed, on, heaps, finest_m, next);
+    for (const Grown& on : level) left_out_m = std::max(left_out_m, add_on(layer.seed, on, heaps, finest_m, next));
     level = std::move(next);
   }
+  all.depth_error =
+      extinction_per_m(layer.kind) * kMissedDiameters * 2 * left_out_m * std::max(frame_of(layer).stretch, 1.0);
   std::ranges::stable_sort(all.spheres, std::greater(), &CloudParticle::radius_m);
   return all;
 }

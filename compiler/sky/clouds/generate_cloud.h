@@ -18,7 +18,14 @@ struct CloudParticle {
 struct CloudParticles {
   std::vector<CloudParticle> spheres;  ///< The larger ones first.
   double finest_m = 0;                 ///< Particles of smaller radii were left out.
+  /// The largest error of the optical depth along any ray, against the cloud with all its particles: that of
+  /// kMissedDiameters of the largest particle that was left out. 0 where none was.
+  double depth_error = 0;
 };
+
+/// The most diameters of left-out particles that a ray passes outside of the others: it grazes a few heaps, each with
+/// particles on it that have smaller ones on them. Measured (tests): at most 3.4 for 100,000 rays through 50 clouds.
+inline constexpr double kMissedDiameters = 5;
 
 /// Extinction by the droplets or the ice of a kind, per metre. Sources: cumulus and stratus have 0.3 and 0.2 g of water
 /// in a cubic metre, in droplets of 10 µm (Rogers, Yau, "A Short Course in Cloud Physics", 1989): 3 w / (2 rho r);
