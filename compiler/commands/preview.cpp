@@ -207,13 +207,18 @@ Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
 }
 
 // The clouds of a scene's sky, as fine as the first camera needs: particles of a third of a degree in radius.
-std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, const preview::Camera& camera,
-                                                 const Request& request) {
+std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, const sky::SkyModel& model,
+                                                 const preview::Camera& camera, const Request& request) {
   constexpr double kFinest = 0.006;
   if (scene.sky.clouds.empty()) return nullptr;
-  const preview::CloudLight light = preview::light_on_clouds(sky::generate(scene.sky, camera.eye.z));
-  return std::make_shared<preview::Clouds>(scene.sky.clouds, light, camera.eye, kFinest, request.cloud_method,
+  return std::make_shared<preview::Clouds>(scene.sky.clouds, model, camera.eye, kFinest, request.cloud_method,
                                            request.load.threads);
+}
+
+// The light of a scene, for the first camera.
+preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& camera, const Request& request) {
+  const sky::SkyModel model = sky::generate(scene.sky, camera.eye.z);
+  return preview::Lights(model, scene.lamps, scene.around, scene.fog, clouds_of(scene, model, camera, request));
 }
 
 Result<Exit> run(const Request& request, const Console& console) {
@@ -245,9 +250,7 @@ Result<Exit> run(const Request& request, const Console& console) {
     console.print_line(levels_text(scene->loaded.tiles));
   }
   const preview::Lights lights =
-      *environment ? preview::Lights(**environment, scene->lamps)
-                   : preview::Lights(sky::generate(scene->sky, cameras->front().eye.z), scene->lamps, scene->around,
-                                     scene->fog, clouds_of(*scene, cameras->front(), request));
+      *environment ? preview::Lights(**environment, scene->lamps) : lights_of(*scene, cameras->front(), request);
   const Stage stage{request, *scene, lights, console, options_of(request)};
   if (request.is_interactive) return fly(stage, cameras->front());
   return render_frames(stage, *cameras, on_progress);

@@ -20,30 +20,35 @@ Vec3 direction_in(double column, double row) {
 }
 
 // The mean of a cell's rays.
-CloudPath cell_of(const CloudField& field, Vec3 eye, int column, int row) {
-  CloudPath mean{.passed = 0, .added = {}, .distance_m = 0};
-  double seen = 0;
+CloudVeil cell_of(const CloudField& field, const sky::SkyModel& model, Vec3 eye, int column, int row) {
+  CloudVeil mean{.passed = 0, .added = {}};
+  constexpr double kShare = 1.0 / (kRays * kRays);
   for (int i = 0; i < kRays * kRays; ++i) {
     const Vec3 along = direction_in(column + (i % kRays + 0.5) / kRays, row + (i / kRays + 0.5) / kRays);
     const CloudPath path = field.along(eye, along, std::numeric_limits<double>::infinity());
-    mean.passed += path.passed / (kRays * kRays);
-    mean.added = mean.added + path.added * (1.0 / (kRays * kRays));
-    mean.distance_m += path.distance_m * (1 - path.passed), seen += 1 - path.passed;
+    const CloudVeil veil = path.passed < 1 ? veil_of(path, sky::air(model, along, path.distance_m)) : CloudVeil{};
+    mean.passed += veil.passed * kShare;
+    mean.added = mean.added + veil.added * kShare;
   }
-  mean.distance_m = seen > 0 ? mean.distance_m / seen : 0;
   return mean;
 }
 
 }  // namespace
 
-CloudDome::CloudDome(const CloudField& field, Vec3 eye, int threads) : eye_(eye), base_m_(field.lowest_m()) {
+// The sky's light has come through air, of which the part before the clouds is theirs too.
+CloudVeil veil_of(const CloudPath& path, const sky::AirPath& before) {
+  return {path.passed, before.added * (1 - path.passed) + before.passed * path.added};
+}
+
+CloudDome::CloudDome(const CloudField& field, const sky::SkyModel& model, Vec3 eye, int threads)
+    : eye_(eye), base_m_(field.lowest_m()) {
   if (field.particles() == 0 || eye.z >= base_m_) return;
-  cells_ = for_each_slot<CloudPath>(kAround * kUp, threads, [&](std::size_t i) {
-    return cell_of(field, eye, static_cast<int>(i % kAround), static_cast<int>(i / kAround));
+  cells_ = for_each_slot<CloudVeil>(kAround * kUp, threads, [&](std::size_t i) {
+    return cell_of(field, model, eye, static_cast<int>(i % kAround), static_cast<int>(i / kAround));
   });
 }
 
-std::optional<CloudPath> CloudDome::along(Vec3 from, Vec3 direction) const {
+std::optional<CloudVeil> CloudDome::along(Vec3 from, Vec3 direction) const {
   if (cells_.empty() || from.z >= base_m_ || direction.z <= 0) return std::nullopt;
   const Vec3 seen = unit(from + direction * ((base_m_ - from.z) / direction.z) - eye_);
   const double turn = std::atan2(seen.y, seen.x) / (2 * std::numbers::pi);

@@ -57,7 +57,7 @@ CloudSpheres::CloudSpheres(const sky::CloudLayer& layer, Vec3 eye, double finest
     const Vec3 middle = frame_.out_of(at_height(cloud.centre, cloud.height_m / 2));
     const double away_m = std::max(0.0, length(middle - eye) - cloud.radius_m);
     if (length(in_plan(middle - eye)) > kFarthestCloud_m) continue;
-    const double finest_m = std::max(kFinest_m, finest * away_m);
+    const double finest_m = std::max(kFinest_m, finest * away_m) / frame_.flatten;
     for (const sky::CloudParticle& sphere : sky::generate_cloud(layer, cloud, finest_m).spheres)
       spheres_.push_back(sphere);
     ++clouds_;

@@ -24,8 +24,8 @@ enum class CloudEdges { kSharp, kSoft };
 /// Thread-safe.
 class CloudSpheres {
  public:
-  /// The clouds of a layer around an eye, each with particles as fine as pixels need: down to a radius of
-  /// `finest` times their distance from the eye, and to 12 m. Soft.
+  /// The clouds of a layer around an eye, each with particles as fine as pixels need: down to an upright
+  /// radius of `finest` times their distance from the eye, and to 12 m. Soft.
   CloudSpheres(const sky::CloudLayer& layer, Vec3 eye, double finest);
   CloudSpheres(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, CloudEdges edges);
   ~CloudSpheres();

@@ -17,18 +17,19 @@ enum class CloudMethod { kApproximate, kPaths };
 class Clouds {
  public:
   /// @param eye  Plane metres. @param finest  As for CloudSpheres.
-  Clouds(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest, CloudMethod method,
-         int threads);
+  Clouds(std::span<const sky::CloudLayer> layers, const sky::SkyModel& model, Vec3 eye, double finest,
+         CloudMethod method, int threads);
 
   /// What rays of the camera and of mirrors see.
   /// @param from  Plane metres; z above sea level. @param direction  Unit vector.
   CloudPath seen(Vec3 from, Vec3 direction, double distance_m) const;
   /// What falls on surfaces: by a table below the clouds, else as seen.
-  CloudPath falling(Vec3 from, Vec3 direction) const;
+  CloudVeil falling(Vec3 from, Vec3 direction) const;
   /// The share of the sun's light that reaches a place: by a table below the clouds and near the eye.
   double sun_passed(Vec3 from) const;
 
  private:
+  sky::SkyModel model_;
   CloudField field_;
   CloudShadow shadow_;
   CloudDome dome_;

@@ -77,14 +77,9 @@ Rgb Lights::falling(Vec3 from, Vec3 direction) const {
   if (is_map_) return table_.radiance(direction);
   if (direction.z < 0) return below_;
   const Rgb sky = sky::radiance(model_, direction);
-  return clouds_ ? behind_clouds(from, direction, clouds_->falling(from, direction), sky) : sky;
-}
-
-// The sky's light has come through air, of which the part before the clouds is theirs too.
-Rgb Lights::behind_clouds(Vec3 from, Vec3 direction, const CloudPath& path, const Rgb& light) const {
-  if (path.passed >= 1) return light;
-  const sky::AirPath before = clear_air(from, direction, path.distance_m);
-  return light * path.passed + before.added * (1 - path.passed) + before.passed * path.added;
+  if (!clouds_) return sky;
+  const CloudVeil veil = clouds_->falling(from, direction);
+  return sky * veil.passed + veil.added;
 }
 
 Vec3 Lights::sample_sun(UnitPair chance) const {
@@ -129,7 +124,9 @@ Rgb Lights::seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) co
   const Rgb all = largest(behind) > 0 ? sky + behind * sky::air(model_, direction, kFarthest_m).passed : sky;
   if (!clouds_) return behind_fog(from, direction, all);
   const CloudPath clouds = clouds_->seen(from, direction, std::numeric_limits<double>::infinity());
-  return behind_fog(from, direction, behind_clouds(from, direction, clouds, all));
+  if (clouds.passed >= 1) return behind_fog(from, direction, all);
+  const CloudVeil veil = veil_of(clouds, clear_air(from, direction, clouds.distance_m));
+  return behind_fog(from, direction, all * veil.passed + veil.added);
 }
 
 std::optional<double> Lights::ground_m(Vec3 from, Vec3 direction) const {
@@ -147,9 +144,8 @@ sky::AirPath Lights::air(Vec3 from, Vec3 direction, double distance_m) const {
   if (!clouds_) return path;
   const CloudPath clouds = clouds_->seen(from, direction, distance_m);
   if (clouds.passed >= 1) return path;
-  const sky::AirPath before = clear_air(from, direction, clouds.distance_m);
-  return {path.passed * clouds.passed,
-          path.added * clouds.passed + before.added * (1 - clouds.passed) + before.passed * clouds.added};
+  const CloudVeil veil = veil_of(clouds, clear_air(from, direction, clouds.distance_m));
+  return {path.passed * clouds.passed, path.added * clouds.passed + veil.added};
 }
 
 sky::AirPath Lights::clear_air(Vec3 from, Vec3 direction, double distance_m) const {

@@ -67,7 +67,6 @@ class Lights {
 
  private:
   sky::AirPath clear_air(Vec3 from, Vec3 direction, double distance_m) const;
-  Rgb behind_clouds(Vec3 from, Vec3 direction, const CloudPath& path, const Rgb& light) const;
   Rgb bodies(Vec3 direction, double pixel_rad) const;
   Rgb around_at(const Edge& edge, Vec3 direction) const;
   Rgb behind_fog(Vec3 from, Vec3 direction, const Rgb& light) const;

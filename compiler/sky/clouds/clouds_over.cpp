@@ -11,9 +11,11 @@ std::vector<LayerParticles> clouds_over(std::span<const CloudLayer> layers, cons
   std::vector<LayerParticles> all;
   for (const CloudLayer& layer : layers) {
     const std::vector<Cloud> clouds = clouds_in(layer, within_limit(layer, extent.widened(kCloudMargin_m)));
-    const auto each = for_each_slot<CloudParticles>(
-        clouds.size(), threads, [&](std::size_t i) { return generate_cloud(layer, clouds[i], finest_m); });
-    LayerParticles particles{.layer = layer, .frame = frame_of(layer), .spheres = {}, .clouds = clouds.size()};
+    const LayerFrame frame = frame_of(layer);
+    const auto each = for_each_slot<CloudParticles>(clouds.size(), threads, [&](std::size_t i) {
+      return generate_cloud(layer, clouds[i], finest_m / frame.flatten);
+    });
+    LayerParticles particles{.layer = layer, .frame = frame, .spheres = {}, .clouds = clouds.size()};
     for (const CloudParticles& cloud : each)
       particles.spheres.insert(particles.spheres.end(), cloud.spheres.begin(), cloud.spheres.end());
     if (!particles.spheres.empty()) all.push_back(std::move(particles));

@@ -22,7 +22,7 @@ struct LayerParticles {
 
 /// Returns the particles of the clouds whose centres are over a box widened by kCloudMargin_m, or over the middle part
 /// of it that may hold kMostClouds (place_clouds.h). Layers without clouds are left out.
-/// @param finest_m  Radius, as for generate_cloud().
+/// @param finest_m  The smallest upright radius of particles, in plane metres.
 /// Same bytes for any number of threads and on every CPU. Cost: O(particles).
 std::vector<LayerParticles> clouds_over(std::span<const CloudLayer> layers, const Box2& extent, double finest_m,
                                         int threads);
