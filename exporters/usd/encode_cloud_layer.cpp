@@ -24,13 +24,13 @@ UsdBounds bounds_of(const sky::LayerParticles& layer) {
   return bounds;
 }
 
-// The box in the plane around a box of a layer's frame.
-UsdBounds in_plane(const UsdBounds& own, const sky::LayerFrame& frame) {
-  UsdBounds box;
-  for (int corner = 0; corner < 8; ++corner)
-    include(box, frame.out_of({corner & 1 ? own.high.x : own.low.x, corner & 2 ? own.high.y : own.low.y,
-                               corner & 4 ? own.high.z : own.low.z}));
-  return box;
+UsdBounds in_plane(const sky::LayerParticles& layer) {
+  UsdBounds bounds;
+  for (const sky::CloudParticle& sphere : layer.spheres) {
+    const auto [low, high] = sky::box_of(sphere, layer.frame);
+    include(bounds, low), include(bounds, high);
+  }
+  return bounds;
 }
 
 // Scaled, turned to the wind, then lifted to the base: what LayerFrame::out_of() does.
@@ -104,7 +104,7 @@ std::vector<std::byte> encode_cloud_layer(std::span<const sky::LayerParticles> l
     write_frame(writer, layers[i].frame);
     write_points(writer, layers[i]);
     writer.end_prim();
-    include(bounds, in_plane(bounds_of(layers[i]), layers[i].frame));
+    include(bounds, in_plane(layers[i]));
   }
   if (has_volume) write_volume(writer, bounds);
   writer.end_prim();

@@ -27,12 +27,6 @@ struct Grid {
 // How much of a length in the plane one in the frame is, at least.
 double shortest(const LayerFrame& frame) { return std::min({frame.stretch, frame.flatten, 1.0}); }
 
-// Half the size of a sphere's box in the plane.
-Vec3 half_box(const LayerFrame& frame, double radius_m) {
-  const double u = std::max(frame.stretch, 1.0) * radius_m;
-  return {u, u, frame.flatten * radius_m};
-}
-
 void add_to_block(Distances& distances, const Grid& grid, std::array<int, 3> low, const LayerFrame& frame,
                   const CloudParticle& sphere) {
   std::size_t at = 0;
@@ -48,9 +42,9 @@ void add_to_block(Distances& distances, const Grid& grid, std::array<int, 3> low
 int block_of(int voxel) { return voxel >= 0 ? voxel / kVoxelBlock : -((kVoxelBlock - 1 - voxel) / kVoxelBlock); }
 
 void add_sphere(Blocks& blocks, const Grid& grid, const LayerFrame& frame, const CloudParticle& sphere) {
-  const Vec3 middle = frame.out_of(sphere.centre), edge = {grid.voxel_m, grid.voxel_m, grid.voxel_m};
-  const Vec3 half = half_box(frame, sphere.radius_m) + edge;
-  const auto first = grid.index(middle - half), last = grid.index(middle + half);
+  const auto [low_corner, high_corner] = box_of(sphere, frame);
+  const Vec3 edge = {grid.voxel_m, grid.voxel_m, grid.voxel_m};
+  const auto first = grid.index(low_corner - edge), last = grid.index(high_corner + edge);
   Distances far;
   far.fill(1e9f);
   for (int x = block_of(first[0]); x <= block_of(last[0]); ++x)

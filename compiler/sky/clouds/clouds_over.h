@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "compiler/sky/clouds/generate_cloud.h"
@@ -20,8 +21,11 @@ struct LayerParticles {
   std::size_t clouds = 0;
 };
 
-/// Returns the particles of the clouds whose centres are over a box widened by kCloudMargin_m, or over the middle part
-/// of it that may hold kMostClouds (place_clouds.h). Layers without clouds are left out.
+/// The box in the plane around the part of a particle above the base: its lowest and highest corners.
+std::pair<Vec3, Vec3> box_of(const CloudParticle& sphere, const LayerFrame& frame);
+
+/// Returns the particles of the clouds whose outlines touch a box widened by kCloudMargin_m, or of those in the middle
+/// of it where there are more than kMostClouds (place_clouds.h). Layers without clouds are left out.
 /// @param finest_m  The smallest upright radius of particles, in plane metres.
 /// Same bytes for any number of threads and on every CPU. Cost: O(particles).
 std::vector<LayerParticles> clouds_over(std::span<const CloudLayer> layers, const Box2& extent, double finest_m,

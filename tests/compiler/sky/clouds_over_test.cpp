@@ -33,8 +33,11 @@ double distance_to(const LayerParticles& particles, Vec3 own) {
 TEST(CloudsOver, AreThoseWithinTheMargin) {
   const auto layers = particles_of(kCumulus);
   ASSERT_EQ(layers.size(), 1U);
-  EXPECT_EQ(layers[0].clouds, clouds_in(kCumulus, kExtent.widened(kCloudMargin_m)).size());
+  EXPECT_GE(layers[0].clouds, clouds_in(kCumulus, kExtent.widened(kCloudMargin_m)).size());
+  EXPECT_LE(layers[0].clouds, clouds_in(kCumulus, kExtent.widened(kCloudMargin_m + 1000)).size());
   EXPECT_GT(layers[0].clouds, 20U);
+  // streaks of 20 km and more
+  EXPECT_GT(particles_of(kCirrus)[0].clouds, clouds_in(kCirrus, kExtent.widened(kCloudMargin_m)).size());
 }
 
 TEST(CloudsOver, MillionsOfThemAreLimitedToTheMiddle) {
