@@ -68,15 +68,15 @@ constexpr double kPathsForOnePercent = 1e4;
 
 void add_light(const sky::Cloud& cloud, const std::string& name, Chart& ratios, Chart& times) {
   const std::vector<sky::CloudParticle> spheres = sky::generate_cloud(kLayer, cloud, 50).spheres;
-  const preview::CloudField field(kLayer, spheres, kLight);
-  const preview::CloudSpheres exact(kLayer, spheres);
+  const preview::CloudField field(kLayer, spheres, kLight, preview::CloudEdges::kSoft);
   Series ratio{.name = name, .points = {}}, single{.name = name + ", scattered once", .points = {}},
       time{.name = name, .points = {}};
   for (int side = 0; side < 8; ++side) {
     const double turn = side * 0.7853981633974483;
     const auto path = [&](int most) {
       return [&, most](Vec3 eye, Vec3 along, std::uint32_t i) {
-        return preview::cloud_path(exact, kLight, eye, along, most, Random{{9, StableId{i}, "path"}}).added[1];
+        constexpr double kFar_m = std::numeric_limits<double>::infinity();
+        return preview::cloud_path(field, eye, along, kFar_m, most, Random{{9, StableId{i}, "path"}}).added[1];
       };
     };
     const auto fast = [&](Vec3 eye, Vec3 along, std::uint32_t) {

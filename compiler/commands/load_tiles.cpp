@@ -9,12 +9,14 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <ranges>
 
 #include "compiler/bake/bake_surroundings.h"
 #include "compiler/commands/read_tileset_tree.h"
 #include "compiler/commands/requested_sky.h"
 #include "compiler/commands/run_paths.h"
+#include "compiler/contract/for_each_slot.h"
 #include "compiler/pipeline.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/gltf/glb.h"
@@ -56,14 +58,18 @@ Result<std::optional<scene::Header>> header_beside(const fs::path& manifest_path
   return std::optional(scene->header);
 }
 
+// Files in parallel; the error is that of the first file that cannot be read.
 Result<std::vector<bake::BakedTile>> read_all(const std::vector<std::string>& paths, const OnProgress& on_progress) {
+  std::vector<std::optional<Result<bake::BakedTile>>> read(paths.size());
   std::vector<bake::BakedTile> tiles;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    on_progress("read tiles", static_cast<double>(i) / static_cast<double>(paths.size()));
-    Result<bake::BakedTile> tile = exporters::read_glb(paths[i]);
-    if (!tile) return tile.error();
-    tiles.push_back(std::move(*tile));
-  }
+  for_each_in_order(
+      paths.size(), 0, [&](std::size_t i) { read[i] = exporters::read_glb(paths[i]); },
+      [&](std::size_t i) {
+        on_progress("read tiles", static_cast<double>(i) / static_cast<double>(paths.size()));
+        if (*read[i]) tiles.push_back(std::move(**read[i]));
+        return tiles.size() > i;
+      });
+  if (tiles.size() < paths.size()) return read[tiles.size()]->error();
   return tiles;
 }
 

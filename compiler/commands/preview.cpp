@@ -46,6 +46,7 @@ struct Request {
   Exposure exposure;
   std::optional<double> fog_share;
   bool is_denoised = false, keeps_frames = false, is_interactive = false;
+  preview::CloudMethod cloud_method = preview::CloudMethod::kApproximate;
   preview::Options options;
 };
 
@@ -206,12 +207,18 @@ Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
 }
 
 // The clouds of a scene's sky, as fine as the first camera needs: particles of a third of a degree in radius.
-std::shared_ptr<const preview::CloudField> clouds_of(const PreviewScene& scene, const preview::Camera& camera,
-                                                     int threads) {
+std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, const sky::SkyModel& model,
+                                                 const preview::Camera& camera, const Request& request) {
   constexpr double kFinest = 0.006;
   if (scene.sky.clouds.empty()) return nullptr;
-  const preview::CloudLight light = preview::light_on_clouds(sky::generate(scene.sky, camera.eye.z));
-  return std::make_shared<preview::CloudField>(scene.sky.clouds, light, camera.eye, kFinest, threads);
+  return std::make_shared<preview::Clouds>(scene.sky.clouds, model, camera.eye, kFinest, request.cloud_method,
+                                           request.load.threads);
+}
+
+// The light of a scene, for the first camera.
+preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& camera, const Request& request) {
+  const sky::SkyModel model = sky::generate(scene.sky, camera.eye.z);
+  return preview::Lights(model, scene.lamps, scene.around, scene.fog, clouds_of(scene, model, camera, request));
 }
 
 Result<Exit> run(const Request& request, const Console& console) {
@@ -245,9 +252,7 @@ Result<Exit> run(const Request& request, const Console& console) {
   if (!request.is_interactive && leave_out_hiding_land(*scene, *cameras))
     console.print_line("note: the land around the map would hide it from here and is left out");
   const preview::Lights lights =
-      *environment ? preview::Lights(**environment, scene->lamps)
-                   : preview::Lights(sky::generate(scene->sky, cameras->front().eye.z), scene->lamps, scene->around,
-                                     scene->fog, clouds_of(*scene, cameras->front(), request.load.threads));
+      *environment ? preview::Lights(**environment, scene->lamps) : lights_of(*scene, cameras->front(), request);
   const Stage stage{request, *scene, lights, console, options_of(request)};
   if (request.is_interactive) return fly(stage, cameras->front());
   return render_frames(stage, *cameras, on_progress);
@@ -325,6 +330,15 @@ std::vector<Option> sampling_options(Request& request) {
   };
 }
 
+auto store_cloud_method(preview::CloudMethod& method) {
+  return [&method](const std::string& text) -> Result<Done> {
+    if (text != "approximate" && text != "paths")
+      return Error{"", fmt::format("expected approximate or paths, not {}", text)};
+    method = text == "paths" ? preview::CloudMethod::kPaths : preview::CloudMethod::kApproximate;
+    return Done{};
+  };
+}
+
 std::vector<Option> light_options(Request& request) {
   return {
       {"--time", "ISO",
@@ -340,6 +354,10 @@ std::vector<Option> light_options(Request& request) {
        store_number(request.fog_share, {0, 1, true})},
       {"--clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky (default: the scene's, or clear)", false,
        store_text(request.load.clouds)},
+      {"--cloud-light", "approximate|paths",
+       "paths: each ray to a cloud follows light through its droplets, for final pictures; needs many more --spp "
+       "(default: approximate)",
+       false, store_cloud_method(request.cloud_method)},
       {"--environment", "FILE.exr|.hdr", "light from a panorama instead of sun and sky", false,
        store_text(request.environment_path)},
       {"--environment-turn", "DEG", "compass bearing of the panorama's middle (default: 0, north)", false,

@@ -15,6 +15,7 @@
 #include "compiler/bake/bake_surroundings.h"
 #include "compiler/commands/bake_keys.h"
 #include "compiler/commands/usd_outputs.h"
+#include "compiler/commands/write_clouds.h"
 #include "compiler/commands/write_tiles3d.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/pipeline.h"
@@ -154,8 +155,11 @@ class TileWriter {
  private:
   Result<Done> write_surroundings(WrittenOutputs& written) {
     const std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene_);
-    written.lacks_surroundings = !tile;
-    if (!tile) return Done{};
+    if (!tile) {
+      written.notes.push_back(
+          "note: no surroundings are written: no heightmap knows the land 1 km around the map (--dem)");
+      return Done{};
+    }
     if (outputs_.usd)
       if (const Result<Done> done = usd_.write_surroundings(*tile, written.files); !done) return done;
     if (!outputs_.glb) return Done{};
@@ -279,6 +283,8 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
     if (!file) return file.error();
     written.files.files.push_back(*file);
   }
+  if (const auto done = write_clouds(scene, outputs, threads, folder, written.files.files, written.notes); !done)
+    return done.error();
   if (outputs.tiles3d) {
     auto files = write_tiles3d(scene, outputs, threads, folder, report, on_progress);
     if (!files) return files.error();
@@ -309,8 +315,7 @@ Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& re
 void print_notes(const std::string& folder, const WrittenOutputs& written, const exporters::FileList& files,
                  const Console& console) {
   if (!written.solved.empty()) console.print_line(written.solved);
-  if (written.lacks_surroundings)
-    console.print_line("note: no surroundings are written: no heightmap knows the land 1 km around the map (--dem)");
+  for (const std::string& note : written.notes) console.print_line(note);
   if (written.taken_over > 0)
     console.print_line(fmt::format("note: {} of {} tile files were whole from an interrupted run and not baked again",
                                    written.taken_over, written.files.tiles.size()));

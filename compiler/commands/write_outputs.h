@@ -22,7 +22,7 @@ struct WrittenOutputs {
   verify::WrittenFiles files;
   std::vector<verify::Finding> findings;  ///< Of baking.
   std::string solved;                     ///< A line about tolerances that were solved for; empty without limits.
-  bool lacks_surroundings = false;        ///< They were asked for, and no heightmap knows them.
+  std::vector<std::string> notes{};       ///< Lines for the user.
   std::size_t taken_over = 0;             ///< Tiles that an interrupted run had left whole, and that were not baked.
 };
 

@@ -103,6 +103,15 @@ UsdDictionary plane_data(const scene::Header& header) {
           {"lat_0", header.origin.lat_deg}};
 }
 
+// The layer of clouds (encode_cloud_layer.h) is loaded like a tile.
+constexpr std::string_view kCloudsPrim = R"(
+def Xform "clouds" (
+    kind = "component"
+    prepend payload = @./clouds.usdc@
+)
+{
+})";
+
 // A prim whose content is a payload: a file beside the scene's layer, or below it.
 void write_payload(TextWriter& writer, const std::string& name, const std::string& path, const UsdBounds& bounds,
                    Vec3 origin) {
@@ -160,6 +169,7 @@ std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene:
   writer.write_lines(hint_of(bounds));
   write_lights(writer, header.sky);
   if (around != nullptr) write_payload(writer, "surroundings", kUsdSurroundingsName, around->bounds, around->origin);
+  if (!header.sky.clouds.empty()) writer.write_lines(kCloudsPrim);
   writer.begin_prim({.type = "Xform", .name = "tiles", .kind = "group"});
   for (const UsdTile& tile : tiles) write_tile_prim(writer, tile);
   writer.end_prim(), writer.end_prim();

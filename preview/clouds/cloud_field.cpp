@@ -22,6 +22,9 @@ constexpr double kShadowExtinction = 0.5;
 // Clouds that let less pass are the last thing that is seen.
 constexpr double kOpaque = 0.002;
 
+// The optical depth of the first step into a cloud, and how much longer each is than the one before.
+constexpr double kFirstStep = 0.5, kLongerStep = 1.3;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The diffuse light that passes a plane layer (Bohren, "Multiple scattering of light and some of its observable
@@ -54,31 +57,45 @@ CloudField::CloudField(std::span<const sky::CloudLayer> layers, const CloudLight
     : light_(light) {
   std::vector<sky::CloudLayer> upwards(layers.begin(), layers.end());
   std::ranges::stable_sort(upwards, {}, &sky::CloudLayer::base_m);
-  for (const sky::CloudLayer& layer : upwards) add(CloudSpheres(layer, eye, finest), threads);
+  for (const sky::CloudLayer& layer : upwards) layers_.push_back({CloudSpheres(layer, eye, finest), {}});
+  light_all(threads);
 }
 
-CloudField::CloudField(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, const CloudLight& light)
+CloudField::CloudField(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, const CloudLight& light,
+                       CloudEdges edges)
     : light_(light) {
-  add(CloudSpheres(layer, std::move(spheres)), 0);
+  layers_.push_back({CloudSpheres(layer, std::move(spheres), edges), {}});
+  light_all(0);
 }
 
-void CloudField::add(CloudSpheres spheres, int threads) {
-  std::vector<Lit> lit = for_each_slot<Lit>(spheres.size(), threads, [&](std::size_t i) { return lit_at(spheres, i); });
-  layers_.push_back({std::move(spheres), std::move(lit)});
+void CloudField::light_all(int threads) {
+  for (Layer& layer : layers_)
+    layer.lit = for_each_slot<Lit>(layer.spheres.size(), threads,
+                                   [&](std::size_t i) { return lit_at(layer.spheres.centre(i)); });
 }
 
-// Layers do not shade each other: the higher one lets most light pass.
-CloudField::Lit CloudField::lit_at(const CloudSpheres& spheres, std::size_t sphere) const {
-  const Vec3 at = spheres.centre(sphere);
-  const double from_sun = spheres.optical_depth(at, light_.to_sun);
+double CloudField::optical_depth(Vec3 from, Vec3 direction) const {
+  double sum = 0;
+  for (const Layer& layer : layers_) sum += layer.spheres.optical_depth(from, direction);
+  return sum;
+}
+
+double CloudField::lowest_m() const {
+  double lowest = kInfinity;
+  for (const Layer& layer : layers_) lowest = std::min(lowest, layer.spheres.base_m());
+  return lowest;
+}
+
+CloudField::Lit CloudField::lit_at(Vec3 at) const {
+  const double from_sun = optical_depth(at, light_.to_sun);
   Lit lit{};
   double share = 1, extinction = 1;
   for (float& term : lit.sun) {
     term = static_cast<float>(share * std::exp(-extinction * from_sun));
     share *= kTermLight, extinction *= kTermExtinction;
   }
-  lit.sky = static_cast<float>(passed_by_layer(spheres.optical_depth(at, {0, 0, 1})) / 2);
-  lit.ground = static_cast<float>(passed_by_layer(spheres.optical_depth(at, {0, 0, -1})) / 2);
+  lit.sky = static_cast<float>(passed_by_layer(optical_depth(at, {0, 0, 1})) / 2);
+  lit.ground = static_cast<float>(passed_by_layer(optical_depth(at, {0, 0, -1})) / 2);
   return lit;
 }
 
@@ -108,20 +125,20 @@ class CloudField::March {
   double mean_distance_m() const { return seen_ > 0 ? distances_ / seen_ : 0; }
 
  private:
-  // Of the sun, the sky, the ground, and the weights themselves, over spheres that the ray is in.
-  using Sums = std::array<double, 4>;
+  // Of the sun, the sky, the ground, the weights themselves, and the density, over spheres that the ray is in.
+  using Sums = std::array<double, 5>;
 
   static bool ends_later(const SpherePart& a, const SpherePart& b) { return a.end > b.end; }
 
-  // A sphere's weight at a distance t is (t - begin) (end - t) / radius², which is 0 where it begins and ends, so that
-  // no outlines are seen.
+  // A sphere's weight is 1 - (distance from its middle / radius)², which is 0 at its surface, so that no outlines are
+  // seen.
   void change(const SpherePart& part, double by) {
     const Lit& lit = layer_->lit[part.sphere];
     double sun = 0;
     for (int i = 0; i < kTerms; ++i) sun += lit.sun[i] * phases_[i];
-    const double radius_m = layer_->spheres.radius_m(part.sphere), square = by / (radius_m * radius_m);
-    const std::array<double, 3> powers = {-part.begin * part.end * square, (part.begin + part.end) * square, -square};
-    const Sums light = {sun, lit.sky, lit.ground, 1};
+    const double scale = by * part.scale;
+    const std::array<double, 3> powers = {-part.enter * part.leave * scale, (part.enter + part.leave) * scale, -scale};
+    const Sums light = {sun, lit.sky, lit.ground, 1, layer_->spheres.edge_density(part.sphere)};
     for (std::size_t p = 0; p < powers.size(); ++p)
       for (std::size_t i = 0; i < light.size(); ++i) sums_[p][i] += powers[p] * light[i];
   }
@@ -136,15 +153,28 @@ class CloudField::March {
     if (open_.empty()) sums_ = {};
   }
 
-  // The weighted mean light halfway to a place, of droplets from here to there.
+  // Short steps, each longer than the one before.
   void go_to(double to_m) {
-    const double step_m = to_m - reached_m_, middle_m = (to_m + reached_m_) / 2;
+    const double first_m = kFirstStep / layer_->spheres.extinction_per_m();
+    double step_m = first_m;
+    while (!open_.empty() && reached_m_ < to_m && path_.passed >= kOpaque) {
+      // no last step that is short
+      const double next_m = to_m - reached_m_ > 1.5 * step_m ? reached_m_ + step_m : to_m;
+      step(next_m);
+      step_m *= kLongerStep;
+    }
     reached_m_ = std::max(reached_m_, to_m);
-    if (open_.empty() || step_m <= 0) return;
+  }
+
+  // The weighted mean light halfway to a place, of droplets from here to there.
+  void step(double to_m) {
+    const double step_m = to_m - reached_m_, middle_m = (to_m + reached_m_) / 2;
+    reached_m_ = to_m;
     const auto at_middle = [&](std::size_t i) {
       return std::max(0.0, sums_[0][i] + middle_m * (sums_[1][i] + middle_m * sums_[2][i]));
     };
-    const double here = path_.passed * -std::expm1(-layer_->spheres.extinction_per_m() * step_m);
+    const double density = layer_->spheres.is_soft() ? std::min(1.0, at_middle(4)) : 1;
+    const double here = path_.passed * -std::expm1(-density * layer_->spheres.extinction_per_m() * step_m);
     const double weights = at_middle(3), each = weights > 0 ? here / weights : 0;
     const CloudLight& light = field_.light_;
     path_.added = path_.added + light.sun * (at_middle(0) * each) + light.sky * (at_middle(1) * each) +
@@ -177,9 +207,7 @@ CloudPath CloudField::along(Vec3 from, Vec3 direction, double distance_m) const 
 }
 
 double CloudField::sun_passed(Vec3 from) const {
-  double depth = 0;
-  for (const Layer& layer : layers_) depth += layer.spheres.optical_depth(from, light_.to_sun);
-  return std::exp(-kShadowExtinction * depth);
+  return std::exp(-kShadowExtinction * optical_depth(from, light_.to_sun));
 }
 
 std::size_t CloudField::particles() const {

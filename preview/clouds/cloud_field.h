@@ -41,13 +41,15 @@ inline constexpr double kDropletAsymmetry = 0.85;
 /// way from the sun, and less directed than the one before (Wrenninge, Kulla, Lundqvist, "Oz: The Great and
 /// Volumetric", SIGGRAPH 2013 talks); its factors are fitted to paths through clouds (cloud_paths.h). Light of sky and
 /// ground is that of a plane layer of the same optical depth above and below (two-stream approximation, Bohren 1987).
-/// Along a ray, light is that of the spheres that it passes, the mean of these where several overlap.
+/// Along a ray, light is that of the spheres that it passes, the mean of these where several overlap, with weights that
+/// are 0 at their surfaces. Layers shade each other.
 class CloudField {
  public:
   /// @param eye  Plane metres. @param finest  As for CloudSpheres. Cost: O(n log n) in the particles.
   CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest, int threads);
   /// One layer of given particles.
-  CloudField(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, const CloudLight& light);
+  CloudField(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, const CloudLight& light,
+             CloudEdges edges);
 
   /// @param from  Plane metres; z above sea level. @param direction  Unit vector.
   CloudPath along(Vec3 from, Vec3 direction, double distance_m) const;
@@ -56,6 +58,11 @@ class CloudField {
   double sun_passed(Vec3 from) const;
   std::size_t particles() const;
   std::size_t clouds() const;
+  const CloudLight& light() const { return light_; }
+  std::size_t layers() const { return layers_.size(); }
+  const CloudSpheres& spheres(std::size_t layer) const { return layers_[layer].spheres; }
+  /// The base of the lowest layer; infinite without layers.
+  double lowest_m() const;
 
  private:
   static constexpr int kTerms = 4;
@@ -68,8 +75,9 @@ class CloudField {
     std::vector<Lit> lit;
   };
   class March;
-  void add(CloudSpheres spheres, int threads);
-  Lit lit_at(const CloudSpheres& spheres, std::size_t sphere) const;
+  void light_all(int threads);
+  Lit lit_at(Vec3 at) const;
+  double optical_depth(Vec3 from, Vec3 direction) const;
 
   CloudLight light_;
   std::vector<Layer> layers_;  // the lowest first

@@ -1,44 +1,88 @@
-// Paths of light through clouds: the reference for CloudField.
+// Paths of light through clouds: the reference for CloudField, and for final pictures.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "compiler/contract/draw.h"
 #include "preview/clouds/cloud_field.h"
 #include "preview/samples.h"
 
 namespace citykiln::preview {
 
-/// One sample of the light that a cloud sends along a ray, with all orders of scattering up to `most`.
+/// Scatterings after which a path ends: by then it carries less than a thousandth of the light of clouds 100 optical
+/// depths thick.
+inline constexpr int kMostScatterings = 1000;
+
+/// One sample of the light that clouds send along a ray of a length, with all orders of scattering up to `most`. Passed
+/// is 0 or 1.
 ///
-/// Method: distances to droplets by the exact optical depth of the spheres, directions by Henyey and Greenstein's phase
-/// function, sunlight gathered at each droplet. No light is absorbed. Unbiased but for orders beyond `most`.
+/// Method: distances to droplets by delta tracking (Woodcock et al. 1965), directions by Henyey and Greenstein's phase
+/// function, sunlight gathered at each droplet, and the mean light of sky or ground where the path leaves. No light is
+/// absorbed. Unbiased but for orders beyond `most`.
 /// @param random  Returns independent numbers in [0, 1).
 template <typename Random>
-CloudPath cloud_path(const CloudSpheres& spheres, const CloudLight& light, Vec3 from, Vec3 direction, int most,
-                     Random random);
+CloudPath cloud_path(const CloudField& field, Vec3 from, Vec3 direction, double distance_m, int most, Random random);
 
-/// Where a ray has passed an optical depth; infinite where it leaves the clouds before.
-double distance_at_depth(const CloudSpheres& spheres, Vec3 from, Vec3 direction, double optical_depth);
+/// The distance to a droplet; infinite where the ray leaves the clouds, or is longer than `most_m`.
+template <typename Random>
+double free_path(const CloudField& field, Vec3 from, Vec3 direction, double most_m, Random& random);
 
 /// A direction by Henyey and Greenstein's phase function around another.
 Vec3 scattered(Vec3 direction, double g, UnitPair chance);
 
-// ---- implementation of the template ----
+/// Random numbers as a function of a ray: rays of different samples differ.
+class RayChance {
+ public:
+  RayChance(Vec3 from, Vec3 direction);
+  double operator()() { return draw_.unit(next_++); }
+
+ private:
+  Draw draw_;
+  std::uint32_t next_ = 0;
+};
+
+// ---- implementation of the templates ----
 
 template <typename Random>
-CloudPath cloud_path(const CloudSpheres& spheres, const CloudLight& light, Vec3 from, Vec3 direction, int most,
-                     Random random) {
+double free_path(const CloudField& field, Vec3 from, Vec3 direction, double most_m, Random& random) {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  std::vector<SpherePart> parts;
+  for (std::size_t layer = 0; layer < field.layers(); ++layer) {
+    const CloudSpheres& spheres = field.spheres(layer);
+    spheres.parts_of(from, direction, std::min(most_m, nearest_m), parts);
+    double at_m = parts.empty() ? 0 : parts.front().begin, end_m = 0;
+    for (const SpherePart& part : parts) end_m = std::max(end_m, part.end);
+    while (at_m < end_m) {
+      at_m += -std::log(1 - random()) / spheres.extinction_per_m();
+      if (at_m >= end_m) break;
+      const double density = spheres.density(parts, at_m);
+      if (density >= 1 || (density > 0 && random() < density)) {
+        nearest_m = std::min(nearest_m, at_m);
+        break;
+      }
+    }
+  }
+  return nearest_m;
+}
+
+template <typename Random>
+CloudPath cloud_path(const CloudField& field, Vec3 from, Vec3 direction, double distance_m, int most, Random random) {
   CloudPath path;
+  const CloudLight& light = field.light();
   for (int order = 0; order < most; ++order) {
-    const double distance_m = distance_at_depth(spheres, from, direction, -std::log(1 - random()));
-    if (!std::isfinite(distance_m)) {
+    const double free_m = free_path(field, from, direction, distance_m, random);
+    if (!std::isfinite(free_m)) {
       if (order > 0) path.added = path.added + (direction.z >= 0 ? light.sky : light.ground);
       return path;
     }
-    path.passed = 0;
-    if (order == 0) path.distance_m = distance_m;
-    from = from + direction * distance_m;
-    const double reaches = std::exp(-spheres.optical_depth(from, light.to_sun));
-    path.added =
-        path.added + light.sun * (reaches * henyey_greenstein(dot(direction, light.to_sun), kDropletAsymmetry));
+    path.passed = 0, distance_m = std::numeric_limits<double>::infinity();
+    if (order == 0) path.distance_m = free_m;
+    from = from + direction * free_m;
+    const bool is_lit = !std::isfinite(free_path(field, from, light.to_sun, distance_m, random));
+    if (is_lit)
+      path.added = path.added + light.sun * henyey_greenstein(dot(direction, light.to_sun), kDropletAsymmetry);
     const double u = random();
     direction = scattered(direction, kDropletAsymmetry, {u, random()});
   }

@@ -55,7 +55,7 @@ DirectionTable table_of(const EnvironmentMap& map) {
 }  // namespace
 
 Lights::Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps, std::optional<Surroundings> around,
-               std::optional<Fog> fog, std::shared_ptr<const CloudField> clouds)
+               std::optional<Fog> fog, std::shared_ptr<const Clouds> clouds)
     : model_(model),
       about_sun_(frame_about(unit(model.to_sun))),
       table_(table_of(model)),
@@ -76,16 +76,11 @@ Lights::Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps)
 
 Rgb Lights::falling(Vec3 from, Vec3 direction) const {
   if (is_map_) return table_.radiance(direction);
-  return direction.z < 0 ? below_ : behind_clouds(from, direction, sky::radiance(model_, direction));
-}
-
-// The sky's light has come through air, of which the part before the clouds is theirs too.
-Rgb Lights::behind_clouds(Vec3 from, Vec3 direction, const Rgb& light) const {
-  if (!clouds_) return light;
-  const CloudPath path = clouds_->along(from, direction, std::numeric_limits<double>::infinity());
-  if (path.passed >= 1) return light;
-  const sky::AirPath before = clear_air(from, direction, path.distance_m);
-  return light * path.passed + before.added * (1 - path.passed) + before.passed * path.added;
+  if (direction.z < 0) return below_;
+  const Rgb sky = sky::radiance(model_, direction);
+  if (!clouds_) return sky;
+  const CloudVeil veil = clouds_->falling(from, direction);
+  return sky * veil.passed + veil.added;
 }
 
 Vec3 Lights::sample_sun(UnitPair chance) const {
@@ -128,7 +123,11 @@ Rgb Lights::seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) co
   const Rgb behind = is_camera && direction.z >= 0 ? bodies(direction, pixel_rad) : Rgb{};
   constexpr double kFarthest_m = 2e5;  // beyond is no air, but for rays along the ground
   const Rgb all = largest(behind) > 0 ? sky + behind * sky::air(model_, direction, kFarthest_m).passed : sky;
-  return behind_fog(from, direction, behind_clouds(from, direction, all));
+  if (!clouds_) return behind_fog(from, direction, all);
+  const CloudPath clouds = clouds_->seen(from, direction, std::numeric_limits<double>::infinity());
+  if (clouds.passed >= 1) return behind_fog(from, direction, all);
+  const CloudVeil veil = veil_of(clouds, clear_air(from, direction, clouds.distance_m));
+  return behind_fog(from, direction, all * veil.passed + veil.added);
 }
 
 std::optional<double> Lights::ground_m(Vec3 from, Vec3 direction) const {
@@ -144,11 +143,10 @@ std::optional<double> Lights::ground_m(Vec3 from, Vec3 direction) const {
 sky::AirPath Lights::air(Vec3 from, Vec3 direction, double distance_m) const {
   sky::AirPath path = clear_air(from, direction, distance_m);
   if (!clouds_) return path;
-  const CloudPath clouds = clouds_->along(from, direction, distance_m);
+  const CloudPath clouds = clouds_->seen(from, direction, distance_m);
   if (clouds.passed >= 1) return path;
-  const sky::AirPath before = clear_air(from, direction, clouds.distance_m);
-  return {path.passed * clouds.passed,
-          path.added * clouds.passed + before.added * (1 - clouds.passed) + before.passed * clouds.added};
+  const CloudVeil veil = veil_of(clouds, clear_air(from, direction, clouds.distance_m));
+  return {path.passed * clouds.passed, path.added * clouds.passed + veil.added};
 }
 
 sky::AirPath Lights::clear_air(Vec3 from, Vec3 direction, double distance_m) const {

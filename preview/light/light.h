@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/sky/generate.h"
-#include "preview/clouds/cloud_field.h"
+#include "preview/clouds/clouds.h"
 #include "preview/light/direction_table.h"
 #include "preview/light/environment_map.h"
 #include "preview/light/fog.h"
@@ -28,7 +28,7 @@ class Lights {
   /// @param clouds  Null where there are none.
   explicit Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps = {},
                   std::optional<Surroundings> around = {}, std::optional<Fog> fog = {},
-                  std::shared_ptr<const CloudField> clouds = {});
+                  std::shared_ptr<const Clouds> clouds = {});
   /// An environment map replaces sky and sun, and there is no air.
   explicit Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps = {});
 
@@ -67,7 +67,6 @@ class Lights {
 
  private:
   sky::AirPath clear_air(Vec3 from, Vec3 direction, double distance_m) const;
-  Rgb behind_clouds(Vec3 from, Vec3 direction, const Rgb& light) const;
   Rgb bodies(Vec3 direction, double pixel_rad) const;
   Rgb around_at(const Edge& edge, Vec3 direction) const;
   Rgb behind_fog(Vec3 from, Vec3 direction, const Rgb& light) const;
@@ -80,7 +79,7 @@ class Lights {
   StarMap stars_;
   std::optional<Surroundings> around_;
   std::optional<Fog> fog_;
-  std::shared_ptr<const CloudField> clouds_;
+  std::shared_ptr<const Clouds> clouds_;
   Rgb below_{};
   std::vector<StreetLamp> lamps_;
 };

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "exporters/load_module.h"
 #include "preview/picture/exposure.h"
-#include "preview/picture/load_module.h"
 #include "preview/picture/tone_map.h"
 #include "preview/window/flight.h"
 #include "preview/window/refining_picture.h"
@@ -27,7 +27,7 @@ struct Module {
 
 template <typename Function>
 Result<Done> load(Function& function, const char* name) {
-  const Result<void*> address = load_function("citykiln_window.so", CITYKILN_WINDOW_MODULE, name);
+  const Result<void*> address = exporters::load_function("citykiln_window.so", CITYKILN_WINDOW_MODULE, name);
   if (!address) return Error{"--interactive", to_string(address.error())};
   function = reinterpret_cast<Function>(*address);
   return Done{};

@@ -24,7 +24,7 @@ struct Random {
 };
 
 TEST(CloudField, ASphereLetsPassWhatItsChordDoes) {
-  const CloudField field(kLayer, {{{0, 0, 400}, 100}}, {.sun = {}, .sky = {}, .ground = {}});
+  const CloudField field(kLayer, {{{0, 0, 400}, 100}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
   const double extinction = sky::extinction_per_m(sky::CloudKind::kCumulus);
   const CloudPath through = field.along({-1000, 0, 1900}, {1, 0, 0}, kInfinity);
   EXPECT_NEAR(through.passed, std::exp(-200 * extinction), 1e-9);
@@ -36,7 +36,7 @@ TEST(CloudField, ASphereLetsPassWhatItsChordDoes) {
 
 TEST(CloudField, ThrowsAShadowAwayFromTheSun) {
   const CloudField field(kLayer, {{{0, 0, 400}, 100}},
-                         {.to_sun = unit(Vec3{1, 0, 1}), .sun = {}, .sky = {}, .ground = {}});
+                         {.to_sun = unit(Vec3{1, 0, 1}), .sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
   // the sphere's middle is 1,900 m up
   const sky::LayerFrame frame = sky::frame_of(kLayer);
   const Vec3 middle = frame.out_of({0, 0, 400});
@@ -47,13 +47,13 @@ TEST(CloudField, ThrowsAShadowAwayFromTheSun) {
 
 // Droplets absorb nothing: a cloud under even light cannot be seen.
 TEST(CloudField, PathsInEvenLightAreAsBrightAsTheLight) {
-  const CloudSpheres spheres(kLayer, {{{0, 0, 400}, 150}, {{120, 40, 350}, 120}});
   const CloudLight light{.sun = {}, .sky = {1, 1, 1}, .ground = {1, 1, 1}};
+  const CloudField field(kLayer, {{{0, 0, 400}, 150}, {{120, 40, 350}, 120}}, light, CloudEdges::kSoft);
   double sum = 0;
   constexpr int kPaths = 4000;
   for (std::uint32_t i = 0; i < kPaths; ++i) {
     const CloudPath path =
-        cloud_path(spheres, light, {-1000, 20, 1890}, {1, 0, 0}, 5000, Random{{5, StableId{i}, "path"}});
+        cloud_path(field, {-1000, 20, 1890}, {1, 0, 0}, kInfinity, 5000, Random{{5, StableId{i}, "path"}});
     sum += path.added[1] + path.passed;
   }
   EXPECT_NEAR(sum / kPaths, 1, 1e-12);
@@ -68,8 +68,7 @@ struct Ratios {
 
 void compare(const sky::Cloud& cloud, const CloudLight& light, Ratios& ratios) {
   const sky::CloudParticles particles = sky::generate_cloud(kLayer, cloud, 60);
-  const CloudField field(kLayer, particles.spheres, light);
-  const CloudSpheres spheres(kLayer, particles.spheres);
+  const CloudField field(kLayer, particles.spheres, light, CloudEdges::kSoft);
   const Vec3 middle = sky::frame_of(kLayer).out_of(at_height(cloud.centre, cloud.height_m * 0.4));
   for (const Vec3 side : {Vec3{1, 0, -0.3}, Vec3{0, 1, -0.3}, Vec3{-1, 0, -0.3}, Vec3{0, -1, -0.3}}) {
     double fast = 0, exact = 0;
@@ -78,7 +77,7 @@ void compare(const sky::Cloud& cloud, const CloudLight& light, Ratios& ratios) {
       const auto off = [&](std::uint32_t n) { return draw.between(-0.6, 0.6, n) * cloud.radius_m; };
       const Vec3 eye = middle + side * 3000, along = unit(middle + Vec3{off(0), off(1), off(2) / 2} - eye);
       fast += field.along(eye, along, kInfinity).added[1];
-      exact += cloud_path(spheres, light, eye, along, 1000, Random{{9, StableId{i}, "path"}}).added[1];
+      exact += cloud_path(field, eye, along, kInfinity, kMostScatterings, Random{{9, StableId{i}, "path"}}).added[1];
     }
     ratios.add(fast / exact);
   }

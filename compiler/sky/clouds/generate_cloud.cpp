@@ -59,19 +59,26 @@ struct Grown {
 
 // Adds smaller particles on the surface of one, where neither a heap nor the particle below hides them, down to a
 // radius. Which ones these are depends on nothing else, so that coarser clouds have the same.
-void add_on(std::uint64_t seed, const Grown& on, const std::vector<CloudParticle>& heaps, double finest_m,
-            std::vector<Grown>& next) {
+// Returns the largest radius that was left out.
+double add_on(std::uint64_t seed, const Grown& on, const std::vector<CloudParticle>& heaps, double finest_m,
+              std::vector<Grown>& next) {
+  double left_out_m = 0;
   const Draw draw(seed, on.id, "particles");
   const double turn = draw.unit(0), root_m = on.sphere.radius_m;
   for (std::uint32_t i = 0; i < kOnEach; ++i) {
     const CloudParticle grown{on.sphere.centre + place_on_sphere(i, turn) * (root_m * 0.92),
                               root_m * draw.between(0.32, 0.52, 1 + i)};
-    if (grown.radius_m < finest_m || grown.centre.z < 0 || is_inside(grown.centre, on.below)) continue;
+    if (grown.centre.z < 0 || is_inside(grown.centre, on.below)) continue;
     const auto hides = [&](const CloudParticle& heap) {
       return heap.centre != on.sphere.centre && is_inside(grown.centre, heap);
     };
-    if (std::ranges::none_of(heaps, hides)) next.push_back({grown, stable_id(on.id, "particle", i), on.sphere});
+    if (std::ranges::any_of(heaps, hides)) continue;
+    if (grown.radius_m < finest_m)
+      left_out_m = std::max(left_out_m, grown.radius_m);
+    else
+      next.push_back({grown, stable_id(on.id, "particle", i), on.sphere});
   }
+  return left_out_m;
 }
 
 }  // namespace
@@ -89,7 +96,8 @@ double extinction_per_m(CloudKind kind) {
 
 CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, double finest_m) {
   assert(finest_m > 0);
-  CloudParticles all{.spheres = {}, .finest_m = finest_m};
+  CloudParticles all{.spheres = {}, .finest_m = finest_m, .depth_error = 0};
+  double left_out_m = 0;
   const std::vector<CloudParticle> heaps = first_level(layer, cloud);
   std::vector<Grown> level;
   for (const CloudParticle& heap : heaps) level.push_back({heap, stable_id(cloud.id, "heap", level.size())});
@@ -97,22 +105,33 @@ CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, doubl
     for (const Grown& grown : level) all.spheres.push_back(grown.sphere);
     if (depth + 1 >= kMostLevels) break;
     std::vector<Grown> next;
-    for (const Grown& on : level) add_on(layer.seed, on, heaps, finest_m, next);
+    for (const Grown& on : level) left_out_m = std::max(left_out_m, add_on(layer.seed, on, heaps, finest_m, next));
     level = std::move(next);
   }
+  all.depth_error =
+      extinction_per_m(layer.kind) * kMissedDiameters * 2 * left_out_m * std::max(frame_of(layer).stretch, 1.0);
   std::ranges::stable_sort(all.spheres, std::greater(), &CloudParticle::radius_m);
   return all;
 }
 
-std::pair<double, double> part_inside(const CloudParticle& sphere, Vec3 from, Vec3 direction) {
+std::pair<double, double> chord_of(const CloudParticle& sphere, Vec3 from, Vec3 direction) {
   const Vec3 off = from - sphere.centre;
   const double a = dot(direction, direction), b = dot(off, direction);
   const double root2 = b * b - a * (dot(off, off) - sphere.radius_m * sphere.radius_m);
   if (root2 <= 0) return {0, 0};
-  const double root = std::sqrt(root2), begin = (-b - root) / a, end = (-b + root) / a;
-  if (direction.z == 0) return from.z >= 0 ? std::pair(begin, end) : std::pair(0.0, 0.0);
+  const double root = std::sqrt(root2);
+  return {(-b - root) / a, (-b + root) / a};
+}
+
+std::pair<double, double> above_base(std::pair<double, double> chord, Vec3 from, Vec3 direction) {
+  const auto [begin, end] = chord;
+  if (direction.z == 0) return from.z >= 0 ? chord : std::pair(0.0, 0.0);
   const double base = -from.z / direction.z;
   return direction.z > 0 ? std::pair(std::max(begin, base), end) : std::pair(begin, std::min(end, base));
+}
+
+std::pair<double, double> part_inside(const CloudParticle& sphere, Vec3 from, Vec3 direction) {
+  return above_base(chord_of(sphere, from, direction), from, direction);
 }
 
 double optical_depth(CloudKind kind, const CloudParticles& particles, Vec3 from, Vec3 direction) {

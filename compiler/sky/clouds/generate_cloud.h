@@ -18,7 +18,14 @@ struct CloudParticle {
 struct CloudParticles {
   std::vector<CloudParticle> spheres;  ///< The larger ones first.
   double finest_m = 0;                 ///< Particles of smaller radii were left out.
+  /// The largest error of the optical depth along any ray, against the cloud with all its particles: that of
+  /// kMissedDiameters of the largest particle that was left out. 0 where none was.
+  double depth_error = 0;
 };
+
+/// The most diameters of left-out particles that a ray passes outside of the others: it grazes a few heaps, each with
+/// particles on it that have smaller ones on them. Measured (tests): at most 3.4 for 100,000 rays through 50 clouds.
+inline constexpr double kMissedDiameters = 5;
 
 /// Extinction by the droplets or the ice of a kind, per metre. Sources: cumulus and stratus have 0.3 and 0.2 g of water
 /// in a cubic metre, in droplets of 10 µm (Rogers, Yau, "A Short Course in Cloud Physics", 1989): 3 w / (2 rho r);
@@ -34,8 +41,12 @@ CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, doubl
 /// The largest error of optical depth of a coarser cloud, of `rays` random rays through it, against `finest_m`.
 double optical_depth_error(const CloudLayer& layer, const Cloud& cloud, double coarse_m, double finest_m, int rays);
 
-/// Where a ray, or the line that it lies on, enters and leaves a sphere above the base, in lengths of `direction`; the
-/// second is not larger than the first where it does not meet it. Frame of the layer.
+/// Where the line that a ray lies on enters and leaves a sphere, in lengths of `direction`; {0, 0} where it does not
+/// meet it. Frame of the layer.
+std::pair<double, double> chord_of(const CloudParticle& sphere, Vec3 from, Vec3 direction);
+/// The part of a chord above the base; its end is not after its begin where there is none.
+std::pair<double, double> above_base(std::pair<double, double> chord, Vec3 from, Vec3 direction);
+/// Both.
 std::pair<double, double> part_inside(const CloudParticle& sphere, Vec3 from, Vec3 direction);
 
 /// The optical depth of a cloud along a ray. O(n log n).

@@ -34,6 +34,9 @@ double mean_square_radius_m2(double cover, double kept, double spacing_m) {
   return wanted * spacing_m * spacing_m / (kPi * kept);
 }
 
+// The square of a radius is uniform between these shares of its mean.
+constexpr double kLeastSize = 0.5, kMostSize = 1.5;
+
 // A share of cells that are not empty.
 double kept_share(double cover) { return 0.3 + 0.7 * cover; }
 
@@ -48,9 +51,8 @@ Cloud cloud_at(const CloudLayer& layer, const LayerFrame& frame, std::int64_t co
   if (draw.unit(0) >= kept_share(layer.cover)) return cloud;
   cloud.centre = {(static_cast<double>(column) + draw.between(0.1, 0.9, 1)) * spacing_m,
                   (static_cast<double>(row) + draw.between(0.1, 0.9, 2)) * spacing_m};
-  // the square of the radius is uniform between half and one and a half times its mean
   const double mean = mean_square_radius_m2(layer.cover, kept_share(layer.cover), spacing_m);
-  const double size = draw.between(0.5, 1.5, 3);
+  const double size = draw.between(kLeastSize, kMostSize, 3);
   cloud.radius_m = std::sqrt(mean * size);
   const double share = layer.kind == CloudKind::kCumulus ? 0.4 + 0.4 * size : draw.between(0.8, 1, 4);
   cloud.height_m = frame.height_m * std::min(share, 1.0);
@@ -75,6 +77,20 @@ LayerFrame frame_of(const CloudLayer& layer) {
   const KindShape shape = shape_of(layer.kind);
   const Vec2 along = length(layer.wind) > 0 ? unit(layer.wind) : Vec2{1, 0};
   return {along, shape.stretch, shape.flatten, layer.base_m, (layer.top_m - layer.base_m) / shape.flatten};
+}
+
+double largest_radius_m(const CloudLayer& layer) {
+  const double spacing_m = shape_of(layer.kind).spacing * frame_of(layer).height_m;
+  return std::sqrt(kMostSize * mean_square_radius_m2(layer.cover, kept_share(layer.cover), spacing_m));
+}
+
+Box2 within_limit(const CloudLayer& layer, const Box2& plan) {
+  const LayerFrame frame = frame_of(layer);
+  const double spacing_m = shape_of(layer.kind).spacing * frame.height_m;
+  const double cells = plan.width() * plan.height() / (frame.stretch * spacing_m * spacing_m);
+  if (plan.is_empty() || cells <= kMostClouds) return plan;
+  const Vec2 half = (plan.max - plan.min) * (0.5 * std::sqrt(kMostClouds / cells));
+  return {plan.centre() - half, plan.centre() + half};
 }
 
 std::vector<Cloud> clouds_in(const CloudLayer& layer, const Box2& plan) {

@@ -40,4 +40,12 @@ LayerFrame frame_of(const CloudLayer& layer);
 /// cover, which discs at independent places would have on the average. O(cells).
 std::vector<Cloud> clouds_in(const CloudLayer& layer, const Box2& plan);
 
+/// The radius of a layer's largest clouds, in its frame.
+double largest_radius_m(const CloudLayer& layer);
+
+/// The most clouds of a layer that are made at once: a layer 20 m thick over a district would have millions.
+inline constexpr double kMostClouds = 20000;
+/// The middle part of a box that has room for kMostClouds at most; the box itself where it has.
+Box2 within_limit(const CloudLayer& layer, const Box2& plan);
+
 }  // namespace citykiln::sky

@@ -81,6 +81,23 @@ TEST(Clouds, OpticalDepthOfASphereIsItsChord) {
   EXPECT_NEAR(optical_depth(CloudKind::kCumulus, half, {0, 0, -1000}, {0, 0, 1}), 100 * extinction, 1e-9);
 }
 
+TEST(Clouds, OpticalDepthOfALevelIsWithinItsStatedError) {
+  const CloudLayer layer = layer_of(CloudKind::kCumulus, 0.4);
+  const std::vector<Cloud> clouds = clouds_in(layer, kField);
+  ASSERT_GT(clouds.size(), 6U);
+  double largest_share = 0;
+  for (std::size_t c = 0; c < 6; ++c)
+    for (const double coarse_m : {200.0, 100.0, 50.0}) {
+      const CloudParticles coarse = generate_cloud(layer, clouds[c], coarse_m);
+      const double error = optical_depth_error(layer, clouds[c], coarse_m, 12, c == 0 ? 10000 : 1000);
+      EXPECT_LE(error, coarse.depth_error) << coarse_m;
+      if (coarse.depth_error > 0) largest_share = std::max(largest_share, error / coarse.depth_error);
+    }
+  // the statement is not far from what is found
+  EXPECT_GT(largest_share, 0.3);
+  EXPECT_EQ(generate_cloud(layer, clouds[0], 1e-6).depth_error, 0);
+}
+
 std::string refusal(const std::string& text) {
   const ScratchFolder folder;
   const auto layers = read_clouds(folder.write("clouds.json", text), 0, 0);

@@ -1,10 +1,10 @@
-#include "preview/picture/load_module.h"
+#include "exporters/load_module.h"
 
 #include <dlfcn.h>
 
 #include <filesystem>
 
-namespace citykiln::preview {
+namespace citykiln::exporters {
 
 Result<void*> load_function(const std::string& module, const std::string& built_path, const std::string& function) {
   std::error_code none;
@@ -19,4 +19,4 @@ Result<void*> load_function(const std::string& module, const std::string& built_
   return Error{module, std::string("cannot be loaded: ") + (problem != nullptr ? problem : "unknown reason")};
 }
 
-}  // namespace citykiln::preview
+}  // namespace citykiln::exporters

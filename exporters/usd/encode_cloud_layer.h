@@ -1,0 +1,29 @@
+// USD: the clouds of a scene as points and as a volume.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "compiler/sky/clouds/clouds_over.h"
+#include "exporters/usd/layer_writer.h"
+
+namespace citykiln::exporters {
+
+/// Returns the layer of clouds, a crate in the plane's metres with z up.
+///
+///     /clouds             an Xform
+///       cumulus, …        an Xform for each layer of clouds: the frame in which its particles are spheres
+///         particles       Points, a point for each particle, with widths; purpose "proxy"
+///       volume            a Volume with the field "density" of clouds.vdb; purpose "render"
+///         density         OpenVDBAsset
+///
+/// Programs that draw volumes show the volume in renders and the points in viewports; points overlap. Bases of clouds
+/// are flat in the volume alone.
+/// @param has_volume  Whether clouds.vdb is beside the layer.
+std::vector<std::byte> encode_cloud_layer(std::span<const sky::LayerParticles> layers, bool has_volume);
+
+inline constexpr const char* kUsdCloudsName = "usd/clouds.usdc";
+inline constexpr const char* kVdbName = "usd/clouds.vdb";
+
+}  // namespace citykiln::exporters
