@@ -242,10 +242,12 @@ Result<Exit> run(const Request& request, const Console& console) {
     if (const Result<Done> read = load_levels(*scene, wanted, viewing, on_progress); !read) return read.error();
     console.print_line(levels_text(scene->loaded.tiles));
   }
+  const Vec3 eye = cameras->front().eye;
   const preview::Lights lights =
-      *environment ? preview::Lights(**environment, scene->lamps)
-                   : preview::Lights(sky::generate(scene->sky, cameras->front().eye.z), scene->lamps, scene->around,
-                                     scene->fog, clouds_of(*scene, cameras->front(), request.load.threads));
+      *environment
+          ? preview::Lights(**environment, scene->lamps)
+          : preview::Lights(sky::generate(scene->sky, eye.z, preview::ground_lights(scene->lamps, eye)), scene->lamps,
+                            scene->around, scene->fog, clouds_of(*scene, cameras->front(), request.load.threads));
   const Stage stage{request, *scene, lights, console, options_of(request)};
   if (request.is_interactive) return fly(stage, cameras->front());
   return render_frames(stage, *cameras, on_progress);
