@@ -13,7 +13,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 // Sides of cells: the least up to the first distance, then twice as long with each doubling of the distance.
 constexpr double kLeastCell_m = 250, kFine_m = 4000;
-constexpr double kAllOverLamps = 3, kReflected = 0.06, kDirect = 0.04;
+constexpr double kAllOverLamps = 3, kDirect = 0.15, kReflected = 0.15 * (1 - kDirect);
 // Normalises an intensity by the fourth power of the zenith angle (Garstang 1986).
 constexpr double kFourth = 0.554;
 

@@ -27,14 +27,14 @@ inline constexpr double kGlowRadius_m = 30000;
 /// Radiances in klx per steradian (kcd/m²), linear sRGB. Immutable and thread-safe.
 ///
 /// Method: single scattering by molecules and aerosols from a flat Earth, after Garstang, "Model for artificial
-/// night-sky illumination", PASP 98, 1986. Lamps are added up in cells of 250 m, beyond
-/// 4 km of 500 m to 2 km. Per lumen of outdoor light a tenth goes
-/// up, 0.06 by the cosine of the zenith angle (from the ground), 0.04 by its fourth power (near the horizon): shape of
-/// Garstang; sum of Luginbuhl et al., "From the ground up I", PASP 121, 2009, 17.9 of 173 Mlm, with what buildings and
-/// trees block. Street lamps are a third of outdoor light: an eighth in Flagstaff (ibid.), a half in towns of Europe.
+/// night-sky illumination", PASP 98, 1986, with his constants: of each lumen of outdoor light 0.15 go up from fixtures,
+/// by the fourth power of the zenith angle, and the ground reflects 0.15 of the rest, by its cosine. Lamps are added up
+/// in cells of 250 m, beyond 4 km of 500 m to 2 km. Street lamps are a third of outdoor light: an eighth in Flagstaff
+/// (Luginbuhl et al., "From the ground up I", PASP 121, 2009), up to a half in towns of Europe.
 class TownGlow {
  public:
-  /// @param eye_height_m  Above the lamps and the sea. Cost: 3 ms for each cell with lamps, at most some 2 s.
+  /// @param eye_height_m  Above the lamps and the sea. Cost: some 0.5 ms for each cell with lamps, of which there
+  /// are at most some 2,600.
   TownGlow(const Air& air, std::span<const GroundLight> lights, double eye_height_m);
 
   /// In a unit direction; below the horizon as at it. O(1).

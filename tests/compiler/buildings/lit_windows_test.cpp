@@ -92,11 +92,11 @@ std::vector<std::vector<int>> changes(const Building& building, int minutes) {
   return changed;
 }
 
-// From 17:00 to 3:00 the share rises once and falls once.
+// From 17:00 to 2:00 the share rises once and falls once.
 TEST(LitWindows, HaveOneHistoryOverAnEvening) {
   std::size_t switched = 0;
   for (std::int64_t id = 1; id <= 5; ++id)
-    for (const std::vector<int>& of_window : changes(slab(Use::kHome, id), 600)) {
+    for (const std::vector<int>& of_window : changes(slab(Use::kHome, id), 540)) {
       EXPECT_LE(of_window.size(), 2u);
       switched += !of_window.empty();
     }
@@ -107,7 +107,7 @@ TEST(LitWindows, OfOneFlatSwitchTogether) {
   const Building building = slab(Use::kHome, 3);
   std::map<std::vector<int>, int> histories;
   int windows = 0;
-  for (const std::vector<int>& of_window : changes(building, 600))
+  for (const std::vector<int>& of_window : changes(building, 540))
     if (!of_window.empty()) ++histories[of_window], ++windows;
   // 60 m by 12 m by 6 storeys are at most 8 by 3 by 6 flats; a flat has up to eight windows, of which half are lit
   EXPECT_GT(windows, 60);

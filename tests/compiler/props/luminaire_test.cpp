@@ -37,14 +37,18 @@ TEST(Luminaire, BeamsHaveTheSolidAngleOfTheirShape) {
   EXPECT_NEAR(beam_sr(Beam::kLantern), lantern, 1e-3);
 }
 
-// Against integrals of Planck's law with the CIE 1931 observer.
+// Chromaticities of CIE 15, by IEC 61966-2-1.
 TEST(BlackBodyColour, IsThatOfThePlanckianLocus) {
   const struct {
-    double kelvin;
-    std::array<double, 3> rgb;
-  } kKnown[] = {{3000, {1.770, 0.839, 0.326}}, {4000, {1.424, 0.918, 0.556}}};
-  for (const auto& [kelvin, rgb] : kKnown)
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(black_body_colour(kelvin)[c], rgb[c], 0.03) << kelvin;
+    double kelvin, x, y;
+  } kKnown[] = {{2000, 0.5267, 0.4133}, {3000, 0.4369, 0.4041}, {4000, 0.3805, 0.3768}, {6500, 0.3135, 0.3237}};
+  for (const auto& [kelvin, x, y] : kKnown) {
+    const auto [r, g, b] = black_body_colour(kelvin);
+    const double X = 0.4124 * r + 0.3576 * g + 0.1805 * b, Y = 0.2126 * r + 0.7152 * g + 0.0722 * b,
+                 Z = 0.0193 * r + 0.1192 * g + 0.9505 * b;
+    EXPECT_NEAR(X / (X + Y + Z), x, 0.002) << kelvin;
+    EXPECT_NEAR(Y / (X + Y + Z), y, 0.002) << kelvin;
+  }
   for (double kelvin = 1000; kelvin < 20000; kelvin += 250) {
     const auto [r, g, b] = black_body_colour(kelvin);
     EXPECT_NEAR(0.2126 * r + 0.7152 * g + 0.0722 * b, 1, 1e-5);

@@ -44,12 +44,13 @@ TEST(TownGlow, ZenithIsAsBrightAsPublished) {
   EXPECT_TRUE(village > 20.5 && village < 21.8) << village;
 }
 
-// Walker's law: the zenith's brightness falls as distance^-2.5.
+// Walker's law, measured 45 degrees high over towns, has a power of 2.5; in very clear air light is lost more slowly.
 TEST(TownGlow, FallsWithDistanceAboutAsWalkersLaw) {
-  const double near = glow_cd_m2(town(1e6, 1500, 8000), {0, 0, 1}), far = glow_cd_m2(town(1e6, 1500, 24000), {0, 0, 1});
+  const Vec3 kTowards{std::sqrt(0.5), 0, std::sqrt(0.5)};
+  const double near = glow_cd_m2(town(1e6, 1500, 8000), kTowards), far = glow_cd_m2(town(1e6, 1500, 24000), kTowards);
   const double power = std::log(near / far) / std::log(3);
-  EXPECT_GT(power, 2);
-  EXPECT_LT(power, 3.5);
+  EXPECT_GT(power, 1.7);
+  EXPECT_LT(power, 3);
 }
 
 TEST(TownGlow, IsBrightestLowOverTheTown) {
