@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/props/luminaire.h"
 #include "compiler/scene/scene.h"
 #include "compiler/sky/atmosphere/town_glow.h"
 
 namespace citykiln::preview {
 
-/// A street lamp.
+/// A street lamp that is lit.
 struct StreetLamp {
   Vec3 at;             ///< The middle of its glass, plane metres.
   float height_m = 0;  ///< Of the whole lamp above the ground.
