@@ -128,6 +128,16 @@ Result<Done> set_target(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+// More lights than any program takes are a mistake.
+Result<Done> set_lights(CompileSpec& spec, std::string_view text) {
+  constexpr std::int64_t kMost = 100'000;
+  const Result<std::int64_t> count = parse_whole(text, 0);
+  if (!count) return count.error();
+  if (*count > kMost) return expected("a whole number up to 100000", text);
+  spec.outputs.lights = static_cast<std::size_t>(*count);
+  return Done{};
+}
+
 Result<Done> set_split(CompileSpec& spec, std::string_view text) {
   const auto split = split_named(text);
   if (!split) return expected("tile, layer or building", text);
@@ -269,6 +279,11 @@ constexpr Setting kSettings[] = {
      "writes the land around the map, as far as the heightmaps know it, as a tile of its own: glb/surroundings.glb, "
      "usd/surroundings.usdc, a tile of 3dtiles",
      false, set_surroundings},
+    {"lights", "N",
+     "the N brightest street lamps of each tile are lights of .glb (KHR_lights_punctual) and USD (UsdLux) files, at "
+     "any "
+     "time (default: 0)",
+     false, set_lights},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
     {"time", "ISO",
      "date and time of the sky in UTC, or with an offset from it, such as 2026-06-21T20:30+02:00 (default: midsummer, "

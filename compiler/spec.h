@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -51,6 +52,7 @@ struct Outputs {
   Split split = Split::kLayer;
   Compress compress = Compress::kNone;
   Layout layout = Layout::kEmbedded;
+  std::size_t lights = 0;  ///< So many street lamps of each tile, the brightest, are lights of .glb and USD files.
   /// Where one is set, each tile has one level, the finest of a fixed sequence of tolerances within these limits.
   std::optional<std::uint64_t> max_bytes, max_triangles;
   std::vector<double> ladder_m{kDefaultLevels_m.begin(),

@@ -239,7 +239,7 @@ Image render(const World& world, const Lights& lights, const Camera& camera, con
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,
              const Options& options) {
   const World world(tiles, camera.eye);
-  const auto lamps = sky::is_night(sky) ? lamps_of(tiles) : std::vector<StreetLamp>();
+  const auto lamps = sky::are_lamps_lit(sky) ? lamps_of(tiles) : std::vector<StreetLamp>();
   return render(world, Lights(sky::generate(sky), lamps), camera, options);
 }
 

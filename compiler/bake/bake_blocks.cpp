@@ -17,7 +17,7 @@ using buildings::Block;
 BuildingMeshes shapes_of(const Baking& baking, const buildings::Rulebook& rulebook, int threads) {
   const std::vector<buildings::Building>& all = baking.chunk.buildings;
   const buildings::SceneContext context{
-      .seed = baking.header.seed, .is_night = sky::is_night(baking.header.sky), .is_for_blocks = true};
+      .seed = baking.header.seed, .night = scene::night_of(baking.header), .is_for_blocks = true};
   const double tolerance_m = buildings::block_source_tolerance_m(baking.tolerance_m);
   return for_each_slot<buildings::GeneratedBuilding>(all.size(), threads, [&](std::size_t i) {
     Report repeated;  // finer levels diagnose the same

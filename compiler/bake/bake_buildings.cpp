@@ -20,7 +20,7 @@ std::vector<BuildingMeshes> generate_buildings(const scene::Header& header, cons
                                                const std::function<bool(const buildings::Building&)>& holds) {
   assert(reports.size() == tolerances_m.size());
   const std::vector<buildings::Building>& all = chunk.buildings;
-  const buildings::SceneContext context{header.seed, sky::is_night(header.sky)};
+  const buildings::SceneContext context{header.seed, scene::night_of(header)};
   std::vector<std::vector<Report>> diagnosed(all.size(), std::vector<Report>(tolerances_m.size()));
   std::vector<BuildingMeshes> by_building = for_each_slot<BuildingMeshes>(all.size(), threads, [&](std::size_t i) {
     if (!holds(all[i])) return BuildingMeshes(tolerances_m.size());

@@ -1,5 +1,9 @@
 #include "compiler/bake/place_lamps.h"
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
 #include "compiler/props/generate.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
@@ -21,8 +25,21 @@ std::vector<PlacedLamp> lamps_of(const scene::Header& header, const scene::Chunk
   std::vector<PlacedLamp> placed;
   if (lamps.standing.empty()) return placed;
   const ground::GradedTerrain graded = scene::graded_terrain_of(header, chunk, kFinest_m);
-  for (const props::StreetLamp& lamp : lamps.standing) placed.push_back({props::place(lamp, graded), lamp.kind});
+  for (const props::StreetLamp& lamp : lamps.standing)
+    placed.push_back({props::place(lamp, graded), lamp.kind, lamp.light});
   return placed;
+}
+
+std::vector<PlacedLamp> brightest(std::vector<PlacedLamp> lamps, std::size_t most) {
+  if (lamps.size() <= most) return lamps;
+  std::vector<std::size_t> order(lamps.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return lamps[i].light.lumen; });
+  order.resize(most);
+  std::ranges::sort(order);
+  std::vector<PlacedLamp> chosen;
+  for (const std::size_t i : order) chosen.push_back(lamps[i]);
+  return chosen;
 }
 
 }  // namespace citykiln::bake

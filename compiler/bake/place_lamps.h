@@ -25,9 +25,13 @@ Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& map, 
 struct PlacedLamp {
   Placement placement;  ///< +x is the direction of its arm, the scale its height in metres.
   props::LampKind kind{};
+  props::Luminaire light{};
 };
 
 /// Returns the lamps of a tile as fine levels have them. Cost: that of grading the terrain of the tile.
 std::vector<PlacedLamp> lamps_of(const scene::Header& header, const scene::Chunk& chunk);
+
+/// The lamps with most lumen, at most `most`, in their order; of equal ones the first.
+std::vector<PlacedLamp> brightest(std::vector<PlacedLamp> lamps, std::size_t most);
 
 }  // namespace citykiln::bake

@@ -84,13 +84,28 @@ std::uint64_t error_count(const grammars::Derivation& derivation) {
   return count;
 }
 
+// What stands near a shape, and where lamps are on.
+grammars::Occlusion surroundings_of(const Level& level, std::vector<Vec2> doors) {
+  grammars::Occlusion entrances, lit;
+  if (!doors.empty()) entrances = grammars::entrances_at(std::move(doors));
+  if (level.context.night) lit = lit_windows(level.building, *level.context.night, level.context.seed);
+  if (!lit) return entrances;
+  return [entrances = std::move(entrances), lit = std::move(lit)](grammars::OcclusionQuery query,
+                                                                  const grammars::Shape& shape) {
+    if (query == grammars::OcclusionQuery::kIsLit) return lit(query, shape);
+    return entrances && entrances(query, shape);
+  };
+}
+
 grammars::Derivation derive(const Level& level, const MassModel& mass, double tolerance_m) {
   grammars::DeriveOptions options;
   options.attributes = rule_attributes_of(level.building, mass.roof.form);
-  options.attributes["night"] = level.context.is_night;
+  const std::optional<WeekTime>& night = level.context.night;
+  options.attributes["night"] = night.has_value();
+  options.attributes["shop_lit"] = night && is_shop_lit(level.building, *night, level.context.seed);
   std::vector<Vec2> doors = door_positions(level.building);
   options.attributes["entrances"] = static_cast<double>(doors.size());
-  if (!doors.empty()) options.occlusion = grammars::entrances_at(std::move(doors));
+  options.occlusion = surroundings_of(level, std::move(doors));
   options.seed = level.context.seed;
   options.tolerance_m = tolerance_m;
   options.keep_start = true, options.ids = false;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "compiler/buildings/facade_textures.h"
+#include "compiler/buildings/lit_windows.h"
 #include "compiler/buildings/recipe.h"
 #include "compiler/buildings/rulebook.h"
 #include "compiler/contract/report.h"
@@ -22,7 +24,8 @@ struct GeneratedBuilding {
 /// Parameters that all buildings of a scene share.
 struct SceneContext {
   std::uint64_t seed = 0;
-  bool is_night = false;  ///< Sets the rules' attribute `night`: some windows are lit.
+  /// While it is dark: sets the rules' attribute `night`, and some windows are lit (lit_windows.h).
+  std::optional<WeekTime> night{};
   /// Low buildings are not left out, and none has facade textures (blocks/certified_blocks.h).
   bool is_for_blocks = false;
 };
@@ -31,7 +34,7 @@ struct SceneContext {
 ///
 /// The rules of the building's style refine its mass model (mass_model.h) down to the tolerance. Without rules for the
 /// style the result is the mass model itself. A building lower than the tolerance, roof structures included, has no
-/// mesh and its height as error. Tints and random draws of rules depend on the seed and the id, not on is_night. Flat
+/// mesh and its height as error. Tints and random draws of rules depend on the seed and the id, not on `night`. Flat
 /// roofs in place of others (kRoofFallback) and rule errors (kRuleErrors) are diagnosed. tolerance_m > 0. Cost: that of
 /// the derivation.
 GeneratedBuilding generate(const Building& building, const Rulebook& rulebook, SceneContext context, double tolerance_m,

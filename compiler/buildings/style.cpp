@@ -44,6 +44,8 @@ Style style_of_class(const map::Footprint& footprint, const Building& building) 
     case BuildingClass::kOffice:
       return Style::kOfficeSlab;
     case BuildingClass::kCivic:
+    case BuildingClass::kSchool:
+    case BuildingClass::kHospital:
       return is_modern(footprint) ? Style::kOfficeSlab : Style::kCourtyardBlock;
     case BuildingClass::kShop:
       return building.levels <= 2 ? Style::kShop : dwelling(footprint, building);

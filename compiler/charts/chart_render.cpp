@@ -78,8 +78,10 @@ constexpr Way kWays[] = {{.name = "3 bounces, roulette 0.1"},
 std::vector<preview::StreetLamp> lamps_in_streets(int count) {
   const int columns = std::max(1, static_cast<int>(std::sqrt(count * 2.0)));
   std::vector<preview::StreetLamp> lamps;
-  for (int i = 0; i < count; ++i)
-    lamps.push_back({{30.0 * (i % columns), 60.0 * (i / columns), 6}, 6.2f, {1, 0}, i % 3 != 0});
+  for (int i = 0; i < count; ++i) {
+    const auto kind = i % 3 != 0 ? props::LampKind::kArm : props::LampKind::kPostTop;
+    lamps.push_back({{30.0 * (i % columns), 60.0 * (i / columns), 6}, 6.2f, props::luminaire_of(kind, 6.2)});
+  }
   return lamps;
 }
 

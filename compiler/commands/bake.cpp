@@ -13,6 +13,7 @@
 #include "compiler/commands/interrupt_notice.h"
 #include "compiler/commands/join_tiles.h"
 #include "compiler/commands/run_paths.h"
+#include "compiler/commands/tile_lights.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
 #include "compiler/commands/write_outputs.h"
@@ -55,17 +56,28 @@ Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, const Reques
   return tiles.size() == 1 ? std::move(tiles.front()) : join_tiles(tiles);
 }
 
+bool is_asked_for(const Request& request, scene::TileKey tile) {
+  const std::vector<scene::TileKey>& only = request.spec.only;
+  return only.empty() || std::ranges::find(only, tile) != only.end();
+}
+
 /// Writes the one file and returns its error in metres.
-Result<double> write_one_file(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
+Result<double> write_one_file(const Request& request, const scene::Scene& scene, const bake::BakedTile& tile) {
   const Outputs& outputs = request.spec.outputs;
+  const scene::Header& header = scene.header;
   if (request.out_path.ends_with(".usdz")) {
     const Result<std::vector<std::byte>> usdz = exporters::encode_usdz(tile, header);
     if (!usdz) return Error{request.out_path, usdz.error().message};
     if (const Result<Done> done = exporters::write_file(request.out_path, *usdz); !done) return done.error();
     return tile.error_m;
   }
-  const exporters::EncodedTile encoded =
-      exporters::encode_tile(tile, header, verify::glb_options_of(outputs), request.spec.threads);
+  std::vector<bake::PlacedLamp> lights;
+  const auto by_tile = lights_of_tiles(scene, outputs.lights, request.spec.threads);
+  for (std::size_t i = 0; i < by_tile.size(); ++i)
+    if (is_asked_for(request, scene.chunks[i].tile)) lights.insert(lights.end(), by_tile[i].begin(), by_tile[i].end());
+  exporters::GlbOptions options = verify::glb_options_of(outputs);
+  options.lights = lights;
+  const exporters::EncodedTile encoded = exporters::encode_tile(tile, header, options, request.spec.threads);
   if (const Result<Done> done = exporters::write_file(request.out_path, encoded.glb); !done) return done.error();
   return encoded.error_m;
 }
@@ -76,7 +88,7 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   if (scene->chunks.empty()) return Error{request.manifest_path, "contains no tiles"};
   const Result<bake::BakedTile> tile = bake_as_one_tile(*scene, request, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
-  const Result<double> error_m = write_one_file(request, scene->header, *tile);
+  const Result<double> error_m = write_one_file(request, *scene, *tile);
   if (!error_m) return error_m.error();
   console.print_line(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(),
                                  exporters::triangles_of(*tile), *error_m));
@@ -101,13 +113,12 @@ Result<bake::View> view_of(const Request& request, const scene::Scene& scene, co
 Result<bake::BakedTile> bake_for_view(const Request& request, const scene::Scene& scene, const bake::View& view,
                                       const OnProgress& on_progress) {
   const bake::ViewLevels levels = bake::levels_for(scene, view);
-  const std::vector<scene::TileKey>& only = request.spec.only;
   const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene.header);
   std::vector<bake::BakedTile> parts;
   for (std::size_t i = 0; i < scene.chunks.size(); ++i) {
     on_progress("bake", static_cast<double>(i) / static_cast<double>(scene.chunks.size()));
     const scene::Chunk& chunk = scene.chunks[i];
-    if (!only.empty() && std::ranges::find(only, chunk.tile) == only.end()) continue;
+    if (!is_asked_for(request, chunk.tile)) continue;
     std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads, prototypes,
                                  verify::most_instances_of(request.spec.outputs.target)),
                       std::back_inserter(parts));
@@ -123,7 +134,7 @@ Result<Exit> bake_view_to_file(const Request& request, const Console& console) {
   if (!view) return view.error();
   const Result<bake::BakedTile> tile = bake_for_view(request, *scene, *view, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
-  const Result<double> error_m = write_one_file(request, scene->header, *tile);
+  const Result<double> error_m = write_one_file(request, *scene, *tile);
   if (!error_m) return error_m.error();
   console.print_line(fmt::format("{}: {} triangles, error {:.3g} pixels ({:.3g} requested; no finer than {:.4g} m)",
                                  request.out_path, exporters::triangles_of(*tile), tile->viewpoint->pixel_error,
@@ -192,8 +203,8 @@ void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
     if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
-        name != "compress" && name != "layout" && name != "max-bytes" && name != "max-triangles" && name != "world" &&
-        name != "geoid-height" && name != "threads" && name != "surroundings") {
+        name != "compress" && name != "lights" && name != "layout" && name != "max-bytes" && name != "max-triangles" &&
+        name != "world" && name != "geoid-height" && name != "threads" && name != "surroundings") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);

@@ -217,7 +217,7 @@ std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, cons
 
 // The light of a scene, for the first camera.
 preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& camera, const Request& request) {
-  const sky::SkyModel model = sky::generate(scene.sky, camera.eye.z);
+  const sky::SkyModel model = sky::generate(scene.sky, camera.eye.z, preview::ground_lights(scene.lamps, camera.eye));
   return preview::Lights(model, scene.lamps, scene.around, scene.fog, clouds_of(scene, model, camera, request));
 }
 

@@ -124,7 +124,7 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
     if (!recipes) return recipes.error();
     scene.loaded.header = recipes->header, scene.sky = recipes->header.sky;
     look_around(*recipes, request, scene);
-    if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(*recipes, request.load.threads);
+    if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(*recipes, request.load.threads);
     scene.recipes = std::move(*recipes);
   } else {
     Result<Loaded> loaded = load_tiles(request.load, on_progress);
@@ -132,7 +132,7 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
     const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
     if (!sky) return sky.error();
     scene.loaded = std::move(*loaded), scene.sky = *sky;
-    if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
+    if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
     look_around(scene.loaded.manifest_path, keys_of(scene.loaded.tiles), request, scene);
   }
   if (!request.finds_views) return scene;
@@ -157,7 +157,7 @@ Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const
   // land in the plane does not meet tiles on the ellipsoid
   if (scene.tree->is_on_ellipsoid) scene.backdrop.reset();
   scene.tree.reset();
-  if (sky::is_night(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
+  if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
   return Done{};
 }
 

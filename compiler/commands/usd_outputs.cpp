@@ -5,12 +5,14 @@
 
 namespace citykiln::commands {
 
-ReadyUsd ready_usd(const bake::BakedTile& tile, std::size_t level, const scene::Header& header) {
+ReadyUsd ready_usd(const bake::BakedTile& tile, std::size_t level, const std::vector<bake::PlacedLamp>& lights,
+                   const scene::Header& header) {
   exporters::UsdLevel encoded = exporters::encode_level(tile, header, "../textures/");
   const verify::WrittenFile file{exporters::usd_level_name(tile.tile, level), encoded.layer.size()};
   return {.encoded = std::move(encoded),
           .origin = tile.origin,
           .plant_error_m = tile.plant_error_m,
+          .lights = lights,
           .record = {.file = file,
                      .tile = tile.tile,
                      .level = level,
@@ -34,7 +36,8 @@ Result<Done> UsdWriter::write(const ReadyUsd& ready, verify::WrittenFiles& writt
     if (!done) return done;
   }
   const verify::WrittenTile& record = ready.record;
-  if (tiles_.empty() || tiles_.back().tile != record.tile) tiles_.push_back({record.tile, ready.origin, {}});
+  if (tiles_.empty() || tiles_.back().tile != record.tile)
+    tiles_.push_back({record.tile, ready.origin, {}, ready.lights});
   tiles_.back().levels.push_back({record.tolerance_m, record.error_m, ready.plant_error_m, ready.encoded.bounds});
   written.usd.push_back(record);
   return folder_.write(record.file.name, ready.encoded.layer);

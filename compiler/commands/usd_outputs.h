@@ -20,10 +20,13 @@ struct ReadyUsd {
   exporters::UsdLevel encoded;
   Vec3 origin;
   double plant_error_m = 0;
+  std::vector<bake::PlacedLamp> lights;
   verify::WrittenTile record;
 };
 
-ReadyUsd ready_usd(const bake::BakedTile& tile, std::size_t level, const scene::Header& header);
+/// @param lights  Of the tile.
+ReadyUsd ready_usd(const bake::BakedTile& tile, std::size_t level, const std::vector<bake::PlacedLamp>& lights,
+                   const scene::Header& header);
 
 /// Writes levels in the order of tiles, then levels, and each texture once. Keeps a line for each tile.
 class UsdWriter {

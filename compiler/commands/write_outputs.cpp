@@ -14,6 +14,7 @@
 #include "compiler/bake/bake.h"
 #include "compiler/bake/bake_surroundings.h"
 #include "compiler/commands/bake_keys.h"
+#include "compiler/commands/tile_lights.h"
 #include "compiler/commands/usd_outputs.h"
 #include "compiler/commands/write_clouds.h"
 #include "compiler/commands/write_tiles3d.h"
@@ -46,9 +47,13 @@ constexpr double kSolvedTolerances_m[] = {0.02, 0.025, 0.032, 0.04, 0.05, 0.063,
                                           0.25, 0.32,  0.4,   0.5,  0.63, 0.8,   1,    1.25, 1.6,   2,    2.5,
                                           3.2,  4,     5,     6.3,  8,    10,    12.5, 16,   20,    25};
 
-ReadyTile ready_glb(const bake::BakedTile& tile, std::size_t level, const scene::Header& header, const Outputs& outputs,
-                    int threads) {
-  exporters::EncodedTile encoded = exporters::encode_tile(tile, header, verify::glb_options_of(outputs), threads);
+using Lights = std::vector<bake::PlacedLamp>;
+
+ReadyTile ready_glb(const bake::BakedTile& tile, std::size_t level, const Lights& lights, const scene::Header& header,
+                    const Outputs& outputs, int threads) {
+  exporters::GlbOptions options = verify::glb_options_of(outputs);
+  options.lights = lights;
+  exporters::EncodedTile encoded = exporters::encode_tile(tile, header, options, threads);
   exporters::SharedGlb divided = outputs.layout == Layout::kShared ? exporters::share_prototypes(encoded.glb)
                                                                    : exporters::SharedGlb{std::move(encoded.glb), {}};
   const verify::WrittenFile file{exporters::glb_name(tile.tile, level), divided.glb.size()};
@@ -63,16 +68,16 @@ ReadyTile ready_glb(const bake::BakedTile& tile, std::size_t level, const scene:
            .instances = exporters::instances_of(tile)}};
 }
 
-ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene::Header& header,
+ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const Lights& lights, const scene::Header& header,
                      const Outputs& outputs, int threads) {
   ReadyTile ready;
-  if (outputs.usd) ready.usd = ready_usd(tile, level, header);
+  if (outputs.usd) ready.usd = ready_usd(tile, level, lights, header);
   // a limit of bytes is one of the .glb's
   if (!outputs.glb && !outputs.max_bytes) {
     ready.record = ready.usd->record;
     return ready;
   }
-  ReadyTile with_glb = ready_glb(tile, level, header, outputs, threads);
+  ReadyTile with_glb = ready_glb(tile, level, lights, header, outputs, threads);
   with_glb.usd = std::move(ready.usd);
   return with_glb;
 }
@@ -108,6 +113,7 @@ class TileWriter {
         threads_(threads),
         folder_(folder),
         report_(report),
+        lights_(lights_of_tiles(scene, outputs.lights, threads)),
         usd_(scene.header, folder) {}
 
   Result<Done> write_all(const OnProgress& on_progress, WrittenOutputs& written) {
@@ -121,7 +127,8 @@ class TileWriter {
                        .process =
                            [&](ChunkLevel at, bake::BakedTile&& baked) {
                              const bake::BakedTile tile = std::move(baked);
-                             ready_[index(at)] = ready_tile(tile, at.level, scene_.header, outputs_, threads_);
+                             ready_[index(at)] =
+                                 ready_tile(tile, at.level, lights_[at.chunk], scene_.header, outputs_, threads_);
                            },
                        .take =
                            [&](ChunkLevel at, const Report& diagnosed) {
@@ -190,7 +197,7 @@ class TileWriter {
       const auto prepared = bake::prepare(scene_.header, scene_.chunks[chunk], std::span(&tolerance_m, 1), threads_,
                                           prototypes, verify::most_instances_of(outputs_.target));
       const bake::BakedTile tile = bake::bake_prepared(*prepared, 0, threads_, out.diagnosed);
-      out.tile = ready_tile(tile, 0, scene_.header, outputs_, threads_);
+      out.tile = ready_tile(tile, 0, lights_[chunk], scene_.header, outputs_, threads_);
       return out;
     };
     std::optional<SolvedTile> found;
@@ -265,6 +272,7 @@ class TileWriter {
   int threads_;
   exporters::OutputFolder& folder_;
   Report& report_;
+  std::vector<Lights> lights_;       ///< By chunk.
   std::vector<std::uint64_t> keys_;  ///< By chunk and level, as the following.
   std::vector<std::optional<WholeTile>> whole_;
   std::vector<ReadyTile> ready_;

@@ -13,6 +13,7 @@
 #include "compiler/map/cross_section.h"
 #include "compiler/map/element_text.h"
 #include "compiler/map/heightfield.h"
+#include "compiler/map/lamp_tags.h"
 #include "compiler/map/land_cover_class.h"
 #include "compiler/map/plant_kind.h"
 #include "compiler/materials/material.h"
@@ -141,6 +142,7 @@ struct PointFeature {
   PointKind kind{};
   double height_m = 0;     ///< 0: untagged.
   PlantTags plant_tags{};  ///< Trees and shrubs.
+  LampTags lamp_tags{};    ///< Street lamps.
 };
 
 /// A line of trees.

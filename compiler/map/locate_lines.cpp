@@ -4,6 +4,7 @@
 #include "compiler/map/building_tags.h"
 #include "compiler/map/for_each_line.h"
 #include "compiler/map/plant_tags.h"
+#include "compiler/map/read_lamp_tags.h"
 
 namespace citykiln::map {
 namespace {
@@ -69,6 +70,14 @@ PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
   return plant_tags;
 }
 
+// Of a lamp also that of its light.
+double tagged_point_height_m(const ReadContext& context, OsmId id, const PointRow& row, source::Range tags) {
+  auto height_m = tagged_length_m(context, id, tags, "height", 0.1, kTallest_m);
+  if (!height_m && row.kind == PointKind::kStreetLamp)
+    height_m = tagged_length_m(context, id, tags, "light:height", 0.1, kTallest_m);
+  return height_m.value_or(0);
+}
+
 struct PowerRow {
   std::string_view value;
   double corridor_m;
@@ -125,11 +134,11 @@ std::vector<PointFeature> locate_points(const ReadContext& context) {
       continue;
     }
     ++account.out;
-    const double height = row->kind == PointKind::kTree
-                              ? tagged_plant_height_m(context, id, node.tags)
-                              : tagged_length_m(context, id, node.tags, "height", 0.1, kTallest_m).value_or(0);
+    const double height = row->kind == PointKind::kTree ? tagged_plant_height_m(context, id, node.tags)
+                                                        : tagged_point_height_m(context, id, *row, node.tags);
     points.push_back({.id = {id, 0}, .at = at, .kind = row->kind, .height_m = snapped(height)});
     if (row->kind == PointKind::kTree) points.back().plant_tags = growth_of(context, id, node.tags);
+    if (row->kind == PointKind::kStreetLamp) points.back().lamp_tags = read_lamp_tags(context, id, node.tags);
   }
   context.report.account("map", "point") = account;
   return points;

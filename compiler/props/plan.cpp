@@ -45,7 +45,7 @@ Props plan(const map::Features& features, Report& report) {
       continue;
     }
     ++points.out;
-    props.lamps.push_back({point.id, point.at, point.height_m});
+    props.lamps.push_back({.id = point.id, .at = point.at, .height_m = point.height_m, .light = point.lamp_tags});
   }
   std::ranges::sort(props.barriers, {}, &Barrier::id);
   std::ranges::sort(props.lamps, {}, &Lamp::id);

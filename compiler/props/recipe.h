@@ -19,6 +19,7 @@ struct Lamp {
   ObjectId id;
   Vec2 at;
   double height_m = 0;  ///< 0 if not tagged: that of the lamps of its street.
+  map::LampTags light{};
   bool operator==(const Lamp&) const = default;
 };
 

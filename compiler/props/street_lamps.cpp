@@ -73,7 +73,8 @@ StreetLamp lamp_on(const Road& road, const Piece& piece, const Lighting& lightin
           .facing = out * -1.0,
           .height_m = lighting.height_m,
           .kind = lighting.kind,
-          .feature = road.id.osm};
+          .feature = road.id.osm,
+          .light = luminaire_of(lighting.kind, lighting.height_m)};
 }
 
 // The numbers of the lamps at distances in [from_m, to_m) along the way.
@@ -193,11 +194,14 @@ FacedRoad nearest_road(std::span<const RoadArea> roads, Vec2 p) {
 StreetLamp street_lamp(const Lamp& lamp, const FacedRoad& faced) {
   const Lighting lighting = faced.road ? lighting_of(faced.road->surface) : kWithoutRoad;
   const Vec2 towards = faced.road ? unit(faced.at - lamp.at) : Vec2{};
+  const double height_m = lamp.height_m > 0 ? lamp.height_m : lighting.height_m;
+  const LampKind kind = kind_of(lamp.light.mount, lighting.kind);
   return {.at = lamp.at,
           .facing = towards == Vec2{} ? Vec2{1, 0} : towards,
-          .height_m = lamp.height_m > 0 ? lamp.height_m : lighting.height_m,
-          .kind = lighting.kind,
-          .feature = lamp.id.osm};
+          .height_m = height_m,
+          .kind = kind,
+          .feature = lamp.id.osm,
+          .light = luminaire_of(kind, height_m, lamp.light)};
 }
 
 }  // namespace

@@ -14,16 +14,11 @@
 
 #include "compiler/geometry/box.h"
 #include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/props/luminaire.h"
 #include "compiler/props/recipe.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::props {
-
-enum class LampKind : std::uint8_t {
-  kPostTop,  ///< A lantern on a post: paths and quiet streets.
-  kArm,      ///< A head on an arm over the road.
-  kCount
-};
 
 /// How roads of a class are lit.
 struct Lighting {
@@ -40,6 +35,7 @@ struct StreetLamp {
   double height_m = 0;
   LampKind kind{};
   OsmId feature;  ///< The mapped lamp, or the way it lights.
+  Luminaire light{};
   bool operator==(const StreetLamp&) const = default;
 };
 
@@ -65,8 +61,9 @@ std::vector<StreetLamp> lamps_of_streets(std::span<const roads::Road> roads, std
                                          const ground::LandCoverIndex& index, const Box2& box);
 
 /// Returns mapped lamps with their direction, kind and height: each faces the nearest point on the axis of a street
-/// within 12 m, else of a path, else +x; among equally near roads that of the first one. That road determines the kind,
-/// and the height if it is not tagged; without a road it is a post of 6 m. Total. O(segments + lamps * roads).
+/// within 12 m, else of a path, else +x; among equally near roads that of the first one. That road determines the kind
+/// and the height if they are not tagged; without a road it is a post of 6 m. Its light is that of its tags, else of
+/// kind and height (luminaire.h). Total. O(segments + lamps * roads).
 std::vector<StreetLamp> mapped_lamps(std::span<const Lamp> lamps, std::span<const roads::Road> roads);
 
 }  // namespace citykiln::props

@@ -6,9 +6,22 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/sky/parse_time.h"
+
 namespace citykiln::scene {
 
 plants::Month month_of(const Header& header) { return plants::month_for(header.sky.time, header.origin.lat_deg); }
+
+std::optional<buildings::WeekTime> night_of(const Header& header) {
+  if (!sky::is_night(header.sky)) return std::nullopt;
+  // without a date that can be read, a Wednesday evening
+  constexpr double kEvening_h = 2 * 24 + 20, kWeek_h = 168;
+  const Result<sky::Moment> moment = sky::parse_time(header.sky.time);
+  if (!moment) return buildings::WeekTime{kEvening_h};
+  // 2000-01-03, a Monday, began 1.5 days after J2000.0
+  const double hours = (moment->days - 1.5) * 24 + header.origin.lon_deg / 15;
+  return buildings::WeekTime{hours - kWeek_h * std::floor(hours / kWeek_h)};
+}
 
 Box2 box_of(const Header& header, TileKey tile) {
   assert(header.tile_m > 0);

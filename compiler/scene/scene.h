@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/buildings/lit_windows.h"
 #include "compiler/buildings/recipe.h"
 #include "compiler/buildings/rulebook.h"
 #include "compiler/ground/recipe.h"
@@ -97,6 +98,9 @@ struct Scene {
 
 /// The month of the sky's time: plants and fields are shown as they are then.
 plants::Month month_of(const Header& header);
+
+/// The time of the week while it is dark, which says what windows are lit; none by day.
+std::optional<buildings::WeekTime> night_of(const Header& header);
 
 /// The part of the region that belongs to a tile.
 Box2 box_of(const Header& header, TileKey tile);

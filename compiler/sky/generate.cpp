@@ -43,7 +43,7 @@ bool has_moonlight(const Sky& sky) {
 
 }  // namespace
 
-SkyModel generate(const Sky& sky, double eye_height_m) {
+SkyModel generate(const Sky& sky, double eye_height_m, std::span<const GroundLight> lamps) {
   const LitAir lit(air_of(sky));
   SkyModel model;
   model.to_sun = unit(sky.to_sun);
@@ -63,6 +63,10 @@ SkyModel generate(const Sky& sky, double eye_height_m) {
   model.white_ground = model.everywhere;
   for (const auto& dome : model.domes)
     model.white_ground = plus(model.white_ground, times(dome->ground(), 1 / (kPi * kUnit_kcd_m2)));
+  if (!lamps.empty()) {
+    model.glow = std::make_shared<TownGlow>(lit.air, lamps, eye_height_m - sky.ground_m);
+    model.white_ground = plus(model.white_ground, times(model.glow->ground(), 1 / (kPi * kUnit_kcd_m2)));
+  }
   model.ground_albedo = sky.ground_albedo;
   if (sky.to_sun.z < kStarsOut) model.stars = stars_of(sky);
   return model;
@@ -78,6 +82,7 @@ Rgb radiance(const SkyModel& model, Vec3 direction) {
     return plus(path.added, {path.passed[0] * ground[0], path.passed[1] * ground[1], path.passed[2] * ground[2]});
   }
   Rgb sum = model.everywhere;
+  if (model.glow) sum = plus(sum, times(model.glow->radiance(direction), 1 / kUnit_kcd_m2));
   for (const auto& dome : model.domes) sum = plus(sum, times(dome->radiance(direction), 1 / kUnit_kcd_m2));
   return sum;
 }

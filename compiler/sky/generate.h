@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "compiler/sky/atmosphere/sky_dome.h"
+#include "compiler/sky/atmosphere/town_glow.h"
 #include "compiler/sky/recipe.h"
 #include "compiler/sky/stars.h"
 
@@ -29,13 +31,15 @@ struct SkyModel {
   Rgb white_ground{};  ///< Radiance of level white ground at sea level.
   double ground_albedo = 0.2;
   MoonDisk moon{};
-  std::vector<Star> stars{};  ///< None by day.
+  std::vector<Star> stars{};               ///< None by day.
+  std::shared_ptr<const TownGlow> glow{};  ///< Null without lamps.
 };
 
 /// @param eye_height_m  Above sea level: pictures from other heights are somewhat wrong. Cost: 0.3 s.
+/// @param lamps         That are lit, for the glow of the sky (town_glow.h).
 /// Guarantees: the sky's radiance is within 5 % (median) and 15 % (19 of 20 directions) of a spectral integration with
 /// all orders of scattering, for suns from -3° to 60°.
-SkyModel generate(const Sky& sky, double eye_height_m = 0);
+SkyModel generate(const Sky& sky, double eye_height_m = 0, std::span<const GroundLight> lamps = {});
 
 /// The radiance of the sky in a direction (unit vector), without the disks of sun and moon; below the horizon that of
 /// the ground behind the air.

@@ -29,4 +29,8 @@ struct Sky {
 /// Whether the sun has set: its upper limb, with refraction, is below the horizon.
 inline bool is_night(const Sky& sky) { return sky.to_sun.z < -0.00466; }
 
+/// Whether street lamps are lit: the sun is 4° below the horizon, when a clear sky gives the 35 lx at which photocells
+/// of street lighting switch (BS 5972).
+inline bool are_lamps_lit(const Sky& sky) { return sky.to_sun.z < -0.06976; }
+
 }  // namespace citykiln::sky

@@ -6,6 +6,7 @@
 
 #include "exporters/gltf/decode_pictures.h"
 #include "exporters/gltf/decode_primitives.h"
+#include "exporters/gltf/encode_lights.h"
 #include "exporters/gltf/split_buildings.h"
 
 namespace citykiln::exporters {
@@ -130,8 +131,10 @@ std::vector<std::optional<std::size_t>> read_nodes(GltfReader& reader, BakedTile
   NodeReader nodes{reader, tile};
   const tinygltf::Node& root = nodes.node(0);
   if (root.mesh >= 0) nodes.add_static(root.mesh);
-  for (const int child : root.children)
+  for (const int child : root.children) {
+    if (is_light_group(nodes.node(child))) continue;
     is_instance(nodes.node(child)) ? nodes.add_instance(nodes.node(child)) : nodes.add_layer(child);
+  }
   return std::move(nodes.cutouts);
 }
 

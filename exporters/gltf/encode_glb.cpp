@@ -3,6 +3,7 @@
 #include "compiler/bake/bake_surroundings.h"
 #include "exporters/file.h"
 #include "exporters/gltf/compress_glb.h"
+#include "exporters/gltf/encode_lights.h"
 #include "exporters/gltf/encode_nodes.h"
 #include "exporters/gltf/encode_pictures.h"
 #include "exporters/gltf/glb.h"
@@ -69,6 +70,7 @@ void fill(GlbBuilder& f) {
   f.model.asset.copyright = joined(f.header.attributions);
   f.model.buffers.emplace_back();
   add_nodes(f, root_of(f.tile, f.header, f.options));
+  add_lights(f);
   add_pictures(f);
   f.model.extensions["EXT_structural_metadata"] = property_table(f);
   f.model.extensionsUsed.assign(f.extensions.begin(), f.extensions.end());

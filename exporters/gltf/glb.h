@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/bake/place_lamps.h"
 #include "compiler/contract/result.h"
 #include "compiler/contract/split.h"
 #include "compiler/contract/target.h"
@@ -20,6 +21,7 @@ struct GlbOptions {
   Split split = Split::kLayer;
   Compression compression = Compression::kNone;  ///< One that the target's reader knows.
   bool has_exact_pictures = false;               ///< PNG alone, instead of the formats that the target's reader knows.
+  std::span<const bake::PlacedLamp> lights{};    ///< Written as lights (encode_lights.h), whatever the time is.
   bool is_on_ellipsoid = false;  ///< The tile is bent (bake/bend.h); extras name its frame, not the plane.
 };
 
@@ -29,6 +31,7 @@ struct GlbOptions {
 /// |---------------------|--------------------------------------------------------------------------------------------|
 /// | primitives          | nodes by layer, tile or building (encode_nodes.h), one primitive per key                   |
 /// | instances           | a node each, or EXT_mesh_gpu_instancing, as the target's reader knows                      |
+/// | lights              | KHR_lights_punctual (encode_lights.h); read_glb skips them                                 |
 /// | features            | _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into a property table             |
 /// |                     | (property_table.h, EXT_structural_metadata)                                                |
 /// | origin, tolerances, | the root node's extras: tile, origin_m (doubles), tolerance_m, error_m, plant_error_m,     |

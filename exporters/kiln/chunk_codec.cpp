@@ -94,9 +94,23 @@ void serialise(auto& io, props::Barrier& b) {
   io.metres("barrier height", b.height_m), io.metres("barrier width", b.width_m);
 }
 
+// What is tagged of a lamp's light; most lamps have no tags.
+void light(auto& io, map::LampTags& tags) {
+  bool is_tagged = tags != map::LampTags{};
+  flag(io, "lamp light", is_tagged);
+  if (!is_tagged) return;
+  enumerator(io, "lamp light", tags.type, map::LampType::kCount);
+  enumerator(io, "lamp light", tags.mount, map::LampMount::kCount);
+  io.number("lamp light", tags.count), io.number("lamp light", tags.temperature_k);
+  io.number("lamp light", tags.lumen);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (tags.count < 1 || tags.count > map::kMostLuminaires) io.fail("lamp light"), tags.count = 1;
+}
+
 void serialise(auto& io, props::Lamp& l) {
   id(io, l.id);
   io.point(l.at), io.metres("lamp height", l.height_m);
+  light(io, l.light);
 }
 
 // The prediction of a height from its western, southern and south-western neighbours; the difference is written.

@@ -10,6 +10,7 @@
 #include "compiler/sky/recipe.h"
 #include "exporters/usd/encode_level.h"
 #include "exporters/usd/text_writer.h"
+#include "exporters/usd/usd_lights.h"
 #include "exporters/usd/usd_names.h"
 
 namespace citykiln::exporters {
@@ -154,9 +155,13 @@ def Xform "tile" (
   writer.write_lines("variantSet \"level\" = {");
   writer.indent();
   for (std::size_t n = 0; n < tile.levels.size(); ++n) write_variant(writer, tile, n);
-  writer.end_prim(), writer.end_prim();
+  writer.end_prim();
+  write_usd_lights(writer, tile.lights, tile.origin);
+  writer.end_prim();
   return writer.finish();
 }
+
+double usd_unit_luminance_cd_m2() { return kSolarIlluminance_lx * exponential(-kExtinction) / std::numbers::pi; }
 
 std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene::Header& header,
                                     const UsdSurroundings* around) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "compiler/bake/place_lamps.h"
 #include "exporters/usd/usd_builder.h"
 
 namespace citykiln::exporters {
@@ -18,9 +19,13 @@ struct UsdTileLevel {
 /// A tile that is written.
 struct UsdTile {
   scene::TileKey tile;
-  Vec3 origin;                       ///< Plane metres.
-  std::vector<UsdTileLevel> levels;  ///< Finest first; not empty.
+  Vec3 origin;                             ///< Plane metres.
+  std::vector<UsdTileLevel> levels;        ///< Finest first; not empty.
+  std::vector<bake::PlacedLamp> lights{};  ///< Written as lights of the tile (usd_lights.h), whatever the time is.
 };
+
+/// The luminance that a radiance of 1 stands for, cd/m²: that of a white surface that faces the sun at the zenith.
+double usd_unit_luminance_cd_m2();
 
 /// The layer of the land around the scene (bake/bake_surroundings.h), kUsdSurroundingsName.
 struct UsdSurroundings {
@@ -30,7 +35,7 @@ struct UsdSurroundings {
 
 /// Returns the layer of a tile: the prim "tile", moved to the tile's origin, with a variant of the set "level" for each
 /// level, "L0" the finest and the default. Each has the level's layer as its payload, its bounds, and its tolerance and
-/// error as customData.
+/// error as customData. Lights are beside the variants, so that all levels have them.
 std::vector<std::byte> encode_tile_layer(const UsdTile& tile, const scene::Header& header);
 
 /// Returns the layer of the scene: a prim for each tile with the tile's layer as its payload and the bounds of its

@@ -70,7 +70,7 @@ bool answer(OcclusionQuery query, const std::vector<Neighbour>& neighbours, cons
     touches |= tally.on > 0;
     within |= tally.within > 0;
   }
-  if (query == OcclusionQuery::kHasEntrance) return false;
+  if (query == OcclusionQuery::kHasEntrance || query == OcclusionQuery::kIsLit) return false;
   if (query == OcclusionQuery::kInside) return inside;
   if (query == OcclusionQuery::kOverlaps) return overlaps && !inside;
   return touches && !within && !inside;

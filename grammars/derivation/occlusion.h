@@ -1,4 +1,4 @@
-// What stands near a shape: answers inside(), overlaps(), touches() and has_entrance().
+// What stands near a shape, or is behind it: answers inside(), overlaps(), touches(), has_entrance() and is_lit().
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace citykiln::grammars {
 
-enum class OcclusionQuery : std::uint8_t { kInside, kOverlaps, kTouches, kHasEntrance };
+enum class OcclusionQuery : std::uint8_t { kInside, kOverlaps, kTouches, kHasEntrance, kIsLit };
 
 /// Answers queries during a derivation. Has to be a pure function.
 using Occlusion = std::function<bool(OcclusionQuery, const Shape&)>;

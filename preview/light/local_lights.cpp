@@ -12,39 +12,13 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Lanterns shine in all directions below this angle above the horizontal, their cap hides the rest.
-constexpr double kLanternRise_rad = kPi / 6;
+const double kLanternRise_rad = std::asin(props::kLanternRise);
 
-struct LampClass {
-  bool has_arm;
-  float up_to_m;
-  double lumen, temperature_k;
-};
-
-constexpr LampClass kLampClasses[] = {
-#define LAMP(has_arm, up_to_m, lumen, temperature_k) {has_arm, up_to_m, lumen, temperature_k},
-#include "preview/light/lamp_table.inc"
-#undef LAMP
-};
-
-const LampClass& class_of(const StreetLamp& lamp) {
-  const LampClass* last = kLampClasses;
-  for (const LampClass& each : kLampClasses) {
-    if (each.has_arm != lamp.has_arm) continue;
-    last = &each;
-    if (lamp.height_m <= each.up_to_m) break;
-  }
-  return *last;
-}
-
-// Colour of a luminance of 1, linear Rec. 709 of the Planckian locus, interpolated in between.
+// Of a luminance of 1.
 Rgb colour_of(double temperature_k) {
-  const Rgb warm = {1.770, 0.839, 0.326}, neutral = {1.424, 0.918, 0.556};  // 3000 K, 4000 K
-  return mixed(warm, neutral, std::clamp((temperature_k - 3000) / 1000, 0.0, 1.0));
+  const auto [r, g, b] = props::black_body_colour(temperature_k);
+  return {r, g, b};
 }
-
-// Lumen over this are candela along the axis: the integral of the directional pattern.
-double pattern_sr(bool shines_down) { return shines_down ? kPi : 2 * kPi * (1 + std::sin(kLanternRise_rad)); }
 
 double area_of(const Emitter& e) { return length(cross(e.edge1, e.edge2)) / 2; }
 
@@ -89,17 +63,18 @@ LocalLights::LocalLights(const World& world, std::span<const StreetLamp> lamps, 
   emitter_tree_ = LightTree(bounds);
   bounds.clear();
   for (const StreetLamp& lamp : lamps) {
-    const LampClass& of = class_of(lamp);
-    const double candela = of.lumen / pattern_sr(lamp.has_arm) / sky::kUnitLuminance_cd_m2;
+    const props::Luminaire& of = lamp.light;
+    const double candela = of.lumen / props::beam_sr(of.beam) / sky::kUnitLuminance_cd_m2;
     // lanterns and heads are sized by the lamp's height (compiler/props)
     constexpr double kHead = 0.045;
+    const bool shines_down = of.beam == props::Beam::kDown;
     lamps_.push_back(
-        {lamp.at - world.origin(), kHead * lamp.height_m, colour_of(of.temperature_k) * candela, lamp.has_arm});
+        {lamp.at - world.origin(), kHead * lamp.height_m, colour_of(of.temperature_k) * candela, shines_down});
     const Lamp& made = lamps_.back();
     bounds.push_back({.low = made.at,
                       .high = made.at,
                       .axis = {0, 0, -1},
-                      .reach_rad = lamp.has_arm ? kPi / 2 : kPi / 2 + kLanternRise_rad,
+                      .reach_rad = shines_down ? kPi / 2 : kPi / 2 + kLanternRise_rad,
                       .flux = of.lumen / sky::kUnitLuminance_cd_m2});
   }
   lamp_tree_ = LightTree(bounds);
@@ -111,7 +86,7 @@ std::optional<LightSample> LocalLights::light_of(const Lamp& lamp, Vec3 at) cons
   if (distance_m <= lamp.radius_m) return std::nullopt;
   const Vec3 direction = to * (1 / distance_m);
   double share = direction.z;  // the cosine below an arm's head
-  if (!lamp.shines_down) share = direction.z > -std::sin(kLanternRise_rad) ? 1 : 0;
+  if (!lamp.shines_down) share = direction.z > -props::kLanternRise ? 1 : 0;
   if (share <= 0) return std::nullopt;
   return LightSample{direction, distance_m - lamp.radius_m, lamp.intensity * (share / (distance_m * distance_m)), 0};
 }

@@ -5,24 +5,29 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/props/luminaire.h"
 #include "compiler/scene/scene.h"
+#include "compiler/sky/atmosphere/town_glow.h"
 
 namespace citykiln::preview {
 
-/// A street lamp.
+/// A street lamp that is lit.
 struct StreetLamp {
   Vec3 at;             ///< The middle of its glass, plane metres.
   float height_m = 0;  ///< Of the whole lamp above the ground.
-  Vec2 towards;        ///< Direction of its arm in plan, unit length; of a lamp without arm any direction.
-  bool has_arm = false;
+  props::Luminaire light{};
 };
 
 /// Returns the lamps of a scene from its recipes, in the order of its chunks: mapped ones, then those along lit
 /// streets. Generates no geometry; cost: grading the terrain of every tile with lamps, in parallel.
 std::vector<StreetLamp> lamps_of(const scene::Scene& scene, int threads);
 
-/// Returns the lamps of baked tiles, of their instances named "PostTopLamp" and "ArmLamp", in the order of the tiles.
-/// Tiles whose tolerance drops lamps have none. O(instances).
+/// Returns the lamps of baked tiles, of their instances named "PostTopLamp" and "ArmLamp", in the order of the tiles,
+/// with the light of their kind and height, since tiles do not hold tags. Tiles whose tolerance drops lamps have none.
+/// O(instances).
 std::vector<StreetLamp> lamps_of(std::span<const bake::BakedTile> tiles);
+
+/// Lamps as sources of sky glow for an eye.
+std::vector<sky::GroundLight> ground_lights(std::span<const StreetLamp> lamps, Vec3 eye);
 
 }  // namespace citykiln::preview

@@ -105,7 +105,8 @@ bool is_near(const buildings::Building& building, std::span<const Vec3> eyes) {
 }  // namespace
 
 std::vector<LitPane> lit_panes_of(const scene::Scene& scene, std::span<const Vec3> eyes, int threads) {
-  if (!sky::is_night(scene.header.sky)) return {};
+  const std::optional<buildings::WeekTime> night = scene::night_of(scene.header);
+  if (!night) return {};
   std::vector<const buildings::Building*> near;
   for (const scene::Chunk& chunk : scene.chunks)
     for (const buildings::Building& building : chunk.buildings)
@@ -114,7 +115,7 @@ std::vector<LitPane> lit_panes_of(const scene::Scene& scene, std::span<const Vec
   const auto by_building = for_each_slot<std::vector<LitPane>>(near.size(), threads, [&](std::size_t i) {
     Report ignored;
     return panes_of(*near[i],
-                    buildings::generate(*near[i], rulebook, {scene.header.seed, true}, kTolerance_m, ignored));
+                    buildings::generate(*near[i], rulebook, {scene.header.seed, night}, kTolerance_m, ignored));
   });
   std::vector<LitPane> panes;
   for (const std::vector<LitPane>& of_one : by_building) panes.insert(panes.end(), of_one.begin(), of_one.end());

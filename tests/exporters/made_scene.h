@@ -41,9 +41,18 @@ class SceneMaker {
     for (auto i = below(2); i > 0; --i) c.corridors.push_back({id(), line(), eighths(300)});
     for (auto i = below(3); i > 0; --i)
       c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});
-    for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9)});
+    for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9), lamp_tags()});
     c.texts = texts();
     return c;
+  }
+
+  map::LampTags lamp_tags() {
+    if (below(2) == 0) return {};
+    return {.type = pick(map::LampType::kCount),
+            .mount = pick(map::LampMount::kCount),
+            .count = static_cast<std::uint8_t>(1 + below(4)),
+            .temperature_k = static_cast<std::uint16_t>(below(6000)),
+            .lumen = static_cast<std::uint32_t>(below(20000))};
   }
 
   /// Two tiles side by side, one of coarse points, one of fine ones.

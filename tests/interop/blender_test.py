@@ -111,6 +111,44 @@ class BlenderImport(BlenderTest):
                     self.assertLess(abs(found["roughness"] - values.get("roughnessFactor", 1)), 1e-5)
 
 
+LIGHTS = 40
+# of Blender's importer, which takes a light's candela as evenly spread
+LUMEN_PER_WATT = 683
+
+
+class BlenderLights(BlenderTest):
+    @classmethod
+    def written(cls, keeper):
+        return sorted((keeper.town("lit", "--lods", "12.5", "--lights", str(LIGHTS)) / "glb").glob("*.glb"))
+
+    def test_lamps_are_lights_at_their_places(self):
+        kinds = set()
+        for gltf, facts in self.tiles:
+            nodes = [node for node in gltf["nodes"] if "KHR_lights_punctual" in node.get("extensions", {})]
+            self.assertEqual(len(nodes), LIGHTS)
+            self.assertEqual(len(facts["lights"]), LIGHTS)
+            root = gltf["nodes"][0]["translation"]
+            found = {tuple(round(x, 2) for x in light["at"]): light for light in facts["lights"]}
+            for node in nodes:
+                light = found[tuple(round(a + b, 2) for a, b in zip(root, node["translation"]))]
+                own = gltf["extensions"]["KHR_lights_punctual"]["lights"][node["extensions"]["KHR_lights_punctual"]["light"]]
+                self.assertEqual(light["type"], own["type"].upper())
+                self.assertTrue(light["type"] == "POINT" or light["down"])
+                self.assert_near(light["colour"], own["color"], 1e-5)
+                self.assertEqual(light["lumen"], node["extras"]["lumen"])
+                kinds.add(light["type"])
+        self.assertEqual(kinds, {"POINT", "SPOT"})
+
+    def test_their_power_is_within_a_factor_of_two_of_the_lamp(self):
+        for _, facts in self.tiles:
+            for light in facts["lights"]:
+                luminance = sum(a * b for a, b in zip(light["colour"], (0.2126, 0.7152, 0.0722)))
+                # a cone that is evenly bright has half of the sphere's lumen
+                share = 0.5 if light["type"] == "SPOT" else 1
+                lumen = light["watts"] * LUMEN_PER_WATT * luminance * share
+                self.assertTrue(0.5 < lumen / light["lumen"] < 2, (lumen, light["lumen"], light["type"]))
+
+
 @unittest.skipUnless(MADE_GLB, "MADE_GLB is not set")
 class BlenderMarkingAtlas(BlenderTest):
     @classmethod

@@ -116,7 +116,15 @@ def facts_of(path):
             "values": values,
             "pictures": {name: values["picture_px"] for name, values in values.items() if "picture_px" in values},
             "images": [list(image.size) for image in new["images"]],
+            "lights": [facts_of_light(thing) for thing in new["objects"] if thing.type == "LIGHT"],
             "corners": {mesh.name: corners_of(mesh) for mesh in small}}
+
+
+def facts_of_light(thing):
+    """Its place in glTF's axes, where it shines to, its colour and its power in watts."""
+    down = thing.matrix_world.to_quaternion() @ mathutils.Vector((0, 0, -1))
+    return {"type": thing.data.type, "at": list((Y_UP @ thing.matrix_world)[i][3] for i in range(3)), "down": down.z < -0.999,
+            "colour": list(thing.data.color), "watts": thing.data.energy, "osm_id": thing.get("osm_id"), "lumen": thing.get("lumen")}
 
 
 def show_only(names):

@@ -44,6 +44,13 @@ class Validator(ProgramTest):
             with self.subTest(split=split):
                 self.assert_valid(self.tiles("--lods", "0.5,12.5", "--split", split))
 
+    def test_lights_are_valid(self):
+        for packing in ([], ["--target", "three", "--compress", "meshopt", "--split", "tile"]):
+            with self.subTest(packing=packing):
+                tiles = self.tiles("--lods", "12.5", "--lights", "50", *packing)
+                self.assertIn(b"KHR_lights_punctual", tiles[0].read_bytes())
+                self.assert_valid(tiles)
+
     def test_contents_of_tilesets_are_valid(self):
         for packing in ([], ["--compress", "quantize"], ["--compress", "draco"], ["--compress", "meshopt"]):
             with self.subTest(packing=packing):

@@ -120,7 +120,7 @@ TEST(Unbiased, SampledEmittersAreAsBrightAsThoseFoundByChance) {
 TEST(Unbiased, ALampLightsTheStreetByItsLumen) {
   bake::BakedTile ground = tile({}, {floor({-50, -50, 0}, {50, 50, 0}, Material::kAsphalt)});
   const World world(std::span(&ground, 1), {});
-  const StreetLamp lamp{{0, 0, 8}, 8.2f, {1, 0}, true};
+  const StreetLamp lamp{{0, 0, 8}, 8.2f, props::luminaire_of(props::LampKind::kArm, 8.2)};
   const LocalLights local(world, std::span(&lamp, 1), 1);
   for (const double away : {0.0, 3.0, 12.0}) {
     const auto light = local.sample_lamp({away, 0, 0}, {0, 0, 1}, 0.5);

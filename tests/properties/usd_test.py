@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests that USD outputs, read and composed by usd.py, say what the .glb of the same run say, and that damage is found."""
 import json
+import math
 import shutil
 import struct
 import sys
@@ -32,6 +33,32 @@ def turned(accessor):
     """Low and high of glTF's y-up positions with z up."""
     (ax, ay, az), (bx, by, bz) = accessor["min"], accessor["max"]
     return [[ax, -bz, ay], [bx, -az, by]]
+
+
+# Candela of a lumen, and the unit of a scene's radiance in cd/m2 (exporters/usd)
+CANDELA = {"SphereLight": 1 / (3 * math.pi), "DiskLight": 1 / math.pi}
+UNIT_CD_M2 = 127500 * math.exp(-0.21) / math.pi
+
+
+class LightsOfUsd(ProgramTest):
+    def test_lamps_are_the_lights_of_the_glb(self):
+        town = self.compiled("lit", "--spec", TOWN / "spec.json", "--lods", "12.5", "--emit", "glb,usd", "--lights", "20")
+        stage, kinds = Stage(town / "usd/scene.usda"), set()
+        for x, y in [(t["x"], t["y"]) for t in report_of(town)["usd"]]:
+            group = stage.root.at(prim_of((x, y))).children["lights"].children.values()
+            nodes = [n for n in Glb(town / f"glb/{x}_{y}_L0.glb").gltf["nodes"] if "KHR_lights_punctual" in n.get("extensions", {})]
+            self.assertEqual(len(group), 20)
+            for lamp, node in zip(group, nodes, strict=True):
+                for own, other in zip(lamp.attributes["xformOp:translate"], [node["translation"][0], -node["translation"][2], node["translation"][1]]):
+                    self.assertAlmostEqual(own, other, delta=1e-3)
+                self.assertEqual(lamp.metadata["customData"]["lumen"], node["extras"]["lumen"])
+                self.assertEqual(lamp.metadata["customData"]["osm_id"], str(int(node["extras"]["osm_id"])))
+                disk_m2 = math.pi * lamp.attributes["inputs:radius"] ** 2
+                colour = sum(a * b for a, b in zip(lamp.attributes["inputs:color"], (0.2126, 0.7152, 0.0722)))
+                candela = lamp.attributes["inputs:intensity"] * colour * UNIT_CD_M2 * disk_m2
+                self.assertAlmostEqual(candela / (CANDELA[lamp.kind] * node["extras"]["lumen"]), 1, delta=1e-3)
+                kinds.add(lamp.kind)
+        self.assertEqual(kinds, set(CANDELA))
 
 
 class WhatUsdSays(ProgramTest):

@@ -55,5 +55,26 @@ TEST(LocateLines, PointsAreReadWhereTheRegionIs) {
   EXPECT_TRUE(report.balances());
 }
 
+TEST(LocateLines, LampsHaveTheLightThatIsTagged) {
+  Report report;
+  const Features features = features_of(R"(
+    n1 3:4 highway=street_lamp lamp_type=high_pressure_sodium lamp_mount=bent_mast light:count=2 light:height=7~m
+    n2 5:4 highway=street_lamp light:method=gas light:colour=2700~K light:lumen=600~lm
+    n3 6:4 highway=street_lamp light:colour=orange lamp_type=unheard_of height=5 light:height=4
+    n4 7:4 highway=street_lamp light:count=900 light:colour=9~K light:lumen=many
+    n5 8:4 highway=street_lamp)",
+                                        report);
+  ASSERT_EQ(features.points.size(), 5u);
+  EXPECT_EQ(features.points[0].lamp_tags,
+            (LampTags{.type = LampType::kHighPressureSodium, .mount = LampMount::kBentMast, .count = 2}));
+  EXPECT_EQ(features.points[0].height_m, 7);
+  EXPECT_EQ(features.points[1].lamp_tags, (LampTags{.type = LampType::kGas, .temperature_k = 2700, .lumen = 600}));
+  EXPECT_EQ(features.points[2].lamp_tags, (LampTags{.temperature_k = 2000}));
+  EXPECT_EQ(features.points[2].height_m, 5);
+  EXPECT_EQ(features.points[3].lamp_tags, LampTags{});
+  EXPECT_EQ(features.points[4].lamp_tags, LampTags{});
+  EXPECT_EQ(report.counts()[Code::kBadTagValue], 3u);
+}
+
 }  // namespace
 }  // namespace citykiln::map

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
@@ -210,10 +211,28 @@ TEST(MappedLamps, FaceTheNearestStreetThenTheNearestPath) {
                                    {{{OsmType::kNode, 4}, 0}, {50, -4}, 7.5}};
   const auto standing = mapped_lamps(lamps, roads);
   ASSERT_EQ(standing.size(), 4u);
-  EXPECT_EQ(standing[0], (StreetLamp{{50, 5}, {0, -1}, 10, LampKind::kArm, lamps[0].id.osm}));
-  EXPECT_EQ(standing[1], (StreetLamp{{50, 14}, {0, -1}, 4, LampKind::kPostTop, lamps[1].id.osm}));
-  EXPECT_EQ(standing[2], (StreetLamp{{50, 80}, {1, 0}, 6, LampKind::kPostTop, lamps[2].id.osm}));
-  EXPECT_EQ(standing[3], (StreetLamp{{50, -4}, {0, 1}, 7.5, LampKind::kArm, lamps[3].id.osm}));
+  EXPECT_EQ(standing[0],
+            (StreetLamp{{50, 5}, {0, -1}, 10, LampKind::kArm, lamps[0].id.osm, luminaire_of(LampKind::kArm, 10)}));
+  EXPECT_EQ(
+      standing[1],
+      (StreetLamp{{50, 14}, {0, -1}, 4, LampKind::kPostTop, lamps[1].id.osm, luminaire_of(LampKind::kPostTop, 4)}));
+  EXPECT_EQ(
+      standing[2],
+      (StreetLamp{{50, 80}, {1, 0}, 6, LampKind::kPostTop, lamps[2].id.osm, luminaire_of(LampKind::kPostTop, 6)}));
+  EXPECT_EQ(standing[3],
+            (StreetLamp{{50, -4}, {0, 1}, 7.5, LampKind::kArm, lamps[3].id.osm, luminaire_of(LampKind::kArm, 7.5)}));
+}
+
+TEST(MappedLamps, HaveTheLightAndTheMountOfTheirTags) {
+  const Road path = road_on({{0, 6}, {200, 6}}, LandCoverClass::kFootPath, 2);
+  const Lamp gas{{{OsmType::kNode, 1}, 0}, {50, 9}, 0, {.type = map::LampType::kGas}};
+  const Lamp bent{{{OsmType::kNode, 2}, 0}, {50, 9}, 0, {.mount = map::LampMount::kBentMast, .lumen = 5000}};
+  const auto standing = mapped_lamps(std::array{gas, bent}, std::array{path});
+  EXPECT_EQ(standing[0].kind, LampKind::kPostTop);
+  EXPECT_EQ(standing[0].light, (Luminaire{1000, 2700, Beam::kLantern}));
+  EXPECT_EQ(standing[1].kind, LampKind::kArm);
+  EXPECT_EQ(standing[1].light.lumen, 5000);
+  EXPECT_EQ(standing[1].light.beam, Beam::kDown);
 }
 
 TEST(MappedLamps, BetweenTwoEquallyNearStreetsFaceTheFirst) {

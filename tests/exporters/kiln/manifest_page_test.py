@@ -143,7 +143,7 @@ class Chunk:
         self.tree_rows = self.all("tree rows", lambda: (self.id(), self.points("tree row points"), self.several("tree row", 3)))
         self.corridors = self.all("power corridors", lambda: (self.id(), self.points("power corridor points"), self.plain("power corridor")))
         self.barriers = self.all("barriers", self.barrier)
-        self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height")))
+        self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height"), self.several("lamp light", 5) if self.plain("lamp light") else None))
         self.names = [""]
         self.texts = self.all("texts", self.text)
 

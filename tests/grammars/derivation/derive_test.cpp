@@ -168,6 +168,20 @@ TEST(Occlusion, EntrancesAreInOnePieceOfTheirWall) {
   EXPECT_EQ(count_named(derivation, "Wall"), 34u);
 }
 
+// Equal pieces are not copied where only some are lit.
+TEST(Occlusion, PiecesAreLitWhereTheirPlaceSays) {
+  DeriveOptions options;
+  options.occlusion = [](OcclusionQuery query, const Shape& shape) {
+    return query == OcclusionQuery::kIsLit && shape.scope.centre().x < 3;
+  };
+  const auto derivation = derived(
+      "Lot --> extrude(5) comp(f) { front : split(x) { { 1 : Piece }* } | all : NIL }\n"
+      "Piece --> case is_lit() : Lit. else : case has_entrance() : Door. else : Dark.",
+      10, 8, options);
+  EXPECT_EQ(count_named(derivation, "Lit"), 3u);
+  EXPECT_EQ(count_named(derivation, "Dark"), 7u);
+}
+
 // ---- limits
 
 TEST(Limits, DepthEndsEndlessRulesAndSaysWhere) {

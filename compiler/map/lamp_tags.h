@@ -1,0 +1,48 @@
+// What a map says of a street lamp's light.
+#pragma once
+
+#include <cstdint>
+
+namespace citykiln::map {
+
+/// How light is made: rows of lamp_types.inc. The order is part of the manifest format: append only.
+enum class LampType : std::uint8_t {
+#define LAMP_TYPE(name, temperature_k, most_lm) name,
+#include "compiler/map/lamp_types.inc"
+#undef LAMP_TYPE
+  kCount
+};
+
+/// lamp_mount=*. The order is part of the manifest format: append only.
+enum class LampMount : std::uint8_t {
+  kUnknown,
+  kStraightMast,
+  kBentMast,
+  kHighMast,
+  kWall,
+  kSuspended,
+  kGround,
+  kCount
+};
+
+/// Luminaires that one lamp has at most.
+inline constexpr std::uint8_t kMostLuminaires = 16;
+
+/// As tagged; what is not tagged follows from type and class.
+struct LampTags {
+  LampType type{};
+  LampMount mount{};
+  std::uint8_t count = 1;           ///< Luminaires: 1 to kMostLuminaires.
+  std::uint16_t temperature_k = 0;  ///< Colour temperature, 1,000 to 20,000; 0: not tagged.
+  std::uint32_t lumen = 0;          ///< Of one luminaire, at most 1,000,000; 0: not tagged.
+  bool operator==(const LampTags&) const = default;
+};
+
+struct LampTypeValues {
+  std::uint16_t temperature_k;  ///< 0: that of its class.
+  std::uint32_t most_lm;        ///< Of one luminaire.
+};
+
+const LampTypeValues& values_of(LampType type);
+
+}  // namespace citykiln::map
