@@ -16,7 +16,7 @@ namespace citykiln::commands {
 /// .glb, usd/clouds.usdc and usd/clouds.vdb for USD. Writes nothing for a clear sky.
 ///
 /// The surface has cells of kCellsOfTolerance coarsest tolerances, from kFinestCell_m on, larger for large extents (the
-/// surface is to have about kMostTriangles), and so have voxels (kMostVoxels). Particles are as small as cells.
+/// surface is to have about kMostTriangles); voxels are larger then too (kMostVoxels). Particles are as small as cells.
 /// @param notes  Gets a line where the module that writes .vdb is missing; USD has the particles alone then.
 Result<Done> write_clouds(const scene::Scene& scene, const Outputs& outputs, int threads,
                           exporters::OutputFolder& folder, std::vector<verify::WrittenFile>& files,

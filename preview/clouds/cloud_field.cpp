@@ -109,8 +109,8 @@ class CloudField::March {
   }
 
   void through(const Layer& layer, std::span<const SpherePart> parts) {
-    layer_ = &layer, reached_m_ = 0;
-    sums_ = {};
+    layer_ = &layer, reached_m_ = 0, zero_m_ = parts.front().begin;
+    sums_ = {}, density_ = {};
     for (const SpherePart& part : parts) {
       leave_until(part.begin);
       go_to(part.begin);
@@ -125,22 +125,26 @@ class CloudField::March {
   double mean_distance_m() const { return seen_ > 0 ? distances_ / seen_ : 0; }
 
  private:
-  // Of the sun, the sky, the ground, the weights themselves, and the density, over spheres that the ray is in.
-  using Sums = std::array<double, 5>;
+  static constexpr std::size_t kPowers = 5, kLights = 4;
+  // Of the sun, the sky, the ground, and the weights themselves, over spheres that the ray is in.
+  using Sums = std::array<double, kLights>;
 
   static bool ends_later(const SpherePart& a, const SpherePart& b) { return a.end > b.end; }
 
-  // A sphere's weight is 1 - (distance from its middle / radius)², which is 0 at its surface, so that no outlines are
-  // seen.
+  // With w = 1 - (distance from its middle / radius)², a sphere adds w to the density, and its light has the weight w²,
+  // whose slope is 0 at its surface too, so that no outlines are seen. Powers of the distance from `zero_m_`.
   void change(const SpherePart& part, double by) {
     const Lit& lit = layer_->lit[part.sphere];
     double sun = 0;
     for (int i = 0; i < kTerms; ++i) sun += lit.sun[i] * phases_[i];
-    const double scale = by * part.scale;
-    const std::array<double, 3> powers = {-part.enter * part.leave * scale, (part.enter + part.leave) * scale, -scale};
-    const Sums light = {sun, lit.sky, lit.ground, 1, layer_->spheres.edge_density(part.sphere)};
-    for (std::size_t p = 0; p < powers.size(); ++p)
-      for (std::size_t i = 0; i < light.size(); ++i) sums_[p][i] += powers[p] * light[i];
+    const double enter = part.enter - zero_m_, leave = part.leave - zero_m_;
+    const double a = -enter * leave * part.scale, b = (enter + leave) * part.scale, c = -part.scale;
+    const std::array<double, kPowers> squared = {a * a, 2 * a * b, b * b + 2 * a * c, 2 * b * c, c * c};
+    const std::array<double, kLights> light = {sun * by, lit.sky * by, lit.ground * by, by};
+    for (std::size_t p = 0; p < kPowers; ++p)
+      for (std::size_t i = 0; i < kLights; ++i) sums_[p][i] += squared[p] * light[i];
+    const double edge = by * layer_->spheres.edge_density(part.sphere);
+    density_[0] += a * edge, density_[1] += b * edge, density_[2] += c * edge;
   }
 
   void leave_until(double until_m) {
@@ -150,7 +154,7 @@ class CloudField::March {
       std::ranges::pop_heap(open_, ends_later);
       open_.pop_back();
     }
-    if (open_.empty()) sums_ = {};
+    if (open_.empty()) sums_ = {}, density_ = {};
   }
 
   // Short steps, each longer than the one before.
@@ -170,10 +174,12 @@ class CloudField::March {
   void step(double to_m) {
     const double step_m = to_m - reached_m_, middle_m = (to_m + reached_m_) / 2;
     reached_m_ = to_m;
+    const double t = middle_m - zero_m_;
     const auto at_middle = [&](std::size_t i) {
-      return std::max(0.0, sums_[0][i] + middle_m * (sums_[1][i] + middle_m * sums_[2][i]));
+      return std::max(0.0, sums_[0][i] + t * (sums_[1][i] + t * (sums_[2][i] + t * (sums_[3][i] + t * sums_[4][i]))));
     };
-    const double density = layer_->spheres.is_soft() ? std::min(1.0, at_middle(4)) : 1;
+    const double all = density_[0] + t * (density_[1] + t * density_[2]),
+                 density = layer_->spheres.is_soft() ? std::clamp(all, 0.0, 1.0) : 1;
     const double here = path_.passed * -std::expm1(-density * layer_->spheres.extinction_per_m() * step_m);
     const double weights = at_middle(3), each = weights > 0 ? here / weights : 0;
     const CloudLight& light = field_.light_;
@@ -188,7 +194,9 @@ class CloudField::March {
   std::array<double, kTerms> phases_{};
   std::vector<SpherePart> open_;  // spheres that the ray is in: a heap, the one that ends first in front
   double reached_m_ = 0;
-  std::array<Sums, 3> sums_{};  // times the powers of the distance
+  double zero_m_ = 0;
+  std::array<Sums, kPowers> sums_{};  // times the powers of the distance
+  std::array<double, 3> density_{};
   double seen_ = 0, distances_ = 0;
 };
 

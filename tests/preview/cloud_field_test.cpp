@@ -24,14 +24,39 @@ struct Random {
 };
 
 TEST(CloudField, ASphereLetsPassWhatItsChordDoes) {
-  const CloudField field(kLayer, {{{0, 0, 400}, 100}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
+  const CloudField field(kLayer, {{{0, 0, 400}, 60}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
   const double extinction = sky::extinction_per_m(sky::CloudKind::kCumulus);
   const CloudPath through = field.along({-1000, 0, 1900}, {1, 0, 0}, kInfinity);
-  EXPECT_NEAR(through.passed, std::exp(-200 * extinction), 1e-9);
-  EXPECT_NEAR(field.along({-1000, 0, 1900}, {1, 0, 0}, 1000).passed, std::exp(-100 * extinction), 1e-9);
-  EXPECT_EQ(field.along({-1000, 120, 1900}, {1, 0, 0}, kInfinity).passed, 1);
-  EXPECT_GT(through.distance_m, 900);
+  EXPECT_NEAR(through.passed, std::exp(-120 * extinction), 1e-9);
+  EXPECT_NEAR(field.along({-1000, 0, 1900}, {1, 0, 0}, 1000).passed, std::exp(-60 * extinction), 1e-9);
+  EXPECT_EQ(field.along({-1000, 70, 1900}, {1, 0, 0}, kInfinity).passed, 1);
+  EXPECT_GT(through.distance_m, 940);
   EXPECT_LT(through.distance_m, 1000);
+}
+
+// Paths through a homogeneous sphere, too.
+TEST(CloudField, PathsPassASphereAsOftenAsItsChordLets) {
+  const CloudField field(kLayer, {{{0, 0, 400}, 30}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
+  Random random{{5, StableId{1}, "path"}};
+  int passed = 0;
+  constexpr int kPaths = 20000;
+  for (int i = 0; i < kPaths; ++i)
+    passed += !std::isfinite(free_path(field, {-1000, 0, 1900}, {1, 0, 0}, kInfinity, random));
+  const double expected = std::exp(-60 * sky::extinction_per_m(sky::CloudKind::kCumulus));
+  EXPECT_NEAR(passed, kPaths * expected, 4 * std::sqrt(kPaths * expected));
+}
+
+TEST(CloudField, SoftEdgesDimAsTheyThin) {
+  const CloudField field(kLayer, {{{0, 0, 400}, 60}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSoft);
+  double before = field.along({-1000, 0, 1900}, {1, 0, 0}, kInfinity).passed;
+  EXPECT_LT(before, 0.05);
+  for (int y = 5; y <= 60; y += 5) {
+    const double passed = field.along({-1000, static_cast<double>(y), 1900}, {1, 0, 0}, kInfinity).passed;
+    EXPECT_GE(passed, before - 0.01) << y;
+    before = passed;
+  }
+  // sharp, this ray would lose two thirds
+  EXPECT_GT(field.along({-1000, 59, 1900}, {1, 0, 0}, kInfinity).passed, 0.9);
 }
 
 TEST(CloudField, ThrowsAShadowAwayFromTheSun) {

@@ -55,14 +55,23 @@ std::vector<LayerParticles> clouds_over(std::span<const CloudLayer> layers, cons
   return all;
 }
 
+// A flat disc with a dome on it takes at most a cylinder's room, and no more than all outlines together.
 CloudMeasures measures_over(std::span<const CloudLayer> layers, const Box2& extent) {
   CloudMeasures sum;
   for (const CloudLayer& layer : layers) {
-    const Box2 box = within_limit(layer, extent.widened(kCloudMargin_m));
-    const double below_m2 = box.width() * box.height() * layer.cover, thick_m = layer.top_m - layer.base_m;
-    sum.volume_m3 += below_m2 * thick_m;
-    // a base, and a top of heaps
-    sum.area_m2 += below_m2 * 3;
+    const LayerFrame frame = frame_of(layer);
+    double plan_m2 = 0, sides_m2 = 0;
+    Box2 all;
+    for (const Cloud& cloud : clouds_touching(layer, extent.widened(kCloudMargin_m))) {
+      const Box2 outline = outline_of(cloud, frame);
+      all.grow(outline.min), all.grow(outline.max);
+      plan_m2 += outline.width() * outline.height();
+      sides_m2 += 2 * (outline.width() + outline.height()) * cloud.height_m * frame.flatten;
+    }
+    if (all.is_empty()) continue;
+    const double covered_m2 = std::min(plan_m2, all.width() * all.height());
+    sum.volume_m3 += covered_m2 * (layer.top_m - layer.base_m);
+    sum.area_m2 += 2 * covered_m2 + sides_m2 * covered_m2 / plan_m2;
   }
   return sum;
 }
