@@ -33,12 +33,15 @@ Chart depth_chart(std::span<const sky::Cloud> clouds) {
               {"largest error of optical depth, of 10,000 rays", true},
               {}};
   for (std::size_t c = 0; c < clouds.size(); ++c) {
-    Series series{.name = fmt::format("cloud {}", c + 1), .points = {}};
+    Series series{.name = fmt::format("cloud {}", c + 1), .points = {}},
+        stated{.name = fmt::format("cloud {}, stated", c + 1), .points = {}};
     for (const double coarse_m : {200.0, 120.0, 80.0, 50.0, 30.0, 20.0}) {
-      const auto particles = static_cast<double>(sky::generate_cloud(kLayer, clouds[c], coarse_m).spheres.size());
+      const sky::CloudParticles coarse = sky::generate_cloud(kLayer, clouds[c], coarse_m);
+      const auto particles = static_cast<double>(coarse.spheres.size());
+      stated.points.emplace_back(particles, coarse.depth_error);
       series.points.emplace_back(particles, sky::optical_depth_error(kLayer, clouds[c], coarse_m, kFinest_m, kRays));
     }
-    chart.series.push_back(std::move(series));
+    chart.series.push_back(std::move(series)), chart.series.push_back(std::move(stated));
   }
   return chart;
 }

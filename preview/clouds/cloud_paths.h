@@ -13,8 +13,7 @@
 
 namespace citykiln::preview {
 
-/// Scatterings after which a path ends: by then it carries less than a thousandth of the light of clouds 100 optical
-/// depths thick.
+/// Scatterings after which a path ends: droplets absorb nothing, and a path may stay for long.
 inline constexpr int kMostScatterings = 1000;
 
 /// One sample of the light that clouds send along a ray of a length, with all orders of scattering up to `most`. Passed

@@ -24,7 +24,8 @@ struct CloudParticles {
 };
 
 /// The most diameters of left-out particles that a ray passes outside of the others: it grazes a few heaps, each with
-/// particles on it that have smaller ones on them. Measured (tests): at most 3.4 for 100,000 rays through 50 clouds.
+/// particles on it that have smaller ones on them. Measured: at most 4.0, of 10,000 rays
+/// through each of three clouds at six levels (chart cloud).
 inline constexpr double kMissedDiameters = 5;
 
 /// Extinction by the droplets or the ice of a kind, per metre. Sources: cumulus and stratus have 0.3 and 0.2 g of water
