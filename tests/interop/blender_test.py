@@ -111,7 +111,8 @@ class BlenderImport(BlenderTest):
                     self.assertLess(abs(found["roughness"] - values.get("roughnessFactor", 1)), 1e-5)
 
 
-LIGHTS = 40
+# more than any tile of the town has lamps: 10 to 35
+LIGHTS = 200
 # of Blender's importer, which takes a light's candela as evenly spread
 LUMEN_PER_WATT = 683
 
@@ -125,8 +126,8 @@ class BlenderLights(BlenderTest):
         kinds = set()
         for gltf, facts in self.tiles:
             nodes = [node for node in gltf["nodes"] if "KHR_lights_punctual" in node.get("extensions", {})]
-            self.assertEqual(len(nodes), LIGHTS)
-            self.assertEqual(len(facts["lights"]), LIGHTS)
+            self.assertGreaterEqual(len(nodes), 10)
+            self.assertEqual(len(facts["lights"]), len(nodes))
             root = gltf["nodes"][0]["translation"]
             found = {tuple(round(x, 2) for x in light["at"]): light for light in facts["lights"]}
             for node in nodes:
