@@ -1,12 +1,10 @@
 #include "preview/path_trace.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 #include "preview/surface/bsdf.h"
 #include "preview/surface/water_waves.h"
@@ -103,64 +101,14 @@ Rgb from_outside(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, 
 // The normal for choosing lights: none where light from both sides is scattered.
 Vec3 receiving_normal(const Hit& hit, const Bsdf& bsdf) { return bsdf.is_two_sided() ? Vec3{} : hit.geometric_normal; }
 
-// Of several candidates, each of which would do alone, one is chosen in proportion to the light that it gives where
-// nothing is in the way, and only that one needs a ray: resampled importance sampling (Talbot, Cline, Egbert,
-// "Importance Resampling for Global Illumination", EGSR 2005).
-template <typename Candidate>
-class Resampled {
- public:
-  static constexpr int kMost = 8;
-
-  /// The n-th of kMost numbers in [0, 1), each in its own part, from one for all.
-  static double part(int n, double chance) { return (n + chance) / kMost; }
-
-  /// @param light  Of the candidate alone.
-  void add(const Candidate& candidate, double light) {
-    if (!(light > 0)) return;
-    sum_ += light;
-    candidates_[count_] = candidate, sums_[count_] = sum_, ++count_;
-  }
-  /// One candidate, and what its light is multiplied by; null without light.
-  std::pair<const Candidate*, double> choose(double chance) const {
-    for (std::size_t i = 0; i < count_; ++i)
-      if (chance * sum_ < sums_[i] || i + 1 == count_)
-        return {&candidates_[i], sum_ / (kMost * (sums_[i] - (i == 0 ? 0 : sums_[i - 1])))};
-    return {nullptr, 0};
-  }
-
- private:
-  std::array<Candidate, kMost> candidates_;
-  std::array<double, kMost> sums_;
-  double sum_ = 0;
-  std::size_t count_ = 0;
-};
-
-// Points from one, each as random as it: multiples of the plastic number's powers.
-UnitPair nth_point(int n, UnitPair first) {
-  const double u = first.u + n * 0.7548776662466927, v = first.v + n * 0.5698402909980532;
-  return {u - std::floor(u), v - std::floor(v)};
-}
-
-// Light of a lamp on a surface, and where it comes from.
-struct LampCandidate {
-  Rgb light;
-  Vec3 direction;
-  double distance_m;
-};
-
-Rgb from_lamp(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, UnitPair chance) {
+Rgb from_lamp(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, double chance) {
+  const auto drawn = context.local.sample_lamp(hit.position, receiving_normal(hit, bsdf), chance);
+  if (!drawn) return {};
   // mirrors see the glass of lamps
   const bool is_mirror = bsdf.alpha() < kMirrorAlpha;
-  Resampled<LampCandidate> lamps;
-  for (int n = 0; n < lamps.kMost; ++n) {
-    const auto drawn = context.local.sample_lamp(hit.position, receiving_normal(hit, bsdf), lamps.part(n, chance.u));
-    if (!drawn) continue;
-    const Rgb light =
-        drawn->light * (is_mirror ? bsdf.matt(drawn->direction) : bsdf.scattering(drawn->direction).light);
-    lamps.add({light, drawn->direction, drawn->distance_m}, luminance(light));
-  }
-  const auto [lamp, weight] = lamps.choose(chance.v);
-  return lamp && is_free(context, hit, lamp->direction, lamp->distance_m) ? lamp->light * weight : Rgb{};
+  const Rgb reflected = is_mirror ? bsdf.matt(drawn->direction) : bsdf.scattering(drawn->direction).light;
+  if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
+  return drawn->light * reflected;
 }
 
 Rgb from_emitter(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
@@ -172,37 +120,23 @@ Rgb from_emitter(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, 
   return drawn->light * scattered.light * (goes_on ? balanced(drawn->pdf, scattered.pdf) : 1);
 }
 
-// A point of a pane, and what a surface scatters of a light there over the densities.
-struct PaneCandidate {
-  PaneSample sample;
-  Rgb scattered;
-};
-
 // Light of a lit window whose building may not be generated yet: the ray finds out.
 Rgb from_pane(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
   const PaneLights& panes = context.local.panes();
-  const UnitPair chance = draw.next(), point = draw.next();
-  Resampled<PaneCandidate> candidates;
-  for (int n = 0; n < candidates.kMost; ++n) {
-    const auto drawn =
-        panes.sample(hit.position, receiving_normal(hit, bsdf), candidates.part(n, chance.u), nth_point(n, point));
-    if (!drawn) continue;
-    const Scattering scattered = bsdf.scattering(drawn->direction);
-    const Rgb share = scattered.light * (1 / (drawn->pdf + (goes_on ? scattered.pdf : 0)));
-    candidates.add({*drawn, share}, luminance(share) * drawn->luminance);
-  }
-  const auto [pane, weight] = candidates.choose(chance.v);
-  if (!pane) return {};
-  const Vec3 direction = pane->sample.direction;
-  const std::optional<Hit> met = context.world.first_hit(leave(hit, direction), direction);
+  const double chance = draw.next().u;
+  const auto drawn = panes.sample(hit.position, receiving_normal(hit, bsdf), chance, draw.next());
+  if (!drawn) return {};
+  const Scattering scattered = bsdf.scattering(drawn->direction);
+  if (largest(scattered.light) <= 0) return {};
+  const std::optional<Hit> met = context.world.first_hit(leave(hit, drawn->direction), drawn->direction);
   if (!met || !met->is_front || largest(met->emission) <= 0) return {};
-  if (panes.pane_of(*met, hit.position, direction) != pane->sample.pane) return {};
-  return met->emission * pane->scattered * weight;
+  if (panes.pane_of(*met, hit.position, drawn->direction) != drawn->pane) return {};
+  return met->emission * scattered.light * (1 / (drawn->pdf + (goes_on ? scattered.pdf : 0)));
 }
 
 Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
   Rgb light{};
-  if (context.local.has_lamps()) light = light + from_lamp(context, hit, bsdf, draw.next());
+  if (context.local.has_lamps()) light = light + from_lamp(context, hit, bsdf, draw.next().u);
   if (context.local.has_emitters()) light = light + from_emitter(context, hit, bsdf, draw, goes_on);
   if (!context.local.panes().is_empty()) light = light + from_pane(context, hit, bsdf, draw, goes_on);
   return light;

@@ -21,13 +21,8 @@ PaneLights::PaneLights(std::span<const LitPane> panes, Vec3 origin) {
   std::ranges::stable_sort(sorted, {}, &LitPane::building);
   std::vector<LightBounds> bounds;
   for (const LitPane& p : sorted) {
-    panes_.push_back({.building = p.building,
-                      .corner = p.corner - origin,
-                      .along = at_height(p.along, 0),
-                      .outward = {p.along.y, -p.along.x, 0},
-                      .width_m = p.width_m,
-                      .height_m = p.height_m,
-                      .luminance = p.luminance});
+    panes_.push_back(
+        {p.building, p.corner - origin, at_height(p.along, 0), {p.along.y, -p.along.x, 0}, p.width_m, p.height_m});
     const Vec3 a = panes_.back().corner, b = a + panes_.back().along * p.width_m + Vec3{0, 0, p.height_m};
     bounds.push_back({.low = {std::min(a.x, b.x), std::min(a.y, b.y), a.z},
                       .high = {std::max(a.x, b.x), std::max(a.y, b.y), b.z},
@@ -56,7 +51,7 @@ std::optional<PaneSample> PaneLights::sample(Vec3 at, Vec3 normal, double chance
   if (!(facing > 0)) return std::nullopt;
   const double pdf =
       chosen->probability * distance_m * distance_m * distance_m / (facing * pane.width_m * pane.height_m);
-  return PaneSample{to * (1 / distance_m), chosen->light, pdf, pane.luminance};
+  return PaneSample{to * (1 / distance_m), chosen->light, pdf};
 }
 
 std::uint32_t PaneLights::pane_of(const Hit& hit, Vec3 at, Vec3 direction) const {

@@ -27,7 +27,6 @@ struct PaneSample {
   Vec3 direction;          ///< Unit.
   std::uint32_t pane = 0;  ///< To which it must belong.
   double pdf = 0;          ///< Per steradian. > 0.
-  double luminance = 0;    ///< Of the pane, about. > 0.
 };
 
 inline constexpr std::uint32_t kNoPane = std::numeric_limits<std::uint32_t>::max();
@@ -54,7 +53,7 @@ class PaneLights {
   struct Pane {
     OsmId building;
     Vec3 corner, along, outward;
-    double width_m, height_m, luminance;
+    double width_m, height_m;
     /// The distance at which a ray crosses it from outside; negative where it does not.
     double crossing_m(Vec3 at, Vec3 direction) const;
   };

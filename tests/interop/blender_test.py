@@ -111,7 +111,8 @@ class BlenderImport(BlenderTest):
                     self.assertLess(abs(found["roughness"] - values.get("roughnessFactor", 1)), 1e-5)
 
 
-LIGHTS = 40
+# more than any tile of the town has lamps: 10 to 35
+LIGHTS = 200
 # of Blender's importer, which takes a light's candela as evenly spread
 LUMEN_PER_WATT = 683
 
@@ -125,8 +126,8 @@ class BlenderLights(BlenderTest):
         kinds = set()
         for gltf, facts in self.tiles:
             nodes = [node for node in gltf["nodes"] if "KHR_lights_punctual" in node.get("extensions", {})]
-            self.assertEqual(len(nodes), LIGHTS)
-            self.assertEqual(len(facts["lights"]), LIGHTS)
+            self.assertGreaterEqual(len(nodes), 10)
+            self.assertEqual(len(facts["lights"]), len(nodes))
             root = gltf["nodes"][0]["translation"]
             found = {tuple(round(x, 2) for x in light["at"]): light for light in facts["lights"]}
             for node in nodes:
@@ -143,8 +144,8 @@ class BlenderLights(BlenderTest):
         for _, facts in self.tiles:
             for light in facts["lights"]:
                 luminance = sum(a * b for a, b in zip(light["colour"], (0.2126, 0.7152, 0.0722)))
-                # a cone that is evenly bright has half of the sphere's lumen
-                share = 0.5 if light["type"] == "SPOT" else 1
+                # Blender's cone of 180 degrees falls off as a smooth step of the cosine: its solid angle is pi, not 4 pi
+                share = 0.25 if light["type"] == "SPOT" else 1
                 lumen = light["watts"] * LUMEN_PER_WATT * luminance * share
                 self.assertTrue(0.5 < lumen / light["lumen"] < 2, (lumen, light["lumen"], light["type"]))
 
