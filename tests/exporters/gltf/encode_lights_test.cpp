@@ -41,7 +41,8 @@ TEST(GlbLights, AreOneNodeEachBelowOneGroupAndShareTheirLight) {
     EXPECT_EQ(gltf["extensions"]["KHR_lights_punctual"]["lights"].size(), 3u);
     const auto& used = gltf["extensionsUsed"];
     EXPECT_EQ(std::ranges::count(used, "KHR_lights_punctual"), 1);
-    EXPECT_FALSE(gltf.value("extensionsRequired", nlohmann::json::array()).dump().contains("lights"));
+    const std::string required = gltf.value("extensionsRequired", nlohmann::json::array()).dump();
+    EXPECT_EQ(required.find("lights"), std::string::npos);
     for (std::size_t i = 0; i < lamps.size(); ++i) {
       const auto& node = gltf["nodes"][group["children"][i].get<std::size_t>()];
       const Vec3 glass = props::glass_of(lamps[i].placement, lamps[i].kind) - tile.origin;
