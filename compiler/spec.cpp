@@ -281,8 +281,7 @@ constexpr Setting kSettings[] = {
      false, set_surroundings},
     {"lights", "N",
      "the N brightest street lamps of each tile are lights of .glb (KHR_lights_punctual) and USD (UsdLux) files, at "
-     "any "
-     "time (default: 0)",
+     "any time (default: 0)",
      false, set_lights},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
     {"time", "ISO",

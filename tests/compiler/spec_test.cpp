@@ -69,7 +69,9 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"visibility", "30"},
                                                       {"turbidity", "3"},
                                                       {"ground-albedo", "0.3"},
-                                                      {"clouds", "fair"}};
+                                                      {"clouds", "fair"},
+                                                      {"surroundings", "true"},
+                                                      {"lights", "20"}};
   for (const auto& [name, text] : rows) EXPECT_EQ(objection(name, text), "") << name;
   EXPECT_EQ(std::size(rows), settings().size()) << "a setting without a row here";
 }

@@ -102,7 +102,7 @@ TEST(ChunkCodec, AValueBeyondItsTypeIsNamed) {
   Streams streams = empty_streams();
   streams["lamps"] = bytes_of({1}), streams["id type"] = bytes_of({1}), streams["id"] = bytes_of({2}),
   streams["part"] = bytes_of({0}), streams["points"] = bytes_of({0}), streams["x"] = bytes_of({0}),
-  streams["y"] = bytes_of({0}), streams["lamp height"] = bytes_of({0});
+  streams["y"] = bytes_of({0}), streams["lamp height"] = bytes_of({0}), streams["lamp light"] = bytes_of({0});
   EXPECT_EQ(wrong_in(streams), "");
   const auto with = [&](const char* name, std::uint64_t value) {
     Streams changed = streams;
@@ -116,6 +116,7 @@ TEST(ChunkCodec, AValueBeyondItsTypeIsNamed) {
   EXPECT_EQ(with("points", 4), "points");
   EXPECT_EQ(with("x", std::uint64_t{1} << 40), "x");
   EXPECT_EQ(with("lamp height", ~std::uint64_t{0}), "lamp height");
+  EXPECT_EQ(with("lamp light", 2), "lamp light");
 }
 
 TEST(ChunkCodec, AFieldOffItsGridIsNamed) {
