@@ -17,9 +17,8 @@ inline constexpr scene::TileKey kSurroundingsTile{std::numeric_limits<std::int32
 ///
 /// - Heights join those of the chunks' terrain at their tiles' borders, and follow the Earth's curve beyond the region.
 ///   Tiles of the region that have no chunk are part of the land around.
-/// - Colours: at the edge those of its land cover, by direction, which fade into their means; woods end at the tree
-/// line
-///   (plants/tree_line.h), then come meadow, and rock on steep and on high ground; snow above the snow line.
+/// - Colours: at the edge those of its land cover, by direction, which fade into their means; woods end at the line of
+///   plants/tree_line.h, then come meadow, and rock on steep and on high ground; snow above the snow line.
 /// - error_m is that of the grid's heights. Features: none.
 ///
 /// Guarantees: same bytes on every CPU. Cost: 0.2 s.

@@ -355,7 +355,7 @@ std::vector<Option> light_options(Request& request) {
       {"--clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky (default: the scene's, or clear)", false,
        store_text(request.load.clouds)},
       {"--cloud-light", "approximate|paths",
-       "paths: each ray to a cloud follows light through its droplets, for final pictures; needs many more --spp "
+       "paths: each ray to a cloud follows light through its droplets, a slow and noisy reference "
        "(default: approximate)",
        false, store_cloud_method(request.cloud_method)},
       {"--environment", "FILE.exr|.hdr", "light from a panorama instead of sun and sky", false,

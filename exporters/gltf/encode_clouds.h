@@ -23,9 +23,8 @@ struct CloudMeshes {
 ///
 /// - Surfaces are white and matt, lit by the viewer's light, not by their own. Thick layers are opaque. Thin ones
 ///   (sky::is_thin) have a vertex opacity in COLOR_0 and are blended: exp(-optical depth) of what is behind passes.
-/// - extras of the root: cell_m, error_m (of the surface, a cell's diagonal), particle_m, and the plane; of layers:
-/// kind,
-///   cover, base_m, top_m, clouds.
+/// - extras of the root: cell_m, error_m (of the surface, a cell's diagonal), particle_m, and the plane; of
+///   layers: kind, cover, base_m, top_m, clouds.
 ///
 /// Guarantees: same input, same bytes; valid by Khronos' validator with 0 errors and 0 warnings.
 /// @param layers  One part at least. @param particle_m  The smallest radius of particles.

@@ -1,4 +1,4 @@
-// Paths of light through clouds: the reference for CloudField, and for final pictures.
+// Paths of light through clouds: the reference for CloudField, slow and noisy.
 #pragma once
 
 #include <algorithm>
