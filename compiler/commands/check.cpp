@@ -10,12 +10,17 @@
 #include "compiler/commands/print_check_results.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
+#include "compiler/commands/worst_page.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/verify/check_folder.h"
 #include "compiler/verify/check_tile.h"
 #include "compiler/verify/check_tileset.h"
 #include "compiler/verify/check_usd.h"
+#include "compiler/verify/findings.h"
+#include "compiler/verify/measure_earthworks.h"
 #include "compiler/verify/non_ground_objects.h"
+#include "compiler/verify/worst_places.h"
+#include "exporters/file.h"
 #include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
@@ -42,8 +47,9 @@ Result<verify::LoadedRun> open_run(const std::string& folder) {
 void check_recipes(const scene::Scene& scene, int threads, verify::CheckResults& results) {
   results.clearances = verify::measure_clearances(scene, threads);
   const verify::Jumps jumps = verify::measure_jumps(scene);
-  results.jumps.test_all(jumps.places, jumps.largest_m <= kNoJump_m,
-                         fmt::format("{} m at {}, {}", jumps.largest_m, jumps.at.x, jumps.at.y));
+  results.jumps.test_all(
+      jumps.places, jumps.largest_m <= kNoJump_m,
+      {fmt::format("{} m at {}, {}", jumps.largest_m, jumps.at.x, jumps.at.y), jumps.at, {}, jumps.largest_m});
   for (const scene::Chunk& chunk : scene.chunks) {
     const verify::Rises rises = verify::measure_rises(chunk);
     results.rivers.test_all(
@@ -123,18 +129,42 @@ Result<Done> check_usd(const verify::LoadedRun& loaded, int threads, verify::Che
 
 Error failure(const std::string& folder, const verify::Check& check) {
   const std::size_t more = check.failures.size() - 1;
-  return {folder, fmt::format("fails the check \"{}\": {}{}", check.claim, check.failures.front(),
+  return {folder, fmt::format("fails the check \"{}\": {}{}", check.claim, check.failures.front().text,
                               more > 0 ? fmt::format(" and {} more", more) : "")};
 }
 
 struct Request {
-  std::string folder;
+  std::string folder, page_folder;
+  std::size_t worst = 0;  // places of each kind on the page; 0: no page
   int threads = 0;
 };
+
+// The page of the worst places, if it is asked for.
+Result<Done> write_page(const Request& request, const verify::LoadedRun& loaded, const verify::CheckResults& results,
+                        const Console& console) {
+  if (request.worst == 0) return Done{};
+  const Result<std::vector<std::byte>> bytes = exporters::read_file(loaded.folder + "/findings.json");
+  if (!bytes) return bytes.error();
+  const auto findings = verify::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  if (!findings) return Error{loaded.folder + "/findings.json", findings.error().message};
+  std::vector<verify::Earthwork> earthworks;
+  for (const scene::Chunk& chunk : loaded.scene.chunks)
+    for (verify::Earthwork& e : verify::measure_earthworks(loaded.scene.header, chunk)) earthworks.push_back(e);
+  const std::vector<verify::PlacesOfKind> kinds =
+      verify::worst_places(results, verify::combined(std::move(earthworks)), *findings,
+                           map::Plane(loaded.scene.header.origin), request.worst);
+  const Result<Done> written =
+      write_worst_page(loaded, kinds, request.page_folder, request.threads, console.progress());
+  if (!written) return written;
+  console.print_line(request.page_folder + "/index.html: the worst places");
+  return Done{};
+}
 
 Result<Exit> run(const Request& request, const Console& console) {
   if (request.folder.empty())
     return Error{"", "no folder is given; expected the output folder of compile, such as out"};
+  if ((request.worst > 0) != !request.page_folder.empty())
+    return Error{"--worst", "needs -o FOLDER, which the page is written to, and the reverse"};
   const std::string folder = folder_of(request.folder);
   const Result<verify::LoadedRun> loaded = open_run(folder);
   if (!loaded) return loaded.error();
@@ -142,13 +172,15 @@ Result<Exit> run(const Request& request, const Console& console) {
   if (const Result<Done> done = verify::check_folder(*loaded, request.threads, recipes); !done) return done.error();
   // broken files cannot be measured
   if (!recipes.files.failures.empty()) return failure(folder, recipes.files);
-  recipes.ledger.tests = 1, recipes.ledger.failures = loaded->record.unbalanced;
+  recipes.ledger.tests = 1;
+  for (const std::string& account : loaded->record.unbalanced) recipes.ledger.test_all(0, false, account);
   check_recipes(loaded->scene, request.threads, recipes);
   Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
   if (!results) return results.error();
   if (const Result<Done> done = check_usd(*loaded, request.threads, *results); !done) return done.error();
   verify::check_tileset(*loaded, request.threads, *results);
   print(*results, console);
+  if (const Result<Done> done = write_page(request, *loaded, *results, console); !done) return done.error();
   for (const verify::Check* check : verify::all_of(*results)) {
     if (!check->failures.empty()) return failure(folder, *check);
   }
@@ -162,8 +194,12 @@ Verb check_verb() {
   Verb verb{"check", "measures whether the outputs of a run keep their guarantees", {}, {}};
   verb.options = {{"folder", "OUT", "output folder of compile, with its manifest; OUT/scene.kiln means the same", false,
                    store_text(request->folder)},
+                  {"--worst", "N", "writes a page with pictures of the N worst places of each kind, to -o", false,
+                   store_whole(request->worst, 1)},
+                  {"-o,--out", "FOLDER", "folder for the page of --worst: FOLDER/index.html", false,
+                   store_text(request->page_folder)},
                   threads_option(request->threads)};
-  verb.examples = {"citykiln check out/town"};
+  verb.examples = {"citykiln check out/town", "citykiln check out/town --worst 20 -o out/town-worst"};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;
 }

@@ -17,10 +17,12 @@ Json print_check(const verify::Check& check, const Console& console) {
   const bool holds = check.failures.empty();
   console.print_line(
       fmt::format("{} {}: {}", holds ? "holds" : "FAILS", check.claim,
-                  holds ? fmt::format("not falsified by {} tests", check.tests) : check.failures.front()));
+                  holds ? fmt::format("not falsified by {} tests", check.tests) : check.failures.front().text));
   if (check.failures.size() > 1)
     console.print_line(fmt::format("      and {} more failures", check.failures.size() - 1));
-  return {{"guarantee", check.claim}, {"tests", check.tests}, {"failures", check.failures}};
+  Json failures = Json::array();
+  for (const verify::Failure& failure : check.failures) failures.push_back(failure.text);
+  return {{"guarantee", check.claim}, {"tests", check.tests}, {"failures", std::move(failures)}};
 }
 
 Json print_measure(const verify::Grades& grades, const Console& console) {
@@ -32,20 +34,21 @@ Json print_measure(const verify::Grades& grades, const Console& console) {
 }
 
 Json print_measure(const verify::Clearances& c, const Console& console) {
+  const verify::ClearanceShortfall worst = c.shortfalls.empty() ? verify::ClearanceShortfall{} : c.shortfalls.front();
   console.print_line(fmt::format(
       "info  {} of {} crossings have too little clearance, {} by over 1 m, {} by over 3 m; the largest shortfall is "
       "{:.2f} m, {} over {} at {}, {}",
-      c.shortfalls, c.crossings, c.shortfalls_over_1_m, c.shortfalls_over_3_m, c.largest_shortfall_m,
-      to_string(c.upper), to_string(c.lower), c.at.x, c.at.y));
+      c.shortfalls.size(), c.crossings, c.count_over(1), c.count_over(3), worst.missing_m, to_string(worst.upper),
+      to_string(worst.lower), worst.at.x, worst.at.y));
   return {{"measure", "crossings with too little clearance"},
           {"crossings", c.crossings},
-          {"shortfalls", c.shortfalls},
-          {"shortfalls_over_1_m", c.shortfalls_over_1_m},
-          {"shortfalls_over_3_m", c.shortfalls_over_3_m},
-          {"largest_shortfall_m", c.largest_shortfall_m},
-          {"upper", to_string(c.upper)},
-          {"lower", to_string(c.lower)},
-          {"at", {c.at.x, c.at.y}}};
+          {"shortfalls", c.shortfalls.size()},
+          {"shortfalls_over_1_m", c.count_over(1)},
+          {"shortfalls_over_3_m", c.count_over(3)},
+          {"largest_shortfall_m", worst.missing_m},
+          {"upper", to_string(worst.upper)},
+          {"lower", to_string(worst.lower)},
+          {"at", {worst.at.x, worst.at.y}}};
 }
 
 Json print_measure(const verify::ReferenceErrors& f, const Console& console) {

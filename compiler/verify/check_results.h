@@ -2,24 +2,43 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "compiler/contract/stable_id.h"
+#include "compiler/geometry/vec.h"
 #include "compiler/verify/measure_clearances.h"
 #include "compiler/verify/measure_lines.h"
 #include "compiler/verify/measure_reference_error.h"
 
 namespace citykiln::verify {
 
-/// One guarantee, the number of its tests, and a line of text for each failure.
+/// A guarantee that does not hold: a line of text, and where and of what, if that is known.
+struct Failure {
+  std::string text;
+  std::optional<Vec2> at{};  ///< Plane metres.
+  std::vector<OsmId> ids{};
+  double size = 0;     ///< How far it does not hold, in the text's unit; 0 if the text states none.
+  std::string file{};  ///< The tile's, relative to the run's folder.
+
+  // implicit: most failures are a text alone
+  Failure(std::string line) : text(std::move(line)) {}
+  Failure(const char* line) : text(line) {}
+  Failure(std::string line, Vec2 place, std::vector<OsmId> of, double how_far, std::string in_file = {})
+      : text(std::move(line)), at(place), ids(std::move(of)), size(how_far), file(std::move(in_file)) {}
+};
+
+/// One guarantee, the number of its tests, and its failures.
 struct Check {
   std::string claim;
   std::uint64_t tests = 0;
-  std::vector<std::string> failures;
+  std::vector<Failure> failures;
 
-  void test(bool holds, const std::string& failure) { test_all(1, holds, failure); }
+  void test(bool holds, const Failure& failure) { test_all(1, holds, failure); }
 
-  void test_all(std::uint64_t count, bool hold, const std::string& failure) {
+  void test_all(std::uint64_t count, bool hold, const Failure& failure) {
     tests += count;
     if (!hold) failures.push_back(failure);
   }

@@ -129,11 +129,19 @@ void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const std:
       kSamplesASide);
   // baked ground is snapped to the grid, by up to half a quantum
   tile.results().height.test_all(samples.count, samples.error_m <= level.error_m + kQuantum_m,
-                                 fmt::format("{}: {} m where {} m is stated, at {},{}", name, samples.error_m,
-                                             level.error_m, samples.at.x, samples.at.y));
+                                 {fmt::format("{}: {} m where {} m is stated, at {},{}", name, samples.error_m,
+                                              level.error_m, samples.at.x, samples.at.y),
+                                  samples.at,
+                                  {},
+                                  samples.error_m,
+                                  name});
   tile.results().height.test_all(
       0, samples.uncovered == 0,
-      fmt::format("{}: {} places without ground, at {},{}", name, samples.uncovered, samples.hole.x, samples.hole.y));
+      {fmt::format("{}: {} places without ground, at {},{}", name, samples.uncovered, samples.hole.x, samples.hole.y),
+       samples.hole,
+       {},
+       static_cast<double>(samples.uncovered),
+       name});
 }
 
 RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, double tolerance_m, const GroundIndex& ground) {
@@ -149,24 +157,43 @@ void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const std
   const GroundIndex ground = index_ground(level, tile.loaded.non_ground);
   const RoadFaces roads = road_faces_of(tile.chunk, tile.box, level.tolerance_m, ground);
   tile.results().roads.test_all(roads.places, roads.largest_gap_m <= level.error_m + kQuantum_m,
-                                fmt::format("{}: {} m at {}, {} of {}", name, roads.largest_gap_m, roads.at.x,
-                                            roads.at.y, to_string(roads.worst)));
+                                {fmt::format("{}: {} m at {}, {} of {}", name, roads.largest_gap_m, roads.at.x,
+                                             roads.at.y, to_string(roads.worst)),
+                                 roads.at,
+                                 {roads.worst},
+                                 roads.largest_gap_m,
+                                 name});
   const Lakes lakes = measure_lakes(tile.chunk, ground);
-  tile.results().lakes.test_all(lakes.waters, lakes.not_level == 0,
-                                fmt::format("{}: {} by {} m", name, to_string(lakes.worst), lakes.largest_m));
+  tile.results().lakes.test_all(
+      lakes.waters, lakes.not_level == 0,
+      {fmt::format("{}: {} by {} m at {}, {}", name, to_string(lakes.worst), lakes.largest_m, lakes.at.x, lakes.at.y),
+       lakes.at,
+       {lakes.worst},
+       lakes.largest_m,
+       name});
   const double allowed_m = std::max(kAllowedGap_m, level.error_m);
   const Footing footing = measure_footing(tile.chunk, tile.box, allowed_m, level, ground);
-  tile.results().footing.test_all(footing.corners, footing.floating == 0,
-                                  fmt::format("{}: {} buildings, {} by {} m", name, footing.floating,
-                                              to_string(footing.worst), footing.largest_gap_m));
+  tile.results().footing.tests += footing.corners;
+  for (const GapBelow& gap : footing.floating)
+    tile.results().footing.test_all(
+        0, false,
+        {fmt::format("{}: {} by {} m at {}, {}", name, to_string(gap.building), gap.gap_m, gap.corner.x, gap.corner.y),
+         gap.corner,
+         {gap.building},
+         gap.gap_m,
+         name});
 }
 
 void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
   const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(tile.chunk);
   const Trunks trunks = measure_trunks(level, ground::index_land_cover(surfaces, tile.box.widened(scene::kHalo_m)));
   tile.results().trunks.test_all(trunks.trees, trunks.misplaced == 0,
-                                 fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
-                                             trunks.trees, to_string(trunks.worst), trunks.at.x, trunks.at.y));
+                                 {fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
+                                              trunks.trees, to_string(trunks.worst), trunks.at.x, trunks.at.y),
+                                  trunks.at,
+                                  {trunks.worst},
+                                  static_cast<double>(trunks.misplaced),
+                                  name});
 }
 
 // True if baking the recipes gives exactly the bytes of the file.

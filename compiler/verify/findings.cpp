@@ -8,6 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "compiler/contract/code_names.h"
+#include "compiler/contract/parse.h"
 #include "compiler/geometry/box.h"
 
 namespace citykiln::verify {
@@ -66,6 +68,36 @@ std::string text_of(const Finding& finding) {
   return fmt::format(R"({{"type":"Feature","properties":{},"geometry":{}}})", properties.dump(), geometry);
 }
 
+// "w123"; none for other texts.
+OsmId id_of(const nlohmann::json& id) {
+  constexpr std::string_view kTypes = "-nwr";
+  if (!id.is_string()) return {};
+  const std::string text = id.get<std::string>();
+  const std::size_t type = kTypes.find(text.empty() ? '-' : text.front());
+  const auto number = number_in<std::int64_t>(std::string_view(text).substr(type == std::string_view::npos ? 0 : 1));
+  if (type == std::string_view::npos || type == 0 || !number) return {};
+  return {static_cast<OsmType>(type), *number};
+}
+
+// "3_-2".
+std::optional<scene::TileKey> tile_of(const nlohmann::json& properties) {
+  if (!properties.contains("tile")) return std::nullopt;
+  const auto numbers = numbers_in<std::int32_t>(properties.at("tile").get<std::string>(), '_', 2);
+  return numbers ? std::optional(scene::TileKey{(*numbers)[0], (*numbers)[1]}) : std::nullopt;
+}
+
+// None for a code that this program does not know.
+std::optional<Finding> finding_of(const nlohmann::json& feature) {
+  const nlohmann::json& properties = feature.at("properties");
+  const std::optional<Code> code = code_named(properties.at("code").get<std::string>());
+  if (!code) return std::nullopt;
+  Finding finding{{*code, id_of(properties.at("id")), properties.at("size").get<double>()}, {}, tile_of(properties)};
+  if (properties.contains("level")) finding.level = properties.at("level").get<std::size_t>();
+  if (const nlohmann::json& geometry = feature.at("geometry"); !geometry.is_null())
+    finding.at = {geometry.at("coordinates").at(0).get<double>(), geometry.at("coordinates").at(1).get<double>()};
+  return finding;
+}
+
 }  // namespace
 
 std::vector<Finding> findings_of(const Report& report, const map::Places& places, const scene::Header& header) {
@@ -107,6 +139,18 @@ std::string findings_json(std::vector<Finding> findings, const scene::Header& he
                      nlohmann::json(header.attributions).dump() + ",\"features\":[";
   for (std::size_t i = 0; i < findings.size(); ++i) text += (i > 0 ? ",\n" : "\n") + text_of(findings[i]);
   return text + "\n]}\n";
+}
+
+Result<std::vector<Finding>> parse_findings(std::string_view json) {
+  std::vector<Finding> findings;
+  try {
+    const nlohmann::json collection = nlohmann::json::parse(json);
+    for (const nlohmann::json& feature : collection.at("features"))
+      if (std::optional<Finding> finding = finding_of(feature)) findings.push_back(std::move(*finding));
+  } catch (const nlohmann::json::exception& wrong) {
+    return Error{"", fmt::format("is not a list of findings: {}", wrong.what())};
+  }
+  return findings;
 }
 
 }  // namespace citykiln::verify

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/contract/report.h"
+#include "compiler/contract/result.h"
 #include "compiler/map/places.h"
 #include "compiler/scene/scene.h"
 
@@ -31,5 +33,8 @@ std::vector<Finding> findings_of(const Report& report, const scene::Header& head
 /// A FeatureCollection (RFC 7946), one feature a line, sorted: a point, or null without a place, with the properties
 /// code, severity, id (null: of no element), size, tile and level (where it has these). Deterministic.
 std::string findings_json(std::vector<Finding> findings, const scene::Header& header);
+
+/// Reads what findings_json() wrote; the diagnoses' own places (at_m) are in `at`. Errors: text of another form.
+Result<std::vector<Finding>> parse_findings(std::string_view json);
 
 }  // namespace citykiln::verify

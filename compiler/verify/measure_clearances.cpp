@@ -364,14 +364,16 @@ Clearances measure_clearances(const scene::Scene& scene, int threads) {
   }
   Clearances sum;
   sum.crossings = all.size();
-  for (const auto& [pair, worst] : all) {
-    sum.shortfalls += worst.shortfall_m > ground::kShortfallMargin_m;
-    sum.shortfalls_over_1_m += worst.shortfall_m > 1, sum.shortfalls_over_3_m += worst.shortfall_m > 3;
-    if (worst.shortfall_m <= sum.largest_shortfall_m) continue;
-    sum.largest_shortfall_m = worst.shortfall_m, sum.at = worst.at;
-    sum.upper = pair.first, sum.lower = pair.second;
-  }
+  for (const auto& [pair, worst] : all)
+    if (worst.shortfall_m > ground::kShortfallMargin_m)
+      sum.shortfalls.push_back({worst.shortfall_m, pair.first, pair.second, worst.at});
+  std::ranges::stable_sort(sum.shortfalls, std::ranges::greater{}, &ClearanceShortfall::missing_m);
   return sum;
+}
+
+std::uint64_t Clearances::count_over(double missing_m) const {
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(shortfalls, [&](const ClearanceShortfall& s) { return s.missing_m > missing_m; }));
 }
 
 }  // namespace citykiln::verify

@@ -7,18 +7,26 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "compiler/scene/scene.h"
 
 namespace citykiln::verify {
 
-struct Clearances {
-  std::uint64_t crossings = 0;   ///< Pairs of lines, or of a line and a water.
-  std::uint64_t shortfalls = 0;  ///< Crossings that miss the wanted clearance by more than ground::kShortfallMargin_m.
-  std::uint64_t shortfalls_over_1_m = 0, shortfalls_over_3_m = 0;
-  double largest_shortfall_m = 0;
-  OsmId upper, lower;  ///< The pair with the largest shortfall.
+/// A crossing that misses the wanted clearance by more than ground::kShortfallMargin_m.
+struct ClearanceShortfall {
+  double missing_m = 0;
+  OsmId upper, lower;
   Vec2 at;
+};
+
+struct Clearances {
+  std::uint64_t crossings = 0;                 ///< Pairs of lines, or of a line and a water.
+  std::vector<ClearanceShortfall> shortfalls;  ///< The largest first.
+
+  /// Number of shortfalls that are larger than this.
+  std::uint64_t count_over(double missing_m) const;
+  double largest_m() const { return shortfalls.empty() ? 0 : shortfalls.front().missing_m; }
 };
 
 /// Measures all crossings of the scene. Two lines cross where their axes intersect, or where one runs within the

@@ -9,29 +9,23 @@ namespace {
 
 using buildings::Building;
 
-void consider(Footing& footing, const Building& building, double gap_m) {
-  ++footing.corners;
-  if (gap_m <= footing.largest_gap_m) return;
-  footing.largest_gap_m = gap_m;
-  footing.worst = building.id.osm;
-}
-
-/// The largest gap under a building's corners.
-double gap_under(const Building& building, const Box2& box, const GroundHeightAt& ground, const WallBaseAt& wall,
-                 Footing& footing) {
-  double largest_m = -1e9;
+/// The largest gap below a building's corners inside the box. @param corners  Counts those with known heights.
+GapBelow gap_below(const Building& building, const Box2& box, const GroundHeightAt& ground, const WallBaseAt& wall,
+                   std::uint64_t& corners) {
+  GapBelow largest{building.id.osm, -1e9, {}};
   const auto look_at = [&](const Ring& ring) {
     for (const Vec2 corner : ring) {
       if (!box.contains_half_open(corner)) continue;
       const std::optional<double> ground_m = ground(corner), wall_m = wall(building, corner);
       if (!ground_m || !wall_m) continue;
-      largest_m = std::max(largest_m, *wall_m - *ground_m);
-      consider(footing, building, *wall_m - *ground_m);
+      ++corners;
+      if (const double gap_m = *wall_m - *ground_m; gap_m > largest.gap_m)
+        largest.gap_m = gap_m, largest.corner = corner;
     }
   };
   look_at(building.footprint.outer);
   for (const Ring& hole : building.footprint.holes) look_at(hole);
-  return largest_m;
+  return largest;
 }
 
 /// A vertical edge of a wall.
@@ -91,14 +85,20 @@ std::map<OsmId, double> floors_of(const scene::Chunk& chunk) {
 
 Footing combined(const Footing& a, const Footing& b) {
   const Footing& worst = b.largest_gap_m > a.largest_gap_m ? b : a;
-  return {a.corners + b.corners, a.floating + b.floating, worst.largest_gap_m, worst.worst};
+  Footing sum{a.corners + b.corners, worst.largest_gap_m, worst.worst, a.floating};
+  sum.floating.insert(sum.floating.end(), b.floating.begin(), b.floating.end());
+  return sum;
 }
 
 Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundHeightAt& ground,
                         const WallBaseAt& wall) {
   Footing footing;
-  for (const Building& building : chunk.buildings)
-    if (building.stands_on_ground) footing.floating += gap_under(building, box, ground, wall, footing) > allowed_m;
+  for (const Building& building : chunk.buildings) {
+    if (!building.stands_on_ground) continue;
+    const GapBelow gap = gap_below(building, box, ground, wall, footing.corners);
+    if (gap.gap_m > allowed_m) footing.floating.push_back(gap);
+    if (gap.gap_m > footing.largest_gap_m) footing.largest_gap_m = gap.gap_m, footing.worst = gap.building;
+  }
   return footing;
 }
 

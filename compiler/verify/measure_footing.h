@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/scene/scene.h"
@@ -14,14 +15,21 @@ namespace citykiln::verify {
 /// The largest gap that counts as none.
 inline constexpr double kAllowedGap_m = 0.05;
 
-struct Footing {
-  std::uint64_t corners = 0;    ///< Number of corners measured.
-  std::uint64_t floating = 0;   ///< Buildings with a gap over the limit at any corner.
-  double largest_gap_m = -1e9;  ///< From the ground up to the wall; negative if all walls reach into the ground.
-  OsmId worst{};
+/// The largest gap below one building.
+struct GapBelow {
+  OsmId building;
+  double gap_m = 0;
+  Vec2 corner;
 };
 
-/// The counts added, and the larger of the gaps.
+struct Footing {
+  std::uint64_t corners = 0;       ///< Number of corners measured.
+  double largest_gap_m = -1e9;     ///< From the ground up to the wall; negative if all walls reach into the ground.
+  OsmId worst{};                   ///< The building with that gap.
+  std::vector<GapBelow> floating;  ///< Buildings with a gap over the limit.
+};
+
+/// The counts added, the lists joined, and the larger of the gaps.
 Footing combined(const Footing& a, const Footing& b);
 
 /// The height of the ground, and of the lower end of a building's wall, at a corner. Empty if unknown.

@@ -21,13 +21,13 @@ Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedT
   Lakes lakes;
   for (const ground::LandCoverPolygon& surface : chunk.surfaces) {
     if (!surface.level_m) continue;
+    const auto off_m = [&](Vec2 p) {
+      return std::abs(layer_height_m(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m);
+    };
     double deviation_m = 0;
     for (const Ring& ring : surface.rings)
       for (const Vec2 p : ring)
-        if (box.contains(p))
-          deviation_m =
-              std::max(deviation_m,
-                       std::abs(layer_height_m(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
+        if (box.contains(p)) deviation_m = std::max(deviation_m, off_m(p));
     ++lakes.waters;
     lakes.not_level += deviation_m > kQuantum_m;
     if (deviation_m > lakes.largest_m) lakes.largest_m = deviation_m, lakes.worst = surface.id.osm;

@@ -14,6 +14,7 @@ struct Lakes {
   std::uint64_t not_level = 0;  ///< Waters with a corner off their level by more than rounding.
   double largest_m = 0;         ///< Largest deviation.
   OsmId worst{};
+  Vec2 at{};  ///< Of the largest deviation.
 };
 
 /// The counts added, and the larger of the deviations.

@@ -114,13 +114,20 @@ Json levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs) {
 
 double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-/// @param measured  Measures of the recipes, or those of the planner.
-Json clearances_of(const auto& measured) {
+Json clearances_of(const Clearances& measured) {
   return {{"crossings", measured.crossings},
-          {"shortfalls", measured.shortfalls},
-          {"shortfalls_over_1_m", measured.shortfalls_over_1_m},
-          {"shortfalls_over_3_m", measured.shortfalls_over_3_m},
-          {"largest_shortfall_m", measured.largest_shortfall_m}};
+          {"shortfalls", measured.shortfalls.size()},
+          {"shortfalls_over_1_m", measured.count_over(1)},
+          {"shortfalls_over_3_m", measured.count_over(3)},
+          {"largest_shortfall_m", measured.largest_m()}};
+}
+
+Json clearances_of(const ground::ProfileMeasures& planned) {
+  return {{"crossings", planned.crossings},
+          {"shortfalls", planned.shortfalls},
+          {"shortfalls_over_1_m", planned.shortfalls_over_1_m},
+          {"shortfalls_over_3_m", planned.shortfalls_over_3_m},
+          {"largest_shortfall_m", planned.largest_shortfall_m}};
 }
 
 /// Every value should be 0, except lengths, shares over the grade limit, and clearances.
@@ -134,7 +141,7 @@ Json heights_of(const HeightReport& heights) {
                {"watercourses_flowing_uphill", m.rises.rising},
                {"largest_uphill_rise_m", m.rises.largest_m},
                {"lakes_not_level", m.lakes.not_level},
-               {"buildings_above_ground", m.footing.floating},
+               {"buildings_above_ground", m.footing.floating.size()},
                {"largest_gap_below_building_m", std::max(0.0, m.footing.largest_gap_m)}};
   json["clearances"] = clearances_of(m.clearances);
   if (heights.planned) json["planned_clearances"] = clearances_of(*heights.planned);

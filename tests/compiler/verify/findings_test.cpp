@@ -70,5 +70,26 @@ TEST(Findings, AreTheSameWhateverTheOrderOfDiagnoses) {
   EXPECT_EQ(findings_json(findings_of(one, {}, header), header), findings_json(findings_of(other, {}, header), header));
 }
 
+TEST(Findings, AreReadAsTheyWereWritten) {
+  Report report;
+  report.add(Code::kTooSteep, {OsmType::kWay, -4}, 0.25);
+  report.add(Code::kUnsortedFile, {});
+  const scene::Header header = made_header();
+  std::vector<Finding> written = findings_of(report, {{{OsmType::kWay, -4}, {7.0001, 43.0001}}}, header);
+  written[0].level = 3;
+  const auto read = parse_findings(findings_json(written, header));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(findings_json(*read, header), findings_json(written, header));
+}
+
+TEST(Findings, OfUnknownCodesAreLeftOutAndOtherTextsAreErrors) {
+  EXPECT_FALSE(parse_findings("{}"));
+  EXPECT_FALSE(parse_findings("[1"));
+  const auto read =
+      parse_findings(R"({"features":[{"properties":{"code":"Later","id":null,"size":0},"geometry":null}]})");
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->empty());
+}
+
 }  // namespace
 }  // namespace citykiln::verify

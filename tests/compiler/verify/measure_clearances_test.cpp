@@ -44,15 +44,15 @@ TEST(MeasureClearances, FindTheShortfallOfABridgeOverARoad) {
   chunk.bridges = {span(2, kBesideRoad, 14, 1)};
   const Clearances c = measured(chunk);
   EXPECT_EQ(c.crossings, 1u);
-  EXPECT_EQ(c.shortfalls, 1u);
-  EXPECT_EQ(c.shortfalls_over_1_m, 1u);
-  EXPECT_EQ(c.shortfalls_over_3_m, 0u);
-  EXPECT_NEAR(c.largest_shortfall_m, ground::kClearanceOverRoad_m - 4, 1e-9);
-  EXPECT_EQ(c.upper, (OsmId{OsmType::kWay, 2}));
-  EXPECT_EQ(c.lower, (OsmId{OsmType::kWay, 1}));
-  EXPECT_EQ(c.at, (Vec2{500, 500}));
+  EXPECT_EQ(c.shortfalls.size(), 1u);
+  EXPECT_EQ(c.count_over(1), 1u);
+  EXPECT_EQ(c.count_over(3), 0u);
+  EXPECT_NEAR(c.largest_m(), ground::kClearanceOverRoad_m - 4, 1e-9);
+  EXPECT_EQ(c.shortfalls.front().upper, (OsmId{OsmType::kWay, 2}));
+  EXPECT_EQ(c.shortfalls.front().lower, (OsmId{OsmType::kWay, 1}));
+  EXPECT_EQ(c.shortfalls.front().at, (Vec2{500, 500}));
   chunk.bridges[0].profile = {{0, 16, 0}};
-  EXPECT_EQ(measured(chunk).shortfalls, 0u);
+  EXPECT_EQ(measured(chunk).shortfalls.size(), 0u);
 }
 
 TEST(MeasureClearances, TakeTheHigherLayerAsUpper) {
@@ -60,9 +60,9 @@ TEST(MeasureClearances, TakeTheHigherLayerAsUpper) {
   decks.bridges = {span(1, kAlong, 20, 2), span(2, kBesideRoad, 14, 0)};
   bores.tunnels = {span(1, kAlong, -14, -2), span(2, kBesideRoad, -20, -1)};
   same.bridges = {span(1, kAlong, 20, 1), span(2, kBesideRoad, 20, 0)};
-  EXPECT_EQ(measured(decks).largest_shortfall_m, 0);
+  EXPECT_EQ(measured(decks).largest_m(), 0);
   EXPECT_EQ(measured(decks).crossings, 1u);
-  EXPECT_NEAR(measured(bores).largest_shortfall_m, ground::kClearanceOverRoad_m + 6, 1e-9);
+  EXPECT_NEAR(measured(bores).largest_m(), ground::kClearanceOverRoad_m + 6, 1e-9);
   EXPECT_EQ(measured(same).crossings, 0u);
 }
 
@@ -73,7 +73,7 @@ TEST(MeasureClearances, TakeTheGroundAsAboveTunnelsAndSkipCorridors) {
                    span(3, {{600, 100}, {600, 900}}, 8, 0, LandCoverClass::kPavedFootPath)};
   const Clearances c = measured(chunk);
   EXPECT_EQ(c.crossings, 1u);
-  EXPECT_NEAR(c.largest_shortfall_m, ground::kClearanceOverRoad_m - 2, 1e-9);
+  EXPECT_NEAR(c.largest_m(), ground::kClearanceOverRoad_m - 2, 1e-9);
 }
 
 TEST(MeasureClearances, SkipLinesConnectedCloseBy) {
@@ -89,7 +89,7 @@ TEST(MeasureClearances, CountParallelLinesUnlessOneDescendsBesideTheOther) {
   scene::Chunk chunk;
   chunk.roads = {road(1, kAlong, 10)};
   chunk.bridges = {span(2, {{100, 502}, {900, 502}}, 12, 1)};
-  EXPECT_EQ(measured(chunk).shortfalls, 1u);
+  EXPECT_EQ(measured(chunk).shortfalls.size(), 1u);
   chunk.bridges = {span(2, {{480, 502}, {520, 502}}, 12, 1)};
   chunk.roads.push_back(road(3, {{520, 502}, {620, 540}}, 12));
   EXPECT_EQ(measured(chunk).crossings, 0u);
@@ -109,8 +109,8 @@ TEST(MeasureClearances, CountWaterAndPathsThatFollowTheGround) {
   chunk.roads[0].profile.clear();
   const Clearances c = measured(chunk);
   EXPECT_EQ(c.crossings, 3u);
-  EXPECT_EQ(c.shortfalls, 3u);
-  EXPECT_EQ(c.shortfalls_over_1_m, 2u);
+  EXPECT_EQ(c.shortfalls.size(), 3u);
+  EXPECT_EQ(c.count_over(1), 2u);
 }
 
 }  // namespace

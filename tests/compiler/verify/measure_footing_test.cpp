@@ -49,19 +49,19 @@ Footing footing_of(const bake::BakedTile& tile) {
 TEST(MeasureFooting, FindsNothingUnderWallsThatReachIntoTheGround) {
   const Footing footing = footing_of(tile_with_house(-1, {0, 0, 0, 0}));
   EXPECT_EQ(footing.corners, 4u);
-  EXPECT_EQ(footing.floating, 0u);
+  EXPECT_EQ(footing.floating.size(), 0u);
   EXPECT_EQ(footing.largest_gap_m, -1);
 }
 
 TEST(MeasureFooting, FindsAHouseThatFloats) {
   const Footing footing = footing_of(tile_with_house(0.5F, {0, 0, 0, 0}));
-  EXPECT_EQ(footing.floating, 1u);
+  EXPECT_EQ(footing.floating.size(), 1u);
   EXPECT_EQ(footing.largest_gap_m, 0.5);
   EXPECT_EQ(footing.worst, kHouse);
 }
 
 TEST(MeasureFooting, FindsOneCornerOverAHollow) {
-  EXPECT_EQ(footing_of(tile_with_house(-1, {0, -6.4F, -6.4F, 0})).floating, 1u);
+  EXPECT_EQ(footing_of(tile_with_house(-1, {0, -6.4F, -6.4F, 0})).floating.size(), 1u);
 }
 
 // Walls in two strips, one below the other; and one whose lower strip is missing at a corner's edge.
@@ -90,7 +90,7 @@ TEST(MeasureFooting, TakesTheUpperSideOfAStepAtACorner) {
   ground.positions.insert(ground.positions.end(), {{x - 4, y - 4, -5}, {x, y - 4, -5}, {x, y, -5}});
   ground.features.insert(ground.features.end(), 3, 1);
   ground.triangles.push_back({first, first + 1, first + 2});
-  EXPECT_EQ(footing_of(tile).floating, 0u);
+  EXPECT_EQ(footing_of(tile).floating.size(), 0u);
 }
 
 TEST(MeasureFooting, SkipsRaisedBuildings) {

@@ -1,0 +1,119 @@
+#include "compiler/commands/place_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compiler/commands/load_cells.h"
+#include "compiler/map/heightfield.h"
+#include "compiler/sky/generate.h"
+#include "exporters/gltf/glb.h"
+#include "preview/picture/denoise.h"
+#include "preview/picture/exposure.h"
+#include "preview/render.h"
+
+namespace citykiln::commands {
+namespace {
+
+constexpr int kWidth_px = 480, kHeight_px = 270, kSamples = 8;
+constexpr double kFov_deg = 45;
+constexpr double kNearest_m = 45, kFarthest_m = 150;
+// Surfaces are looked for from this far above the terrain.
+constexpr double kAbove_m = 1000;
+
+// Angles above the horizon at which cameras are tried, in this order.
+constexpr double kElevations_deg[] = {14, 25, 40, 60};
+constexpr double kSteep_deg = 82;
+constexpr int kAzimuths = 16;
+
+double terrain_m_at(const scene::Scene& scene, Vec2 p) {
+  const auto holds = [&](const scene::Chunk& chunk) { return scene::is_anchored(scene.header, chunk.tile, p); };
+  const auto chunk = std::ranges::find_if(scene.chunks, holds);
+  return chunk == scene.chunks.end() ? 0 : height_m_at(chunk->heights, p);
+}
+
+// The highest surface at a place; the terrain where there is none.
+Vec3 target_of(const preview::World& world, const scene::Scene& scene, Vec2 p) {
+  const double terrain_m = terrain_m_at(scene, p);
+  const auto hit = world.first_hit(at_height(p, terrain_m + kAbove_m) - world.origin(), {0, 0, -1});
+  return at_height(p, hit ? terrain_m + kAbove_m - hit->distance_m : terrain_m);
+}
+
+// The direction from a place to a camera; azimuth 0 is south, others follow on both sides.
+Vec3 towards_camera(int azimuth, double elevation_deg) {
+  const int step = azimuth % 2 == 0 ? azimuth / 2 : -(azimuth + 1) / 2;
+  const double turn = 2 * std::numbers::pi * step / kAzimuths, up = elevation_deg * std::numbers::pi / 180;
+  return {std::sin(turn) * std::cos(up), -std::cos(turn) * std::cos(up), std::sin(up)};
+}
+
+bool is_free(const preview::World& world, Vec3 target, Vec3 direction, double far_m) {
+  for (const double above_m : {0.5, 3.0})
+    if (world.is_blocked(target + Vec3{0, 0, above_m} - world.origin(), direction, far_m)) return false;
+  return true;
+}
+
+preview::Camera camera_for(const preview::World& world, Vec3 target, double extent_m) {
+  const double far_m = std::clamp(2 * extent_m, kNearest_m, kFarthest_m);
+  for (const double elevation_deg : kElevations_deg)
+    for (int azimuth = 0; azimuth < kAzimuths; ++azimuth) {
+      const Vec3 direction = towards_camera(azimuth, elevation_deg);
+      if (is_free(world, target, direction, far_m)) return {target + direction * far_m, target, kFov_deg};
+    }
+  return {target + towards_camera(0, kSteep_deg) * far_m, target, kFov_deg};
+}
+
+// Cameras about as far from the places as the later ones: they decide how fine the cells are.
+std::vector<preview::Camera> cameras_above(const scene::Scene& scene, std::span<const PlaceToShow> places) {
+  std::vector<preview::Camera> cameras;
+  for (const PlaceToShow& place : places) {
+    const Vec3 target = at_height(place.at, terrain_m_at(scene, place.at));
+    cameras.push_back({target + Vec3{0, 0, kNearest_m}, target, kFov_deg});
+  }
+  return cameras;
+}
+
+struct Studio {
+  const scene::Scene& scene;
+  const preview::Lights& lights;
+  preview::Options options;
+  double exposure = 1;
+};
+
+Result<Done> write_picture(const Studio& studio, const preview::World& world, const PlaceToShow& place) {
+  const Vec3 target = target_of(world, studio.scene, place.at);
+  const preview::Camera camera = camera_for(world, target, place.extent_m);
+  preview::Image image =
+      preview::denoise(preview::render(world, studio.lights, camera, studio.options), studio.options.threads);
+  preview::expose(image, studio.exposure);
+  return preview::write_image(image, place.picture);
+}
+
+Result<Done> write_picture_of_tile(const Studio& studio, const PlaceToShow& place) {
+  const Result<bake::BakedTile> tile = exporters::read_glb(place.tile);
+  if (!tile) return tile.error();
+  const preview::World world(std::span(&*tile, 1), at_height(place.at, 0));
+  return write_picture(studio, world, place);
+}
+
+}  // namespace
+
+Result<Done> write_place_pictures(const scene::Scene& scene, std::span<const PlaceToShow> places, int threads,
+                                  const OnProgress& on_progress) {
+  if (places.empty()) return Done{};
+  const std::vector<preview::Camera> above = cameras_above(scene, places);
+  const preview::World world(cells_for(scene, {above, kWidth_px, kHeight_px}, {}), above.front().eye,
+                             default_budget_bytes());
+  const preview::Lights lights(sky::generate(scene.header.sky, above.front().eye.z));
+  Studio studio{scene, lights, {}, preview::adapted_exposure(scene.header.sky)};
+  studio.options.width = kWidth_px, studio.options.height = kHeight_px, studio.options.samples = kSamples;
+  studio.options.threads = threads, studio.options.has_guides = true;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    on_progress("pictures", static_cast<double>(i) / static_cast<double>(places.size()));
+    const Result<Done> written =
+        places[i].tile.empty() ? write_picture(studio, world, places[i]) : write_picture_of_tile(studio, places[i]);
+    if (!written) return written;
+  }
+  return Done{};
+}
+
+}  // namespace citykiln::commands

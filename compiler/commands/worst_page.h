@@ -1,0 +1,23 @@
+// The page of a run's worst places: index.html with a picture of each.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "compiler/contract/result.h"
+#include "compiler/stage_timer.h"
+#include "compiler/verify/check_tile.h"
+#include "compiler/verify/worst_places.h"
+
+namespace citykiln::commands {
+
+/// Writes FOLDER/index.html and FOLDER/pictures/*.png; makes the folder if needed. Texts of the map are escaped. Tags
+/// are quoted where the manifest has them (compile --tags).
+/// Errors: files that cannot be written.
+Result<Done> write_worst_page(const verify::LoadedRun& run, std::span<const verify::PlacesOfKind> kinds,
+                              const std::string& folder, int threads, const OnProgress& on_progress);
+
+/// The text with the five characters that mean something in HTML replaced, and without control characters.
+std::string html_text(std::string_view text);
+
+}  // namespace citykiln::commands

@@ -1,0 +1,115 @@
+#include "compiler/verify/worst_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace citykiln::verify {
+namespace {
+
+// Diagnoses of the map's or the product's quality, in the order of the page.
+constexpr Code kShown[] = {
+    Code::kToleranceNotMet,
+    Code::kTooSteep,
+    Code::kTunnelLowered,
+    Code::kTunnelNotMeshed,
+    Code::kBridgeWithoutGround,
+    Code::kNoPlaceForPier,
+    Code::kRiverOffTerrain,
+    Code::kLakeLevelMoved,
+    Code::kShoreSpike,
+    Code::kRiverAreaWithoutAxis,
+    Code::kWaterwayReversed,
+    Code::kHeightRaised,
+    Code::kUnsupportedBuilding,
+    Code::kBuildingOnRoad,
+    Code::kRoadNarrowed,
+    Code::kRoofFallback,
+    Code::kRuleErrors,
+    Code::kDuplicateBuilding,
+    Code::kMinHeightNotBelowHeight,
+    Code::kTreeOnRoad,
+    Code::kTreeMoved,
+    Code::kBrokenArea,
+    Code::kDegenerateRing,
+    Code::kNoLength,
+    Code::kBadTagValue,
+};
+
+// Keeps the largest place of each object, and of all the largest.
+void keep_worst(PlacesOfKind& kind, std::size_t most) {
+  std::ranges::stable_sort(kind.worst, std::ranges::greater{}, &WorstPlace::size);
+  std::set<std::vector<OsmId>> known;
+  std::erase_if(kind.worst,
+                [&](const WorstPlace& place) { return !place.ids.empty() && !known.insert(place.ids).second; });
+  kind.count = kind.worst.size();
+  if (kind.worst.size() > most) kind.worst.resize(most);
+}
+
+PlacesOfKind failures_of(const Check& check) {
+  PlacesOfKind kind{"broken guarantee", "expected: " + check.claim, 0, {}};
+  for (const Failure& failure : check.failures)
+    kind.worst.push_back({failure.ids, failure.size, failure.text, failure.at, failure.file});
+  return kind;
+}
+
+PlacesOfKind shortfalls_of(const Clearances& clearances) {
+  PlacesOfKind kind{
+      "missing clearance", "a line passes too closely over another line or over water (size: metres missing)", 0, {}};
+  for (const ClearanceShortfall& s : clearances.shortfalls)
+    kind.worst.push_back(
+        {{s.upper, s.lower}, s.missing_m, fmt::format("{} over {}", to_string(s.upper), to_string(s.lower)), s.at});
+  return kind;
+}
+
+// The cuts, or the fills, of one kind of line.
+void add_earthworks(std::span<const Earthwork> earthworks, bool is_cut, std::vector<PlacesOfKind>& kinds) {
+  std::map<std::string_view, PlacesOfKind> by_line;
+  for (const Earthwork& e : earthworks) {
+    if ((e.depth_m > 0) != is_cut) continue;
+    PlacesOfKind& kind = by_line[e.line];
+    kind.name = fmt::format("{} of a {}", is_cut ? "cut" : "fill", e.line);
+    kind.text = fmt::format("the {} lies {} the terrain (size: metres; more than {} are unusual)", e.line,
+                            is_cut ? "below" : "above", earthwork_limit_m(e.line));
+    kind.worst.push_back({{e.id}, std::abs(e.depth_m), {}, e.at});
+  }
+  for (auto& [line, kind] : by_line) kinds.push_back(std::move(kind));
+}
+
+WorstPlace place_of(const Finding& finding, const map::Plane& plane) {
+  WorstPlace place;
+  place.size = finding.diagnosis.size;
+  if (finding.diagnosis.object.type != OsmType::kNone) place.ids = {finding.diagnosis.object};
+  if (finding.at) place.at = plane.forward(*finding.at);
+  if (finding.level) place.text = fmt::format("level {}", *finding.level);
+  return place;
+}
+
+void add_diagnoses(std::span<const Finding> findings, const map::Plane& plane, std::vector<PlacesOfKind>& kinds) {
+  for (const Code code : kShown) {
+    PlacesOfKind kind{std::string(name_of(code)), std::string(text_of(code)), 0, {}};
+    for (const Finding& finding : findings)
+      if (finding.diagnosis.code == code) kind.worst.push_back(place_of(finding, plane));
+    kinds.push_back(std::move(kind));
+  }
+}
+
+}  // namespace
+
+std::vector<PlacesOfKind> worst_places(const CheckResults& results, std::span<const Earthwork> earthworks,
+                                       std::span<const Finding> findings, const map::Plane& plane, std::size_t most) {
+  std::vector<PlacesOfKind> kinds;
+  for (const Check* check : all_of(results)) kinds.push_back(failures_of(*check));
+  kinds.push_back(shortfalls_of(results.clearances));
+  for (const bool is_cut : {true, false}) add_earthworks(earthworks, is_cut, kinds);
+  add_diagnoses(findings, plane, kinds);
+  for (PlacesOfKind& kind : kinds) keep_worst(kind, most);
+  std::erase_if(kinds, [](const PlacesOfKind& kind) { return kind.worst.empty(); });
+  return kinds;
+}
+
+}  // namespace citykiln::verify
