@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {
@@ -15,8 +17,8 @@ const materials::TextureImage kImage{kTexel_m, 64, 32, {}};
 void add_face(bake::Primitive& faces, float width_m, float height_m, std::array<float, 2> first_texel) {
   add_quad(faces, {0, 0, 0}, {width_m, 0, 0}, {width_m, 0, height_m}, {0, 0, height_m});
   const float u = first_texel[0] * 0.5f, v = first_texel[1] * 0.5f;
-  for (const bake::Float2& at : {bake::Float2{0, height_m}, {width_m, height_m}, {width_m, 0}, {0, 0}})
-    faces.uvs.push_back({u + at[0], v + at[1]});
+  const std::array<bake::Float2, 4> corners = {{{0, height_m}, {width_m, height_m}, {width_m, 0}, {0, 0}}};
+  for (const bake::Float2& at : corners) faces.uvs.push_back({u + at[0], v + at[1]});
 }
 
 TEST(FaceRectangles, AreTheTexelsThatEachFaceTouches) {
