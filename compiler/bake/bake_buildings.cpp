@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/bake/bake_blocks.h"
+#include "compiler/bake/image_uvs.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 
@@ -35,16 +36,18 @@ std::vector<BuildingMeshes> generate_buildings(const scene::Header& header, cons
   return by_level;
 }
 
-// Packs the facade textures into the tile's atlas, and adds the faces that show them to the buildings' meshes.
+// Packs the facade textures into the tile's atlas, and adds the faces that show them to the buildings' meshes. Uvs are
+// put on the image's grid (image_uvs.h) before their picture is: where that lies then does not decide how they round.
 void put_on_atlas(Baking& baking, BuildingMeshes& buildings) {
   std::vector<impostor::Picture> pictures;
   for (buildings::GeneratedBuilding& building : buildings)
     for (buildings::TexturedFace& face : building.textured_faces) pictures.push_back(std::move(face.picture));
-  impostor::AtlasLayout layout = impostor::lay_out_atlas(pictures, baking.tolerance_m);
+  const std::uint64_t budget = baking.part ? impostor::kMaxViewAtlasTexels : impostor::kMaxAtlasTexels;
+  impostor::AtlasLayout layout = impostor::lay_out_atlas(pictures, baking.tolerance_m, budget);
   std::size_t picture = 0;
   for (buildings::GeneratedBuilding& building : buildings)
     for (buildings::TexturedFace& face : building.textured_faces) {
-      for (Vec2& uv : face.mesh.uvs) uv = uv + layout.at_m[picture];
+      for (Vec2& uv : face.mesh.uvs) uv = snapped_uv(uv, layout.atlas.colour) + layout.at_m[picture];
       building.meshes.push_back(std::move(face.mesh));
       ++picture;
     }

@@ -9,17 +9,24 @@ namespace {
 using materials::ColourSource;
 using materials::TextureImage;
 
+double snapped(double at_m, double step_m) { return std::floor(at_m / step_m + 0.5) * step_m; }
+
 void snap(std::span<Primitive> primitives, ColourSource colour_source, const TextureImage& image) {
   if (image.texels.empty()) return;
   const double step_m = materials::uv_step_m(image);
   for (Primitive& primitive : primitives) {
     if (primitive.colour_source != colour_source) continue;
     for (Float2& uv : primitive.uvs)
-      for (float& c : uv) c = static_cast<float>(std::floor(c / step_m + 0.5) * step_m) + 0.0f;
+      for (float& c : uv) c = static_cast<float>(snapped(c, step_m)) + 0.0f;
   }
 }
 
 }  // namespace
+
+Vec2 snapped_uv(Vec2 uv, const TextureImage& image) {
+  const double step_m = materials::uv_step_m(image);
+  return {snapped(uv.x, step_m), snapped(uv.y, step_m)};
+}
 
 void snap_image_uvs(BakedTile& tile) { snap_image_uvs(tile, tile.marking_atlas); }
 

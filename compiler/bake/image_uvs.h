@@ -2,8 +2,12 @@
 #pragma once
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/geometry/vec.h"
 
 namespace citykiln::bake {
+
+/// The nearest place on an image's grid, a multiple of materials::uv_step_m() each way.
+Vec2 snapped_uv(Vec2 uv, const materials::TextureImage& image);
 
 /// Moves uvs on the marking atlas, the facade atlas and cutouts to multiples of materials::uv_step_m() of their image:
 /// by at most a sixteenth of a texel. Twice changes nothing more. Up to 2^22 steps. O(vertices).

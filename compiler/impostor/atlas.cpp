@@ -58,9 +58,9 @@ Shelves shelve(std::span<const Picture> pictures) {
   return shelves;
 }
 
-bool fits(const Shelves& shelves) {
+bool fits(const Shelves& shelves, std::uint64_t budget) {
   return std::max(shelves.columns, shelves.rows) <= materials::kMaxImageSide_px &&
-         std::uint64_t{shelves.columns} * shelves.rows <= kMaxAtlasTexels;
+         std::uint64_t{shelves.columns} * shelves.rows <= budget;
 }
 
 TextureImage::Texel srgb_of(const std::array<std::uint16_t, 3>& linear) {
@@ -121,13 +121,13 @@ bool are_single(std::span<const Picture> pictures) {
 
 }  // namespace
 
-AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m) {
+AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m, std::uint64_t budget) {
   AtlasLayout layout;
   assert(texel_m > 0 && std::ranges::none_of(pictures, [](const Picture& p) { return p.texels.empty(); }));
   if (pictures.empty()) return layout;
   Unique unique = unique_of(pictures);
   Shelves shelves = shelve(unique.pictures);
-  while (!fits(shelves) && !are_single(unique.pictures)) {
+  while (!fits(shelves, budget) && !are_single(unique.pictures)) {
     for (Picture& picture : unique.pictures) picture = halved(picture);
     texel_m *= 2;
     shelves = shelve(unique.pictures);

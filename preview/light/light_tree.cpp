@@ -112,6 +112,7 @@ double sine_of(double cosine) { return std::sqrt(std::max(0.0, 1 - cosine * cosi
 LightBounds joined(const LightBounds& a, const LightBounds& b) {
   LightBounds all;
   all.low = least(a.low, b.low), all.high = most(a.high, b.high), all.flux = a.flux + b.flux;
+  all.is_even = a.is_even || b.is_even;
   join_cones(all, a, b);
   return all;
 }
@@ -161,7 +162,8 @@ LightBounds LightTree::build(std::span<const LightBounds> lights, std::span<std:
                  .cos_reach = std::cos(bounds.reach_rad),
                  .light = of.front(),
                  .second = second,
-                 .parent = parent};
+                 .parent = parent,
+                 .is_even = bounds.is_even};
   return bounds;
 }
 
@@ -188,7 +190,8 @@ double LightTree::importance(const Node& node, Vec3 at, Vec3 normal) {
   const double sin_off = sin_of_difference(sin_axis, cos_axis, node.sin_spread, node.cos_spread);
   const double cos_out = cos_of_difference(sin_off, cos_off, sin_sphere, cos_sphere);
   if (cos_out <= node.cos_reach) return 0;
-  // lamps shine sideways, too
+  if (node.is_even) return shine;
+  // surfaces of several directions shine sideways, too
   constexpr double kLeast = 0.05;
   return shine * std::max(cos_out, kLeast);
 }

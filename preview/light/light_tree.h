@@ -17,10 +17,12 @@ struct LightBounds {
   Vec3 axis{0, 0, 1};     ///< Unit: the middle of the normals of its surfaces.
   double spread_rad = 0;  ///< Normals are within this angle of the axis.
   double reach_rad = 0;   ///< Light leaves within this angle of a normal; at most a right angle for surfaces.
-  double flux = 0;        ///< Of luminance, any unit. >= 0.
+  double flux = 0;        ///< Of luminance, any unit: that of a surface as bright along its normal. >= 0.
+  /// Whether it is as bright in all directions within reach, as a lantern is; else by the cosine, as a surface is.
+  bool is_even = false;
 };
 
-/// The smallest bounds of both.
+/// The smallest bounds of both; even if one is.
 LightBounds joined(const LightBounds& a, const LightBounds& b);
 
 /// A sampled source.
@@ -56,6 +58,7 @@ class LightTree {
     std::uint32_t light;   // of a leaf
     std::uint32_t second;  // index of the second child, the first follows its parent; 0: a leaf
     std::uint32_t parent;
+    bool is_even;
   };
 
   LightBounds build(std::span<const LightBounds> lights, std::span<std::uint32_t> of, std::uint32_t parent);

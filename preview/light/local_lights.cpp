@@ -75,7 +75,8 @@ LocalLights::LocalLights(const World& world, std::span<const StreetLamp> lamps, 
                       .high = made.at,
                       .axis = {0, 0, -1},
                       .reach_rad = shines_down ? kPi / 2 : kPi / 2 + kLanternRise_rad,
-                      .flux = of.lumen / sky::kUnitLuminance_cd_m2});
+                      .flux = kPi * candela,
+                      .is_even = !shines_down});
   }
   lamp_tree_ = LightTree(bounds);
 }

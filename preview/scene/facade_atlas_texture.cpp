@@ -20,8 +20,8 @@ std::size_t FacadeAtlasTexture::bytes() const {
   return colour_.bytes() + surface_.bytes() + (emission_ ? emission_->bytes() : 0) + (normal_ ? normal_->bytes() : 0);
 }
 
-Vec3 FacadeAtlasTexture::normal(const TextureFootprint& footprint) const {
-  const auto [u, v, out] = normal_->mean(footprint);
+Vec3 FacadeAtlasTexture::normal(const TextureFootprint& footprint, const TexelRectangle& picture) const {
+  const auto [u, v, out] = normal_->mean(footprint, picture);
   return unit(Vec3{u, v, out});
 }
 

@@ -9,28 +9,31 @@
 
 namespace citykiln::preview {
 
-/// Refers to the atlas, which must outlive it. Filtered up to its second mip level, where its images are still apart;
-/// objects so small in the picture that they need more have a coarser level of detail.
+/// Refers to the atlas, which must outlive it. Filtered up to its second mip level, where its pictures are still apart,
+/// and within one picture: a face looks the same on any atlas. Objects so small in the picture that they need more have
+/// a coarser level of detail.
 class FacadeAtlasTexture {
  public:
   /// @param atlas  With texels.
   explicit FacadeAtlasTexture(const impostor::Atlas& atlas);
 
   const impostor::Atlas& atlas() const { return *atlas_; }
-  /// Mean linear reflectance over a footprint.
-  std::array<double, 3> colour(const TextureFootprint& footprint) const { return colour_.mean(footprint); }
+  /// Mean linear reflectance over a footprint of one of the atlas's pictures.
+  std::array<double, 3> colour(const TextureFootprint& footprint, const TexelRectangle& picture) const {
+    return colour_.mean(footprint, picture);
+  }
   /// Mean linear emission, as a share of materials::kEmission_cd_m2.
-  std::array<double, 3> emission(const TextureFootprint& footprint) const {
-    return emission_ ? emission_->mean(footprint) : std::array<double, 3>{};
+  std::array<double, 3> emission(const TextureFootprint& footprint, const TexelRectangle& picture) const {
+    return emission_ ? emission_->mean(footprint, picture) : std::array<double, 3>{};
   }
   /// Unit normal: along u, against v, outwards.
-  Vec3 normal(const TextureFootprint& footprint) const;
+  Vec3 normal(const TextureFootprint& footprint, const TexelRectangle& picture) const;
   bool shines() const { return emission_.has_value(); }
   bool has_normals() const { return normal_.has_value(); }
   std::size_t bytes() const;  ///< With the images.
   /// Mean roughness and metalness, in [0, 1].
-  std::pair<float, float> surface(const TextureFootprint& footprint) const {
-    const auto mean = surface_.mean(footprint);
+  std::pair<float, float> surface(const TextureFootprint& footprint, const TexelRectangle& picture) const {
+    const auto mean = surface_.mean(footprint, picture);
     return {static_cast<float>(mean[1]), static_cast<float>(mean[2])};
   }
 

@@ -4,8 +4,10 @@
 #include <cassert>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "compiler/sky/generate.h"
+#include "preview/scene/face_rectangles.h"
 
 namespace citykiln::preview {
 namespace {
@@ -89,6 +91,16 @@ std::array<double, 3> apply_image(Hit& hit, const HitTriangle& t, const TextureF
   return image.colour(footprint);
 }
 
+// Sets roughness, metalness and normal by a picture on the facade atlas, and returns its colour and emission.
+std::pair<std::array<double, 3>, std::array<double, 3>> apply_facade(Hit& hit, const HitTriangle& t,
+                                                                     const TextureFootprint& footprint,
+                                                                     const FacadeAtlasTexture& atlas,
+                                                                     const TexelRectangle& picture) {
+  if (atlas.has_normals() && !footprint.is_rough) apply_normal_map(hit, t, atlas.normal(footprint, picture), {});
+  std::tie(hit.roughness, hit.metallic) = atlas.surface(footprint, picture);
+  return {atlas.colour(footprint, picture), atlas.emission(footprint, picture)};
+}
+
 // Leaves transmit about as much light as they reflect.
 double translucency_of(materials::Material material) {
   using materials::Material;
@@ -117,11 +129,8 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<double, 3>& w
     const TextureFootprint footprint = scaled_footprint_of(t, ray);
     if (part.material_texture != nullptr) colour = apply_image(hit, t, footprint, *part.material_texture);
     if (part.cutout != nullptr) colour = apply_image(hit, t, footprint, *part.cutout, ray.direction);
-    if (part.facade_atlas != nullptr) {
-      colour = apply_image(hit, t, footprint, *part.facade_atlas);
-      std::tie(hit.roughness, hit.metallic) = part.facade_atlas->surface(footprint);
-      emission = part.facade_atlas->emission(footprint);
-    }
+    if (part.facade_atlas != nullptr)
+      std::tie(colour, emission) = apply_facade(hit, t, footprint, *part.facade_atlas, part.pictures[found.primID]);
   }
   hit.translucency = translucency_of(primitive.material);
   const auto& corners = primitive.triangles[found.primID];
@@ -149,7 +158,7 @@ Rgb mean_emission(const MeshPart& part, std::size_t triangle) {
       double u = (i + 0.5) / kPlaces, v = (j + 0.5) / kPlaces;
       if (u + v > 1) u = 1 - u, v = 1 - v;
       const Vec2 at = t.uv[0] + (t.uv[1] - t.uv[0]) * u + (t.uv[2] - t.uv[0]) * v;
-      sum = sum + part.facade_atlas->emission({at, {}, across_m, false});
+      sum = sum + part.facade_atlas->emission({at, {}, across_m, false}, part.pictures[triangle]);
     }
   return sum * (kUnit / (kPlaces * kPlaces));
 }
@@ -170,7 +179,8 @@ MeshPart mesh_part_of(const bake::Primitive& primitive, Vec3 offset, const MipTe
   using materials::ColourSource;
   MeshPart part{&primitive, {}};
   if (primitive.colour_source == ColourSource::kByMarkingAtlas) part.marking_atlas = marking_atlas;
-  if (primitive.colour_source == ColourSource::kByAtlas) part.facade_atlas = facade_atlas;
+  if (primitive.colour_source == ColourSource::kByAtlas && !primitive.uvs.empty()) part.facade_atlas = facade_atlas;
+  if (part.facade_atlas != nullptr) part.pictures = face_rectangles(primitive, facade_atlas->atlas().colour);
   if (primitive.colour_source == ColourSource::kByMaterial && !primitive.uvs.empty())
     part.material_texture = material_texture;
   if (primitive.colour_source == ColourSource::kByCutout) part.cutout = cutout;

@@ -24,6 +24,7 @@ struct MeshPart {
   const MaterialTexture* material_texture = nullptr;  ///< Colour and normal.
   const FacadeAtlasTexture* facade_atlas = nullptr;   ///< Colour, normal, roughness and emission.
   const CutoutTexture* cutout = nullptr;              ///< Colour, normal and holes.
+  std::vector<TexelRectangle> pictures{};             ///< Per triangle, on the facade atlas; empty without one.
   std::vector<std::uint32_t> emitters{};  ///< Per triangle its number; empty if the material does not shine.
   /// Of the tile: the primitive's vertices index them. Null: the hits of this part have no feature.
   const std::vector<OsmId>* features = nullptr;

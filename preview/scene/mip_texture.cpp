@@ -21,8 +21,9 @@ std::array<float, 256> table(Of of) {
 // The values of a texel's bytes.
 const std::array<float, 256>& values_of(TexelMeaning texels) {
   static const std::array<float, 256> colours = table(materials::linear_of_srgb);
+  // flat parts of a normal map are exactly flat, as if there were none: zero lies between two bytes
   static const std::array<float, 256> normals =
-      table([](std::uint8_t byte) { return static_cast<float>(byte) / 127.5f - 1; });
+      table([](std::uint8_t byte) { return byte == 128 ? 0 : static_cast<float>(byte) / 127.5f - 1; });
   static const std::array<float, 256> numbers = table([](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
   if (texels == TexelMeaning::kNumbers) return numbers;
   return texels == TexelMeaning::kColours ? colours : normals;
@@ -62,7 +63,7 @@ std::size_t MipTexture::bytes() const {
 MipTexture::MipTexture(const materials::TextureImage& image, TexelMeaning texels, WrapMode sides, std::size_t levels)
     : image_(&image), texels_(texels), sides_(sides) {
   assert(image.texels.size() == std::size_t{image.columns} * image.rows && !image.texels.empty() && levels > 0);
-  levels_.push_back({image.columns, image.rows, {}});
+  levels_.push_back(blank_level(image.columns, image.rows));
   while (levels_.size() < levels && (levels_.back().columns > 1 || levels_.back().rows > 1))
     levels_.push_back(halved(levels_.back()));
 }
@@ -75,8 +76,16 @@ MipTexture::Texel MipTexture::texel(const Level& level, std::size_t column, std:
   return {values[r], values[g], values[b]};
 }
 
+// Without texels.
+MipTexture::Level MipTexture::blank_level(std::size_t columns, std::size_t rows) const {
+  const auto per_m = [&](std::size_t count, std::uint32_t side) {
+    return static_cast<double>(count) / (side * static_cast<double>(image_->texel_m));
+  };
+  return {columns, rows, {per_m(columns, image_->columns), per_m(rows, image_->rows)}, {}};
+}
+
 MipTexture::Level MipTexture::halved(const Level& level) const {
-  Level half{std::max<std::size_t>(1, level.columns / 2), std::max<std::size_t>(1, level.rows / 2), {}};
+  Level half = blank_level(std::max<std::size_t>(1, level.columns / 2), std::max<std::size_t>(1, level.rows / 2));
   half.texels.resize(half.columns * half.rows);
   for (std::size_t row = 0; row < half.rows; ++row)
     for (std::size_t column = 0; column < half.columns; ++column) {
@@ -92,28 +101,40 @@ MipTexture::Level MipTexture::halved(const Level& level) const {
   return half;
 }
 
-// A place on a level in texels, whole turns of a repeated side left out.
-double MipTexture::on_level(double at_m, std::uint32_t side, std::size_t count, bool repeats) const {
-  const double turns = at_m / (side * static_cast<double>(image_->texel_m)), size = static_cast<double>(count);
-  return repeats ? (turns - std::floor(turns)) * size : std::clamp(turns * size, 0.0, size);
+// A place in texels of the level. Whole turns of a repeated side are left out.
+double MipTexture::Side::at(double at_m) const {
+  const double texels = at_m * texels_per_m, size = static_cast<double>(count);
+  return repeats ? texels - std::floor(texels / size) * size : texels;
+}
+
+// The texel that shows a place; the outermost ones continue a side that does not repeat.
+std::size_t MipTexture::Side::texel(double at) const {
+  const double low = static_cast<double>(first), size = static_cast<double>(count), texel = std::floor(at);
+  if (repeats) return static_cast<std::size_t>(texel < 0 ? texel + size : texel >= size ? texel - size : texel);
+  return static_cast<std::size_t>(std::clamp(texel, low, low + size - 1));
+}
+
+MipTexture::Window MipTexture::window(std::size_t number, const TexelRectangle* part) const {
+  const Level& level = levels_[number];
+  Window all{level,
+             {0, level.columns, level.texels_per_m.x, sides_ == WrapMode::kRepeat},
+             {0, level.rows, level.texels_per_m.y, true}};
+  if (part == nullptr) return all;
+  const auto only = [&](Side& side, std::size_t first, std::size_t last) {
+    const std::size_t most = side.count - 1, begin = std::min(first >> number, most);
+    side = {begin, std::min(last >> number, most) - begin + 1, side.texels_per_m, false};
+  };
+  only(all.across, part->left, part->right), only(all.down, part->top, part->bottom);
+  return all;
 }
 
 // Bilinear interpolation between the centres of four texels.
-std::array<double, 3> MipTexture::smooth(const Level& level, Vec2 at) const {
-  const bool repeats = sides_ == WrapMode::kRepeat;
-  const double x = on_level(at.x, image_->columns, level.columns, repeats) - 0.5;
-  const double y = on_level(at.y, image_->rows, level.rows, true) - 0.5;
+std::array<double, 3> MipTexture::smooth(const Window& window, Vec2 at) const {
+  const auto& [level, across, down] = window;
+  const double x = across.at(at.x) - 0.5, y = down.at(at.y) - 0.5;
   const double left = std::floor(x), low = std::floor(y), right = x - left, up = y - low;
-  const auto wrapped = [](double v, std::size_t count) {
-    const auto i = static_cast<std::int64_t>(v), n = static_cast<std::int64_t>(count);
-    return static_cast<std::size_t>(i < 0 ? i + n : i >= n ? i - n : i);
-  };
-  const auto clamped = [](double v, std::size_t count) {
-    return static_cast<std::size_t>(std::clamp(v, 0.0, static_cast<double>(count - 1)));
-  };
-  const std::size_t here = repeats ? wrapped(left, level.columns) : clamped(left, level.columns);
-  const std::size_t next = repeats ? wrapped(left + 1, level.columns) : clamped(left + 1, level.columns);
-  const std::size_t row = wrapped(low, level.rows), above = wrapped(low + 1, level.rows);
+  const std::size_t here = across.texel(left), next = across.texel(left + 1);
+  const std::size_t row = down.texel(low), above = down.texel(low + 1);
   Rgb3 sum{};
   add(sum, texel(level, here, row), (1 - right) * (1 - up));
   add(sum, texel(level, next, row), right * (1 - up));
@@ -122,42 +143,45 @@ std::array<double, 3> MipTexture::smooth(const Level& level, Vec2 at) const {
   return sum;
 }
 
-std::array<double, 3> MipTexture::nearest(Vec2 at, double across_m) const {
+std::array<double, 3> MipTexture::nearest(Vec2 at, double across_m, const TexelRectangle* part) const {
   const double texels = std::min(across_m / image_->texel_m, 1e9);
   const auto wanted = texels > 1 ? static_cast<std::size_t>(std::ilogb(texels)) : 0;
-  const Level& level = levels_[std::min(wanted, levels_.size() - 1)];
-  const auto place = [](double v, std::size_t count) { return std::min(static_cast<std::size_t>(v), count - 1); };
-  const Texel found =
-      texel(level, place(on_level(at.x, image_->columns, level.columns, sides_ == WrapMode::kRepeat), level.columns),
-            place(on_level(at.y, image_->rows, level.rows, true), level.rows));
+  const auto& [level, across, down] = window(std::min(wanted, levels_.size() - 1), part);
+  const Texel found = texel(level, across.texel(across.at(at.x)), down.texel(down.at(at.y)));
   return {found[0], found[1], found[2]};
 }
 
 // Interpolates between the two levels whose texel sizes are nearest.
-std::array<double, 3> MipTexture::disk(Vec2 at, double across_m) const {
+std::array<double, 3> MipTexture::disk(Vec2 at, double across_m, const TexelRectangle* part) const {
   const double last = static_cast<double>(levels_.size() - 1);
   const double fine = std::clamp(std::log2(std::max(across_m / image_->texel_m, 1.0)), 0.0, last);
   const auto level = static_cast<std::size_t>(fine);
   const double coarser = fine - static_cast<double>(level);
   Rgb3 sum{};
-  add(sum, smooth(levels_[level], at), 1 - coarser);
-  if (coarser > 0) add(sum, smooth(levels_[level + 1], at), coarser);
+  add(sum, smooth(window(level, part), at), 1 - coarser);
+  if (coarser > 0) add(sum, smooth(window(level + 1, part), at), coarser);
   return sum;
 }
 
-std::array<double, 3> MipTexture::mean(const TextureFootprint& footprint) const {
+std::array<double, 3> MipTexture::mean(const TextureFootprint& footprint) const { return mean(footprint, nullptr); }
+
+std::array<double, 3> MipTexture::mean(const TextureFootprint& footprint, const TexelRectangle& part) const {
+  return mean(footprint, &part);
+}
+
+std::array<double, 3> MipTexture::mean(const TextureFootprint& footprint, const TexelRectangle* part) const {
   constexpr int kMostDisks = 16;
   const double half_m = length(footprint.along);
   if (!std::isfinite(half_m) || !std::isfinite(footprint.across_m) ||
       !std::isfinite(footprint.centre.x + footprint.centre.y))
-    return smooth(levels_.back(), {});
-  if (footprint.is_rough) return nearest(footprint.centre, footprint.across_m);
+    return smooth(window(levels_.size() - 1, part), {});
+  if (footprint.is_rough) return nearest(footprint.centre, footprint.across_m, part);
   const double least_m = std::max(footprint.across_m, image_->texel_m);
   const int disks = static_cast<int>(std::clamp(std::ceil(2 * half_m / least_m), 1.0, 1.0 * kMostDisks));
   const double across_m = std::max(footprint.across_m, 2 * half_m / disks);
   Rgb3 sum{};
   for (int i = 0; i < disks; ++i)
-    add(sum, disk(footprint.centre + footprint.along * ((2.0 * i + 1) / disks - 1), across_m), 1.0 / disks);
+    add(sum, disk(footprint.centre + footprint.along * ((2.0 * i + 1) / disks - 1), across_m, part), 1.0 / disks);
   return sum;
 }
 

@@ -24,6 +24,12 @@ enum class TexelMeaning {
   kNormals   ///< -1 … 1 in each direction (materials::Texture).
 };
 
+/// A part of an image, by its outermost texels, which belong to it.
+struct TexelRectangle {
+  std::uint16_t left = 0, top = 0, right = 0, bottom = 0;
+  bool operator==(const TexelRectangle&) const = default;
+};
+
 /// What continues an image at its left and right sides; it always repeats along v.
 enum class WrapMode { kClamp, kRepeat };
 
@@ -45,20 +51,40 @@ class MipTexture {
   /// The mean over a footprint: linear reflectance, numbers, or the normal. Footprints that are not finite give the
   /// mean of the image.
   std::array<double, 3> mean(const TextureFootprint& footprint) const;
+  /// The mean over a footprint of a part of the image, whose outermost texels continue it at all sides: no other texel
+  /// counts but those that share one of a coarser level with the part's. Without turns of the image. Levels have half
+  /// the columns and rows of the finer one, exactly.
+  std::array<double, 3> mean(const TextureFootprint& footprint, const TexelRectangle& part) const;
 
  private:
   using Texel = std::array<float, 3>;
   struct Level {
     std::size_t columns, rows;
+    Vec2 texels_per_m;
     std::vector<Texel> texels;  // empty at level 0, which is the image
   };
 
+  // A side of the image, or of a part of it, on a level.
+  struct Side {
+    std::size_t first, count;  // its texels
+    double texels_per_m;
+    bool repeats;
+    double at(double at_m) const;
+    std::size_t texel(double at) const;
+  };
+  struct Window {
+    const Level& level;
+    Side across, down;
+  };
+
   Texel texel(const Level& level, std::size_t column, std::size_t row) const;
+  Level blank_level(std::size_t columns, std::size_t rows) const;
   Level halved(const Level& level) const;
-  double on_level(double at_m, std::uint32_t side, std::size_t count, bool repeats) const;
-  std::array<double, 3> smooth(const Level& level, Vec2 at) const;
-  std::array<double, 3> nearest(Vec2 at, double across_m) const;
-  std::array<double, 3> disk(Vec2 at, double across_m) const;
+  Window window(std::size_t level, const TexelRectangle* part) const;
+  std::array<double, 3> smooth(const Window& window, Vec2 at) const;
+  std::array<double, 3> nearest(Vec2 at, double across_m, const TexelRectangle* part) const;
+  std::array<double, 3> disk(Vec2 at, double across_m, const TexelRectangle* part) const;
+  std::array<double, 3> mean(const TextureFootprint& footprint, const TexelRectangle* part) const;
 
   const materials::TextureImage* image_;
   TexelMeaning texels_;

@@ -45,7 +45,8 @@ void SceneGeometry::add_to(CellExtent& extent) const {
 
 std::size_t SceneGeometry::bytes() const {
   std::size_t bytes = 0;
-  for (const MeshPart& part : parts_) bytes += part.corners.capacity() * sizeof(bake::Float3);
+  for (const MeshPart& part : parts_)
+    bytes += part.corners.capacity() * sizeof(bake::Float3) + part.pictures.capacity() * sizeof(TexelRectangle);
   for (const auto& set : sets_) bytes += set->bytes();
   return bytes;
 }

@@ -69,6 +69,31 @@ TEST(FacadeAtlasTexture, SaysWhichWayItLeans) {
   EXPECT_NEAR(normal.z, std::sqrt(0.5), 0.005);
 }
 
+TEST(FacadeAtlasTexture, FlatPartsOfNormalMapsAreFlat) {
+  bake::BakedTile tile = textured_faces(1);
+  const Vec3 without = seen_at(tile, {8, 16}, 0).shading_normal;
+  tile.facade_atlas.normal = {kTexel_m, 64, 64, std::vector<TextureImage::Texel>(64 * 64, {128, 128, 255})};
+  EXPECT_EQ(seen_at(tile, {8, 16}, 0).shading_normal, without);
+}
+
+// Two faces that each show one half: seen so flat that a ray covers many metres, each keeps the colour of its half.
+TEST(FacadeAtlasTexture, AFaceShowsItsOwnPictureAlone) {
+  bake::BakedTile tile = textured_faces(1);
+  bake::Primitive& faces = tile.primitives[0];
+  faces = floor({0, 0, 0}, {16, 32, 0}, Material::kPaint);
+  add_quad(faces, {16, 0, 0}, {32, 0, 0}, {32, 32, 0}, {16, 32, 0});
+  for (const bake::Float3& p : faces.positions) faces.uvs.push_back({p[0], p[1]});
+  faces.colour_source = materials::ColourSource::kByAtlas;
+  const std::vector tiles = {tile};
+  const World world(tiles, {});
+  const auto seen = [&](double x) {
+    const Vec3 eye{x - 50, 16, 2}, at{x, 16, 0};
+    return world.first_hit(eye, unit(at - eye), 0.01)->albedo[0];
+  };
+  EXPECT_NEAR(seen(14), 0, 1e-6);
+  EXPECT_NEAR(seen(18), 1, 1e-6);
+}
+
 // Neighbours on an atlas are unrelated.
 TEST(FacadeAtlasTexture, FromAfarPicturesStayApart) {
   EXPECT_NEAR(seen_at(textured_faces(1), {13.5, 16}, 3).albedo[0], 0, 1e-6);

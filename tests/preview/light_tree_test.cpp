@@ -75,6 +75,21 @@ TEST(LightTree, EveryLightThatShinesOnAPlaceMayBeChosen) {
   EXPECT_GT(shining, 100);
 }
 
+// One straight above and one at eye level, as far away: lanterns light the place alike, lamps that shine downwards do
+// not.
+TEST(LightTree, LanternsAreNoLessLikelyFromTheSide) {
+  const Vec3 at{0, 0, 5}, up{0, 0, 1};
+  LightBounds above{.low = at + Vec3{0, 0, 8}, .high = at + Vec3{0, 0, 8}, .axis = up * -1};
+  above.reach_rad = 2 * std::numbers::pi / 3, above.flux = 1, above.is_even = true;
+  LightBounds beside = above;
+  beside.low = beside.high = at + Vec3{8, 0, 0.1};
+  const std::vector even = {above, beside};
+  EXPECT_NEAR(LightTree(even).probability(0, at, {}), 0.5, 1e-3);
+  above.is_even = beside.is_even = false;
+  const std::vector by_cosine = {above, beside};
+  EXPECT_GT(LightTree(by_cosine).probability(0, at, {}), 0.9);
+}
+
 // Near lights are preferred: the estimate of the light of all by one choice varies far less than by uniform choice.
 TEST(LightTree, VariesLessThanUniformChoice) {
   const std::vector<LightBounds> lights = town_lights(3000);

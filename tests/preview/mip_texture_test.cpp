@@ -103,6 +103,33 @@ TEST(MipTexture, ALongPatchMixesAlongItself) {
   EXPECT_NEAR(texture.mean({white, {2, 0}, kTexel_m})[0], 0.56, 0.05);
 }
 
+// Random pictures of 6 by 4 texels at odd places of a sheet, as on atlases: its size and what is around do not matter.
+TEST(MipTexture, APartLooksTheSameAmongOtherNeighbours) {
+  const TextureImage small = speckled(10, 8);
+  TextureImage large = speckled(64, 32);
+  constexpr std::uint32_t kRight = 40, kDown = 18;
+  // with its frame, which begins at an even texel
+  for (std::uint32_t row = 0; row < 6; ++row)
+    for (std::uint32_t column = 0; column < 8; ++column)
+      large.texels[(row + kDown) * 64 + column + kRight] = small.texels[row * 10 + column];
+  const MipTexture here(small, TexelMeaning::kColours, WrapMode::kClamp, 2),
+      there(large, TexelMeaning::kColours, WrapMode::kClamp, 2);
+  const TexelRectangle part{1, 1, 6, 4}, moved{kRight + 1, kDown + 1, kRight + 6, kDown + 4};
+  const Vec2 by{kRight * kTexel_m, kDown * kTexel_m};
+  for (const double x_px : {-20.0, 1.0, 3.3, 7.0, 30.0})
+    for (const double y_px : {-9.0, 1.0, 2.8, 5.0, 12.0})
+      for (const Vec2 along : {Vec2{}, Vec2{3, 0.4}, Vec2{-0.1, 0.6}})
+        for (const double across_m : {0.0, 1.3 * kTexel_m, 9 * kTexel_m})
+          for (const bool is_rough : {false, true}) {
+            const Vec2 at{x_px * kTexel_m, y_px * kTexel_m};
+            expect_near(there.mean({at + by, along, across_m, is_rough}, moved),
+                        here.mean({at, along, across_m, is_rough}, part), 1e-9);
+          }
+  // beyond an edge the outermost texel goes on
+  expect_near(here.mean({middle(40, 2), {}, 0}, part), linear(small.texels[2 * 10 + 6]));
+  expect_near(here.mean({middle(3, 40), {}, 0}, part), linear(small.texels[4 * 10 + 3]));
+}
+
 // ---- seen in a world -----------------------------------------------------------------------------------------------
 
 // 64 m by 64 m of road that lies east and north of the tile's origin; u goes east and v north, from 100 on.

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "compiler/bake/bake.h"
 
 namespace citykiln::bake {
@@ -56,6 +60,35 @@ TEST(FacadeAtlas, FacadesLieOnTheTilesAtlas) {
       EXPECT_TRUE(uv[0] > 0 && uv[0] < colour.columns * colour.texel_m);
       EXPECT_TRUE(uv[1] > 0 && uv[1] < colour.rows * colour.texel_m);
     }
+  }
+}
+
+// Where in their texels the uvs of a house lie, in eighths, sorted: pictures begin at whole texels.
+std::vector<std::array<int, 2>> eighths_of(const BakedTile& tile, OsmId house) {
+  std::vector<std::array<int, 2>> all;
+  const Primitive& faces = *textured_faces(tile);
+  const auto eighth = [&](float at_m) {
+    return static_cast<int>(std::lround(8 * at_m / tile.facade_atlas.colour.texel_m)) % 8;
+  };
+  for (std::size_t i = 0; i < faces.uvs.size(); ++i)
+    if (tile.features[faces.features[i]] == house) all.push_back({eighth(faces.uvs[i][0]), eighth(faces.uvs[i][1])});
+  std::ranges::sort(all);
+  return all;
+}
+
+// Widths that end halfway between two steps of the grid of uvs.
+TEST(FacadeAtlas, UvsRoundAlikeWhereverThePictureLies) {
+  scene::Scene scene = with_blocks(7);
+  for (buildings::Building& house : scene.chunks[0].buildings) {
+    const double wider_m = 0.05 + static_cast<double>(house.id.osm.id) * 0.1;
+    for (Vec2& corner : house.footprint.outer)
+      if (corner.x > 25) corner.x += wider_m;
+  }
+  const BakedTile together = baked(scene, {0.8}).front();
+  for (const buildings::Building& house : scene.chunks[0].buildings) {
+    scene::Scene alone = scene;
+    alone.chunks[0].buildings = {house};
+    EXPECT_EQ(eighths_of(together, house.id.osm), eighths_of(baked(alone, {0.8}).front(), house.id.osm));
   }
 }
 
