@@ -301,8 +301,8 @@ double wanted_clearance_m(map::LandCoverClass upper, map::LandCoverClass lower) 
   const bool is_thin = map::values_of(upper).group == LandCoverGroup::kPath;
   const LandCoverGroup below = map::values_of(lower).group;
   if (below == LandCoverGroup::kPath && lower != map::LandCoverClass::kFarmTrack) return kClearanceOverPath_m;
-  return (lower == map::LandCoverClass::kRailway ? kClearanceOverRail_m : kClearanceOverRoad_m) -
-         (is_thin ? kThinDeck_m : 0);
+  const bool is_railway = lower == map::LandCoverClass::kRailway || lower == map::LandCoverClass::kFunicular;
+  return (is_railway ? kClearanceOverRail_m : kClearanceOverRoad_m) - (is_thin ? kThinDeck_m : 0);
 }
 
 double wanted_clearance_over_water_m(double width_m) {
