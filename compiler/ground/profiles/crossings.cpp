@@ -135,6 +135,15 @@ struct Finder {
            leg.length_m;
   }
 
+  // Returns whether a bridge goes on as a tunnel: below what the bridge's other parts may pass over.
+  bool changes_passage(std::uint32_t node) const {
+    const auto leads_to = [&](Passage passage) {
+      return std::ranges::any_of(graph.legs_of(node),
+                                 [&](const Leg& leg) { return graph.ways[leg.way].track->passage == passage; });
+    };
+    return leads_to(Passage::kBridge) && leads_to(Passage::kTunnel);
+  }
+
   // Returns where a way off the ground comes down within kJoined_m.
   std::vector<Vec2> landings_of(std::uint32_t way, double at_m) {
     std::vector<Vec2> landings;
@@ -144,7 +153,7 @@ struct Finder {
         [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? joining_m(leg) : 2 * kJoined_m; },
         [&](std::uint32_t node, double) {
           const GraphNode& n = graph.nodes[node];
-          if (n.is_on_ground || n.is_pinned) landings.push_back(n.at);
+          if (n.is_on_ground || n.is_pinned || changes_passage(node)) landings.push_back(n.at);
           return true;
         });
     return landings;
