@@ -40,7 +40,7 @@ struct Enforcer {
   }
   bool rises(const Crossing& c, Upper upper) const;
   bool falls(const Crossing& c) const;
-  double move_m(const Crossing& c, std::uint32_t way, double at_m) const;
+  double move_m(const Crossing& c, std::uint32_t way, double at_m, int up) const;
   double cost_m(const Leg& leg, std::uint32_t from) const;
   void spread(const Push& push, std::vector<double>& up_m);
   bool push_up(std::span<const Push> pushes);
@@ -61,12 +61,14 @@ bool Enforcer::falls(const Crossing& c) const {
   return passage == Passage::kGround;
 }
 
-// Returns how far a crossing's line should move for it: one on the ground no farther than kMaxGroundMove_m in all.
-double Enforcer::move_m(const Crossing& c, std::uint32_t way, double at_m) const {
+// Returns how far a crossing's line should move for it, upwards or downwards (`up` 1 or -1): one on the ground no
+// farther than kMaxGroundMove_m in all.
+double Enforcer::move_m(const Crossing& c, std::uint32_t way, double at_m, int up) const {
   const double by_m = std::min(clearance_shortfall_m(graph, c, z_m), kMaxEnforced_m);
   if (passage_of(way) != Passage::kGround) return by_m;
-  const double from_m = height_along(graph, graph.ways[way], start_m, at_m);
-  return std::min(by_m, kMaxGroundMove_m - std::abs(height_along(graph, graph.ways[way], z_m, at_m) - from_m));
+  const GraphWay& line = graph.ways[way];
+  return std::min(
+      by_m, kMaxGroundMove_m - up * (height_along(graph, line, z_m, at_m) - height_along(graph, line, start_m, at_m)));
 }
 
 // Returns how much less the leg's end must rise than its beginning. A junction plane moves as a whole.
@@ -112,7 +114,7 @@ bool Enforcer::raise(Upper upper) {
   std::vector<Push> pushes;
   for (const Crossing& c : crossings) {
     if (!rises(c, upper)) continue;
-    const double by_m = move_m(c, c.upper, c.upper_at_m);
+    const double by_m = move_m(c, c.upper, c.upper_at_m, 1);
     if (by_m > kMinShortfall_m) pushes.push_back({c.upper, c.upper_at_m, by_m});
   }
   return push_up(pushes);
@@ -122,7 +124,7 @@ bool Enforcer::lower() {
   std::vector<Push> pushes;
   for (const Crossing& c : crossings) {
     if (!falls(c)) continue;
-    const double by_m = move_m(c, c.lower, c.lower_at_m);
+    const double by_m = move_m(c, c.lower, c.lower_at_m, -1);
     if (by_m > kMinShortfall_m) pushes.push_back({c.lower, c.lower_at_m, by_m});
   }
   z_m = negated(z_m), start_m = negated(start_m);
