@@ -34,6 +34,7 @@ struct Enforcer {
   std::vector<double> z_m, start_m;
   RigidUnits units;
   GraphWalk walk;
+  std::vector<double> highest_m = {}, lowest_m = {};  // caps by pinned nodes, which stay; the lower ones negated
 
   Passage passage_of(std::uint32_t way) const {
     return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
@@ -43,7 +44,7 @@ struct Enforcer {
   double move_m(const Crossing& c, std::uint32_t way, double at_m, int up) const;
   double cost_m(const Leg& leg, std::uint32_t from) const;
   void spread(const Push& push, std::vector<double>& up_m);
-  bool push_up(std::span<const Push> pushes);
+  bool push_up(std::span<const Push> pushes, std::span<const double> cap_m);
   bool raise(Upper upper);
   bool lower();
 };
@@ -79,11 +80,13 @@ double Enforcer::cost_m(const Leg& leg, std::uint32_t from) const {
   return std::max({most_m - drop_m, std::min(to_steepest_m, kRampFade * most_m), kLeastFade * leg.length_m});
 }
 
-// Spreads a push from its place outwards, each unit keeping the greatest.
+// Spreads a push from its place outwards, each unit keeping the greatest. One by which its place moves already needs no
+// walk.
 void Enforcer::spread(const Push& push, std::vector<double>& up_m) {
+  const std::vector<GraphWalk::Start> starts = starts_about(graph, push.way, push.at_m);
+  if (std::ranges::all_of(starts, [&](const auto& start) { return up_m[units.of[start.second]] >= push.by_m; })) return;
   walk.from(
-      starts_about(graph, push.way, push.at_m), push.by_m + kCrest_m / 2 + kFoot_m,
-      [&](const Leg& leg, std::uint32_t from) { return cost_m(leg, from); },
+      starts, push.by_m + kCrest_m / 2 + kFoot_m, [&](const Leg& leg, std::uint32_t from) { return cost_m(leg, from); },
       [&](std::uint32_t node, double cost_m) {
         double& unit_up_m = up_m[units.of[node]];
         unit_up_m = std::max(unit_up_m, push.by_m - drop_m(cost_m));
@@ -92,11 +95,10 @@ void Enforcer::spread(const Push& push, std::vector<double>& up_m) {
 }
 
 // Moves units up by what they are pushed, below the caps of pinned nodes; returns whether any moved.
-bool Enforcer::push_up(std::span<const Push> pushes) {
+bool Enforcer::push_up(std::span<const Push> pushes, std::span<const double> cap_m) {
   if (pushes.empty()) return false;
   std::vector<double> up_m(units.count(), -kFar_m);
   for (const Push& push : pushes) spread(push, up_m);
-  const std::vector<double> cap_m = caps_near_pinned(graph, walk, z_m);
   bool has_moved = false;
   for (std::uint32_t u = 0; u < units.count(); ++u) {
     if (up_m[u] <= -kFoot_m) continue;
@@ -117,7 +119,7 @@ bool Enforcer::raise(Upper upper) {
     const double by_m = move_m(c, c.upper, c.upper_at_m, 1);
     if (by_m > kMinShortfall_m) pushes.push_back({c.upper, c.upper_at_m, by_m});
   }
-  return push_up(pushes);
+  return push_up(pushes, highest_m);
 }
 
 bool Enforcer::lower() {
@@ -128,7 +130,7 @@ bool Enforcer::lower() {
     if (by_m > kMinShortfall_m) pushes.push_back({c.lower, c.lower_at_m, by_m});
   }
   z_m = negated(z_m), start_m = negated(start_m);
-  const bool has_moved = push_up(pushes);
+  const bool has_moved = push_up(pushes, lowest_m);
   z_m = negated(z_m), start_m = negated(start_m);
   return has_moved;
 }
@@ -140,6 +142,8 @@ std::vector<double> enforce_clearances(const ProfileGraph& graph, std::span<cons
   assert(z_m.size() == graph.nodes.size());
   Enforcer enforcer{graph,           crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, RigidUnits(graph),
                     GraphWalk(graph)};
+  enforcer.highest_m = caps_near_pinned(graph, enforcer.walk, z_m);
+  enforcer.lowest_m = caps_near_pinned(graph, enforcer.walk, negated(z_m));
   const auto repeat = [](auto step) {
     for (int round = 0; round < kEnforceRounds && step(); ++round) {
     }
