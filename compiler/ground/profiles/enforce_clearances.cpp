@@ -39,6 +39,10 @@ struct Enforcer {
   Passage passage_of(std::uint32_t way) const {
     return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
   }
+  // Paths are planned after roads: nothing on the ground moves for their bridges and tunnels.
+  bool is_decided(std::uint32_t way) const {
+    return graph.lines == Lines::kPaths || (way != kNone && is_graded(graph.ways[way].track->surface));
+  }
   bool rises(const Crossing& c, Upper upper) const;
   bool falls(const Crossing& c) const;
   double move_m(const Crossing& c, std::uint32_t way, double at_m, int up) const;
@@ -51,7 +55,8 @@ struct Enforcer {
 
 bool Enforcer::rises(const Crossing& c, Upper upper) const {
   if (c.upper == kNone) return false;
-  return passage_of(c.upper) == Passage::kBridge || (upper == Upper::kAll && graph.lines == Lines::kGraded);
+  if (passage_of(c.upper) == Passage::kBridge) return true;
+  return upper == Upper::kAll && graph.lines == Lines::kGraded && is_decided(c.lower);
 }
 
 // Tunnels fall, and roads below bridges.
@@ -59,7 +64,7 @@ bool Enforcer::falls(const Crossing& c) const {
   if (c.lower == kNone) return false;
   const Passage passage = passage_of(c.lower);
   if (passage == Passage::kTunnel) return graph.lines == Lines::kPaths || is_graded(graph.ways[c.lower].track->surface);
-  return passage == Passage::kGround;
+  return passage == Passage::kGround && is_decided(c.upper);
 }
 
 // Returns how far a crossing's line should move for it, upwards or downwards (`up` 1 or -1): one on the ground no
