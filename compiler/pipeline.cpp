@@ -21,6 +21,7 @@
 #include "compiler/map/resample.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
+#include "compiler/roads/fit_assumed_widths.h"
 #include "compiler/roads/plan.h"
 #include "compiler/roads/width_limits/limit_widths.h"
 #include "compiler/scene/assemble.h"
@@ -80,7 +81,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   const bool has_box = spec.map.bbox || osm->header_box;
   const Result<Done> worthwhile = map::is_worth_baking(map::region_of(plane, *box), *osm, has_box);
   if (!worthwhile) return worthwhile.error();
-  const map::Features features = map::locate(*osm, plane, *box, spec.map, report);
+  map::Features features = map::locate(*osm, plane, *box, spec.map, report);
   if (is_empty(features)) return Error{spec.map_path, "contains nothing to compile in this area"};
 
   // resample the heightmaps
@@ -92,6 +93,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
 
   // plan roads, land cover and their heights
   timer.enter("roads");
+  features.tracks = roads::fit_assumed_widths(features);
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints, report);

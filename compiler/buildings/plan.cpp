@@ -76,11 +76,25 @@ struct Site {
   const MappedDoors doors;
 };
 
-// The height that a footprint's heights are measured from.
-double base_m(std::size_t i, const GroundRange& under, const Site& site) {
+// The mean height of the ground along the walls that face a street, weighted by length; where none does, the highest.
+double entrance_m(const Polygon& polygon, const std::vector<GroundRange>& walls, const std::vector<bool>& sides) {
+  double sum = 0, length_m = 0;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const double wall_m = sides[i] ? distance(polygon.outer[i], polygon.outer[(i + 1) % walls.size()]) : 0;
+    sum += wall_m * (walls[i].lowest_m + walls[i].highest_m) / 2, length_m += wall_m;
+  }
+  return length_m > 0 ? sum / length_m : all_of(walls).highest_m;
+}
+
+// The height that a footprint's heights are measured from. height=* counts from the lowest ground; storeys count from
+// the street, or from the upper side of a slope, and go on below it where the ground falls away.
+double base_m(std::size_t i, const std::vector<GroundRange>& walls, const Site& site) {
+  const map::Footprint& footprint = site.footprints[i];
   const std::uint32_t outline = site.outlines[i];
-  if (outline == map::kNoOutline) return under.lowest_m;
-  return all_of(ground_along_walls(site.footprints[outline].polygon, site.ground)).lowest_m;
+  const Polygon& whole = outline == map::kNoOutline ? footprint.polygon : site.footprints[outline].polygon;
+  const std::vector<GroundRange> around = outline == map::kNoOutline ? walls : ground_along_walls(whole, site.ground);
+  if (footprint.has_roof_in_height) return all_of(around).lowest_m;
+  return entrance_m(whole, around, street_sides(whole, site.streets));
 }
 
 double min_height_m(const map::Footprint& footprint, Report& report) {
@@ -118,12 +132,24 @@ std::optional<Vec2> street_normal(const Ring& ring, const std::vector<bool>& sid
   return unit(left_of(ring[(*edge + 1) % ring.size()] - ring[*edge])) * -1;
 }
 
+double usual_storey_m(const map::Footprint& footprint) {
+  return map::values_of(static_cast<map::BuildingClass>(footprint.building_class)).level_m;
+}
+
 std::uint8_t levels_of(const map::Footprint& footprint, double wall_m) {
-  const double storey_m = map::values_of(static_cast<map::BuildingClass>(footprint.building_class)).level_m;
+  const double storey_m = usual_storey_m(footprint);
   const double tagged = std::floor(footprint.levels - footprint.min_height_m / storey_m + 0.5);
   const bool is_plausible = tagged >= 1 && wall_m >= tagged * kMinStorey_m && wall_m <= tagged * kMaxStorey_m;
   const double levels = footprint.levels > 0 && is_plausible ? tagged : std::floor(wall_m / storey_m + 0.5);
   return static_cast<std::uint8_t>(std::clamp(levels, 1.0, 250.0));
+}
+
+// Adds the storeys below the floor that have a wall above the lowest ground.
+void add_storeys_below(Building& building, double lowest_m) {
+  const double below = std::floor((building.floor_m - lowest_m) / storey_m(building) + kMaxBuriedShare);
+  const double count = std::clamp(below, 0.0, 250.0 - building.levels);
+  building.floor_m = snapped(building.floor_m - count * storey_m(building));
+  building.levels = static_cast<std::uint8_t>(building.levels + count);
 }
 
 std::uint8_t buried_storeys(const Building& building, const GroundRange& ground) {
@@ -150,7 +176,7 @@ Building plan_building(std::size_t i, const Site& site, Report& report) {
   const map::Footprint& footprint = site.footprints[i];
   const std::vector<GroundRange> walls = ground_along_walls(footprint.polygon, site.ground);
   const GroundRange under = all_of(walls);
-  const double from_m = base_m(i, under, site), lift_m = min_height_m(footprint, report);
+  const double from_m = base_m(i, walls, site), lift_m = min_height_m(footprint, report);
   const std::vector<bool> sides = street_sides(footprint.polygon, site.streets);
   const roofs::RoofShape roof =
       plan_roof(footprint, {!site.shared_walls[i].empty(), street_normal(footprint.polygon.outer, sides)});
@@ -171,6 +197,7 @@ Building plan_building(std::size_t i, const Site& site, Report& report) {
   building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(from_m, under.lowest_m) - kFoundation_m);
   building.roof_shape.height_m = std::min(roof.height_m, building.top_m - building.floor_m);
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
+  if (lift_m == 0) add_storeys_below(building, under.lowest_m);
   building.facade_edges = facade_edges_of(building, sides, mapped_doors_by_edge(footprint.polygon, site.doors), walls);
   return building;
 }

@@ -46,6 +46,7 @@ Result<verify::LoadedRun> open_run(const std::string& folder) {
 // Checks that need the manifest only.
 void check_recipes(const scene::Scene& scene, int threads, verify::CheckResults& results) {
   results.clearances = verify::measure_clearances(scene, threads);
+  results.earthworks = verify::measure_earthworks(scene);
   const verify::Jumps jumps = verify::measure_jumps(scene);
   results.jumps.test_all(
       jumps.places, jumps.largest_m <= kNoJump_m,
@@ -147,12 +148,8 @@ Result<Done> write_page(const Request& request, const verify::LoadedRun& loaded,
   if (!bytes) return bytes.error();
   const auto findings = verify::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
   if (!findings) return Error{loaded.folder + "/findings.json", findings.error().message};
-  std::vector<verify::Earthwork> earthworks;
-  for (const scene::Chunk& chunk : loaded.scene.chunks)
-    for (verify::Earthwork& e : verify::measure_earthworks(loaded.scene.header, chunk)) earthworks.push_back(e);
-  const std::vector<verify::PlacesOfKind> kinds =
-      verify::worst_places(results, verify::combined(std::move(earthworks)), *findings,
-                           map::Plane(loaded.scene.header.origin), request.worst);
+  const std::vector<verify::PlacesOfKind> kinds = verify::worst_places(
+      results, results.earthworks, *findings, map::Plane(loaded.scene.header.origin), request.worst);
   const Result<Done> written =
       write_worst_page(loaded, kinds, request.page_folder, request.threads, console.progress());
   if (!written) return written;

@@ -4,7 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
 
 #include "compiler/ground/grading/bend_points.h"
 
@@ -51,6 +54,27 @@ Json print_measure(const verify::Clearances& c, const Console& console) {
           {"at", {worst.at.x, worst.at.y}}};
 }
 
+// The count of all, and the worst of those over the limit of their kind.
+Json print_measure(std::span<const verify::Earthwork> earthworks, const Console& console) {
+  constexpr std::size_t kPrinted = 5;
+  const std::vector<verify::Earthwork> over = verify::over_their_limits(earthworks);
+  console.print_line(fmt::format("info  {} of {} cuts and fills of over 0.5 m exceed the limit of their kind",
+                                 over.size(), earthworks.size()));
+  Json places = Json::array();
+  for (std::size_t i = 0; i < over.size(); ++i) {
+    const verify::Earthwork& e = over[i];
+    if (i < kPrinted)
+      console.print_line(fmt::format("      {} of {:.1f} m of {} {}, limit {} m, at {:.0f}, {:.0f}",
+                                     e.depth_m > 0 ? "cut" : "fill", std::abs(e.depth_m), e.line, to_string(e.id),
+                                     verify::earthwork_limit_m(e.line), e.at.x, e.at.y));
+    places.push_back({{"line", e.line}, {"id", to_string(e.id)}, {"depth_m", e.depth_m}, {"at", {e.at.x, e.at.y}}});
+  }
+  if (over.size() > kPrinted) console.print_line(fmt::format("      and {} more", over.size() - kPrinted));
+  return {{"measure", "cuts and fills over the limit of their kind"},
+          {"earthworks", earthworks.size()},
+          {"over", std::move(places)}};
+}
+
 Json print_measure(const verify::ReferenceErrors& f, const Console& console) {
   const double share = static_cast<double>(f.over) / static_cast<double>(std::max<std::uint64_t>(f.places, 1));
   console.print_line(
@@ -82,6 +106,7 @@ void print(const verify::CheckResults& results, const Console& console) {
   json.push_back(print_folder(results, console));
   json.push_back(print_measure(results.grades, console));
   json.push_back(print_measure(results.clearances, console));
+  json.push_back(print_measure(results.earthworks, console));
   json.push_back(print_measure(results.reference_errors, console));
   console.print_json(json.dump(1));
 }

@@ -59,12 +59,14 @@ struct Track {
   std::int8_t layer = 0;
   Passage passage = Passage::kGround;
   bool is_oneway = false, is_lit = false, is_rail = false;
-  bool is_roundabout = false;      ///< junction=roundabout or circular.
-  bool is_link = false;            ///< A ramp or slip road: highway=*_link.
-  std::vector<TrackPoint> points;  ///< Sorted. A closed axis has them at its first vertex, once.
-  CrossSection section;            ///< By its tags.
-  DrivingSide side{};              ///< Of its traffic.
-  TreeSides trees{};               ///< Left and right along the axis.
+  bool is_roundabout = false;         ///< junction=roundabout or circular.
+  bool is_link = false;               ///< A ramp or slip road: highway=*_link.
+  std::vector<TrackPoint> points;     ///< Sorted. A closed axis has them at its first vertex, once.
+  CrossSection section;               ///< By its tags.
+  bool has_tagged_width = false;      ///< Whether they state how wide the carriageway is; else the class does.
+  bool has_tagged_placement = false;  ///< Whether they state where on the carriageway the axis lies; else the middle.
+  DrivingSide side{};                 ///< Of its traffic.
+  TreeSides trees{};                  ///< Left and right along the axis.
 };
 
 /// A building's outline or a part of one.

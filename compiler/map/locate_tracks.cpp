@@ -28,6 +28,11 @@ bool is_unpaved(std::string_view surface) {
   return false;
 }
 
+// Rack railways climb like funiculars.
+LandCoverClass racked(LandCoverClass surface, std::string_view rack) {
+  return surface == LandCoverClass::kRailway && says_yes(rack) ? LandCoverClass::kFunicular : surface;
+}
+
 // The class after surface=*.
 LandCoverClass surfaced(LandCoverClass surface, std::string_view tagged) {
   if (surface == LandCoverClass::kPavedFootPath && is_unpaved(tagged)) return LandCoverClass::kFootPath;
@@ -55,9 +60,11 @@ Track track_of(const ReadContext& context, DrivingSide side, const source::Way& 
   track.id = {id, 0};
   track.axis = std::move(line.axis);
   track.node_ids = std::move(line.node_ids);
-  track.surface = surfaced(row.surface, context.tag(way.tags, "surface"));
+  track.surface = racked(surfaced(row.surface, context.tag(way.tags, "surface")), context.tag(way.tags, "rack"));
   track.side = side;
-  track.section = cross_section_of(context, id, way.tags, side);
+  TaggedSection section = tagged_section_of(context, id, way.tags, side);
+  track.section = std::move(section.section);
+  track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
   track.layer = tagged_layer(context, id, way.tags);
   track.passage = tagged_passage(context, way.tags);
   track.is_oneway = tagged_traffic(context.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;

@@ -10,6 +10,7 @@
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/verify/measure_clearances.h"
+#include "compiler/verify/measure_earthworks.h"
 #include "compiler/verify/measure_lines.h"
 #include "compiler/verify/measure_reference_error.h"
 
@@ -77,6 +78,7 @@ struct CheckResults {
   Grades grades;
   ReferenceErrors reference_errors;
   Clearances clearances;
+  std::vector<Earthwork> earthworks;  ///< One cut and one fill for each way, the largest first.
 };
 
 /// The guarantees in the order of printing; those of USD only where they were tested.

@@ -67,7 +67,8 @@ struct Network {
   };
   std::vector<Vec2> places;  ///< Sorted.
   std::vector<bool> is_on_ground;
-  std::vector<Edge> edges;  ///< Both directions, sorted by `from`.
+  std::vector<bool> is_deck_end, is_bore_end;  ///< Where both, a bridge goes on as a tunnel.
+  std::vector<Edge> edges;                     ///< Both directions, sorted by `from`.
 
   std::size_t of(Vec2 p) const {
     return static_cast<std::size_t>(std::ranges::lower_bound(places, p) - places.begin());
@@ -88,12 +89,16 @@ Network network_of(const scene::Scene& scene) {
     network.places.insert(network.places.end(), line.road->axis.begin(), line.road->axis.end());
   std::ranges::sort(network.places);
   network.places.erase(std::unique(network.places.begin(), network.places.end()), network.places.end());
-  network.is_on_ground.assign(network.places.size(), false);
+  for (std::vector<bool>* flags : {&network.is_on_ground, &network.is_deck_end, &network.is_bore_end})
+    flags->assign(network.places.size(), false);
   for (const Line& line : lines) {
     const Polyline& axis = line.road->axis;
     for (std::size_t i = 0; i < axis.size(); ++i) {
       const std::size_t here = network.of(axis[i]);
       if (line.kind == Kind::kGround) network.is_on_ground[here] = true;
+      const bool is_end = i == 0 || i + 1 == axis.size();
+      if (is_end && line.kind == Kind::kDeck) network.is_deck_end[here] = true;
+      if (is_end && line.kind == Kind::kBore) network.is_bore_end[here] = true;
       if (i == 0) continue;
       const std::size_t last = network.of(axis[i - 1]);
       const double length_m = joining_m(line.road->surface, distance(axis[i - 1], axis[i]));
@@ -174,13 +179,14 @@ double distance_to(const Polyline& axis, Vec2 p) {
   return least_m;
 }
 
-/// True if a bridge or tunnel reaches the ground close to another line.
+/// True if a bridge or tunnel reaches the ground, or a bridge goes on as a tunnel, close to another line.
 bool lands_on(const Network& network, const Place& on, const Line& other) {
   if (on.line->kind == Kind::kGround) return false;
   const double reach_m = on.line->half_m() + other.half_m();
   bool lands = false;
   walk(network, on, true, [&](std::size_t place, double) {
-    lands |= network.is_on_ground[place] && distance_to(other.road->axis, network.places[place]) < reach_m;
+    const bool is_landing = network.is_on_ground[place] || (network.is_deck_end[place] && network.is_bore_end[place]);
+    lands |= is_landing && distance_to(other.road->axis, network.places[place]) < reach_m;
     return !lands;
   });
   return lands;

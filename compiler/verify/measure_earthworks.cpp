@@ -90,6 +90,20 @@ std::vector<Earthwork> combined(std::vector<Earthwork> all) {
   return all;
 }
 
+std::vector<Earthwork> measure_earthworks(const scene::Scene& scene) {
+  std::vector<Earthwork> all;
+  for (const scene::Chunk& chunk : scene.chunks)
+    for (const Earthwork& e : measure_earthworks(scene.header, chunk)) all.push_back(e);
+  return combined(std::move(all));
+}
+
+std::vector<Earthwork> over_their_limits(std::span<const Earthwork> earthworks) {
+  std::vector<Earthwork> over;
+  for (const Earthwork& e : earthworks)
+    if (std::abs(e.depth_m) > earthwork_limit_m(e.line)) over.push_back(e);
+  return over;
+}
+
 double earthwork_limit_m(std::string_view line) {
   const auto row = std::ranges::find(kRows, line, &Row::name);
   return row == std::end(kRows) ? 0 : row->limit_m;

@@ -1,6 +1,7 @@
 // Cuts and fills: how far the profiles of roads, railways and watercourses lie below or above the terrain.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,12 @@ std::vector<Earthwork> measure_earthworks(const scene::Header& header, const sce
 
 /// Joins the lists of tiles: one cut and one fill for each way, the largest first.
 std::vector<Earthwork> combined(std::vector<Earthwork> all);
+
+/// All cuts and fills of a scene, joined. O(length).
+std::vector<Earthwork> measure_earthworks(const scene::Scene& scene);
+
+/// Those over the limit of their kind, the largest first.
+std::vector<Earthwork> over_their_limits(std::span<const Earthwork> earthworks);
 
 /// The depth that a kind of line may have without being listed as over its limit, metres.
 double earthwork_limit_m(std::string_view line);

@@ -114,7 +114,10 @@ Jumps measure_jumps(const scene::Scene& scene) {
 }
 
 Rises measure_rises(const scene::Chunk& chunk) {
-  const ground::WaterMeasures measured = ground::measure_waters({}, chunk.watercourses, chunk.heights);
+  // those without a profile lie on the terrain: on level land, or reported as off it
+  std::vector<roads::Strip> streams = chunk.watercourses;
+  std::erase_if(streams, [](const roads::Strip& stream) { return stream.profile.empty(); });
+  const ground::WaterMeasures measured = ground::measure_waters({}, streams, chunk.heights);
   return {measured.streams, measured.streams_that_rise, measured.largest_rise_m};
 }
 

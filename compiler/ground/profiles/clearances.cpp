@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
 #include "compiler/ground/profiles/initial_heights.h"
+#include "compiler/ground/profiles/ramp_shape.h"
 
 namespace citykiln::ground {
 namespace {
@@ -18,21 +18,6 @@ using map::Passage;
 constexpr double kMinShortfall_m = 0.01;
 /// A crossing that was cleared and lost up to this to a neighbour is cleared once more.
 constexpr double kMaxSecondLift_m = 2;
-/// The foot of a ramp is rounded over this height.
-constexpr double kFoot_m = 0.5;
-constexpr double kFar_m = std::numeric_limits<double>::infinity();
-
-// Returns how far a ramp with a round crest has dropped where one without would have dropped by `cost_m`.
-double drop_m(double cost_m) {
-  if (cost_m <= 0) return 0;
-  return cost_m < kCrest_m ? cost_m * cost_m / (2 * kCrest_m) : cost_m - kCrest_m / 2;
-}
-
-// Returns the greater of two, rounded where they are nearly equal; the result is never steeper than the steeper one.
-double soft_max(double a, double b) {
-  const double h = std::max(kFoot_m - std::abs(a - b), 0.0) / kFoot_m;
-  return std::max(a, b) + h * h * kFoot_m / 4;
-}
 
 // What moves, in this order: tunnels under what is no bridge, bridges, tunnels below bridges that could not rise,
 // paths.

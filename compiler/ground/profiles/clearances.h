@@ -26,8 +26,6 @@ inline constexpr double kMaxPathLowering_m = 2.5;
 inline constexpr double kMaxTotalLift_m = 24;
 /// Ramps use this share of the grade limit.
 inline constexpr double kRampShare = 0.75;
-/// Height over which the crest of a ramp is rounded.
-inline constexpr double kCrest_m = 1;
 
 /// Returns new heights by node.
 ///

@@ -135,6 +135,15 @@ struct Finder {
            leg.length_m;
   }
 
+  // Returns whether a bridge goes on as a tunnel: below what the bridge's other parts may pass over.
+  bool changes_passage(std::uint32_t node) const {
+    const auto leads_to = [&](Passage passage) {
+      return std::ranges::any_of(graph.legs_of(node),
+                                 [&](const Leg& leg) { return graph.ways[leg.way].track->passage == passage; });
+    };
+    return leads_to(Passage::kBridge) && leads_to(Passage::kTunnel);
+  }
+
   // Returns where a way off the ground comes down within kJoined_m.
   std::vector<Vec2> landings_of(std::uint32_t way, double at_m) {
     std::vector<Vec2> landings;
@@ -144,7 +153,7 @@ struct Finder {
         [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? joining_m(leg) : 2 * kJoined_m; },
         [&](std::uint32_t node, double) {
           const GraphNode& n = graph.nodes[node];
-          if (n.is_on_ground || n.is_pinned) landings.push_back(n.at);
+          if (n.is_on_ground || n.is_pinned || changes_passage(node)) landings.push_back(n.at);
           return true;
         });
     return landings;
@@ -301,8 +310,8 @@ double wanted_clearance_m(map::LandCoverClass upper, map::LandCoverClass lower) 
   const bool is_thin = map::values_of(upper).group == LandCoverGroup::kPath;
   const LandCoverGroup below = map::values_of(lower).group;
   if (below == LandCoverGroup::kPath && lower != map::LandCoverClass::kFarmTrack) return kClearanceOverPath_m;
-  return (lower == map::LandCoverClass::kRailway ? kClearanceOverRail_m : kClearanceOverRoad_m) -
-         (is_thin ? kThinDeck_m : 0);
+  const bool is_railway = lower == map::LandCoverClass::kRailway || lower == map::LandCoverClass::kFunicular;
+  return (is_railway ? kClearanceOverRail_m : kClearanceOverRoad_m) - (is_thin ? kThinDeck_m : 0);
 }
 
 double wanted_clearance_over_water_m(double width_m) {

@@ -7,44 +7,16 @@
 #include <limits>
 
 #include "compiler/ground/profiles/graph_walk.h"
+#include "compiler/ground/profiles/rigid_units.h"
 
 namespace citykiln::ground {
 namespace {
-
-// Nodes that move together: those of a junction plane, or a single one.
-struct Units {
-  std::vector<std::uint32_t> of;     // of each node
-  std::vector<std::uint32_t> first;  // of each unit, and the end, into nodes
-  std::vector<std::uint32_t> nodes;
-
-  explicit Units(const ProfileGraph& graph) : of(graph.nodes.size()) {
-    std::vector<std::uint32_t> of_junction;
-    std::uint32_t count = 0;
-    for (std::uint32_t n = 0; n < of.size(); ++n) {
-      const std::uint32_t j = graph.nodes[n].junction;
-      if (j != kNone && j >= of_junction.size()) of_junction.resize(j + 1, kNone);
-      of[n] = j == kNone || of_junction[j] == kNone ? count++ : of_junction[j];
-      if (j != kNone) of_junction[j] = of[n];
-    }
-    first.assign(count + 1, 0);
-    for (const std::uint32_t unit : of) ++first[unit + 1];
-    for (std::uint32_t u = 0; u < count; ++u) first[u + 1] += first[u];
-    nodes.resize(of.size());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t n = 0; n < of.size(); ++n) nodes[next[of[n]]++] = n;
-  }
-
-  std::uint32_t count() const { return static_cast<std::uint32_t>(first.size() - 1); }
-  std::span<const std::uint32_t> members(std::uint32_t unit) const {
-    return std::span(nodes).subspan(first[unit], first[unit + 1] - first[unit]);
-  }
-};
 
 // Finds how far units must be lowered: a walk from each foot of a too steep leg carries the excess of heights over the
 // limits outwards.
 class Lowering {
  public:
-  Lowering(const ProfileGraph& graph, const Units& units, std::span<const double> z_m, GradeInfluence influence,
+  Lowering(const ProfileGraph& graph, const RigidUnits& units, std::span<const double> z_m, GradeInfluence influence,
            std::span<const double> steepness = {})
       : graph_(graph),
         units_(units),
@@ -119,7 +91,7 @@ class Lowering {
   }
 
   const ProfileGraph& graph_;
-  const Units& units_;
+  const RigidUnits& units_;
   std::span<const double> z_m_;
   GradeInfluence influence_;
   std::span<const double> steepness_;
@@ -130,7 +102,7 @@ class Lowering {
 };
 
 // Returns how far each unit may rise below the caps of pinned nodes.
-std::vector<double> room_of(const ProfileGraph& graph, const Units& units, std::span<const double> z_m) {
+std::vector<double> room_of(const ProfileGraph& graph, const RigidUnits& units, std::span<const double> z_m) {
   GraphWalk walk(graph);
   const std::vector<double> cap_m = caps_near_pinned(graph, walk, z_m);
   std::vector<double> room_m(units.count(), std::numeric_limits<double>::infinity());
@@ -143,7 +115,7 @@ std::vector<double> room_of(const ProfileGraph& graph, const Units& units, std::
 std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m,
                                       GradeInfluence influence) {
   assert(z_m.size() == graph.nodes.size() && influence.radius_m > 0);
-  const Units units(graph);
+  const RigidUnits units(graph);
   const std::vector<double> low_m = Lowering(graph, units, z_m, influence).run();
   std::vector<double> lowered;
   for (std::uint32_t n = 0; n < z_m.size(); ++n) lowered.push_back(z_m[n] + low_m[units.of[n]]);
@@ -154,7 +126,7 @@ std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const doub
                                  std::span<const double> steepness) {
   assert(z_m.size() == graph.nodes.size());
   assert(steepness.empty() || steepness.size() == z_m.size());
-  const Units units(graph);
+  const RigidUnits units(graph);
   const std::vector<double> turned_m = negated(z_m);
   const std::vector<double> down_m = Lowering(graph, units, z_m, {}, steepness).run();
   const std::vector<double> up_m = Lowering(graph, units, turned_m, {}, steepness).run();

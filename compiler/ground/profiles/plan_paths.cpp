@@ -8,6 +8,7 @@
 #include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/profiles/clearance_shortfalls.h"
 #include "compiler/ground/profiles/clearances.h"
+#include "compiler/ground/profiles/enforce_clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/initial_heights.h"
@@ -179,7 +180,7 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = heights_of(paths, all, profiles, graded);
   const std::vector<double> cleared_m = clear_crossings(paths, crossings, &terrain.heights, lines_m);
-  std::vector<double> z_m = limit_grades(paths, cleared_m);
+  std::vector<double> z_m = enforce_clearances(paths, crossings, limit_grades(paths, cleared_m));
   straighten_decks(paths, crossings, z_m);
   const JunctionPlanes planes{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
   for (const GraphWay& way : paths.ways) {

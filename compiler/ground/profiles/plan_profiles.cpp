@@ -4,7 +4,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/geometry/box_grid.h"
+#include "compiler/ground/grading/road_influence.h"
 #include "compiler/ground/profiles/clearances.h"
+#include "compiler/ground/profiles/enforce_clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
@@ -16,9 +19,6 @@
 namespace citykiln::ground {
 namespace {
 
-/// Raising a bridge tilts junction planes, and the grade limit takes back part of its clearance. One more pass restores
-/// it, in which ramps may exceed the limit by this factor: as much as raising makes them on slopes.
-constexpr double kSteepest = 1.375;
 // Smaller excess over the limit is rounding.
 constexpr double kSteepMargin = 0.005;
 // Smoothing alone lowers tunnels by about this.
@@ -59,25 +59,49 @@ void report_free_ends(const ProfileGraph& graph, Report& report) {
   }
 }
 
-// Returns whether the way and the terrain below it lie at height 0 throughout.
-bool is_level_zero(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes,
-                   const map::Heightfield& heights) {
-  return std::ranges::all_of(graph.stations_of(way), [&](const Station& s) {
-    return planes.z_m[s.node] == 0 && planes.gradient[s.node] == Vec2{} &&
-           height_m_at(heights, graph.nodes[s.node].at) == 0;
-  });
-}
+// Ways that lie at height 0 on terrain at height 0, beyond the influence of all that does not.
+class LevelWays {
+ public:
+  LevelWays(const ProfileGraph& graph, const JunctionPlanes& planes, const map::Heightfield& heights)
+      : graph_(graph), planes_(planes), heights_(heights) {
+    std::vector<Box2> boxes;
+    for (const GraphWay& way : graph.ways) {
+      const std::span<const Station> stations = graph.stations_of(way);
+      for (std::size_t s = 0; s + 1 < stations.size(); ++s)
+        if (!is_level(stations[s].node) || !is_level(stations[s + 1].node))
+          boxes.push_back(box_of(stations[s], stations[s + 1]));
+    }
+    raised_ = grid_of(boxes, kBucket_m);
+  }
 
-// Returns the crossings that can be cleared by moving only ways that may be steeper.
-std::vector<Crossing> of_streets(const ProfileGraph& graph, std::span<const Crossing> crossings) {
-  std::vector<Crossing> of_streets;
-  const auto keeps = [&](std::uint32_t way, map::Passage moving) {
-    return way == kNone || graph.ways[way].track->passage != moving || may_be_steeper(graph, way);
-  };
-  for (const Crossing& c : crossings)
-    if (keeps(c.upper, map::Passage::kBridge) && keeps(c.lower, map::Passage::kTunnel)) of_streets.push_back(c);
-  return of_streets;
-}
+  bool contains(const GraphWay& way) const {
+    const std::span<const Station> stations = graph_.stations_of(way);
+    for (std::size_t s = 0; s + 1 < stations.size(); ++s)
+      if (!is_level(stations[s].node) || !is_level(stations[s + 1].node) ||
+          is_any_about(raised_, box_of(stations[s], stations[s + 1])))
+        return false;
+    return true;
+  }
+
+ private:
+  static constexpr double kBucket_m = 64;
+
+  bool is_level(std::uint32_t node) const {
+    return planes_.z_m[node] == 0 && planes_.gradient[node] == Vec2{} &&
+           height_m_at(heights_, graph_.nodes[node].at) == 0;
+  }
+
+  Box2 box_of(const Station& from, const Station& to) const {
+    Box2 box;
+    box.grow(graph_.nodes[from.node].at), box.grow(graph_.nodes[to.node].at);
+    return box.widened(kGrading_m);
+  }
+
+  const ProfileGraph& graph_;
+  const JunctionPlanes& planes_;
+  const map::Heightfield& heights_;
+  BoxGrid raised_;  // of pieces off height 0
+};
 
 JunctionPlanes solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
                      std::span<const double> lines_m) {
@@ -85,12 +109,7 @@ JunctionPlanes solve(const ProfileGraph& graph, std::span<const Crossing> crossi
   planes.z_m = limit_grades(graph, planes.z_m);
   planes = fit_junction_planes(graph, clear_crossings(graph, crossings, &heights, planes.z_m));
   planes.z_m = limit_grades(graph, planes.z_m);
-  const std::vector<double> cleared_m = clear_crossings(graph, of_streets(graph, crossings), nullptr, planes.z_m);
-  if (cleared_m == planes.z_m) return planes;
-  std::vector<double> steepness;
-  for (std::size_t n = 0; n < cleared_m.size(); ++n) steepness.push_back(cleared_m[n] == planes.z_m[n] ? 1 : kSteepest);
-  planes = fit_junction_planes(graph, cleared_m);
-  planes.z_m = limit_grades(graph, planes.z_m, steepness);
+  planes.z_m = enforce_clearances(graph, crossings, planes.z_m);
   return planes;
 }
 
@@ -119,10 +138,11 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
 
   Profiles profiles{std::move(roads), {}, {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
+  const LevelWays level(graph, planes, heights);
   for (const GraphWay& way : graph.ways) {
     if (way.road == kNone) {
       profiles.off_ground[way.off_ground] = knots_of(graph, way, planes);
-    } else if (!is_level_zero(graph, way, planes, heights)) {
+    } else if (!level.contains(way)) {
       profiles.roads[way.road].profile = knots_of(graph, way, planes);
     }
   }

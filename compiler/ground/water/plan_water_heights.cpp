@@ -5,6 +5,7 @@
 
 #include "compiler/geometry/profile.h"
 #include "compiler/ground/water/river_areas.h"
+#include "compiler/ground/water/river_depth.h"
 #include "compiler/ground/water/river_heights.h"
 #include "compiler/ground/water/river_network.h"
 #include "compiler/ground/water/river_profile.h"
@@ -70,10 +71,13 @@ void diagnose_stream(const roads::Strip& stream, const RiverNetwork& network, co
   if (is_cycle) report.add(Code::kWaterwayCycle, stream.id.osm, length_m(stream.axis));
 }
 
+// Gives streams their profiles. Those that would lie too deep or too high stay on the terrain, without one.
 void set_profiles(std::vector<roads::Strip>& streams, const RiverNetwork& network, const RiverHeights& heights,
-                  Report& report) {
+                  const map::Heightfield& land, Report& report) {
   for (std::size_t i = 0; i < streams.size(); ++i) {
-    streams[i].profile = profile_of(network.lines[i], heights);
+    const double off_m = sustained_depth_m(network, network.lines[i], heights, kSustained * land.longer_step_m());
+    if (off_m <= max_depth_m(streams[i].left_m + streams[i].right_m))
+      streams[i].profile = profile_of(network.lines[i], heights);
     diagnose_stream(streams[i], network, network.lines[i], heights, report);
   }
 }
@@ -115,7 +119,7 @@ Waters plan_water_heights(std::vector<LandCoverPolygon> surfaces, std::vector<ro
   if (turn_uphill(waters.streams, network, seas, report)) network = network_now();
   const RiverHeights found = find_river_heights(network, seas);
 
-  set_profiles(waters.streams, network, found, report);
+  set_profiles(waters.streams, network, found, heights, report);
   set_levels(waters.surfaces, standing, found, heights, report);
   for (std::size_t i = 0; i < waters.streams.size(); ++i) waters.streams[i].reach_m = areas.reach_m[i];
   return waters;

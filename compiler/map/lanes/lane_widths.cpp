@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kLeastWidth_m = 0.3, kMostWidth_m = 80;
 
+// A row of parked cars that no tag states.
+constexpr double kParkedRow_m = 2.5;
+
 double inside_m(const PerFlow<std::vector<RoadsideLane>>& roadsides) {
   double sum = 0;
   for (const Flow flow : kFlows)
@@ -40,6 +43,15 @@ void merge_two_lanes(MovingLanes& moving) {
   place = {one};
 }
 
+// Whether a width of the carriageway can be that of these lanes.
+bool is_credible(double width_m, const PerFlow<std::vector<RoadsideLane>>& roadsides, const MovingLanes& moving) {
+  if (!moving.is_tagged) return true;
+  double beside_m = inside_m(roadsides);
+  for (const Flow flow : kFlows)
+    if (roadsides[flow].empty()) beside_m += kParkedRow_m;
+  return width_m - beside_m <= kWidestLane_m * moving.counted;
+}
+
 }  // namespace
 
 std::optional<double> tagged_width_m(const LaneTags& tags) {
@@ -49,10 +61,17 @@ std::optional<double> tagged_width_m(const LaneTags& tags) {
   return std::nullopt;
 }
 
-void share_widths(const LaneTags& tags, const LaneClass& lane_class,
+std::optional<double> credible_width_m(const LaneTags& tags, const PerFlow<std::vector<RoadsideLane>>& roadsides,
+                                       const MovingLanes& moving) {
+  const auto tagged_m = tagged_width_m(tags);
+  if (!tagged_m || is_credible(*tagged_m, roadsides, moving)) return tagged_m;
+  tags.add_bad_value();
+  return std::nullopt;
+}
+
+void share_widths(const LaneTags& tags, const LaneClass& lane_class, std::optional<double> tagged_m,
                   const PerFlow<std::vector<RoadsideLane>>& roadsides, MovingLanes& moving) {
   assert(!moving.all().empty());
-  const auto tagged_m = tagged_width_m(tags);
   const double inside = inside_m(roadsides);
   if (tagged_m && *tagged_m - inside < kNarrowestMeeting_m) merge_two_lanes(moving);
 

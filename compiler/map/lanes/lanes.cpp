@@ -31,28 +31,43 @@ std::vector<Lane> in_row(const Carriageway& road) {
   return lanes;
 }
 
-CrossSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
+bool has_placement(const LaneTags& tags) {
+  return !tags("placement").empty() || !tags("placement:forward").empty() || !tags("placement:backward").empty();
+}
+
+bool has_listed_widths(const LaneTags& tags) {
+  return !tags("width:lanes").empty() || !tags("width:lanes:forward").empty() || !tags("width:lanes:backward").empty();
+}
+
+TaggedSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
   diagnose_widths_beside(tags);
   Carriageway road;
   road.moving = moving_lanes_of(tags, lane_class);
   for (const Flow flow : kFlows)
     road.roadsides[flow] = roadside_of(tags, lane_class, flow, road.moving.has_cycle_lane[flow]);
-  share_widths(tags, lane_class, road.roadsides, road.moving);
+  const auto width_m = credible_width_m(tags, road.roadsides, road.moving);
+  share_widths(tags, lane_class, width_m, road.roadsides, road.moving);
 
   CrossSection section{in_row(road), axis_from_backward_edge_m(tags, road)};
-  if (tags.side == DrivingSide::kRight) return section;
-  std::reverse(section.lanes.begin(), section.lanes.end());
-  section.axis_offset_m = carriageway_width_m(section) - section.axis_offset_m;
-  return section;
+  if (tags.side == DrivingSide::kLeft) {
+    std::reverse(section.lanes.begin(), section.lanes.end());
+    section.axis_offset_m = carriageway_width_m(section) - section.axis_offset_m;
+  }
+  return {std::move(section), width_m || has_listed_widths(tags), has_placement(tags)};
 }
 
 }  // namespace
 
-CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side) {
+TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side) {
   LaneTags lane_tags{context, id, tags, side};
   lane_tags.traffic = traffic_of(lane_tags);
   const LaneClass lane_class = lane_class_of(lane_tags);
-  return lane_class.is_road ? road_section(lane_tags, lane_class) : lone_lane(lane_tags, lane_class);
+  if (lane_class.is_road) return road_section(lane_tags, lane_class);
+  return {lone_lane(lane_tags, lane_class), tagged_width_m(lane_tags).has_value(), false};
+}
+
+CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side) {
+  return tagged_section_of(context, id, tags, side).section;
 }
 
 }  // namespace citykiln::map

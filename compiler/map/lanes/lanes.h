@@ -5,7 +5,8 @@
 //   2. bicycle:lanes, bus:lanes, psv:lanes over lanes:bus, lanes:psv, busway, cycleway
 //   3. …:left and …:right over …:both over the key alone; parking:… over parking:lane:…
 //   4. width:lanes over width over est_width over the class's widths (track_rules.inc); never narrower than
-//      kNarrowestLane_m of lane_rules.inc, except for a single lane
+//      kNarrowestLane_m of lane_rules.inc, except for a single lane. A width that leaves each lane that lanes=* counts
+//      more than kWidestLane_m, beside two rows of parked cars, is that of the whole street: it is not used
 //
 // Defaults without tags:
 //   - pavements, verges, shoulders, parking and cycle lanes exist only where tagged
@@ -34,5 +35,14 @@ namespace citykiln::map {
 /// the carriageway do not move the axis. Total: unreadable values are diagnosed kBadTagValue and ignored; a way of
 /// unknown class is a path. O(length of the tags).
 CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side);
+
+/// The cross-section of a way, and what of it tags state.
+struct TaggedSection {
+  CrossSection section;
+  bool has_width = false;      ///< The carriageway's, by width=*, est_width=* or width:lanes=*.
+  bool has_placement = false;  ///< That of the axis, by placement=*.
+};
+/// Returns cross_section_of() with its sources.
+TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side);
 
 }  // namespace citykiln::map

@@ -39,6 +39,9 @@ TEST(LocateTracks, TagsDecideClassAndWidth) {
       {"highway=steps width=64", LandCoverClass::kSteps, 64},  // Helsinki cathedral, w33085003
       {"railway=rail", LandCoverClass::kRailway, 4},
       {"railway=tram", LandCoverClass::kTram, 3},
+      {"railway=funicular", LandCoverClass::kFunicular, 3},
+      {"railway=narrow_gauge rack=riggenbach", LandCoverClass::kFunicular, 3},
+      {"railway=narrow_gauge rack=no", LandCoverClass::kRailway, 3},
       {"aeroway=runway width=45", LandCoverClass::kRunway, 45},
   };
   for (const auto& c : cases) {

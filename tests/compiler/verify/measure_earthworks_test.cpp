@@ -46,6 +46,20 @@ TEST(MeasureEarthworks, AreNoneOnTheTerrainAndNoneOutsideOfTheTile) {
   EXPECT_TRUE(measure_earthworks(header, chunk).empty());
 }
 
+TEST(MeasureEarthworks, OverTheLimitsAreThoseDeeperThanTheirKindHasAsARule) {
+  scene::Scene scene{made_header(), {chunk_with_road(kTerrain_m - 14, kTerrain_m + 2)}};
+  roads::Road path = scene.chunks[0].roads[0];
+  path.id.osm.id = 2, path.surface = LandCoverClass::kSteps;
+  path.profile = {{0, kTerrain_m - 4, 0}, {200, kTerrain_m + 6, 0}};
+  scene.chunks[0].roads.push_back(path);
+  const auto all = measure_earthworks(scene);
+  EXPECT_EQ(all.size(), 4u);
+  const auto over = over_their_limits(all);
+  ASSERT_EQ(over.size(), 2u);
+  EXPECT_EQ(over[0], (Earthwork{{OsmType::kWay, 1}, "road", 14, {0, 100}}));
+  EXPECT_EQ(over[1], (Earthwork{{OsmType::kWay, 2}, "path", -6, {200, 100}}));
+}
+
 TEST(MeasureEarthworks, NameWatercoursesByTheirWidth) {
   scene::Chunk chunk = chunk_with_road(kTerrain_m, kTerrain_m);
   for (const double half_m : {0.5, 2.0, 6.0}) {

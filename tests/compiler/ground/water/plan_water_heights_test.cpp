@@ -6,6 +6,7 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/ground/water/measure_waters.h"
+#include "compiler/ground/water/river_depth.h"
 #include "compiler/ground/water/river_heights.h"
 #include "compiler/ground/water/standing_water.h"
 #include "tests/compiler/ground/water/made_water.h"
@@ -65,20 +66,28 @@ std::vector<LandCoverPolygon> random_lakes(std::uint64_t seed, int count) {
   return lakes;
 }
 
+// The streams that did not stay on the terrain.
+std::vector<roads::Strip> with_profile(std::vector<roads::Strip> streams) {
+  std::erase_if(streams, [](const roads::Strip& stream) { return stream.profile.empty(); });
+  return streams;
+}
+
 TEST(PlanWaterHeights, RiversNeverRiseInAnyNetwork) {
+  std::size_t streams = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const map::Heightfield land = rough_land(seed, seed % 3 * 0.03, 5.0 * static_cast<double>(seed % 5));
     Report report;
     const Waters waters = plan_water_heights(random_lakes(seed, static_cast<int>(seed % 7)),
                                              random_network(seed, 3 + static_cast<int>(seed % 30)), {}, land, report);
-    const WaterMeasures measures = measure_waters(waters.surfaces, waters.streams, land);
-    EXPECT_GT(measures.streams, 0u);
+    const WaterMeasures measures = measure_waters(waters.surfaces, with_profile(waters.streams), land);
+    streams += measures.streams;
     EXPECT_EQ(measures.streams_that_rise, 0u) << seed << ": " << measures.largest_rise_m;
     for (const LandCoverPolygon& s : waters.surfaces)
       if (s.surface == LandCoverClass::kSea) {
         EXPECT_EQ(s.level_m, 0);
       }
   }
+  EXPECT_GT(streams, 100u);
 }
 
 TEST(PlanWaterHeights, RiversHaveALakesLevelWithinIt) {
@@ -97,6 +106,66 @@ TEST(PlanWaterHeights, RiversHaveALakesLevelWithinIt) {
   }
   EXPECT_GT(profile.front().z_m, level_m + 10);
   EXPECT_LT(profile.back().z_m, level_m - 10);
+}
+
+// Whether a stream stayed on the terrain and was reported.
+bool stays_on_land(const Waters& waters, std::size_t stream, const Report& report) {
+  return waters.streams[stream].profile.empty() && count_of(report, Code::kRiverOffTerrain) > 0;
+}
+
+TEST(PlanWaterHeights, ABrookIsNotDugDownToALakeWhoseLevelIsWrong) {
+  // level land, and a lake drawn over a gorge 25 m deep: the brook from it would lie in a trench of its depth
+  const map::Heightfield land = made_land([](Vec2 p) {
+    return distance(p, {2000, 3000}) < 250 ? 75.0 : 100 - 0.001 * (3000 - p.y);
+  });
+  Report report;
+  const Waters waters = plan_water_heights({made_water(1, LandCoverClass::kLake, made_shore({2000, 3000}, 200))},
+                                           {made_stream(2, {{2000, 2900}, {2000, 1500}}, 1)}, {}, land, report);
+  EXPECT_TRUE(stays_on_land(waters, 0, report));
+}
+
+TEST(PlanWaterHeights, AStreamKeepsToItsDepthOnARidgeAndBesideItsValley) {
+  // a ridge 8 m high that falls to the south, a valley of 30 m beside the stream's mapped course
+  const auto slope = [](Vec2 p) { return 100 + 0.03 * p.y; };
+  const map::Heightfield ridge =
+      made_land([&](Vec2 p) { return slope(p) + std::max(0.0, 8 - std::abs(p.x - 2000) / 10); });
+  const map::Heightfield valley =
+      made_land([&](Vec2 p) { return slope(p) - std::max(0.0, 30 - std::abs(p.x - 2150) / 5); });
+  for (const map::Heightfield& land : {ridge, valley}) {
+    Report report;
+    const Waters waters =
+        plan_water_heights({}, {made_stream(1, {{2000, 3500}, {2040, 2000}, {2000, 500}})}, {}, land, report);
+    ASSERT_FALSE(waters.streams[0].profile.empty());
+    const WaterMeasures measures = measure_waters({}, waters.streams, land);
+    EXPECT_EQ(measures.streams_that_rise, 0u);
+    EXPECT_LE(measures.deepest_below_land_m, kMaxStreamDepth_m);
+    EXPECT_LE(measures.highest_above_land_m, kMaxStreamDepth_m);
+  }
+}
+
+TEST(PlanWaterHeights, NoWatercourseLiesTooDeepForLongerThanNoise) {
+  // steps of 20 m and trees
+  std::size_t with_heights = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const map::Heightfield land = rough_land(seed, 0.05, seed % 2 == 0 ? 20 : 6);
+    Report report;
+    const Waters waters =
+        plan_water_heights({}, {made_stream(1, {{2000, 3500}, {2300, 2000}, {2000, 500}}, 1)}, {}, land, report);
+    const roads::Strip& stream = waters.streams[0];
+    EXPECT_TRUE(!stream.profile.empty() || stays_on_land(waters, 0, report));
+    if (stream.profile.empty()) continue;
+    ++with_heights;
+    const std::vector<double> along = roads::distances_along(stream.axis, 0);
+    double run_m = 0;
+    for (double at_m = 0; at_m < along.back(); at_m += 4) {
+      const std::size_t i = at_m < along[1] ? 0 : 1;
+      const Vec2 p =
+          stream.axis[i] + (stream.axis[i + 1] - stream.axis[i]) * ((at_m - along[i]) / (along[i + 1] - along[i]));
+      run_m = height_m_at(land, p) - knot_at(stream.profile, at_m).z_m > kMaxDitchDepth_m + 0.1 ? run_m + 4 : 0;
+      EXPECT_LE(run_m, (kSustained + 1) * land.longer_step_m()) << seed;
+    }
+  }
+  EXPECT_GT(with_heights, 0u);
 }
 
 TEST(PlanWaterHeights, OrderDoesNotMatter) {

@@ -1,0 +1,164 @@
+#include "compiler/ground/profiles/enforce_clearances.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/graph_walk.h"
+#include "compiler/ground/profiles/ramp_shape.h"
+#include "compiler/ground/profiles/rigid_units.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::Passage;
+
+/// Smaller shortfalls are ignored.
+constexpr double kMinShortfall_m = 0.01;
+/// A ramp loses at least this against the heights given, where these are steeper than any ramp: so it ends.
+constexpr double kLeastFade = 0.01;
+
+/// Which upper lines rise: bridges, or also roads over tunnels that could not fall.
+enum class Upper { kBridges, kAll };
+
+// A place of a way that should rise, or fall.
+struct Push {
+  std::uint32_t way = 0;
+  double at_m = 0, by_m = 0;
+};
+
+struct Enforcer {
+  const ProfileGraph& graph;
+  std::span<const Crossing> crossings;
+  std::vector<double> z_m, start_m;
+  RigidUnits units;
+  GraphWalk walk;
+  std::vector<double> highest_m = {}, lowest_m = {};  // caps by pinned nodes, which stay; the lower ones negated
+
+  Passage passage_of(std::uint32_t way) const {
+    return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
+  }
+  // Paths are planned after roads: nothing on the ground moves for their bridges and tunnels.
+  bool is_decided(std::uint32_t way) const {
+    return graph.lines == Lines::kPaths || (way != kNone && is_graded(graph.ways[way].track->surface));
+  }
+  bool rises(const Crossing& c, Upper upper) const;
+  bool falls(const Crossing& c) const;
+  double move_m(const Crossing& c, std::uint32_t way, double at_m, int up) const;
+  double cost_m(const Leg& leg, std::uint32_t from) const;
+  void spread(const Push& push, std::vector<double>& up_m);
+  bool push_up(std::span<const Push> pushes, std::span<const double> cap_m);
+  bool raise(Upper upper);
+  bool lower();
+};
+
+bool Enforcer::rises(const Crossing& c, Upper upper) const {
+  if (c.upper == kNone) return false;
+  if (passage_of(c.upper) == Passage::kBridge) return true;
+  return upper == Upper::kAll && graph.lines == Lines::kGraded && is_decided(c.lower);
+}
+
+// Tunnels fall, and roads below bridges.
+bool Enforcer::falls(const Crossing& c) const {
+  if (c.lower == kNone) return false;
+  const Passage passage = passage_of(c.lower);
+  if (passage == Passage::kTunnel) return graph.lines == Lines::kPaths || is_graded(graph.ways[c.lower].track->surface);
+  return passage == Passage::kGround && is_decided(c.upper);
+}
+
+// Returns how far a crossing's line should move for it, upwards or downwards (`up` 1 or -1): one on the ground no
+// farther than kMaxGroundMove_m in all.
+double Enforcer::move_m(const Crossing& c, std::uint32_t way, double at_m, int up) const {
+  const double by_m = std::min(clearance_shortfall_m(graph, c, z_m), kMaxEnforced_m);
+  if (passage_of(way) != Passage::kGround) return by_m;
+  const GraphWay& line = graph.ways[way];
+  return std::min(
+      by_m, kMaxGroundMove_m - up * (height_along(graph, line, z_m, at_m) - height_along(graph, line, start_m, at_m)));
+}
+
+// Returns how much less the leg's end must rise than its beginning. A junction plane moves as a whole.
+double Enforcer::cost_m(const Leg& leg, std::uint32_t from) const {
+  if (units.of[leg.to] == units.of[from]) return 0;
+  const double most_m = limit_of(graph, leg) * leg.length_m, drop_m = z_m[from] - z_m[leg.to];
+  const double to_steepest_m = (1 + kRampFade) * most_m - drop_m;
+  return std::max({most_m - drop_m, std::min(to_steepest_m, kRampFade * most_m), kLeastFade * leg.length_m});
+}
+
+// Spreads a push from its place outwards, each unit keeping the greatest. One by which its place moves already needs no
+// walk.
+void Enforcer::spread(const Push& push, std::vector<double>& up_m) {
+  const std::vector<GraphWalk::Start> starts = starts_about(graph, push.way, push.at_m);
+  if (std::ranges::all_of(starts, [&](const auto& start) { return up_m[units.of[start.second]] >= push.by_m; })) return;
+  walk.from(
+      starts, push.by_m + kCrest_m / 2 + kFoot_m, [&](const Leg& leg, std::uint32_t from) { return cost_m(leg, from); },
+      [&](std::uint32_t node, double cost_m) {
+        double& unit_up_m = up_m[units.of[node]];
+        unit_up_m = std::max(unit_up_m, push.by_m - drop_m(cost_m));
+        return true;
+      });
+}
+
+// Moves units up by what they are pushed, below the caps of pinned nodes; returns whether any moved.
+bool Enforcer::push_up(std::span<const Push> pushes, std::span<const double> cap_m) {
+  if (pushes.empty()) return false;
+  std::vector<double> up_m(units.count(), -kFar_m);
+  for (const Push& push : pushes) spread(push, up_m);
+  bool has_moved = false;
+  for (std::uint32_t u = 0; u < units.count(); ++u) {
+    if (up_m[u] <= -kFoot_m) continue;
+    double by_m = soft_max(0, up_m[u]);
+    for (const std::uint32_t n : units.members(u))
+      by_m = std::min({by_m, cap_m[n] - z_m[n], start_m[n] + kMaxEnforced_m - z_m[n]});
+    if (by_m <= 0) continue;
+    for (const std::uint32_t n : units.members(u)) z_m[n] += by_m;
+    has_moved = true;
+  }
+  return has_moved;
+}
+
+bool Enforcer::raise(Upper upper) {
+  std::vector<Push> pushes;
+  for (const Crossing& c : crossings) {
+    if (!rises(c, upper)) continue;
+    const double by_m = move_m(c, c.upper, c.upper_at_m, 1);
+    if (by_m > kMinShortfall_m) pushes.push_back({c.upper, c.upper_at_m, by_m});
+  }
+  return push_up(pushes, highest_m);
+}
+
+bool Enforcer::lower() {
+  std::vector<Push> pushes;
+  for (const Crossing& c : crossings) {
+    if (!falls(c)) continue;
+    const double by_m = move_m(c, c.lower, c.lower_at_m, -1);
+    if (by_m > kMinShortfall_m) pushes.push_back({c.lower, c.lower_at_m, by_m});
+  }
+  z_m = negated(z_m), start_m = negated(start_m);
+  const bool has_moved = push_up(pushes, lowest_m);
+  z_m = negated(z_m), start_m = negated(start_m);
+  return has_moved;
+}
+
+}  // namespace
+
+std::vector<double> enforce_clearances(const ProfileGraph& graph, std::span<const Crossing> crossings,
+                                       std::span<const double> z_m) {
+  assert(z_m.size() == graph.nodes.size());
+  Enforcer enforcer{graph,           crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, RigidUnits(graph),
+                    GraphWalk(graph)};
+  enforcer.highest_m = caps_near_pinned(graph, enforcer.walk, z_m);
+  enforcer.lowest_m = caps_near_pinned(graph, enforcer.walk, negated(z_m));
+  const auto repeat = [](auto step) {
+    for (int round = 0; round < kEnforceRounds && step(); ++round) {
+    }
+  };
+  // directions one after the other: a bridge and a tunnel that are connected would pull each other apart for ever
+  for (const Upper upper : {Upper::kBridges, Upper::kBridges, Upper::kAll}) {
+    repeat([&] { return enforcer.raise(upper); });
+    repeat([&] { return enforcer.lower(); });
+  }
+  return std::move(enforcer.z_m);
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,26 @@
+// Nodes that move together: those of a junction plane, or a single one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/ground/profiles/profile_graph.h"
+
+namespace citykiln::ground {
+
+struct RigidUnits {
+  std::vector<std::uint32_t> of;     ///< The unit of each node.
+  std::vector<std::uint32_t> first;  ///< Of each unit, and the end, into nodes.
+  std::vector<std::uint32_t> nodes;
+
+  /// Numbers the units in the order of their first nodes. O(n).
+  explicit RigidUnits(const ProfileGraph& graph);
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(first.size() - 1); }
+  std::span<const std::uint32_t> members(std::uint32_t unit) const {
+    return std::span(nodes).subspan(first[unit], first[unit + 1] - first[unit]);
+  }
+};
+
+}  // namespace citykiln::ground

@@ -1,0 +1,56 @@
+#include "compiler/ground/water/river_depth.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace citykiln::ground {
+namespace {
+
+// A place with its height above the terrain; none where nothing is known or the water stands.
+struct Place {
+  double at_m;
+  std::optional<double> above_m;
+};
+
+std::vector<Place> places_of(const RiverNetwork& network, const RiverLine& line, const RiverHeights& heights) {
+  std::vector<Place> places;
+  for (const RiverStation& stop : line.stops) {
+    const RiverNode& node = network.nodes[stop.node];
+    const bool is_compared = !network.is_water(stop.node) && node.is_known();
+    places.push_back({stop.at_m, {}});
+    if (is_compared) places.back().above_m = heights.height_m[stop.node] - node.land_m;
+  }
+  return places;
+}
+
+}  // namespace
+
+double max_depth_m(double width_m) {
+  assert(width_m >= 0);
+  constexpr double kStream_m = 2, kRiver_m = 8;
+  return width_m < kStream_m ? kMaxDitchDepth_m : width_m < kRiver_m ? kMaxStreamDepth_m : kMaxRiverDepth_m;
+}
+
+double sustained_depth_m(const RiverNetwork& network, const RiverLine& line, const RiverHeights& heights,
+                         double run_m) {
+  assert(run_m >= 0);
+  const std::vector<Place> places = places_of(network, line, heights);
+  double deepest_m = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    double least_m = INFINITY;
+    for (std::size_t j = i; j < places.size() && places[j].above_m; ++j) {
+      if ((*places[j].above_m > 0) != (*places[i].above_m > 0)) break;
+      least_m = std::min(least_m, std::abs(*places[j].above_m));
+      if (places[j].at_m - places[i].at_m > run_m) {
+        deepest_m = std::max(deepest_m, least_m);
+        break;
+      }
+    }
+  }
+  return deepest_m;
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,121 @@
+// The last word on heights: what crossings lack.
+#include "compiler/ground/profiles/enforce_clearances.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compiler/ground/profiles/graph_walk.h"
+#include "tests/compiler/ground/profiles/made_network.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::LandCoverClass;
+using map::Passage;
+
+constexpr auto kStreet = LandCoverClass::kResidentialRoad;
+
+// A network on level ground at 40 m, and its crossings.
+struct Made {
+  map::Features features;
+  std::vector<roads::Road> roads;
+  std::vector<roads::Junction> junctions;
+  ProfileGraph graph;
+  std::vector<Crossing> crossings;
+  std::vector<double> level_m;
+};
+
+Made made(std::vector<map::Track> tracks) {
+  Made m;
+  Report report;
+  m.features.tracks = std::move(tracks);
+  m.roads = roads::plan(m.features, report);
+  m.junctions = roads::plan_junctions(m.roads, report);
+  m.graph = graph_of(m.features, m.roads, m.junctions);
+  m.crossings = find_crossings(m.graph, m.features, {{}, {}, [](Vec2) { return 40.0; }});
+  m.level_m.assign(m.graph.nodes.size(), 40);
+  return m;
+}
+
+double largest_shortfall_m(const Made& m, std::span<const double> z_m) {
+  double largest_m = -1;
+  for (const Crossing& c : m.crossings) largest_m = std::max(largest_m, clearance_shortfall_m(m.graph, c, z_m));
+  return largest_m;
+}
+
+// The steepest leg as a share of its limit.
+double steepest(const Made& m, std::span<const double> z_m) {
+  double most = 0;
+  for (std::uint32_t n = 0; n < m.graph.nodes.size(); ++n)
+    for (const Leg& leg : m.graph.legs_of(n))
+      most = std::max(most, std::abs(z_m[leg.to] - z_m[n]) / (limit_of(m.graph, leg) * leg.length_m));
+  return most;
+}
+
+std::vector<map::Track> bridge_over_a_street(LandCoverClass surface) {
+  return {track(1, {{-800, 0}, {-30, 0}}, surface), track(2, {{-30, 0}, {30, 0}}, surface, Passage::kBridge, 1),
+          track(3, {{30, 0}, {800, 0}}, surface), track(4, {{0, -800}, {0, 800}})};
+}
+
+TEST(EnforceClearances, BridgesOfAllClassesRiseWithinTheirLimits) {
+  for (const auto surface : {kStreet, LandCoverClass::kMotorwayRoad, LandCoverClass::kRailway}) {
+    const Made m = made(bridge_over_a_street(surface));
+    ASSERT_FALSE(m.crossings.empty());
+    const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+    EXPECT_LE(largest_shortfall_m(m, z_m), 0.011);
+    EXPECT_LE(steepest(m, z_m), 1 + 1e-9);
+  }
+}
+
+TEST(EnforceClearances, AStackRisesAsAWhole) {
+  std::vector<map::Track> tracks = bridge_over_a_street(kStreet);
+  tracks.push_back(track(5, {{-500, -500}, {-60, -60}}));
+  tracks.push_back(track(6, {{-60, -60}, {60, 60}}, kStreet, Passage::kBridge, 2));
+  tracks.push_back(track(7, {{60, 60}, {500, 500}}));
+  const Made m = made(std::move(tracks));
+  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+  EXPECT_LE(largest_shortfall_m(m, z_m), 0.011);
+}
+
+TEST(EnforceClearances, TheNodesOfAJunctionMoveByTheSame) {
+  std::vector<map::Track> tracks = bridge_over_a_street(kStreet);
+  tracks.push_back(track(5, {{-45, -300}, {-45, 0}, {-45, 300}}));
+  tracks[0] = track(1, {{-800, 0}, {-45, 0}, {-30, 0}});
+  const Made m = made(std::move(tracks));
+  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+  double highest_m = 0;
+  for (std::uint32_t a = 0; a < m.graph.nodes.size(); ++a) {
+    if (m.graph.nodes[a].junction == kNone) continue;
+    highest_m = std::max(highest_m, z_m[a]);
+    for (std::uint32_t b = 0; b < a; ++b)
+      if (m.graph.nodes[b].junction == m.graph.nodes[a].junction) {
+        EXPECT_EQ(z_m[a], z_m[b]);
+      }
+  }
+  EXPECT_GT(highest_m, 41);
+}
+
+TEST(EnforceClearances, AStreetRisesOverATunnelThatIsTiedToABridge) {
+  // a bridge over a lake goes on as a tunnel below a street: the lower deck of a street on two levels
+  Made m = made({track(1, {{-800, 0}, {-100, 0}}), track(2, {{-100, 0}, {0, 0}}, kStreet, Passage::kBridge, 1),
+                 track(3, {{0, 0}, {60, 0}}, kStreet, Passage::kTunnel, -1), track(4, {{60, 0}, {800, 0}}),
+                 track(5, {{30, -800}, {30, 800}})});
+  std::uint32_t bridge = 0;
+  while (m.graph.ways[bridge].track->id.osm.id != 2) ++bridge;
+  m.crossings.push_back({.upper = bridge, .upper_at_m = 98, .lower_z_m = 38, .wanted_m = kClearanceOverWater_m});
+  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+  EXPECT_LE(largest_shortfall_m(m, z_m), 0.011);
+  EXPECT_LE(steepest(m, z_m), 1 + kRampFade + 1e-9);
+}
+
+TEST(EnforceClearances, NothingMovesThatIsClear) {
+  const Made m = made(bridge_over_a_street(kStreet));
+  std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+  for (double& z : z_m) z = std::ceil(z * 64) / 64;
+  const std::vector<Crossing> none;
+  EXPECT_EQ(enforce_clearances(m.graph, none, z_m), z_m);
+}
+
+}  // namespace
+}  // namespace citykiln::ground
