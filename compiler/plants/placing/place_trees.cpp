@@ -23,9 +23,12 @@ GrownPlant grown(const Tree& tree, const PlacingContext& context, const Draw& dr
 }
 
 // A tree in a road or on rails stands kBesideWay_m outside the edge: edges follow from default widths, and half of the
-// widest junctions of streets is kInWay_m. Buildings and shores are mapped, as trees are, to kImprecise_m.
-constexpr double kInWay_m = 12, kImprecise_m = 2, kBesideWay_m = 0.5, kStep_m = 0.25;
+// junctions of most streets is kInWay_m. Buildings and shores are mapped, as trees are, to kImprecise_m.
+constexpr double kInWay_m = 8, kImprecise_m = 2, kBesideWay_m = 0.5, kStep_m = 0.25;
 constexpr int kDirections = 16;
+
+// A tile knows all trees that its woods keep clear of, wherever they are moved.
+static_assert(kInWay_m + kBesideWay_m + kMostClearance_m <= kObstacleInfluence_m);
 
 // How far a tree is moved at most to get out of what covers p.
 double most_moved_m(const ground::LandCoverIndex& map, Vec2 p) {
