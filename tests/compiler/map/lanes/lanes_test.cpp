@@ -609,7 +609,7 @@ TEST(Lanes, WidthsAndNumbersWithoutTagsAreThoseOfTheRegion) {
   EXPECT_EQ(drawn_in(RoadRegion::kBritishIsles, "highway=primary"), std::pair(2ul, 7.25));
   EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential"), std::pair(1ul, 4.0));
   EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential lanes=2"), std::pair(2ul, 5.5));
-  EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential width=5"), std::pair(2ul, 5.0));
+  EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential width=5"), std::pair(1ul, 5.0));
 }
 
 TEST(Lanes, AWidthThatIsThatOfTheWholeStreetIsNotUsed) {
