@@ -261,10 +261,16 @@ Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, co
 }
 
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region) {
+  // slopes start at the outlines of junctions, as in tiles, so those of roads are needed too
+  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover({.areas = recipes.surfaces,
+                                                                                   .roads = recipes.roads,
+                                                                                   .junctions = recipes.junctions,
+                                                                                   .watercourses = recipes.watercourses,
+                                                                                   .footprints = {}});
   return ground::grade_terrain<structures::Span>(recipes.heights,
                                                  {.roads = recipes.roads,
                                                   .streams = recipes.watercourses,
-                                                  .surfaces = recipes.surfaces,
+                                                  .surfaces = surfaces,
                                                   .box = region,
                                                   .has_kerbs = false},
                                                  recipes.structures.bridges, recipes.structures.tunnels);

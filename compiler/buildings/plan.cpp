@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "compiler/buildings/building_materials.h"
 #include "compiler/buildings/doors.h"
@@ -71,30 +72,45 @@ struct Site {
   const ground::GradedTerrain& ground;
   const std::vector<map::Footprint> footprints;
   const std::vector<std::uint32_t> outlines;
+  const std::vector<bool> have_height;
   const std::vector<std::vector<SharedWall>> shared_walls;
   const Streets streets;
   const MappedDoors doors;
 };
 
+// The footprint whose ground the heights of footprint i are measured from: its outline, or itself.
+std::size_t root_of(std::size_t i, std::span<const std::uint32_t> outlines) {
+  return outlines[i] == map::kNoOutline ? i : outlines[i];
+}
+
+// By outline: whether height=* is stated for it or one of its parts. All parts are measured from one height, so that
+// what rests on a part meets it.
+std::vector<bool> have_tagged_height(std::span<const map::Footprint> footprints,
+                                     std::span<const std::uint32_t> outlines) {
+  std::vector<bool> have(footprints.size());
+  for (std::size_t i = 0; i < footprints.size(); ++i)
+    if (footprints[i].has_roof_in_height) have[root_of(i, outlines)] = true;
+  return have;
+}
+
 // The mean height of the ground along the walls that face a street, weighted by length; where none does, the highest.
 double entrance_m(const Polygon& polygon, const std::vector<GroundRange>& walls, const std::vector<bool>& sides) {
   double sum = 0, length_m = 0;
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    const double wall_m = sides[i] ? distance(polygon.outer[i], polygon.outer[(i + 1) % walls.size()]) : 0;
+    if (!sides[i]) continue;
+    const double wall_m = distance(polygon.outer[i], polygon.outer[(i + 1) % walls.size()]);
     sum += wall_m * (walls[i].lowest_m + walls[i].highest_m) / 2, length_m += wall_m;
   }
   return length_m > 0 ? sum / length_m : all_of(walls).highest_m;
 }
 
-// The height that a footprint's heights are measured from. height=* counts from the lowest ground; storeys count from
-// the street, or from the upper side of a slope, and go on below it where the ground falls away.
-double base_m(std::size_t i, const std::vector<GroundRange>& walls, const Site& site) {
-  const map::Footprint& footprint = site.footprints[i];
-  const std::uint32_t outline = site.outlines[i];
-  const Polygon& whole = outline == map::kNoOutline ? footprint.polygon : site.footprints[outline].polygon;
-  const std::vector<GroundRange> around = outline == map::kNoOutline ? walls : ground_along_walls(whole, site.ground);
-  if (footprint.has_roof_in_height) return all_of(around).lowest_m;
-  return entrance_m(whole, around, street_sides(whole, site.streets));
+// The height that a footprint's heights are measured from.
+double base_m(std::size_t i, const Site& site) {
+  const std::size_t root = root_of(i, site.outlines);
+  const Polygon& whole = site.footprints[root].polygon;
+  const std::vector<GroundRange> walls = ground_along_walls(whole, site.ground);
+  if (site.have_height[root]) return all_of(walls).lowest_m;
+  return entrance_m(whole, walls, street_sides(whole, site.streets));
 }
 
 double min_height_m(const map::Footprint& footprint, Report& report) {
@@ -144,12 +160,18 @@ std::uint8_t levels_of(const map::Footprint& footprint, double wall_m) {
   return static_cast<std::uint8_t>(std::clamp(levels, 1.0, 250.0));
 }
 
-// Adds the storeys below the floor that have a wall above the lowest ground.
-void add_storeys_below(Building& building, double lowest_m) {
-  const double below = std::floor((building.floor_m - lowest_m) / storey_m(building) + kMaxBuriedShare);
-  const double count = std::clamp(below, 0.0, 250.0 - building.levels);
-  building.floor_m = snapped(building.floor_m - count * storey_m(building));
-  building.levels = static_cast<std::uint8_t>(building.levels + count);
+// The storeys below the floor that have a wall above the lowest ground.
+std::uint8_t storeys_below(const Building& building, double lowest_m) {
+  if (!building.stands_on_ground) return 0;
+  const double count = std::floor((building.floor_m - lowest_m) / storey_m(building) + kMaxBuriedShare);
+  return static_cast<std::uint8_t>(std::clamp(count, 0.0, 250.0 - building.levels));
+}
+
+// Moves the floor down by so many storeys.
+Building extended_below(Building building, std::uint8_t storeys) {
+  building.floor_m = snapped(building.floor_m - storeys * storey_m(building));
+  building.levels = static_cast<std::uint8_t>(building.levels + storeys);
+  return building;
 }
 
 std::uint8_t buried_storeys(const Building& building, const GroundRange& ground) {
@@ -172,11 +194,17 @@ std::vector<FacadeEdge> facade_edges_of(const Building& building, const std::vec
   return edges;
 }
 
-Building plan_building(std::size_t i, const Site& site, Report& report) {
+// A building, and how many of its storeys lie below the entrance.
+struct Planned {
+  Building building;
+  std::uint8_t storeys_below = 0;
+};
+
+Planned plan_building(std::size_t i, const Site& site, Report& report) {
   const map::Footprint& footprint = site.footprints[i];
   const std::vector<GroundRange> walls = ground_along_walls(footprint.polygon, site.ground);
   const GroundRange under = all_of(walls);
-  const double from_m = base_m(i, walls, site), lift_m = min_height_m(footprint, report);
+  const double from_m = base_m(i, site), lift_m = min_height_m(footprint, report);
   const std::vector<bool> sides = street_sides(footprint.polygon, site.streets);
   const roofs::RoofShape roof =
       plan_roof(footprint, {!site.shared_walls[i].empty(), street_normal(footprint.polygon.outer, sides)});
@@ -197,9 +225,19 @@ Building plan_building(std::size_t i, const Site& site, Report& report) {
   building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(from_m, under.lowest_m) - kFoundation_m);
   building.roof_shape.height_m = std::min(roof.height_m, building.top_m - building.floor_m);
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
-  if (lift_m == 0) add_storeys_below(building, under.lowest_m);
+  const std::uint8_t below = storeys_below(building, under.lowest_m);
+  building = extended_below(std::move(building), below);
   building.facade_edges = facade_edges_of(building, sides, mapped_doors_by_edge(footprint.polygon, site.doors), walls);
-  return building;
+  return {std::move(building), below};
+}
+
+// What shows above the entrance, by which the style is chosen: storeys below do not make a block of a villa.
+Building above_entrance(const Planned& planned) {
+  Building above = planned.building;
+  const double below_m = planned.storeys_below * storey_m(above);
+  above.floor_m += below_m;
+  above.levels = static_cast<std::uint8_t>(above.levels - planned.storeys_below);
+  return above;
 }
 
 // Adds a party wall where it does not overlap the last one. Of two along the same stretch the higher one counts.
@@ -217,16 +255,17 @@ void add_party_wall(std::vector<PartyWall>& walls, PartyWall wall) {
 
 // @param planned  By footprint; nothing for footprints that do not become buildings.
 std::vector<PartyWall> party_walls_of(std::size_t i, const Site& site,
-                                      const std::vector<std::optional<Building>>& planned) {
-  const Building& building = *planned[i];
+                                      const std::vector<std::optional<Planned>>& planned) {
+  const Building& building = planned[i]->building;
   std::vector<PartyWall> walls;
   for (const SharedWall& wall : site.shared_walls[i]) {
-    const std::optional<Building>& other = planned[wall.neighbour];
-    if (!other || other->bottom_m > building.floor_m || eaves_m(*other) <= building.floor_m) continue;
+    if (!planned[wall.neighbour]) continue;
+    const Building& other = planned[wall.neighbour]->building;
+    if (other.bottom_m > building.floor_m || eaves_m(other) <= building.floor_m) continue;
     add_party_wall(walls, {.edge = wall.edge,
                            .from_m = wall.from_m,
                            .to_m = wall.to_m,
-                           .top_m = eaves_m(*other),
+                           .top_m = eaves_m(other),
                            .is_hidden = wall.is_coplanar,
                            .has_windows_above = site.footprints[i].is_part && site.footprints[wall.neighbour].is_part});
   }
@@ -247,9 +286,12 @@ std::vector<map::Footprint> extended_to_ground(std::vector<map::Footprint> footp
 
 Site site_of(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
   std::vector<std::vector<SharedWall>> shared = shared_walls(features.footprints);
+  std::vector<std::uint32_t> outlines = map::part_outlines(features.footprints);
+  std::vector<bool> have_height = have_tagged_height(features.footprints, outlines);
   return {.ground = ground,
           .footprints = extended_to_ground(features.footprints, shared, features.tracks, report),
-          .outlines = map::part_outlines(features.footprints),
+          .outlines = std::move(outlines),
+          .have_height = std::move(have_height),
           .shared_walls = std::move(shared),
           .streets = index_streets(features.tracks),
           .doors = index_doors(features.points)};
@@ -257,15 +299,14 @@ Site site_of(const map::Features& features, const ground::GradedTerrain& ground,
 
 // A building belongs to the region by its centroid, and all parts of an outline with it.
 bool is_in_region(std::size_t i, const Site& site, const Box2& region) {
-  const std::uint32_t outline = site.outlines[i];
-  return region.contains(centroid(site.footprints[outline == map::kNoOutline ? i : outline].polygon));
+  return region.contains(centroid(site.footprints[root_of(i, site.outlines)].polygon));
 }
 
 }  // namespace
 
 std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
   const Site site = site_of(features, ground, report);
-  std::vector<std::optional<Building>> planned(site.footprints.size());
+  std::vector<std::optional<Planned>> planned(site.footprints.size());
   Account account;
   for (std::size_t i = 0; i < planned.size(); ++i) {
     const map::Footprint& footprint = site.footprints[i];
@@ -285,12 +326,12 @@ std::vector<Building> plan(const map::Features& features, const ground::GradedTe
   report.account("buildings", "footprint") = account;
   // these depend on the neighbours' heights, styles on party walls
   for (std::size_t i = 0; i < planned.size(); ++i)
-    if (planned[i]) planned[i]->party_walls = party_walls_of(i, site, planned);
+    if (planned[i]) planned[i]->building.party_walls = party_walls_of(i, site, planned);
   std::vector<Building> buildings;
   for (std::size_t i = 0; i < planned.size(); ++i) {
     if (!planned[i]) continue;
-    planned[i]->style = style_of(site.footprints[i], *planned[i]);
-    buildings.push_back(std::move(*planned[i]));
+    planned[i]->building.style = style_of(site.footprints[i], above_entrance(*planned[i]));
+    buildings.push_back(std::move(planned[i]->building));
   }
   std::ranges::sort(buildings, {}, &Building::id);
   return buildings;

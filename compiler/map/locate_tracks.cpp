@@ -6,6 +6,7 @@
 #include "compiler/map/lanes/lane_tags.h"
 #include "compiler/map/lanes/lanes.h"
 #include "compiler/map/plant_tags.h"
+#include "compiler/map/road_region.h"
 #include "compiler/map/track_points.h"
 #include "compiler/map/track_rules.h"
 
@@ -42,9 +43,9 @@ LandCoverClass surfaced(LandCoverClass surface, std::string_view tagged) {
   return surface;
 }
 
-DrivingSide side_of(const ReadContext& context, const source::Way& way) {
+LonLat place_of(const ReadContext& context, const source::Way& way) {
   const source::Location at = context.osm.nodes_of(way).front().at;
-  return driving_side_at({at.lon_deg(), at.lat_deg()});
+  return {at.lon_deg(), at.lat_deg()};
 }
 
 void tell_layer(const Track& track, Report& report) {
@@ -53,16 +54,18 @@ void tell_layer(const Track& track, Report& report) {
     report.add(Code::kLayerWithoutBridge, track.id.osm, std::abs(track.layer));
 }
 
-Track track_of(const ReadContext& context, DrivingSide side, const source::Way& way, const TrackRow& row,
-               LocatedLine&& line) {
+Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_side, const source::Way& way,
+               const TrackRow& row, LocatedLine&& line) {
   const OsmId id{OsmType::kWay, way.id};
+  const LonLat place = place_of(context, way);
+  const DrivingSide side = driving_side ? *driving_side : driving_side_at(place);
   Track track;
   track.id = {id, 0};
   track.axis = std::move(line.axis);
   track.node_ids = std::move(line.node_ids);
   track.surface = racked(surfaced(row.surface, context.tag(way.tags, "surface")), context.tag(way.tags, "rack"));
   track.side = side;
-  TaggedSection section = tagged_section_of(context, id, way.tags, side);
+  TaggedSection section = tagged_section_of(context, id, way.tags, side, road_region_at(place));
   track.section = std::move(section.section);
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
   track.layer = tagged_layer(context, id, way.tags);
@@ -90,7 +93,7 @@ std::vector<Track> locate_tracks(const ReadContext& context, std::optional<Drivi
       },
       [&](const source::Way& way, const TrackRow& row, LocatedLine&& line) {
         std::vector<TrackPoint> points = points_of(context, way, line, marks);
-        tracks.push_back(track_of(context, side ? *side : side_of(context, way), way, row, std::move(line)));
+        tracks.push_back(track_of(context, side, way, row, std::move(line)));
         tracks.back().points = std::move(points);
       });
   return tracks;

@@ -19,9 +19,9 @@ struct PlantRecipes {
 ///
 /// Guarantees: no trunk of a wood or planting is within kTrunkClearance_m of a road, building or water; trees of woods
 /// are blue noise (blue_noise.h), clear of mapped trees, rows and corridors; a plant depends on nothing beyond
-/// kInfluenceRadius_m. A single tree up to 2 m inside a carriageway moves to half a metre beside it (kTreeMoved); one
-/// deeper inside, on a building or on water is dropped (kTreeOnRoad). Trees of rows are left out there.
-/// Ledger "bake/tree" for single trees. O(n log n).
+/// kInfluenceRadius_m. A single tree up to 8 m inside a carriageway or railway, or up to 2 m inside a building or
+/// water, moves to half a metre beside it (kTreeMoved); one deeper inside is dropped (kTreeOnRoad). Trees of rows are
+/// left out there. Ledger "bake/tree" for single trees. O(n log n).
 PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report);
 
 /// Blades are grass, reed and corn, a plant for each tuft. Only tolerances with Detail::kGrassBlades show them; coarser

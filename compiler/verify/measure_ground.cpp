@@ -28,9 +28,11 @@ bool is_of_ground(materials::Material material) {
 const materials::Material kUnderHouses = map::values_of(map::LandCoverClass::kBuilding).material;
 
 bool stands(const NonGroundObjects& non_ground, OsmId feature, materials::Material material) {
+  // a way may be a building and stairs or a bridge too
+  if (material == kUnderHouses) return false;
   if (std::ranges::binary_search(non_ground.off_ground, feature)) return true;
   if (material == materials::Material::kStone && std::ranges::binary_search(non_ground.stairs, feature)) return true;
-  return material != kUnderHouses && std::ranges::binary_search(non_ground.building_ids, feature) &&
+  return std::ranges::binary_search(non_ground.building_ids, feature) &&
          !std::ranges::binary_search(non_ground.land_cover_materials, std::pair{feature, material});
 }
 

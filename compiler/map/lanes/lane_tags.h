@@ -13,6 +13,7 @@
 
 #include "compiler/map/lanes/lanes.h"
 #include "compiler/map/read_context.h"
+#include "compiler/map/road_region.h"
 
 namespace citykiln::map {
 
@@ -40,6 +41,7 @@ struct LaneTags {
   OsmId id;
   source::Range tags;
   DrivingSide side;
+  RoadRegion region = RoadRegion::kElsewhere;
   Traffic traffic = Traffic::kTwoWay;
 
   std::string_view operator()(std::string_view key) const { return context.tag(tags, key); }

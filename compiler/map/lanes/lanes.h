@@ -4,7 +4,8 @@
 //   1. lanes:forward, lanes:backward, lanes:both_ways over lanes; lanes over the number of entries of …:lanes lists
 //   2. bicycle:lanes, bus:lanes, psv:lanes over lanes:bus, lanes:psv, busway, cycleway
 //   3. …:left and …:right over …:both over the key alone; parking:… over parking:lane:…
-//   4. width:lanes over width over est_width over the class's widths (track_rules.inc); never narrower than
+//   4. width:lanes over width over est_width over the class's widths (regional_widths.inc, track_rules.inc); never
+//   narrower than
 //      kNarrowestLane_m of lane_rules.inc, except for a single lane. A width that leaves each lane that lanes=* counts
 //      more than kWidestLane_m, beside two rows of parked cars, is that of the whole street: it is not used
 //
@@ -24,6 +25,7 @@
 
 #include "compiler/map/cross_section.h"
 #include "compiler/map/read_context.h"
+#include "compiler/map/road_region.h"
 
 namespace citykiln::map {
 
@@ -42,7 +44,8 @@ struct TaggedSection {
   bool has_width = false;      ///< The carriageway's, by width=*, est_width=* or width:lanes=*.
   bool has_placement = false;  ///< That of the axis, by placement=*.
 };
-/// Returns cross_section_of() with its sources.
-TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side);
+/// Returns cross_section_of() with its sources, by the widths and numbers of lanes that are usual in the region.
+TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side,
+                                RoadRegion region = RoadRegion::kElsewhere);
 
 }  // namespace citykiln::map

@@ -22,23 +22,26 @@ GrownPlant grown(const Tree& tree, const PlacingContext& context, const Draw& dr
   return {species, default_height_m(species) * height_factor(habitat) * spread};
 }
 
-// Trees are mapped to half a metre, and roads' edges follow from default lane widths: a tree up to kInRoad_m inside a
-// road stands kBesideRoad_m outside its edge.
-constexpr double kInRoad_m = 2, kBesideRoad_m = 0.5, kStep_m = 0.25;
+// A tree in a road or on rails stands kBesideWay_m outside the edge: edges follow from default widths, and half of the
+// junctions of most streets is kInWay_m. Buildings and shores are mapped, as trees are, to kImprecise_m.
+constexpr double kInWay_m = 8, kImprecise_m = 2, kBesideWay_m = 0.5, kStep_m = 0.25;
 constexpr int kDirections = 16;
 
-bool is_on_road(const ground::LandCoverIndex& map, Vec2 p) {
-  const std::uint32_t top = ground::land_cover_at(map, p);
-  return top != ground::kNoLandCover && map::values_of(map.surfaces[top].surface).group == map::LandCoverGroup::kRoad;
+// A tile knows all trees that its woods keep clear of, wherever they are moved.
+static_assert(kInWay_m + kBesideWay_m + kMostClearance_m <= kObstacleInfluence_m);
+
+// How far a tree is moved at most to get out of what covers p.
+double most_moved_m(const ground::LandCoverIndex& map, Vec2 p) {
+  const map::LandCoverGroup group = map::values_of(map.surfaces[ground::land_cover_at(map, p)].surface).group;
+  return group == map::LandCoverGroup::kRoad || group == map::LandCoverGroup::kRail ? kInWay_m : kImprecise_m;
 }
 
-// The nearest place beside the road that contains p; none more than kInRoad_m inside.
-std::optional<Vec2> beside_road(const ground::LandCoverIndex& map, Vec2 p) {
-  if (!is_on_road(map, p)) return std::nullopt;
-  for (double in_m = 0; in_m <= kInRoad_m; in_m += kStep_m)
+// The nearest place beside what blocks p; none farther out than most_moved_m().
+std::optional<Vec2> beside_blocked(const ground::LandCoverIndex& map, Vec2 p) {
+  for (double in_m = 0; in_m <= most_moved_m(map, p); in_m += kStep_m)
     for (int i = 0; i < kDirections; ++i) {
       const Vec2 out = direction_of(i / double{kDirections});
-      const Vec2 place = p + out * (in_m + kBesideRoad_m);
+      const Vec2 place = p + out * (in_m + kBesideWay_m);
       if (!is_blocked_ground(map, p + out * in_m) && !is_blocked_ground(map, place)) return place;
     }
   return std::nullopt;
@@ -47,8 +50,11 @@ std::optional<Vec2> beside_road(const ground::LandCoverIndex& map, Vec2 p) {
 // The place of a tree, or none where it is dropped; the same for all tiles.
 std::optional<Vec2> place_of(const ground::LandCoverIndex& map, Vec2 p) {
   if (!map.box.contains(p)) return std::nullopt;
-  return is_blocked_ground(map, p) ? beside_road(map, p) : p;
+  return is_blocked_ground(map, p) ? beside_blocked(map, p) : p;
 }
+
+// How far inside what blocks it a dropped tree stands at least.
+double inside_m(const ground::LandCoverIndex& map, Vec2 p) { return map.box.contains(p) ? most_moved_m(map, p) : 0; }
 
 }  // namespace
 
@@ -61,7 +67,7 @@ std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> tr
     // a moved tree belongs to the tile of its new place
     const bool is_here = is_in_half_open(context.box, at.value_or(tree.at));
     if (is_here) ++account.in;
-    if (is_here && !at) report.drop(account, Code::kTreeOnRoad, tree.id.osm);
+    if (is_here && !at) report.drop(account, Code::kTreeOnRoad, tree.id.osm, inside_m(context.surfaces, tree.at));
     if (!at) continue;
     const Draw draw(context.seed, stable_id(tree.id), "tree");
     const auto [species, height_m] = grown(tree, context, draw);

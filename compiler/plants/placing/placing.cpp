@@ -56,8 +56,8 @@ Habitat habitat_of(const PlacingContext& context, Vec2 p) {
 }
 
 double crown_clearance_m(Species species, double height_m) {
-  constexpr double kRoom_m = 1.5, kLeast_m = 2, kMost_m = 7;
-  return std::clamp(values_of(species).crown_share * height_m / 2 + kRoom_m, kLeast_m, kMost_m);
+  constexpr double kRoom_m = 1.5, kLeast_m = 2;
+  return std::clamp(values_of(species).crown_share * height_m / 2 + kRoom_m, kLeast_m, kMostClearance_m);
 }
 
 ObstacleIndex index_obstacles(std::span<const Obstacle> all) {

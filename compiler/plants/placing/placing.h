@@ -74,6 +74,7 @@ struct Obstacle {
   double radius_m = 0;  ///< Clearance to trunks of woods: half of the crown's width, and room for another crown.
 };
 double crown_clearance_m(Species species, double height_m);
+inline constexpr double kMostClearance_m = 7;
 
 /// Places single trees and returns them and those near the box as obstacles. Ledger "bake/tree".
 std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& context,

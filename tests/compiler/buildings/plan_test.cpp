@@ -112,6 +112,68 @@ TEST(Plan, RaisesWhatTheSlopeWouldBury) {
   EXPECT_EQ(report.diagnoses()[0].size, 7);
 }
 
+// A block of storeys of 3 m, without height=*.
+map::Footprint storeys(std::int64_t id, double x, double y, double size, double levels) {
+  map::Footprint f = block(id, x, y, size, levels * 3);
+  f.levels = levels, f.has_roof_in_height = false;
+  return f;
+}
+
+map::Features with_street(map::Features features, double street_x) {
+  map::Track street;
+  street.id = {{OsmType::kWay, 900}, 0};
+  street.axis = {{street_x, -100}, {street_x, 100}};
+  street.surface = map::LandCoverClass::kResidentialRoad;
+  street.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 5}}, 2.5};
+  features.tracks = {street};
+  return features;
+}
+
+// The ground rises from 100 to 105 m below the house.
+TEST(Plan, CountsStoreysFromTheStreet) {
+  Report report;
+  const auto below =
+      plan(with_street(features_of({storeys(1, 0, 0, 20, 3)}), -6), ground::GradedTerrain(slope()), report);
+  EXPECT_EQ(below[0].floor_m, 100);
+  EXPECT_EQ(eaves_m(below[0]), 109);
+  const auto above =
+      plan(with_street(features_of({storeys(1, 0, 0, 20, 3)}), 26), ground::GradedTerrain(slope()), report);
+  EXPECT_EQ(eaves_m(above[0]), 114);
+  EXPECT_EQ(report.counts()[Code::kHeightRaised], 0u);
+}
+
+TEST(Plan, CountsStoreysFromTheUpperSideWithoutAStreetAndGoesOnBelow) {
+  Report report;
+  const auto b = plan(features_of({storeys(1, 0, 0, 20, 2)}), ground::GradedTerrain(slope()), report);
+  EXPECT_EQ(eaves_m(b[0]), 111);
+  // one more storey has a wall above the lowest ground
+  EXPECT_EQ(b[0].floor_m, 102);
+  EXPECT_EQ(b[0].levels, 3);
+  EXPECT_LT(b[0].bottom_m, 100);
+  EXPECT_EQ(report.counts()[Code::kHeightRaised], 0u);
+}
+
+TEST(Plan, MeasuresAllPartsOfAnOutlineFromOneHeight) {
+  Report report;
+  map::Footprint outline = storeys(1, 0, 0, 20, 5), low = block(2, 0, 0, 10, 9), high = storeys(3, 0, 0, 10, 5);
+  outline.has_parts = true;
+  low.is_part = high.is_part = true;
+  high.min_height_m = 9;
+  const auto b = plan(features_of({outline, low, high}), ground::GradedTerrain(slope()), report);
+  ASSERT_EQ(b.size(), 2u);
+  EXPECT_EQ(b[0].top_m, 109);
+  EXPECT_EQ(b[1].bottom_m, 109);
+}
+
+TEST(Plan, StoreysBelowTheEntranceDoNotMakeABlockOfAVilla) {
+  Report report;
+  map::Footprint house = storeys(1, 0, 0, 12, 2);
+  house.polygon.outer = {{0, 0}, {32, 0}, {32, 6}, {0, 6}};
+  const auto b = plan(features_of({house}), ground::GradedTerrain(slope()), report);
+  EXPECT_GT(b[0].levels, 3);
+  EXPECT_EQ(b[0].style, Style::kVilla);
+}
+
 TEST(Plan, IgnoresAMinHeightAboveTheHeight) {
   Report report;
   map::Footprint f = block(1, 0, 0, 8, 12);

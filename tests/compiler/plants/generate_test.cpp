@@ -314,7 +314,7 @@ TEST(AddHedge, PutsPiecesAsLongAsHighAlongTheLine) {
   }
 }
 
-TEST(Generate, DropsSingleTreesOnRoadsBuildingsAndWaterAndBalances) {
+TEST(Generate, DropsSingleTreesOnBuildingsAndWaterAndBalances) {
   Report report;
   const auto tree = [](std::int64_t id, Vec2 at) {
     return Tree{{{OsmType::kNode, id}, 0}, at, 11, species_mix_of(Species::kOak)};
@@ -324,8 +324,9 @@ TEST(Generate, DropsSingleTreesOnRoadsBuildingsAndWaterAndBalances) {
   const auto broad = joined(placed_in({{-256, -64}, {256, 256}}, 0, report, trees));
   EXPECT_EQ(
       std::count_if(broad.begin(), broad.end(), [](const Placement& p) { return p.feature.type == OsmType::kNode; }),
-      1);
-  EXPECT_EQ(report.counts()[Code::kTreeOnRoad], 3u);
+      2);
+  EXPECT_EQ(report.counts()[Code::kTreeOnRoad], 2u);
+  EXPECT_EQ(report.counts()[Code::kTreeMoved], 1u);
   EXPECT_TRUE(report.balances());
 }
 

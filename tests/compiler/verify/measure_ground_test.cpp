@@ -77,6 +77,14 @@ TEST(SampleGround, CountsLandCoverOfBuildingsAndSkipsStairs) {
   EXPECT_EQ(error_m(tile, {{}, {}, {}, {kBridge}}), 0);
 }
 
+// A way of steps with building=roof is stairs, a structure and a building at once.
+TEST(SampleGround, CountsLandCoverUnderABuildingThatIsAStructureToo) {
+  bake::BakedTile tile = square(0, true);
+  for (bake::Primitive& primitive : tile.primitives)
+    primitive.material = map::values_of(map::LandCoverClass::kBuilding).material;
+  EXPECT_EQ(sample_ground(tile, {{kBridge}, {kBridge}, {}, {kBridge}}, flat, kBox, 16).error_m, 5);
+}
+
 TEST(BorderEdges, AreTheGroundEdgesOnTheLine) {
   const NonGroundObjects off_ground{{kBridge}, {}};
   const bake::BakedTile tile = square(0, true);

@@ -594,6 +594,31 @@ TEST(Lanes, WithoutTagsOfLanesTheWholeIsAsWideAsTheTrack) {
     }
 }
 
+TEST(Lanes, WidthsAndNumbersWithoutTagsAreThoseOfTheRegion) {
+  static const Plane plane(kTestOrigin);
+  const auto drawn_in = [](RoadRegion region, const std::string& tags) {
+    const source::OsmData osm = extract("w1 0:0 50:0 " + tags);
+    Report report;
+    const ReadContext reading{osm, plane, Box2{}, report};
+    const CrossSection section =
+        tagged_section_of(reading, {OsmType::kWay, 1}, osm.ways[0].tags, DrivingSide::kRight, region).section;
+    return std::pair(section.lanes.size(), carriageway_width_m(section));
+  };
+  EXPECT_EQ(drawn_in(RoadRegion::kElsewhere, "highway=residential"), std::pair(2ul, 5.5));
+  EXPECT_EQ(drawn_in(RoadRegion::kNorthAmerica, "highway=residential"), std::pair(2ul, 6.0));
+  EXPECT_EQ(drawn_in(RoadRegion::kBritishIsles, "highway=primary"), std::pair(2ul, 7.25));
+  EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential"), std::pair(1ul, 4.0));
+  EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential lanes=2"), std::pair(2ul, 5.5));
+  EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential width=5"), std::pair(1ul, 5.0));
+}
+
+TEST(Lanes, AWidthThatIsThatOfTheWholeStreetIsNotUsed) {
+  EXPECT_EQ(carriageway_width_m(read("highway=residential lanes=2 width=16").section), 5.5);
+  EXPECT_EQ(read("highway=residential lanes=2 width=16").bad_values, 1u);
+  EXPECT_EQ(carriageway_width_m(read("highway=residential lanes=2 width=9").section), 9);
+  EXPECT_EQ(carriageway_width_m(read("highway=residential width=16").section), 16);
+}
+
 TEST(Lanes, WidthIsSharedByTheLanesDownToTheNarrowest) {
   const struct {
     const char *tags, *section;

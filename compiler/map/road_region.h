@@ -1,0 +1,21 @@
+// The region by whose guidelines roads are built at a place.
+#pragma once
+
+#include <cstdint>
+
+#include "compiler/map/plane.h"
+
+namespace citykiln::map {
+
+enum class RoadRegion : std::uint8_t {
+  kElsewhere,  ///< Widths of continental Europe.
+  kNorthAmerica,
+  kBritishIsles,
+  kJapan,
+};
+
+/// Returns the region by the rings of road_region.inc. The land border is right to 20 km; at sea borders lie anywhere
+/// between the coasts. Total. O(rings).
+RoadRegion road_region_at(LonLat place);
+
+}  // namespace citykiln::map

@@ -1,0 +1,108 @@
+#include "compiler/roads/fit_assumed_widths.h"
+
+#include <gtest/gtest.h>
+
+#include "compiler/roads/plan.h"
+
+namespace citykiln::roads {
+namespace {
+
+using map::Lane;
+using map::LaneDirection;
+using map::LaneKind;
+
+// A street along the x axis, two lanes of 2.75 m in its middle.
+map::Track street(double long_m = 100) {
+  map::Track track;
+  track.id = {{OsmType::kWay, 1}, 0};
+  track.axis = {{0, 0}, {long_m, 0}};
+  track.surface = map::LandCoverClass::kResidentialRoad;
+  track.section.lanes = {{LaneKind::kDriving, LaneDirection::kBackward, 2.75},
+                         {LaneKind::kDriving, LaneDirection::kForward, 2.75}};
+  track.section.axis_offset_m = 2.75;
+  return track;
+}
+
+// The same with a row of parked cars on its right.
+map::Track parked_street() {
+  map::Track track = street();
+  track.section.lanes.push_back({LaneKind::kParking, LaneDirection::kForward, 2});
+  return track;
+}
+
+map::PointFeature thing(std::int64_t id, Vec2 at, map::PointKind kind = map::PointKind::kTree) {
+  map::PointFeature point;
+  point.id = {{OsmType::kNode, id}, 0};
+  point.at = at, point.kind = kind;
+  return point;
+}
+
+Road fitted(map::Track track, std::vector<map::PointFeature> points, std::vector<map::Barrier> barriers = {}) {
+  map::Features features;
+  features.tracks = {std::move(track)};
+  features.points = std::move(points), features.barriers = std::move(barriers);
+  return road_of(fit_assumed_widths(features).front());
+}
+
+map::Barrier wall(Polyline axis) {
+  map::Barrier barrier;
+  barrier.id = {{OsmType::kWay, 9}, 0};
+  barrier.axis = std::move(axis);
+  barrier.kind = map::BarrierKind::kWall, barrier.width_m = 0.25;
+  return barrier;
+}
+
+TEST(FitAssumedWidths, LanesNarrowBetweenTreesOnBothSides) {
+  const Road road = fitted(street(), {thing(1, {20, 2.9}), thing(2, {70, -2.8})});
+  EXPECT_LE(left_m(road), 2.9 - kTreeFromKerb_m + 0x1p-9);
+  EXPECT_LE(right_m(road), 2.8 - kTreeFromKerb_m + 0x1p-9);
+  EXPECT_GE(width_m(road), 4.5);
+}
+
+TEST(FitAssumedWidths, TheCarriagewayMovesAwayFromATreeOnOneSide) {
+  const Road road = fitted(street(), {thing(1, {50, 2})});
+  EXPECT_LE(left_m(road), 2 - kTreeFromKerb_m + 0x1p-9);
+  EXPECT_EQ(width_m(road), 5.5);
+}
+
+TEST(FitAssumedWidths, ParkingNarrowsBeforeLanes) {
+  const Road road = fitted(parked_street(), {thing(1, {50, 3.25}), thing(2, {50, -5})});
+  ASSERT_EQ(road.section.lanes.size(), 3u);
+  EXPECT_EQ(road.section.lanes[0].width_m, 2.75);
+  EXPECT_EQ(road.section.lanes[1].width_m, 2.75);
+  EXPECT_LT(road.section.lanes[2].width_m, 2);
+}
+
+TEST(FitAssumedWidths, WallsAndHydrantsLimitTheWidthToo) {
+  const Road road = fitted(street(), {thing(1, {50, 2.6}, map::PointKind::kHydrant)}, {wall({{10, -2.6}, {90, -2.6}})});
+  EXPECT_LE(left_m(road), 2.6 - kThingFromKerb_m + 0x1p-9);
+  EXPECT_LE(right_m(road), 2.6 - kThingFromKerb_m - 0.125 + 0x1p-9);
+}
+
+TEST(FitAssumedWidths, TaggedWidthsAndPlacementsStay) {
+  map::Track wide = street(), placed = street();
+  wide.has_tagged_width = placed.has_tagged_placement = true;
+  EXPECT_EQ(width_m(fitted(wide, {thing(1, {50, 2}), thing(2, {50, -2})})), 5.5);
+  const Road road = fitted(placed, {thing(1, {50, 2.8})});
+  EXPECT_EQ(left_m(road), right_m(road));
+  EXPECT_LE(left_m(road), 2.8 - kTreeFromKerb_m + 0x1p-9);
+}
+
+TEST(FitAssumedWidths, ThingsInTheRoadAndBeyondItsEndsSayNothing) {
+  EXPECT_EQ(fitted(street(), {thing(1, {50, 0.5}), thing(2, {-1, 2}), thing(3, {50, 9})}), road_of(street()));
+  EXPECT_EQ(fitted(street(), {}, {wall({{50, -20}, {50, 20}})}), road_of(street()));
+  // both cannot stand beside a lane of the least width for each direction
+  EXPECT_GE(width_m(fitted(street(), {thing(1, {50, 1.2}), thing(2, {50, -1.2})})), 4.5);
+}
+
+TEST(FitAssumedWidths, WaysBeyondTheRadiusStay) {
+  EXPECT_EQ(width_m(fitted(street(kLongestFitted_m + 1), {thing(1, {50, 2.8}), thing(2, {50, -2.8})})), 5.5);
+}
+
+TEST(FitAssumedWidths, TheOrderOfThingsDoesNotMatter) {
+  const std::vector<map::PointFeature> there = {thing(1, {20, 2.9}), thing(2, {70, -2.8}), thing(3, {30, 1.1})};
+  EXPECT_EQ(fitted(parked_street(), there), fitted(parked_street(), {there.rbegin(), there.rend()}));
+}
+
+}  // namespace
+}  // namespace citykiln::roads
