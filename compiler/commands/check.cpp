@@ -18,7 +18,6 @@
 #include "compiler/verify/check_usd.h"
 #include "compiler/verify/findings.h"
 #include "compiler/verify/measure_earthworks.h"
-#include "compiler/verify/non_ground_objects.h"
 #include "compiler/verify/worst_places.h"
 #include "exporters/file.h"
 #include "exporters/kiln/manifest.h"
@@ -34,12 +33,10 @@ Result<verify::LoadedRun> open_run(const std::string& folder) {
   if (!record) return record.error();
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
   if (!scene) return scene.error();
-  verify::NonGroundObjects non_ground = verify::find_non_ground_objects(*scene);
   auto prototypes = std::make_shared<const bake::PrototypeCache>(scene->header);
   return verify::LoadedRun{.folder = folder,
                            .record = std::move(*record),
                            .scene = std::move(*scene),
-                           .non_ground = std::move(non_ground),
                            .prototypes = std::move(prototypes)};
 }
 

@@ -124,7 +124,7 @@ double deviation_m(const TileUnderCheck& tile, const ExpectedGround& expected, V
 void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
   const ExpectedGround& expected = expected_ground_at(tile, level.tolerance_m);
   const GroundSamples samples = sample_ground(
-      level, tile.loaded.non_ground,
+      level,
       [&](Vec2 p, double z_m, OsmId feature) { return deviation_m(tile, expected, p, z_m, feature); }, tile.box,
       kSamplesASide);
   // baked ground is snapped to the grid, by up to half a quantum
@@ -154,7 +154,7 @@ RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, double toler
 
 // Measures roads, waters and buildings by the triangles of one file.
 void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
-  const GroundIndex ground = index_ground(level, tile.loaded.non_ground);
+  const GroundIndex ground = index_ground(level);
   const RoadFaces roads = road_faces_of(tile.chunk, tile.box, level.tolerance_m, ground);
   tile.results().roads.test_all(roads.places, roads.largest_gap_m <= level.error_m + kQuantum_m,
                                 {fmt::format("{}: {} m at {}, {} of {}", name, roads.largest_gap_m, roads.at.x,
@@ -224,8 +224,8 @@ Result<Done> check_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std
   check_ground(tile, *written, file.name);
   check_heights(tile, *written, file.name);
   check_trunks(tile, *written, file.name);
-  const auto edges_at_x = [&](double x) { return border_edges_along_x(*written, loaded.non_ground, x); };
-  const auto edges_at_y = [&](double y) { return border_edges_along_y(*written, loaded.non_ground, y); };
+  const auto edges_at_x = [&](double x) { return border_edges_along_x(*written, x); };
+  const auto edges_at_y = [&](double y) { return border_edges_along_y(*written, y); };
   tile.checked.borders.push_back(
       {edges_at_x(tile.box.min.x), edges_at_x(tile.box.max.x), edges_at_y(tile.box.min.y), edges_at_y(tile.box.max.y)});
   return Done{};

@@ -20,7 +20,6 @@ struct LoadedRun {
   std::string folder;
   RunRecord record;
   scene::Scene scene;
-  NonGroundObjects non_ground;
   std::shared_ptr<const bake::PrototypeCache> prototypes;
 };
 

@@ -16,8 +16,8 @@ struct GroundIndex {
   BoxGrid grid;
 };
 
-/// @param non_ground  Objects whose faces are skipped. O(triangles).
-GroundIndex index_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground);
+/// Indexes the ground of a tile. O(triangles).
+GroundIndex index_ground(const bake::BakedTile& tile);
 
 struct GroundHit {
   double z_m = 0;  ///< Plane metres.

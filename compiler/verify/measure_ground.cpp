@@ -8,42 +8,23 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/contract/tolerance.h"
-#include "compiler/map/land_cover_class.h"
 
 namespace citykiln::verify {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-bool is_of_ground(materials::Material material) {
-  // retaining walls in towns and beside roads
-  if (material == materials::Material::kStone) return true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(map::LandCoverClass::kCount); ++i) {
-    if (map::values_of(static_cast<map::LandCoverClass>(i)).material == material) return true;
-  }
-  return false;
-}
-
-// The material of land cover under buildings; no building uses it for its own faces.
-const materials::Material kUnderHouses = map::values_of(map::LandCoverClass::kBuilding).material;
-
-bool stands(const NonGroundObjects& non_ground, OsmId feature, materials::Material material) {
-  // a way may be a building and stairs or a bridge too
-  if (material == kUnderHouses) return false;
-  if (std::ranges::binary_search(non_ground.off_ground, feature)) return true;
-  if (material == materials::Material::kStone && std::ranges::binary_search(non_ground.stairs, feature)) return true;
-  return std::ranges::binary_search(non_ground.building_ids, feature) &&
-         !std::ranges::binary_search(non_ground.land_cover_materials, std::pair{feature, material});
+bool is_of_ground(bake::Layer layer) {
+  return layer == bake::Layer::kGround || layer == bake::Layer::kRoads || layer == bake::Layer::kWater;
 }
 
 /// Calls visit(corners, feature) for every ground triangle, in plane metres.
 template <typename Visit>
-void for_each_ground_triangle(const bake::BakedTile& tile, const NonGroundObjects& non_ground, Visit visit) {
+void for_each_ground_triangle(const bake::BakedTile& tile, Visit visit) {
   for (const bake::Primitive& primitive : tile.primitives) {
-    if (!is_of_ground(primitive.material)) continue;
+    if (!is_of_ground(primitive.layer)) continue;
     for (const auto& triangle : primitive.triangles) {
       const OsmId feature = tile.features[primitive.features[triangle[0]]];
-      if (stands(non_ground, feature, primitive.material)) continue;
       Corners corners;
       for (std::size_t i = 0; i < 3; ++i) {
         const bake::Float3& p = primitive.positions[triangle[i]];
@@ -109,10 +90,9 @@ void lower(Lattice& lattice, const Corners& t, OsmId feature) {
 
 /// Edges with both ends at the coordinate.
 template <typename Coordinate>
-BorderEdges border_edges(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at,
-                         Coordinate coordinate) {
+BorderEdges border_edges(const bake::BakedTile& tile, double at, Coordinate coordinate) {
   BorderEdges edges;
-  for_each_ground_triangle(tile, non_ground, [&](const Corners& t, OsmId) {
+  for_each_ground_triangle(tile, [&](const Corners& t, OsmId) {
     const bool is_upright = twice_area(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0;
     std::vector<BorderEdge>& kind = is_upright ? edges.upright : edges.ground;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -138,11 +118,9 @@ bool are_above_each_other(const BorderEdge& one, const BorderEdge& other) {
 
 }  // namespace
 
-std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const NonGroundObjects& non_ground) {
+std::vector<GroundFace> ground_faces(const bake::BakedTile& tile) {
   std::vector<GroundFace> faces;
-  for_each_ground_triangle(tile, non_ground, [&](const Corners& corners, OsmId feature) {
-    faces.push_back({corners, feature});
-  });
+  for_each_ground_triangle(tile, [&](const Corners& corners, OsmId feature) { faces.push_back({corners, feature}); });
   return faces;
 }
 
@@ -154,12 +132,10 @@ void keep_worst(GroundSamples& samples, double error_m, Vec2 at) {
 
 }  // namespace
 
-GroundSamples sample_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground,
-                            const DeviationAt& deviation_m, const Box2& box, int a_side) {
+GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& deviation_m, const Box2& box, int a_side) {
   assert(a_side > 0 && !box.is_empty());
   Lattice lattice = lattice_of(box, a_side);
-  for_each_ground_triangle(tile, non_ground,
-                           [&](const Corners& corners, OsmId feature) { lower(lattice, corners, feature); });
+  for_each_ground_triangle(tile, [&](const Corners& corners, OsmId feature) { lower(lattice, corners, feature); });
 
   GroundSamples samples;
   samples.count = lattice.lowest_m.size();
@@ -173,12 +149,12 @@ GroundSamples sample_ground(const bake::BakedTile& tile, const NonGroundObjects&
   return samples;
 }
 
-BorderEdges border_edges_along_x(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at) {
-  return border_edges(tile, non_ground, at, [](Vec3 p) { return p.x; });
+BorderEdges border_edges_along_x(const bake::BakedTile& tile, double at) {
+  return border_edges(tile, at, [](Vec3 p) { return p.x; });
 }
 
-BorderEdges border_edges_along_y(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at) {
-  return border_edges(tile, non_ground, at, [](Vec3 p) { return p.y; });
+BorderEdges border_edges_along_y(const bake::BakedTile& tile, double at) {
+  return border_edges(tile, at, [](Vec3 p) { return p.y; });
 }
 
 bool borders_match(const BorderEdges& own, const BorderEdges& other) {

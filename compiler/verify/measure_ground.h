@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
@@ -14,24 +13,14 @@
 
 namespace citykiln::verify {
 
-/// Ids of objects with ground materials that ground checks skip. All vectors are sorted.
-struct NonGroundObjects {
-  std::vector<OsmId> off_ground;    ///< Bridges, tunnels and walls: all their faces.
-  std::vector<OsmId> building_ids;  ///< All their faces except those of land cover under or of them.
-  std::vector<std::pair<OsmId, materials::Material>>
-      land_cover_materials{};   ///< Land cover materials of buildings that are also mapped as land cover.
-  std::vector<OsmId> stairs{};  ///< Ways of steps: their faces of stone.
-};
-
 /// A triangle of the ground, in plane metres.
 struct GroundFace {
   std::array<Vec3, 3> corners;
   OsmId feature;
 };
 
-/// All triangles of a ground material, including vertical ones.
-/// @param non_ground  Objects whose triangles are skipped.
-std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const NonGroundObjects& non_ground);
+/// All triangles of the layers ground, roads and water, including vertical ones.
+std::vector<GroundFace> ground_faces(const bake::BakedTile& tile);
 
 /// The result of sampling the ground from above.
 struct GroundSamples {
@@ -46,11 +35,10 @@ struct GroundSamples {
 using DeviationAt = std::function<double(Vec2 p, double z_m, OsmId feature)>;
 
 /// Samples the ground at one random place in every square of a lattice over the box. The ground is the lowest
-/// upward-facing triangle of a ground material.
-/// @param non_ground  Objects whose triangles are skipped.
+/// upward-facing triangle of a ground layer.
 /// @param a_side      Squares along each side of the box, > 0.
 /// O(triangles + samples).
-GroundSamples sample_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground,
+GroundSamples sample_ground(const bake::BakedTile& tile,
                             const DeviationAt& deviation_m, const Box2& box, int a_side);
 
 /// An edge of a ground triangle on the border of a tile, in plane metres, lower end first.
@@ -63,8 +51,8 @@ struct BorderEdges {
 };
 
 /// The edges of ground triangles on the line x = at (or y = at), without vertical edges.
-BorderEdges border_edges_along_x(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at);
-BorderEdges border_edges_along_y(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at);
+BorderEdges border_edges_along_x(const bake::BakedTile& tile, double at);
+BorderEdges border_edges_along_y(const bake::BakedTile& tile, double at);
 
 /// True if the ground of neighbouring tiles fits: both have the same edges, or a vertical face of one of them closes
 /// the difference where a border between surfaces runs along the tile border.

@@ -50,6 +50,9 @@ struct Builder {
   void add_ways();
   std::vector<Passing> passings() const;
   void join_places();
+  bool is_end(const Passing& p) const;
+  bool is_loose_end(const Passing& p, std::span<const Passing> here) const;
+  std::vector<std::vector<Passing>> nodes_at(std::span<const Passing> here) const;
   void join_place(std::span<const Passing> here);
   void stop_at_junctions(std::span<const roads::Junction> junctions);
   void stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::span<const Vec2> places, std::uint32_t junction);
@@ -113,35 +116,48 @@ std::vector<Passing> Builder::passings() const {
   return passings;
 }
 
-// Makes nodes of all vertices at one place: one for the ground, and one per map node for the rest.
+bool Builder::is_end(const Passing& p) const { return p.vertex == 0 || p.vertex + 1 == drafts[p.way].along.size(); }
+
+// Returns whether a way off the ground ends here at a map node that no other way has.
+bool Builder::is_loose_end(const Passing& p, std::span<const Passing> here) const {
+  return p.is_off && is_end(p) && std::ranges::count(here, p.node_id, &Passing::node_id) == 1;
+}
+
+// Returns the vertices at one place by node: first those on the ground and those off it that share a map node with
+// them, then those of each other map node. Loose ends join the ground where a way on it ends too, else each other: a map
+// may have two nodes where ways meet.
+std::vector<std::vector<Passing>> Builder::nodes_at(std::span<const Passing> here) const {
+  std::vector<std::vector<Passing>> nodes(1);
+  const auto first_off = std::ranges::find(here, true, &Passing::is_off);
+  const std::span<const Passing> ground(here.begin(), first_off);
+  nodes.front().assign(ground.begin(), ground.end());
+  const bool ends_on_ground = std::ranges::any_of(ground, [&](const Passing& g) { return is_end(g); });
+  std::vector<Passing> loose;
+  for (const Passing& p : here.subspan(ground.size())) {
+    const bool is_loose = is_loose_end(p, here);
+    if (std::ranges::count(ground, p.node_id, &Passing::node_id) > 0 || (is_loose && ends_on_ground))
+      nodes.front().push_back(p);
+    else if (is_loose)
+      loose.push_back(p);
+    else if (nodes.size() > 1 && nodes.back().front().node_id == p.node_id)
+      nodes.back().push_back(p);
+    else
+      nodes.push_back({p});
+  }
+  nodes.push_back(std::move(loose));
+  return nodes;
+}
+
 void Builder::join_place(std::span<const Passing> here) {
-  const auto is_stop = [&](const Passing& p) {
-    return p.vertex == 0 || p.vertex + 1 == drafts[p.way].along.size() ||
-           std::ranges::binary_search(foreign, p.node_id);
-  };
-  const auto join = [&](std::span<const Passing> members) {
+  const auto is_stop = [&](const Passing& p) { return is_end(p) || std::ranges::binary_search(foreign, p.node_id); };
+  const auto is_in_junction = [&](const Passing& p) { return drafts[p.way].junction[p.vertex] != kNone; };
+  for (const std::vector<Passing>& members : nodes_at(here)) {
     const bool matters =
-        members.size() > 1 || std::ranges::any_of(members, is_stop) ||
-        std::ranges::any_of(members, [&](const Passing& p) { return drafts[p.way].junction[p.vertex] != kNone; });
-    if (members.empty() || !matters) return;
+        members.size() > 1 || std::ranges::any_of(members, is_stop) || std::ranges::any_of(members, is_in_junction);
+    if (members.empty() || !matters) continue;
     const auto node = static_cast<std::uint32_t>(graph.nodes.size());
     graph.nodes.push_back({.at = members.front().at, .is_on_ground = !members.front().is_off});
     for (const Passing& p : members) drafts[p.way].node_at[p.vertex] = node;
-  };
-  std::vector<Passing> ground, rest;
-  const auto first_off = std::ranges::find(here, true, &Passing::is_off);
-  ground.assign(here.begin(), first_off);
-  for (auto p = first_off; p != here.end(); ++p) {
-    const bool is_shared =
-        std::any_of(here.begin(), first_off, [&](const Passing& g) { return g.node_id == p->node_id; });
-    (is_shared ? ground : rest).push_back(*p);
-  }
-  join(ground);
-  for (std::size_t i = 0; i < rest.size();) {
-    std::size_t j = i;
-    while (j < rest.size() && rest[j].node_id == rest[i].node_id) ++j;
-    join(std::span(rest).subspan(i, j - i));
-    i = j;
   }
 }
 

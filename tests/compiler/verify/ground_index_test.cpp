@@ -8,7 +8,7 @@ namespace citykiln::verify {
 namespace {
 
 TEST(GroundIndex, FindsHeightAndFeatureOfAPlace) {
-  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 8, 8, 0}), {});
+  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 8, 8, 0}));
   const auto places = ground_at(index, {16, 40});
   ASSERT_EQ(places.size(), 1u);
   EXPECT_EQ(places[0].z_m, 12);
@@ -16,7 +16,7 @@ TEST(GroundIndex, FindsHeightAndFeatureOfAPlace) {
 }
 
 TEST(GroundIndex, HasGroundOnItsEdgesAndNoneOutside) {
-  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0}), {});
+  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0}));
   for (const Vec2 p : {Vec2{0, 0}, Vec2{64, 64}, Vec2{32, 32}, Vec2{64, 1}}) EXPECT_FALSE(ground_at(index, p).empty());
   EXPECT_TRUE(ground_at(index, {65, 1}).empty());
   // what the plane's grid moves borders by
@@ -31,16 +31,16 @@ TEST(GroundIndex, FindsBothSidesOfAStep) {
   ground.positions.insert(ground.positions.end(), {{0, 0, -3}, {64, 64, -3}, {0, 64, -3}});
   ground.features.assign(7, 1);
   ground.triangles = {{0, 1, 2}, {4, 5, 6}};
-  const auto places = ground_at(index_ground(tile, {}), {32, 32});
+  const auto places = ground_at(index_ground(tile), {32, 32});
   ASSERT_EQ(places.size(), 2u);
   EXPECT_EQ(places[0].z_m, 7);
   EXPECT_EQ(places[1].z_m, 10);
 }
 
 TEST(GroundIndex, SkipsObjectsOffTheGround) {
-  const NonGroundObjects off_ground{{kGroundFeature}, {}};
-  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0}), off_ground);
-  EXPECT_TRUE(ground_at(index, {32, 32}).empty());
+  bake::BakedTile tile = made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0});
+  tile.primitives[0].layer = bake::Layer::kProps;
+  EXPECT_TRUE(ground_at(index_ground(tile), {32, 32}).empty());
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ bake::BakedTile tile_with_house(float bottom_m, std::array<float, 4> corners_m) 
   walls.triangles.push_back({kerb, kerb + 1, kerb + 2});
   walls.features.assign(walls.positions.size(), 2);
   walls.material = house().wall;
+  walls.layer = bake::Layer::kBuildings;
   tile.primitives.push_back(walls);
   return tile;
 }
@@ -43,7 +44,7 @@ bake::BakedTile tile_with_house(float bottom_m, std::array<float, 4> corners_m) 
 Footing footing_of(const bake::BakedTile& tile) {
   scene::Chunk chunk;
   chunk.buildings = {house()};
-  return measure_footing(chunk, kMadeBox, kAllowedGap_m, tile, index_ground(tile, {{kHouse}, {}}));
+  return measure_footing(chunk, kMadeBox, kAllowedGap_m, tile, index_ground(tile));
 }
 
 TEST(MeasureFooting, FindsNothingUnderWallsThatReachIntoTheGround) {
@@ -98,7 +99,7 @@ TEST(MeasureFooting, SkipsRaisedBuildings) {
   chunk.buildings = {house()};
   chunk.buildings.front().stands_on_ground = false;
   const bake::BakedTile tile = tile_with_house(5, {0, 0, 0, 0});
-  EXPECT_EQ(measure_footing(chunk, kMadeBox, kAllowedGap_m, tile, index_ground(tile, {})).corners, 0u);
+  EXPECT_EQ(measure_footing(chunk, kMadeBox, kAllowedGap_m, tile, index_ground(tile)).corners, 0u);
 }
 
 }  // namespace

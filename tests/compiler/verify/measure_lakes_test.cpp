@@ -11,7 +11,7 @@ Lakes lakes_of(double level_m, std::array<float, 4> corners_m) {
   scene::Chunk chunk;
   const Ring shore = {{0, 0}, {64, 0}, {64, 64}, {0, 64}};
   chunk.surfaces = {{{kGroundFeature, 0}, map::LandCoverClass::kLake, 4096, {shore}, 0, level_m}};
-  return measure_lakes(chunk, index_ground(made_ground(map::LandCoverClass::kLake, corners_m), {}));
+  return measure_lakes(chunk, index_ground(made_ground(map::LandCoverClass::kLake, corners_m)));
 }
 
 TEST(MeasureLakes, ReportsNoErrorOnLevelWater) {

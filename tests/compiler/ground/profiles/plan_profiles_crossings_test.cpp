@@ -335,6 +335,21 @@ TEST(Profiles, AFootbridgeComesDownOnItsPaths) {
             kClearanceOverRoad_m - kThinDeck_m - 0.1);
 }
 
+// A bridge over a street ends where a tunnel begins, each with a map node of its own there.
+TEST(Profiles, WaysOffTheGroundMeetWhereTheyEndAtOnePlace) {
+  map::Features f;
+  f.tracks = {track(1, {{-300, 0}, {-30, 0}}), track(2, {{-30, 0}, {30, 0}}, kStreet, Passage::kBridge, 1),
+              track(3, {{30, 0}, {90, 0}}, kStreet, Passage::kTunnel, -1), track(4, {{90, 0}, {300, 0}}),
+              track(5, {{0, -300}, {0, 300}})};
+  f.tracks[2].node_ids.front() = 7;
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  EXPECT_EQ(p.profiles.off_ground[0].back().z_m, p.profiles.off_ground[1].front().z_m);
+  // likewise on the ground
+  f.tracks[3].node_ids.front() = 8;
+  const Planned q = planned(f, field_from([](double, double) { return 40; }));
+  EXPECT_EQ(q.profiles.off_ground[1].back().z_m, height_m(q.profiles.roads[1].profile, 0));
+}
+
 TEST(Profiles, BridgesClearStandingWater) {
   map::Features f = crossing(Passage::kBridge, 1);
   f.tracks.pop_back();
