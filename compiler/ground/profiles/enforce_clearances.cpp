@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
@@ -33,7 +35,10 @@ struct Enforcer {
   std::span<const Crossing> crossings;
   std::vector<double> z_m, start_m;
   RigidUnits units;
-  GraphWalk walk;
+  // working memory of spread()
+  std::vector<double> unit_cost_m = {};
+  std::vector<std::uint32_t> touched = {};
+  std::vector<std::pair<double, std::uint32_t>> queue = {};
   std::vector<double> highest_m = {}, lowest_m = {};  // caps by pinned nodes, which stay; the lower ones negated
 
   Passage passage_of(std::uint32_t way) const {
@@ -47,6 +52,7 @@ struct Enforcer {
   bool falls(const Crossing& c) const;
   double move_m(const Crossing& c, std::uint32_t way, double at_m, int up) const;
   double cost_m(const Leg& leg, std::uint32_t from) const;
+  void reach(std::uint32_t unit, double cost_there_m);
   void spread(const Push& push, std::vector<double>& up_m);
   bool push_up(std::span<const Push> pushes, std::span<const double> cap_m);
   bool raise(Upper upper);
@@ -85,18 +91,35 @@ double Enforcer::cost_m(const Leg& leg, std::uint32_t from) const {
   return std::max({most_m - drop_m, std::min(to_steepest_m, kRampFade * most_m), kLeastFade * leg.length_m});
 }
 
-// Spreads a push from its place outwards, each unit keeping the greatest. One by which its place moves already needs no
-// walk.
+// Spreads a push from its place outwards (Dijkstra 1959 on units), each unit keeping the greatest. One by which its
+// place moves already needs no walk.
 void Enforcer::spread(const Push& push, std::vector<double>& up_m) {
-  const std::vector<GraphWalk::Start> starts = starts_about(graph, push.way, push.at_m);
+  const auto starts = starts_about(graph, push.way, push.at_m);
   if (std::ranges::all_of(starts, [&](const auto& start) { return up_m[units.of[start.second]] >= push.by_m; })) return;
-  walk.from(
-      starts, push.by_m + kCrest_m / 2 + kFoot_m, [&](const Leg& leg, std::uint32_t from) { return cost_m(leg, from); },
-      [&](std::uint32_t node, double cost_m) {
-        double& unit_up_m = up_m[units.of[node]];
-        unit_up_m = std::max(unit_up_m, push.by_m - drop_m(cost_m));
-        return true;
-      });
+  for (const auto& start : starts) reach(units.of[start.second], 0);
+  while (!queue.empty()) {
+    std::ranges::pop_heap(queue, std::greater<>());
+    const auto [cost_here_m, unit] = queue.back();
+    queue.pop_back();
+    if (cost_here_m > unit_cost_m[unit]) continue;
+    up_m[unit] = std::max(up_m[unit], push.by_m - drop_m(cost_here_m));
+    for (const std::uint32_t n : units.members(unit)) {
+      for (const Leg& leg : graph.legs_of(n)) {
+        const double next_m = cost_here_m + cost_m(leg, n);
+        if (next_m <= push.by_m + kCrest_m / 2 + kFoot_m) reach(units.of[leg.to], next_m);
+      }
+    }
+  }
+  for (const std::uint32_t unit : touched) unit_cost_m[unit] = kFar_m;
+  touched.clear();
+}
+
+void Enforcer::reach(std::uint32_t unit, double cost_there_m) {
+  if (cost_there_m >= unit_cost_m[unit]) return;
+  unit_cost_m[unit] = cost_there_m;
+  touched.push_back(unit);
+  queue.emplace_back(cost_there_m, unit);
+  std::ranges::push_heap(queue, std::greater<>());
 }
 
 // Moves units up by what they are pushed, below the caps of pinned nodes; returns whether any moved.
@@ -145,10 +168,11 @@ bool Enforcer::lower() {
 std::vector<double> enforce_clearances(const ProfileGraph& graph, std::span<const Crossing> crossings,
                                        std::span<const double> z_m) {
   assert(z_m.size() == graph.nodes.size());
-  Enforcer enforcer{graph,           crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, RigidUnits(graph),
-                    GraphWalk(graph)};
-  enforcer.highest_m = caps_near_pinned(graph, enforcer.walk, z_m);
-  enforcer.lowest_m = caps_near_pinned(graph, enforcer.walk, negated(z_m));
+  Enforcer enforcer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, RigidUnits(graph)};
+  enforcer.unit_cost_m.assign(enforcer.units.count(), kFar_m);
+  GraphWalk walk(graph);
+  enforcer.highest_m = caps_near_pinned(graph, walk, z_m);
+  enforcer.lowest_m = caps_near_pinned(graph, walk, negated(z_m));
   const auto repeat = [](auto step) {
     for (int round = 0; round < kEnforceRounds && step(); ++round) {
     }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -24,8 +23,7 @@ class GraphWalk {
   using Start = std::pair<double, std::uint32_t>;
 
   /// Calls reached(node, cost) once for each node that costs at most `most`, in the order of costs, then of nodes;
-  /// continues beyond nodes for which it returns true. cost_of(leg) or cost_of(leg, from) >= 0. O(s log s) in the legs
-  /// seen.
+  /// continues beyond nodes for which it returns true. cost_of(leg) >= 0. O(s log s) in the legs seen.
   template <typename CostOf, typename Reached>
   void from(std::span<const Start> starts, double most, CostOf cost_of, Reached reached) {
     for (const auto& [cost, node] : starts) improve(node, cost, most);
@@ -34,12 +32,7 @@ class GraphWalk {
       const auto [cost, node] = queue_.back();
       queue_.pop_back();
       if (cost > cost_[node] || !reached(node, cost)) continue;
-      for (const Leg& leg : graph_.legs_of(node)) {
-        if constexpr (std::invocable<CostOf, const Leg&, std::uint32_t>)
-          improve(leg.to, cost + cost_of(leg, node), most);
-        else
-          improve(leg.to, cost + cost_of(leg), most);
-      }
+      for (const Leg& leg : graph_.legs_of(node)) improve(leg.to, cost + cost_of(leg), most);
     }
     for (const std::uint32_t node : touched_) cost_[node] = std::numeric_limits<double>::infinity();
     touched_.clear();

@@ -1,6 +1,6 @@
 // Plans the heights along every road and rail, once, when the map is compiled.
 //
-// One graph of everything that is driven on and of all bridges and tunnels (profile_graph.h) goes through five steps.
+// One graph of everything that is driven on and of all bridges and tunnels (profile_graph.h) goes through six steps.
 // Each is a function of heights by node with a finite influence radius:
 //
 //     initial_heights      the filtered terrain; on bridges and in tunnels the line between their ends
@@ -8,10 +8,11 @@
 //     fit_junction_planes  flat junctions
 //     limit_grades         no steeper than the class allows
 //     clear_crossings      bridges rise, tunnels fall
+//     enforce_clearances   what planes and limits took back of clearances
 //
-// Clearing tilts junctions and makes ramps, so planes and limits are applied again; what they take back of a clearance
-// is cleared once more. The result is stored as few knots (profile_knots.h). Foot bridges, underpasses and their
-// approaches come last, on the terrain that all this has graded (plan_paths.h).
+// Clearing tilts junctions and makes ramps, so planes and limits are applied again before the last step. The result is
+// stored as few knots (profile_knots.h). Foot bridges, underpasses and their approaches come last, on the terrain that
+// all this has graded (plan_paths.h).
 #pragma once
 
 #include <span>
@@ -29,7 +30,8 @@ namespace citykiln::ground {
 
 /// Without bridges and tunnels nothing farther than this matters: the sum of the steps' radii (smoothing, planes twice,
 /// limits twice). Each storey of bridges or tunnels adds two ramps, 850 m for a railway and half of that for a road,
-/// and the radii of planes and limits again; their ends are searched within kSpanEndRadius_m.
+/// and the radii of planes and limits again; each round of enforce_clearances() adds one more ramp. Their ends are
+/// searched within kSpanEndRadius_m.
 inline constexpr double kProfileRadius_m = 2560;
 
 /// The shortfall of one line over another, over water, or under a path on the ground.
@@ -57,9 +59,9 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 ///
 /// Guarantees: ways have the same height at a common node, within kKnotError_m; nodes of one junction lie on one plane;
 /// a bridge with enough clearance lies on the smooth line between its ends; summits of 20 to 500 m at one vertex of the
-/// terrain move no profile by more than 8 m; a road at height 0 on terrain at height 0 has no knots. Does not depend on
-/// the order of tracks and roads. Reports kTooSteep, kClearanceNotMet, kTunnelLowered, kBridgeWithoutGround. Total.
-/// Depends on what lies within kProfileRadius_m.
+/// terrain move no profile by more than 8 m; a road at height 0 on terrain at height 0, farther than kGrading_m from
+/// all that lies at other heights, has no knots. Does not depend on the order of tracks and roads. Reports kTooSteep,
+/// kClearanceNotMet, kTunnelLowered, kBridgeWithoutGround. Total. Depends on what lies within kProfileRadius_m.
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,

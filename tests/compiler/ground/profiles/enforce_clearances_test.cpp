@@ -94,6 +94,7 @@ TEST(EnforceClearances, TheNodesOfAJunctionMoveByTheSame) {
       }
   }
   EXPECT_GT(highest_m, 41);
+  EXPECT_LE(steepest(m, z_m), 1 + kRampFade + 1e-9);
 }
 
 TEST(EnforceClearances, AStreetRisesOverATunnelThatIsTiedToABridge) {

@@ -82,10 +82,10 @@ TEST_P(ProfilesReal, MeetWithoutJumpsAndKeepTheirLimits) {
 INSTANTIATE_TEST_SUITE_P(
     Places, ProfilesReal,
     testing::Values(Place{"andorra", "andorra/andorra-2023.osm.pbf", "andorra/N42E001.hgt", 0.012},
-                    Place{"monaco", "monaco/monaco-2023.osm.pbf", "monaco/N43E007.hgt", 0.025},
+                    Place{"monaco", "monaco/monaco-2023.osm.pbf", "monaco/N43E007.hgt", 0.03},
                     Place{"berlin", "berlin/berlin-reinickendorf-2026.osm.pbf", "berlin/N52E013.hgt", 0.001},
                     Place{"portland", "portland/portland-central-filtered.osm.pbf", "portland/portland-ned.tif", 0.004},
-                    Place{"chicago", "chicago-loop/chicago_loop.osm.pbf", "", 0.004},
+                    Place{"chicago", "chicago-loop/chicago_loop.osm.pbf", "", 0.013},
                     Place{"porto", "porto-roads/porto_portugal.osm.pbf", "", 0.001}),
     [](const auto& info) { return info.param.name; });
 

@@ -40,9 +40,11 @@ TEST_P(PlanWaterHeightsReal, NoRiverRises) {
   const RealGround ground = read();
   Report report;
   Waters waters = plan_water_heights(ground.surfaces, ground.streams, ground.covered, ground.heights, report);
-  // others stay on the terrain and are reported
-  std::erase_if(waters.streams, [](const roads::Strip& stream) { return stream.profile.empty(); });
-  EXPECT_GE(waters.streams.size(), ground.streams.size() * 95 / 100);
+  // where there is terrain, those without a profile stay on it and are reported
+  if (!GetParam().dem.empty()) {
+    std::erase_if(waters.streams, [](const roads::Strip& stream) { return stream.profile.empty(); });
+    EXPECT_GE(waters.streams.size(), ground.streams.size() * 95 / 100);
+  }
   const WaterMeasures before = measure_waters(ground.surfaces, ground.streams, ground.heights);
   const WaterMeasures after = measure_waters(waters.surfaces, waters.streams, ground.heights);
   EXPECT_GE(before.streams, GetParam().least_streams);
