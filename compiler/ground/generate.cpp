@@ -9,6 +9,7 @@
 #include "compiler/ground/grading/bend_points.h"
 #include "compiler/ground/grading/grading_lines.h"
 #include "compiler/ground/mesh/layered_mesh.h"
+#include "compiler/ground/mesh/reference_edges.h"
 #include "compiler/ground/mesh/refine.h"
 #include "compiler/ground/mesh/refine_reference.h"
 #include "compiler/ground/mesh/split_borders.h"
@@ -26,6 +27,10 @@ constexpr double kCellBorderShare = 0.5;
 // The shares of the tolerance that borders may move in plan and that merged faces may be thick: together 0.7, so that
 // √(1 - 0.7²) ≈ 0.7 is left for heights.
 constexpr double kBorderShare = 0.5, kSliverShare = 0.2;
+
+// A mesh that is off gets edges of the reference at most so many times: where they push other faces aside, these can be
+// off in turn.
+constexpr int kEdgeRounds = 12;
 
 // Where borders that move by kBorderShare leave heights that do not hold, they move by these shares of it.
 constexpr double kBorderRetries[] = {0.25, 0.0625, 0};
@@ -74,11 +79,13 @@ SideTolerances cell_border_m(const SideTolerances& s) {
   return {kShare * s.west_m, kShare * s.east_m, kShare * s.south_m, kShare * s.north_m};
 }
 
-// Splits the borders where the ground bends, triangulates them and refines the faces.
+using Lines = std::vector<std::pair<GridPoint, GridPoint>>;
+
+// Splits the borders where the ground bends, triangulates them with further lines and refines the faces.
 Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
-                   const HeightTolerances& tolerances) {
+                   const HeightTolerances& tolerances, const Lines& lines) {
   const SplitBorders bent = split_borders(reference, borders, heights, tolerances.cell_border_m, tolerances.borders_m);
-  Partition seen = partition_of_borders(bent.borders, bent.points, reference.cell);
+  Partition seen = partition_of_borders(bent.borders, bent.points, reference.cell, lines);
   std::vector<FaceHeight> of_faces = face_heights(seen.face_cover, heights);
   return refine(std::move(seen), std::move(of_faces), reference, tolerances.faces_m);
 }
@@ -112,6 +119,10 @@ bool keeps(const Simplified& cell, double tolerance_m) {
 
 double error_m_of(const Simplified& cell) { return length(Vec2{cell.refined.error_m, cell.border_error_m}); }
 
+void keep_better(Refined& best, Refined&& other) {
+  if (other.error_m < best.error_m) best = std::move(other);
+}
+
 // Where a border is off by nearly the tolerance, a sliver beside it can be off by more and too thin for a further
 // vertex. So inner borders are split more finely while that helps. The cell's border is not: its vertices are the
 // neighbour's too.
@@ -123,13 +134,51 @@ Simplified simplified_to(const PreparedCell& prepared, double tolerance_m, doubl
   double inner_m = height_m;
   const auto refine_borders = [&] {
     return refined_to(prepared.reference, simpler.borders, prepared.heights,
-                      {cell_border_m(sides_m), inner_m, height_m});
+                      {cell_border_m(sides_m), inner_m, height_m}, {});
   };
   Simplified cell{refine_borders(), simpler.error_m};
   while (cell.refined.error_m > height_m && inner_m > height_m / kFinestBorders) {
     inner_m /= 2;
-    Refined finer = refine_borders();
-    if (finer.error_m < cell.refined.error_m) cell.refined = std::move(finer);
+    keep_better(cell.refined, refine_borders());
+  }
+  return cell;
+}
+
+// The edges of the reference about the faces that are off.
+Lines edges_about_errors(const Reference& reference, const Refined& refined) {
+  const std::vector<GridPoint>& vertices = refined.triangulation.vertices();
+  std::vector<std::array<GridPoint, 3>> triangles;
+  for (const std::uint32_t f : refined.off) {
+    const auto& v = refined.triangulation.faces()[f].vertices;
+    triangles.push_back({vertices[v[0]], vertices[v[1]], vertices[v[2]]});
+  }
+  return edges_about(reference, triangles, points_on_border(vertices, reference.cell));
+}
+
+// Adds to sorted lines; returns whether any is new.
+bool add_lines(Lines& lines, const Lines& more) {
+  Lines all;
+  std::ranges::set_union(lines, more, std::back_inserter(all));
+  const bool any_new = all.size() > lines.size();
+  lines = std::move(all);
+  return any_new;
+}
+
+// Where there is no room for a vertex, as on steps of the ground, the mesh gets the reference's own edges, round by
+// round, as they push others aside. Borders are not simplified: so they meet these edges at the reference's vertices.
+Simplified along_reference(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
+  const SimplerBorders whole = simpler_borders(prepared.between_borders, 0);
+  Lines lines;
+  const auto refine_along_lines = [&] {
+    return refined_to(prepared.reference, whole.borders, prepared.heights,
+                      {cell_border_m(sides_m), tolerance_m / kFinestBorders, tolerance_m}, lines);
+  };
+  Simplified cell{refine_along_lines(), whole.error_m};
+  Lines more = edges_about_errors(prepared.reference, cell.refined);
+  for (int round = 0; round < kEdgeRounds && !keeps(cell, tolerance_m) && add_lines(lines, more); ++round) {
+    Refined next = refine_along_lines();
+    more = edges_about_errors(prepared.reference, next);
+    keep_better(cell.refined, std::move(next));
   }
   return cell;
 }
@@ -183,6 +232,10 @@ GroundMesh generate_cell(const PreparedCell& prepared, GradedNormals& normals, d
     if (keeps(best, tolerance_m)) break;
     Simplified finer = simplified_to(prepared, tolerance_m, share * tolerance_m, sides_m);
     if (error_m_of(finer) < error_m_of(best)) best = std::move(finer);
+  }
+  if (!keeps(best, tolerance_m)) {
+    Simplified exact = along_reference(prepared, tolerance_m, sides_m);
+    if (error_m_of(exact) < error_m_of(best)) best = std::move(exact);
   }
   if (!keeps(best, tolerance_m))
     report.add_at(Code::kToleranceNotMet, {best.refined.worst.x, best.refined.worst.y}, best.refined.error_m);

@@ -6,7 +6,8 @@
 //   2. the faces of the arrangement are labelled with what covers them; borders between equal faces are dropped
 //   3. thin faces are merged into neighbours and borders simplified, both to a share of the tolerance
 //   4. borders are split where the height along them would be off by more than the tolerance
-//   5. a constrained Delaunay triangulation takes points of the reference until no face is off by more
+//   5. a constrained Delaunay triangulation takes points of the reference until no face is off by more; where there is
+//      no room for a point it gets edges of the reference
 //   6. vertical faces join faces of different height layers
 //
 // ground.md explains why neighbouring cells fit byte for byte and why the error is exact.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "compiler/bake/bake.h"
 #include "compiler/bake/ground_cells.h"
@@ -20,6 +19,7 @@
 #include "compiler/verify/measure_road_faces.h"
 #include "compiler/verify/measure_trunks.h"
 #include "compiler/verify/prepare_tile.h"
+#include "compiler/verify/water_levels.h"
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/shared_layout.h"
@@ -49,16 +49,6 @@ struct ExpectedGround {
     return cells[std::min(column * rows + row, cells.size() - 1)];
   }
 };
-
-// The levels of standing water by the id of the water.
-using WaterLevels = std::multimap<OsmId, double>;
-
-WaterLevels water_levels_of(const scene::Chunk& chunk) {
-  WaterLevels levels;
-  for (const ground::LandCoverPolygon& surface : chunk.surfaces)
-    if (surface.level_m) levels.emplace(surface.id.osm, *surface.level_m);
-  return levels;
-}
 
 // A tile, and what is kept from one level to the next.
 struct TileUnderCheck {
@@ -109,16 +99,23 @@ void check_area(TileUnderCheck& tile, std::span<const ground::GroundMesh> cells,
                            fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
 }
 
-// The deviation from the nearest level of a standing water, else from the nearest layer of the graded terrain.
-double deviation_m(const TileUnderCheck& tile, const ExpectedGround& expected, Vec2 p, double z_m, OsmId feature) {
+// The deviation from the nearest layer of the graded terrain.
+double off_layers_m(const ExpectedGround& expected, Vec2 p, double z_m) {
   double least_m = std::numeric_limits<double>::infinity();
-  const auto keep = [&](double height_m) { least_m = std::min(least_m, std::abs(z_m - height_m)); };
-  const auto [first, last] = tile.waters.equal_range(feature);
-  for (auto level = first; level != last; ++level) keep(level->second);
-  if (first != last) return least_m;
-  for (std::size_t layer = 0; layer < static_cast<std::size_t>(ground::HeightLayer::kCount); ++layer)
-    keep(ground::height_m_at(expected.at(p), p, static_cast<ground::HeightLayer>(layer)));
+  for (std::size_t layer = 0; layer < static_cast<std::size_t>(ground::HeightLayer::kCount); ++layer) {
+    const double height_m = ground::height_m_at(expected.at(p), p, static_cast<ground::HeightLayer>(layer));
+    least_m = std::min(least_m, std::abs(z_m - height_m));
+  }
   return least_m;
+}
+
+// The deviation from the nearest level of a standing water, else from the nearest layer of the graded terrain. Beyond
+// the level parts of a water that runs elsewhere both count, since shores are simplified.
+double deviation_m(const TileUnderCheck& tile, const ExpectedGround& expected, Vec2 p, double z_m, OsmId feature) {
+  const auto water = tile.waters.find(feature);
+  if (water == tile.waters.end()) return off_layers_m(expected, p, z_m);
+  const double off_m = off_level_m(water->second, z_m);
+  return stands_at(water->second, p) ? off_m : std::min(off_m, off_layers_m(expected, p, z_m));
 }
 
 void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {

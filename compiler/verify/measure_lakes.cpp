@@ -1,33 +1,33 @@
 #include "compiler/verify/measure_lakes.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <map>
-#include <vector>
 
 #include "compiler/contract/tolerance.h"
+#include "compiler/verify/water_levels.h"
 
 namespace citykiln::verify {
 namespace {
 
-/// The levels of the waters with one id, and the largest deviation of their faces.
-struct Water {
-  std::vector<double> levels_m;
-  double deviation_m = -1;
+// The largest deviation of the faces of one water; -1 without a face.
+struct Deviation {
+  double largest_m = -1;
   Vec2 at{};
 
-  void add(Vec3 corner);
+  void add(const WaterParts& water, Vec3 corner) {
+    const double off_m = off_level_m(water, corner.z);
+    if (off_m > largest_m) largest_m = off_m, at = in_plan(corner);
+  }
 };
 
-double deviation_m(const std::vector<double>& levels_m, double z_m) {
-  double least_m = 1e9;
-  for (const double level_m : levels_m) least_m = std::min(least_m, std::abs(z_m - level_m));
-  return least_m;
-}
-
-void Water::add(Vec3 corner) {
-  const double off_m = verify::deviation_m(levels_m, corner.z);
-  if (off_m > deviation_m) deviation_m = off_m, at = in_plan(corner);
+// Returns whether a face belongs to a level part: its corners do, drawn in a little from the shore.
+bool stands(const WaterParts& water, const GroundFace& face) {
+  constexpr double kInwards = 1.0 / 16;
+  const Vec2 a = in_plan(face.corners[0]), b = in_plan(face.corners[1]), c = in_plan(face.corners[2]);
+  const Vec2 centre = (a + b + c) * (1.0 / 3);
+  return std::ranges::all_of(std::array{a, b, c},
+                             [&](Vec2 p) { return stands_at(water, p + (centre - p) * kInwards); });
 }
 
 }  // namespace
@@ -38,21 +38,19 @@ Lakes combined(const Lakes& a, const Lakes& b) {
 }
 
 Lakes measure_lakes(const scene::Chunk& chunk, const GroundIndex& ground) {
-  std::map<OsmId, Water> waters;
-  for (const ground::LandCoverPolygon& surface : chunk.surfaces)
-    if (surface.level_m) waters[surface.id.osm].levels_m.push_back(*surface.level_m);
+  const WaterLevels waters = water_levels_of(chunk);
+  std::map<OsmId, Deviation> deviations;
   for (const GroundFace& face : ground.faces) {
     const auto water = waters.find(face.feature);
-    if (water == waters.end()) continue;
-    for (const Vec3& corner : face.corners) water->second.add(corner);
+    if (water == waters.end() || !stands(water->second, face)) continue;
+    for (const Vec3& corner : face.corners) deviations[face.feature].add(water->second, corner);
   }
   Lakes lakes;
-  for (const auto& [id, water] : waters) {
-    if (water.deviation_m < 0) continue;
+  for (const auto& [id, deviation] : deviations) {
     ++lakes.waters;
-    lakes.not_level += water.deviation_m > kQuantum_m;
-    if (water.deviation_m <= lakes.largest_m) continue;
-    lakes.largest_m = water.deviation_m, lakes.worst = id, lakes.at = water.at;
+    lakes.not_level += deviation.largest_m > kQuantum_m;
+    if (deviation.largest_m <= lakes.largest_m) continue;
+    lakes.largest_m = deviation.largest_m, lakes.worst = id, lakes.at = deviation.at;
   }
   return lakes;
 }

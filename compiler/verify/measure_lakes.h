@@ -20,7 +20,8 @@ struct Lakes {
 /// The counts added, and the larger of the deviations.
 Lakes combined(const Lakes& a, const Lakes& b);
 
-/// Measures every corner of every upward-facing face of waters with a level. O(faces log waters).
+/// Measures every corner of every upward-facing face of waters with a level. Parts of a water that run are left out
+/// (water_levels.h). O(faces log waters).
 Lakes measure_lakes(const scene::Chunk& chunk, const GroundIndex& ground);
 
 }  // namespace citykiln::verify

@@ -224,7 +224,8 @@ std::vector<Border> visible_borders(const Partition& all, std::span<const GridPo
   return borders;
 }
 
-Partition partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell) {
+Partition partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell,
+                               std::span<const std::pair<GridPoint, GridPoint>> lines) {
   assert(std::ranges::any_of(borders, &Border::is_cell_border));
   const std::vector<std::uint32_t> surfaces = surfaces_beside(borders);
   std::vector<OwnedSegment> segments;
@@ -233,14 +234,17 @@ Partition partition_of_borders(std::span<const Border> borders, std::span<const 
     segments.push_back({border.a, border.b, place_in(surfaces, border.left), 1});
     segments.push_back({border.a, border.b, place_in(surfaces, border.right), -1});
   }
+  // lines share an owner below all others
+  const auto line_owner = static_cast<std::uint32_t>(surfaces.size());
+  for (const auto& [a, b] : lines) segments.push_back({a, b, line_owner, 1});
   Arrangement arrangement = arrange(segments, points, cell);
   Delaunay triangulation = triangulated(arrangement);
   const GridPoint corner = grid_point(cell.min);
   const std::uint32_t corner_face =
       outer_face(triangulation, [&](GridPoint from, GridPoint to) { return from == corner && to.y == corner.y; });
   const LabelledFace known{corner_face, {{place_in(surfaces, corner_surface(borders, corner)), 1}}};
-  std::vector<std::uint32_t> top = label_faces(triangulation, arrangement, known, ranks_of(surfaces.size()));
-  for (std::uint32_t& owner : top) owner = owner == kNoOwner ? kNoLandCover : surfaces[owner];
+  std::vector<std::uint32_t> top = label_faces(triangulation, arrangement, known, ranks_of(line_owner + 1));
+  for (std::uint32_t& owner : top) owner = owner >= line_owner ? kNoLandCover : surfaces[owner];
   return {std::move(arrangement), std::move(triangulation), std::move(top)};
 }
 

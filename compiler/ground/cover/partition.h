@@ -57,6 +57,8 @@ std::vector<Border> empty_cell_borders(const Box2& cell);
 
 /// Partitions the cell along other borders: those given, and the points given on the cell's border.
 /// @param borders  Include the cell's own, from which the polygon at its south-west corner is read.
-Partition partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell);
+/// @param lines    From the lower end to the upper; they separate nothing.
+Partition partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell,
+                               std::span<const std::pair<GridPoint, GridPoint>> lines = {});
 
 }  // namespace citykiln::ground

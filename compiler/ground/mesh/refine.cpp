@@ -102,8 +102,9 @@ struct Growing {
     error.are_edges_known = true;
   }
 
-  void find_worst() {
+  void find_worst(double tolerance_m) {
     for (std::uint32_t f = 0; f < errors.size(); ++f) {
+      if (errors[f].error_m > tolerance_m) refined.off.push_back(f);
       if (errors[f].error_m <= refined.error_m) continue;
       const std::array<Vec3, 3> corners = corners_of(f);
       refined.error_m = errors[f].error_m, refined.worst = in_plan(corners[0] + corners[1] + corners[2]) * (1.0 / 3);
@@ -256,13 +257,13 @@ Refined refine(Partition&& partition, std::vector<FaceHeight>&& face_height, con
                double tolerance_m) {
   assert(face_height.size() == partition.face_cover.size() && tolerance_m > 0);
   Refined refined{
-      std::move(partition.triangulation), std::move(partition.face_cover), std::move(face_height), {}, 0, {}};
+      std::move(partition.triangulation), std::move(partition.face_cover), std::move(face_height), {}, 0, {}, {}};
   Growing growing{reference, refined, std::vector<FaceError>(refined.face_cover.size())};
   for (const GridPoint p : refined.triangulation.vertices()) growing.add_vertex(plane_point(p));
   grow(growing, kFirst * tolerance_m);
   growing.looks_at_edges = true;
   grow(growing, tolerance_m);
-  growing.find_worst();
+  growing.find_worst(tolerance_m);
   return refined;
 }
 

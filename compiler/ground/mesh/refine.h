@@ -17,7 +17,8 @@ struct Refined {
   std::vector<Heights> heights;  ///< One per vertex: the reference's, rounded to 2^-10 m.
   double error_m =
       0;  ///< Largest vertical distance of a face to its layer of the reference; exact. Standing water is level: 0.
-  Vec2 worst;  ///< The centre of the face that is off by error_m.
+  Vec2 worst;                      ///< The centre of the face that is off by error_m.
+  std::vector<std::uint32_t> off;  ///< The faces that are off by more than the tolerance.
 };
 
 /// Returns the reference's heights at a place, rounded to 2^-10 m.
