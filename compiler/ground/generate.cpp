@@ -49,17 +49,23 @@ std::vector<FaceHeight> face_heights(std::span<const std::uint32_t> face_cover, 
   return of_faces;
 }
 
+SideTolerances cell_border_m(const SideTolerances& s) {
+  constexpr double kShare = kCellBorderShare;
+  return {kShare * s.west_m, kShare * s.east_m, kShare * s.south_m, kShare * s.north_m};
+}
+
 // Borders after thin faces are merged and the rest simplified; none moved by more than the error.
 struct SimplerBorders {
   std::vector<Border> borders;
   double error_m;
 };
 
-SimplerBorders simpler_borders(const Regions& between_borders, double tolerance_m) {
+SimplerBorders simpler_borders(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
   const auto any = [](std::uint32_t) { return true; };
   const auto none = [](GridPoint) { return false; };
-  MergedSlivers merged = merge_slivers(between_borders, kSliverShare * tolerance_m, any);
-  SimplifiedBorders simplified = simplify_borders(merged.borders, kBorderShare * tolerance_m, none);
+  MergedSlivers merged = merge_slivers(prepared.between_borders, kSliverShare * tolerance_m, any);
+  const std::vector<Border> split = split_cell_border(prepared.reference, merged.borders, sides_m);
+  SimplifiedBorders simplified = simplify_borders(split, kBorderShare * tolerance_m, none);
   return {std::move(simplified.borders), merged.error_m + simplified.error_m};
 }
 
@@ -68,11 +74,6 @@ struct HeightTolerances {
   SideTolerances cell_border_m;
   double borders_m, faces_m;
 };
-
-SideTolerances cell_border_m(const SideTolerances& s) {
-  constexpr double kShare = kCellBorderShare;
-  return {kShare * s.west_m, kShare * s.east_m, kShare * s.south_m, kShare * s.north_m};
-}
 
 // Splits the borders where the ground bends, triangulates them and refines the faces.
 Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
@@ -118,7 +119,7 @@ double error_m_of(const Simplified& cell) { return length(Vec2{cell.refined.erro
 // @param borders_m  The tolerance to which borders are simplified in plan, at most tolerance_m.
 Simplified simplified_to(const PreparedCell& prepared, double tolerance_m, double borders_m,
                          const SideTolerances& sides_m) {
-  const SimplerBorders simpler = simpler_borders(prepared.between_borders, borders_m);
+  const SimplerBorders simpler = simpler_borders(prepared, borders_m, cell_border_m(sides_m));
   const double height_m = height_tolerance_m(tolerance_m, simpler.error_m);
   double inner_m = height_m;
   const auto refine_borders = [&] {

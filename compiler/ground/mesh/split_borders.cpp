@@ -76,20 +76,41 @@ std::vector<HeightLayer> layers_beside(const Border& border, std::span<const Fac
   return layers;
 }
 
+// The neighbour's polygons may lie on other layers, so the cell's border follows all.
+std::vector<GridPoint> path_on_cell_border(const Reference& reference, const Border& border,
+                                           const SideTolerances& sides_m) {
+  return path_of(reference, border, kAllLayers, tolerance_m_of(sides_m, border, reference.cell));
+}
+
 }  // namespace
+
+std::vector<Border> split_cell_border(const Reference& reference, std::span<const Border> borders,
+                                      const SideTolerances& sides_m) {
+  std::vector<Border> split;
+  for (const Border& border : borders) {
+    if (!border.is_cell_border) {
+      split.push_back(border);
+      continue;
+    }
+    const auto path = path_on_cell_border(reference, border, sides_m);
+    for (std::size_t i = 1; i < path.size(); ++i)
+      split.push_back({path[i - 1], path[i], border.left, border.right, true});
+  }
+  return split;
+}
 
 SplitBorders split_borders(const Reference& reference, std::span<const Border> borders,
                            std::span<const FaceHeight> heights, const SideTolerances& sides_m, double inner_m) {
   assert(inner_m >= 0);
   SplitBorders bent;
   for (const Border& border : borders) {
-    if (border.is_cell_border) {
-      // the neighbour's polygons may lie on other layers
-      const auto path = path_of(reference, border, kAllLayers, tolerance_m_of(sides_m, border, reference.cell));
-      bent.points.insert(bent.points.end(), path.begin(), path.end());
-      bent.borders.push_back(border);
-      continue;
-    }
+    if (!border.is_cell_border) continue;
+    const auto path = path_on_cell_border(reference, border, sides_m);
+    bent.points.insert(bent.points.end(), path.begin(), path.end());
+    bent.borders.push_back(border);
+  }
+  for (const Border& border : borders) {
+    if (border.is_cell_border) continue;
     const auto path = path_of(reference, border, layers_beside(border, heights), inner_m);
     for (std::size_t i = 1; i < path.size(); ++i)
       bent.borders.push_back({path[i - 1], path[i], border.left, border.right, false});

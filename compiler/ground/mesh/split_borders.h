@@ -9,6 +9,12 @@
 
 namespace citykiln::ground {
 
+/// Splits the cell's own border where the ground bends under it, as split_borders() does; other borders stay. Borders
+/// that are simplified afterwards keep clear of its vertices: one that passed too closely would be bent through them,
+/// and what lies beside the cell's border there would not be what the neighbouring cell expects.
+std::vector<Border> split_cell_border(const Reference& reference, std::span<const Border> borders,
+                                      const SideTolerances& sides_m);
+
 struct SplitBorders {
   std::vector<Border> borders;    ///< Those given, split; the cell's own border whole.
   std::vector<GridPoint> points;  ///< On the cell's own border.
