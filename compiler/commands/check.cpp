@@ -34,10 +34,8 @@ Result<verify::LoadedRun> open_run(const std::string& folder) {
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
   if (!scene) return scene.error();
   auto prototypes = std::make_shared<const bake::PrototypeCache>(scene->header);
-  return verify::LoadedRun{.folder = folder,
-                           .record = std::move(*record),
-                           .scene = std::move(*scene),
-                           .prototypes = std::move(prototypes)};
+  return verify::LoadedRun{
+      .folder = folder, .record = std::move(*record), .scene = std::move(*scene), .prototypes = std::move(prototypes)};
 }
 
 // Checks that need the manifest only.

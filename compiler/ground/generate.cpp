@@ -54,17 +54,23 @@ std::vector<FaceHeight> face_heights(std::span<const std::uint32_t> face_cover, 
   return of_faces;
 }
 
+SideTolerances cell_border_m(const SideTolerances& s) {
+  constexpr double kShare = kCellBorderShare;
+  return {kShare * s.west_m, kShare * s.east_m, kShare * s.south_m, kShare * s.north_m};
+}
+
 // Borders after thin faces are merged and the rest simplified; none moved by more than the error.
 struct SimplerBorders {
   std::vector<Border> borders;
   double error_m;
 };
 
-SimplerBorders simpler_borders(const Regions& between_borders, double tolerance_m) {
+SimplerBorders simpler_borders(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
   const auto any = [](std::uint32_t) { return true; };
   const auto none = [](GridPoint) { return false; };
-  MergedSlivers merged = merge_slivers(between_borders, kSliverShare * tolerance_m, any);
-  SimplifiedBorders simplified = simplify_borders(merged.borders, kBorderShare * tolerance_m, none);
+  MergedSlivers merged = merge_slivers(prepared.between_borders, kSliverShare * tolerance_m, any);
+  const std::vector<Border> split = split_cell_border(prepared.reference, merged.borders, sides_m);
+  SimplifiedBorders simplified = simplify_borders(split, kBorderShare * tolerance_m, none);
   return {std::move(simplified.borders), merged.error_m + simplified.error_m};
 }
 
@@ -73,11 +79,6 @@ struct HeightTolerances {
   SideTolerances cell_border_m;
   double borders_m, faces_m;
 };
-
-SideTolerances cell_border_m(const SideTolerances& s) {
-  constexpr double kShare = kCellBorderShare;
-  return {kShare * s.west_m, kShare * s.east_m, kShare * s.south_m, kShare * s.north_m};
-}
 
 using Lines = std::vector<std::pair<GridPoint, GridPoint>>;
 
@@ -129,7 +130,7 @@ void keep_better(Refined& best, Refined&& other) {
 // @param borders_m  The tolerance to which borders are simplified in plan, at most tolerance_m.
 Simplified simplified_to(const PreparedCell& prepared, double tolerance_m, double borders_m,
                          const SideTolerances& sides_m) {
-  const SimplerBorders simpler = simpler_borders(prepared.between_borders, borders_m);
+  const SimplerBorders simpler = simpler_borders(prepared, borders_m, cell_border_m(sides_m));
   const double height_m = height_tolerance_m(tolerance_m, simpler.error_m);
   double inner_m = height_m;
   const auto refine_borders = [&] {
@@ -167,7 +168,7 @@ bool add_lines(Lines& lines, const Lines& more) {
 // Where there is no room for a vertex, as on steps of the ground, the mesh gets the reference's own edges, round by
 // round, as they push others aside. Borders are not simplified: so they meet these edges at the reference's vertices.
 Simplified along_reference(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
-  const SimplerBorders whole = simpler_borders(prepared.between_borders, 0);
+  const SimplerBorders whole = simpler_borders(prepared, 0, cell_border_m(sides_m));
   Lines lines;
   const auto refine_along_lines = [&] {
     return refined_to(prepared.reference, whole.borders, prepared.heights,

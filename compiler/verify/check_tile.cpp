@@ -121,8 +121,7 @@ double deviation_m(const TileUnderCheck& tile, const ExpectedGround& expected, V
 void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
   const ExpectedGround& expected = expected_ground_at(tile, level.tolerance_m);
   const GroundSamples samples = sample_ground(
-      level,
-      [&](Vec2 p, double z_m, OsmId feature) { return deviation_m(tile, expected, p, z_m, feature); }, tile.box,
+      level, [&](Vec2 p, double z_m, OsmId feature) { return deviation_m(tile, expected, p, z_m, feature); }, tile.box,
       kSamplesASide);
   // baked ground is snapped to the grid, by up to half a quantum
   tile.results().height.test_all(samples.count, samples.error_m <= level.error_m + kQuantum_m,

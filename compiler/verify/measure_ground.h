@@ -38,8 +38,7 @@ using DeviationAt = std::function<double(Vec2 p, double z_m, OsmId feature)>;
 /// upward-facing triangle of a ground layer.
 /// @param a_side      Squares along each side of the box, > 0.
 /// O(triangles + samples).
-GroundSamples sample_ground(const bake::BakedTile& tile,
-                            const DeviationAt& deviation_m, const Box2& box, int a_side);
+GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& deviation_m, const Box2& box, int a_side);
 
 /// An edge of a ground triangle on the border of a tile, in plane metres, lower end first.
 using BorderEdge = std::array<Vec3, 2>;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/tolerance.h"
@@ -183,13 +184,16 @@ std::vector<CellBorderPiece> cell_border_pieces(const NearbyCover& layers,
                                                 std::span<const GridPoint> points, const Arrangement& all,
                                                 const Box2& cell) {
   std::vector<CellBorderPiece> pieces;
+  // the strip needs the cell's vertices: the cell's corners, for one, are no places of its own
+  std::vector<GridPoint> places(points.begin(), points.end());
+  std::ranges::copy_if(all.vertices, std::back_inserter(places), [&](GridPoint p) { return is_on_border(p, cell); });
   for (const ArrangedEdge& edge : all.edges) {
     const GridPoint a = all.vertices[edge.a], b = all.vertices[edge.b];
     const auto steps = std::span(all.steps).subspan(edge.first, edge.count);
     // lines have the last owner
     const auto is_of_ring = [&](const WindingStep& step) { return step.owner < layers.order.size(); };
     if (!is_on_rim(a, b, cell) || std::ranges::none_of(steps, is_of_ring)) continue;
-    const Partition strip = partition_all_rings(layers, lines, points, beyond(a, b, cell));
+    const Partition strip = partition_all_rings(layers, lines, places, beyond(a, b, cell));
     const std::uint32_t face = outer_face(
         strip.triangulation, [&](GridPoint p, GridPoint q) { return std::minmax(p, q) == std::minmax(a, b); });
     if (face != kNoFace) pieces.push_back({a, b, strip.face_cover[face]});

@@ -76,21 +76,59 @@ std::vector<HeightLayer> layers_beside(const Border& border, std::span<const Fac
   return layers;
 }
 
+// The neighbour's polygons may lie on other layers, so the cell's border follows all.
+std::vector<GridPoint> path_on_cell_border(const Reference& reference, const Border& border,
+                                           const SideTolerances& sides_m) {
+  return path_of(reference, border, kAllLayers, tolerance_m_of(sides_m, border, reference.cell));
+}
+
+// Returns whether a path would be bent onto the cell's border beside its ends. Rounding may move a point of a border
+// that runs along the cell's within a grid step onto it, and then what lies between both is lost.
+bool meets_cell_border(std::span<const GridPoint> path, const Box2& cell, std::span<const GridPoint> on_cell_border) {
+  const auto is_within = [&](GridPoint p) {
+    const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
+    return p.x > min.x && p.x < max.x && p.y > min.y && p.y < max.y;
+  };
+  if (!std::all_of(path.begin() + 1, path.end() - 1, is_within)) return true;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const OwnedSegment piece{path[i - 1], path[i]};
+    const auto is_bent_by = [&](GridPoint p) { return p != piece.a && p != piece.b && passes(piece, p); };
+    if (std::ranges::any_of(on_cell_border, is_bent_by)) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+std::vector<Border> split_cell_border(const Reference& reference, std::span<const Border> borders,
+                                      const SideTolerances& sides_m) {
+  std::vector<Border> split;
+  for (const Border& border : borders) {
+    if (!border.is_cell_border) {
+      split.push_back(border);
+      continue;
+    }
+    const auto path = path_on_cell_border(reference, border, sides_m);
+    for (std::size_t i = 1; i < path.size(); ++i)
+      split.push_back({path[i - 1], path[i], border.left, border.right, true});
+  }
+  return split;
+}
 
 SplitBorders split_borders(const Reference& reference, std::span<const Border> borders,
                            std::span<const FaceHeight> heights, const SideTolerances& sides_m, double inner_m) {
   assert(inner_m >= 0);
   SplitBorders bent;
   for (const Border& border : borders) {
-    if (border.is_cell_border) {
-      // the neighbour's polygons may lie on other layers
-      const auto path = path_of(reference, border, kAllLayers, tolerance_m_of(sides_m, border, reference.cell));
-      bent.points.insert(bent.points.end(), path.begin(), path.end());
-      bent.borders.push_back(border);
-      continue;
-    }
-    const auto path = path_of(reference, border, layers_beside(border, heights), inner_m);
+    if (!border.is_cell_border) continue;
+    const auto path = path_on_cell_border(reference, border, sides_m);
+    bent.points.insert(bent.points.end(), path.begin(), path.end());
+    bent.borders.push_back(border);
+  }
+  for (const Border& border : borders) {
+    if (border.is_cell_border) continue;
+    auto path = path_of(reference, border, layers_beside(border, heights), inner_m);
+    if (path.size() > 2 && meets_cell_border(path, reference.cell, bent.points)) path = {border.a, border.b};
     for (std::size_t i = 1; i < path.size(); ++i)
       bent.borders.push_back({path[i - 1], path[i], border.left, border.right, false});
   }

@@ -124,8 +124,8 @@ bool Builder::is_loose_end(const Passing& p, std::span<const Passing> here) cons
 }
 
 // Returns the vertices at one place by node: first those on the ground and those off it that share a map node with
-// them, then those of each other map node. Loose ends join the ground where a way on it ends too, else each other: a map
-// may have two nodes where ways meet.
+// them, then those of each other map node. Loose ends join the ground where a way on it ends too, else each other: a
+// map may have two nodes where ways meet.
 std::vector<std::vector<Passing>> Builder::nodes_at(std::span<const Passing> here) const {
   std::vector<std::vector<Passing>> nodes(1);
   const auto first_off = std::ranges::find(here, true, &Passing::is_off);

@@ -185,10 +185,10 @@ std::vector<LandCoverPolygon> kerb_along_a_border(std::int64_t steps, double lea
           surface(3, LandCoverClass::kGarden, 900, {{128, corner_m}, {160, 112}, {96, 112}})};
 }
 
-GradedTerrain terrain_with_kerbs(std::span<const LandCoverPolygon> surfaces, const Box2& box) {
+GradedTerrain terrain_with_kerbs(std::span<const LandCoverPolygon> surfaces, const Box2& box, double rough_m = 16) {
   roads::Road road = roads::made_road(1, {{128, -40}, {128, 168}}, 12, LandCoverClass::kResidentialRoad, 4, 4);
   road.profile = {{0, 20, 0}, {208, 24, 0}};
-  return grade_terrain(rough_field({64, 64}, 16), {std::vector{road}, {}, surfaces, box.widened(kGrading_m)});
+  return grade_terrain(rough_field({64, 64}, rough_m), {std::vector{road}, {}, surfaces, box.widened(kGrading_m)});
 }
 
 using MetEdge = std::pair<Vec3, Vec3>;
@@ -223,6 +223,31 @@ TEST(Ground, CellsGeneratedApartAreClosedWhereAKerbRunsAlongTheirBorder) {
     for (const auto& [edge, count] : met_on_line(std::span(cells).first(1))) steps_of_a_cell += count > 1;
   }
   EXPECT_GT(steps_of_a_cell, 10);
+}
+
+// On level terrain, without a line of its grid through the corner.
+TEST(Ground, CellsGeneratedApartAreClosedWhereAKerbRunsAlongTheirBorderPastACorner) {
+  const std::vector<LandCoverPolygon> surfaces = {{{{OsmType::kWay, 1}, 0},
+                                                   LandCoverClass::kResidentialRoad,
+                                                   kStripArea_m2,
+                                                   {{{122, -20}, {128, -20}, {128, 20}, {122, 20}}}},
+                                                  {{{OsmType::kWay, 2}, 0},
+                                                   LandCoverClass::kPavement,
+                                                   kStripArea_m2,
+                                                   {{{118, -30}, {138, -30}, {138, 30}, {118, 30}}}}};
+  for (const double tolerance_m : {0.1, 2.5}) {
+    const auto cell = [&](const Box2& box) {
+      Report report;
+      return generate_cell(surfaces, terrain_with_kerbs(surfaces, box, 0), box, tolerance_m, report);
+    };
+    const std::vector cells = {cell(kCell), cell({{128, 0}, {256, 128}})};
+    int steps = 0;  // both sides of the step and the diagonal of its face
+    for (const auto& [edge, count] : met_on_line(cells)) {
+      EXPECT_EQ(count % 2, 0) << "at " << edge.first.y << ", " << edge.first.z;
+      steps += edge.first.y == 0 && edge.second.y > 0;
+    }
+    EXPECT_EQ(steps, 3);
+  }
 }
 
 // On the side between both cells the finer tolerance holds, and the coarser cell keeps its own.

@@ -344,7 +344,7 @@ TEST(Profiles, WaysOffTheGroundMeetWhereTheyEndAtOnePlace) {
   f.tracks[2].node_ids.front() = 7;
   const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_EQ(p.profiles.off_ground[0].back().z_m, p.profiles.off_ground[1].front().z_m);
-  // likewise on the ground
+  // and one on the ground
   f.tracks[3].node_ids.front() = 8;
   const Planned q = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_EQ(q.profiles.off_ground[1].back().z_m, height_m(q.profiles.roads[1].profile, 0));
