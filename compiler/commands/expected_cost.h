@@ -1,4 +1,4 @@
-// What the task of a region is expected to take: a linear model, fitted to runs of this program on one core.
+// What the task of a region is expected to take: a linear model with estimated coefficients, not fitted to runs.
 #pragma once
 
 #include <span>
