@@ -12,6 +12,7 @@
 #include "compiler/buildings/plan.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/contract/once.h"
+#include "compiler/ground/grading/graded_box.h"
 #include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/plan_water_heights.h"
@@ -41,11 +42,24 @@
 namespace citykiln {
 namespace {
 
+/// Compiles a whole map, or, with a survey, the tiles of spec.only from an extract of what lies around them.
+Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& extract, const Survey* survey,
+                                   const OnProgress& on_progress);
+
 bool is_empty(const map::Features& features);
+Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm, Report& report);
 Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
-                                      std::vector<std::string>& credits, Report& report);
+                                      Report& report);
+
+/// Areas and watercourses without heights.
+ground::Waters plan_dry_waters(const map::Features& features, Report& report);
+ground::Waters plan_waters(const map::Features& features, const map::Heightfield& heights, Report& report);
+/// The same areas and watercourses, with what the survey says of those that it knows.
+ground::Waters surveyed_waters(ground::Waters waters, const Survey& survey);
+
+/// The properties of the whole scene, without rules and species.
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
-                                  const map::Heightfield& heights, const std::vector<std::string>& credits);
+                                  const scene::Recipes& recipes);
 
 /// The land around the region as far as the heightmaps know it.
 Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
@@ -65,6 +79,18 @@ std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recip
 }  // namespace
 
 Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_progress) {
+  return compile_part(spec, spec.map_path, nullptr, on_progress);
+}
+
+Result<CompileResult> compile_region(const CompileSpec& spec, const std::string& extract, const Survey& survey,
+                                     const OnProgress& on_progress) {
+  return compile_part(spec, extract, &survey, on_progress);
+}
+
+namespace {
+
+Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& extract, const Survey* survey,
+                                   const OnProgress& on_progress) {
   assert(!spec.map_path.empty() && spec.tile_m > 0 && std::ranges::is_sorted(spec.only));
   StageTimer timer(on_progress);
   Report report;
@@ -72,22 +98,18 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
 
   // read the map, project it to the plane and classify its elements
   timer.enter("read map");
-  const Result<source::OsmData> osm = source::read_osm(spec.map_path, spec.threads, report);
+  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report);
   if (!osm) return osm.error();
   timer.enter("project and classify");
-  const Result<source::LonLatBox> box = map::choose_extent(*osm, spec.map.bbox, report);
+  const Result<source::LonLatBox> box = survey ? survey->extent : choose_worthwhile_extent(spec, *osm, report);
   if (!box) return box.error();
-  const map::Plane plane(spec.map.origin.value_or(map::default_origin(*box)));
-  const bool has_box = spec.map.bbox || osm->header_box;
-  const Result<Done> worthwhile = map::is_worth_baking(map::region_of(plane, *box), *osm, has_box);
-  if (!worthwhile) return worthwhile.error();
+  const map::Plane plane(survey ? survey->header.origin : spec.map.origin.value_or(map::default_origin(*box)));
   map::Features features = map::locate(*osm, plane, *box, spec.map, report);
-  if (is_empty(features)) return Error{spec.map_path, "contains nothing to compile in this area"};
+  if (!survey && is_empty(features)) return Error{spec.map_path, "contains nothing to compile in this area"};
 
   // resample the heightmaps
   timer.enter("terrain heights");
-  std::vector<std::string> credits;
-  Result<map::Heightfield> heights = read_heights(spec, plane, features.region, credits, report);
+  Result<map::Heightfield> heights = survey ? survey->heights : read_heights(spec, plane, features.region, report);
   if (!heights) return heights.error();
   recipes.heights = std::move(*heights);
 
@@ -98,10 +120,8 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints, report);
   timer.enter("land cover and water");
-  recipes.surfaces = ground::plan(features, report);
-  recipes.watercourses = ground::plan_streams(features, report);
-  ground::Waters waters = ground::plan_water_heights(std::move(recipes.surfaces), std::move(recipes.watercourses),
-                                                     ground::covered_waterways(features), recipes.heights, report);
+  ground::Waters waters = survey ? surveyed_waters(plan_dry_waters(features, report), *survey)
+                                 : plan_waters(features, recipes.heights, report);
   recipes.surfaces = std::move(waters.surfaces), recipes.watercourses = std::move(waters.streams);
   timer.enter("road heights");
   ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
@@ -124,24 +144,44 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   timer.enter("props");
   recipes.props = props::plan(features, report);
 
-  // plan the land around the extent
+  // plan the land around the extent, describe the sky and the sources
   timer.enter("surroundings");
-  Result<surroundings::Surroundings> around = plan_surroundings(spec, plane, recipes, features.region);
-  if (!around) return around.error();
+  Result<scene::Header> header = survey ? survey->header : make_header(spec, plane, features.region, recipes);
+  if (!header) return header.error();
 
-  // describe the sky and the sources, and sort all recipes into tiles
+  // sort all recipes into tiles
   timer.enter("sort into tiles");
   recipes.texts = features.texts;
-  Result<scene::Header> header = make_header(spec, plane, features.region, recipes.heights, credits);
-  if (!header) return header.error();
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
-  header->around = std::move(*around);
   header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   map::Places places = map::places_of(*osm, report);
   return CompileResult{std::move(scene), std::move(report), measured, timer.finish(), std::move(places)};
+}
+
+}  // namespace
+
+Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const source::LonLatBox& extent,
+                      Report& report, const OnProgress& on_progress) {
+  StageTimer timer(on_progress);
+  timer.enter("survey");
+  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report);
+  if (!osm) return osm.error();
+  const map::Plane plane(spec.map.origin.value_or(map::default_origin(extent)));
+  const map::Features features = map::locate(*osm, plane, extent, spec.map, report);
+  scene::Recipes recipes;
+  Result<map::Heightfield> heights = read_heights(spec, plane, features.region, report);
+  if (!heights) return heights.error();
+  recipes.heights = std::move(*heights);
+  ground::Waters waters = plan_waters(features, recipes.heights, report);
+  recipes.surfaces = std::move(waters.surfaces);
+  Result<scene::Header> header = make_header(spec, plane, features.region, recipes);
+  if (!header) return header.error();
+  timer.finish();
+  return Survey{extent, std::move(*header), std::move(recipes.heights), std::move(recipes.surfaces),
+                std::move(waters.streams)};
 }
 
 namespace {
@@ -235,15 +275,51 @@ bool is_empty(const map::Features& f) {
          f.points.empty();
 }
 
+Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm,
+                                                   Report& report) {
+  Result<source::LonLatBox> box = map::choose_extent(osm, spec.map.bbox, report);
+  if (!box) return box;
+  const map::Plane plane(spec.map.origin.value_or(map::default_origin(*box)));
+  const bool has_box = spec.map.bbox || osm.header_box;
+  const Result<Done> worthwhile = map::is_worth_baking(map::region_of(plane, *box), osm, has_box);
+  if (!worthwhile) return worthwhile.error();
+  return box;
+}
+
+ground::Waters plan_dry_waters(const map::Features& features, Report& report) {
+  std::vector<ground::LandCoverPolygon> surfaces = ground::plan(features, report);
+  return {std::move(surfaces), ground::plan_streams(features, report)};
+}
+
+ground::Waters plan_waters(const map::Features& features, const map::Heightfield& heights, Report& report) {
+  ground::Waters dry = plan_dry_waters(features, report);
+  return ground::plan_water_heights(std::move(dry.surfaces), std::move(dry.streams),
+                                    ground::covered_waterways(features), heights, report);
+}
+
+/// Replaces each object by the known one of its id. Both are sorted by id.
+template <typename Object>
+void replace_known(std::vector<Object>& objects, const std::vector<Object>& known) {
+  for (Object& object : objects) {
+    const auto found = std::ranges::lower_bound(known, object.id, {}, &Object::id);
+    if (found != known.end() && found->id == object.id) object = *found;
+  }
+}
+
+ground::Waters surveyed_waters(ground::Waters waters, const Survey& survey) {
+  std::ranges::stable_sort(waters.streams, {}, &roads::Strip::id);
+  replace_known(waters.surfaces, survey.waters);
+  replace_known(waters.streams, survey.streams);
+  return waters;
+}
+
 /// The heights of the region. Error: heightmaps were given and none covers any of it.
 Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
-                                      std::vector<std::string>& credits, Report& report) {
+                                      Report& report) {
   if (spec.rasters.empty()) report.add(Code::kNoHeightmap, {});
   const source::LonLatBox window = map::lonlat_box_of(region, plane);
   const Result<std::vector<source::Raster>> rasters = source::read_heightmaps(spec.rasters, &window, report);
   if (!rasters) return rasters.error();
-  for (const source::RasterSpec& raster : spec.rasters) credits.push_back(raster.credit);
-
   return map::resample(*rasters, plane, region, report);
 }
 
@@ -260,28 +336,29 @@ Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, co
   return surroundings::plan(*rasters, plane, place);
 }
 
+// All recipes that cover ground, but buildings.
+scene::CoverRecipes cover_recipes_of(const scene::Recipes& recipes) {
+  return {.areas = recipes.surfaces,
+          .roads = recipes.roads,
+          .junctions = recipes.junctions,
+          .watercourses = recipes.watercourses,
+          .footprints = {}};
+}
+
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region) {
   // slopes start at the outlines of junctions, as in tiles, so those of roads are needed too
-  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover({.areas = recipes.surfaces,
-                                                                                   .roads = recipes.roads,
-                                                                                   .junctions = recipes.junctions,
-                                                                                   .watercourses = recipes.watercourses,
-                                                                                   .footprints = {}});
+  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(cover_recipes_of(recipes));
   return ground::grade_terrain<structures::Span>(recipes.heights,
                                                  {.roads = recipes.roads,
                                                   .streams = recipes.watercourses,
                                                   .surfaces = surfaces,
-                                                  .box = region,
+                                                  .box = ground::graded_box(region, recipes.heights),
                                                   .has_kerbs = false},
                                                  recipes.structures.bridges, recipes.structures.tunnels);
 }
 
 std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features) {
-  scene::CoverRecipes cover{.areas = recipes.surfaces,
-                            .roads = recipes.roads,
-                            .junctions = recipes.junctions,
-                            .watercourses = recipes.watercourses,
-                            .footprints = {}};
+  scene::CoverRecipes cover = cover_recipes_of(recipes);
   for (const map::Footprint& footprint : features.footprints)
     cover.footprints.push_back(scene::footprint_surface(footprint.id, footprint.polygon));
   return scene::coarse_land_cover(cover);
@@ -308,9 +385,11 @@ double mean_height_m(const map::Heightfield& heights) {
   return std::floor(static_cast<double>(sum) / static_cast<double>(heights.heights.size()) * map::kHeightQuantum_m);
 }
 
-/// The properties of the whole scene.
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
-                                  const map::Heightfield& heights, const std::vector<std::string>& credits) {
+                                  const scene::Recipes& recipes) {
+  const map::Heightfield& heights = recipes.heights;
+  Result<surroundings::Surroundings> around = plan_surroundings(spec, plane, recipes, region);
+  if (!around) return around.error();
   Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
   if (!sky) return sky.error();
   sky::set_air(spec.air, *sky);
@@ -328,11 +407,12 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                        .sky = std::move(*sky),
                        .sources = {file_name_of(spec.map_path)},
                        .attributions = {std::string(kOsmCredit)},
-                       .snow_line_m = spec.snow_line_m};
+                       .snow_line_m = spec.snow_line_m,
+                       .around = std::move(*around)};
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));
-  for (const std::string& credit : credits) {
-    const bool is_new = std::ranges::find(header.attributions, credit) == header.attributions.end();
-    if (!credit.empty() && is_new) header.attributions.push_back(credit);
+  for (const source::RasterSpec& raster : spec.rasters) {
+    const bool is_new = std::ranges::find(header.attributions, raster.credit) == header.attributions.end();
+    if (!raster.credit.empty() && is_new) header.attributions.push_back(raster.credit);
   }
   if (const Result<Done> done = are_tiles_of(header, spec.only); !done) return done.error();
   return header;

@@ -34,6 +34,30 @@ struct CompileResult {
 /// except for sorting the extract; memory for the whole extract.
 Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_progress);
 
+/// What a region cannot know from its own data (regions/radii.h). Each is that of the whole extent.
+struct Survey {
+  source::LonLatBox extent;                      ///< In degrees.
+  scene::Header header;                          ///< Without rules and species.
+  map::Heightfield heights;                      ///< Of the extent, or around a region.
+  std::vector<ground::LandCoverPolygon> waters;  ///< Areas of water with their levels.
+  std::vector<roads::Strip> streams;             ///< With their profiles.
+};
+
+/// Finds what holds for the whole extent, from the waters and coasts of a map and its heightmaps.
+/// @param extract  The waters and coasts of spec.map_path; any other element changes nothing.
+/// Errors: those of compile(). Memory: the heights of the extent, and its waters.
+Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const source::LonLatBox& extent,
+                      Report& report, const OnProgress& on_progress);
+
+/// Compiles the tiles of spec.only from a part of a map.
+/// @param extract  All that lies within regions::kRegionHalo_m of these tiles.
+/// @param survey   Of the whole extent; heights, waters and streams around these tiles will do.
+///
+/// Guarantees: the chunks are those of compile(); the header too, except rules and species, which are those of these
+/// tiles. Memory: for this part.
+Result<CompileResult> compile_region(const CompileSpec& spec, const std::string& extract, const Survey& survey,
+                                     const OnProgress& on_progress);
+
 /// Receives one tile at one level. An error ends baking.
 using OnBakedTile = std::function<Result<Done>(const bake::BakedTile& tile, std::size_t level)>;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -40,7 +41,26 @@ Result<Done> set_text(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+/// The heightmaps in a folder, sorted by name.
+std::vector<std::string> heightmaps_in(const std::string& folder) {
+  constexpr std::string_view kSuffixes[] = {".hgt", ".hgt.zip", ".tif", ".tiff", ".asc"};
+  std::vector<std::string> paths;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+    if (std::ranges::any_of(kSuffixes, [&](std::string_view end) { return entry.path().native().ends_with(end); }))
+      paths.push_back(entry.path().string());
+  std::ranges::sort(paths);
+  return paths;
+}
+
 Result<Done> set_dem(CompileSpec& spec, std::string_view text) {
+  if (std::error_code none; std::filesystem::is_directory(text, none)) {
+    const std::vector<std::string> paths = heightmaps_in(std::string(text));
+    if (paths.empty()) return expected("a folder with heightmaps (.hgt, .tif, .asc)", text);
+    for (const std::string& path : paths)
+      if (Result<Done> done = set_dem(spec, path); !done) return done;
+    return Done{};
+  }
   Result<source::RasterSpec> raster = source::parse_raster_spec(text);
   if (!raster) return raster.error();
   spec.rasters.push_back(std::move(*raster));
@@ -228,7 +248,7 @@ constexpr Setting kSettings[] = {
     {"map", "FILE", "OpenStreetMap extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false,
      set_text<&CompileSpec::map_path>},
     {"dem", "FILE[,key=value...]",
-     "heightmaps (.hgt, GeoTIFF, ASCII grid, PNG), one or several, such as N43E007.hgt or "
+     "heightmaps (.hgt, GeoTIFF, ASCII grid, PNG) or folders of them, one or several, such as N43E007.hgt or "
      "a.png,bounds=7/43/8/44,scale=0.1; keys: bounds=W/S/E/N, scale=, offset=, encoding=terrarium|mapbox, tile=Z/X/Y, "
      "credit= (default: the ground is level)",
      true, set_dem},

@@ -7,8 +7,12 @@
 
 namespace citykiln::exporters {
 
-/// The address of a function in a module, which stays loaded. The module is looked for beside the program, then at
-/// `built_path`, where the build put it. Errors: it is not there, or has no such function.
-Result<void*> load_function(const std::string& module, const std::string& built_path, const std::string& function);
+/// The folders that are searched, relative to that of the running program: its own, where the build leaves modules;
+/// where an installation has them; the build's, for programs of its folder tests/.
+inline constexpr const char* kModuleFolders[] = {".", "../libexec/citykiln", ".."};
+
+/// The address of a function in a module, which stays loaded. The module is the first of its name in kModuleFolders.
+/// Errors: it is in none of them, or has no such function.
+Result<void*> load_function(const std::string& module, const std::string& function);
 
 }  // namespace citykiln::exporters

@@ -126,6 +126,18 @@ Result<Done> OutputFolder::write_varying(const std::string& name, std::span<cons
   return done;
 }
 
+Result<Done> OutputFolder::adopt(const ListedFile& file, const std::string& path) {
+  const fs::path to = fs::path(staging_) / file.name;
+  if (Result<Done> made = make_folder(to.parent_path().string()); !made) return made;
+  std::error_code problem;
+  fs::remove(to, problem);
+  fs::create_hard_link(path, to, problem);
+  if (problem) fs::copy_file(path, to, fs::copy_options::overwrite_existing, problem);
+  if (problem) return Error{to.string(), "cannot be written: " + problem.message()};
+  files_[file.name] = file;
+  return Done{};
+}
+
 FileList OutputFolder::files() const {
   FileList list;
   for (const auto& [name, file] : files_) list.push_back(file);

@@ -59,6 +59,10 @@ class OutputFolder {
   /// Writes a file whose bytes differ between equal runs, such as times.
   Result<Done> write_varying(const std::string& name, std::span<const std::byte> bytes);
 
+  /// Makes a whole file that lies elsewhere a file of this run: by a second name of it (hard link), or, on another file
+  /// system, by a copy.
+  Result<Done> adopt(const ListedFile& file, const std::string& path);
+
   /// The files of this run so far, sorted by name.
   FileList files() const;
   /// Whether a later run can take over files if this one ends without commit().

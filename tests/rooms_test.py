@@ -27,7 +27,7 @@ ROWS = [
     ["compiler/sky"],
     ["compiler/surroundings"],
     ["compiler/scene"],
-    ["compiler/bake"],
+    ["compiler/bake", "compiler/regions"],
     ["compiler"],  # spec, stage_watch, pipeline
     ["exporters"],
     ["preview", "compiler/verify"],

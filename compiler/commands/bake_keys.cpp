@@ -13,12 +13,6 @@
 namespace citykiln::commands {
 namespace {
 
-/// The version, and the executable's bytes where the system lets a process read them.
-std::uint64_t program_hash() {
-  const Result<std::vector<std::byte>> executable = exporters::read_file("/proc/self/exe");
-  return executable ? exporters::content_hash(*executable) : exporters::content_hash("citykiln " CITYKILN_VERSION);
-}
-
 /// The settings that change the bytes of tiles. The binding names every member of Outputs, so a new one does not
 /// compile until it is added here.
 std::string settings_of(const Outputs& outputs) {
@@ -32,6 +26,11 @@ std::string settings_of(const Outputs& outputs) {
 }
 
 }  // namespace
+
+std::uint64_t program_hash() {
+  const Result<std::vector<std::byte>> executable = exporters::read_file("/proc/self/exe");
+  return executable ? exporters::content_hash(*executable) : exporters::content_hash("citykiln " CITYKILN_VERSION);
+}
 
 std::vector<std::uint64_t> bake_keys(const scene::Scene& scene, const Outputs& outputs, int threads) {
   const std::string common =

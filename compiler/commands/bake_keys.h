@@ -10,6 +10,10 @@
 
 namespace citykiln::commands {
 
+/// A hash of the program: of its executable's bytes, or, where the system does not let a process read them, of its
+/// version.
+std::uint64_t program_hash();
+
 /// Returns a key for every chunk and level, `chunk * levels + level`: a hash of the scene's header, the chunk's
 /// recipes, the settings that change the bytes of tiles, the level, and the program. Equal keys mean equal bytes of the
 /// .glb, except with probability 2^-64; none is 0. Cost: as encoding the manifest without compression.

@@ -45,6 +45,8 @@ Verb preview_verb();
 Verb inspect_verb();
 Verb check_verb();
 Verb chart_verb();
+Verb plan_verb();
+Verb gather_verb();
 
 /// The numbers above `low` and below `high`; both are included if the range is closed.
 struct NumberRange {

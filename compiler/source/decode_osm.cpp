@@ -39,6 +39,14 @@ std::optional<LonLatBox> box_of(const osmium::io::Header& header) {
   return LonLatBox{box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(), box.top_right().lat()};
 }
 
+// The header numbers the optional features of a PBF file.
+bool has_places_in_ways(const osmium::io::Header& header) {
+  for (int i = 0;; ++i) {
+    const std::string feature = header.get(fmt::format("pbf_optional_feature_{}", i));
+    if (feature.empty() || feature == "LocationsOnWays") return !feature.empty();
+  }
+}
+
 DecodedOsm decode(const std::string& path, OsmFormat format, int threads) {
   // an absolute path, since libosmium would pass a name like http:x to curl
   const osmium::io::File file(std::filesystem::absolute(path).string(), osmium_name(format));
@@ -47,6 +55,7 @@ DecodedOsm decode(const std::string& path, OsmFormat format, int threads) {
   osmium::io::Reader reader(file, osmium::osm_entity_bits::nwr, pool);
   DecodedOsm decoded;
   decoded.header_box = box_of(reader.header());
+  decoded.has_places_in_ways = has_places_in_ways(reader.header());
   while (osmium::memory::Buffer buffer = reader.read()) decoded.buffers.push_back(std::move(buffer));
   reader.close();
   return decoded;

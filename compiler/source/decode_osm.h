@@ -15,6 +15,7 @@ namespace citykiln::source {
 struct DecodedOsm {
   std::vector<osmium::memory::Buffer> buffers;
   std::optional<LonLatBox> header_box;
+  bool has_places_in_ways = false;  ///< Ways state the places of their nodes (LocationsOnWays).
 };
 
 /// Errors: those of read_osm(). Memory: about 25 times the size of a PBF file, about the size of plain XML.

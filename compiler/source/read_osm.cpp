@@ -180,7 +180,7 @@ Result<OsmData> read_osm(const std::string& path, int threads, Report& report) {
   Result<DecodedOsm> decoded = decode_osm(path, threads);
   if (!decoded) return decoded.error();
   const Elements elements = order_elements(decoded->buffers, threads, report);
-  locate_way_nodes(elements, threads);
+  if (!decoded->has_places_in_ways) locate_way_nodes(elements, threads);
 
   OsmData data = build(elements, threads, report);
   data.file_name = std::filesystem::path(path).filename().string();

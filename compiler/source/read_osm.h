@@ -12,10 +12,10 @@ namespace citykiln::source {
 /// Reads an extract with libosmium and assembles its areas.
 ///
 /// Guarantees: the result does not depend on the order of elements in the file; of duplicate elements the highest
-/// version is kept. Missing nodes and members, deleted elements and broken areas are diagnosed; ledger accounts
-/// "source/node", "source/way", "source/area" and "source/relation". Errors: a file that is missing, empty, truncated,
-/// malformed, or not of the format of its name. Cost: about three times that of decoding the file; unsorted files are
-/// sorted in memory.
+/// version is kept; ways that state the places of their nodes (LocationsOnWays) need no nodes. Missing nodes and
+/// members, deleted elements and broken areas are diagnosed; ledger accounts "source/node", "source/way", "source/area"
+/// and "source/relation". Errors: a file that is missing, empty, truncated, malformed, or not of the format of its
+/// name. Cost: about three times that of decoding the file; unsorted files are sorted in memory.
 Result<OsmData> read_osm(const std::string& path, int threads, Report& report);
 
 }  // namespace citykiln::source

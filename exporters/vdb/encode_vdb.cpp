@@ -3,10 +3,6 @@
 #include "exporters/load_module.h"
 #include "exporters/vdb_module/vdb_io.h"
 
-#ifndef CITYKILN_VDB_MODULE
-#define CITYKILN_VDB_MODULE "citykiln_vdb.so"
-#endif
-
 namespace citykiln::exporters {
 namespace {
 
@@ -18,7 +14,7 @@ void take_bytes(void* owner, const char* bytes, unsigned long size) {
 }  // namespace
 
 Result<std::vector<std::byte>> encode_vdb(const sky::CloudVoxels& voxels) {
-  const auto function = load_function("citykiln_vdb.so", CITYKILN_VDB_MODULE, "citykiln_encode_vdb");
+  const auto function = load_function("citykiln_vdb.so", "citykiln_encode_vdb");
   if (!function) return function.error();
   std::vector<CitykilnVdbBlock> blocks;
   for (const sky::VoxelBlock& block : voxels.blocks)

@@ -65,7 +65,7 @@ std::vector<float> turned(const EnvironmentMap& map, double turn_deg) {
 Result<ReadEnvironment> read_environment(const std::string& path, double turn_deg) {
   if (!path.ends_with(".exr") && !path.ends_with(".hdr"))
     return Error{path, "expected an environment map, a name that ends in .exr or .hdr"};
-  const auto function = exporters::load_function("citykiln_image.so", CITYKILN_IMAGE_MODULE, "citykiln_read_picture");
+  const auto function = exporters::load_function("citykiln_image.so", "citykiln_read_picture");
   if (!function) return function.error();
   ReadEnvironment read;
   char error[512] = "";

@@ -67,7 +67,7 @@ std::vector<std::uint8_t> screen_bytes(const Image& image) {
 
 Result<Done> write_part(const std::string& part, const Image& image, const std::vector<CitykilnChannel>& channels,
                         const std::vector<Metadata>& metadata) {
-  const auto function = exporters::load_function("citykiln_image.so", CITYKILN_IMAGE_MODULE, "citykiln_write_picture");
+  const auto function = exporters::load_function("citykiln_image.so", "citykiln_write_picture");
   if (!function) return function.error();
   std::vector<const char*> texts = {"Copyright", kCredit, "Software", "citykiln"};
   for (const Metadata& fact : metadata) texts.push_back(fact.name.c_str()), texts.push_back(fact.value.c_str());

@@ -12,10 +12,6 @@ namespace citykiln::preview {
 namespace {
 
 // Without GLFW at build time there is no module.
-#ifndef CITYKILN_WINDOW_MODULE
-#define CITYKILN_WINDOW_MODULE "citykiln_window.so"
-#endif
-
 // The camera counts as resting after this time without input.
 constexpr double kRest_s = 0.25;
 
@@ -27,7 +23,7 @@ struct Module {
 
 template <typename Function>
 Result<Done> load(Function& function, const char* name) {
-  const Result<void*> address = exporters::load_function("citykiln_window.so", CITYKILN_WINDOW_MODULE, name);
+  const Result<void*> address = exporters::load_function("citykiln_window.so", name);
   if (!address) return Error{"--interactive", to_string(address.error())};
   function = reinterpret_cast<Function>(*address);
   return Done{};

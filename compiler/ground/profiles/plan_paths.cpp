@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "compiler/ground/grading/graded_box.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/profiles/clearance_shortfalls.h"
@@ -173,7 +174,7 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
   const GradedTerrain graded = grade_terrain(terrain.heights, {.roads = profiles.roads,
                                                                .streams = terrain.streams,
                                                                .surfaces = terrain.waters,
-                                                               .box = features.region,
+                                                               .box = graded_box(features.region, terrain.heights),
                                                                .has_kerbs = false,
                                                                .decks = decks});
   const BelowBridges below{terrain.streams, terrain.waters, [&](Vec2 p) { return land_m(graded, p); }};

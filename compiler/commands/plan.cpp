@@ -1,0 +1,191 @@
+// citykiln plan MAP … --region M -o PLAN: cuts a map into regions that are compiled apart.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "compiler/commands/compile_request.h"
+#include "compiler/commands/expected_cost.h"
+#include "compiler/commands/plan_file.h"
+#include "compiler/commands/plan_status.h"
+#include "compiler/commands/survey_file.h"
+#include "compiler/commands/task_lists.h"
+#include "compiler/commands/verb.h"
+#include "compiler/map/choose_extent.h"
+#include "compiler/regions/cut_extract.h"
+#include "compiler/regions/radii.h"
+#include "exporters/file.h"
+#include "exporters/output_folder.h"
+
+namespace citykiln::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Request {
+  CompileRequest compile;
+  double region_m = 16384, halo_m = regions::kRegionHalo_m;
+  std::string status, geojson;
+};
+
+/// Error: the outputs are such as regions do not have yet.
+Result<Done> can_be_planned(const CompileSpec& spec) {
+  if (spec.outputs.usd || spec.outputs.tiles3d)
+    return Error{"--emit", "regions are compiled to kiln and glb; leave usd and 3dtiles out"};
+  if (!spec.outputs.manifest) return Error{"--emit", "a plan needs manifests; add kiln"};
+  if (!spec.only.empty()) return Error{"--only", "a plan has all tiles; give a part of the map with --bbox"};
+  return Done{};
+}
+
+/// The extent in degrees: the box asked for, limited as compile does, or that of the map's header.
+Result<source::LonLatBox> extent_of(const CompileSpec& spec, Report& report) {
+  source::OsmData header;
+  const Result<source::LonLatBox> box = regions::header_box_of(spec.map_path);
+  if (!box && !spec.map.bbox) return box.error();
+  if (!box) return *spec.map.bbox;
+  header.header_box = *box, header.node_box = *box;
+  return map::choose_extent(header, spec.map.bbox, report);
+}
+
+Result<Plan> make_plan(const Request& request, const CompileSpec& spec, const source::LonLatBox& extent,
+                       const map::Plane& plane) {
+  Plan plan{.working_folder = fs::current_path().string(),
+            .spec_path = request.compile.spec_path,
+            .settings = {},
+            .extent = extent,
+            .grid = {},
+            .regions = {}};
+  for (const auto& [setting, text] : request.compile.given) plan.settings.emplace_back(setting->name, text);
+  plan.grid = {.extent = map::region_of(plane, extent),
+               .tile_m = spec.tile_m,
+               .region_m = request.region_m,
+               .halo_m = request.halo_m};
+  if (const Result<Done> sound = regions::is_sound(plan.grid); !sound) return sound.error();
+  if (plan.grid.extent.width() > map::kMaxSide_m || plan.grid.extent.height() > map::kMaxSide_m)
+    return Error{spec.map_path, fmt::format("the area measures {:.0f} x {:.0f} km; give a part of at most {:.0f} km a "
+                                            "side with --bbox W,S,E,N",
+                                            plan.grid.extent.width() / 1000, plan.grid.extent.height() / 1000,
+                                            map::kMaxSide_m / 1000)};
+  return plan;
+}
+
+/// The number of vertices of the heights around a region.
+std::size_t vertices_near(const map::Heightfield& heights, const regions::RegionGrid& grid, regions::RegionKey region) {
+  const map::Heightfield window = map::window_of(heights, regions::box_of(grid, region).widened(grid.halo_m));
+  return window.heights.size();
+}
+
+void describe_regions(const regions::CutFiles& files, const map::Heightfield& heights, const CompileSpec& spec,
+                      Plan& plan) {
+  const std::vector<regions::RegionKey> keys = regions::regions_of(plan.grid);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    PlannedRegion region{.key = keys[i],
+                         .tiles = regions::tiles_of(plan.grid, keys[i]).size(),
+                         .file = files.regions[i],
+                         .expected = {}};
+    region.expected = expected_cost(region, vertices_near(heights, plan.grid, keys[i]), spec.outputs.ladder_m);
+    plan.regions.push_back(region);
+  }
+}
+
+Result<Done> write_if_changed(const std::string& path, const std::string& text) {
+  const Result<std::vector<std::byte>> before = exporters::read_file(path);
+  if (before && std::ranges::equal(*before, exporters::bytes_of(text))) return Done{};
+  return exporters::write_file(path, exporters::bytes_of(text));
+}
+
+Result<Done> write_lists(const Plan& plan, const std::string& folder) {
+  const std::string program = fs::read_symlink("/proc/self/exe").string();
+  std::map<std::string, std::string> files = task_lists(plan, program);
+  files["plan.json"] = plan_json(plan);
+  for (const auto& [name, text] : files) {
+    if (Result<Done> done = write_if_changed(folder + "/" + name, text); !done) return done;
+    std::error_code none;
+    if (name.ends_with(".sh")) fs::permissions(folder + "/" + name, fs::perms(0755), none);
+  }
+  return Done{};
+}
+
+void print_summary(const Plan& plan, const std::string& folder, double seconds, const Console& console) {
+  ExpectedCost all;
+  std::uint64_t most_bytes = 0;
+  std::size_t tiles = 0;
+  for (const PlannedRegion& region : plan.regions) {
+    all.seconds += region.expected.seconds, all.output_bytes += region.expected.output_bytes;
+    most_bytes = std::max(most_bytes, region.expected.memory_bytes);
+    tiles += region.tiles;
+  }
+  console.print_line(fmt::format(
+      "{}: {} regions, {} tiles, planned in {:.1f} s; expected: {:.1f} core hours, up to {:.1f} "
+      "GB of memory a task, {:.1f} GB of outputs",
+      folder, plan.regions.size(), tiles, seconds, all.seconds / 3600, most_bytes * 1e-9, all.output_bytes * 1e-9));
+  console.print_line(
+      fmt::format("  ninja -C {0}      compiles them on this machine\n  {0}/submit.sh      on a cluster, with "
+                  "Slurm\n  citykiln plan --status {0}",
+                  folder));
+}
+
+Result<Exit> plan_map(const Request& request, const Console& console) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<CompileSpec> spec = spec_of(request.compile);
+  if (!spec) return spec.error();
+  if (const Result<Done> complete = is_complete(*spec); !complete) return complete.error();
+  if (const Result<Done> can = can_be_planned(*spec); !can) return can.error();
+  Report report;
+  const Result<source::LonLatBox> extent = extent_of(*spec, report);
+  if (!extent) return extent.error();
+  const map::Plane plane(spec->map.origin.value_or(map::default_origin(*extent)));
+  Result<Plan> plan = make_plan(request, *spec, *extent, plane);
+  if (!plan) return plan.error();
+
+  const std::string& folder = spec->outputs.folder;
+  std::error_code problem;
+  fs::create_directories(folder + "/cut", problem);
+  if (problem) return Error{folder, "cannot be created: " + problem.message()};
+  const OnProgress on_progress = console.progress();
+  on_progress("cut", 0);
+  const Result<regions::CutFiles> files =
+      regions::cut_extract({spec->map_path, folder + "/cut", *extent, spec->threads}, plane, plan->grid);
+  if (!files) return files.error();
+  const Result<Survey> surveyed = survey(*spec, folder + "/cut/survey.osm.pbf", *extent, report, on_progress);
+  if (!surveyed) return surveyed.error();
+  if (Result<Done> done = write_survey(*surveyed, plan->grid, folder + "/survey.kiln", spec->threads); !done)
+    return done.error();
+  describe_regions(*files, surveyed->heights, *spec, *plan);
+  if (Result<Done> done = write_lists(*plan, folder); !done) return done.error();
+  print_summary(*plan, folder, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+                console);
+  console.print_json(plan_json(*plan));
+  return Exit::kDone;
+}
+
+}  // namespace
+
+Verb plan_verb() {
+  const auto request = std::make_shared<Request>();
+  Verb verb{"plan",
+            "cuts a map into regions that are compiled apart, in the memory of one region",
+            options_of(request->compile),
+            {}};
+  verb.options.push_back({"--region", "M", "side of a region in metres, a multiple of --tile (default: 16384)", false,
+                          store_number(request->region_m, {})});
+  verb.options.push_back({"--halo", "M",
+                          "data around a region that are compiled with it; less than the default changes tiles at its "
+                          "sides (default: 8704)",
+                          false, store_number(request->halo_m, {})});
+  verb.options.push_back(
+      {"--status", "PLAN", "prints how far this plan is, instead of planning", false, store_text(request->status)});
+  verb.options.push_back({"--geojson", "FILE", "with --status: writes the regions with their states", false,
+                          store_text(request->geojson)});
+  verb.examples = {"citykiln plan andorra.osm.pbf --dem heights/ --region 16384 -o out/plan", "ninja -C out/plan",
+                   "citykiln plan --status out/plan"};
+  verb.run = [request](const Console& console) -> Result<Exit> {
+    return request->status.empty() ? plan_map(*request, console)
+                                   : print_status(request->status, request->geojson, console);
+  };
+  return verb;
+}
+
+}  // namespace citykiln::commands

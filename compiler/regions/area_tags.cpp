@@ -1,0 +1,56 @@
+#include "compiler/regions/area_tags.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "compiler/ground/water/standing_water.h"
+#include "compiler/map/land_cover_class.h"
+
+namespace citykiln::regions {
+namespace {
+
+using map::LandCoverClass;
+
+struct AreaRow {
+  std::string_view key, value;
+  LandCoverClass surface;
+};
+
+constexpr AreaRow kAreas[] = {
+#define AREA(key, value, surface) {key, value, LandCoverClass::surface},
+#include "compiler/map/area_rules.inc"
+#undef AREA
+};
+
+bool has(const osmium::TagList& tags, std::string_view key) { return tags.has_key(std::string(key).c_str()); }
+
+bool matches(const AreaRow& row, const osmium::TagList& tags) {
+  const char* value = tags.get_value_by_key(std::string(row.key).c_str());
+  return value != nullptr && (row.value == "*" || row.value == value);
+}
+
+bool is_water(LandCoverClass surface) {
+  return ground::is_standing(surface) || surface == LandCoverClass::kRiver || surface == LandCoverClass::kSea;
+}
+
+}  // namespace
+
+bool describes_area(const osmium::TagList& tags) {
+  if (has(tags, "building") || has(tags, "building:part")) return true;
+  return std::ranges::any_of(
+      kAreas, [&](const AreaRow& row) { return row.surface != LandCoverClass::kUnknown && matches(row, tags); });
+}
+
+bool describes_water(const osmium::TagList& tags) {
+  if (has(tags, "waterway") || is_coastline(tags)) return true;
+  return std::ranges::any_of(kAreas, [&](const AreaRow& row) { return is_water(row.surface) && matches(row, tags); });
+}
+
+bool is_coastline(const osmium::TagList& tags) { return tags.has_tag("natural", "coastline"); }
+
+bool is_area_relation(const osmium::TagList& tags) {
+  return tags.has_tag("type", "multipolygon") || (tags.has_tag("type", "boundary") && describes_area(tags));
+}
+
+}  // namespace citykiln::regions

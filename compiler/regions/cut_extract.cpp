@@ -1,0 +1,366 @@
+// Sparse index of places: libosmium's SparseFileArray, pairs of id and place in the order of the file, searched by
+// bisection, mapped into memory.
+#include "compiler/regions/cut_extract.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <osmium/handler/node_locations_for_ways.hpp>
+#include <osmium/index/map/sparse_file_array.hpp>
+#include <osmium/io/bzip2_compression.hpp>
+#include <osmium/io/gzip_compression.hpp>
+#include <osmium/io/pbf_input.hpp>
+#include <osmium/io/pbf_output.hpp>
+#include <osmium/io/reader.hpp>
+#include <osmium/io/writer.hpp>
+#include <osmium/io/xml_input.hpp>
+#include <osmium/osm/object_comparisons.hpp>
+#include <osmium/thread/pool.hpp>
+#include <utility>
+
+#include "compiler/contract/erase_repeated.h"
+#include "compiler/regions/area_tags.h"
+#include "compiler/regions/spool.h"
+#include "compiler/source/osm_format.h"
+
+namespace citykiln::regions {
+namespace {
+
+namespace fs = std::filesystem;
+namespace bits = osmium::osm_entity_bits;
+using PlaceIndex = osmium::index::map::SparseFileArray<osmium::unsigned_object_id_type, osmium::Location>;
+using PlacesForWays = osmium::handler::NodeLocationsForWays<PlaceIndex>;
+
+osmium::io::File file_of(const std::string& path) { return osmium::io::File(fs::absolute(path).string()); }
+
+template <typename Object>
+void for_each(const std::string& path, bits::type what, osmium::thread::Pool& pool,
+              const std::function<void(Object&)>& visit) {
+  osmium::io::Reader reader(file_of(path), what, pool);
+  while (osmium::memory::Buffer buffer = reader.read())
+    for (Object& object : buffer.select<Object>()) visit(object);
+  reader.close();
+}
+
+/// A file in a folder, open for reading and writing, which ends with the process.
+int open_index(const std::string& folder) {
+  const std::string path = folder + "/places";
+  return ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+}
+
+/// A way that is a member of an area: its box, and the spools that hold it.
+struct MemberWay {
+  Box2 box;
+  bool describes_water = false;
+};
+
+class Cutter {
+ public:
+  Cutter(const Cut& cut, const map::Plane& plane, const RegionGrid& grid)
+      : cut_(cut),
+        plane_(plane),
+        grid_(grid),
+        keys_(regions_of(grid)),
+        spools_(cut.folder + "/.cut", keys_.size() + 2),
+        pool_(cut.threads > 0 ? cut.threads : 2) {}
+
+  Result<CutFiles> run();
+
+ private:
+  // the spools after those of the regions
+  std::size_t survey() const { return keys_.size(); }
+  std::size_t coasts() const { return keys_.size() + 1; }
+
+  void find_members();
+  Result<Done> spool_nodes_and_ways();
+  void spool_node(const osmium::Node& node);
+  void spool_way(const osmium::Way& way);
+  void spool_areas();
+  void spool_area(const osmium::Relation& relation);
+  void spool_members();
+  void put(std::size_t spool, const osmium::Way& way);
+
+  Vec2 in_plane(osmium::Location place) const;
+  Box2 box_of(const osmium::Way& way) const;
+  std::vector<std::uint32_t> spools_of(const osmium::Way& way) const;
+  /// The index in members_ of a way's id; members_.size() for others.
+  std::size_t member(osmium::object_id_type id) const;
+
+  /// Writes the elements of spools to a file. @param own  The region without its halo.
+  Result<RegionFile> write(const std::string& name, std::vector<std::size_t> spools, const Box2& own);
+
+  const Cut& cut_;
+  const map::Plane& plane_;
+  const RegionGrid& grid_;
+  std::vector<RegionKey> keys_;
+  Spools spools_;
+  osmium::thread::Pool pool_;
+  std::vector<osmium::object_id_type> members_;                       // sorted ids
+  std::vector<MemberWay> member_ways_;                                // by index in members_
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> has_, wants_;  // member, spool
+  std::unique_ptr<PlaceIndex> places_;
+};
+
+std::size_t Cutter::member(osmium::object_id_type id) const {
+  const auto found = std::ranges::lower_bound(members_, id);
+  return found != members_.end() && *found == id ? static_cast<std::size_t>(found - members_.begin()) : members_.size();
+}
+
+// Places far away are brought near, where the projection is defined: they stay outside of all regions.
+Vec2 Cutter::in_plane(osmium::Location place) const {
+  constexpr double kNear_deg = 1;
+  const source::LonLatBox& box = cut_.extent;
+  return plane_.forward({std::clamp(place.lon(), box.west - kNear_deg, box.east + kNear_deg),
+                         std::clamp(place.lat(), box.south - kNear_deg, box.north + kNear_deg)});
+}
+
+Box2 Cutter::box_of(const osmium::Way& way) const {
+  Box2 box;
+  for (const osmium::NodeRef& node : way.nodes())
+    if (node.location().valid()) box.grow(in_plane(node.location()));
+  return box;
+}
+
+std::vector<std::uint32_t> Cutter::spools_of(const osmium::Way& way) const {
+  std::vector<std::uint32_t> spools;
+  const auto add = [&](std::uint32_t region) { spools.push_back(region); };
+  const Box2 whole = box_of(way);
+  if (whole.is_empty()) return spools;
+  if (way.is_closed() && describes_area(way.tags())) {
+    for_each_region_near(grid_, whole, add);
+  } else {
+    Box2 segment;
+    for (const osmium::NodeRef& node : way.nodes()) {
+      if (!node.location().valid()) continue;
+      const Vec2 to = in_plane(node.location());
+      Box2 next;
+      next.grow(to), segment.grow(to);
+      for_each_region_near(grid_, segment, add);
+      segment = next;
+    }
+  }
+  if (describes_water(way.tags()) && whole.touches(grid_.extent.widened(kCoastMargin_m)))
+    spools.push_back(static_cast<std::uint32_t>(is_coastline(way.tags()) ? coasts() : survey()));
+  sort_unique(spools);
+  return spools;
+}
+
+void Cutter::find_members() {
+  for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
+    if (!is_area_relation(relation.tags())) return;
+    for (const osmium::RelationMember& each : relation.members())
+      if (each.type() == osmium::item_type::way) members_.push_back(each.ref());
+  });
+  sort_unique(members_);
+  member_ways_.resize(members_.size());
+}
+
+void Cutter::spool_node(const osmium::Node& node) {
+  if (node.tags().empty() || !node.location().valid()) return;
+  Box2 box;
+  box.grow(in_plane(node.location()));
+  for_each_region_near(grid_, box, [&](std::uint32_t region) { spools_.add(region, node); });
+}
+
+void Cutter::spool_way(const osmium::Way& way) {
+  const std::vector<std::uint32_t> spools = spools_of(way);
+  for (const std::uint32_t spool : spools) spools_.add(spool, way);
+  const std::size_t index = member(way.id());
+  if (index == members_.size()) return;
+  member_ways_[index] = {box_of(way), describes_water(way.tags())};
+  for (const std::uint32_t spool : spools) has_.emplace_back(static_cast<std::uint32_t>(index), spool);
+}
+
+Result<Done> Cutter::spool_nodes_and_ways() {
+  const int file = open_index(cut_.folder + "/.cut");
+  if (file < 0) return Error{cut_.folder, "cannot be written"};
+  places_ = std::make_unique<PlaceIndex>(file);
+  PlacesForWays places(*places_);
+  places.ignore_errors();
+  osmium::io::Reader reader(file_of(cut_.map_path), bits::node | bits::way, pool_);
+  bool has_ways = false;
+  while (osmium::memory::Buffer buffer = reader.read()) {
+    for (osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) {
+      if (object.type() == osmium::item_type::node) {
+        if (has_ways) return Error{cut_.map_path, "expected nodes before ways; sort the file with `osmium sort`"};
+        if (!object.deleted()) places.node(static_cast<osmium::Node&>(object));
+        spool_node(static_cast<osmium::Node&>(object));
+      } else {
+        has_ways = true;
+        places.way(static_cast<osmium::Way&>(object));
+        spool_way(static_cast<osmium::Way&>(object));
+      }
+    }
+  }
+  reader.close();
+  return Done{};
+}
+
+void Cutter::spool_area(const osmium::Relation& relation) {
+  Box2 box;
+  std::vector<std::uint32_t> ways, spools;
+  bool is_water = describes_water(relation.tags());
+  for (const osmium::RelationMember& each : relation.members()) {
+    const std::size_t index = each.type() == osmium::item_type::way ? member(each.ref()) : members_.size();
+    if (index == members_.size() || member_ways_[index].box.is_empty()) continue;
+    ways.push_back(static_cast<std::uint32_t>(index));
+    box.grow(member_ways_[index].box.min), box.grow(member_ways_[index].box.max);
+    // a relation without tags of its own has those of its outer ways
+    is_water = is_water || (!describes_area(relation.tags()) && member_ways_[index].describes_water);
+  }
+  if (box.is_empty()) return;
+  for_each_region_near(grid_, box, [&](std::uint32_t region) { spools.push_back(region); });
+  if (is_water && box.touches(grid_.extent.widened(kCoastMargin_m)))
+    spools.push_back(static_cast<std::uint32_t>(survey()));
+  for (const std::uint32_t spool : spools) {
+    spools_.add(spool, relation);
+    for (const std::uint32_t way : ways) wants_.emplace_back(way, spool);
+  }
+}
+
+void Cutter::spool_areas() {
+  for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
+    if (is_area_relation(relation.tags())) spool_area(relation);
+  });
+}
+
+void Cutter::spool_members() {
+  sort_unique(has_), sort_unique(wants_);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> missing;
+  std::ranges::set_difference(wants_, has_, std::back_inserter(missing));
+  if (missing.empty()) return;
+  PlacesForWays places(*places_);
+  places.ignore_errors();
+  for_each<osmium::Way>(cut_.map_path, bits::way, pool_, [&](osmium::Way& way) {
+    const std::size_t index = member(way.id());
+    if (index == members_.size()) return;
+    auto wanted = std::ranges::lower_bound(missing, std::pair(static_cast<std::uint32_t>(index), std::uint32_t{0}));
+    if (wanted == missing.end() || wanted->first != index) return;
+    places.way(way);
+    for (; wanted != missing.end() && wanted->first == index; ++wanted) spools_.add(wanted->second, way);
+  });
+}
+
+/// Elements by type and id; of equal ids the highest version comes first.
+bool is_before(const osmium::OSMObject* a, const osmium::OSMObject* b) {
+  if (a->type() != b->type()) return a->type() < b->type();
+  if (a->id() != b->id()) return a->id() < b->id();
+  return a->version() > b->version();
+}
+
+bool is_same(const osmium::OSMObject* a, const osmium::OSMObject* b) {
+  return a->type() == b->type() && a->id() == b->id();
+}
+
+void count(const osmium::OSMObject& object, const std::function<bool(osmium::Location)>& is_own, RegionFile& file) {
+  if (object.type() == osmium::item_type::node) ++file.nodes;
+  if (object.type() == osmium::item_type::relation) ++file.relations;
+  if (object.type() != osmium::item_type::way) return;
+  ++file.ways;
+  for (const osmium::NodeRef& node : static_cast<const osmium::Way&>(object).nodes()) {
+    ++file.way_nodes;
+    if (node.location().valid() && is_own(node.location())) ++file.own_way_nodes;
+  }
+}
+
+bool has_equal_bytes(const std::string& a, const std::string& b) {
+  std::error_code none;
+  if (!fs::exists(b, none) || fs::file_size(a, none) != fs::file_size(b, none)) return false;
+  std::ifstream one(a, std::ios::binary), other(b, std::ios::binary);
+  return std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other));
+}
+
+Result<RegionFile> Cutter::write(const std::string& name, std::vector<std::size_t> spools, const Box2& own) {
+  std::vector<osmium::memory::Buffer> buffers;
+  std::vector<const osmium::OSMObject*> objects;
+  for (const std::size_t spool : spools) {
+    Result<osmium::memory::Buffer> buffer = spools_.read(spool);
+    if (!buffer) return buffer.error();
+    buffers.push_back(std::move(*buffer));
+    for (const osmium::OSMObject& object : buffers.back().select<osmium::OSMObject>()) objects.push_back(&object);
+  }
+  std::ranges::stable_sort(objects, is_before);
+  objects.erase(std::unique(objects.begin(), objects.end(), is_same), objects.end());
+
+  const std::string path = cut_.folder + "/" + name, part = path + ".part";
+  osmium::io::File file(part, "pbf");
+  file.set("locations_on_ways", true);
+  file.set("add_metadata", false);
+  osmium::io::Header header;
+  header.set("generator", "citykiln");
+  header.add_box(
+      {osmium::Location{cut_.extent.west, cut_.extent.south}, osmium::Location{cut_.extent.east, cut_.extent.north}});
+  osmium::io::Writer writer(file, header, osmium::io::overwrite::allow, pool_);
+  RegionFile written;
+  for (const osmium::OSMObject* object : objects) {
+    if (object->deleted()) continue;
+    writer(*object);
+    count(
+        *object, [&](osmium::Location place) { return own.contains(in_plane(place)); }, written);
+  }
+  writer.close();
+  written.bytes = fs::file_size(part);
+  if (has_equal_bytes(part, path))
+    fs::remove(part);
+  else
+    fs::rename(part, path);
+  return written;
+}
+
+Result<CutFiles> Cutter::run() {
+  fs::remove_all(cut_.folder + "/.cut");
+  fs::create_directory(cut_.folder + "/.cut");
+  find_members();
+  if (const Result<Done> done = spool_nodes_and_ways(); !done) return done.error();
+  spool_areas();
+  spool_members();
+  if (const Result<Done> done = spools_.flush(); !done) return done.error();
+  CutFiles files;
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    const Result<RegionFile> file =
+        write(to_string(keys_[i]) + ".osm.pbf", {i, coasts()}, regions::box_of(grid_, keys_[i]));
+    if (!file) return file.error();
+    files.regions.push_back(*file);
+  }
+  const Result<RegionFile> file = write("survey.osm.pbf", {survey(), coasts()}, grid_.extent);
+  if (!file) return file.error();
+  files.survey = *file;
+  places_.reset();
+  spools_.remove();
+  return files;
+}
+
+}  // namespace
+
+Result<CutFiles> cut_extract(const Cut& cut, const map::Plane& plane, const RegionGrid& grid) {
+  if (const Result<source::OsmFormat> format = source::osm_format_of(cut.map_path); !format) return format.error();
+  try {
+    return Cutter(cut, plane, grid).run();
+  } catch (const std::exception& error) {
+    return Error{cut.map_path, error.what()};
+  }
+}
+
+Result<source::LonLatBox> header_box_of(const std::string& map_path) {
+  if (const Result<source::OsmFormat> format = source::osm_format_of(map_path); !format) return format.error();
+  try {
+    osmium::io::Reader reader(file_of(map_path), bits::nothing);
+    const osmium::Box box = reader.header().joined_boxes();
+    reader.close();
+    if (!box.valid()) return Error{map_path, "has no box in its header; give the area with --bbox W,S,E,N"};
+    return source::LonLatBox{box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(),
+                             box.top_right().lat()};
+  } catch (const std::exception& error) {
+    return Error{map_path, error.what()};
+  }
+}
+
+}  // namespace citykiln::regions

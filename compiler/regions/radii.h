@@ -1,0 +1,48 @@
+// The radii of influence of all stages: how far from a tile data can change what the tile shows. A region is compiled
+// from the data within their sum. Stages not listed here (styles, roofs, tags, draws) look at one object alone.
+#pragma once
+
+#include "compiler/ground/profiles/initial_heights.h"
+#include "compiler/ground/profiles/plan_profiles.h"
+#include "compiler/ground/water/river_areas.h"
+#include "compiler/plants/placing/blue_noise.h"
+#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/recipe.h"
+#include "compiler/roads/junctions/junction.h"
+#include "compiler/roads/pieces/stretches.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::regions {
+
+// | stage                  | constant                       | metres | what lies so far away                          |
+// |------------------------|--------------------------------|-------:|------------------------------------------------|
+// | chunk of a tile        | scene::kHalo_m                 |     48 | ground, footprints, woods around the tile      |
+// | woods                  | plants::kInfluenceRadius_m     |     48 | candidates of blue noise; within kHalo_m       |
+// | plants' obstacles      | plants::kObstacleInfluence_m   |     16 | hedges, rows, corridors                        |
+// | roads of a chunk       | kRoadArms_m                    |     56 | arms of the junctions of the tile              |
+// | junctions              | roads::kJunctionRadius_m       |     24 | nodes that are one junction                    |
+// | pieces of roads        | roads::kJunctionHalo_m         |     32 | junctions that end a stretch                   |
+// | running water          | ground::kMaxInfluence_m        |   1008 | the axis that gives a bank its height          |
+// | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, planes, limits of grade             |
+// | bridges and tunnels    | ground::kSpanEndRadius_m       |   4096 | their ends                                     |
+// | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
+//
+// Without a bound, and therefore in the survey: coastlines, levels of standing water, profiles of running water, and
+// the heights that fill places without a heightmap. The header's fields come from the survey too, except rules and
+// species, which are those that the region needs.
+
+/// Chunks hold roads so far beyond their tile (scene/assemble.cpp).
+inline constexpr double kRoadArms_m = 56;
+
+/// One storey of bridges: two ramps of 850 m, that of a railway (plan_profiles.h).
+inline constexpr double kStoreyRadius_m = 1700;
+
+/// The sum of the longest chain: a tile, the roads and junctions of its chunk, their profiles, the bridges of these,
+/// and the bridges that cross them. A whole number of cells of 128 m.
+inline constexpr double kRegionHalo_m = 8704;
+
+static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + ground::kProfileRadius_m +
+                                   ground::kSpanEndRadius_m + kStoreyRadius_m);
+static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
+
+}  // namespace citykiln::regions

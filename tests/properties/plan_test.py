@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""A map compiled in regions has the bytes of one run; tasks can be repeated, killed and resumed; gather knows what is missing."""
+import json
+import random
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+from citykiln_program import PROGRAM, ROOT, TOWN, ProgramTest, bytes_of_outputs, report_of, run
+
+ARGUMENTS = ["--lods", "0.5,2.5", "--tile", "256"]
+
+
+class Plan(ProgramTest):
+    MAP, DEM, REGION = TOWN / "town.osm", [], 512
+
+    def planned(self, *arguments, name="plan", map_path=None):
+        plan = self.folder / name
+        done = run("plan", map_path or self.MAP, *self.DEM, *ARGUMENTS, "--region", self.REGION, *arguments, "-o", plan)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return plan
+
+    def regions_of(self, plan):
+        return [region["region"] for region in json.loads((plan / "plan.json").read_text())["regions"]]
+
+    def compile_all(self, plan):
+        regions = self.regions_of(plan)
+        random.Random(7).shuffle(regions)
+        for region in regions:
+            done = run("compile", "--plan", plan, "--region", region)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_regions_compiled_apart_have_the_bytes_of_one_run(self):
+        whole = self.compiled("whole", self.MAP, *self.DEM, *ARGUMENTS)
+        plan = self.planned()
+        self.assertGreater(len(self.regions_of(plan)), 3)
+        self.compile_all(plan)
+        done = run("gather", plan)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(bytes_of_outputs(plan / "out"), bytes_of_outputs(whole))
+        self.assertEqual(report_of(plan / "out")["counts"], report_of(whole)["counts"])
+
+    def test_a_finished_region_is_not_compiled_again(self):
+        plan = self.planned()
+        region = self.regions_of(plan)[0]
+        run("compile", "--plan", plan, "--region", region)
+        again = run("compile", "--plan", plan, "--region", region)
+        self.assertIn("done already", again.stdout)
+        # a plan made again changes nothing
+        self.planned()
+        self.assertIn("done already", run("compile", "--plan", plan, "--region", region).stdout)
+        # an output that is gone is made again
+        shutil.rmtree(plan / "regions" / region / "glb")
+        self.assertNotIn("done already", run("compile", "--plan", plan, "--region", region).stdout)
+
+    def test_gather_names_what_is_missing(self):
+        plan = self.planned()
+        regions = self.regions_of(plan)
+        for region in regions[1:]:
+            run("compile", "--plan", plan, "--region", region)
+        done = run("gather", plan)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(f"region {regions[0]}: waiting", done.stdout)
+        self.assertFalse((plan / "out" / "report.json").exists())
+
+    def test_a_corrupt_region_fails_alone_with_one_line(self):
+        plan = self.planned()
+        regions = self.regions_of(plan)
+        (plan / "cut" / f"{regions[0]}.osm.pbf").write_bytes(b"nonsense")
+        done = run("compile", "--plan", plan, "--region", regions[0])
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.strip().count("\n"), 0)
+        self.assertEqual(run("compile", "--plan", plan, "--region", regions[1]).returncode, 0)
+        status = json.loads(run("plan", "--status", plan, "--json").stdout)
+        states = {region["region"]: region["state"] for region in status["regions"]}
+        self.assertEqual((states[regions[0]], states[regions[1]]), ("failed", "done"))
+
+    def test_killed_tasks_go_on_and_end_with_the_same_bytes(self):
+        plan = self.planned()
+        region = self.regions_of(plan)[0]
+        draw = random.Random(11)
+        for _ in range(6):
+            task = subprocess.Popen([PROGRAM, "compile", "--plan", str(plan), "--region", region, "--quiet"], cwd=ROOT)
+            time.sleep(draw.uniform(0.05, 0.6))
+            task.send_signal(signal.SIGKILL)
+            task.wait()
+        self.assertEqual(run("compile", "--plan", plan, "--region", region).returncode, 0)
+        undisturbed = self.planned(name="undisturbed")
+        run("compile", "--plan", undisturbed, "--region", region)
+        self.assertEqual(bytes_of_outputs(plan / "regions" / region), bytes_of_outputs(undisturbed / "regions" / region))
+
+    def test_ninja_compiles_all_regions_in_a_folder_with_a_strange_name(self):
+        if shutil.which("ninja") is None:
+            self.skipTest("ninja is missing")
+        plan = self.planned(name="a $plan: 'it''s'")
+        done = subprocess.run(["ninja", "-C", str(plan)], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertTrue((plan / "out" / "report.json").exists())
+
+    def test_an_edited_map_recompiles_only_regions_near_the_edit(self):
+        edited = self.folder / "edited" / self.MAP.name
+        edited.parent.mkdir()
+        shutil.copy(self.MAP, edited)
+        plan = self.planned("--halo", 256, map_path=edited)
+        self.compile_all(plan)
+        text = edited.read_text()
+        # one house gets another height
+        place = text.index('<tag k="building"')
+        edited.write_text(text[:place] + '<tag k="height" v="31"/>' + text[place:])
+        self.planned("--halo", 256, map_path=edited)
+        again = [run("compile", "--plan", plan, "--region", region).stdout for region in self.regions_of(plan)]
+        compiled = sum("done already" not in text for text in again)
+        self.assertGreater(compiled, 0)
+        self.assertLess(compiled, len(again))
+
+
+if __name__ == "__main__":
+    unittest.main()
