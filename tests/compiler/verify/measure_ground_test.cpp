@@ -79,14 +79,6 @@ TEST(SampleGround, CountsRoadsAndWater) {
   }
 }
 
-// A way of steps with building=roof is stairs, a structure and a building at once.
-TEST(SampleGround, CountsLandCoverUnderABuildingThatIsAStructureToo) {
-  bake::BakedTile tile = square(0, true);
-  for (bake::Primitive& primitive : tile.primitives)
-    primitive.material = map::values_of(map::LandCoverClass::kBuilding).material;
-  EXPECT_EQ(sample_ground(tile, {{kBridge}, {kBridge}, {}, {kBridge}}, flat, kBox, 16).error_m, 5);
-}
-
 TEST(BorderEdges, AreTheGroundEdgesOnTheLine) {
   const bake::BakedTile tile = square(0, true);
   EXPECT_EQ(border_edges_along_x(tile, 64).ground, (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));

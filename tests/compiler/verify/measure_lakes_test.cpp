@@ -36,7 +36,7 @@ TEST(MeasureLakes, LeavesOutPartsOfARiverThatRun) {
   chunk.surfaces = {{{kGroundFeature, 0}, map::LandCoverClass::kRiver, 4096, {river}},
                     {{kGroundFeature, 1}, map::LandCoverClass::kRiver, 256, {dock}, 0, 12.0}};
   const auto lakes_at = [&](std::array<float, 4> corners_m) {
-    return measure_lakes(chunk, index_ground(made_ground(map::LandCoverClass::kRiver, corners_m), {}));
+    return measure_lakes(chunk, index_ground(made_ground(map::LandCoverClass::kRiver, corners_m)));
   };
   EXPECT_EQ(lakes_at({0, 0, 0.5F, 0}).not_level, 0u);
   chunk.surfaces[1].rings = {river}, chunk.surfaces[0].rings = {dock};
