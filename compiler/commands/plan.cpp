@@ -173,7 +173,7 @@ Verb plan_verb() {
                           store_number(request->region_m, {})});
   verb.options.push_back({"--halo", "M",
                           "data around a region that are compiled with it; less than the default changes tiles at its "
-                          "sides (default: 8704)",
+                          "sides (default: 9216)",
                           false, store_number(request->halo_m, {})});
   verb.options.push_back(
       {"--status", "PLAN", "prints how far this plan is, instead of planning", false, store_text(request->status)});

@@ -8,6 +8,7 @@
 #include "compiler/plants/placing/blue_noise.h"
 #include "compiler/plants/placing/placing.h"
 #include "compiler/plants/recipe.h"
+#include "compiler/roads/fit_assumed_widths.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/pieces/stretches.h"
 #include "compiler/scene/scene.h"
@@ -23,6 +24,7 @@ namespace citykiln::regions {
 // | junctions              | roads::kJunctionRadius_m       |     24 | nodes that are one junction                    |
 // | pieces of roads        | roads::kJunctionHalo_m         |     32 | junctions that end a stretch                   |
 // | running water          | ground::kMaxInfluence_m        |   1008 | the axis that gives a bank its height          |
+// | assumed widths         | roads::kLongestFitted_m        |    512 | what is mapped beside the same way             |
 // | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, planes, limits of grade             |
 // | bridges and tunnels    | ground::kSpanEndRadius_m       |   4096 | their ends                                     |
 // | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
@@ -39,10 +41,10 @@ inline constexpr double kStoreyRadius_m = 1700;
 
 /// The sum of the longest chain: a tile, the roads and junctions of its chunk, their profiles, the bridges of these,
 /// and the bridges that cross them. A whole number of cells of 128 m.
-inline constexpr double kRegionHalo_m = 8704;
+inline constexpr double kRegionHalo_m = 9216;
 
-static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + ground::kProfileRadius_m +
-                                   ground::kSpanEndRadius_m + kStoreyRadius_m);
+static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + roads::kLongestFitted_m +
+                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m + kStoreyRadius_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 
 }  // namespace citykiln::regions
