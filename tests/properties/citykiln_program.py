@@ -13,9 +13,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 DATA = Path(os.environ.get("CITYKILN_DATA", ROOT.parent / "shared" / "data"))
-PROGRAM = os.environ.get("CITYKILN", str(ROOT / "build" / "release" / "citykiln"))
+PROGRAM = os.environ.get("CITYKILN", str(ROOT / "build" / "checked" / "citykiln"))
 if not Path(PROGRAM).exists():
-    raise SystemExit(f"{PROGRAM} does not exist: run ./setup.sh release")
+    raise SystemExit(f"{PROGRAM} does not exist: run ./setup.sh checked")
 TOWN = ROOT / "examples" / "town"
 
 
@@ -42,7 +42,13 @@ def report_of(folder):
 
 
 class ProgramTest(unittest.TestCase):
-    """A test with a temporary folder."""
+    """A test with a temporary folder of its own, and one that the tests of its class share."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.shared_scratch = tempfile.TemporaryDirectory(prefix="citykiln_")
+        cls.addClassCleanup(cls.shared_scratch.cleanup)
+        cls.shared_runs = {}
 
     def setUp(self):
         self.scratch = tempfile.TemporaryDirectory(prefix="citykiln_")
@@ -55,6 +61,13 @@ class ProgramTest(unittest.TestCase):
         done = run("compile", *arguments, "-o", out, **options)
         self.assertEqual(done.returncode, 0, done.stderr)
         return out
+
+    def compiled_once(self, *arguments):
+        """The folder of a run with these arguments that all tests of the class share; they must not change it."""
+        words = tuple(map(str, arguments))
+        if words not in self.shared_runs:
+            self.shared_runs[words] = self.compiled(Path(self.shared_scratch.name) / f"run{len(self.shared_runs)}", *words)
+        return self.shared_runs[words]
 
     def data(self, name):
         """A file of real data; skips the test if it is missing."""

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Every real extract, and every map in broken/, compiles: no crash, a ledger that balances, and tiles without errors or warnings from
-Khronos' glTF validator, where that is installed."""
+Khronos' glTF validator, where that is installed. No building of an extract is lost: each is planned, replaced by its parts, or outside of
+the extent by its centroid, and diagnosed. Fewer than one roof in 200 is flat because the mapped roof could not be built."""
 import shutil
 import subprocess
 import unittest
@@ -14,6 +15,7 @@ EXTRACTS = [
     ("andorra/cut-andorra-la-vella.osm.pbf", "andorra/N42E001.hgt", "2.5,12.5"),
     ("andorra/cut-canillo-village.osm.pbf", "andorra/N42E001.hgt", "0.5,12.5"),
     ("monaco/monaco-2023.osm.pbf", "monaco/N43E007.hgt", "2.5,12.5"),
+    ("monaco/monaco-2016-cadastre.osm.pbf", None, "12.5"),
     ("berlin/berlin-mitte-gesundbrunnen.osm", "berlin/N52E013.hgt", "2.5"),
     ("berlin/berlin-reinickendorf-2026.osm.pbf", "berlin/N52E013.hgt", "2.5"),
     ("berlin/berlin-siegessaeule.osm.gz", "berlin/N52E013.hgt", "0.5"),
@@ -47,7 +49,11 @@ class WholeProgram(ProgramTest):
         report = report_of(out)
         self.assertTrue(report["balances"], report["ledger"])
         self.assertTrue(report["tiles"])
+        self.expect_claims(report)
         self.validate(out)
+
+    def expect_claims(self, report):
+        """Further claims of a subclass."""
 
     def validate(self, out):
         tiles = sorted(map(str, (out / "glb").glob("*.glb")))
@@ -57,8 +63,24 @@ class WholeProgram(ProgramTest):
             self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
 
 
+def count_of(report, code):
+    return report["diagnoses"].get(code, {}).get("count", 0)
+
+
 class ExtractsReal(WholeProgram):
     may_hold_nothing = False
+
+    def expect_claims(self, report):
+        read, planned = report["ledger"]["map/footprint"], report["ledger"]["buildings/footprint"]
+        outside = planned["dropped"].get("OutsideBounds", 0)
+        self.assertGreater(planned["out"], 0)
+        self.assertEqual(read["out"], planned["in"])
+        self.assertEqual(planned["in"], planned["out"] + planned["merged"] + outside)
+        self.assertLess(outside, 0.05 * planned["in"] + 1)
+        self.assertEqual(planned["merged"], count_of(report, "OutlineReplacedByParts"))
+        self.assertLessEqual(set(planned["dropped"]), {"OutsideBounds"})
+        self.assertEqual(report["counts"]["buildings"], planned["out"])
+        self.assertLess(count_of(report, "RoofFallback"), 0.005 * planned["out"] + 1)
 
 
 class BrokenMapsReal(WholeProgram):

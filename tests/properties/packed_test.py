@@ -17,23 +17,29 @@ class Packed:
     COMPRESS = ""
 
     def packed(self, name, *arguments):
-        return self.compiled(name, *ARGUMENTS, "--target", "three", "--compress", self.COMPRESS, *arguments)
+        return self.compiled(name, *self.words(), *arguments)
+
+    def packed_once(self):
+        return self.compiled_once(*self.words())
+
+    def words(self):
+        return [*ARGUMENTS, "--target", "three", "--compress", self.COMPRESS]
 
     def test_threads_and_verbs_change_no_byte(self):
-        one = bytes_of_outputs(self.packed("t1", "--threads", 1))
-        many = self.packed("t7", "--threads", 7)
-        self.assertEqual(one, bytes_of_outputs(many))
+        plain = self.packed_once()
+        one = bytes_of_outputs(plain)
+        self.assertEqual(one, bytes_of_outputs(self.packed("t1", "--threads", 1)))
         baked = self.folder / "baked"
-        done = run("bake", many / "scene.kiln", "--lods", "2.5,12.5", "--target", "three", "--compress", self.COMPRESS, "-o", baked)
+        done = run("bake", plain / "scene.kiln", "--lods", "2.5,12.5", "--target", "three", "--compress", self.COMPRESS, "-o", baked)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(one, bytes_of_outputs(baked))
 
     def test_check_finds_no_error(self):
-        done = run("check", self.packed("out"))
+        done = run("check", self.packed_once())
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_the_report_states_the_error_of_compression(self):
-        plain, packed = report_of(self.compiled("plain", *ARGUMENTS)), report_of(self.packed("packed"))
+        plain, packed = report_of(self.compiled("plain", *ARGUMENTS)), report_of(self.packed_once())
         self.assertTrue(plain["tiles"])
         for before, after in zip(plain["tiles"], packed["tiles"], strict=True):
             self.assertGreater(after["error_m"], before["error_m"])
@@ -43,7 +49,7 @@ class Packed:
             self.assertLess(after["bytes"], before["bytes"])
 
     def test_preview_reads_them(self):
-        out = self.packed("out")
+        out = self.packed_once()
         done = run("preview", out, "--size", "64x48", "--spp", 1, "-o", self.folder / "x.png")
         self.assertEqual(done.returncode, 0, done.stderr)
 

@@ -23,29 +23,25 @@ class SameBytes:
 
     def compiled_plainly(self):
         map_path, dem = self.inputs()
-        return self.compiled("plain", map_path, *dem, *ARGUMENTS), map_path, dem
+        return self.compiled_once(map_path, *dem, *ARGUMENTS), map_path, dem
 
     def test_threads_change_no_byte(self):
-        map_path, dem = self.inputs()
-        outputs = [bytes_of_outputs(self.compiled(f"t{n}", map_path, *dem, *ARGUMENTS, "--threads", n)) for n in (1, 2, 7)]
-        self.assertGreater(len(outputs[0]), 1)
-        self.assertEqual(outputs[0], outputs[1])
-        self.assertEqual(outputs[0], outputs[2])
-
-    def test_threads_change_no_report(self):
         plain, map_path, dem = self.compiled_plainly()
-        again = self.compiled("again", map_path, *dem, *ARGUMENTS, "--threads", 1)
-        self.assertEqual((plain / "report.json").read_text(), (again / "report.json").read_text())
+        outputs = bytes_of_outputs(plain)
+        self.assertGreater(len(outputs), 1)
+        for threads in (1, 7):
+            other = self.compiled(f"t{threads}", map_path, *dem, *ARGUMENTS, "--threads", threads)
+            self.assertEqual(outputs, bytes_of_outputs(other))
+            self.assertEqual((plain / "report.json").read_text(), (other / "report.json").read_text())
 
     def test_the_order_of_elements_changes_no_byte(self):
         plain, map_path, dem = self.compiled_plainly()
-        for seed in (1, 2):
-            # the manifest contains the file's name, so the shuffled file gets the same one
-            other = self.folder / f"seed{seed}" / map_path.name
-            other.parent.mkdir()
-            shuffle(map_path, other, seed)
-            shuffled = self.compiled(f"shuffled{seed}", other, *dem, *ARGUMENTS)
-            self.assertEqual(bytes_of_outputs(plain), bytes_of_outputs(shuffled))
+        # the manifest contains the file's name, so the shuffled file gets the same one
+        other = self.folder / "shuffled" / map_path.name
+        other.parent.mkdir()
+        shuffle(map_path, other, 1)
+        shuffled = self.compiled("out", other, *dem, *ARGUMENTS)
+        self.assertEqual(bytes_of_outputs(plain), bytes_of_outputs(shuffled))
 
     def test_a_cpu_without_fma_changes_no_byte(self):
         plain, map_path, dem = self.compiled_plainly()
@@ -74,7 +70,7 @@ class SameBytes:
         whole = bytes_of_outputs(plain)
         tiles = sorted({n.removeprefix("glb/").split("_L")[0] for n in whole if n.endswith(".glb")})
         self.assertTrue(tiles)
-        for tile in tiles[:3]:
+        for tile in tiles[:2]:
             apart = self.compiled(f"apart_{tile}", map_path, *dem, *ARGUMENTS, "--only", tile)
             glb = {n: h for n, h in bytes_of_outputs(apart).items() if n.endswith(".glb")}
             self.assertEqual(glb, {n: h for n, h in whole.items() if n.startswith(f"glb/{tile}_L")})

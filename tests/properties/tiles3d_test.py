@@ -150,8 +150,8 @@ class Tileset:
 
 
 class Tiles3d(ProgramTest):
-    def tileset(self, name="out", *arguments):
-        return Tileset(self.compiled(name, *ARGUMENTS, *arguments) / "3dtiles", self)
+    def tileset(self, *arguments):
+        return Tileset(self.compiled_once(*ARGUMENTS, *arguments) / "3dtiles", self)
 
     def test_errors_fall_and_volumes_hold_their_children(self):
         pairs = [(tile, parent, is_external) for tile, parent, is_external in self.tileset().tiles if parent]
@@ -248,7 +248,7 @@ class Tiles3d(ProgramTest):
         self.assertIn("OpenStreetMap", values["attribution"])
 
     def test_a_geoid_height_lifts_everything(self):
-        flat, lifted = self.tileset("flat"), self.tileset("lifted", "--geoid-height", "47.5")
+        flat, lifted = self.tileset(), self.tileset("--geoid-height", "47.5")
         self.assertEqual(lifted.document["metadata"]["properties"]["geoid_height_m"], 47.5)
         self.assertIn("NoGeoidHeight", report_of(flat.folder.parent)["diagnoses"])
         self.assertNotIn("NoGeoidHeight", report_of(lifted.folder.parent)["diagnoses"])
@@ -263,13 +263,13 @@ class Tiles3d(ProgramTest):
         samples = b"".join((row * 100).to_bytes(2, "big") * 12 for row in range(7))
         path = self.folder / "made.pgm"
         path.write_bytes(b"P5\n# Offset 0\n# Scale 0.01\n# Origin 90N 0E\n12 7\n65535\n" + samples)
-        tileset = self.tileset("out", "--geoid-height", path)
+        tileset = self.tileset("--geoid-height", path)
         found = tileset.document["metadata"]["properties"]["geoid_height_m"]
         self.assertAlmostEqual(found, (90 - 48.7) / 30, delta=0.05)
 
     def test_threads_and_verbs_change_no_byte(self):
         one = self.compiled("t1", *ARGUMENTS, "--threads", 1)
-        many = self.compiled("t7", *ARGUMENTS, "--threads", 7)
+        many = self.compiled_once(*ARGUMENTS)
         self.assertEqual(bytes_of_outputs(one), bytes_of_outputs(many))
         baked = self.folder / "baked"
         done = run("bake", many / "scene.kiln", "--lods", "2.5,12.5", "--emit", "kiln,3dtiles", "-o", baked)
@@ -279,7 +279,7 @@ class Tiles3d(ProgramTest):
         self.assertEqual(bytes_of_outputs(one), bytes_of_outputs(baked))
 
     def test_tiles_made_apart_are_those_of_the_whole(self):
-        whole, part = self.tileset("whole"), self.tileset("part", "--only", "0_0,-1_0")
+        whole, part = self.tileset(), self.tileset("--only", "0_0,-1_0")
         common = [uri for uri in part.contents() if not uri.startswith("Q")]
         self.assertEqual(len(common), 4)
         for uri in common:
