@@ -343,7 +343,7 @@ TEST_F(Junctions, AreSoundHoweverRoadsMeet) {
   std::mt19937_64 chance(20261121);
   Faults faults;
   int outlines = 0;
-  for (int round = 0; round < 100000; ++round) {
+  for (int round = 0; round < 20000; ++round) {
     const std::vector<Road> roads = random_roads(chance);
     const Outlined all = outlined(roads);
     const double beyond_m = beyond_reach_m(roads);
@@ -352,7 +352,7 @@ TEST_F(Junctions, AreSoundHoweverRoadsMeet) {
     ASSERT_EQ(faults.self_crossing, 0) << "round " << round;
     ASSERT_EQ(faults.beyond_reach, 0) << "round " << round;
   }
-  EXPECT_GT(outlines, 50000);
+  EXPECT_GT(outlines, 10000);
   RecordProperty("outlines", outlines);
   RecordProperty("spikes", faults.spikes);
 }
