@@ -11,7 +11,7 @@ import unittest
 
 from citykiln_program import PROGRAM, ROOT, TOWN, ProgramTest, report_of, run, sha256
 
-MOMENTS = 20
+MOMENTS = 12
 LEVELS = "1,2.5,5"
 
 
@@ -29,6 +29,10 @@ def contents(folder):
 class Runs(ProgramTest):
     def town(self, name, levels, *arguments, **options):
         return self.compiled(name, *town(), "--lods", levels, *arguments, **options)
+
+    def whole(self, levels=LEVELS):
+        """A run that was not disturbed, for all tests to read."""
+        return self.compiled_once(*town(), "--lods", levels)
 
     def command(self, out, levels=LEVELS):
         return [PROGRAM, "compile", *map(str, town()), "--lods", levels, "-o", str(out)]
@@ -57,7 +61,7 @@ class Runs(ProgramTest):
 
     def test_a_kill_at_any_moment_leaves_a_whole_run_and_the_next_goes_on(self):
         begin = time.monotonic()
-        new = contents(self.town("whole", LEVELS))
+        new = contents(self.town("timed", LEVELS))
         seconds = time.monotonic() - begin
         self.assertGreater(len(new), 8)
         old = self.town("out", "12")
@@ -83,7 +87,7 @@ class Runs(ProgramTest):
         self.assertChecked(old)
 
     def test_whole_tiles_are_not_baked_again_and_bytes_are_those_of_one_run(self):
-        new = contents(self.town("whole", LEVELS))
+        new = contents(self.whole())
         out = self.folder / "out"
         self.killed_with_tiles(out)
         whole = {path.name: path.stat().st_mtime_ns for path in out.glob(".new/glb/*.glb")}
@@ -102,7 +106,7 @@ class Runs(ProgramTest):
         self.assertEqual(contents(out), contents(self.town("whole", "1,2.5,6")))
 
     def test_a_damaged_tile_of_an_interrupted_run_is_baked_again(self):
-        new = contents(self.town("whole", LEVELS))
+        new = contents(self.whole())
         out = self.folder / "out"
         self.killed_with_tiles(out)
         tile = sorted(out.glob(".new/glb/*.glb"))[0]
@@ -122,7 +126,7 @@ class Runs(ProgramTest):
     def test_a_full_disk_leaves_the_earlier_run(self):
         out = self.town("out", "12")
         before = contents(out)
-        largest = max(path.stat().st_size for path in (self.town("whole", LEVELS) / "glb").iterdir())
+        largest = max(path.stat().st_size for path in (self.whole() / "glb").iterdir())
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (largest - 1, largest - 1))
         done = subprocess.run(self.command(out), cwd=ROOT, capture_output=True, text=True, check=False, preexec_fn=limit)
         self.assertEqual(done.returncode, 1, done.stderr)
@@ -130,7 +134,7 @@ class Runs(ProgramTest):
         self.assertEqual(contents(out), before)
         self.assertChecked(out)
         self.town("out", LEVELS)
-        self.assertEqual(contents(out), contents(self.folder / "whole"))
+        self.assertEqual(contents(out), contents(self.whole()))
 
     def test_a_full_small_disk_leaves_the_earlier_run(self):
         disk = self.folder / "disk"
@@ -165,7 +169,7 @@ class Runs(ProgramTest):
         out = self.town("out", "1,2,4")
         self.town("out", "2.5")
         self.assertEqual({path.name.split("_L")[1] for path in (out / "glb").iterdir()}, {"0.glb"})
-        self.assertEqual(contents(out), contents(self.town("fresh", "2.5")))
+        self.assertEqual(contents(out), contents(self.whole("2.5")))
 
     def test_strange_files_stay_and_are_named(self):
         out = self.folder / "out"
@@ -221,7 +225,7 @@ class Runs(ProgramTest):
             self.assertEqual(layer.read_bytes(), (out / "findings.json").read_bytes())
 
     def test_every_verb_takes_the_folder_or_its_manifest(self):
-        out = self.town("out", "2.5")
+        out = self.whole("2.5")
         for path in (out, out / "scene.kiln"):
             self.assertEqual(run("check", path).returncode, 0)
             self.assertEqual(run("inspect", path).returncode, 0)
@@ -232,14 +236,14 @@ class Runs(ProgramTest):
             self.assertEqual(sorted(p.name for p in (baked / "glb").iterdir()), sorted(p.name for p in (out / "glb").iterdir()))
 
     def test_a_file_without_a_tolerance_is_refused(self):
-        out = self.town("out", "2.5")
+        out = self.whole("2.5")
         done = run("bake", out, "-o", self.folder / "x.glb")
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
         self.assertIn("--tolerance", done.stderr)
         self.assertFalse((self.folder / "x.glb").exists())
 
     def test_strict_counts_the_codes_that_it_names(self):
-        found = sorted(report_of(self.town("out", "2.5"))["diagnoses"])[0]
+        found = sorted(report_of(self.whole("2.5"))["diagnoses"])[0]
         for codes, status in ((found, 2), (f"BrokenArea,{found}", 2), ("CoastlineOpen", 0)):
             done = run("compile", *town(), "--lods", "12.5", f"--strict={codes}", "-o", self.folder / "strict")
             self.assertEqual(done.returncode, status, done.stderr)
