@@ -324,8 +324,8 @@ TEST(Ground, ADamOneGridStepWideKeepsItsTolerance) {
   const std::vector<std::int32_t> heights = {152, 119, 132, 121, 233, 79,  239, 47,
                                              139, 25,  208, 213, 226, 112, 75,  189};
   constexpr Box2 kNorth{{0, 96}, {32, 128}};
-  const GradedTerrain graded = grade_terrain({{-128, -128}, {128, 128}, 4, 4, heights, 0},
-                                             {.surfaces = waters, .box = kNorth.widened(kGrading_m)});
+  const GradedTerrain graded =
+      grade_terrain({{-128, -128}, {128, 128}, 4, 4, heights, 0}, {{}, {}, waters, kNorth.widened(kGrading_m)});
   Report report;
   const GroundMesh g = generate_cell(waters, graded, kNorth, 0.02, report);
   EXPECT_LE(length(Vec2{g.error_m, g.border_error_m}), 0.02);
