@@ -1,5 +1,5 @@
 // The ground of two neighbouring tiles of small random maps. CITYKILN_SEEDS=FROM:TO tests other seeds than the first
-// few hundred; 0 to 99,999 pass.
+// few hundred.
 #include <gtest/gtest.h>
 
 #include <algorithm>
