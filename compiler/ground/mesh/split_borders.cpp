@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 
-#include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/mesh/refine.h"
 
