@@ -21,6 +21,7 @@ __extension__ using Wide = __int128;
 struct GridBox {
   GridPoint min, max;
   bool contains(GridPoint p) const { return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y; }
+  bool has_on_border(GridPoint p) const { return p.x == min.x || p.x == max.x || p.y == min.y || p.y == max.y; }
 };
 
 GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
@@ -156,15 +157,9 @@ std::array<OwnedSegment, 4> border_of(const GridBox& cell) {
   return {{{sw, se, 0, 0}, {se, ne, 0, 0}, {nw, ne, 0, 0}, {sw, nw, 0, 0}}};
 }
 
-// All segment ends and rounded crossings in the cell, sorted. The last four segments are the cell's border.
-std::vector<GridPoint> hot_points(std::span<const OwnedSegment> segments, std::span<const GridPoint> points,
-                                  const GridBox& cell) {
-  std::vector<GridPoint> hot;
-  const auto add = [&](GridPoint p) {
-    if (cell.contains(p)) hot.push_back(p);
-  };
-  for (const GridPoint p : points) add(p);
-  for (const OwnedSegment& s : segments) add(s.a), add(s.b);
+// Returns the rounded crossings in the cell, some of them several times.
+std::vector<GridPoint> crossings_of(std::span<const OwnedSegment> segments, const GridBox& cell) {
+  std::vector<GridPoint> crossings;
   const Buckets buckets(cell, segments.size());
   const BucketItems sorted = sort_into_buckets(buckets.size(), [&](auto visit) {
     for (std::uint32_t i = 0; i < segments.size(); ++i)
@@ -174,8 +169,21 @@ std::vector<GridPoint> hot_points(std::span<const OwnedSegment> segments, std::s
     const auto here = sorted.in(bucket);
     for (std::size_t i = 0; i < here.size(); ++i)
       for (std::size_t j = i + 1; j < here.size(); ++j)
-        if (const auto p = rounded_crossing(segments[here[i]], segments[here[j]])) add(*p);
+        if (const auto p = rounded_crossing(segments[here[i]], segments[here[j]]); p && cell.contains(*p))
+          crossings.push_back(*p);
   }
+  return crossings;
+}
+
+// Returns all crossings, segment ends and further points in the cell, sorted.
+std::vector<GridPoint> hot_points(std::vector<GridPoint> crossings, std::span<const OwnedSegment> segments,
+                                  std::span<const GridPoint> points, const GridBox& cell) {
+  std::vector<GridPoint> hot = std::move(crossings);
+  const auto add = [&](GridPoint p) {
+    if (cell.contains(p)) hot.push_back(p);
+  };
+  for (const GridPoint p : points) add(p);
+  for (const OwnedSegment& s : segments) add(s.a), add(s.b);
   std::sort(hot.begin(), hot.end());
   hot.erase(std::unique(hot.begin(), hot.end()), hot.end());
   return hot;
@@ -187,9 +195,10 @@ struct Piece {
   std::int32_t winding;
 };
 
-// Splits every segment at the hot points that it passes, in order along the segment.
+// Splits every segment at the hot points for which meets(segment, point) is true, in order along the segment.
+template <typename Meets>
 std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::span<const GridPoint> hot,
-                                const GridBox& cell) {
+                                const GridBox& cell, Meets meets) {
   const Buckets buckets(cell, hot.size());
   const BucketItems sorted = sort_into_buckets(buckets.size(), [&](auto visit) {
     for (std::uint32_t i = 0; i < hot.size(); ++i)
@@ -201,7 +210,7 @@ std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::spa
     passed.clear();
     buckets.for_each_along(s, [&](std::size_t bucket) {
       for (const std::uint32_t p : sorted.in(bucket))
-        if (passes(s, hot[p])) passed.push_back(p);
+        if (meets(s, hot[p])) passed.push_back(p);
     });
     // the squares are disjoint and the segment is straight, so sorting their centres along it is exact
     const GridPoint along = s.b - s.a;
@@ -241,6 +250,9 @@ Arrangement join(std::vector<Piece> pieces, std::vector<GridPoint> hot, const Gr
   return arrangement;
 }
 
+// Returns whether a segment of the closed cell goes exactly through p.
+bool goes_through(const OwnedSegment& s, GridPoint p) { return passes(s, p) && turn(s.a, s.b, p) == 0; }
+
 // Removes vertices without edges.
 void drop_unused(Arrangement& arrangement) {
   std::vector<std::uint32_t> place(arrangement.vertices.size(), 0);
@@ -255,20 +267,63 @@ void drop_unused(Arrangement& arrangement) {
   for (ArrangedEdge& e : arrangement.edges) e.a = place[e.a], e.b = place[e.b];
 }
 
-}  // namespace
-
-Arrangement arrange(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const Box2& cell) {
-  assert(!cell.is_empty());
-  assert(cell.min.x == std::floor(cell.min.x) && cell.min.y == std::floor(cell.min.y));
-  assert(cell.max.x == std::floor(cell.max.x) && cell.max.y == std::floor(cell.max.y));
-  const GridBox box = grid_box(cell);
-  std::vector<OwnedSegment> near = touching(segments, box);
-  for (const OwnedSegment& side : border_of(box)) near.push_back(side);
-  std::vector<GridPoint> hot = hot_points(near, points, box);
-  std::vector<Piece> pieces = bend_through(near, hot, box);
+// Bends segments through hot points and joins what coincides.
+template <typename Meets>
+Arrangement arranged(std::span<const OwnedSegment> segments, std::vector<GridPoint> hot, const GridBox& box,
+                     Meets meets) {
+  std::vector<Piece> pieces = bend_through(segments, hot, box, meets);
   Arrangement arrangement = join(std::move(pieces), std::move(hot), box);
   drop_unused(arrangement);
   return arrangement;
+}
+
+std::vector<OwnedSegment> with_border(std::vector<OwnedSegment> segments, const GridBox& box) {
+  for (const OwnedSegment& side : border_of(box)) segments.push_back(side);
+  return segments;
+}
+
+[[maybe_unused]] bool is_whole(const Box2& cell) {
+  return !cell.is_empty() && cell.min.x == std::floor(cell.min.x) && cell.min.y == std::floor(cell.min.y) &&
+         cell.max.x == std::floor(cell.max.x) && cell.max.y == std::floor(cell.max.y);
+}
+
+// Arranges segments of the closed cell. Returns nothing where a crossing is one that cannot be.
+template <typename CannotBe, typename Meets>
+std::optional<Arrangement> arranged_in_cell(std::span<const OwnedSegment> segments, std::span<const GridPoint> points,
+                                            const Box2& cell, CannotBe cannot_be, Meets meets) {
+  assert(is_whole(cell));
+  const GridBox box = grid_box(cell);
+  assert(std::ranges::all_of(segments, [&](const auto& s) { return box.contains(s.a) && box.contains(s.b); }));
+  const std::vector<OwnedSegment> near = with_border(touching(segments, box), box);
+  std::vector<GridPoint> crossings = crossings_of(near, box);
+  if (std::ranges::any_of(crossings, cannot_be)) return std::nullopt;
+  return arranged(near, hot_points(std::move(crossings), near, points, box), box, meets);
+}
+
+}  // namespace
+
+Arrangement arrange(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const Box2& cell) {
+  assert(is_whole(cell));
+  const GridBox box = grid_box(cell);
+  const std::vector<OwnedSegment> near = with_border(touching(segments, box), box);
+  const auto meets = [](const OwnedSegment& s, GridPoint p) { return passes(s, p); };
+  return arranged(near, hot_points(crossings_of(near, box), near, points, box), box, meets);
+}
+
+std::optional<Arrangement> arrange_inside(std::span<const OwnedSegment> segments, std::span<const GridPoint> points,
+                                          const Box2& cell) {
+  const GridBox box = grid_box(cell);
+  const auto is_on_border = [&](GridPoint p) { return box.has_on_border(p); };
+  const auto meets = [&](const OwnedSegment& s, GridPoint p) {
+    return is_on_border(p) ? goes_through(s, p) : passes(s, p);
+  };
+  return arranged_in_cell(segments, points, cell, is_on_border, meets);
+}
+
+std::optional<Arrangement> arrange_exactly(std::span<const OwnedSegment> segments, std::span<const GridPoint> points,
+                                           const Box2& cell) {
+  const auto always = [](GridPoint) { return true; };
+  return arranged_in_cell(segments, points, cell, always, goes_through);
 }
 
 }  // namespace citykiln

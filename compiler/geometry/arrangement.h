@@ -9,6 +9,7 @@
 #include <cmath>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -76,5 +77,24 @@ bool passes(const OwnedSegment& segment, GridPoint p);
 /// Hobby, "Practical segment intersection with finite precision output", Comput. Geom. 13, 1999; all tests are exact in
 /// 64 and 128 bits.
 Arrangement arrange(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const Box2& cell);
+
+/// Arranges segments that have been rounded before, such as edges of an arrangement of the same cell and parts of them.
+/// Rounded again by arrange(), a segment may be bent through a vertex of the cell's border that the original segment
+/// does not pass; then other faces lie beside the border than the neighbouring cell expects.
+///
+/// @param segments  In the closed cell; those along its border have no other vertex of the border between their ends.
+/// Guarantees: as arrange(), and vertices on the cell's border are `points`, the cell's corners and ends of segments;
+/// only segments that end there meet them, so the same faces lie beside each piece of the border as before. (A border
+/// vertex that is passed closely is never passed over, as the cell is convex.) Returns nothing where two segments cross
+/// within half a grid step of the border: no grid point inside the cell is nearest to such a crossing. Segments that
+/// meet only at their ends always have an arrangement. Cost: as arrange().
+std::optional<Arrangement> arrange_inside(std::span<const OwnedSegment> segments, std::span<const GridPoint> points,
+                                          const Box2& cell);
+
+/// Arranges segments that meet only at vertices of theirs, without rounding: edges of triangulations and parts of them.
+/// A segment is split at ends of others and at points that lie exactly on it, and stays where it is. Returns nothing
+/// where two cross between their ends. Otherwise as arrange_inside().
+std::optional<Arrangement> arrange_exactly(std::span<const OwnedSegment> segments, std::span<const GridPoint> points,
+                                           const Box2& cell);
 
 }  // namespace citykiln

@@ -9,6 +9,7 @@
 #include <cassert>
 
 #include "compiler/geometry/constrain_edge.h"
+#include "compiler/geometry/grid_point_set.h"
 
 namespace citykiln {
 namespace {
@@ -33,8 +34,11 @@ Cdt::Point cgal_point(GridPoint p) { return {static_cast<double>(-p.y), static_c
 }  // namespace
 
 struct Delaunay::Triangulation {
+  explicit Triangulation(std::span<const GridPoint> points) : vertices(points.begin(), points.end()), places(points) {}
+
   Cdt cdt;
   std::vector<GridPoint> vertices;
+  GridPointSet places;  // the vertices again
   std::vector<DelaunayFace> faces;
   std::vector<Cdt::Face_handle> handles;
   std::vector<std::uint32_t> changed;
@@ -81,11 +85,10 @@ struct Delaunay::Triangulation {
 };
 
 Delaunay::Delaunay(std::span<const GridPoint> vertices, std::span<const std::pair<std::uint32_t, std::uint32_t>> edges)
-    : triangulation_(std::make_unique<Triangulation>()) {
+    : triangulation_(std::make_unique<Triangulation>(vertices)) {
   assert(std::ranges::all_of(
       edges, [&](auto e) { return std::max(e.first, e.second) < vertices.size() && e.first != e.second; }));
   Triangulation& t = *triangulation_;
-  t.vertices.assign(vertices.begin(), vertices.end());
   std::vector<std::pair<Cdt::Point, std::uint32_t>> points;
   for (std::uint32_t i = 0; i < vertices.size(); ++i) points.emplace_back(cgal_point(vertices[i]), i);
   t.cdt.insert(points.begin(), points.end());
@@ -106,6 +109,8 @@ const std::vector<DelaunayFace>& Delaunay::faces() const { return triangulation_
 std::uint32_t Delaunay::face_to_split(GridPoint p, std::uint32_t near) const {
   assert(near < triangulation_->handles.size());
   const Triangulation& t = *triangulation_;
+  // refining asks for many vertices that the mesh has already, far from the face
+  if (t.places.contains(p)) return kNoFace;
   Cdt::Locate_type where;
   int corner = 0;
   const Cdt::Face_handle face = t.cdt.locate(cgal_point(p), where, corner, t.handles[near]);
@@ -120,6 +125,7 @@ std::span<const std::uint32_t> Delaunay::insert(GridPoint p, std::uint32_t face)
   const Cdt::Vertex_handle vertex = t.cdt.insert(cgal_point(p), t.handles[face]);
   vertex->info() = static_cast<std::uint32_t>(t.vertices.size());
   t.vertices.push_back(p);
+  t.places.insert(p);
   t.refresh_about(vertex);
   return t.changed;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "compiler/ground/cover/partition.h"
 #include "compiler/ground/cover/simplify_borders.h"
@@ -65,12 +66,11 @@ struct SimplerBorders {
   double error_m;
 };
 
-SimplerBorders simpler_borders(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
+SimplerBorders simpler_borders(const PreparedCell& prepared, double tolerance_m) {
   const auto any = [](std::uint32_t) { return true; };
   const auto none = [](GridPoint) { return false; };
   MergedSlivers merged = merge_slivers(prepared.between_borders, kSliverShare * tolerance_m, any);
-  const std::vector<Border> split = split_cell_border(prepared.reference, merged.borders, sides_m);
-  SimplifiedBorders simplified = simplify_borders(split, kBorderShare * tolerance_m, none);
+  SimplifiedBorders simplified = simplify_borders(merged.borders, kBorderShare * tolerance_m, none);
   return {std::move(simplified.borders), merged.error_m + simplified.error_m};
 }
 
@@ -82,11 +82,24 @@ struct HeightTolerances {
 
 using Lines = std::vector<std::pair<GridPoint, GridPoint>>;
 
+// Partitions the cell along borders that are split where the ground bends, and along further lines.
+// @param lines  Edges of the reference. If there are any, nothing is rounded, or these edges would be bent off it.
+Partition partition_along(const Reference& reference, std::span<const Border> whole, const SplitBorders& bent,
+                          const Lines& lines) {
+  std::optional<Partition> all;
+  if (!lines.empty()) all = partition_of_borders(bent.borders, bent.points, reference.cell, lines, Rounding::kNone);
+  if (!all) all = partition_of_borders(bent.borders, bent.points, reference.cell, lines, Rounding::kInside);
+  // rounded points have made borders cross at the cell's border; whole ones meet only at their ends
+  if (!all) all = partition_of_borders(whole, bent.points, reference.cell, {}, Rounding::kInside);
+  assert(all);
+  return std::move(*all);
+}
+
 // Splits the borders where the ground bends, triangulates them with further lines and refines the faces.
 Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
                    const HeightTolerances& tolerances, const Lines& lines) {
   const SplitBorders bent = split_borders(reference, borders, heights, tolerances.cell_border_m, tolerances.borders_m);
-  Partition seen = partition_of_borders(bent.borders, bent.points, reference.cell, lines);
+  Partition seen = partition_along(reference, borders, bent, lines);
   std::vector<FaceHeight> of_faces = face_heights(seen.face_cover, heights);
   return refine(std::move(seen), std::move(of_faces), reference, tolerances.faces_m);
 }
@@ -130,7 +143,7 @@ void keep_better(Refined& best, Refined&& other) {
 // @param borders_m  The tolerance to which borders are simplified in plan, at most tolerance_m.
 Simplified simplified_to(const PreparedCell& prepared, double tolerance_m, double borders_m,
                          const SideTolerances& sides_m) {
-  const SimplerBorders simpler = simpler_borders(prepared, borders_m, cell_border_m(sides_m));
+  const SimplerBorders simpler = simpler_borders(prepared, borders_m);
   const double height_m = height_tolerance_m(tolerance_m, simpler.error_m);
   double inner_m = height_m;
   const auto refine_borders = [&] {
@@ -168,7 +181,7 @@ bool add_lines(Lines& lines, const Lines& more) {
 // Where there is no room for a vertex, as on steps of the ground, the mesh gets the reference's own edges, round by
 // round, as they push others aside. Borders are not simplified: so they meet these edges at the reference's vertices.
 Simplified along_reference(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
-  const SimplerBorders whole = simpler_borders(prepared, 0, cell_border_m(sides_m));
+  const SimplerBorders whole = simpler_borders(prepared, 0);
   Lines lines;
   const auto refine_along_lines = [&] {
     return refined_to(prepared.reference, whole.borders, prepared.heights,

@@ -228,8 +228,9 @@ std::vector<Border> visible_borders(const Partition& all, std::span<const GridPo
   return borders;
 }
 
-Partition partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell,
-                               std::span<const std::pair<GridPoint, GridPoint>> lines) {
+std::optional<Partition> partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points,
+                                              const Box2& cell, std::span<const std::pair<GridPoint, GridPoint>> lines,
+                                              Rounding rounding) {
   assert(std::ranges::any_of(borders, &Border::is_cell_border));
   const std::vector<std::uint32_t> surfaces = surfaces_beside(borders);
   std::vector<OwnedSegment> segments;
@@ -241,15 +242,17 @@ Partition partition_of_borders(std::span<const Border> borders, std::span<const 
   // lines share an owner below all others
   const auto line_owner = static_cast<std::uint32_t>(surfaces.size());
   for (const auto& [a, b] : lines) segments.push_back({a, b, line_owner, 1});
-  Arrangement arrangement = arrange(segments, points, cell);
-  Delaunay triangulation = triangulated(arrangement);
+  std::optional<Arrangement> arrangement =
+      rounding == Rounding::kNone ? arrange_exactly(segments, points, cell) : arrange_inside(segments, points, cell);
+  if (!arrangement) return std::nullopt;
+  Delaunay triangulation = triangulated(*arrangement);
   const GridPoint corner = grid_point(cell.min);
   const std::uint32_t corner_face =
       outer_face(triangulation, [&](GridPoint from, GridPoint to) { return from == corner && to.y == corner.y; });
   const LabelledFace known{corner_face, {{place_in(surfaces, corner_surface(borders, corner)), 1}}};
-  std::vector<std::uint32_t> top = label_faces(triangulation, arrangement, known, ranks_of(line_owner + 1));
+  std::vector<std::uint32_t> top = label_faces(triangulation, *arrangement, known, ranks_of(line_owner + 1));
   for (std::uint32_t& owner : top) owner = owner >= line_owner ? kNoLandCover : surfaces[owner];
-  return {std::move(arrangement), std::move(triangulation), std::move(top)};
+  return Partition{std::move(*arrangement), std::move(triangulation), std::move(top)};
 }
 
 }  // namespace citykiln::ground

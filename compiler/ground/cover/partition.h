@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -55,10 +56,19 @@ std::vector<CellBorderPiece> cell_border_pieces(const NearbyCover& layers,
 /// Returns the border of a cell without land cover.
 std::vector<Border> empty_cell_borders(const Box2& cell);
 
-/// Partitions the cell along other borders: those given, and the points given on the cell's border.
+/// How borders and lines that were found before are arranged.
+enum class Rounding {
+  kInside,  ///< Those that pass a vertex closely are bent through it, unless it is on the cell's border.
+  kNone,    ///< They must not cross (arrange_exactly).
+};
+
+/// Partitions the cell along borders that were found before: those given, and the points given on the cell's border.
 /// @param borders  Include the cell's own, from which the polygon at its south-west corner is read.
-/// @param lines    From the lower end to the upper; they separate nothing.
-Partition partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell,
-                               std::span<const std::pair<GridPoint, GridPoint>> lines = {});
+/// @param lines    In the closed cell, from the lower end to the upper; they separate nothing.
+/// Guarantees: the same polygons lie along the cell's border as before, and its vertices are ends of borders, of lines
+/// and points (arrange_inside). Returns nothing where borders or lines cross, with rounding only at the cell's border.
+std::optional<Partition> partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points,
+                                              const Box2& cell, std::span<const std::pair<GridPoint, GridPoint>> lines,
+                                              Rounding rounding);
 
 }  // namespace citykiln::ground

@@ -92,7 +92,12 @@ struct Builder {
   }
 
   static bool are_level(const Ledge& one, const Ledge& other) { return one.a == other.a && one.b == other.b; }
-  static bool is_higher(const Ledge& one, const Ledge& other) { return one.a.z + one.b.z >= other.a.z + other.b.z; }
+  // Of ledges that cross halfway the one that is higher at the lower end in plan, so that both cells of a border agree.
+  static bool is_higher(const Ledge& one, const Ledge& other) {
+    const double one_m = one.a.z + one.b.z, other_m = other.a.z + other.b.z;
+    if (one_m != other_m) return one_m > other_m;
+    return in_plan(one.a) < in_plan(one.b) ? one.a.z > other.a.z : one.b.z > other.b.z;
+  }
 
   void add_below(const Ledge& upper, const Ledge& lower) {
     add_vertical_face(over_mouth(lower.a, lower.b, upper.a.z), over_mouth(lower.b, lower.a, upper.b.z), upper.a.z,

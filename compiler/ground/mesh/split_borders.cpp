@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 
-#include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/mesh/refine.h"
 
@@ -38,24 +37,47 @@ WorstPoint worst_of(const Reference& reference, const Point& a, const Point& b, 
   return worst;
 }
 
+// The grid points to which places of a border are rounded.
+struct GridRange {
+  GridPoint min, max;
+  GridPoint nearest(Vec2 place) const {
+    const GridPoint p = grid_point(place);
+    return {std::clamp(p.x, min.x, max.x), std::clamp(p.y, min.y, max.y)};
+  }
+};
+
+GridRange whole_range(const Box2& cell) { return {grid_point(cell.min), grid_point(cell.max)}; }
+
+// A border inside the cell has no point on the cell's border: what lies beside that must stay.
+GridRange inner_range(const Box2& cell) {
+  const auto [min, max] = whole_range(cell);
+  return {{min.x + 1, min.y + 1}, {max.x - 1, max.y - 1}};
+}
+
+// How a border is followed.
+struct Following {
+  std::span<const HeightLayer> layers;
+  double tolerance_m;
+  GridRange range;
+};
+
 // Splits an edge at its worst place until no piece is off by more than the tolerance. Depends on the edge and the
-// heights alone.
-void split_edge(const Reference& reference, const Point& a, const Point& b, std::span<const HeightLayer> layers,
-                double tolerance_m, std::vector<GridPoint>& points) {
-  const WorstPoint worst = worst_of(reference, a, b, layers);
-  if (worst.error_m <= tolerance_m) return;
-  const Point middle = point_at(reference, grid_point(snapped(worst.at)));
+// heights alone. Each piece has a smaller box than the edge, so it ends.
+void split_edge(const Reference& reference, const Point& a, const Point& b, const Following& following,
+                std::vector<GridPoint>& points) {
+  const WorstPoint worst = worst_of(reference, a, b, following.layers);
+  if (worst.error_m <= following.tolerance_m) return;
+  const Point middle = point_at(reference, following.range.nearest(worst.at));
   if (middle.at == a.at || middle.at == b.at) return;
   points.push_back(middle.at);
-  split_edge(reference, a, middle, layers, tolerance_m, points);
-  split_edge(reference, middle, b, layers, tolerance_m, points);
+  split_edge(reference, a, middle, following, points);
+  split_edge(reference, middle, b, following, points);
 }
 
 // Returns the border's points from the lower end to the upper.
-std::vector<GridPoint> path_of(const Reference& reference, const Border& border, std::span<const HeightLayer> layers,
-                               double tolerance_m) {
+std::vector<GridPoint> path_of(const Reference& reference, const Border& border, const Following& following) {
   std::vector<GridPoint> path = {border.a, border.b};
-  split_edge(reference, point_at(reference, border.a), point_at(reference, border.b), layers, tolerance_m, path);
+  split_edge(reference, point_at(reference, border.a), point_at(reference, border.b), following, path);
   const auto along = [&](GridPoint p) {
     return (p.x - border.a.x) * (border.b.x - border.a.x) + (p.y - border.a.y) * (border.b.y - border.a.y);
   };
@@ -79,41 +101,11 @@ std::vector<HeightLayer> layers_beside(const Border& border, std::span<const Fac
 // The neighbour's polygons may lie on other layers, so the cell's border follows all.
 std::vector<GridPoint> path_on_cell_border(const Reference& reference, const Border& border,
                                            const SideTolerances& sides_m) {
-  return path_of(reference, border, kAllLayers, tolerance_m_of(sides_m, border, reference.cell));
-}
-
-// Returns whether a path would be bent onto the cell's border beside its ends. Rounding may move a point of a border
-// that runs along the cell's within a grid step onto it, and then what lies between both is lost.
-bool meets_cell_border(std::span<const GridPoint> path, const Box2& cell, std::span<const GridPoint> on_cell_border) {
-  const auto is_within = [&](GridPoint p) {
-    const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
-    return p.x > min.x && p.x < max.x && p.y > min.y && p.y < max.y;
-  };
-  if (!std::all_of(path.begin() + 1, path.end() - 1, is_within)) return true;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const OwnedSegment piece{path[i - 1], path[i]};
-    const auto is_bent_by = [&](GridPoint p) { return p != piece.a && p != piece.b && passes(piece, p); };
-    if (std::ranges::any_of(on_cell_border, is_bent_by)) return true;
-  }
-  return false;
+  const Box2& cell = reference.cell;
+  return path_of(reference, border, {kAllLayers, tolerance_m_of(sides_m, border, cell), whole_range(cell)});
 }
 
 }  // namespace
-
-std::vector<Border> split_cell_border(const Reference& reference, std::span<const Border> borders,
-                                      const SideTolerances& sides_m) {
-  std::vector<Border> split;
-  for (const Border& border : borders) {
-    if (!border.is_cell_border) {
-      split.push_back(border);
-      continue;
-    }
-    const auto path = path_on_cell_border(reference, border, sides_m);
-    for (std::size_t i = 1; i < path.size(); ++i)
-      split.push_back({path[i - 1], path[i], border.left, border.right, true});
-  }
-  return split;
-}
 
 SplitBorders split_borders(const Reference& reference, std::span<const Border> borders,
                            std::span<const FaceHeight> heights, const SideTolerances& sides_m, double inner_m) {
@@ -127,8 +119,8 @@ SplitBorders split_borders(const Reference& reference, std::span<const Border> b
   }
   for (const Border& border : borders) {
     if (border.is_cell_border) continue;
-    auto path = path_of(reference, border, layers_beside(border, heights), inner_m);
-    if (path.size() > 2 && meets_cell_border(path, reference.cell, bent.points)) path = {border.a, border.b};
+    const std::vector<HeightLayer> layers = layers_beside(border, heights);
+    const auto path = path_of(reference, border, {layers, inner_m, inner_range(reference.cell)});
     for (std::size_t i = 1; i < path.size(); ++i)
       bent.borders.push_back({path[i - 1], path[i], border.left, border.right, false});
   }

@@ -15,9 +15,6 @@ namespace {
 
 using ground::GroundMesh;
 
-// Maps whose tiles do not meet yet: a border that runs within a grid step of the cell's own is rounded onto it.
-constexpr std::uint64_t kOpenSeams[] = {126, 202, 297};
-
 struct Seeds {
   std::uint64_t from = 0, to = 300;
 };
@@ -111,11 +108,10 @@ std::string faults_of(std::uint64_t seed) {
   return seam_of(met) + hole_of(first) + hole_of(second);
 }
 
-TEST(GroundBorders, OfNeighbouringTilesAreClosedButForKnownSeamsAndTheGroundHasNoHole) {
+TEST(GroundBorders, OfNeighbouringTilesAreClosedAndTheGroundHasNoHole) {
   const Seeds seeds = asked_seeds();
   std::uint64_t failed = 0;
   for (std::uint64_t seed = seeds.from; seed < seeds.to; ++seed) {
-    if (std::ranges::binary_search(kOpenSeams, seed)) continue;
     const std::string faults = faults_of(seed);
     if (faults.empty()) continue;
     ++failed;
@@ -123,6 +119,15 @@ TEST(GroundBorders, OfNeighbouringTilesAreClosedButForKnownSeamsAndTheGroundHasN
   }
   EXPECT_EQ(failed, 0u) << "of " << seeds.to - seeds.from << " seeds";
 }
+
+// Beyond the seeds of the test above: a kerb that leaves the border a grid step beside another one, a kerb that passes
+// a vertex of the border half a step off, and a shore one step beside the border that passes a vertex of the terrain.
+TEST(GroundBorders, AreClosedWhereRoundedBordersPassTheirVerticesClosely) {
+  for (const std::uint64_t seed : {832, 1326, 1476}) EXPECT_EQ(faults_of(seed), "") << "seed " << seed;
+}
+
+// Both cells have a ledge on their border, and each is higher at one end.
+TEST(GroundBorders, HaveOneVerticalFaceWhereLedgesCross) { EXPECT_EQ(faults_of(297), ""); }
 
 }  // namespace
 }  // namespace citykiln::bake

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <span>
+#include <tuple>
 
 #include "compiler/contract/draw.h"
 
@@ -118,6 +121,94 @@ TEST(Arrangement, TheOrderOfSegmentsDoesNotMatter) {
   const Arrangement back = arrange(segments, {}, kCell);
   EXPECT_EQ(forth.vertices, back.vertices);
   EXPECT_EQ(forth.edges.size(), back.edges.size());
+}
+
+// Triangles that run along the cell's western border within a few grid steps.
+std::vector<OwnedSegment> triangles_by_the_border(std::uint64_t seed) {
+  std::vector<OwnedSegment> segments = random_triangles(seed, 12, 0, 1);
+  for (OwnedSegment& s : segments)
+    for (GridPoint* p : {&s.a, &s.b}) p->x = p->x % 9 - 3, p->y = 60000 + p->y % 40;
+  return segments;
+}
+
+std::vector<OwnedSegment> segments_of(const Arrangement& r) {
+  std::vector<OwnedSegment> segments;
+  for (const ArrangedEdge& e : r.edges)
+    for (const WindingStep& step : std::span(r.steps).subspan(e.first, e.count))
+      segments.push_back({r.vertices[e.a], r.vertices[e.b], step.owner, step.winding});
+  return segments;
+}
+
+// The edges on the line x = 0 with what they enter and leave.
+using Along = std::vector<std::tuple<GridPoint, GridPoint, std::uint32_t, std::int32_t>>;
+
+Along along_border(const Arrangement& r) {
+  Along along;
+  for (const ArrangedEdge& e : r.edges) {
+    const GridPoint a = r.vertices[e.a], b = r.vertices[e.b];
+    if (a.x != 0 || b.x != 0) continue;
+    along.emplace_back(a, b, 0, 0);
+    for (const WindingStep& step : std::span(r.steps).subspan(e.first, e.count))
+      along.emplace_back(a, b, step.owner, step.winding);
+  }
+  return along;
+}
+
+TEST(ArrangementInside, LeavesWhatLiesAlongTheCellsBorder) {
+  std::size_t most = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const Arrangement once = arrange(triangles_by_the_border(seed), {}, kCell);
+    const std::optional<Arrangement> twice = arrange_inside(segments_of(once), on_line_x(once, 0), kCell);
+    ASSERT_TRUE(twice) << "seed " << seed;
+    EXPECT_EQ(along_border(*twice), along_border(once)) << "seed " << seed;
+    EXPECT_EQ(conflicts(*twice), 0) << "seed " << seed;
+    most = std::max(most, along_border(once).size());
+  }
+  EXPECT_GT(most, 20u);
+}
+
+// Two borders that leave the cell's a step apart, as one of them was rounded: it passes within half a step of the
+// other's end.
+TEST(ArrangementInside, BendsNoSegmentThroughAVertexOfTheBorderWhereItDoesNotEnd) {
+  const std::vector<OwnedSegment> segments = {{{0, 100}, {22, 124}, 0, 1}, {{0, 101}, {22, 124}, 1, 1}};
+  ASSERT_TRUE(passes(segments[0], {0, 101}));
+  const std::optional<Arrangement> arranged = arrange_inside(segments, {}, kCell);
+  ASSERT_TRUE(arranged);
+  EXPECT_EQ(arranged->edges.size(), 6u + 2u);  // the cell's border in six pieces
+  const auto along = along_border(*arranged);
+  EXPECT_TRUE(std::ranges::all_of(along, [](const auto& edge) { return std::get<3>(edge) == 0; }));
+}
+
+TEST(ArrangementInside, BendsSegmentsThroughVerticesInTheCell) {
+  const std::vector<OwnedSegment> segments = {{{0, 100}, {20, 101}, 0, 1}, {{9, 100}, {9, 90}, 1, 1}};
+  const std::optional<Arrangement> arranged = arrange_inside(segments, {}, kCell);
+  ASSERT_TRUE(arranged);
+  EXPECT_EQ(arranged->edges.size(), 5u + 2u + 1u);
+}
+
+TEST(ArrangementExactly, LeavesSegmentsThatMeetAtVerticesWhereTheyAre) {
+  // the second passes a fifth of a step beside an end of the first, the third ends on the fourth
+  const std::vector<OwnedSegment> segments = {{{100, 100}, {104, 102}, 0, 1},
+                                              {{100, 101}, {110, 104}, 1, 1},
+                                              {{90, 90}, {94, 94}, 2, 1},
+                                              {{94, 90}, {94, 98}, 3, 1}};
+  ASSERT_TRUE(passes(segments[1], {104, 102}));
+  const std::optional<Arrangement> arranged = arrange_exactly(segments, {}, kCell);
+  ASSERT_TRUE(arranged);
+  EXPECT_EQ(arranged->edges.size(), 4u + 5u);
+  EXPECT_EQ(conflicts(*arranged), 0);
+}
+
+TEST(ArrangementExactly, IsEmptyHandedWhereSegmentsCross) {
+  EXPECT_FALSE(
+      arrange_exactly(std::vector<OwnedSegment>{{{10, 10}, {20, 20}, 0, 1}, {{10, 20}, {20, 10}, 1, 1}}, {}, kCell));
+}
+
+TEST(ArrangementInside, IsEmptyHandedWhereSegmentsCrossAtTheBorder) {
+  EXPECT_FALSE(
+      arrange_inside(std::vector<OwnedSegment>{{{0, 100}, {1, 110}, 0, 1}, {{0, 101}, {1, 102}, 1, 1}}, {}, kCell));
+  EXPECT_TRUE(
+      arrange_inside(std::vector<OwnedSegment>{{{0, 100}, {1, 103}, 0, 1}, {{0, 101}, {1, 102}, 1, 1}}, {}, kCell));
 }
 
 }  // namespace

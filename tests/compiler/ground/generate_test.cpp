@@ -314,6 +314,23 @@ TEST(Ground, AtFullDetailACellWithoutGradingIsTheTerrain) {
   }
 }
 
+// The sea and a lake 1.9 m above it leave a strip of land between them that is a grid step wide: it rises where there
+// is no room for a vertex, and keeps the tolerance with edges of the reference (mesh/reference_edges.h) alone.
+TEST(Ground, ADamOneGridStepWideKeepsItsTolerance) {
+  std::vector<LandCoverPolygon> waters = {
+      {{{OsmType::kWay, 1}, 0}, LandCoverClass::kSea, 17224, {{{16, 128}, {0, 127.9921875}, {-16, 128}}}},
+      {{{OsmType::kWay, 2}, 0}, LandCoverClass::kLake, 307, {{{8, 128 - kQuantum_m}, {48, 128}, {0, 144}}}}};
+  waters[0].level_m = 0, waters[1].level_m = 1.875;
+  const std::vector<std::int32_t> heights = {152, 119, 132, 121, 233, 79,  239, 47,
+                                             139, 25,  208, 213, 226, 112, 75,  189};
+  constexpr Box2 kNorth{{0, 96}, {32, 128}};
+  const GradedTerrain graded =
+      grade_terrain({{-128, -128}, {128, 128}, 4, 4, heights, 0}, {{}, {}, waters, kNorth.widened(kGrading_m)});
+  Report report;
+  const GroundMesh g = generate_cell(waters, graded, kNorth, 0.02, report);
+  EXPECT_LE(length(Vec2{g.error_m, g.border_error_m}), 0.02);
+}
+
 TEST(Ground, TerrainLinesLeaveNoVertexOnTheBorderThatHeightsDoNotAskFor) {
   Report report;
   EXPECT_EQ(generate_cell({}, GradedTerrain(rough_field({16, 16}, 20)), kCell, 41, report).mesh.triangles.size(), 2u);
