@@ -12,7 +12,6 @@
 #include "compiler/ground/profiles/enforce_clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
 #include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/ground/profiles/graph_walk.h"
 #include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/planned_spans.h"
 #include "compiler/ground/profiles/profile_knots.h"
@@ -69,19 +68,6 @@ std::vector<double> heights_of(const ProfileGraph& paths, const ProfileGraph& al
   }
   interpolate_spans(paths, z_m);
   return z_m;
-}
-
-// Raises the paths on the ground that pass over tunnels back to the terrain there: the cutting of a tunnel's mouth ends
-// before them.
-void raise_to_terrain(const ProfileGraph& paths, std::span<const Crossing> crossings, const map::Heightfield& heights,
-                      std::vector<double>& z_m) {
-  for (const Crossing& c : crossings) {
-    if (c.upper == kNone || paths.ways[c.upper].road == kNone) continue;
-    for (const auto& start : starts_about(paths, c.upper, c.upper_at_m)) {
-      const std::uint32_t node = start.second;
-      if (!paths.nodes[node].is_pinned) z_m[node] = std::max(z_m[node], height_m_at(heights, paths.nodes[node].at));
-    }
-  }
 }
 
 // Returns the crossings of all lines in terms of the paths' graph: other lines have fixed heights.
@@ -181,9 +167,7 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
   const BelowBridges below{terrain.streams, terrain.waters, [&](Vec2 p) { return land_m(graded, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = heights_of(paths, all, profiles, graded);
-  std::vector<double> raised_m = lines_m;
-  raise_to_terrain(paths, crossings, terrain.heights, raised_m);
-  const std::vector<double> cleared_m = clear_crossings(paths, crossings, &terrain.heights, raised_m);
+  const std::vector<double> cleared_m = clear_crossings(paths, crossings, &terrain.heights, lines_m);
   std::vector<double> z_m = enforce_clearances(paths, crossings, limit_grades(paths, cleared_m));
   const std::vector<bool> is_below = pass_below(paths, crossings);
   straighten_decks(paths, is_below, z_m);

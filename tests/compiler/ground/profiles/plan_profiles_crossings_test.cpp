@@ -329,6 +329,15 @@ TEST(Profiles, StepsClimbToTheirFootbridgeAndGoDownToTheirUnderpass) {
   }
 }
 
+TEST(Profiles, APathOverATunnelIsNotInTheCuttingOfItsMouth) {
+  map::Features f;
+  f.tracks = {track(1, {{0, -600}, {0, -150}}), track(2, {{0, -150}, {0, 150}}, kStreet, Passage::kTunnel, -1),
+              track(3, {{0, 150}, {0, 600}}), track(4, {{-100, -145}, {100, -145}}, kFootway)};
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.crossings, 1u);
+  EXPECT_LE(p.measures.largest_shortfall_m, kShortfallMargin_m);
+}
+
 TEST(Profiles, APathThatPassesBelowABridgeKeepsItsHeight) {
   // without a profile it would lie on the embankments beside it
   map::Features f = footbridge(Passage::kBridge, 1);
@@ -431,6 +440,22 @@ TEST(Profiles, BridgesClearStandingWater) {
   const map::Heightfield heights = field_from([](double, double) { return 40; });
   const Profiles p = plan_profiles(f, roads, {}, {}, std::span(&lake, 1), heights, report);
   EXPECT_GE(height_m(p.off_ground[0], 30), 39.5 + kClearanceOverWater_m - 0.05);
+}
+
+TEST(Profiles, AFootbridgeClearsAPondBetweenItsStations) {
+  map::Features f;
+  f.tracks = {track(1, {{-60, 0}, {-6, 0}}, kFootway), track(2, {{-6, 0}, {6, 0}}, kFootway, Passage::kBridge, 1),
+              track(3, {{6, 0}, {60, 0}}, kFootway)};
+  LandCoverPolygon pond{
+      {{OsmType::kWay, 99}, 0}, LandCoverClass::kLake, 9, {{{-3, -1.5}, {3, -1.5}, {3, 1.5}, {-3, 1.5}}}};
+  pond.level_m = 39.5;
+  Report report;
+  const auto roads = roads::plan(f, report);
+  const map::Heightfield heights = field_from([](double, double) { return 40; });
+  const Profiles p = plan_profiles(f, roads, {}, {}, std::span(&pond, 1), heights, report);
+  ASSERT_EQ(p.shortfalls.size(), 1u);
+  EXPECT_EQ(p.shortfalls[0].lower, pond.id.osm);
+  EXPECT_GE(height_m(p.off_ground[0], 6), 39.5 + kClearanceOverWater_m - kShortfallMargin_m);
 }
 
 }  // namespace
