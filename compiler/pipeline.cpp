@@ -158,7 +158,9 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   map::Places places = map::places_of(*osm, report);
-  return CompileResult{std::move(scene), std::move(report), measured, timer.finish(), std::move(places)};
+  map::LayerTags layer_tags = map::layer_tags_of(*osm, report);
+  return CompileResult{std::move(scene), std::move(report), measured,
+                       timer.finish(),   std::move(places), std::move(layer_tags)};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/ground/profiles/measure_profiles.h"
+#include "compiler/map/layer_tags.h"
 #include "compiler/map/places.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
@@ -23,7 +24,8 @@ struct CompileResult {
   Report report;
   ground::ProfileMeasures profiles;  ///< Height consistency of the planned lines.
   std::vector<StageCost> costs;
-  map::Places places;  ///< Of the elements that the report's diagnoses name.
+  map::Places places;         ///< Of the elements that the report's diagnoses name.
+  map::LayerTags layer_tags;  ///< Of the ways that diagnoses of two objects name.
 };
 
 /// Compiles a map and heightmaps to a scene of recipes, with the ledger and diagnoses of all stages.

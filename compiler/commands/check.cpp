@@ -135,16 +135,21 @@ struct Request {
   int threads = 0;
 };
 
+Result<std::vector<verify::Finding>> read_findings(const std::string& folder) {
+  const Result<std::vector<std::byte>> bytes = exporters::read_file(folder + "/findings.json");
+  if (!bytes) return bytes.error();
+  auto findings = verify::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  if (!findings) return Error{folder + "/findings.json", findings.error().message};
+  return findings;
+}
+
 // The page of the worst places, if it is asked for.
-Result<Done> write_page(const Request& request, const verify::LoadedRun& loaded, const verify::CheckResults& results,
+Result<Done> write_page(const Request& request, const verify::LoadedRun& loaded,
+                        std::span<const verify::Finding> findings, const verify::CheckResults& results,
                         const Console& console) {
   if (request.worst == 0) return Done{};
-  const Result<std::vector<std::byte>> bytes = exporters::read_file(loaded.folder + "/findings.json");
-  if (!bytes) return bytes.error();
-  const auto findings = verify::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-  if (!findings) return Error{loaded.folder + "/findings.json", findings.error().message};
   const std::vector<verify::PlacesOfKind> kinds = verify::worst_places(
-      results, results.earthworks, *findings, map::Plane(loaded.scene.header.origin), request.worst);
+      results, results.earthworks, findings, map::Plane(loaded.scene.header.origin), request.worst);
   const Result<Done> written =
       write_worst_page(loaded, kinds, request.page_folder, request.threads, console.progress());
   if (!written) return written;
@@ -160,6 +165,8 @@ Result<Exit> run(const Request& request, const Console& console) {
   const std::string folder = folder_of(request.folder);
   const Result<verify::LoadedRun> loaded = open_run(folder);
   if (!loaded) return loaded.error();
+  const Result<std::vector<verify::Finding>> findings = read_findings(folder);
+  if (!findings) return findings.error();
   verify::CheckResults recipes;
   if (const Result<Done> done = verify::check_folder(*loaded, request.threads, recipes); !done) return done.error();
   // broken files cannot be measured
@@ -167,12 +174,13 @@ Result<Exit> run(const Request& request, const Console& console) {
   recipes.ledger.tests = 1;
   for (const std::string& account : loaded->record.unbalanced) recipes.ledger.test_all(0, false, account);
   check_recipes(loaded->scene, request.threads, recipes);
+  recipes.clearances = verify::explained(std::move(recipes.clearances), *findings);
   Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
   if (!results) return results.error();
   if (const Result<Done> done = check_usd(*loaded, request.threads, *results); !done) return done.error();
   verify::check_tileset(*loaded, request.threads, *results);
   print(*results, console);
-  if (const Result<Done> done = write_page(request, *loaded, *results, console); !done) return done.error();
+  if (const Result<Done> done = write_page(request, *loaded, *findings, *results, console); !done) return done.error();
   for (const verify::Check* check : verify::all_of(*results)) {
     if (!check->failures.empty()) return failure(folder, *check);
   }

@@ -48,7 +48,8 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
 
   // decided before baking, because objects left out at coarse levels are no defects of the data
   const Exit exit = verify::is_violated(spec.strict, compiled->report) ? Exit::kStrictViolation : Exit::kDone;
-  std::vector<verify::Finding> findings = verify::findings_of(compiled->report, compiled->places, header);
+  std::vector<verify::Finding> findings =
+      verify::findings_of(compiled->report, compiled->places, compiled->layer_tags, header);
 
   StageTimer timer(on_progress);
   timer.enter("bake and write");
@@ -61,6 +62,7 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
       },
       [&] { heights.recipes = verify::measure_heights(compiled->scene, spec.threads); });
   if (!written) return written.error();
+  heights.recipes.clearances = verify::explained(std::move(heights.recipes.clearances), findings);
   written->findings.insert(written->findings.begin(), findings.begin(), findings.end());
   std::vector<StageCost> costs = compiled->costs;
   for (StageCost& cost : timer.finish()) costs.push_back(std::move(cost));

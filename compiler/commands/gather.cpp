@@ -141,7 +141,8 @@ Result<Done> write_out(const Plan& plan, Gathered& all, const CompileSpec& spec,
     if (Result<Done> done = folder->adopt(placed.file, placed.path); !done) return done;
     if (!tiles.contains(name)) all.files.files.push_back({name, placed.file.bytes});
   }
-  const verify::HeightReport heights{verify::measure_heights(all.scene, spec.threads), {}};
+  verify::HeightReport heights{verify::measure_heights(all.scene, spec.threads), {}};
+  heights.recipes.clearances = verify::explained(std::move(heights.recipes.clearances), all.findings);
   const bool is_solved = spec.outputs.max_bytes || spec.outputs.max_triangles;
   const std::size_t levels = is_solved ? 1 : spec.outputs.ladder_m.size();
   const std::string report =

@@ -36,6 +36,21 @@ Json print_measure(const verify::Grades& grades, const Console& console) {
           {"over_m", grades.over_m}};
 }
 
+Json json_of(const verify::ClearanceShortfall& s) {
+  return {{"missing_m", s.missing_m},
+          {"upper", to_string(s.upper)},
+          {"lower", to_string(s.lower)},
+          {"at", {s.at.x, s.at.y}},
+          {"tags", s.tags}};
+}
+
+Json json_of(std::span<const verify::ClearanceShortfall> shortfalls) {
+  Json json = Json::array();
+  for (const verify::ClearanceShortfall& s : shortfalls) json.push_back(json_of(s));
+  return json;
+}
+
+// The crossings that the map explains are counted apart.
 Json print_measure(const verify::Clearances& c, const Console& console) {
   const verify::ClearanceShortfall worst = c.shortfalls.empty() ? verify::ClearanceShortfall{} : c.shortfalls.front();
   console.print_line(fmt::format(
@@ -43,6 +58,9 @@ Json print_measure(const verify::Clearances& c, const Console& console) {
       "{:.2f} m, {} over {} at {}, {}",
       c.shortfalls.size(), c.crossings, c.count_over(1), c.count_over(3), worst.missing_m, to_string(worst.upper),
       to_string(worst.lower), worst.at.x, worst.at.y));
+  console.print_line(
+      fmt::format("info  {} more have too little clearance because the map's tags do not say which line is above",
+                  c.contradictions.size()));
   return {{"measure", "crossings with too little clearance"},
           {"crossings", c.crossings},
           {"shortfalls", c.shortfalls.size()},
@@ -51,7 +69,9 @@ Json print_measure(const verify::Clearances& c, const Console& console) {
           {"largest_shortfall_m", worst.missing_m},
           {"upper", to_string(worst.upper)},
           {"lower", to_string(worst.lower)},
-          {"at", {worst.at.x, worst.at.y}}};
+          {"at", {worst.at.x, worst.at.y}},
+          {"places", json_of(c.shortfalls)},
+          {"contradictions", json_of(c.contradictions)}};
 }
 
 // The count of all, and the worst of those over the limit of their kind.

@@ -31,6 +31,7 @@ struct Diagnosis {
   OsmId object;
   double size = 0;                              ///< In the unit that the code's text states; 0 if it states none.
   std::optional<std::array<double, 2>> at_m{};  ///< Where, in the plane; none: where the object is.
+  OsmId other{};                                ///< The other of two objects that it is about; none: it is about one.
 };
 
 /// An account of the ledger: the objects of one kind in one stage. It balances if in + split = out + merged + dropped.
@@ -49,6 +50,9 @@ class Report {
  public:
   void add(const Diagnosis& diagnosis) { diagnoses_.push_back(diagnosis); }
   void add(Code code, OsmId object, double size = 0) { add({code, object, size}); }
+
+  /// Adds a diagnosis of two objects.
+  void add_pair(Code code, OsmId object, OsmId other, double size) { add({code, object, size, {}, other}); }
 
   /// Adds a diagnosis of a place (x, y in the plane) that no one object explains.
   void add_at(Code code, std::array<double, 2> at_m, double size) { add({code, {}, size, at_m}); }

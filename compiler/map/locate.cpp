@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/map/assumed_layers.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/map_box.h"
 
@@ -50,7 +51,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   const ReadContext context{osm, plane, region_of(plane, box), report};
   Features features;
   features.region = context.region;
-  features.tracks = locate_tracks(context, options.driving_side);
+  features.tracks = with_assumed_layers(locate_tracks(context, options.driving_side));
   features.footprints = locate_footprints(context);
   features.areas = locate_areas(context);
   for (AreaFeature& sea : locate_sea(context)) features.areas.push_back(std::move(sea));

@@ -48,8 +48,17 @@ LonLat place_of(const ReadContext& context, const source::Way& way) {
   return {at.lon_deg(), at.lat_deg()};
 }
 
+// A path through a building on an upper storey is a corridor in it, unlike one on the ground.
+bool is_upper_passage(const ReadContext& context, const source::Way& way, const Track& track) {
+  return track.layer > 0 && values_of(track.surface).group == LandCoverGroup::kPath &&
+         context.tag(way.tags, "tunnel") == "building_passage" && !says_yes(context.tag(way.tags, "bridge"));
+}
+
 void tell_layer(const Track& track, Report& report) {
   if (track.passage == Passage::kBridge && track.layer == 0) report.add(Code::kBridgeWithoutLayer, track.id.osm);
+  // paths in tunnels without a layer are corridors in buildings
+  if (track.passage == Passage::kTunnel && track.layer == 0 && values_of(track.surface).group != LandCoverGroup::kPath)
+    report.add(Code::kTunnelWithoutLayer, track.id.osm);
   if (track.passage == Passage::kGround && track.layer != 0)
     report.add(Code::kLayerWithoutBridge, track.id.osm, std::abs(track.layer));
 }
@@ -69,7 +78,7 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.section = std::move(section.section);
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
   track.layer = tagged_layer(context, id, way.tags);
-  track.passage = tagged_passage(context, way.tags);
+  track.passage = is_upper_passage(context, way, track) ? Passage::kTunnel : tagged_passage(context, way.tags);
   track.is_oneway = tagged_traffic(context.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;
   track.is_lit = says_yes(context.tag(way.tags, "lit"));
   track.is_rail = row.key == "railway";

@@ -43,7 +43,7 @@ struct Span : roads::Road {
   std::vector<Pier> piers;                        ///< Bridges: sorted by at_m, unique.
   std::vector<ParapetGap> left_gaps, right_gaps;  ///< Bridges: sorted, disjoint.
   bool is_bored = false;                          ///< Tunnels: false if they do not lie under the terrain.
-  std::int8_t layer = 0;  ///< As tagged, -10 to 10: of two spans that cross, the higher layer is above.
+  std::int8_t layer = 0;  ///< As tagged or continued, -10 to 10: of two spans that cross, the higher is above.
   bool operator==(const Span&) const = default;
 };
 

@@ -50,7 +50,7 @@ std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>
 
 auto sort_key(const Finding& finding) {
   const Diagnosis& d = finding.diagnosis;
-  return std::tuple(d.code, d.object, finding.tile, finding.level, d.size);
+  return std::tuple(d.code, d.object, d.other, finding.tile, finding.level, d.size);
 }
 
 std::string text_of(const Finding& finding) {
@@ -58,7 +58,9 @@ std::string text_of(const Finding& finding) {
   nlohmann::ordered_json properties = {{"code", name_of(d.code)}, {"severity", name_of(severity_of(d.code))}};
   properties["id"] = nullptr;
   if (d.object.type != OsmType::kNone) properties["id"] = to_string(d.object);
+  if (d.other.type != OsmType::kNone) properties["other"] = to_string(d.other);
   properties["size"] = d.size;
+  if (!finding.tags.empty()) properties["tags"] = finding.tags;
   if (finding.tile) properties["tile"] = to_string(*finding.tile);
   if (finding.level) properties["level"] = *finding.level;
   // 1e-7 degrees are the grid of OSM
@@ -92,19 +94,35 @@ std::optional<Finding> finding_of(const nlohmann::json& feature) {
   const std::optional<Code> code = code_named(properties.at("code").get<std::string>());
   if (!code) return std::nullopt;
   Finding finding{{*code, id_of(properties.at("id")), properties.at("size").get<double>()}, {}, tile_of(properties)};
+  if (properties.contains("other")) finding.diagnosis.other = id_of(properties.at("other"));
+  finding.tags = properties.value("tags", "");
   if (properties.contains("level")) finding.level = properties.at("level").get<std::size_t>();
   if (const nlohmann::json& geometry = feature.at("geometry"); !geometry.is_null())
     finding.at = {geometry.at("coordinates").at(0).get<double>(), geometry.at("coordinates").at(1).get<double>()};
   return finding;
 }
 
+// "w1: tunnel=yes layer=-1; w2: no tags of height"; empty for a diagnosis of one object.
+std::string tags_of(const Diagnosis& diagnosis, const map::LayerTags& layer_tags) {
+  if (diagnosis.other.type == OsmType::kNone) return {};
+  std::string text;
+  for (const OsmId object : {diagnosis.object, diagnosis.other}) {
+    const auto found = layer_tags.find(object);
+    if (found == layer_tags.end()) continue;
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", to_string(object),
+                        found->second.empty() ? "no tags of height" : found->second);
+  }
+  return text;
+}
+
 }  // namespace
 
-std::vector<Finding> findings_of(const Report& report, const map::Places& places, const scene::Header& header) {
+std::vector<Finding> findings_of(const Report& report, const map::Places& places, const map::LayerTags& layer_tags,
+                                 const scene::Header& header) {
   const map::Plane plane(header.origin);
   std::vector<Finding> findings;
   for (const Diagnosis& diagnosis : report.diagnoses()) {
-    Finding finding{diagnosis, std::nullopt, std::nullopt};
+    Finding finding{diagnosis, std::nullopt, std::nullopt, {}, tags_of(diagnosis, layer_tags)};
     if (const auto found = places.find(diagnosis.object); found != places.end()) {
       finding.at = found->second;
       finding.tile = tile_at(header, plane.forward(found->second));
@@ -128,7 +146,7 @@ std::vector<Finding> findings_of(const Report& report, const scene::Header& head
     const Vec2 at = diagnosis.at_m          ? Vec2{(*diagnosis.at_m)[0], (*diagnosis.at_m)[1]}
                     : found != places.end() ? found->second
                                             : centre;
-    findings.push_back({diagnosis, plane.backward(at), chunk.tile, level});
+    findings.push_back({diagnosis, plane.backward(at), chunk.tile, level, {}});
   }
   return findings;
 }

@@ -9,6 +9,7 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
+#include "compiler/map/layer_tags.h"
 #include "compiler/map/places.h"
 #include "compiler/scene/scene.h"
 
@@ -20,10 +21,12 @@ struct Finding {
   std::optional<map::LonLat> at;       ///< None: of the whole map (heightmaps), or the extract lacks the element.
   std::optional<scene::TileKey> tile;  ///< Of the place; none outside the compiled region.
   std::optional<std::size_t> level{};  ///< Of a finding while a tile was baked.
+  std::string tags{};                  ///< Of two ways, those that decide which is above; empty if it is about one.
 };
 
 /// The findings of compiling, before tiles are baked.
-std::vector<Finding> findings_of(const Report& report, const map::Places& places, const scene::Header& header);
+std::vector<Finding> findings_of(const Report& report, const map::Places& places, const map::LayerTags& layer_tags,
+                                 const scene::Header& header);
 
 /// The findings of baking one tile at one level. The place is the diagnosis' own, else that of
 /// its object in the chunk, else the tile's centre.
@@ -31,7 +34,7 @@ std::vector<Finding> findings_of(const Report& report, const scene::Header& head
                                  std::size_t level);
 
 /// A FeatureCollection (RFC 7946), one feature a line, sorted: a point, or null without a place, with the properties
-/// code, severity, id (null: of no element), size, tile and level (where it has these). Deterministic.
+/// code, severity, id (null: of no element), other, size, tags, tile and level (where it has these). Deterministic.
 std::string findings_json(std::vector<Finding> findings, const scene::Header& header);
 
 /// Reads what findings_json() wrote; the diagnoses' own places (at_m) are in `at`. Errors: text of another form.

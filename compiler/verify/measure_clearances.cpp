@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/erase_repeated.h"
@@ -375,6 +376,23 @@ Clearances measure_clearances(const scene::Scene& scene, int threads) {
       sum.shortfalls.push_back({worst.shortfall_m, pair.first, pair.second, worst.at});
   std::ranges::stable_sort(sum.shortfalls, std::ranges::greater{}, &ClearanceShortfall::missing_m);
   return sum;
+}
+
+Clearances explained(Clearances clearances, std::span<const Finding> findings) {
+  std::map<std::pair<OsmId, OsmId>, const Finding*> by_pair;
+  for (const Finding& finding : findings) {
+    const Diagnosis& d = finding.diagnosis;
+    if (d.code == Code::kClearanceNotMet || d.code == Code::kLayersContradict) by_pair[{d.object, d.other}] = &finding;
+  }
+  std::vector<ClearanceShortfall> all = std::exchange(clearances.shortfalls, {});
+  for (ClearanceShortfall& s : all) {
+    const auto found = by_pair.find({s.upper, s.lower});
+    const bool is_known = found != by_pair.end();
+    if (is_known) s.tags = found->second->tags;
+    const bool is_contradictory = is_known && found->second->diagnosis.code == Code::kLayersContradict;
+    (is_contradictory ? clearances.contradictions : clearances.shortfalls).push_back(std::move(s));
+  }
+  return clearances;
 }
 
 std::uint64_t Clearances::count_over(double missing_m) const {

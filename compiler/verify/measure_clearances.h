@@ -7,9 +7,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "compiler/scene/scene.h"
+#include "compiler/verify/findings.h"
 
 namespace citykiln::verify {
 
@@ -18,11 +21,14 @@ struct ClearanceShortfall {
   double missing_m = 0;
   OsmId upper, lower;
   Vec2 at;
+  std::string tags{};  ///< Of both, those that decide which is above; empty if no finding names them.
 };
 
 struct Clearances {
   std::uint64_t crossings = 0;                 ///< Pairs of lines, or of a line and a water.
   std::vector<ClearanceShortfall> shortfalls;  ///< The largest first.
+  /// Those that the map explains: its tags do not say which line is above. The largest first.
+  std::vector<ClearanceShortfall> contradictions;
 
   /// Number of shortfalls that are larger than this.
   std::uint64_t count_over(double missing_m) const;
@@ -34,5 +40,9 @@ struct Clearances {
 /// (ground/profiles/crossings.h). Lines without a profile lie on the graded terrain. Each crossing counts once, in the
 /// tile that contains it. O(n log n).
 Clearances measure_clearances(const scene::Scene& scene, int threads);
+
+/// Returns the measures with the tags that findings quote, and with the shortfalls of pairs that a finding
+/// kLayersContradict names among the contradictions. O(n log n).
+Clearances explained(Clearances clearances, std::span<const Finding> findings);
 
 }  // namespace citykiln::verify

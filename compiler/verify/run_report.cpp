@@ -119,7 +119,8 @@ Json clearances_of(const Clearances& measured) {
           {"shortfalls", measured.shortfalls.size()},
           {"shortfalls_over_1_m", measured.count_over(1)},
           {"shortfalls_over_3_m", measured.count_over(3)},
-          {"largest_shortfall_m", measured.largest_m()}};
+          {"largest_shortfall_m", measured.largest_m()},
+          {"contradictions", measured.contradictions.size()}};
 }
 
 Json clearances_of(const ground::ProfileMeasures& planned) {
@@ -127,7 +128,8 @@ Json clearances_of(const ground::ProfileMeasures& planned) {
           {"shortfalls", planned.shortfalls},
           {"shortfalls_over_1_m", planned.shortfalls_over_1_m},
           {"shortfalls_over_3_m", planned.shortfalls_over_3_m},
-          {"largest_shortfall_m", planned.largest_shortfall_m}};
+          {"largest_shortfall_m", planned.largest_shortfall_m},
+          {"contradictions", planned.contradictions}};
 }
 
 /// Every value should be 0, except lengths, shares over the grade limit, and clearances.

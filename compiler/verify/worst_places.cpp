@@ -14,6 +14,7 @@ namespace {
 // Diagnoses of the map's or the product's quality, in the order of the page.
 constexpr Code kShown[] = {
     Code::kToleranceNotMet,
+    Code::kCrossingWithoutOrder,
     Code::kTooSteep,
     Code::kTunnelLowered,
     Code::kTunnelNotMeshed,
@@ -57,13 +58,18 @@ PlacesOfKind failures_of(const Check& check) {
   return kind;
 }
 
-PlacesOfKind shortfalls_of(const Clearances& clearances) {
-  PlacesOfKind kind{
-      "missing clearance", "a line passes too closely over another line or over water (size: metres missing)", 0, {}};
-  for (const ClearanceShortfall& s : clearances.shortfalls)
-    kind.worst.push_back(
-        {{s.upper, s.lower}, s.missing_m, fmt::format("{} over {}", to_string(s.upper), to_string(s.lower)), s.at});
-  return kind;
+WorstPlace place_of(const ClearanceShortfall& s) {
+  const std::string pair = fmt::format("{} over {}", to_string(s.upper), to_string(s.lower));
+  return {{s.upper, s.lower}, s.missing_m, s.tags.empty() ? pair : fmt::format("{} ({})", pair, s.tags), s.at};
+}
+
+void add_shortfalls(const Clearances& clearances, std::vector<PlacesOfKind>& kinds) {
+  PlacesOfKind& missing = kinds.emplace_back(PlacesOfKind{
+      "missing clearance", "a line passes too closely over another line or over water (size: metres missing)", 0, {}});
+  for (const ClearanceShortfall& s : clearances.shortfalls) missing.worst.push_back(place_of(s));
+  PlacesOfKind& contradictory = kinds.emplace_back(PlacesOfKind{
+      std::string(name_of(Code::kLayersContradict)), std::string(text_of(Code::kLayersContradict)), 0, {}});
+  for (const ClearanceShortfall& s : clearances.contradictions) contradictory.worst.push_back(place_of(s));
 }
 
 // The cuts, or the fills, of one kind of line.
@@ -85,7 +91,8 @@ WorstPlace place_of(const Finding& finding, const map::Plane& plane) {
   place.size = finding.diagnosis.size;
   if (finding.diagnosis.object.type != OsmType::kNone) place.ids = {finding.diagnosis.object};
   if (finding.at) place.at = plane.forward(*finding.at);
-  if (finding.level) place.text = fmt::format("level {}", *finding.level);
+  if (finding.diagnosis.other.type != OsmType::kNone) place.ids.push_back(finding.diagnosis.other);
+  place.text = finding.level ? fmt::format("level {}", *finding.level) : finding.tags;
   return place;
 }
 
@@ -104,7 +111,7 @@ std::vector<PlacesOfKind> worst_places(const CheckResults& results, std::span<co
                                        std::span<const Finding> findings, const map::Plane& plane, std::size_t most) {
   std::vector<PlacesOfKind> kinds;
   for (const Check* check : all_of(results)) kinds.push_back(failures_of(*check));
-  kinds.push_back(shortfalls_of(results.clearances));
+  add_shortfalls(results.clearances, kinds);
   for (const bool is_cut : {true, false}) add_earthworks(earthworks, is_cut, kinds);
   add_diagnoses(findings, plane, kinds);
   for (PlacesOfKind& kind : kinds) keep_worst(kind, most);

@@ -24,6 +24,7 @@ class ClearancesReal(ProgramTest):
                 self.assertGreater(heights["clearances"]["crossings"], 50)
                 for figure in FIGURES:
                     self.assertEqual(stated[0][figure], heights["clearances"][figure], figure)
+                self.assertEqual(len(stated[0]["contradictions"]), heights["clearances"]["contradictions"])
                 planned = heights["planned_clearances"]
                 self.assertLess(abs(planned["crossings"] - heights["clearances"]["crossings"]), 0.1 * planned["crossings"])
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/profiles/grade_rules.h"
 
 namespace citykiln::ground {
@@ -37,25 +38,19 @@ struct WrittenHeights {
 
 }  // namespace
 
-std::vector<ClearanceShortfall> find_shortfalls(const map::Features& features, const Profiles& profiles,
-                                                const BelowBridges& below) {
-  const ProfileGraph graph = graph_of(features, profiles.roads, {}, Lines::kAll);
-  std::vector<Crossing> crossings = find_crossings(graph, features, below);
-  // lines without profile are told apart by their height
-  const auto pair = [](const Crossing& c) {
-    return std::tuple(c.upper, c.lower, c.lower == kNone ? c.lower_z_m : 0, c.upper == kNone ? c.upper_z_m : 0);
-  };
-  std::ranges::stable_sort(crossings, {}, pair);
+std::vector<ClearanceShortfall> find_shortfalls(const ProfileGraph& graph, const map::Features& features,
+                                                const Profiles& profiles, const BelowBridges& below) {
   const WrittenHeights heights{graph, profiles, below};
-  const auto id_of = [&](std::uint32_t way) { return way == kNone ? OsmId{} : graph.ways[way].track->id.osm; };
-  std::vector<ClearanceShortfall> shortfalls;
-  for (std::size_t i = 0; i < crossings.size(); ++i) {
-    const Crossing& c = crossings[i];
-    if (i == 0 || pair(c) != pair(crossings[i - 1]))
-      shortfalls.push_back({id_of(c.upper), id_of(c.lower), heights.shortfall_m(c)});
-    shortfalls.back().shortfall_m = std::max(shortfalls.back().shortfall_m, heights.shortfall_m(c));
-  }
-  return shortfalls;
+  const auto id_of = [&](std::uint32_t way, OsmId outside) {
+    return way == kNone ? outside : graph.ways[way].track->id.osm;
+  };
+  std::vector<ClearanceShortfall> all;
+  for (const Crossing& c : find_crossings(graph, features, below))
+    all.push_back({id_of(c.upper, c.outside), id_of(c.lower, c.outside), heights.shortfall_m(c), c.is_contradictory});
+  // the largest of a pair first
+  std::ranges::sort(all, {}, [](const ClearanceShortfall& s) { return std::tuple(s.upper, s.lower, -s.shortfall_m); });
+  erase_repeated(all, [](const ClearanceShortfall& s) { return std::pair(s.upper, s.lower); });
+  return all;
 }
 
 }  // namespace citykiln::ground

@@ -9,8 +9,9 @@
 
 namespace citykiln::ground {
 
-/// Returns one shortfall per pair of lines, sorted by the upper line's id; upper lines without an id last.
-std::vector<ClearanceShortfall> find_shortfalls(const map::Features& features, const Profiles& profiles,
-                                                const BelowBridges& below);
+/// Returns one shortfall per pair of lines, sorted by ids.
+/// @param graph  Of all lines (Lines::kAll).
+std::vector<ClearanceShortfall> find_shortfalls(const ProfileGraph& graph, const map::Features& features,
+                                                const Profiles& profiles, const BelowBridges& below);
 
 }  // namespace citykiln::ground

@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/profiles/grade_rules.h"
@@ -31,10 +32,14 @@ double half_width_m(const Track& track) {
   return std::min(std::max(left_m, width_m - left_m), kWidest_m);
 }
 
+int layer_of(const Track& track) {
+  if (track.layer != 0 || track.passage == Passage::kGround) return track.layer;
+  return track.passage == Passage::kBridge ? 1 : -1;
+}
+
 std::pair<int, int> rank_of(const Track& track) {
   if (track.passage == Passage::kGround) return {1, 0};
-  if (track.passage == Passage::kBridge) return {2, track.layer == 0 ? 1 : track.layer};
-  return {0, track.layer == 0 ? -1 : track.layer};
+  return {track.passage == Passage::kBridge ? 2 : 0, layer_of(track)};
 }
 
 bool is_corridor(const Track& track) {
@@ -95,6 +100,7 @@ struct Finder {
   std::vector<Box2> boxes = {};  // of the segments
   BoxGrid grid = {};             // of the boxes
   std::vector<Crossing> found = {};
+  std::vector<UnorderedPair> unordered = {};
 
   template <typename Name>
   void add_line(const Polyline& axis, Name name) {
@@ -200,7 +206,8 @@ struct Finder {
                      .upper_at_m = a_m,
                      .lower_at_m = b_m,
                      .wanted_m = wanted_clearance_m(one.surface, two.surface),
-                     .half_width_m = half_width_m(two)});
+                     .half_width_m = half_width_m(two),
+                     .is_contradictory = layers_contradict(one, two)});
   }
 
   void add_path_above(std::uint32_t way, double at_m, const Segment& other, double ground_m) {
@@ -212,7 +219,9 @@ struct Finder {
                      .lower_at_m = at_m,
                      .upper_z_m = ground_m,
                      .wanted_m = wanted_clearance_m(path.surface, tunnel.surface),
-                     .half_width_m = half_width_m(tunnel)});
+                     .half_width_m = half_width_m(tunnel),
+                     .outside = path.id.osm,
+                     .is_contradictory = layers_contradict(path, tunnel)});
   }
 
   void add(std::uint32_t way, double at_m, const Segment& other, double along) {
@@ -229,7 +238,9 @@ struct Finder {
                        .upper_at_m = at_m,
                        .lower_z_m = ground_m,
                        .wanted_m = wanted_clearance_m(track.surface, path.surface),
-                       .half_width_m = half_width_m(path)});
+                       .half_width_m = half_width_m(path),
+                       .outside = path.id.osm,
+                       .is_contradictory = layers_contradict(track, path)});
     } else {
       const roads::Strip& stream = below.streams[other.stream];
       const double z_m =
@@ -238,11 +249,14 @@ struct Finder {
                        .upper_at_m = at_m,
                        .lower_z_m = z_m,
                        .wanted_m = wanted_clearance_over_water_m(stream.left_m + stream.right_m),
-                       .half_width_m = std::max(stream.left_m, stream.right_m)});
+                       .half_width_m = std::max(stream.left_m, stream.right_m),
+                       .outside = stream.id.osm});
     }
   }
 
-  void find_intersections(std::uint32_t w) {
+  // Calls visit(distance along the way, segment, share along it) where axes cross; for two ways off the ground once.
+  template <typename Visit>
+  void for_each_intersection(std::uint32_t w, Visit visit) {
     const Polyline& axis = graph.ways[w].track->axis;
     double at_m = 0;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
@@ -250,17 +264,32 @@ struct Finder {
       for (const std::uint32_t s : boxes_about(grid, box_of(std::span(axis).subspan(i, 2)))) {
         const Segment& other = segments[s];
         if (other.way == w) continue;
-        // two ways off the ground are compared once
         if (other.way != kNone && graph.ways[other.way].road == kNone && other.way < w) continue;
         if (const auto hit = intersection(axis[i], axis[i + 1], other.a, other.b))
-          add(w, at_m + hit->first * length_m, other, hit->second);
+          visit(at_m + hit->first * length_m, other, hit->second);
       }
       at_m += length_m;
     }
   }
 
-  // Finds lines below or above this one along its length.
-  void find_overlaps(std::uint32_t w) {
+  void find_intersections(std::uint32_t w) {
+    for_each_intersection(w, [&](double at_m, const Segment& other, double along) { add(w, at_m, other, along); });
+  }
+
+  void find_unordered(std::uint32_t w) {
+    for_each_intersection(w, [&](double at_m, const Segment& other, double along) {
+      if (other.way == kNone) return;
+      const Track &one = *graph.ways[w].track, &two = *graph.ways[other.way].track;
+      if (rank_of(one) != rank_of(two) || is_corridor(one) || is_corridor(two)) return;
+      if (are_joined(w, at_m, other.way, other.at_m + along * distance(other.a, other.b))) return;
+      const auto [first, second] = std::minmax(one.id.osm, two.id.osm);
+      if (first != second) unordered.push_back({first, second});
+    });
+  }
+
+  // Calls visit(distance along the way, place) at its stations and between them, at most kEvery_m apart.
+  template <typename Visit>
+  void for_each_place(std::uint32_t w, Visit visit) {
     const std::span<const Station> stations = graph.stations_of(graph.ways[w]);
     for (std::size_t s = 0; s + 1 < stations.size(); ++s) {
       const Vec2 from = graph.nodes[stations[s].node].at, to = graph.nodes[stations[s + 1].node].at;
@@ -268,9 +297,14 @@ struct Finder {
       const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / kEvery_m)));
       for (int k = s == 0 ? 0 : 1; k <= pieces; ++k) {
         const double t = static_cast<double>(k) / pieces;
-        find_overlaps(w, stations[s].at_m + run_m * t, from + (to - from) * t);
+        visit(stations[s].at_m + run_m * t, from + (to - from) * t);
       }
     }
+  }
+
+  // Finds lines below or above this one along its length.
+  void find_overlaps(std::uint32_t w) {
+    for_each_place(w, [&](double at_m, Vec2 at) { find_overlaps(w, at_m, at); });
   }
 
   void find_overlaps(std::uint32_t w, double at_m, Vec2 at) {
@@ -294,17 +328,24 @@ struct Finder {
     for (const LandCoverPolygon& water : below.waters) {
       if (!water.level_m) continue;
       const Box2 box = box_of(water);
-      for (const Station& station : graph.stations_of(graph.ways[w])) {
-        const Vec2 at = graph.nodes[station.node].at;
+      for_each_place(w, [&](double at_m, Vec2 at) {
         if (box.contains(at) && winding_number(water, at) > 0)
-          found.push_back(
-              {.upper = w, .upper_at_m = station.at_m, .lower_z_m = *water.level_m, .wanted_m = kClearanceOverWater_m});
-      }
+          found.push_back({.upper = w,
+                           .upper_at_m = at_m,
+                           .lower_z_m = *water.level_m,
+                           .wanted_m = kClearanceOverWater_m,
+                           .outside = water.id.osm});
+      });
     }
   }
 };
 
 }  // namespace
+
+bool layers_contradict(const Track& upper, const Track& lower) {
+  if (upper.passage == lower.passage && (upper.layer == 0 || lower.layer == 0)) return true;
+  return layer_of(upper) <= layer_of(lower);
+}
 
 double wanted_clearance_m(map::LandCoverClass upper, map::LandCoverClass lower) {
   const bool is_thin = map::values_of(upper).group == LandCoverGroup::kPath;
@@ -333,6 +374,16 @@ std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Featu
     return std::tuple(c.upper, c.upper_at_m, c.lower, c.lower_at_m, c.lower_z_m, c.upper_z_m);
   });
   return std::move(finder.found);
+}
+
+std::vector<UnorderedPair> find_unordered(const ProfileGraph& graph, const map::Features& features) {
+  const BelowBridges nothing{};
+  Finder finder{graph, features, nothing, grid_of_off_ground(graph), GraphWalk(graph)};
+  finder.add_lines();
+  for (std::uint32_t w = 0; w < graph.ways.size(); ++w)
+    if (graph.ways[w].road == kNone) finder.find_unordered(w);
+  sort_unique(finder.unordered);
+  return std::move(finder.unordered);
 }
 
 double clearance_shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m) {

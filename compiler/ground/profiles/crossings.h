@@ -40,9 +40,21 @@ struct Crossing {
   std::uint32_t upper = 0, lower = kNone;  ///< Ways; kNone: not in the graph, at the height below.
   double upper_at_m = 0, lower_at_m = 0;
   double lower_z_m = 0, upper_z_m = 0;
-  double wanted_m = 0;      ///< Clearance from surface to surface.
-  double half_width_m = 0;  ///< Of the lower line.
+  double wanted_m = 0;            ///< Clearance from surface to surface.
+  double half_width_m = 0;        ///< Of the lower line.
+  OsmId outside{};                ///< The path, stream or water that is not in the graph; none if both are.
+  bool is_contradictory = false;  ///< Whether tags do not say which is above (layers_contradict).
 };
+
+/// Two bridges or two tunnels that cross without a common node or an order.
+struct UnorderedPair {
+  OsmId first, second;  ///< first < second.
+  auto operator<=>(const UnorderedPair&) const = default;
+};
+
+/// Returns whether tags fail to say that the upper of two lines is above: of two bridges or two tunnels one has no
+/// layer; or the layers (default 1 for bridges, -1 for tunnels, 0 on the ground) are equal or the reverse of the order.
+bool layers_contradict(const map::Track& upper, const map::Track& lower);
 
 /// What passes below bridges without being in the graph.
 struct BelowBridges {
@@ -59,6 +71,10 @@ struct BelowBridges {
 /// in what leaves the ground.
 std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features,
                                      const BelowBridges& below);
+
+/// Returns the bridges, and the tunnels, whose axes cross without a node in common within kJoined_m and whose layers
+/// are the same. Sorted, unique. Corridors in buildings are left out. O(n log n) in what leaves the ground.
+std::vector<UnorderedPair> find_unordered(const ProfileGraph& graph, const map::Features& features);
 
 /// Returns the missing clearance for heights by node; <= 0 where there is enough.
 double clearance_shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m);

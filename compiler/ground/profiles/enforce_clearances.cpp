@@ -21,7 +21,7 @@ constexpr double kMinShortfall_m = 0.01;
 /// A ramp loses at least this against the heights given, where these are steeper than any ramp: so it ends.
 constexpr double kLeastFade = 0.01;
 
-/// Which upper lines rise: bridges, or also roads over tunnels that could not fall.
+/// Which upper lines rise: bridges, or also roads and paths over tunnels that could not fall.
 enum class Upper { kBridges, kAll };
 
 // A place of a way that should rise, or fall.
@@ -62,7 +62,7 @@ struct Enforcer {
 bool Enforcer::rises(const Crossing& c, Upper upper) const {
   if (c.upper == kNone) return false;
   if (passage_of(c.upper) == Passage::kBridge) return true;
-  return upper == Upper::kAll && graph.lines == Lines::kGraded && is_decided(c.lower);
+  return upper == Upper::kAll && (graph.lines == Lines::kPaths || is_decided(c.lower));
 }
 
 // Tunnels fall, and roads below bridges.

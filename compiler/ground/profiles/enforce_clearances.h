@@ -4,8 +4,8 @@
 //           ___---' '---___                  by as much as keeps the limits; junction planes move as a whole
 //     -----'               '-----
 //
-// Bridges rise, tunnels fall and roads dip under bridges that could not rise, twice; then roads rise over tunnels that
-// could not fall.
+// Bridges rise, tunnels fall and roads dip under bridges that could not rise, twice; then roads, paths and tunnels rise
+// over tunnels that could not fall.
 #pragma once
 
 #include <span>

@@ -51,6 +51,10 @@ void measure_jumps(const ProfileGraph& graph, const Profiles& profiles, ProfileM
 void measure_shortfalls(std::span<const ClearanceShortfall> shortfalls, ProfileMeasures& measures) {
   measures.crossings = shortfalls.size();
   for (const ClearanceShortfall& lack : shortfalls) {
+    if (lack.is_contradictory) {
+      measures.contradictions += lack.shortfall_m > kShortfallMargin_m;
+      continue;
+    }
     measures.shortfalls += lack.shortfall_m > kShortfallMargin_m, measures.shortfalls_over_1_m += lack.shortfall_m > 1;
     measures.shortfalls_over_3_m += lack.shortfall_m > 3;
     measures.largest_shortfall_m = std::max(measures.largest_shortfall_m, lack.shortfall_m);

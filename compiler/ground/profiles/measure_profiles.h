@@ -25,6 +25,8 @@ struct ProfileMeasures {
   std::uint64_t shortfalls = 0;  ///< Pairs with a shortfall above kShortfallMargin_m.
   double largest_shortfall_m = 0;
   std::uint64_t shortfalls_over_1_m = 0, shortfalls_over_3_m = 0;
+  std::uint64_t contradictions =
+      0;  ///< Pairs with a shortfall whose tags do not say which is above; not counted above.
 };
 
 ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles);

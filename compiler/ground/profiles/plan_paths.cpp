@@ -13,6 +13,7 @@
 #include "compiler/ground/profiles/grade_limits.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/initial_heights.h"
+#include "compiler/ground/profiles/planned_spans.h"
 #include "compiler/ground/profiles/profile_knots.h"
 #include "compiler/roads/plan.h"
 
@@ -23,20 +24,6 @@ using map::Track;
 
 /// The height of a step of stairs.
 constexpr double kStep_m = 0.25;
-
-// Bridges with decided profiles (not those of paths): the land keeps below them.
-std::vector<roads::Road> decks_of(const map::Features& features, const Profiles& profiles) {
-  std::vector<roads::Road> decks;
-  std::size_t off = 0;
-  for (const Track& track : features.tracks) {
-    if (!leaves_ground(track)) continue;
-    const Profile& profile = profiles.off_ground[off++];
-    if (track.passage != map::Passage::kBridge || !is_graded(track.surface)) continue;
-    decks.push_back(roads::road_of(track));
-    decks.back().profile = profile;
-  }
-  return decks;
-}
 
 // The decided height of a map node that a path shares with a line that has a profile.
 struct Decided {
@@ -123,12 +110,17 @@ void straighten(std::span<const Station> stations, std::vector<double>& z_m) {
   }
 }
 
+// Returns by way whether it passes below another line.
+std::vector<bool> pass_below(const ProfileGraph& paths, std::span<const Crossing> crossings) {
+  std::vector<bool> below(paths.ways.size());
+  for (const Crossing& c : crossings)
+    if (c.lower != kNone) below[c.lower] = true;
+  return below;
+}
+
 // A deck that was raised over several things runs straight from crest to crest between its junctions with other lines,
 // unless something passes above it.
-void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> crossings, std::vector<double>& z_m) {
-  std::vector<bool> is_below(paths.ways.size());
-  for (const Crossing& c : crossings)
-    if (c.lower != kNone) is_below[c.lower] = true;
+void straighten_decks(const ProfileGraph& paths, const std::vector<bool>& is_below, std::vector<double>& z_m) {
   for (std::size_t w = 0; w < paths.ways.size(); ++w) {
     const GraphWay& way = paths.ways[w];
     if (way.track->passage != map::Passage::kBridge || is_below[w]) continue;
@@ -143,25 +135,19 @@ void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> cross
 }
 
 // Returns whether a station moved by more than by_m. Paths that no clearance moved, and no grade limit by more than a
-// step, need no profile.
+// step, need no profile, unless they pass below something: embankments beside them would lift them.
 bool is_moved(const ProfileGraph& paths, const GraphWay& way, std::span<const double> from_m,
               std::span<const double> to_m, double by_m) {
   return std::ranges::any_of(paths.stations_of(way),
                              [&](const Station& s) { return std::abs(to_m[s.node] - from_m[s.node]) > by_m; });
 }
 
-// Reports the largest shortfall of each upper line, or of the tunnel where a path is above.
+// Reports each pair of lines, and whether the map or the plan is at fault.
 void report_shortfalls(std::span<const ClearanceShortfall> shortfalls, Report& report) {
-  const auto reported_line = [](const ClearanceShortfall& lack) {
-    return lack.upper == OsmId{} ? lack.lower : lack.upper;
-  };
-  for (std::size_t i = 0; i < shortfalls.size();) {
-    const OsmId line = reported_line(shortfalls[i]);
-    double worst_m = 0;
-    for (; i < shortfalls.size() && reported_line(shortfalls[i]) == line; ++i)
-      worst_m = std::max(worst_m, shortfalls[i].shortfall_m);
-    if (worst_m > kShortfallMargin_m) report.add(Code::kClearanceNotMet, line, worst_m);
-  }
+  for (const ClearanceShortfall& s : shortfalls)
+    if (s.shortfall_m > kShortfallMargin_m)
+      report.add_pair(s.is_contradictory ? Code::kLayersContradict : Code::kClearanceNotMet, s.upper, s.lower,
+                      s.shortfall_m);
 }
 
 }  // namespace
@@ -170,30 +156,36 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
                     Report& report) {
   const ProfileGraph paths = graph_of(features, profiles.roads, {}, Lines::kPaths);
   const ProfileGraph all = graph_of(features, profiles.roads, {}, Lines::kAll);
-  const std::vector<roads::Road> decks = decks_of(features, profiles);
+  const PlannedSpans spans = planned_spans(features, profiles, terrain.heights);
   const GradedTerrain graded = grade_terrain(terrain.heights, {.roads = profiles.roads,
                                                                .streams = terrain.streams,
                                                                .surfaces = terrain.waters,
                                                                .box = graded_box(features.region, terrain.heights),
                                                                .has_kerbs = false,
-                                                               .decks = decks});
+                                                               .decks = spans.decks,
+                                                               .bores = spans.bores});
   const BelowBridges below{terrain.streams, terrain.waters, [&](Vec2 p) { return land_m(graded, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = heights_of(paths, all, profiles, graded);
   const std::vector<double> cleared_m = clear_crossings(paths, crossings, &terrain.heights, lines_m);
   std::vector<double> z_m = enforce_clearances(paths, crossings, limit_grades(paths, cleared_m));
-  straighten_decks(paths, crossings, z_m);
+  const std::vector<bool> is_below = pass_below(paths, crossings);
+  straighten_decks(paths, is_below, z_m);
   const JunctionPlanes planes{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
-  for (const GraphWay& way : paths.ways) {
+  for (std::size_t w = 0; w < paths.ways.size(); ++w) {
+    const GraphWay& way = paths.ways[w];
     if (way.road == kNone) {
       profiles.off_ground[way.off_ground] = knots_of(paths, way, planes);
-    } else if (is_moved(paths, way, lines_m, cleared_m, kKnotError_m) ||
+    } else if (is_below[w] || is_moved(paths, way, lines_m, cleared_m, kKnotError_m) ||
                is_moved(paths, way, lines_m, planes.z_m, kStep_m)) {
       profiles.roads[way.road].profile = knots_of(paths, way, planes);
     }
   }
-  profiles.shortfalls = find_shortfalls(features, profiles, below);
+  const ProfileGraph written = graph_of(features, profiles.roads, {}, Lines::kAll);
+  profiles.shortfalls = find_shortfalls(written, features, profiles, below);
   report_shortfalls(profiles.shortfalls, report);
+  for (const UnorderedPair& pair : find_unordered(written, features))
+    report.add_pair(Code::kCrossingWithoutOrder, pair.first, pair.second, 0);
   return profiles;
 }
 

@@ -23,7 +23,8 @@ struct TerrainWithoutRoads {
 /// @param profiles  Those of other lines are decided; those of paths off the ground may be anything.
 ///
 /// Guarantees: other lines stay; at map nodes paths meet within kKnotError_m, and other lines within twice that.
-/// Approach paths that need not move get no profile. Reports kClearanceNotMet for all lines. Total. Depends on what
+/// Approach paths that need not move get no profile, unless they pass below another line. Reports kClearanceNotMet or
+/// kLayersContradict for all lines, and kCrossingWithoutOrder. Total. Depends on what
 /// lies within the distances of approach_paths(), kSpanEndRadius_m along bridges and tunnels, and kGrading_m.
 Profiles plan_paths(const map::Features& features, Profiles profiles, const TerrainWithoutRoads& terrain,
                     Report& report);

@@ -36,14 +36,15 @@ inline constexpr double kProfileRadius_m = 2560;
 
 /// The shortfall of one line over another, over water, or under a path on the ground.
 struct ClearanceShortfall {
-  OsmId upper, lower;      ///< None for what has no profile.
-  double shortfall_m = 0;  ///< The largest; <= 0 where there is enough clearance everywhere.
+  OsmId upper, lower;
+  double shortfall_m = 0;         ///< The largest; <= 0 where there is enough clearance everywhere.
+  bool is_contradictory = false;  ///< Whether tags do not say which is above (layers_contradict).
 };
 
 struct Profiles {
   std::vector<roads::Road> roads;   ///< Those given, with their profiles.
   std::vector<Profile> off_ground;  ///< One per track that leaves the ground, in the order of features.tracks.
-  std::vector<ClearanceShortfall> shortfalls;  ///< One per pair, sorted by the upper line's id; none last.
+  std::vector<ClearanceShortfall> shortfalls;  ///< One per pair, sorted by ids.
 };
 
 /// Returns the profile of a way.
@@ -61,7 +62,8 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 /// a bridge with enough clearance lies on the smooth line between its ends; summits of 20 to 500 m at one vertex of the
 /// terrain move no profile by more than 8 m; a road at height 0 on terrain at height 0, farther than kGrading_m from
 /// all that lies at other heights, has no knots. Does not depend on the order of tracks and roads. Reports kTooSteep,
-/// kClearanceNotMet, kTunnelLowered, kBridgeWithoutGround. Total. Depends on what lies within kProfileRadius_m.
+/// kClearanceNotMet or kLayersContradict, kCrossingWithoutOrder, kTunnelLowered, kBridgeWithoutGround. Total. Depends
+/// on what lies within kProfileRadius_m.
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,

@@ -63,6 +63,14 @@ TEST(LocateTracks, PassageAndLayerComeFromTags) {
   EXPECT_TRUE(track_of("highway=residential lit=yes").is_lit);
 }
 
+TEST(LocateTracks, APathThroughABuildingOnAnUpperStoreyIsACorridor) {
+  EXPECT_EQ(track_of("highway=footway tunnel=building_passage").passage, Passage::kGround);
+  EXPECT_EQ(track_of("highway=footway tunnel=building_passage layer=-1").passage, Passage::kGround);
+  EXPECT_EQ(track_of("highway=footway tunnel=building_passage layer=1").passage, Passage::kTunnel);
+  EXPECT_EQ(track_of("highway=footway tunnel=building_passage bridge=yes layer=1").passage, Passage::kBridge);
+  EXPECT_EQ(track_of("highway=service tunnel=building_passage layer=1").passage, Passage::kGround);
+}
+
 TEST(LocateTracks, LayersAndBridgesThatDisagreeAreDiagnosed) {
   const auto told = [](const std::string& tags) {
     Report report;
@@ -76,7 +84,9 @@ TEST(LocateTracks, LayersAndBridgesThatDisagreeAreDiagnosed) {
   EXPECT_EQ(told("highway=primary layer=1"), Codes{Code::kLayerWithoutBridge});
   EXPECT_EQ(told("highway=primary layer=-2"), Codes{Code::kLayerWithoutBridge});
   EXPECT_EQ(told("highway=primary bridge=yes layer=1"), Codes{});
-  EXPECT_EQ(told("highway=primary tunnel=yes"), Codes{});
+  EXPECT_EQ(told("highway=primary tunnel=yes"), Codes{Code::kTunnelWithoutLayer});
+  EXPECT_EQ(told("highway=primary tunnel=yes layer=-1"), Codes{});
+  EXPECT_EQ(told("highway=footway tunnel=yes"), Codes{});
   EXPECT_EQ(told("highway=primary"), Codes{});
 }
 

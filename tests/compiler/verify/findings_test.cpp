@@ -21,7 +21,7 @@ TEST(Findings, AreOneFeatureForEachDiagnosisWithItsPlace) {
   report.add(Code::kMissingNode, {OsmType::kWay, 4}, 2);
   report.add(Code::kUnsortedFile, {});
   const std::string json =
-      findings_json(findings_of(report, {{{OsmType::kWay, 4}, {7.0001, 43.0001}}}, made_header()), made_header());
+      findings_json(findings_of(report, {{{OsmType::kWay, 4}, {7.0001, 43.0001}}}, {}, made_header()), made_header());
   EXPECT_EQ(
       json,
       R"({"type":"FeatureCollection","name":"findings","attribution":["© OpenStreetMap contributors"],"features":[)"
@@ -37,7 +37,7 @@ TEST(Findings, AreOneFeatureForEachDiagnosisWithItsPlace) {
 TEST(Findings, OutsideTheRegionAreInNoTile) {
   Report report;
   report.add(Code::kOutsideBounds, {OsmType::kNode, 1});
-  const auto findings = findings_of(report, {{{OsmType::kNode, 1}, {7.5, 43}}}, made_header());
+  const auto findings = findings_of(report, {{{OsmType::kNode, 1}, {7.5, 43}}}, {}, made_header());
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_TRUE(findings[0].at);
   EXPECT_FALSE(findings[0].tile);
@@ -67,7 +67,22 @@ TEST(Findings, AreTheSameWhateverTheOrderOfDiagnoses) {
   for (int i = 0; i < 50; ++i) one.add(Code::kMissingNode, {OsmType::kWay, i}, i % 3);
   for (int i = 49; i >= 0; --i) other.add(Code::kMissingNode, {OsmType::kWay, i}, i % 3);
   const scene::Header header = made_header();
-  EXPECT_EQ(findings_json(findings_of(one, {}, header), header), findings_json(findings_of(other, {}, header), header));
+  EXPECT_EQ(findings_json(findings_of(one, {}, {}, header), header),
+            findings_json(findings_of(other, {}, {}, header), header));
+}
+
+TEST(Findings, OfTwoWaysQuoteTheirTags) {
+  const OsmId upper{OsmType::kWay, 4}, lower{OsmType::kWay, 5};
+  Report report;
+  report.add_pair(Code::kLayersContradict, upper, lower, 2);
+  const scene::Header header = made_header();
+  const auto written = findings_of(report, {}, {{upper, "tunnel=yes"}, {lower, ""}}, header);
+  ASSERT_EQ(written.size(), 1u);
+  EXPECT_EQ(written[0].tags, "w4: tunnel=yes; w5: no tags of height");
+  const auto read = parse_findings(findings_json(written, header));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->front().diagnosis.other, lower);
+  EXPECT_EQ(read->front().tags, written[0].tags);
 }
 
 TEST(Findings, AreReadAsTheyWereWritten) {
@@ -75,7 +90,7 @@ TEST(Findings, AreReadAsTheyWereWritten) {
   report.add(Code::kTooSteep, {OsmType::kWay, -4}, 0.25);
   report.add(Code::kUnsortedFile, {});
   const scene::Header header = made_header();
-  std::vector<Finding> written = findings_of(report, {{{OsmType::kWay, -4}, {7.0001, 43.0001}}}, header);
+  std::vector<Finding> written = findings_of(report, {{{OsmType::kWay, -4}, {7.0001, 43.0001}}}, {}, header);
   written[0].level = 3;
   const auto read = parse_findings(findings_json(written, header));
   ASSERT_TRUE(read);

@@ -55,6 +55,22 @@ TEST(MeasureClearances, FindTheShortfallOfABridgeOverARoad) {
   EXPECT_EQ(measured(chunk).shortfalls.size(), 0u);
 }
 
+TEST(MeasureClearances, CountContradictionsOfTheMapApart) {
+  const OsmId bridge{OsmType::kWay, 2}, street{OsmType::kWay, 1}, other{OsmType::kWay, 3};
+  Clearances measured{2, {{4, bridge, street, {}}, {3, bridge, other, {}}}, {}};
+  const std::vector<Finding> findings = {
+      {{Code::kLayersContradict, bridge, 4, {}, street}, {}, {}, {}, "w2: bridge=yes; w1: layer=1"},
+      {{Code::kClearanceNotMet, bridge, 3, {}, other}, {}, {}, {}, "w2: bridge=yes; w3: no tags of height"}};
+  const Clearances c = explained(measured, findings);
+  EXPECT_EQ(c.crossings, 2u);
+  ASSERT_EQ(c.shortfalls.size(), 1u);
+  EXPECT_EQ(c.shortfalls[0].lower, other);
+  EXPECT_EQ(c.shortfalls[0].tags, "w2: bridge=yes; w3: no tags of height");
+  ASSERT_EQ(c.contradictions.size(), 1u);
+  EXPECT_EQ(c.contradictions[0].lower, street);
+  EXPECT_EQ(explained(measured, {}).shortfalls.size(), 2u);
+}
+
 TEST(MeasureClearances, TakeTheHigherLayerAsUpper) {
   scene::Chunk decks, bores, same;
   decks.bridges = {span(1, kAlong, 20, 2), span(2, kBesideRoad, 14, 0)};

@@ -36,15 +36,17 @@ TEST(WorstPlaces, LeaveOutWhatIsNoDefect) {
 TEST(WorstPlaces, BeginWithGuaranteesThatDoNotHold) {
   CheckResults results;
   results.footing.test(false, {"w9 by 2 m", {3, 4}, {{OsmType::kWay, 9}}, 2, "glb/0_0_L0.glb"});
-  results.clearances.shortfalls = {{1.5, {OsmType::kWay, 5}, {OsmType::kWay, 6}, {1, 2}}};
+  results.clearances.shortfalls = {{1.5, {OsmType::kWay, 5}, {OsmType::kWay, 6}, {1, 2}, "w5: bridge=yes"}};
+  results.clearances.contradictions = {{2, {OsmType::kWay, 6}, {OsmType::kWay, 5}, {1, 2}}};
   const std::vector<Earthwork> earthworks = {{{OsmType::kWay, 7}, "stream", 6, {}},
                                              {{OsmType::kWay, 7}, "stream", -2, {}}};
   const std::vector<Finding> findings = {finding(Code::kTooSteep, 1, 0.2)};
   const auto kinds = worst_places(results, earthworks, findings, kPlane, 5);
   std::vector<std::string> names;
   for (const PlacesOfKind& kind : kinds) names.push_back(kind.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"broken guarantee", "missing clearance", "cut of a stream",
-                                             "fill of a stream", "TooSteep"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"broken guarantee", "missing clearance", "LayersContradict",
+                                             "cut of a stream", "fill of a stream", "TooSteep"}));
+  EXPECT_EQ(kinds[1].worst[0].text, "w5 over w6 (w5: bridge=yes)");
   EXPECT_EQ(kinds[0].worst[0].file, "glb/0_0_L0.glb");
   EXPECT_EQ(kinds[0].worst[0].at, (Vec2{3, 4}));
 }

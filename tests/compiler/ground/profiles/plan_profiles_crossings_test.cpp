@@ -226,9 +226,70 @@ TEST(Profiles, ReportAClearanceThatIsNotMet) {
   f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
   f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
   const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  const auto found = std::ranges::find(p.report.diagnoses(), Code::kClearanceNotMet, &Diagnosis::code);
+  ASSERT_NE(found, p.report.diagnoses().end());
+  EXPECT_EQ(found->object, (OsmId{OsmType::kWay, 2}));
+  EXPECT_EQ(found->other, (OsmId{OsmType::kWay, 4}));
   EXPECT_EQ(p.report.counts().at(Code::kClearanceNotMet), 1u);
   EXPECT_EQ(p.measures.shortfalls, 1u);
   EXPECT_NEAR(p.measures.largest_shortfall_m, kClearanceOverRoad_m - 0.06 * 30 - kMaxGroundMove_m, 0.5);
+}
+
+TEST(Profiles, ReportLayersThatContradictEachOther) {
+  // the same, with a street that has the bridge's layer
+  map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
+  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  f.tracks[3].layer = 1;
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  EXPECT_EQ(p.report.counts().count(Code::kClearanceNotMet), 0u);
+  EXPECT_EQ(p.report.counts().at(Code::kLayersContradict), 1u);
+  EXPECT_EQ(p.measures.shortfalls, 0u);
+  EXPECT_EQ(p.measures.contradictions, 1u);
+}
+
+TEST(Profiles, LayersContradictUnlessTheySayTheOrder) {
+  const auto of = [](Passage passage, int layer) { return track(1, {{0, 0}, {9, 0}}, kStreet, passage, layer); };
+  const map::Track ground = of(Passage::kGround, 0), bridge = of(Passage::kBridge, 0), tunnel = of(Passage::kTunnel, 0);
+  EXPECT_FALSE(layers_contradict(bridge, ground));
+  EXPECT_FALSE(layers_contradict(ground, tunnel));
+  EXPECT_FALSE(layers_contradict(of(Passage::kBridge, 2), of(Passage::kBridge, 1)));
+  EXPECT_FALSE(layers_contradict(of(Passage::kTunnel, -1), of(Passage::kTunnel, -2)));
+  EXPECT_TRUE(layers_contradict(bridge, of(Passage::kBridge, -1)));
+  EXPECT_TRUE(layers_contradict(tunnel, of(Passage::kTunnel, -2)));
+  EXPECT_TRUE(layers_contradict(bridge, of(Passage::kGround, 1)));
+  EXPECT_TRUE(layers_contradict(of(Passage::kGround, -1), tunnel));
+}
+
+TEST(Profiles, ReportBridgesThatCrossWithoutAnOrder) {
+  map::Features f;
+  f.tracks = {track(1, {{-30, 0}, {30, 0}}, kStreet, Passage::kBridge, 1),
+              track(2, {{0, -30}, {0, 30}}, kStreet, Passage::kBridge, 1)};
+  const auto unordered = [](const map::Features& features) {
+    const Planned p = planned(features, field_from([](double, double) { return 40; }));
+    const auto found = std::ranges::find(p.report.diagnoses(), Code::kCrossingWithoutOrder, &Diagnosis::code);
+    return found == p.report.diagnoses().end() ? OsmId{} : found->other;
+  };
+  EXPECT_EQ(unordered(f), (OsmId{OsmType::kWay, 2}));
+  f.tracks[1].layer = 2;
+  EXPECT_EQ(unordered(f), OsmId{});
+  // with a common node they meet
+  f.tracks = {track(1, {{-30, 0}, {0, 0}, {30, 0}}, kStreet, Passage::kBridge, 1),
+              track(2, {{0, -30}, {0, 0}, {0, 30}}, kStreet, Passage::kBridge, 1)};
+  EXPECT_EQ(unordered(f), OsmId{});
+}
+
+TEST(Profiles, AFootwayInATunnelRisesOverATunnelThatCannotFall) {
+  // the lower tunnel leaves the street 52 m before, the footway begins at the same street
+  map::Features f;
+  f.tracks = {track(1, {{0, -600}, {0, -300}}),
+              track(2, {{0, -300}, {0, 0}, {0, 12}, {0, 300}}, kStreet, Passage::kTunnel, -1),
+              track(3, {{0, 300}, {0, 600}}),
+              track(4, {{0, 12}, {40, 12}, {40, -40}}, LandCoverClass::kMotorwayRoad, Passage::kTunnel, -2),
+              track(5, {{0, 0}, {80, 0}}, kFootway, Passage::kTunnel, -1)};
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.crossings, 1u);
+  EXPECT_LE(p.measures.largest_shortfall_m, kShortfallMargin_m);
 }
 
 TEST(Profiles, ABridgesEndThatMeetsNothingMayRise) {
@@ -266,6 +327,24 @@ TEST(Profiles, StepsClimbToTheirFootbridgeAndGoDownToTheirUnderpass) {
     EXPECT_NEAR(height_m(p.profiles.roads[1].profile, 0), 40, 0.5);
     EXPECT_TRUE(p.profiles.roads[0].profile.empty());
   }
+}
+
+TEST(Profiles, APathOverATunnelIsNotInTheCuttingOfItsMouth) {
+  map::Features f;
+  f.tracks = {track(1, {{0, -600}, {0, -150}}), track(2, {{0, -150}, {0, 150}}, kStreet, Passage::kTunnel, -1),
+              track(3, {{0, 150}, {0, 600}}), track(4, {{-100, -145}, {100, -145}}, kFootway)};
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.crossings, 1u);
+  EXPECT_LE(p.measures.largest_shortfall_m, kShortfallMargin_m);
+}
+
+TEST(Profiles, APathThatPassesBelowABridgeKeepsItsHeight) {
+  // without a profile it would lie on the embankments beside it
+  map::Features f = footbridge(Passage::kBridge, 1);
+  f.tracks[5] = track(6, {{0, -300}, {0, 300}}, kFootway);
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  ASSERT_FALSE(p.profiles.roads[4].profile.empty());
+  for (const Knot& k : p.profiles.roads[4].profile) EXPECT_EQ(k.z_m, 40);
 }
 
 TEST(Profiles, AFootbridgeGoesStraightFromCrestToCrest) {
@@ -361,6 +440,22 @@ TEST(Profiles, BridgesClearStandingWater) {
   const map::Heightfield heights = field_from([](double, double) { return 40; });
   const Profiles p = plan_profiles(f, roads, {}, {}, std::span(&lake, 1), heights, report);
   EXPECT_GE(height_m(p.off_ground[0], 30), 39.5 + kClearanceOverWater_m - 0.05);
+}
+
+TEST(Profiles, AFootbridgeClearsAPondBetweenItsStations) {
+  map::Features f;
+  f.tracks = {track(1, {{-60, 0}, {-6, 0}}, kFootway), track(2, {{-6, 0}, {6, 0}}, kFootway, Passage::kBridge, 1),
+              track(3, {{6, 0}, {60, 0}}, kFootway)};
+  LandCoverPolygon pond{
+      {{OsmType::kWay, 99}, 0}, LandCoverClass::kLake, 9, {{{-3, -1.5}, {3, -1.5}, {3, 1.5}, {-3, 1.5}}}};
+  pond.level_m = 39.5;
+  Report report;
+  const auto roads = roads::plan(f, report);
+  const map::Heightfield heights = field_from([](double, double) { return 40; });
+  const Profiles p = plan_profiles(f, roads, {}, {}, std::span(&pond, 1), heights, report);
+  ASSERT_EQ(p.shortfalls.size(), 1u);
+  EXPECT_EQ(p.shortfalls[0].lower, pond.id.osm);
+  EXPECT_GE(height_m(p.off_ground[0], 6), 39.5 + kClearanceOverWater_m - kShortfallMargin_m);
 }
 
 }  // namespace

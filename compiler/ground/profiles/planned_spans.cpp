@@ -1,0 +1,63 @@
+#include "compiler/ground/profiles/planned_spans.h"
+
+#include <algorithm>
+
+#include "compiler/ground/grading/span_influence.h"
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/roads/plan.h"
+
+namespace citykiln::ground {
+namespace {
+
+// The least covered share of a bore, away from both ends where it is longer than that, and the spacing of samples.
+// The same figures as structures::is_underground(), which knows how a tunnel ends.
+constexpr double kMinCoveredShare = 0.6, kPortalLength_m = 16, kSampleSpacing_m = 4;
+
+struct Samples {
+  int all = 0, covered = 0;
+};
+
+Samples sample_cover(const roads::Road& tunnel, double from_m, double to_m, const map::Heightfield& heights) {
+  const double ceiling_m = bore_height_m(tunnel);
+  const std::vector<double> along = roads::distances_along(tunnel.axis, 0);
+  Samples samples;
+  for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+    const double long_m = along[i + 1] - along[i];
+    for (double at_m = along[i]; at_m < along[i + 1]; at_m += kSampleSpacing_m) {
+      if (at_m < from_m || at_m > to_m) continue;
+      const Vec2 at = tunnel.axis[i] + (tunnel.axis[i + 1] - tunnel.axis[i]) * ((at_m - along[i]) / long_m);
+      ++samples.all;
+      samples.covered += height_m_at(heights, at) >= knot_at(tunnel.profile, at_m).z_m + ceiling_m;
+    }
+  }
+  return samples;
+}
+
+bool is_bored(const roads::Road& tunnel, const map::Heightfield& heights) {
+  if (tunnel.profile.empty()) return false;
+  const double long_m = roads::distances_along(tunnel.axis, 0).back();
+  const double end_m = std::min(kPortalLength_m, std::max(0.0, long_m / 2 - kSampleSpacing_m));
+  const Samples samples = sample_cover(tunnel, end_m, long_m - end_m, heights);
+  return samples.covered >= kMinCoveredShare * samples.all;
+}
+
+}  // namespace
+
+PlannedSpans planned_spans(const map::Features& features, const Profiles& profiles, const map::Heightfield& heights) {
+  PlannedSpans spans;
+  std::size_t off = 0;
+  for (const map::Track& track : features.tracks) {
+    if (!leaves_ground(track)) continue;
+    const Profile& profile = profiles.off_ground[off++];
+    if (!is_graded(track.surface)) continue;
+    roads::Road road = roads::road_of(track);
+    road.profile = profile;
+    if (track.passage == map::Passage::kBridge)
+      spans.decks.push_back(std::move(road));
+    else if (is_bored(road, heights))
+      spans.bores.push_back(std::move(road));
+  }
+  return spans;
+}
+
+}  // namespace citykiln::ground
