@@ -1,7 +1,7 @@
 // Profiles of foot bridges, underpasses and the paths that lead up and down to them.
 //
-// They are planned last, on the terrain that roads and water have graded: a foot bridge comes down on the pavement
-// beside a street's cutting, not on the heightmap above it. Where clearance is missing, its approach paths
+// They are planned last, on the terrain that roads, their tunnels and water have graded: a foot bridge comes down on
+// the pavement beside a street's cutting, not on the heightmap above it. Where clearance is missing, its approach paths
 // (approach_paths.h) rise or fall with it.
 #pragma once
 
