@@ -99,7 +99,7 @@ Room room_beside(const Thing& thing, const Polyline& axis, double half_m) {
   for (const Vec2 p : thing.places) {
     const std::optional<double> offset = offset_m(axis, p);
     if (!offset || std::abs(*offset) > half_m + thing.from_kerb_m) continue;
-    if (std::abs(*offset) < kCrosses_m) return {};
+    if (std::abs(*offset) < std::max(kCrosses_m, thing.from_kerb_m)) return {};
     double& side_m = *offset > 0 ? room.left_m : room.right_m;
     side_m = std::min(side_m, std::abs(*offset) - thing.from_kerb_m);
   }
@@ -193,7 +193,9 @@ map::Track fitted(map::Track track, const ThingIndex& index) {
   const double rest_m = narrow(track, width_m - fit.width_m, true);
   narrow(track, rest_m, false);
   constexpr double kHalfQuantum_m = kQuantum_m / 2;
-  track.section.axis_offset_m = snapped_to(kHalfQuantum_m, fit.left_m);
+  // rounded lanes may be narrower than the fit
+  track.section.axis_offset_m =
+      std::clamp(snapped_to(kHalfQuantum_m, fit.left_m), 0.0, carriageway_width_m(track.section));
   return track;
 }
 

@@ -73,6 +73,23 @@ TEST(FitAssumedWidths, ParkingNarrowsBeforeLanes) {
   EXPECT_LT(road.section.lanes[2].width_m, 2);
 }
 
+TEST(FitAssumedWidths, AThickWallBesideTheAxisIsOneThatCrossesTheWay) {
+  map::Barrier city_wall = wall({{10, 1.5}, {90, 1.5}});
+  city_wall.width_m = 4;
+  const Road road = fitted(street(), {}, {city_wall});
+  EXPECT_EQ(left_m(road), 2.75);
+  EXPECT_EQ(right_m(road), 2.75);
+}
+
+TEST(FitAssumedWidths, TheAxisStaysOnTheCarriageway) {
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 left{20, 1 + 0.01 * i}, right{70, -1 - 0.007 * ((i * 7) % 400)};
+    const Road road = fitted(parked_street(), {thing(1, left), thing(2, right)});
+    EXPECT_GE(left_m(road), 0);
+    EXPECT_GE(right_m(road), 0);
+  }
+}
+
 TEST(FitAssumedWidths, WallsAndHydrantsLimitTheWidthToo) {
   const Road road = fitted(street(), {thing(1, {50, 2.6}, map::PointKind::kHydrant)}, {wall({{10, -2.6}, {90, -2.6}})});
   EXPECT_LE(left_m(road), 2.6 - kThingFromKerb_m + 0x1p-9);
