@@ -18,7 +18,7 @@ Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& map, 
 }
 
 std::vector<PlacedLamp> lamps_of(const scene::Header& header, const scene::Chunk& chunk) {
-  constexpr double kFinest_m = 0;  // with kerbs
+  constexpr double kFinest_m = 0.01;  // with kerbs
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
   const Lamps lamps = place_lamps(chunk, ground::index_land_cover(surfaces, box.widened(scene::kHalo_m)), box);
