@@ -8,7 +8,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
 from citykiln_program import TOWN, ProgramTest, run, sha256  # noqa: E402
 from png import mean_difference  # noqa: E402
 
-LEVELS = ["0.1", "2.5"]
+LEVELS = ["0.5", "2.5"]
 
 # Textures and facades are JPEG or WebP in tiles. Measured: 0.0001 from above, 0.003 in streets; scenes that differ by a tree, 0.01.
 MOST = 0.006
