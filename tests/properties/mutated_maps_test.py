@@ -82,6 +82,8 @@ def run_by_hand(options):
         if fault := fault_of_number(number, True, options.keep):
             faults += 1
             print(f"{number}: {fault}", flush=True)
+        if (number + 1) % 100 == 0:
+            print(f"{number + 1 - options.first} of {options.count} maps, {faults} faults", flush=True)
     print(f"{options.count} maps, {faults} faults")
     return 1 if faults else 0
 
