@@ -34,6 +34,8 @@ struct Clearer {
   std::span<const Crossing> crossings;
   std::vector<double> z_m, start_m;
   GraphWalk walk;
+  std::vector<double> raising_cap_m = {};  // by pinned nodes
+  LoweringCaps lowering = {};
   std::vector<bool> is_above = {};  // by way: whether it is the upper one of some crossing
 
   // What is not in the graph stays, like the ground.
@@ -46,7 +48,8 @@ struct Clearer {
   std::vector<double> floors();
   std::vector<double> covers(const map::Heightfield& heights) const;
   void sink(std::span<const double> floor_m, std::span<const double> cover_m);
-  void push_up(std::span<const Push> pushes);
+  void push_up(std::span<const Push> pushes, std::span<const double> cap_m);
+  void push_down(const std::vector<Push>& pushes);
   std::vector<int> storeys(Mover mover) const;
   bool moves(const Crossing& c, Mover mover) const;
   void make_room(Mover mover);
@@ -118,7 +121,7 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
 
 // Raises everything connected to the places by ramps. On a slope a ramp is as steep as allowed, or, where it has risen
 // less than the slope, falls towards it at half its grade, so that it ends.
-void Clearer::push_up(std::span<const Push> pushes) {
+void Clearer::push_up(std::span<const Push> pushes, std::span<const double> cap_m) {
   std::vector<double> up_m(z_m.size(), -kFar_m);
   for (const Push& push : pushes) {
     const GraphWay& way = graph.ways[push.way];
@@ -137,9 +140,18 @@ void Clearer::push_up(std::span<const Push> pushes) {
           return here_m > z_m[node] - kFoot_m;
         });
   }
-  const std::vector<double> cap_m = caps_near_pinned(graph, walk, z_m);
   for (std::uint32_t n = 0; n < z_m.size(); ++n)
     if (up_m[n] > z_m[n] - kFoot_m) z_m[n] = std::min(soft_max(z_m[n], up_m[n]), std::max(z_m[n], cap_m[n]));
+}
+
+void Clearer::push_down(const std::vector<Push>& pushes) {
+  std::vector<Push> of_access, of_others;
+  for (const Push& push : pushes)
+    (is_access_road(graph.ways[push.way].track->surface) ? of_access : of_others).push_back(push);
+  turn_over();
+  push_up(of_others, lowering.of_others);
+  push_up(of_access, lowering.of_access);
+  turn_over();
 }
 
 // Tunnels move with their approaches; paths on the ground move unless they pass over something.
@@ -191,9 +203,7 @@ void Clearer::make_room(Mover mover) {
                              : Push{c.lower, c.lower_at_m, shortfall_m, c.half_width_m});
     }
     if (pushes.empty()) continue;
-    if (!lifts) turn_over();
-    push_up(pushes);
-    if (!lifts) turn_over();
+    lifts ? push_up(pushes, raising_cap_m) : push_down(pushes);
   }
 }
 
@@ -208,6 +218,8 @@ std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const C
                                     const map::Heightfield* heights, std::span<const double> z_m) {
   assert(z_m.size() == graph.nodes.size());
   Clearer clearer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, GraphWalk(graph)};
+  clearer.raising_cap_m = caps_near_pinned(graph, clearer.walk, z_m);
+  clearer.lowering = lowering_caps(graph, clearer.walk, z_m);
   clearer.is_above.resize(graph.ways.size());
   for (const Crossing& c : crossings)
     if (c.upper != kNone) clearer.is_above[c.upper] = true;

@@ -39,7 +39,8 @@ struct Enforcer {
   std::vector<double> unit_cost_m = {};
   std::vector<std::uint32_t> touched = {};
   std::vector<std::pair<double, std::uint32_t>> queue = {};
-  std::vector<double> highest_m = {}, lowest_m = {};  // caps by pinned nodes, which stay; the lower ones negated
+  std::vector<double> highest_m = {};  // by pinned nodes, which stay
+  LoweringCaps lowering = {};
 
   Passage passage_of(std::uint32_t way) const {
     return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
@@ -151,28 +152,30 @@ bool Enforcer::raise(Upper upper) {
 }
 
 bool Enforcer::lower() {
-  std::vector<Push> pushes;
+  std::vector<Push> of_access, of_others;
   for (const Crossing& c : crossings) {
     if (!falls(c)) continue;
     const double by_m = move_m(c, c.lower, c.lower_at_m, -1);
-    if (by_m > kMinShortfall_m) pushes.push_back({c.lower, c.lower_at_m, by_m});
+    if (by_m > kMinShortfall_m)
+      (is_access_road(graph.ways[c.lower].track->surface) ? of_access : of_others)
+          .push_back({c.lower, c.lower_at_m, by_m});
   }
   z_m = negated(z_m), start_m = negated(start_m);
-  const bool has_moved = push_up(pushes, lowest_m);
+  const bool have_others = push_up(of_others, lowering.of_others), has_access = push_up(of_access, lowering.of_access);
   z_m = negated(z_m), start_m = negated(start_m);
-  return has_moved;
+  return have_others || has_access;
 }
 
 }  // namespace
 
 std::vector<double> enforce_clearances(const ProfileGraph& graph, std::span<const Crossing> crossings,
-                                       std::span<const double> z_m) {
-  assert(z_m.size() == graph.nodes.size());
+                                       std::span<const double> ground_m, std::span<const double> z_m) {
+  assert(z_m.size() == graph.nodes.size() && ground_m.size() == graph.nodes.size());
   Enforcer enforcer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, RigidUnits(graph)};
   enforcer.unit_cost_m.assign(enforcer.units.count(), kFar_m);
   GraphWalk walk(graph);
   enforcer.highest_m = caps_near_pinned(graph, walk, z_m);
-  enforcer.lowest_m = caps_near_pinned(graph, walk, negated(z_m));
+  enforcer.lowering = lowering_caps(graph, walk, ground_m);
   const auto repeat = [](auto step) {
     for (int round = 0; round < kEnforceRounds && step(); ++round) {
     }

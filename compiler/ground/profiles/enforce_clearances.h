@@ -27,11 +27,14 @@ inline constexpr double kMaxGroundMove_m = 2.5;
 
 /// Returns heights by node at which crossings have their clearance.
 ///
+/// @param ground_m  The heights before anything was cleared: lines on the ground are lowered no farther below them than
+///                  lowering_caps() says.
+///
 /// Guarantees: only ways connected with a crossing that lacks clearance move; nodes of a junction plane move by the
 /// same; ways within 1 + kRampFade times their limits stay within that, those on level ground within the limits; pinned
 /// nodes stay. What cannot be cleared so keeps its shortfall. Total. Influence: a ramp per round, in which heights fall
 /// by kMaxEnforced_m at most. O(n log n) in what moves.
 std::vector<double> enforce_clearances(const ProfileGraph& graph, std::span<const Crossing> crossings,
-                                       std::span<const double> z_m);
+                                       std::span<const double> ground_m, std::span<const double> z_m);
 
 }  // namespace citykiln::ground

@@ -75,4 +75,22 @@ inline constexpr double kPinRadius_m = 64;
 /// Returns by node the greatest height that the grade limits allow above pinned nodes; infinity where none is near.
 std::vector<double> caps_near_pinned(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> z_m);
 
+/// A line on the ground is lowered by at most this below its terrain: under a railway, with the slope of its cutting.
+inline constexpr double kMaxCutting_m = 8;
+/// A street on the ground is lowered by at most this for an access road, such as the ramp of a garage.
+inline constexpr double kMaxCuttingForAccess_m = 2.5;
+
+/// Service roads, farm tracks and unpaved roads: no street is lowered with them.
+bool is_access_road(map::LandCoverClass surface);
+
+/// How far down pushes may move the ground, by what is lowered: access roads or other lines.
+struct LoweringCaps {
+  std::vector<double> of_access, of_others;  ///< By node, the greatest height with its sign changed.
+};
+
+/// Returns how low lines may lie: on the ground at most kMaxCutting_m below the heights given, streets at most
+/// kMaxCuttingForAccess_m for access roads; tunnels as far below the ground at their ends as their grade limits reach;
+/// no lower than the grade limits allow near pinned nodes. O(n log n).
+LoweringCaps lowering_caps(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> ground_m);
+
 }  // namespace citykiln::ground

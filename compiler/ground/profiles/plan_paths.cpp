@@ -168,7 +168,7 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = heights_of(paths, all, profiles, graded);
   const std::vector<double> cleared_m = clear_crossings(paths, crossings, &terrain.heights, lines_m);
-  std::vector<double> z_m = enforce_clearances(paths, crossings, limit_grades(paths, cleared_m));
+  std::vector<double> z_m = enforce_clearances(paths, crossings, lines_m, limit_grades(paths, cleared_m));
   const std::vector<bool> is_below = pass_below(paths, crossings);
   straighten_decks(paths, is_below, z_m);
   const JunctionPlanes planes{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "compiler/ground/profiles/clearances.h"
 #include "compiler/ground/profiles/graph_walk.h"
 #include "tests/compiler/ground/profiles/made_network.h"
 
@@ -62,7 +63,7 @@ TEST(EnforceClearances, BridgesOfAllClassesRiseWithinTheirLimits) {
   for (const auto surface : {kStreet, LandCoverClass::kMotorwayRoad, LandCoverClass::kRailway}) {
     const Made m = made(bridge_over_a_street(surface));
     ASSERT_FALSE(m.crossings.empty());
-    const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+    const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);
     EXPECT_LE(largest_shortfall_m(m, z_m), 0.011);
     EXPECT_LE(steepest(m, z_m), 1 + 1e-9);
   }
@@ -74,7 +75,7 @@ TEST(EnforceClearances, AStackRisesAsAWhole) {
   tracks.push_back(track(6, {{-60, -60}, {60, 60}}, kStreet, Passage::kBridge, 2));
   tracks.push_back(track(7, {{60, 60}, {500, 500}}));
   const Made m = made(std::move(tracks));
-  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);
   EXPECT_LE(largest_shortfall_m(m, z_m), 0.011);
 }
 
@@ -83,7 +84,7 @@ TEST(EnforceClearances, TheNodesOfAJunctionMoveByTheSame) {
   tracks.push_back(track(5, {{-45, -300}, {-45, 0}, {-45, 300}}));
   tracks[0] = track(1, {{-800, 0}, {-45, 0}, {-30, 0}});
   const Made m = made(std::move(tracks));
-  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);
   double highest_m = 0;
   for (std::uint32_t a = 0; a < m.graph.nodes.size(); ++a) {
     if (m.graph.nodes[a].junction == kNone) continue;
@@ -105,17 +106,54 @@ TEST(EnforceClearances, AStreetRisesOverATunnelThatIsTiedToABridge) {
   std::uint32_t bridge = 0;
   while (m.graph.ways[bridge].track->id.osm.id != 2) ++bridge;
   m.crossings.push_back({.upper = bridge, .upper_at_m = 98, .lower_z_m = 38, .wanted_m = kClearanceOverWater_m});
-  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);
   EXPECT_LE(largest_shortfall_m(m, z_m), 0.011);
   EXPECT_LE(steepest(m, z_m), 1 + kRampFade + 1e-9);
 }
 
+// The deepest that lines of a class on the ground lie below the level.
+double deepest_on_ground_m(const Made& m, std::span<const double> z_m, LandCoverClass surface) {
+  double deepest_m = 0;
+  for (const GraphWay& way : m.graph.ways)
+    if (way.track->surface == surface && way.track->passage == Passage::kGround)
+      for (const Station& s : m.graph.stations_of(way)) deepest_m = std::max(deepest_m, 40 - z_m[s.node]);
+  return deepest_m;
+}
+
+TEST(EnforceClearances, NoStreetIsLoweredWithTheRampOfAGarage) {
+  // two storeys below a street, reached from the same street by a short ramp
+  constexpr auto kRamp = LandCoverClass::kServiceRoad;
+  const Made m = made({track(1, {{-300, 0}, {0, 0}, {300, 0}}), track(2, {{0, 0}, {0, 20}}, kRamp),
+                       track(3, {{0, 20}, {10, 30}, {20, 20}, {20, -30}}, kRamp, Passage::kTunnel, -2),
+                       track(4, {{-300, 12}, {300, 12}}, LandCoverClass::kTram, Passage::kTunnel, -1)});
+  ASSERT_GE(m.crossings.size(), 2u);
+  const std::vector<double> cleared_m = clear_crossings(m.graph, m.crossings, nullptr, m.level_m);
+  for (const auto& z_m : {cleared_m, enforce_clearances(m.graph, m.crossings, m.level_m, cleared_m)}) {
+    EXPECT_LE(deepest_on_ground_m(m, z_m, kStreet), kMaxCuttingForAccess_m + 1e-9);
+    EXPECT_LE(deepest_on_ground_m(m, z_m, kRamp), kMaxCutting_m + 1e-9);
+  }
+}
+
+TEST(EnforceClearances, NoCuttingIsDeeperThanItsLimit) {
+  // four tunnels below each other, with the mouths of the lowest close by
+  std::vector<map::Track> tracks{track(1, {{-400, 0}, {-25, 0}}),
+                                 track(2, {{-25, 0}, {25, 0}}, kStreet, Passage::kTunnel, -4),
+                                 track(3, {{25, 0}, {400, 0}})};
+  for (int k = 1; k <= 3; ++k)
+    tracks.push_back(track(3 + k, {{6.0 * k - 12, -300}, {6.0 * k - 12, 300}}, kStreet, Passage::kTunnel, -k));
+  const Made m = made(std::move(tracks));
+  const std::vector<double> cleared_m = clear_crossings(m.graph, m.crossings, nullptr, m.level_m);
+  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, cleared_m);
+  EXPECT_LE(deepest_on_ground_m(m, z_m, kStreet), kMaxCutting_m + 1e-9);
+  EXPECT_GT(deepest_on_ground_m(m, z_m, kStreet), 4);
+}
+
 TEST(EnforceClearances, NothingMovesThatIsClear) {
   const Made m = made(bridge_over_a_street(kStreet));
-  std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m);
+  std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);
   for (double& z : z_m) z = std::ceil(z * 64) / 64;
   const std::vector<Crossing> none;
-  EXPECT_EQ(enforce_clearances(m.graph, none, z_m), z_m);
+  EXPECT_EQ(enforce_clearances(m.graph, none, z_m, z_m), z_m);
 }
 
 }  // namespace
