@@ -139,8 +139,10 @@ TEST(EnforceClearances, NoCuttingIsDeeperThanItsLimit) {
   std::vector<map::Track> tracks{track(1, {{-400, 0}, {-25, 0}}),
                                  track(2, {{-25, 0}, {25, 0}}, kStreet, Passage::kTunnel, -4),
                                  track(3, {{25, 0}, {400, 0}})};
-  for (int k = 1; k <= 3; ++k)
-    tracks.push_back(track(3 + k, {{6.0 * k - 12, -300}, {6.0 * k - 12, 300}}, kStreet, Passage::kTunnel, -k));
+  for (int k = 1; k <= 3; ++k) {
+    const Vec2 end{100.0 * (k - 2), 300};
+    tracks.push_back(track(3 + k, {-end, end}, kStreet, Passage::kTunnel, -k));
+  }
   const Made m = made(std::move(tracks));
   const std::vector<double> cleared_m = clear_crossings(m.graph, m.crossings, nullptr, m.level_m);
   const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, cleared_m);
