@@ -34,6 +34,13 @@ struct Exposure {
 
   /// By night, unless given, it is automatic: streets have a thousand times the light of the sky, or none.
   bool is_auto_under(const sky::Sky& sky) const { return is_auto || (!is_given && sky::is_night(sky)); }
+
+  /// Returns the factor of a picture.
+  double of(const preview::Image& image, const sky::Sky& sky) const {
+    if (is_auto_under(sky)) return preview::auto_exposure(image) * factor;
+    const double adapted = preview::adapted_exposure(sky);
+    return is_given ? factor * adapted : preview::day_exposure(image, adapted);
+  }
 };
 
 struct Request {
@@ -139,7 +146,7 @@ Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, con
                                     const std::string& path, std::optional<double>& exposure) {
   preview::Image image = preview::render(lit.world, stage.lights, lit.local, camera, stage.options);
   if (stage.request.is_denoised) image = preview::denoise(image, stage.options.threads);
-  if (!exposure) exposure = preview::auto_exposure(image) * stage.request.exposure.factor;
+  if (!exposure) exposure = stage.request.exposure.of(image, stage.scene.sky);
   preview::expose(image, *exposure);
   const Result<Done> written =
       preview::write_image(image, path, metadata_of(image, camera, stage.scene.sky, *exposure));
@@ -169,8 +176,6 @@ Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& came
   const StopOnInterrupt interrupt;
   stage.options.is_stopped = &interrupt.is_stopped();
   std::optional<double> exposure;
-  if (!stage.request.exposure.is_auto_under(stage.scene.sky))
-    exposure = stage.request.exposure.factor * preview::adapted_exposure(stage.scene.sky);
   std::optional<LitWorld> lit;
   for (std::size_t i = 0; i < cameras.size() && !interrupt.is_stopped(); ++i) {
     std::error_code none;
@@ -370,9 +375,8 @@ std::vector<Option> picture_options(Request& request) {
       {"--size", "WxH", "size in pixels (default: 1280x720)", false, store_size(request.size)},
       {"--exposure", "STOPS|X|auto",
        "brightness: stops with a sign, such as +1 or -0.5, or a factor without, on top of the adaptation of eyes to "
-       "the "
-       "dark; auto is by the picture's own brightness, auto+1 a stop more (default: +0 by day, auto "
-       "by night)",
+       "the dark; auto is by the picture's own brightness, auto+1 a stop more (default: by day +0, and more in deep "
+       "shade; auto by night)",
        false, store_exposure(request.exposure)},
       {"--keep-frames", "", "pictures of --path or --turntable that are there already are not rendered again", false,
        store_switch(request.keeps_frames)},

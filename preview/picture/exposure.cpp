@@ -8,13 +8,17 @@
 
 namespace citykiln::preview {
 
-double auto_exposure(const Image& image) {
+namespace {
+
+// Returns how many stops the geometric mean luminance is below kMeanLuminance; 0 for a black picture. The brightest
+// fiftieth of the pixels, and those without light, do not count.
+double stops_below_mean(const Image& image) {
   std::vector<double> values;
   for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
     const double value = luminance({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
     if (std::isfinite(value) && value > 0) values.push_back(value);
   }
-  if (values.empty()) return 1;
+  if (values.empty()) return 0;
   std::ranges::sort(values);
   // a night sky says nothing about the brightness of a street
   constexpr double kBlack = 1.0 / 300;
@@ -24,8 +28,18 @@ double auto_exposure(const Image& image) {
   double sum = 0;
   for (const double value : values) sum += std::log2(value);
   const double mean = std::exp2(sum / static_cast<double>(values.size()));
-  const double stops = std::log2(kMeanLuminance / mean);
+  return std::log2(kMeanLuminance / mean);
+}
+
+}  // namespace
+
+double auto_exposure(const Image& image) {
+  const double stops = stops_below_mean(image);
   return std::exp2(std::clamp(stops > 0 ? stops * 3 / 4 : stops, -10.0, 20.0));
+}
+
+double day_exposure(const Image& image, double adapted) {
+  return std::max(adapted, std::exp2(stops_below_mean(image) - kShade_stops));
 }
 
 bool is_black(const Image& image) {

@@ -13,6 +13,12 @@ inline constexpr double kMeanLuminance = 0.9;
 /// a black picture. The brightest fiftieth of the pixels, and those without light, do not count.
 double auto_exposure(const Image& image);
 
+/// Pictures by day are brightened in deep shade, until they are this much darker than kMeanLuminance.
+inline constexpr double kShade_stops = 2;
+
+/// The factor for a picture by day: that of adapted eyes, or in deep shade more.
+double day_exposure(const Image& image, double adapted);
+
 /// Whether a screen shows nothing: all channels of the picture's tone-mapped mean are below 3 of 255.
 bool is_black(const Image& image);
 

@@ -141,7 +141,7 @@ TEST(EnforceClearances, NoCuttingIsDeeperThanItsLimit) {
                                  track(3, {{25, 0}, {400, 0}})};
   for (int k = 1; k <= 3; ++k) {
     const Vec2 end{100.0 * (k - 2), 300};
-    tracks.push_back(track(3 + k, {-end, end}, kStreet, Passage::kTunnel, -k));
+    tracks.push_back(track(3 + k, {Vec2{} - end, end}, kStreet, Passage::kTunnel, -k));
   }
   const Made m = made(std::move(tracks));
   const std::vector<double> cleared_m = clear_crossings(m.graph, m.crossings, nullptr, m.level_m);
