@@ -24,6 +24,10 @@ constexpr double kFartherOff = 0.25;
 // A flip that leaves an error above the tolerance is made if it leaves at most this share of it.
 constexpr double kBetter = 0.9;
 
+// A face that is less than this wide takes vertices of the reference only: on a cliff a few grid steps wide, others
+// would fill the grid and mend nothing.
+constexpr double kRoom_m = 3 * kQuantum_m;
+
 // The errors of one face: the largest, and the largest that a further vertex can reduce.
 struct FaceError {
   double error_m = 0;
@@ -126,6 +130,14 @@ struct Growing {
     std::uint32_t face;
   };
 
+  // Returns whether a face is wide enough for further vertices: its least altitude.
+  bool has_room(std::uint32_t f) const {
+    const std::array<Vec3, 3> c = corners_of(f);
+    const double longest_m = std::max({distance(in_plan(c[0]), in_plan(c[1])), distance(in_plan(c[1]), in_plan(c[2])),
+                                       distance(in_plan(c[2]), in_plan(c[0]))});
+    return cross(in_plan(c[1] - c[0]), in_plan(c[2] - c[0])) >= kRoom_m * longest_m;
+  }
+
   // The face is searched from `near`: rounding, or choosing a better point, may have moved the point out of it.
   Insertion insertion_at(Vec2 at, std::uint32_t near) const {
     const Vec2 point = snapped(at);
@@ -145,7 +157,7 @@ struct Growing {
       const double off_m = other.face == kNoFace ? 0 : error_at(other.face, other.point);
       if (off_m > best_m) best = other, best_m = off_m;
     }
-    return best.face == kNoFace ? insertion_at(worst, f) : best;
+    return best.face == kNoFace && has_room(f) ? insertion_at(worst, f) : best;
   }
 
   // Returns the edge with the largest error; 3 where it lies inside.
@@ -199,7 +211,7 @@ struct Growing {
     const int edge = worst_edge(f);
     if (edge < 3 && flip_suffices(f, edge, tolerance_m)) return turn_round(f, edge);
     Insertion insertion = best_insertion(f, tolerance_m);
-    if (insertion.face == kNoFace) insertion = insertion_beside(f);
+    if (insertion.face == kNoFace && has_room(f)) insertion = insertion_beside(f);
     const auto [p, split] = insertion;
     if (split == kNoFace) {
       const bool helps = edge < 3 && flip_suffices(f, edge, kBetter * errors[f].reducible.error_m);

@@ -129,5 +129,13 @@ TEST(GroundBorders, AreClosedWhereRoundedBordersPassTheirVerticesClosely) {
 // Both cells have a ledge on their border, and each is higher at one end.
 TEST(GroundBorders, HaveOneVerticalFaceWhereLedgesCross) { EXPECT_EQ(faults_of(297), ""); }
 
+// A wall a tenth of a metre wide and 2 m high, with borders a few grid steps apart.
+TEST(GroundBorders, BesideACliffAFewStepsWideDoNotFillTheGrid) {
+  const MadeBorderMap map = made_border_map(25545);
+  const Tolerances tolerances = tolerances_of(25545);
+  EXPECT_EQ(faults_of(25545), "");
+  EXPECT_LT(ground_of(map, map.second, tolerances.second_m, tolerances.between_m()).mesh.triangles.size(), 20'000u);
+}
+
 }  // namespace
 }  // namespace citykiln::bake
