@@ -1,7 +1,6 @@
 #include "compiler/commands/compile_region.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -69,14 +68,6 @@ bool has_outputs(const std::string& folder) {
   });
 }
 
-/// Waits while another task writes the region: one whose node or Slurm step is gone may run on while its successor
-/// begins.
-void wait_for_other_task(const std::string& folder) {
-  if (!fs::exists(folder)) return;
-  const Result<int> lock = exporters::lock_folder(folder, true);
-  if (lock && *lock >= 0) ::close(*lock);
-}
-
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -90,7 +81,7 @@ Result<Exit> compile_unless_done(const Plan& plan, const PlannedRegion& region, 
   if (!surveyed) return surveyed.error();
   const Result<std::string> key = region_key(plan, region, plan_folder, surveyed->hash);
   if (!key) return key.error();
-  wait_for_other_task(spec->outputs.folder);
+  lock_until_exit(plan_folder, region.key);
   state = read_state(plan_folder, region.key);
   if (state.state == TaskState::kDone && state.key == *key && has_outputs(spec->outputs.folder)) {
     console.print_line(

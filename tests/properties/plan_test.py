@@ -91,6 +91,15 @@ class Plan(ProgramTest):
         run("compile", "--plan", undisturbed, "--region", region)
         self.assertEqual(bytes_of_outputs(plan / "regions" / region), bytes_of_outputs(undisturbed / "regions" / region))
 
+    def test_two_tasks_of_one_region_both_end_well(self):
+        plan = self.planned()
+        region = self.regions_of(plan)[0]
+        command = [PROGRAM, "compile", "--plan", str(plan), "--region", region]
+        tasks = [subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for _ in range(3)]
+        outputs = [task.communicate() for task in tasks]
+        self.assertEqual([task.returncode for task in tasks], [0, 0, 0], outputs)
+        self.assertEqual(sum("done already" in out for out, _ in outputs), 2)
+
     def test_ninja_compiles_all_regions_in_a_folder_with_a_strange_name(self):
         if shutil.which("ninja") is None:
             self.skipTest("ninja is missing")
