@@ -42,19 +42,28 @@ HELD_OUT = {
     "baltimore-harbour/baltimore.osm.pbf": "",
     "small/frederiksted.osm.pbf": "",
 }
-SIZES = ((512, 512, 512), (1024, 1024, 512), (512, 256, 2048), (1024, 512, 1024))  # region, tile, halo in metres
+SIZES = ((1024, 1024, 512), (1024, 512, 2048), (512, 512, 1024))  # region, tile, halo in metres
 LEVELS = ("0.1", "0.5", "1.2", "2.5", "12.5")
 DEFAULT_LEVELS = ",".join(LEVELS)
+REGIONS = 2  # of each plan
 MOST_NODES = 10000  # of a region: larger ones take minutes
 
 
-def plan_of(place, dem, sizes, levels, folder):
+def plan_of(place, dem, sizes, folder):
     dem_options = ["--dem", DATA / dem] if dem else []
     region_m, tile_m, halo_m = sizes
-    done = run("plan", DATA / place, *dem_options, "--region", region_m, "--tile", tile_m, "--halo", halo_m, "--lods", levels, "-o", folder)
+    done = run("plan", DATA / place, *dem_options, "--region", region_m, "--tile", tile_m, "--halo", halo_m, "--lods", DEFAULT_LEVELS, "-o",
+               folder)
     if done.returncode != 0:
         raise SystemExit(done.stderr)
     return json.loads((folder / "plan.json").read_text())["regions"]
+
+
+def set_levels(folder, levels):
+    """Changes the plan's levels; nothing else in its folder depends on them."""
+    plan = json.loads((folder / "plan.json").read_text())
+    plan["settings"] = [[name, levels if name == "lods" else value] for name, value in plan["settings"]]
+    (folder / "plan.json").write_text(json.dumps(plan))
 
 
 def compile_region(folder, region):
@@ -75,18 +84,16 @@ def compile_region(folder, region):
 
 def measure(place, dem, sizes, levels, draw, out):
     with tempfile.TemporaryDirectory(prefix="citykiln_cost_") as scratch:
-        drawn = None
-        for level in levels:
-            folder = Path(scratch) / "plan"
-            regions = [region for region in plan_of(place, dem, sizes, level, folder) if 200 < region["own_way_nodes"] < MOST_NODES]
-            if not regions:
-                return
-            drawn = drawn or draw.choice(regions)["region"]
-            region = next(region for region in regions if region["region"] == drawn)
-            line = {"place": place, "levels": level, "region_m": sizes[0], "tile_m": sizes[1], **region, **compile_region(folder, drawn)}
-            out.write(json.dumps(line) + "\n")
-            out.flush()
-            shutil.rmtree(folder)
+        folder = Path(scratch) / "plan"
+        regions = [region for region in plan_of(place, dem, sizes, folder) if 200 < region["own_way_nodes"] < MOST_NODES]
+        for region in draw.sample(regions, min(REGIONS, len(regions))):
+            for level in levels:
+                set_levels(folder, level)
+                line = {"place": place, "levels": level, "region_m": sizes[0], "tile_m": sizes[1], **region,
+                        **compile_region(folder, region["region"])}
+                out.write(json.dumps(line) + "\n")
+                out.flush()
+                shutil.rmtree(folder / "regions" / region["region"])
 
 
 def main():
