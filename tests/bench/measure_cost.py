@@ -42,6 +42,15 @@ HELD_OUT = {
     "baltimore-harbour/baltimore.osm.pbf": "",
     "small/frederiksted.osm.pbf": "",
 }
+# of extracts whose header has none
+BOXES = {
+    "andorra/cut-canillo-village.osm.pbf": "1.560,42.553,1.620,42.590",
+    "andorra/cut-andorra-la-vella.osm.pbf": "1.500,42.495,1.545,42.520",
+    "chicago-loop/chicago_loop.osm.pbf": "-87.6384,41.8676,-87.6054,41.8907",
+    "niteroi/niteroi.osm.pbf": "-43.14,-22.92,-43.06,-22.86",
+    "boston-back-bay/back_bay.osm.pbf": "-71.092,42.342,-71.066,42.356",
+    "small/frederiksted.osm.pbf": "-64.9044,17.6739,-64.8400,17.7300",
+}
 SIZES = ((1024, 1024, 512), (1024, 512, 2048), (512, 512, 1024))  # region, tile, halo in metres
 LEVELS = ("0.1", "0.5", "1.2", "2.5", "12.5")
 DEFAULT_LEVELS = ",".join(LEVELS)
@@ -51,8 +60,9 @@ MOST_NODES = 10000  # of a region: larger ones take minutes
 
 def plan_of(place, dem, sizes, folder):
     dem_options = ["--dem", DATA / dem] if dem else []
+    box_options = [f"--bbox={BOXES[place]}"] if place in BOXES else []
     region_m, tile_m, halo_m = sizes
-    done = run("plan", DATA / place, *dem_options, "--region", region_m, "--tile", tile_m, "--halo", halo_m, "--lods", DEFAULT_LEVELS, "-o",
+    done = run("plan", DATA / place, *dem_options, *box_options, "--region", region_m, "--tile", tile_m, "--halo", halo_m, "--lods", DEFAULT_LEVELS, "-o",
                folder)
     if done.returncode != 0:
         raise SystemExit(done.stderr)
