@@ -25,7 +25,7 @@ Error failed(const std::string& path, const char* what) {
   return {path, what + (": " + std::generic_category().message(errno))};
 }
 
-/// The journal of an interrupted run, as text; empty if there is none.
+/// The journal of an earlier run, as text; empty if there is none.
 std::string journal_text(const std::string& path) {
   const Result<std::vector<std::byte>> bytes = read_file(path);
   return bytes ? std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()) : std::string();
@@ -33,8 +33,9 @@ std::string journal_text(const std::string& path) {
 
 }  // namespace
 
-Result<OutputFolder> OutputFolder::open(const std::string& path) {
+Result<OutputFolder> OutputFolder::open(const std::string& path, TakesOver takes_over) {
   OutputFolder folder(path);
+  folder.takes_over_ = takes_over;
   if (const Result<Done> made = folder.make_folder(path); !made) return made.error();
   if (access(path.c_str(), W_OK | X_OK) != 0) return failed(path, "cannot be written");
   const Result<int> lock = lock_folder(path, false);
@@ -51,6 +52,7 @@ Result<Done> OutputFolder::begin() {
   if (Result<Done> made = make_folder(staging_); !made) return made;
   const std::string path = staging_ + "/" + kJournalName, text = journal_text(path);
   staged_ = read_journal(text);
+  if (takes_over_ == TakesOver::kFinished) finished_ = read_journal(journal_text(path_ + "/" + kKeysName));
   journal_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (journal_ < 0) return failed(path_, "cannot be written");
   // ends a torn line
@@ -63,7 +65,9 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       staging_(std::move(other.staging_)),
       made_folders_(std::move(other.made_folders_)),
       staged_(std::move(other.staged_)),
+      finished_(std::move(other.finished_)),
       files_(std::move(other.files_)),
+      takes_over_(other.takes_over_),
       lock_(std::exchange(other.lock_, -1)),
       journal_(std::exchange(other.journal_, -1)),
       is_open_(std::exchange(other.is_open_, false)) {}
@@ -94,12 +98,24 @@ Result<Done> OutputFolder::make_folder(const std::string& path) {
 
 const StagedFile* OutputFolder::find_whole(const std::string& name, std::uint64_t key) const {
   assert(key != 0);
-  const auto found = staged_.find(name);
-  if (found == staged_.end() || found->second.key != key) return nullptr;
-  return is_whole(staging_, found->second.file) ? &found->second : nullptr;
+  const auto is_in = [&](const std::map<std::string, StagedFile>& files, const std::string& folder) {
+    const auto found = files.find(name);
+    return found != files.end() && found->second.key == key && is_whole(folder, found->second.file) ? &found->second
+                                                                                                    : nullptr;
+  };
+  const StagedFile* staged = is_in(staged_, staging_);
+  return staged != nullptr ? staged : is_in(finished_, path_);
 }
 
-void OutputFolder::take_over(const StagedFile& staged) { files_[staged.file.name] = staged.file; }
+Result<Done> OutputFolder::take_over(const StagedFile& staged) {
+  const auto finished = finished_.find(staged.file.name);
+  if (finished == finished_.end() || &finished->second != &staged) {
+    files_[staged.file.name] = staged.file;
+    return Done{};
+  }
+  if (Result<Done> done = adopt(staged.file, path_ + "/" + staged.file.name); !done) return done;
+  return note_whole(staged);
+}
 
 Result<Done> OutputFolder::stage(const std::string& name, std::span<const std::byte> bytes) {
   assert(is_open_ && name != kFileListName && name != kJournalName);
@@ -111,12 +127,15 @@ Result<Done> OutputFolder::stage(const std::string& name, std::span<const std::b
 Result<Done> OutputFolder::write(const std::string& name, std::span<const std::byte> bytes, std::uint64_t key,
                                  const std::string& note) {
   if (Result<Done> done = stage(name, bytes); !done) return done;
-  const StagedFile staged = {{name, bytes.size(), hash_text(content_hash(bytes))}, key, note};
+  return note_whole({{name, bytes.size(), hash_text(content_hash(bytes))}, key, note});
+}
+
+Result<Done> OutputFolder::note_whole(const StagedFile& staged) {
   const std::string line = journal_line(staged);
   if (::write(journal_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
     return failed(staging_ + "/" + kJournalName, "cannot be written");
   // this run does not read its own notes
-  files_[name] = staged.file, staged_[name] = {staged.file, key, {}};
+  files_[staged.file.name] = staged.file, staged_[staged.file.name] = {staged.file, staged.key, {}};
   return Done{};
 }
 
@@ -148,7 +167,19 @@ bool OutputFolder::has_keyed_files() const {
   return std::ranges::any_of(staged_, [](const auto& entry) { return entry.second.key != 0; });
 }
 
+// A copy: until the list is written, a run that is interrupted needs the journal.
+Result<Done> OutputFolder::keep_keys() {
+  std::error_code problem;
+  fs::copy_file(staging_ + "/" + kJournalName, staging_ + "/" + kKeysName, fs::copy_options::overwrite_existing,
+                problem);
+  if (problem) return Error{staging_ + "/" + kKeysName, "cannot be written: " + problem.message()};
+  files_[kKeysName] = {.name = kKeysName};
+  return Done{};
+}
+
 Result<Done> OutputFolder::commit() {
+  if (takes_over_ == TakesOver::kFinished)
+    if (Result<Done> done = keep_keys(); !done) return done;
   const std::string list = file_list_json(files());
   if (Result<Done> done = write_file(staging_ + "/" + kFileListName, bytes_of(list)); !done) return done;
   is_open_ = false;

@@ -14,6 +14,9 @@
 //     4. remove files that only the old list names      the same
 //     5. rename .new/files.json to OUT, remove .new     the same
 //
+// A run that keeps its keys leaves its journal in OUT as keys.jsonl, a listed file; the next run that keeps its keys
+// takes over the files with equal keys, by a second name in .new (hard link).
+//
 // Only files that a list names are replaced or removed. A file of someone else that is in the way is renamed to
 // NAME.old. A key says what the bytes of a file are a function of; equal keys mean equal bytes.
 //
@@ -34,24 +37,30 @@
 
 namespace citykiln::exporters {
 
+inline constexpr const char* kKeysName = "keys.jsonl";
+
+/// Which runs' files a run takes over. kFinished: those of the finished run in the folder too, and leaves its keys for
+/// the next.
+enum class TakesOver { kInterrupted, kFinished };
+
 /// Writes one run. Ends without commit(): OUT stays as it was; .new stays if it holds files with keys, for the next
 /// run, else it is removed with all folders made.
 class OutputFolder {
  public:
   /// Makes the folder where it is missing, and finishes an interrupted commit. Errors, before any work is done: a
   /// folder that cannot be made or written; another process that is writing a run into it.
-  static Result<OutputFolder> open(const std::string& path);
+  static Result<OutputFolder> open(const std::string& path, TakesOver takes_over = TakesOver::kInterrupted);
   ~OutputFolder();
   OutputFolder(OutputFolder&& other) noexcept;
   OutputFolder& operator=(OutputFolder&&) = delete;
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// The file of this name and key that an interrupted run left whole, verified by its hash; or null. May be called
-  /// from several threads while nothing is written. @param key  Not 0.
+  /// The file of this name and key that a run before left whole, verified by its hash; or null. May be called from
+  /// several threads while nothing is written. @param key  Not 0.
   const StagedFile* find_whole(const std::string& name, std::uint64_t key) const;
   /// Makes a file that find_whole() returned a file of this run.
-  void take_over(const StagedFile& staged);
+  Result<Done> take_over(const StagedFile& staged);
 
   /// Writes a file of this run. @param name  Relative to the folder, "glb/0_0_L1.glb".
   Result<Done> write(const std::string& name, std::span<const std::byte> bytes, std::uint64_t key = 0,
@@ -67,6 +76,8 @@ class OutputFolder {
   FileList files() const;
   /// Whether a later run can take over files if this one ends without commit().
   bool has_keyed_files() const;
+  /// Whether a run before left files that this one can take over.
+  bool has_earlier_files() const { return has_keyed_files() || !finished_.empty(); }
 
   /// Replaces the earlier run by this one, steps 2 to 5.
   Result<Done> commit();
@@ -76,13 +87,17 @@ class OutputFolder {
   Result<Done> make_folder(const std::string& path);
   Result<Done> begin();
   Result<Done> stage(const std::string& name, std::span<const std::byte> bytes);
+  Result<Done> note_whole(const StagedFile& staged);
+  Result<Done> keep_keys();
 
   std::string path_, staging_;
   std::vector<std::string> made_folders_;
-  std::map<std::string, StagedFile> staged_;  ///< By name: whole files of an interrupted run and of this run.
-  std::map<std::string, ListedFile> files_;   ///< By name: of this run.
-  int lock_ = -1, journal_ = -1;              ///< File descriptors.
-  bool is_open_ = true;                       ///< False once committed or moved from.
+  std::map<std::string, StagedFile> staged_;    ///< By name: whole files of an interrupted run and of this run.
+  std::map<std::string, StagedFile> finished_;  ///< By name: of the finished run in the folder.
+  std::map<std::string, ListedFile> files_;     ///< By name: of this run.
+  TakesOver takes_over_ = TakesOver::kInterrupted;
+  int lock_ = -1, journal_ = -1;  ///< File descriptors.
+  bool is_open_ = true;           ///< False once committed or moved from.
 };
 
 /// The bytes of a JSON text.

@@ -81,6 +81,7 @@ Result<Exit> compile_unless_done(const Plan& plan, const PlannedRegion& region, 
   if (!surveyed) return surveyed.error();
   const Result<std::string> key = region_key(plan, region, plan_folder, surveyed->hash);
   if (!key) return key.error();
+  lock_until_exit(plan_folder, region.key);
   state = read_state(plan_folder, region.key);
   if (state.state == TaskState::kDone && state.key == *key && has_outputs(spec->outputs.folder)) {
     console.print_line(
@@ -93,7 +94,8 @@ Result<Exit> compile_unless_done(const Plan& plan, const PlannedRegion& region, 
   const auto compile_map = [&](const OnProgress& on_progress) {
     return citykiln::compile_region(*spec, cut_path(plan_folder, region.key), surveyed->survey, on_progress);
   };
-  const Result<Compiled> compiled = compile_to_folder(*spec, compile_map, console);
+  // after an edit of the map, most tiles are those of the run before
+  const Result<Compiled> compiled = compile_to_folder(*spec, compile_map, console, exporters::TakesOver::kFinished);
   if (!compiled) return compiled.error();
   state.state = TaskState::kDone, state.seconds = seconds_since(begin), state.output_bytes = compiled->bytes;
   for (const StageCost& cost : compiled->costs) state.memory_bytes = std::max(state.memory_bytes, cost.peak_bytes);

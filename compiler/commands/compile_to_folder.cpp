@@ -36,8 +36,9 @@ void print_summary(const CompileSpec& spec, const CompileResult& compiled, const
 
 }  // namespace
 
-Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& compile_map, const Console& console) {
-  Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(spec.outputs.folder);
+Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& compile_map, const Console& console,
+                                   exporters::TakesOver takes_over) {
+  Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(spec.outputs.folder, takes_over);
   if (!folder) return folder.error();
   const InterruptNotice notice;
 

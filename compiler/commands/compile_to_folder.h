@@ -7,6 +7,7 @@
 
 #include "compiler/commands/verb.h"
 #include "compiler/pipeline.h"
+#include "exporters/output_folder.h"
 
 namespace citykiln::commands {
 
@@ -22,6 +23,7 @@ struct Compiled {
 
 /// Writes the outputs that the spec asks for to its folder and prints a summary. The folder then holds this run, or,
 /// after an error, the run before.
-Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& compile_map, const Console& console);
+Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& compile_map, const Console& console,
+                                   exporters::TakesOver takes_over = exporters::TakesOver::kInterrupted);
 
 }  // namespace citykiln::commands

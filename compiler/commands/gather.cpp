@@ -71,7 +71,8 @@ Result<Done> add_files(const std::string& folder, Gathered& all) {
   const auto list = exporters::read_file_list(folder + "/" + exporters::kFileListName);
   if (!list) return list.error();
   if (!*list) return Error{folder, "holds no finished run"};
-  static const std::set<std::string> kOwn = {"scene.kiln", "report.json", "findings.json", "timing.json"};
+  static const std::set<std::string> kOwn = {"scene.kiln", "report.json", "findings.json", "timing.json",
+                                             exporters::kKeysName};
   for (const exporters::ListedFile& file : **list) {
     if (!exporters::is_whole(folder, file)) return Error{folder + "/" + file.name, "is missing or damaged"};
     if (!kOwn.contains(file.name)) all.placed.emplace(file.name, PlacedFile{file, folder + "/" + file.name});

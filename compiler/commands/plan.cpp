@@ -84,8 +84,9 @@ void describe_regions(const regions::CutFiles& files, const map::Heightfield& he
     PlannedRegion region{.key = keys[i],
                          .tiles = regions::tiles_of(plan.grid, keys[i]).size(),
                          .file = files.regions[i],
+                         .terrain_vertices = vertices_near(heights, plan.grid, keys[i]),
                          .expected = {}};
-    region.expected = expected_cost(region, vertices_near(heights, plan.grid, keys[i]), spec.outputs.ladder_m);
+    region.expected = expected_cost(region, region.terrain_vertices, spec.outputs.ladder_m);
     plan.regions.push_back(region);
   }
 }

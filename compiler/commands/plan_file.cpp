@@ -24,6 +24,9 @@ Json json_of(const PlannedRegion& region) {
           {"relations", region.file.relations},
           {"way_nodes", region.file.way_nodes},
           {"own_way_nodes", region.file.own_way_nodes},
+          {"own_building_nodes", region.file.own_building_nodes},
+          {"own_road_nodes", region.file.own_road_nodes},
+          {"terrain_vertices", region.terrain_vertices},
           {"expected",
            {{"seconds", region.expected.seconds},
             {"memory_bytes", region.expected.memory_bytes},
@@ -39,7 +42,10 @@ PlannedRegion region_of(const Json& json) {
                    .ways = json.at("ways"),
                    .relations = json.at("relations"),
                    .way_nodes = json.at("way_nodes"),
-                   .own_way_nodes = json.at("own_way_nodes")},
+                   .own_way_nodes = json.at("own_way_nodes"),
+                   .own_building_nodes = json.at("own_building_nodes"),
+                   .own_road_nodes = json.at("own_road_nodes")},
+          .terrain_vertices = json.at("terrain_vertices"),
           .expected = {expected.at("seconds"), expected.at("memory_bytes"), expected.at("output_bytes")}};
 }
 

@@ -32,6 +32,7 @@ struct PlannedRegion {
   regions::RegionKey key;
   std::size_t tiles = 0;
   regions::RegionFile file;
+  std::size_t terrain_vertices = 0;  ///< Of the heights around it, with its halo.
   ExpectedCost expected;
 };
 

@@ -1,6 +1,8 @@
 #include "compiler/commands/region_state.h"
 
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -78,6 +80,15 @@ Result<Done> write_state(const std::string& plan_folder, regions::RegionKey regi
   std::error_code none;
   std::filesystem::create_directories(plan_folder + "/state", none);
   return exporters::write_file(path_of(plan_folder, region), exporters::bytes_of(text));
+}
+
+void lock_until_exit(const std::string& plan_folder, regions::RegionKey region) {
+  std::error_code none;
+  std::filesystem::create_directories(plan_folder + "/state", none);
+  const std::string path = plan_folder + "/state/." + to_string(region) + ".lock";
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  while (descriptor >= 0 && ::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+  }
 }
 
 }  // namespace citykiln::commands

@@ -29,4 +29,8 @@ RegionState read_state(const std::string& plan_folder, regions::RegionKey region
 /// Writes the state with the host and process of the caller.
 Result<Done> write_state(const std::string& plan_folder, regions::RegionKey region, RegionState state);
 
+/// Locks a region against other tasks until this process ends, and waits for one that has it locked: a task whose node
+/// or Slurm step is gone may run on while its successor begins. Does nothing on file systems without locks.
+void lock_until_exit(const std::string& plan_folder, regions::RegionKey region);
+
 }  // namespace citykiln::commands

@@ -45,6 +45,9 @@ std::string minutes_of(std::span<const PlannedRegion* const> regions) {
   return fmt::format("{}", static_cast<int>(std::ceil(longest_s * 4 / 60)) + 10);
 }
 
+/// A task that is killed more often, such as one that needs more memory than it has, fails.
+constexpr int kMostRestarts = 3;
+
 constexpr std::string_view kSubmitBegin =
     "#!/bin/sh\n"
     "# Written by citykiln plan: submits the tasks of this folder to Slurm. Options for all jobs, such as a "
@@ -70,8 +73,14 @@ std::string task_sh(const std::string& program) {
       "# Written by citykiln plan: one task of a job array. task.sh LIST FIRST compiles the region in line FIRST plus\n"
       "# the task's number of LIST.\n"
       "region=$(sed -n \"$((SLURM_ARRAY_TASK_ID + $2))p\" \"$1\")\n"
-      "exec {} compile --plan . --region \"$region\" --threads 1\n",
-      shell_quoted(program));
+      "status=0\n"
+      "{} compile --plan . --region \"$region\" --threads 1 || status=$?\n"
+      "# a killed task goes on with the tiles that it had written\n"
+      "if [ \"$status\" -eq 137 ] && [ \"${{SLURM_RESTART_COUNT:-0}}\" -lt {} ]; then\n"
+      "  scontrol requeue \"${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID\" || true\n"
+      "fi\n"
+      "exit \"$status\"\n",
+      shell_quoted(program), kMostRestarts);
 }
 
 void add_slurm(const Plan& plan, const std::string& program, std::map<std::string, std::string>& files) {

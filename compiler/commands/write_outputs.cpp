@@ -82,17 +82,17 @@ ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const Light
   return with_glb;
 }
 
-/// A tile that an interrupted run left whole.
+/// A tile that a run before left whole.
 struct WholeTile {
   const exporters::StagedFile* staged;
   verify::TileNote note;
 };
 
-/// The whole tiles of an interrupted run, by chunk and level as in bake_keys(). Reads and hashes each of them.
+/// The whole tiles of runs before, by chunk and level as in bake_keys(). Reads and hashes each of them.
 std::vector<std::optional<WholeTile>> whole_tiles(const scene::Scene& scene, std::span<const std::uint64_t> keys,
                                                   int threads, const exporters::OutputFolder& folder) {
   std::vector<std::optional<WholeTile>> whole(keys.size());
-  if (scene.chunks.empty() || !folder.has_keyed_files()) return whole;
+  if (scene.chunks.empty() || !folder.has_earlier_files()) return whole;
   const std::size_t levels = keys.size() / scene.chunks.size();
   for_each_index(keys.size(), threads, [&](std::size_t i) {
     const std::string name = exporters::glb_name(scene.chunks[i / levels].tile, i % levels);
@@ -254,7 +254,7 @@ class TileWriter {
 
   Result<Done> take_over(ChunkLevel at, WrittenOutputs& written) {
     const WholeTile whole = *std::exchange(whole_[index(at)], std::nullopt);
-    folder_.take_over(*whole.staged);
+    if (Result<Done> done = folder_.take_over(*whole.staged); !done) return done;
     report_.append(whole.note.diagnosed);
     add(at, whole.note.tile, whole.note.diagnosed, written);
     ++written.taken_over;
@@ -325,7 +325,7 @@ void print_notes(const std::string& folder, const WrittenOutputs& written, const
   if (!written.solved.empty()) console.print_line(written.solved);
   for (const std::string& note : written.notes) console.print_line(note);
   if (written.taken_over > 0)
-    console.print_line(fmt::format("note: {} of {} tile files were whole from an interrupted run and not baked again",
+    console.print_line(fmt::format("note: {} of {} tile files were whole from an earlier run and not baked again",
                                    written.taken_over, written.files.tiles.size()));
   const std::vector<std::string> strange = exporters::strange_files(folder, files);
   if (strange.empty()) return;

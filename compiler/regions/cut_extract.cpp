@@ -265,9 +265,13 @@ void count(const osmium::OSMObject& object, const std::function<bool(osmium::Loc
   if (object.type() == osmium::item_type::relation) ++file.relations;
   if (object.type() != osmium::item_type::way) return;
   ++file.ways;
+  const bool is_building = object.tags().has_key("building") || object.tags().has_key("building:part"),
+             is_road = object.tags().has_key("highway");
   for (const osmium::NodeRef& node : static_cast<const osmium::Way&>(object).nodes()) {
     ++file.way_nodes;
-    if (node.location().valid() && is_own(node.location())) ++file.own_way_nodes;
+    if (!node.location().valid() || !is_own(node.location())) continue;
+    ++file.own_way_nodes;
+    file.own_building_nodes += is_building, file.own_road_nodes += is_road;
   }
 }
 

@@ -132,9 +132,49 @@ TEST_F(OutputFolderOfARun, TakesOverWhatAnInterruptedRunLeftWhole) {
   EXPECT_EQ(whole->note, "note");
   EXPECT_EQ(folder->find_whole("a", 8), nullptr);
   for (const char* name : {"b", "c", "d", "e"}) EXPECT_EQ(folder->find_whole(name, 7), nullptr) << name;
-  folder->take_over(*whole);
+  ASSERT_TRUE(folder->take_over(*whole));
   ASSERT_TRUE(folder->commit());
   EXPECT_EQ(products(), (Files{{"a", "content"}}));
+}
+
+TEST_F(OutputFolderOfARun, TakesOverFilesOfTheFinishedRunWhenAsked) {
+  const auto open = [&] { return OutputFolder::open(at("out"), TakesOver::kFinished); };
+  for (int run = 0; run < 3; ++run) {
+    Result<OutputFolder> folder = open();
+    const StagedFile* whole = folder->find_whole("a", 7);
+    ASSERT_EQ(whole != nullptr, run > 0);
+    EXPECT_EQ(whole != nullptr ? whole->note : "note", "note");
+    ASSERT_TRUE(whole != nullptr ? folder->take_over(*whole) : folder->write("a", bytes_of("content"), 7, "note"));
+    ASSERT_TRUE(folder->write("b", bytes_of("new" + std::to_string(run)), 8 + static_cast<std::uint64_t>(run)));
+    ASSERT_TRUE(folder->commit());
+    Files made = products();
+    made.erase(kKeysName);
+    EXPECT_EQ(made, (Files{{"a", "content"}, {"b", "new" + std::to_string(run)}}));
+  }
+  put("out/a", "damaged");
+  EXPECT_EQ(open()->find_whole("a", 7), nullptr);
+  EXPECT_EQ(OutputFolder::open(at("out"))->find_whole("b", 10), nullptr) << "not asked for";
+}
+
+TEST_F(OutputFolderOfARun, TakesOverFilesOfTheFinishedRunThatAnInterruptedOneTookOver) {
+  const auto open = [&] { return OutputFolder::open(at("out"), TakesOver::kFinished); };
+  {
+    Result<OutputFolder> folder = open();
+    ASSERT_TRUE(folder->write("a", bytes_of("content"), 7));
+    ASSERT_TRUE(folder->commit());
+  }
+  {
+    Result<OutputFolder> folder = open();
+    ASSERT_TRUE(folder->take_over(*folder->find_whole("a", 7)));
+    // another key: the file in the folder keeps its bytes until the end
+    ASSERT_TRUE(folder->write("a", bytes_of("changed"), 8));
+  }
+  EXPECT_EQ(products()["a"], "content");
+  Result<OutputFolder> folder = open();
+  ASSERT_NE(folder->find_whole("a", 8), nullptr);
+  ASSERT_TRUE(folder->take_over(*folder->find_whole("a", 8)));
+  ASSERT_TRUE(folder->commit());
+  EXPECT_EQ(products()["a"], "changed");
 }
 
 TEST_F(OutputFolderOfARun, ReadsAJournalWithATornLine) {

@@ -2,6 +2,7 @@
 """A map compiled in regions has the bytes of one run; tasks can be repeated, killed and resumed; gather knows what is missing."""
 import json
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -91,6 +92,15 @@ class Plan(ProgramTest):
         run("compile", "--plan", undisturbed, "--region", region)
         self.assertEqual(bytes_of_outputs(plan / "regions" / region), bytes_of_outputs(undisturbed / "regions" / region))
 
+    def test_two_tasks_of_one_region_both_end_well(self):
+        plan = self.planned()
+        region = self.regions_of(plan)[0]
+        command = [PROGRAM, "compile", "--plan", str(plan), "--region", region]
+        tasks = [subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for _ in range(3)]
+        outputs = [task.communicate() for task in tasks]
+        self.assertEqual([task.returncode for task in tasks], [0, 0, 0], outputs)
+        self.assertEqual(sum("done already" in out for out, _ in outputs), 2)
+
     def test_ninja_compiles_all_regions_in_a_folder_with_a_strange_name(self):
         if shutil.which("ninja") is None:
             self.skipTest("ninja is missing")
@@ -114,6 +124,67 @@ class Plan(ProgramTest):
         compiled = sum("done already" not in text for text in again)
         self.assertGreater(compiled, 0)
         self.assertLess(compiled, len(again))
+
+    def test_after_an_edit_tiles_whose_recipes_are_unchanged_are_not_baked_again(self):
+        edited = self.folder / "edited" / self.MAP.name
+        edited.parent.mkdir()
+        shutil.copy(self.MAP, edited)
+        plan = self.planned(map_path=edited)
+        self.compile_all(plan)
+        edited.write_text(edited.read_text().replace('<tag k="building:levels" v="', '<tag k="building:levels" v="1', 1))
+        self.planned(map_path=edited)
+        again = "".join(run("compile", "--plan", plan, "--region", region).stdout for region in self.regions_of(plan))
+        kept = sum(int(count) for count in re.findall(r"note: (\d+) of \d+ tile files were whole", again))
+        tiles = len(list((plan / "regions").glob("*/glb/*.glb")))
+        self.assertGreater(kept, tiles / 2)
+        self.assertLess(kept, tiles)
+        self.assertEqual(run("gather", plan).returncode, 0)
+        whole = self.compiled("whole", edited, *self.DEM, *ARGUMENTS)
+        self.assertEqual(bytes_of_outputs(plan / "out"), bytes_of_outputs(whole))
+
+    def test_a_region_whose_disk_is_full_fails_alone_with_one_line(self):
+        plan = self.planned()
+        planned = json.loads((plan / "plan.json").read_text())["regions"]
+        region, *others = [one["region"] for one in sorted(planned, key=lambda one: -one["own_way_nodes"])]
+        folder = plan / "regions" / region
+        folder.mkdir(parents=True)
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", folder], capture_output=True, check=False)
+        if mounted.returncode != 0:
+            self.skipTest("a small disk needs root")
+        try:
+            done = run("compile", "--plan", plan, "--region", region)
+        finally:
+            subprocess.run(["umount", folder], check=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.strip().count("\n"), 0, done.stderr)
+        self.assertIn("No space left on device", done.stderr)
+        for other in others:
+            self.assertEqual(run("compile", "--plan", plan, "--region", other).returncode, 0)
+        self.assertIn(f"missing: region {region}: failed", run("gather", plan).stdout)
+        self.assertEqual(run("compile", "--plan", plan, "--region", region).returncode, 0)
+        self.assertEqual(run("gather", plan).returncode, 0)
+
+    def test_regions_whose_heights_are_damaged_fail_alone_with_one_line(self):
+        plan = self.planned()
+        survey = plan / "survey.kiln"
+        content = bytearray(survey.read_bytes())
+        content[len(content) // 2] ^= 255
+        survey.write_bytes(content)
+        done = [run("compile", "--plan", plan, "--region", region) for region in self.regions_of(plan)]
+        failed = [one for one in done if one.returncode != 0]
+        self.assertGreater(len(failed), 0)
+        self.assertLess(len(failed), len(done))
+        for one in failed:
+            self.assertEqual(one.stderr.strip().count("\n"), 0, one.stderr)
+
+    def test_a_heightmap_that_cannot_be_read_ends_the_plan_with_its_name(self):
+        heights = self.folder / "heights"
+        heights.mkdir()
+        (heights / "N00E000.hgt").write_bytes(b"nonsense")
+        done = run("plan", self.MAP, "--dem", heights, *ARGUMENTS, "-o", self.folder / "plan")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.strip().count("\n"), 0)
+        self.assertIn("N00E000.hgt", done.stderr)
 
 
 if __name__ == "__main__":
