@@ -80,7 +80,7 @@ def set_levels(folder, levels):
 def compile_region(folder, region):
     """Processor seconds of planning and of baking, memory and bytes."""
     task = subprocess.Popen([PROGRAM, "compile", "--plan", folder, "--region", region, "--threads", "1", "--quiet"],
-                            stdout=subprocess.DEVNULL, preexec_fn=lambda: os.nice(10))
+                            stdout=subprocess.DEVNULL, preexec_fn=lambda: os.nice(5))
     _, status, usage = os.wait4(task.pid, 0)
     task.returncode = status
     if status != 0:
