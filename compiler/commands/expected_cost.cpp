@@ -1,8 +1,8 @@
-// Fitted by tests/bench/fit_cost.py to tasks that tests/bench/measure_cost.py ran, 98 of 7 places (Monaco, Canillo,
+// Fitted by tests/bench/fit_cost.py to tasks that tests/bench/measure_cost.py ran, 103 of 7 places (Monaco, Canillo,
 // Chicago, Neubrandenburg, Berlin-Reinickendorf, St. Moritz, Kyoto, Liechtenstein, Los Angeles, Niteroi), regions of
-// 512 and 1024 m, one thread, processor time. On 13 regions of other places (Andorra la Vella, Boston, Helsinki,
-// Dublin, Nice, Berlin-Adlershof, Baltimore, Frederiksted), at all default levels, the median error of time is 26%, of
-// memory 20%, of bytes 46%.
+// 512 and 1024 m, one thread, processor time. On 16 regions of other places (Andorra la Vella, Boston, Helsinki,
+// Dublin, Nice, Berlin-Adlershof, Baltimore, Frederiksted), at all default levels, the median error of time is 27%, of
+// memory 15%, of bytes 37%.
 #include "compiler/commands/expected_cost.h"
 
 #include <algorithm>
@@ -22,17 +22,17 @@ struct LevelCost {
   OwnWeights seconds, memory_mb, output_mb;
 };
 
-constexpr AroundWeights kPlan_s = {0, 0.0167, 0}, kPlan_mb = {49.5, 0.167, 18.3};
-constexpr OwnWeights kShared_s = {0.255, 0, 0.657, 0.376, 0, 0};
+constexpr AroundWeights kPlan_s = {0, 0.0167, 0.0002}, kPlan_mb = {58, 0.0994, 0.04};
+constexpr OwnWeights kShared_s = {0.23, 0, 0.684, 0.121, 0, 0};
 constexpr LevelCost kLevels[] = {
-    {0, {0, 0.305, 0.217, 2.59, 0.236, 0}, {13, 0, 52.5, 194, 12.8, 10.1}, {5.52, 0, 4.15, 23.2, 0, 0}},
-    {0.3, {0.135, 0.0745, 1.41, 0.157, 0, 0}, {9.2, 0, 93.9, 32.7, 0, 1.09}, {2.51, 0, 2.05, 4.64, 0, 0}},
-    {0.8, {0.076, 0.0459, 1.42, 0.84, 0, 0}, {5.42, 0, 119, 78.1, 0, 0}, {1.29, 0, 1.42, 2.41, 0, 0.033}},
-    {1.8, {0.0117, 0.117, 1.25, 0.662, 0, 0}, {3.36, 0, 99, 104, 0, 2.03}, {0.713, 0, 0.816, 0.555, 0, 0.0699}},
+    {0, {0, 0.332, 0.364, 2.59, 0.208, 0}, {8.81, 0, 71.1, 195, 19.3, 4.08}, {5.52, 0, 4.22, 24.2, 0, 0}},
+    {0.3, {0.159, 0.0778, 1.38, 0.451, 0, 0}, {7.54, 0, 95.2, 31.6, 0, 2.59}, {2.51, 0, 2.05, 4.88, 0, 0}},
+    {0.8, {0.101, 0.049, 1.39, 1.14, 0, 0}, {4, 0, 117, 82.4, 2.01, 0}, {1.28, 0, 1.43, 2.5, 0, 0.0317}},
+    {1.8, {0.0363, 0.12, 1.21, 0.985, 0, 0}, {1.82, 0, 101, 79.4, 0.111, 3.54}, {0.712, 0, 0.818, 0.596, 0, 0.0693}},
     {5,
-     {0.12, 0.129, 0.533, 0, 0.00901, 0.0247},
-     {11.5, 0, 29.1, 42.2, 0, 5.62},
-     {0.0873, 0, 0.357, 0.271, 0.0377, 0.062}}};
+     {0.159, 0.15, 0.673, 0, 0, 0.0111},
+     {4.98, 0, 39.7, 18.1, 0.352, 7.43},
+     {0.0804, 0, 0.449, 0.191, 0.0285, 0.0604}}};
 
 const LevelCost& cost_at(double tolerance_m) {
   const auto row = std::ranges::find_if(std::ranges::rbegin(kLevels), std::ranges::rend(kLevels),
