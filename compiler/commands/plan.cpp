@@ -86,7 +86,7 @@ void describe_regions(const regions::CutFiles& files, const map::Heightfield& he
                          .file = files.regions[i],
                          .terrain_vertices = vertices_near(heights, plan.grid, keys[i]),
                          .expected = {}};
-    region.expected = expected_cost(region, region.terrain_vertices, spec.outputs.ladder_m);
+    region.expected = expected_cost(region, plan.grid.tile_m, spec.outputs.ladder_m);
     plan.regions.push_back(region);
   }
 }

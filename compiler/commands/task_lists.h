@@ -20,7 +20,8 @@ std::string ninja_command(const std::string& command);
 ///
 /// build.ninja: a target for each region, state/X_Y.json, and gather after all of them; each task has one thread.
 /// submit.sh: job arrays of at most kLargestArray tasks, one or more for each class of memory (1, 2, 4 … GB, half more
-/// than expected), requeued when their node fails; gather runs after all, whether they succeeded or not.
+/// than expected), requeued when their node fails and, up to 3 times, when a task was killed; gather runs after all,
+/// whether they succeeded or not.
 /// @param program  The path of citykiln, the same on all nodes.
 std::map<std::string, std::string> task_lists(const Plan& plan, const std::string& program);
 

@@ -24,6 +24,7 @@
 #include <osmium/io/xml_input.hpp>
 #include <osmium/osm/object_comparisons.hpp>
 #include <osmium/thread/pool.hpp>
+#include <span>
 #include <utility>
 
 #include "compiler/contract/erase_repeated.h"
@@ -89,8 +90,9 @@ class Cutter {
   void put(std::size_t spool, const osmium::Way& way);
 
   Vec2 in_plane(osmium::Location place) const;
-  Box2 box_of(const osmium::Way& way) const;
-  std::vector<std::uint32_t> spools_of(const osmium::Way& way) const;
+  /// A way's nodes that have places, in the plane. Projecting takes more time than all else: once a way.
+  const std::vector<Vec2>& projected(const osmium::Way& way);
+  std::vector<std::uint32_t> spools_of(const osmium::Way& way, std::span<const Vec2> line, const Box2& box) const;
   /// The index in members_ of a way's id; members_.size() for others.
   std::size_t member(osmium::object_id_type id) const;
 
@@ -103,6 +105,7 @@ class Cutter {
   std::vector<RegionKey> keys_;
   Spools spools_;
   osmium::thread::Pool pool_;
+  std::vector<Vec2> line_;                                            // of the way at hand
   std::vector<osmium::object_id_type> members_;                       // sorted ids
   std::vector<MemberWay> member_ways_;                                // by index in members_
   std::vector<std::pair<std::uint32_t, std::uint32_t>> has_, wants_;  // member, spool
@@ -122,32 +125,27 @@ Vec2 Cutter::in_plane(osmium::Location place) const {
                          std::clamp(place.lat(), box.south - kNear_deg, box.north + kNear_deg)});
 }
 
-Box2 Cutter::box_of(const osmium::Way& way) const {
-  Box2 box;
+const std::vector<Vec2>& Cutter::projected(const osmium::Way& way) {
+  line_.clear();
   for (const osmium::NodeRef& node : way.nodes())
-    if (node.location().valid()) box.grow(in_plane(node.location()));
-  return box;
+    if (node.location().valid()) line_.push_back(in_plane(node.location()));
+  return line_;
 }
 
-std::vector<std::uint32_t> Cutter::spools_of(const osmium::Way& way) const {
+std::vector<std::uint32_t> Cutter::spools_of(const osmium::Way& way, std::span<const Vec2> line,
+                                             const Box2& box) const {
   std::vector<std::uint32_t> spools;
   const auto add = [&](std::uint32_t region) { spools.push_back(region); };
-  const Box2 whole = box_of(way);
-  if (whole.is_empty()) return spools;
-  if (way.is_closed() && describes_area(way.tags())) {
-    for_each_region_near(grid_, whole, add);
-  } else {
-    Box2 segment;
-    for (const osmium::NodeRef& node : way.nodes()) {
-      if (!node.location().valid()) continue;
-      const Vec2 to = in_plane(node.location());
-      Box2 next;
-      next.grow(to), segment.grow(to);
+  if (line.empty()) return spools;
+  if (line.size() == 1 || (way.is_closed() && describes_area(way.tags())))
+    for_each_region_near(grid_, box, add);
+  else
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      Box2 segment;
+      segment.grow(line[i - 1]), segment.grow(line[i]);
       for_each_region_near(grid_, segment, add);
-      segment = next;
     }
-  }
-  if (describes_water(way.tags()) && whole.touches(grid_.extent.widened(kCoastMargin_m)))
+  if (describes_water(way.tags()) && box.touches(grid_.extent.widened(kCoastMargin_m)))
     spools.push_back(static_cast<std::uint32_t>(is_coastline(way.tags()) ? coasts() : survey()));
   sort_unique(spools);
   return spools;
@@ -171,11 +169,14 @@ void Cutter::spool_node(const osmium::Node& node) {
 }
 
 void Cutter::spool_way(const osmium::Way& way) {
-  const std::vector<std::uint32_t> spools = spools_of(way);
+  const std::vector<Vec2>& line = projected(way);
+  Box2 box;
+  for (const Vec2 at : line) box.grow(at);
+  const std::vector<std::uint32_t> spools = spools_of(way, line, box);
   for (const std::uint32_t spool : spools) spools_.add(spool, way);
   const std::size_t index = member(way.id());
   if (index == members_.size()) return;
-  member_ways_[index] = {box_of(way), describes_water(way.tags())};
+  member_ways_[index] = {box, describes_water(way.tags())};
   for (const std::uint32_t spool : spools) has_.emplace_back(static_cast<std::uint32_t>(index), spool);
 }
 
@@ -261,7 +262,10 @@ bool is_same(const osmium::OSMObject* a, const osmium::OSMObject* b) {
 }
 
 void count(const osmium::OSMObject& object, const std::function<bool(osmium::Location)>& is_own, RegionFile& file) {
-  if (object.type() == osmium::item_type::node) ++file.nodes;
+  if (object.type() == osmium::item_type::node) {
+    ++file.nodes;
+    file.own_nodes += is_own(static_cast<const osmium::Node&>(object).location());
+  }
   if (object.type() == osmium::item_type::relation) ++file.relations;
   if (object.type() != osmium::item_type::way) return;
   ++file.ways;
@@ -304,11 +308,21 @@ Result<RegionFile> Cutter::write(const std::string& name, std::vector<std::size_
       {osmium::Location{cut_.extent.west, cut_.extent.south}, osmium::Location{cut_.extent.east, cut_.extent.north}});
   osmium::io::Writer writer(file, header, osmium::io::overwrite::allow, pool_);
   RegionFile written;
+  // what is counted need not be exact
+  Box2 own_box;
+  for (const Vec2 corner : {own.min, own.max}) {
+    const map::LonLat place = plane_.backward(corner);
+    own_box.grow({place.lon_deg, place.lat_deg});
+  }
   for (const osmium::OSMObject* object : objects) {
     if (object->deleted()) continue;
     writer(*object);
     count(
-        *object, [&](osmium::Location place) { return own.contains(in_plane(place)); }, written);
+        *object,
+        [&](osmium::Location place) {
+          return own_box.contains({place.lon(), place.lat()});
+        },
+        written);
   }
   writer.close();
   written.bytes = fs::file_size(part);

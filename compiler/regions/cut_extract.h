@@ -30,8 +30,9 @@ struct Cut {
 /// One file of a cut.
 struct RegionFile {
   std::uint64_t bytes = 0;
-  std::uint64_t nodes = 0, ways = 0, relations = 0;          ///< Nodes have tags.
-  std::uint64_t way_nodes = 0, own_way_nodes = 0;            ///< Of all ways, and those within the region itself.
+  std::uint64_t nodes = 0, ways = 0, relations = 0;  ///< Nodes have tags.
+  std::uint64_t way_nodes = 0, own_way_nodes = 0;    ///< Of all ways, and those within the region itself.
+  std::uint64_t own_nodes = 0;                       ///< Nodes with tags within the region itself: trees, lamps.
   std::uint64_t own_building_nodes = 0, own_road_nodes = 0;  ///< Those of them that are of such ways.
 };
 

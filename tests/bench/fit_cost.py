@@ -3,7 +3,7 @@
 
     tests/bench/fit_cost.py FITTED.jsonl… [--check HELD_OUT.jsonl…]
 
-Prints the table of the model and, with --check, its errors on places that it was not fitted to. Coefficients are the least squares of
+Prints the tables of the model and, with --check, its errors on places that it was not fitted to. Coefficients are the least squares of
 relative errors, none negative: 1 % of a small region counts as 1 % of a large one.
 """
 import argparse
@@ -13,17 +13,43 @@ import statistics
 LEVELS = ("0.1", "0.5", "1.2", "2.5", "12.5")
 
 
-def facts(run):
-    """What plan knows of a region: of its own, 1, thousands of nodes of buildings, roads and others, km², tiles."""
-    own, buildings, roads = (run[name] / 1000 for name in ("own_way_nodes", "own_building_nodes", "own_road_nodes"))
-    return [1, buildings, roads, own - buildings - roads, run["tiles"] * (run["tile_m"] / 1000) ** 2, run["tiles"]]
+def own(run):
+    """Facts of the region itself: thousands of nodes of buildings, roads and other ways, of nodes with tags; km²; tiles."""
+    ways, buildings, roads = (run[name] / 1000 for name in ("own_way_nodes", "own_building_nodes", "own_road_nodes"))
+    return [buildings, roads, ways - buildings - roads, run["own_nodes"] / 1000, run["tiles"] * (run["tile_m"] / 1000) ** 2, run["tiles"]]
 
 
 def around(run):
-    return [1, run["way_nodes"] / 1000, run["terrain_vertices"] / 1000]
+    """Facts of the region with its halo. Vertices of the heights have weights of their own, since few measured regions have many."""
+    return [1, run["way_nodes"] / 1000]
 
 
-def fit(rows, values, rounds=4000):
+# of a thousand vertices: their size in memory, and what resampling took
+VERTICES_MB, VERTICES_S = 0.04, 0.0002
+
+
+def by_level(run, row):
+    """The row once for each level that the run has, zeros for the others."""
+    levels = run["levels"].split(",")
+    return [x if level in levels else 0 for level in LEVELS for x in row]
+
+
+def time_row(run):
+    """What all levels share, such as grading the terrain, counts once."""
+    return around(run) + own(run) + by_level(run, own(run))
+
+
+def memory_row(run):
+    """The finest level decides."""
+    finest = {**run, "levels": run["levels"].split(",")[0]}
+    return around(run) + by_level(finest, own(run))
+
+
+def bytes_row(run):
+    return by_level(run, own(run))
+
+
+def fit(rows, values, rounds=2000):
     """Coefficients that are not negative, by cyclic coordinate descent."""
     rows = [[x / value for x in row] for row, value in zip(rows, values)]
     size = len(rows[0])
@@ -42,29 +68,29 @@ def total(coefficients, row):
     return sum(c * x for c, x in zip(coefficients, row))
 
 
-class Model:
-    def __init__(self, runs):
-        self.plan_s = fit([around(run) for run in runs], [run["plan_s"] for run in runs])
-        of_level = {level: [run for run in runs if run["levels"] == level] for level in LEVELS}
-        by = lambda value: {level: fit([facts(run) for run in some], [run[value] for run in some]) for level, some in of_level.items()}
-        self.bake_s, self.bytes = by("bake_s"), by("output_bytes")
-        self.memory = {level: fit([around(run) + facts(run)[1:5] for run in some], [run["memory_bytes"] for run in some])
-                       for level, some in of_level.items()}
+ROWS = {"time": (time_row, lambda run: run["plan_s"] + run["bake_s"]), "memory": (memory_row, lambda run: run["memory_bytes"]),
+        "bytes": (bytes_row, lambda run: run["output_bytes"])}
 
-    def seconds_of(self, run):
-        return total(self.plan_s, around(run)) + sum(total(self.bake_s[level], facts(run)) for level in run["levels"].split(","))
 
-    def memory_of(self, run):
-        return max(total(self.memory[level], around(run) + facts(run)[1:5]) for level in run["levels"].split(","))
-
-    def bytes_of(self, run):
-        return sum(total(self.bytes[level], facts(run)) for level in run["levels"].split(","))
+def fit_model(runs):
+    return {name: fit([row(run) for run in runs], [value(run) for run in runs]) for name, (row, value) in ROWS.items()}
 
 
 def errors(model, runs):
-    """Of each run the relative errors of seconds, memory and bytes."""
-    return [(abs(model.seconds_of(run) / (run["plan_s"] + run["bake_s"]) - 1), abs(model.memory_of(run) / run["memory_bytes"] - 1),
-             abs(model.bytes_of(run) / run["output_bytes"] - 1)) for run in runs]
+    """Of each run the relative errors of time, memory and bytes."""
+    return [[abs(total(model[name], row(run)) / value(run) - 1) for name, (row, value) in ROWS.items()] for run in runs]
+
+
+def print_table(model):
+    """As C++: the rows of kShared and kLevels."""
+    braces = lambda values: "{" + ", ".join(f"{value:.3g}" if value > 1e-4 else "0" for value in values) + "}"
+    units = {"time": 1, "memory": 1e6, "bytes": 1e6}
+    scaled = {name: [value / units[name] for value in coefficients] for name, coefficients in model.items()}
+    print("around, time:", braces([*scaled["time"][:2], VERTICES_S]), "own:", braces(scaled["time"][2:8]), "around, memory:",
+          braces([*scaled["memory"][:2], VERTICES_MB]))
+    for i, level in enumerate(LEVELS):
+        rows = [scaled[name][shared + 6 * i:shared + 6 * i + 6] for name, shared in (("time", 8), ("memory", 2), ("bytes", 0))]
+        print(f"{{{level}, {braces(rows[0])}, {braces(rows[1])}, {braces(rows[2])}}},")
 
 
 def print_errors(name, model, runs):
@@ -83,11 +109,8 @@ def main():
     arguments.add_argument("--check", nargs="*", default=[])
     request = arguments.parse_args()
     runs, held_out = read(request.fitted), read(request.check)
-    model = Model(runs)
-    print("plan, s:", *(f"{value:.4g}" for value in model.plan_s))
-    for name, table in (("bake, s", model.bake_s), ("bytes", model.bytes), ("memory", model.memory)):
-        for level, row in table.items():
-            print(f"{name}, {level} m:", *(f"{value:.4g}" for value in row))
+    model = fit_model(runs)
+    print_table(model)
     print_errors("fitted", model, runs)
     for place in sorted({run["place"] for run in runs}):
         print_errors("  " + place, model, [run for run in runs if run["place"] == place])

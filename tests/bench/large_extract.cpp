@@ -1,9 +1,11 @@
-// Writes a large PBF extract: copies of small ones, side by side on a square grid, with ids in the ranges of the planet.
+// Writes a large PBF extract: copies of small ones, side by side on a square grid, with ids in the ranges of the
+// planet.
 //
 //     large_extract OUT.osm.pbf COPIES SIDE_M MAP…
 //
-// Each copy is moved so that its first node lies in a cell of the grid; a copy has the next of the maps. Nodes of all copies come before
-// all ways, and ids grow, as in common extracts. Used with `citykiln plan` and `osmium cat` to measure memory and speed.
+// Each copy is moved so that its first node lies in a cell of the grid; a copy has the next of the maps. Nodes of all
+// copies come before all ways, and ids grow, as in common extracts. Used with `citykiln plan` and `osmium cat` to
+// measure memory and speed.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -24,7 +26,8 @@ constexpr double kWest_deg = 8, kSouth_deg = 47, kMetresPerDegree = 111'200;
 struct Map {
   osmium::memory::Buffer buffer;
   std::vector<const osmium::OSMObject*> objects;  // by type, then id
-  std::unordered_map<osmium::object_id_type, std::int64_t> number[4];  // of an id of a type, from 1, in the order of ids
+  std::unordered_map<osmium::object_id_type, std::int64_t>
+      number[4];  // of an id of a type, from 1, in the order of ids
   osmium::Location first;
 };
 
@@ -108,8 +111,9 @@ int main(int count, char** arguments) {
   std::vector<Map> maps;
   for (int i = 4; i < count; ++i) maps.push_back(read_map(arguments[i]));
   osmium::io::Header header;
-  header.add_box({osmium::Location{kWest_deg, kSouth_deg},
-                  osmium::Location{kWest_deg + side_deg / std::cos(kSouth_deg * 3.14159265 / 180), kSouth_deg + side_deg}});
+  header.add_box(
+      {osmium::Location{kWest_deg, kSouth_deg},
+       osmium::Location{kWest_deg + side_deg / std::cos(kSouth_deg * 3.14159265 / 180), kSouth_deg + side_deg}});
   osmium::io::Writer writer(osmium::io::File(arguments[1], "pbf"), header, osmium::io::overwrite::allow);
   for (const osmium::item_type type : {osmium::item_type::node, osmium::item_type::way, osmium::item_type::relation}) {
     for (int i = 0; i < copies; ++i) {

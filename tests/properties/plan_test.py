@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """A map compiled in regions has the bytes of one run; tasks can be repeated, killed and resumed; gather knows what is missing."""
 import json
+import os
 import random
 import re
 import shutil
@@ -100,6 +101,22 @@ class Plan(ProgramTest):
         outputs = [task.communicate() for task in tasks]
         self.assertEqual([task.returncode for task in tasks], [0, 0, 0], outputs)
         self.assertEqual(sum("done already" in out for out, _ in outputs), 2)
+
+    def test_a_killed_task_is_queued_again_by_slurm_three_times(self):
+        plan = self.planned()
+        programs = self.folder / "programs"
+        programs.mkdir()
+        for name, text in (("killed", "kill -9 $$"), ("scontrol", f'echo "$@" >> {programs}/asked')):
+            (programs / name).write_text(f"#!/bin/sh\n{text}\n")
+            (programs / name).chmod(0o755)
+        script = plan / "task.sh"
+        script.write_text(script.read_text().replace(PROGRAM, str(programs / "killed")))
+        for restarts in range(5):
+            environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "SLURM_ARRAY_JOB_ID": "7", "SLURM_ARRAY_TASK_ID": "0",
+                           "SLURM_RESTART_COUNT": str(restarts)}
+            done = subprocess.run([script, "regions_1GB.txt", "1"], cwd=plan, env=environment, capture_output=True, check=False)
+            self.assertEqual(done.returncode, 137)
+        self.assertEqual((programs / "asked").read_text().splitlines(), ["requeue 7_0"] * 3)
 
     def test_ninja_compiles_all_regions_in_a_folder_with_a_strange_name(self):
         if shutil.which("ninja") is None:

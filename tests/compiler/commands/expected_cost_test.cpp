@@ -1,0 +1,40 @@
+#include "compiler/commands/expected_cost.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace citykiln::commands {
+namespace {
+
+PlannedRegion region_of(std::uint64_t way_nodes, std::uint64_t building_nodes) {
+  return {.key = {},
+          .tiles = 1,
+          .file = {.way_nodes = way_nodes, .own_way_nodes = way_nodes, .own_building_nodes = building_nodes},
+          .terrain_vertices = 1000,
+          .expected = {}};
+}
+
+TEST(ExpectedCost, GrowsWithTheDataAndWithEachLevel) {
+  const std::vector<double> one{0.1}, two{0.1, 2.5};
+  const ExpectedCost small = expected_cost(region_of(1000, 500), 1024, one),
+                     large = expected_cost(region_of(9000, 500), 1024, one),
+                     levels = expected_cost(region_of(1000, 500), 1024, two);
+  EXPECT_GT(large.seconds, small.seconds);
+  EXPECT_GT(levels.seconds, small.seconds);
+  EXPECT_GT(large.output_bytes, small.output_bytes);
+  EXPECT_GT(levels.output_bytes, small.output_bytes);
+  EXPECT_GT(large.memory_bytes, small.memory_bytes);
+  // tiles are baked one after the other
+  EXPECT_EQ(levels.memory_bytes, small.memory_bytes);
+}
+
+TEST(ExpectedCost, LevelsShareWhatIsDoneOnce) {
+  const std::vector<double> one{0.1}, other{2.5}, two{0.1, 2.5};
+  const PlannedRegion region = region_of(5000, 2000);
+  EXPECT_LT(expected_cost(region, 1024, two).seconds,
+            expected_cost(region, 1024, one).seconds + expected_cost(region, 1024, other).seconds);
+}
+
+}  // namespace
+}  // namespace citykiln::commands
