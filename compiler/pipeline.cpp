@@ -186,8 +186,12 @@ Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const
   Result<scene::Header> header = make_header(spec, plane, features.region, recipes);
   if (!header) return header.error();
   timer.finish();
-  return Survey{extent, std::move(*header), std::move(recipes.heights), std::move(recipes.surfaces),
-                std::move(waters.streams), map::places_of(*osm, report)};
+  return Survey{extent,
+                std::move(*header),
+                std::move(recipes.heights),
+                std::move(recipes.surfaces),
+                std::move(waters.streams),
+                map::places_of(*osm, report)};
 }
 
 namespace {

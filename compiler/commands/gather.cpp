@@ -203,8 +203,8 @@ bool is_at_side(const regions::RegionGrid& grid, scene::TileKey tile) {
   return is_outermost(tile.x) || is_outermost(tile.y);
 }
 
-/// Compares the tiles at the sides of regions with their neighbours. Error: a tile that cannot be read, or one that does
-/// not fit; the error names the first and the console all.
+/// Compares the tiles at the sides of regions with their neighbours. Error: a tile that cannot be read, or one that
+/// does not fit; the error names the first and the console all.
 Result<Done> check_sides(const Plan& plan, const Gathered& all, const std::string& plan_folder, int threads,
                          const Console& console) {
   std::vector<const verify::WrittenTile*> tiles;

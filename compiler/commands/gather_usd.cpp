@@ -23,8 +23,7 @@ exporters::UsdBounds bounds_of(const std::vector<double>& n) {
 
 }  // namespace
 
-Result<std::vector<exporters::UsdTile>> read_usd_tiles(const std::string& path,
-                                                       std::span<const scene::TileKey> tiles) {
+Result<std::vector<exporters::UsdTile>> read_usd_tiles(const std::string& path, std::span<const scene::TileKey> tiles) {
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
   const Result<exporters::UsdReadLayer> layer = exporters::read_usd_layer(*bytes, path);

@@ -12,7 +12,6 @@ namespace citykiln::commands {
 
 /// The tiles of a scene layer that encode_scene() wrote, with their places and the bounds of their finest level.
 /// Errors: a file that cannot be read; a layer without one of the tiles.
-Result<std::vector<exporters::UsdTile>> read_usd_tiles(const std::string& path,
-                                                       std::span<const scene::TileKey> tiles);
+Result<std::vector<exporters::UsdTile>> read_usd_tiles(const std::string& path, std::span<const scene::TileKey> tiles);
 
 }  // namespace citykiln::commands

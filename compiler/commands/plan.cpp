@@ -167,17 +167,18 @@ Result<Exit> plan_extent(const Request& request, const CompileSpec& spec, const 
 Result<Exit> plan_zones(const Request& request, const CompileSpec& spec, const std::vector<regions::Zone>& zones,
                         const Console& console) {
   if (spec.map.origin)
-    return Error{"--origin", fmt::format("the area is wider than {:.0f} km and has {} zones, each with an origin of its "
-                                         "own; leave the origin out",
-                                         regions::kZoneSide_m / 1000, zones.size())};
+    return Error{"--origin",
+                 fmt::format("the area is wider than {:.0f} km and has {} zones, each with an origin of its "
+                             "own; leave the origin out",
+                             regions::kZoneSide_m / 1000, zones.size())};
   for (const regions::Zone& zone : zones) {
     CompileSpec of_zone = spec;
     of_zone.outputs.folder = zone_path(spec.outputs.folder, to_string(zone));
     Report report;
     const Result<Exit> planned = plan_extent(request, of_zone, zone.box, report, console);
     if (!planned) return planned;
-    console.print_line(fmt::format("zone {}: scale error up to {:.0f} ppm", to_string(zone),
-                                   regions::scale_error(zone) * 1e6));
+    console.print_line(
+        fmt::format("zone {}: scale error up to {:.0f} ppm", to_string(zone), regions::scale_error(zone) * 1e6));
   }
   for (const auto& [name, text] : zone_lists(zones)) {
     const std::string path = spec.outputs.folder + "/" + name;
@@ -228,9 +229,8 @@ Verb plan_verb() {
     if (request->status.empty()) return plan_map(*request, console);
     if (!request->geojson.empty() && has_zones(request->status))
       return Error{"--geojson", "the plan has zones; give the folder of one of them, such as zones/0_0"};
-    return for_each_zone(request->status, [&](const std::string& folder) {
-      return print_status(folder, request->geojson, console);
-    });
+    return for_each_zone(request->status,
+                         [&](const std::string& folder) { return print_status(folder, request->geojson, console); });
   };
   return verb;
 }

@@ -55,8 +55,12 @@ Result<RegionSurvey> read_survey(const std::string& plan_folder, const Plan& pla
   scene::Chunk& chunk = scene->chunks.front();
   const std::uint64_t hash =
       exporters::content_hash(fmt::format("{} {}", exporters::hash_of(scene->header), exporters::hash_of(chunk)));
-  return RegionSurvey{{plan.extent, std::move(scene->header), std::move(chunk.heights), std::move(chunk.surfaces),
-                       std::move(chunk.watercourses), {}},
+  return RegionSurvey{{plan.extent,
+                       std::move(scene->header),
+                       std::move(chunk.heights),
+                       std::move(chunk.surfaces),
+                       std::move(chunk.watercourses),
+                       {}},
                       hash};
 }
 

@@ -1,5 +1,5 @@
-// A grid of square buckets that finds boxes near a point or box. Buckets begin at whole multiples of their side, so what
-// is found depends only on boxes that touch the same buckets, not on how far the others extend.
+// A grid of square buckets that finds boxes near a point or box. Buckets begin at whole multiples of their side, so
+// what is found depends only on boxes that touch the same buckets, not on how far the others extend.
 #pragma once
 
 #include <cstdint>

@@ -42,8 +42,8 @@ struct CutFiles {
   Report report;  ///< The accounts source/node, source/way and source/relation of the whole extract.
 };
 
-/// Where a place lies, in the plane. Places farther than 1 degree outside the extent are brought to that distance, where
-/// the projection is defined.
+/// Where a place lies, in the plane. Places farther than 1 degree outside the extent are brought to that distance,
+/// where the projection is defined.
 Vec2 place_near(const map::Plane& plane, const source::LonLatBox& extent, double lon, double lat);
 
 /// Cuts an extract. A region's file holds, sorted and without metadata:

@@ -35,11 +35,13 @@ int pieces(double length_m, double most_m) { return std::max(1, static_cast<int>
 std::string to_string(const Zone& zone) { return fmt::format("{}_{}", zone.x, zone.y); }
 
 std::vector<Zone> zones_of(const source::LonLatBox& extent, double side_m) {
-  const int columns = pieces(widest_m(extent), side_m), rows = pieces((extent.north - extent.south) * kDegree_m, side_m);
+  const int columns = pieces(widest_m(extent), side_m),
+            rows = pieces((extent.north - extent.south) * kDegree_m, side_m);
   std::vector<Zone> zones;
   for (int x = 0; x < columns; ++x)
     for (int y = 0; y < rows; ++y)
-      zones.push_back({x, y,
+      zones.push_back({x,
+                       y,
                        {cut(extent.west, extent.east, x, columns), cut(extent.south, extent.north, y, rows),
                         cut(extent.west, extent.east, x + 1, columns), cut(extent.south, extent.north, y + 1, rows)}});
   return zones;

@@ -14,7 +14,8 @@ osmium::Location place_of(const osmium::Way& way) {
 osmium::Location place_of(const osmium::Relation& relation, const std::vector<osmium::Way*>& ways) {
   for (const osmium::RelationMember& member : relation.members()) {
     if (member.type() != osmium::item_type::way) continue;
-    const auto found = std::ranges::lower_bound(ways, member.ref(), {}, [](const osmium::Way* way) { return way->id(); });
+    const auto found =
+        std::ranges::lower_bound(ways, member.ref(), {}, [](const osmium::Way* way) { return way->id(); });
     if (found == ways.end() || (*found)->id() != member.ref()) continue;
     if (const osmium::Location place = place_of(**found); place.valid()) return place;
   }

@@ -21,8 +21,7 @@ Span span_of(const map::Track& track, const Profile& profile, const SpanEnds& en
 
 void count(Report& report, const char* kind, std::span<const Span> spans) {
   Account& account = report.account("structures", kind);
-  for (const Span& span : spans)
-    account.in += report.counts(span.id.osm), account.out += report.counts(span.id.osm);
+  for (const Span& span : spans) account.in += report.counts(span.id.osm), account.out += report.counts(span.id.osm);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ TEST(Zones, TheSamePlaceAgreesInThePlanesOfNeighbours) {
     const double lat = zones[1].box.south + (zones[1].box.north - zones[1].box.south) * i / 1000;
     const source::Location place{static_cast<std::int32_t>(std::lround(side_deg * 1e7)),
                                  static_cast<std::int32_t>(std::lround(lat * 1e7))};
-    farthest_m = std::max(farthest_m, apart_m(west.backward(west.snapped_forward(place)),
-                                              east.backward(east.snapped_forward(place))));
+    farthest_m = std::max(
+        farthest_m, apart_m(west.backward(west.snapped_forward(place)), east.backward(east.snapped_forward(place))));
   }
   EXPECT_LE(farthest_m, kZoneAgreement_m);
   EXPECT_GT(farthest_m, kZoneAgreement_m / 4);
