@@ -44,7 +44,7 @@ namespace {
 
 /// Compiles a whole map, or, with a survey, the tiles of spec.only from an extract of what lies around them.
 Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& extract, const Survey* survey,
-                                   const OnProgress& on_progress);
+                                   const source::OwnsPlace& owns, const OnProgress& on_progress);
 
 bool is_empty(const map::Features& features);
 Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm, Report& report);
@@ -53,7 +53,8 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
 
 /// Areas and watercourses without heights.
 ground::Waters plan_dry_waters(const map::Features& features, Report& report);
-ground::Waters plan_waters(const map::Features& features, const map::Heightfield& heights, Report& report);
+ground::Waters plan_waters(ground::Waters dry, const map::Features& features, const map::Heightfield& heights,
+                           Report& report);
 /// The same areas and watercourses, with what the survey says of those that it knows.
 ground::Waters surveyed_waters(ground::Waters waters, const Survey& survey);
 
@@ -79,18 +80,18 @@ std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recip
 }  // namespace
 
 Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_progress) {
-  return compile_part(spec, spec.map_path, nullptr, on_progress);
+  return compile_part(spec, spec.map_path, nullptr, {}, on_progress);
 }
 
 Result<CompileResult> compile_region(const CompileSpec& spec, const std::string& extract, const Survey& survey,
-                                     const OnProgress& on_progress) {
-  return compile_part(spec, extract, &survey, on_progress);
+                                     const source::OwnsPlace& owns, const OnProgress& on_progress) {
+  return compile_part(spec, extract, &survey, owns, on_progress);
 }
 
 namespace {
 
 Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& extract, const Survey* survey,
-                                   const OnProgress& on_progress) {
+                                   const source::OwnsPlace& owns, const OnProgress& on_progress) {
   assert(!spec.map_path.empty() && spec.tile_m > 0 && std::ranges::is_sorted(spec.only));
   StageTimer timer(on_progress);
   Report report;
@@ -98,7 +99,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // read the map, project it to the plane and classify its elements
   timer.enter("read map");
-  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report);
+  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report, owns);
   if (!osm) return osm.error();
   timer.enter("project and classify");
   const Result<source::LonLatBox> box = survey ? survey->extent : choose_worthwhile_extent(spec, *osm, report);
@@ -121,7 +122,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints, report);
   timer.enter("land cover and water");
   ground::Waters waters = survey ? surveyed_waters(plan_dry_waters(features, report), *survey)
-                                 : plan_waters(features, recipes.heights, report);
+                                 : plan_waters(plan_dry_waters(features, report), features, recipes.heights, report);
   recipes.surfaces = std::move(waters.surfaces), recipes.watercourses = std::move(waters.streams);
   timer.enter("road heights");
   ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
@@ -159,6 +160,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   map::Places places = map::places_of(*osm, report);
   map::LayerTags layer_tags = map::layer_tags_of(*osm, report);
+  // all that is baked is the region's own
+  report.lift_limit();
   return CompileResult{std::move(scene), std::move(report), measured,
                        timer.finish(),   std::move(places), std::move(layer_tags)};
 }
@@ -169,21 +172,26 @@ Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const
                       Report& report, const OnProgress& on_progress) {
   StageTimer timer(on_progress);
   timer.enter("survey");
-  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report);
+  Report repeated;  // of what is diagnosed within the regions
+  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, repeated);
   if (!osm) return osm.error();
   const map::Plane plane(spec.map.origin.value_or(map::default_origin(extent)));
-  const map::Features features = map::locate(*osm, plane, extent, spec.map, report);
+  const map::Features features = map::locate(*osm, plane, extent, spec.map, repeated);
   scene::Recipes recipes;
   Result<map::Heightfield> heights = read_heights(spec, plane, features.region, report);
   if (!heights) return heights.error();
   recipes.heights = std::move(*heights);
-  ground::Waters waters = plan_waters(features, recipes.heights, report);
+  ground::Waters waters = plan_waters(plan_dry_waters(features, repeated), features, recipes.heights, report);
   recipes.surfaces = std::move(waters.surfaces);
   Result<scene::Header> header = make_header(spec, plane, features.region, recipes);
   if (!header) return header.error();
   timer.finish();
-  return Survey{extent, std::move(*header), std::move(recipes.heights), std::move(recipes.surfaces),
-                std::move(waters.streams)};
+  return Survey{extent,
+                std::move(*header),
+                std::move(recipes.heights),
+                std::move(recipes.surfaces),
+                std::move(waters.streams),
+                map::places_of(*osm, report)};
 }
 
 namespace {
@@ -293,8 +301,8 @@ ground::Waters plan_dry_waters(const map::Features& features, Report& report) {
   return {std::move(surfaces), ground::plan_streams(features, report)};
 }
 
-ground::Waters plan_waters(const map::Features& features, const map::Heightfield& heights, Report& report) {
-  ground::Waters dry = plan_dry_waters(features, report);
+ground::Waters plan_waters(ground::Waters dry, const map::Features& features, const map::Heightfield& heights,
+                           Report& report) {
   return ground::plan_water_heights(std::move(dry.surfaces), std::move(dry.streams),
                                     ground::covered_waterways(features), heights, report);
 }

@@ -14,6 +14,8 @@
 #include "compiler/map/layer_tags.h"
 #include "compiler/map/places.h"
 #include "compiler/scene/scene.h"
+#include "compiler/source/osm_data.h"
+#include "compiler/source/owns_place.h"
 #include "compiler/spec.h"
 #include "compiler/stage_timer.h"
 
@@ -43,22 +45,25 @@ struct Survey {
   map::Heightfield heights;                      ///< Of the extent, or around a region.
   std::vector<ground::LandCoverPolygon> waters;  ///< Areas of water with their levels.
   std::vector<roads::Strip> streams;             ///< With their profiles.
+  map::Places places{};                          ///< Of the elements that the report's diagnoses name.
 };
 
 /// Finds what holds for the whole extent, from the waters and coasts of a map and its heightmaps.
 /// @param extract  The waters and coasts of spec.map_path; any other element changes nothing.
-/// Errors: those of compile(). Memory: the heights of the extent, and its waters.
+/// Diagnoses heightmaps and the heights of waters only. Errors: those of compile(). Memory: the heights of the extent,
+/// and its waters.
 Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const source::LonLatBox& extent,
                       Report& report, const OnProgress& on_progress);
 
 /// Compiles the tiles of spec.only from a part of a map.
 /// @param extract  All that lies within regions::kRegionHalo_m of these tiles.
 /// @param survey   Of the whole extent; heights, waters and streams around these tiles will do.
+/// @param owns     The places whose elements are counted and diagnosed (source/owned_elements.h).
 ///
 /// Guarantees: the chunks are those of compile(); the header too, except rules and species, which are those of these
 /// tiles. Memory: for this part.
 Result<CompileResult> compile_region(const CompileSpec& spec, const std::string& extract, const Survey& survey,
-                                     const OnProgress& on_progress);
+                                     const source::OwnsPlace& owns, const OnProgress& on_progress);
 
 /// Receives one tile at one level. An error ends baking.
 using OnBakedTile = std::function<Result<Done>(const bake::BakedTile& tile, std::size_t level)>;

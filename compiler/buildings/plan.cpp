@@ -310,16 +310,17 @@ std::vector<Building> plan(const map::Features& features, const ground::GradedTe
   Account account;
   for (std::size_t i = 0; i < planned.size(); ++i) {
     const map::Footprint& footprint = site.footprints[i];
-    ++account.in;
+    const bool counts = report.counts(footprint.id.osm);
+    account.in += counts;
     if (footprint.polygon.outer.size() < 3) {
       report.drop(account, Code::kDegenerateRing, footprint.id.osm);
     } else if (!is_in_region(i, site, features.region)) {
       report.drop(account, Code::kOutsideBounds, footprint.id.osm);
     } else if (footprint.has_parts) {
-      ++account.merged;
+      account.merged += counts;
       report.add(Code::kOutlineReplacedByParts, footprint.id.osm);
     } else {
-      ++account.out;
+      account.out += counts;
       planned[i] = plan_building(i, site, report);
     }
   }

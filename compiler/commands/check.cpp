@@ -13,6 +13,7 @@
 #include "compiler/commands/worst_page.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/verify/check_folder.h"
+#include "compiler/verify/check_seams.h"
 #include "compiler/verify/check_tile.h"
 #include "compiler/verify/check_tileset.h"
 #include "compiler/verify/check_usd.h"
@@ -68,27 +69,11 @@ std::vector<std::vector<verify::WrittenTile>> by_tile(std::vector<verify::Writte
   return tiles;
 }
 
-using BordersByTile = std::map<std::pair<std::size_t, scene::TileKey>, verify::Borders>;
-
-void check_seams(const BordersByTile& borders, verify::CheckResults& results) {
-  for (const auto& [key, own] : borders) {
-    const auto [level, tile] = key;
-    if (const auto east = borders.find({level, {tile.x + 1, tile.y}}); east != borders.end()) {
-      results.seams.test(verify::borders_match(own.east, east->second.west),
-                         fmt::format("{} and its eastern neighbour, level {}", to_string(tile), level));
-    }
-    if (const auto north = borders.find({level, {tile.x, tile.y + 1}}); north != borders.end()) {
-      results.seams.test(verify::borders_match(own.north, north->second.south),
-                         fmt::format("{} and its northern neighbour, level {}", to_string(tile), level));
-    }
-  }
-}
-
 Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int threads, const OnProgress& on_progress,
                                          verify::CheckResults results) {
   const std::vector<std::vector<verify::WrittenTile>> tiles = by_tile(loaded.record.tiles);
   std::vector<std::optional<Result<verify::CheckedTile>>> slots(tiles.size());
-  BordersByTile borders;
+  verify::BordersByTile borders;
   Result<Done> done = Done{};
   const auto take = [&](std::size_t i) {
     on_progress("check", static_cast<double>(i) / static_cast<double>(tiles.size()));
@@ -103,7 +88,7 @@ Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int th
   for_each_in_order(
       tiles.size(), threads, [&](std::size_t i) { slots[i] = verify::check_tile(loaded, tiles[i]); }, take);
   if (!done) return done.error();
-  check_seams(borders, results);
+  verify::check_seams(borders, results.seams);
   return results;
 }
 

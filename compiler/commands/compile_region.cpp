@@ -77,7 +77,7 @@ Result<Exit> compile_unless_done(const Plan& plan, const PlannedRegion& region, 
   const auto begin = std::chrono::steady_clock::now();
   const Result<CompileSpec> spec = spec_for(plan, region, plan_folder, own);
   if (!spec) return spec.error();
-  const Result<RegionSurvey> surveyed = read_survey(plan_folder + "/survey.kiln", plan, region.key);
+  const Result<RegionSurvey> surveyed = read_survey(plan_folder, plan, region.key);
   if (!surveyed) return surveyed.error();
   const Result<std::string> key = region_key(plan, region, plan_folder, surveyed->hash);
   if (!key) return key.error();
@@ -91,8 +91,10 @@ Result<Exit> compile_unless_done(const Plan& plan, const PlannedRegion& region, 
   state = RegionState{};
   state.state = TaskState::kRunning, state.key = *key;
   if (const Result<Done> done = write_state(plan_folder, region.key, state); !done) return done.error();
+  const map::Plane plane(surveyed->survey.header.origin);
   const auto compile_map = [&](const OnProgress& on_progress) {
-    return citykiln::compile_region(*spec, cut_path(plan_folder, region.key), surveyed->survey, on_progress);
+    return citykiln::compile_region(*spec, cut_path(plan_folder, region.key), surveyed->survey,
+                                    owned_places(plan, plane, region.key), on_progress);
   };
   // after an edit of the map, most tiles are those of the run before
   const Result<Compiled> compiled = compile_to_folder(*spec, compile_map, console, exporters::TakesOver::kFinished);

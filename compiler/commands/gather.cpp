@@ -1,4 +1,8 @@
 // citykiln gather PLAN: makes one run of the outputs of all regions, in PLAN/out.
+//
+// A region reports the elements that it owns (source/owned_elements.h) and its own tiles, the survey what belongs to no
+// region, and the plan counts the elements of the extract. So everything is counted once, and the sums are those of one
+// run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,24 +10,35 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
+#include "compiler/commands/gather_tileset.h"
+#include "compiler/commands/gather_usd.h"
 #include "compiler/commands/plan_file.h"
 #include "compiler/commands/region_state.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_outputs.h"
+#include "compiler/commands/write_tiles3d.h"
+#include "compiler/commands/zone_lists.h"
+#include "compiler/contract/for_each_slot.h"
+#include "compiler/verify/check_seams.h"
 #include "compiler/verify/findings.h"
 #include "compiler/verify/measure_heights.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/file.h"
 #include "exporters/file_list.h"
+#include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
+#include "exporters/usd/usd_names.h"
 
 namespace citykiln::commands {
 namespace {
 
 namespace fs = std::filesystem;
+
+const std::string kTilesetFolder = "3dtiles/";
 
 /// A file of the run, and where a region has it.
 struct PlacedFile {
@@ -36,8 +51,11 @@ struct Gathered {
   scene::Scene scene;
   verify::WrittenFiles files;
   std::vector<verify::Finding> findings;
+  Report ledger;                             ///< Without diagnoses.
   std::vector<std::string> missing;          ///< One line for each region that is not whole, and why.
   std::map<std::string, PlacedFile> placed;  ///< By name.
+  std::vector<exporters::TilesetTile> tilesets;
+  std::vector<exporters::UsdTile> usd_tiles;
 };
 
 /// Adds texts of rules or species that are not there yet.
@@ -66,71 +84,171 @@ Result<Done> add_scene(const std::string& folder, const PlannedRegion& region, G
   return Done{};
 }
 
+/// The name that a file of a region has in the whole; none if the whole writes one of its own. Regions have contents of
+/// 3D Tiles with equal names for parts of the same inner tile.
+std::optional<std::string> name_in_whole(const std::string& name, const std::string& region) {
+  static const std::set<std::string> kOwn = {"scene.kiln",  "report.json",        "findings.json",
+                                             "timing.json", exporters::kKeysName, exporters::kUsdSceneName};
+  if (kOwn.contains(name)) return std::nullopt;
+  if (!name.starts_with(kTilesetFolder)) return name;
+  if (name.ends_with(".json")) return std::nullopt;
+  return kTilesetFolder + region + "/" + name.substr(kTilesetFolder.size());
+}
+
 /// Files that regions have in common, such as clouds, count once. Error: a listed file that is missing or damaged.
-Result<Done> add_files(const std::string& folder, Gathered& all) {
+Result<Done> add_files(const std::string& folder, const std::string& region, Gathered& all) {
   const auto list = exporters::read_file_list(folder + "/" + exporters::kFileListName);
   if (!list) return list.error();
   if (!*list) return Error{folder, "holds no finished run"};
-  static const std::set<std::string> kOwn = {"scene.kiln", "report.json", "findings.json", "timing.json",
-                                             exporters::kKeysName};
   for (const exporters::ListedFile& file : **list) {
     if (!exporters::is_whole(folder, file)) return Error{folder + "/" + file.name, "is missing or damaged"};
-    if (!kOwn.contains(file.name)) all.placed.emplace(file.name, PlacedFile{file, folder + "/" + file.name});
+    const std::optional<std::string> name = name_in_whole(file.name, region);
+    if (!name) continue;
+    PlacedFile placed{file, folder + "/" + file.name};
+    placed.file.name = *name;
+    all.placed.emplace(*name, std::move(placed));
   }
   return Done{};
 }
 
-/// A finding belongs to the region of its tile; those without a tile are the same in all regions, or of a halo.
-Result<Done> add_findings(const std::string& folder, const std::vector<scene::TileKey>& own, Gathered& all) {
-  const Result<std::vector<std::byte>> bytes = exporters::read_file(folder + "/findings.json");
+Result<Done> add_findings(const std::string& path, Gathered& all) {
+  const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
   Result<std::vector<verify::Finding>> findings =
       verify::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
   if (!findings) return findings.error();
-  for (verify::Finding& finding : *findings)
-    if (finding.tile && std::ranges::binary_search(own, *finding.tile)) all.findings.push_back(std::move(finding));
+  std::ranges::move(*findings, std::back_inserter(all.findings));
   return Done{};
 }
 
-Result<Done> add_region(const Plan& plan, const PlannedRegion& region, const std::string& plan_folder, Gathered& all) {
+/// Accounts of elements are the plan's: regions do not have all elements.
+void add_ledger(const Report& region, Gathered& all) {
+  static const std::set<std::string> kOfPlan = {"source/node", "source/way", "source/relation"};
+  Report own;
+  for (const auto& [name, account] : region.ledger()) {
+    const std::size_t slash = name.find('/');
+    if (!kOfPlan.contains(name)) own.account(name.substr(0, slash), name.substr(slash + 1)) = account;
+  }
+  all.ledger.append(own);
+}
+
+/// What the roots of 3D Tiles and USD name.
+Result<Done> add_trees(const std::string& folder, const std::string& name, std::span<const scene::TileKey> own,
+                       const Outputs& outputs, Gathered& all) {
+  if (outputs.tiles3d) {
+    Result<exporters::TilesetTile> tree = read_tileset(folder + "/3dtiles", name + "/");
+    if (!tree) return tree.error();
+    all.tilesets.push_back(std::move(*tree));
+  }
+  if (outputs.usd) {
+    Result<std::vector<exporters::UsdTile>> tiles = read_usd_tiles(folder + "/" + exporters::kUsdSceneName, own);
+    if (!tiles) return tiles.error();
+    std::ranges::move(*tiles, std::back_inserter(all.usd_tiles));
+  }
+  return Done{};
+}
+
+Result<Done> add_region(const Plan& plan, const PlannedRegion& region, const std::string& plan_folder,
+                        const Outputs& outputs, Gathered& all) {
   const RegionState state = read_state(plan_folder, region.key);
   if (state.state == TaskState::kFailed) return Error{"", "failed: " + state.error};
   if (state.state != TaskState::kDone) return Error{"", std::string(name_of(state.state))};
   const std::string folder = outputs_path(plan_folder, region.key);
   const Result<verify::RunRecord> record = verify::read_report(folder);
   if (!record) return record.error();
-  if (Result<Done> done = add_files(folder, all); !done) return done;
+  if (Result<Done> done = add_files(folder, to_string(region.key), all); !done) return done;
   if (Result<Done> done = add_scene(folder, region, all); !done) return done;
-  if (Result<Done> done = add_findings(folder, regions::tiles_of(plan.grid, region.key), all); !done) return done;
+  if (Result<Done> done = add_findings(folder + "/findings.json", all); !done) return done;
+  const std::vector<scene::TileKey> own = regions::tiles_of(plan.grid, region.key);
+  if (Result<Done> done = add_trees(folder, to_string(region.key), own, outputs, all); !done) return done;
+  add_ledger(record->ledger, all);
+  std::ranges::copy(record->usd, std::back_inserter(all.files.usd));
   std::ranges::copy(record->tiles, std::back_inserter(all.files.tiles));
   return Done{};
 }
 
-Gathered gather_regions(const Plan& plan, const std::string& plan_folder, const OnProgress& on_progress) {
+Gathered gather_regions(const Plan& plan, const std::string& plan_folder, const Outputs& outputs,
+                        const OnProgress& on_progress) {
   Gathered all;
+  all.ledger = plan.elements;
+  if (const Result<Done> added = add_findings(survey_findings_path(plan_folder), all); !added)
+    all.missing.push_back("the survey: " + to_string(added.error()));
   for (std::size_t i = 0; i < plan.regions.size(); ++i) {
     on_progress("gather", static_cast<double>(i) / static_cast<double>(plan.regions.size()));
-    const Result<Done> added = add_region(plan, plan.regions[i], plan_folder, all);
+    const Result<Done> added = add_region(plan, plan.regions[i], plan_folder, outputs, all);
     if (!added)
       all.missing.push_back(fmt::format("region {}: {}", to_string(plan.regions[i].key), to_string(added.error())));
   }
   std::ranges::sort(all.scene.chunks, {}, &scene::Chunk::tile);
-  std::ranges::sort(all.files.tiles, {}, [](const verify::WrittenTile& t) { return std::pair(t.tile, t.level); });
+  const auto key = [](const verify::WrittenTile& t) { return std::pair(t.tile, t.level); };
+  std::ranges::sort(all.files.tiles, {}, key);
+  std::ranges::sort(all.files.usd, {}, key);
+  std::ranges::sort(all.usd_tiles, {}, &exporters::UsdTile::tile);
   return all;
 }
 
-/// The diagnoses of the findings, and a ledger of tiles.
-Report report_of(const Plan& plan, const Gathered& all, std::size_t levels) {
-  Report report;
+Report report_of(const Gathered& all) {
+  Report report = all.ledger;
   for (const verify::Finding& finding : all.findings) report.add(finding.diagnosis);
-  Account& account = report.account("gather", "tile");
-  for (const PlannedRegion& region : plan.regions) account.in += region.tiles;
-  account.split = account.in * (levels - 1);
-  account.out = all.files.tiles.size();
   return report;
 }
 
-Result<Done> write_out(const Plan& plan, Gathered& all, const CompileSpec& spec, const std::string& path) {
+/// Whether a neighbouring tile belongs to another region.
+bool is_at_side(const regions::RegionGrid& grid, scene::TileKey tile) {
+  const auto across = static_cast<std::int32_t>(grid.region_m / grid.tile_m);
+  const auto is_outermost = [&](std::int32_t v) {
+    const std::int32_t within = ((v % across) + across) % across;
+    return within == 0 || within == across - 1;
+  };
+  return is_outermost(tile.x) || is_outermost(tile.y);
+}
+
+/// Compares the tiles at the sides of regions with their neighbours. Error: a tile that cannot be read, or one that
+/// does not fit; the error names the first and the console all.
+Result<Done> check_sides(const Plan& plan, const Gathered& all, const std::string& plan_folder, int threads,
+                         const Console& console) {
+  std::vector<const verify::WrittenTile*> tiles;
+  for (const verify::WrittenTile& tile : all.files.tiles)
+    if (is_at_side(plan.grid, tile.tile)) tiles.push_back(&tile);
+  const auto read = for_each_slot<std::optional<Result<verify::Borders>>>(
+      tiles.size(), threads, [&](std::size_t i) -> std::optional<Result<verify::Borders>> {
+        const Result<bake::BakedTile> tile = exporters::read_glb(all.placed.at(tiles[i]->file.name).path);
+        if (!tile) return Result<verify::Borders>(tile.error());
+        return Result<verify::Borders>(verify::borders_of(*tile, scene::box_of(all.scene.header, tiles[i]->tile)));
+      });
+  verify::BordersByTile borders;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    if (!*read[i]) return read[i]->error();
+    borders[{tiles[i]->level, tiles[i]->tile}] = **read[i];
+  }
+  verify::Check seams{"tiles of neighbouring regions have the same border edges", 0, {}};
+  verify::check_seams(borders, seams);
+  for (const verify::Failure& failure : seams.failures) console.print_line("seam: " + failure.text);
+  if (!seams.failures.empty())
+    return Error{plan_folder, fmt::format("{} of {} borders of tiles do not fit, first of {}", seams.failures.size(),
+                                          seams.tests, seams.failures.front().text)};
+  return Done{};
+}
+
+/// The roots of 3D Tiles and USD.
+Result<Done> write_roots(Gathered& all, const Outputs& outputs, exporters::OutputFolder& folder) {
+  const auto write = [&](const std::string& name, std::span<const std::byte> bytes) {
+    all.files.files.push_back({name, bytes.size()});
+    return folder.write(name, bytes);
+  };
+  if (!all.usd_tiles.empty()) {
+    const std::vector<std::byte> scene = exporters::encode_scene(all.usd_tiles, all.scene.header);
+    if (Result<Done> done = write(exporters::kUsdSceneName, scene); !done) return done;
+  }
+  if (all.tilesets.empty()) return Done{};
+  const Result<exporters::TilesetFacts> facts = tileset_facts(all.scene.header, outputs);
+  if (!facts) return facts.error();
+  for (const exporters::TilesetFile& file : exporters::encode_tileset(joined_trees(std::move(all.tilesets)), *facts))
+    if (Result<Done> done = write(file.name, exporters::bytes_of(file.json)); !done) return done;
+  return Done{};
+}
+
+Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string& path) {
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(path);
   if (!folder) return folder.error();
   const std::vector<std::byte> manifest = exporters::encode_manifest(all.scene, spec.threads);
@@ -138,16 +256,16 @@ Result<Done> write_out(const Plan& plan, Gathered& all, const CompileSpec& spec,
   all.files.files.push_back({"scene.kiln", manifest.size()});
   std::set<std::string> tiles;
   for (const verify::WrittenTile& tile : all.files.tiles) tiles.insert(tile.file.name);
+  for (const verify::WrittenTile& tile : all.files.usd) tiles.insert(tile.file.name);
   for (const auto& [name, placed] : all.placed) {
     if (Result<Done> done = folder->adopt(placed.file, placed.path); !done) return done;
     if (!tiles.contains(name)) all.files.files.push_back({name, placed.file.bytes});
   }
+  if (Result<Done> done = write_roots(all, spec.outputs, *folder); !done) return done;
   verify::HeightReport heights{verify::measure_heights(all.scene, spec.threads), {}};
   heights.recipes.clearances = verify::explained(std::move(heights.recipes.clearances), all.findings);
-  const bool is_solved = spec.outputs.max_bytes || spec.outputs.max_triangles;
-  const std::size_t levels = is_solved ? 1 : spec.outputs.ladder_m.size();
   const std::string report =
-      verify::report_json(all.scene.header, all.scene, report_of(plan, all, levels), all.files, spec.outputs, heights);
+      verify::report_json(all.scene.header, all.scene, report_of(all), all.files, spec.outputs, heights);
   WrittenOutputs written{.files = all.files, .findings = all.findings, .solved = {}};
   return commit_outputs(written, report, all.scene.header, *folder);
 }
@@ -162,12 +280,14 @@ Result<Exit> gather(const std::string& plan_folder, const Console& console) {
   if (!request) return request.error();
   const Result<CompileSpec> spec = spec_of(*request);
   if (!spec) return spec.error();
-  Gathered all = gather_regions(*plan, folder, console.progress());
+  Gathered all = gather_regions(*plan, folder, spec->outputs, console.progress());
   for (const std::string& line : all.missing) console.print_line("missing: " + line);
   if (!all.missing.empty())
     return Error{plan_folder, fmt::format("{} of {} regions are not whole, first {}", all.missing.size(),
                                           plan->regions.size(), all.missing.front())};
-  if (const Result<Done> done = write_out(*plan, all, *spec, folder + "/out"); !done) return done.error();
+  if (const Result<Done> done = check_sides(*plan, all, plan_folder, spec->threads, console); !done)
+    return done.error();
+  if (const Result<Done> done = write_out(all, *spec, folder + "/out"); !done) return done.error();
   console.print_line(fmt::format("{}/out: {} regions, {} tiles, {:.1f} MB", plan_folder, plan->regions.size(),
                                  all.scene.chunks.size(), all.files.bytes() * 1e-6));
   return Exit::kDone;
@@ -182,7 +302,8 @@ Verb gather_verb() {
   verb.examples = {"citykiln gather out/plan"};
   verb.run = [plan](const Console& console) -> Result<Exit> {
     if (plan->empty()) return Error{"", "no plan is given; expected the folder of a plan"};
-    return gather(*plan, console);
+    const std::string folder = fs::absolute(*plan).lexically_normal().string();
+    return for_each_zone(folder, [&](const std::string& of_zone) { return gather(of_zone, console); });
   };
   return verb;
 }

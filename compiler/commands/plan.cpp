@@ -13,9 +13,12 @@
 #include "compiler/commands/survey_file.h"
 #include "compiler/commands/task_lists.h"
 #include "compiler/commands/verb.h"
+#include "compiler/commands/zone_lists.h"
 #include "compiler/map/choose_extent.h"
 #include "compiler/regions/cut_extract.h"
 #include "compiler/regions/radii.h"
+#include "compiler/regions/zones.h"
+#include "compiler/verify/findings.h"
 #include "exporters/file.h"
 #include "exporters/output_folder.h"
 
@@ -26,14 +29,14 @@ namespace fs = std::filesystem;
 
 struct Request {
   CompileRequest compile;
-  double region_m = 16384, halo_m = regions::kRegionHalo_m;
+  double region_m = 16384, halo_m = regions::kRegionHalo_m, zone_m = regions::kZoneSide_m;
   std::string status, geojson;
 };
 
 /// Error: the outputs are such as regions do not have yet.
 Result<Done> can_be_planned(const CompileSpec& spec) {
-  if (spec.outputs.usd || spec.outputs.tiles3d)
-    return Error{"--emit", "regions are compiled to kiln and glb; leave usd and 3dtiles out"};
+  if (spec.outputs.surroundings && (spec.outputs.usd || spec.outputs.tiles3d))
+    return Error{"--surroundings", "a plan writes the land around the map as .glb only; leave usd and 3dtiles out"};
   if (!spec.outputs.manifest) return Error{"--emit", "a plan needs manifests; add kiln"};
   if (!spec.only.empty()) return Error{"--only", "a plan has all tiles; give a part of the map with --bbox"};
   return Done{};
@@ -56,7 +59,8 @@ Result<Plan> make_plan(const Request& request, const CompileSpec& spec, const so
             .settings = {},
             .extent = extent,
             .grid = {},
-            .regions = {}};
+            .regions = {},
+            .elements = {}};
   for (const auto& [setting, text] : request.compile.given) plan.settings.emplace_back(setting->name, text);
   plan.grid = {.extent = map::region_of(plane, extent),
                .tile_m = spec.tile_m,
@@ -89,6 +93,7 @@ void describe_regions(const regions::CutFiles& files, const map::Heightfield& he
     region.expected = expected_cost(region, plan.grid.tile_m, spec.outputs.ladder_m);
     plan.regions.push_back(region);
   }
+  plan.elements = files.report;
 }
 
 Result<Done> write_if_changed(const std::string& path, const std::string& text) {
@@ -128,8 +133,64 @@ void print_summary(const Plan& plan, const std::string& folder, double seconds, 
                   folder));
 }
 
-Result<Exit> plan_map(const Request& request, const Console& console) {
+/// Plans one extent in one plane, in the folder of the spec.
+Result<Exit> plan_extent(const Request& request, const CompileSpec& spec, const source::LonLatBox& extent,
+                         Report& report, const Console& console) {
   const auto begin = std::chrono::steady_clock::now();
+  const map::Plane plane(spec.map.origin.value_or(map::default_origin(extent)));
+  Result<Plan> plan = make_plan(request, spec, extent, plane);
+  if (!plan) return plan.error();
+
+  const std::string& folder = spec.outputs.folder;
+  std::error_code problem;
+  fs::create_directories(folder + "/cut", problem);
+  if (problem) return Error{folder, "cannot be created: " + problem.message()};
+  const OnProgress on_progress = console.progress();
+  on_progress("cut", 0);
+  const Result<regions::CutFiles> files =
+      regions::cut_extract({spec.map_path, folder + "/cut", extent, spec.threads}, plane, plan->grid);
+  if (!files) return files.error();
+  const Result<Survey> surveyed = survey(spec, folder + "/cut/survey.osm.pbf", extent, report, on_progress);
+  if (!surveyed) return surveyed.error();
+  if (Result<Done> done = write_survey(*surveyed, plan->grid, folder, spec.threads); !done) return done.error();
+  const std::vector<verify::Finding> findings = verify::findings_of(report, surveyed->places, {}, surveyed->header);
+  const std::string diagnosed = verify::findings_json(findings, surveyed->header);
+  if (Result<Done> done = write_if_changed(survey_findings_path(folder), diagnosed); !done) return done.error();
+  describe_regions(*files, surveyed->heights, spec, *plan);
+  if (Result<Done> done = write_lists(*plan, folder); !done) return done.error();
+  print_summary(*plan, folder, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+                console);
+  console.print_json(plan_json(*plan));
+  return Exit::kDone;
+}
+
+/// Plans each zone in a folder of its own, and writes the lists over all of them.
+Result<Exit> plan_zones(const Request& request, const CompileSpec& spec, const std::vector<regions::Zone>& zones,
+                        const Console& console) {
+  if (spec.map.origin)
+    return Error{"--origin",
+                 fmt::format("the area is wider than {:.0f} km and has {} zones, each with an origin of its "
+                             "own; leave the origin out",
+                             regions::kZoneSide_m / 1000, zones.size())};
+  for (const regions::Zone& zone : zones) {
+    CompileSpec of_zone = spec;
+    of_zone.outputs.folder = zone_path(spec.outputs.folder, to_string(zone));
+    Report report;
+    const Result<Exit> planned = plan_extent(request, of_zone, zone.box, report, console);
+    if (!planned) return planned;
+    console.print_line(
+        fmt::format("zone {}: scale error up to {:.0f} ppm", to_string(zone), regions::scale_error(zone) * 1e6));
+  }
+  for (const auto& [name, text] : zone_lists(zones)) {
+    const std::string path = spec.outputs.folder + "/" + name;
+    if (Result<Done> done = write_if_changed(path, text); !done) return done.error();
+    std::error_code none;
+    if (name.ends_with(".sh")) fs::permissions(path, fs::perms(0755), none);
+  }
+  return Exit::kDone;
+}
+
+Result<Exit> plan_map(const Request& request, const Console& console) {
   const Result<CompileSpec> spec = spec_of(request.compile);
   if (!spec) return spec.error();
   if (const Result<Done> complete = is_complete(*spec); !complete) return complete.error();
@@ -137,29 +198,9 @@ Result<Exit> plan_map(const Request& request, const Console& console) {
   Report report;
   const Result<source::LonLatBox> extent = extent_of(*spec, report);
   if (!extent) return extent.error();
-  const map::Plane plane(spec->map.origin.value_or(map::default_origin(*extent)));
-  Result<Plan> plan = make_plan(request, *spec, *extent, plane);
-  if (!plan) return plan.error();
-
-  const std::string& folder = spec->outputs.folder;
-  std::error_code problem;
-  fs::create_directories(folder + "/cut", problem);
-  if (problem) return Error{folder, "cannot be created: " + problem.message()};
-  const OnProgress on_progress = console.progress();
-  on_progress("cut", 0);
-  const Result<regions::CutFiles> files =
-      regions::cut_extract({spec->map_path, folder + "/cut", *extent, spec->threads}, plane, plan->grid);
-  if (!files) return files.error();
-  const Result<Survey> surveyed = survey(*spec, folder + "/cut/survey.osm.pbf", *extent, report, on_progress);
-  if (!surveyed) return surveyed.error();
-  if (Result<Done> done = write_survey(*surveyed, plan->grid, folder + "/survey.kiln", spec->threads); !done)
-    return done.error();
-  describe_regions(*files, surveyed->heights, *spec, *plan);
-  if (Result<Done> done = write_lists(*plan, folder); !done) return done.error();
-  print_summary(*plan, folder, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
-                console);
-  console.print_json(plan_json(*plan));
-  return Exit::kDone;
+  const std::vector<regions::Zone> zones = regions::zones_of(*extent, request.zone_m);
+  if (zones.size() > 1) return plan_zones(request, *spec, zones, console);
+  return plan_extent(request, *spec, *extent, report, console);
 }
 
 }  // namespace
@@ -174,8 +215,11 @@ Verb plan_verb() {
                           store_number(request->region_m, {})});
   verb.options.push_back({"--halo", "M",
                           "data around a region that are compiled with it; less than the default changes tiles at its "
-                          "sides (default: 9216)",
+                          "sides (default: 10240)",
                           false, store_number(request->halo_m, {})});
+  verb.options.push_back({"--zone", "M",
+                          "longest side of a zone, which has a plane of its own, in metres (default: 200000)", false,
+                          store_number(request->zone_m, {})});
   verb.options.push_back(
       {"--status", "PLAN", "prints how far this plan is, instead of planning", false, store_text(request->status)});
   verb.options.push_back({"--geojson", "FILE", "with --status: writes the regions with their states", false,
@@ -183,8 +227,11 @@ Verb plan_verb() {
   verb.examples = {"citykiln plan andorra.osm.pbf --dem heights/ --region 16384 -o out/plan", "ninja -C out/plan",
                    "citykiln plan --status out/plan"};
   verb.run = [request](const Console& console) -> Result<Exit> {
-    return request->status.empty() ? plan_map(*request, console)
-                                   : print_status(request->status, request->geojson, console);
+    if (request->status.empty()) return plan_map(*request, console);
+    if (!request->geojson.empty() && has_zones(request->status))
+      return Error{"--geojson", "the plan has zones; give the folder of one of them, such as zones/0_0"};
+    return for_each_zone(request->status,
+                         [&](const std::string& folder) { return print_status(folder, request->geojson, console); });
   };
   return verb;
 }

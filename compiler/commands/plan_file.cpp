@@ -6,12 +6,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/verify/ledger_json.h"
+
 namespace citykiln::commands {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 Json json_of(const PlannedRegion& region) {
   return {{"region", to_string(region.key)},
@@ -57,7 +59,8 @@ Plan plan_of(const Json& json) {
             .settings = {},
             .extent = {},
             .grid = {},
-            .regions = {}};
+            .regions = {},
+            .elements = {}};
   for (const Json& setting : json.at("settings")) plan.settings.emplace_back(setting.at(0), setting.at(1));
   const Json &degrees = json.at("extent_deg"), &metres = json.at("extent_m");
   plan.extent = {degrees.at(0), degrees.at(1), degrees.at(2), degrees.at(3)};
@@ -66,6 +69,7 @@ Plan plan_of(const Json& json) {
                .region_m = json.at("region_m"),
                .halo_m = json.at("halo_m")};
   for (const Json& region : json.at("regions")) plan.regions.push_back(region_of(region));
+  verify::add_ledger(json.at("elements"), plan.elements);
   return plan;
 }
 
@@ -79,6 +83,7 @@ std::string plan_json(const Plan& plan) {
   const Box2& extent = plan.grid.extent;
   json["extent_m"] = {extent.min.x, extent.min.y, extent.max.x, extent.max.y};
   json["tile_m"] = plan.grid.tile_m, json["region_m"] = plan.grid.region_m, json["halo_m"] = plan.grid.halo_m;
+  json["elements"] = verify::ledger_json(plan.elements);
   json["regions"] = Json::array();
   for (const PlannedRegion& region : plan.regions) json["regions"].push_back(json_of(region));
   return json.dump(1) + "\n";
@@ -116,6 +121,12 @@ Result<PlannedRegion> region_named(const Plan& plan, const std::string& name) {
                            to_string(plan.regions.front().key), to_string(plan.regions.back().key))};
 }
 
+source::OwnsPlace owned_places(const Plan& plan, const map::Plane& plane, regions::RegionKey region) {
+  return [grid = plan.grid, extent = plan.extent, &plane, region](double lon, double lat) {
+    return regions::owner_of(grid, regions::place_near(plane, extent, lon, lat)) == region;
+  };
+}
+
 std::string cut_path(const std::string& plan_folder, regions::RegionKey region) {
   return plan_folder + "/cut/" + to_string(region) + ".osm.pbf";
 }
@@ -123,5 +134,7 @@ std::string cut_path(const std::string& plan_folder, regions::RegionKey region) 
 std::string outputs_path(const std::string& plan_folder, regions::RegionKey region) {
   return plan_folder + "/regions/" + to_string(region);
 }
+
+std::string survey_findings_path(const std::string& plan_folder) { return plan_folder + "/survey.json"; }
 
 }  // namespace citykiln::commands

@@ -2,7 +2,8 @@
 //
 //     PLAN/plan.json           settings, extent, regions with what they are expected to cost
 //     PLAN/build.ninja         tasks for Ninja; submit.sh for Slurm
-//     PLAN/survey.kiln         a manifest whose chunks are regions: heights and waters around each, the scene's header
+//     PLAN/survey/X_Y.kiln     a manifest of one chunk: heights and waters around a region, the scene's header
+//     PLAN/survey.json         what was diagnosed in the survey, as findings.json
 //     PLAN/cut/X_Y.osm.pbf     the elements of a region and its halo
 //     PLAN/regions/X_Y/        the outputs of a region, as compile writes them
 //     PLAN/state/X_Y.json      how its task ended (region_state.h)
@@ -19,6 +20,7 @@
 #include "compiler/map/plane.h"
 #include "compiler/regions/cut_extract.h"
 #include "compiler/regions/region.h"
+#include "compiler/source/owns_place.h"
 
 namespace citykiln::commands {
 
@@ -43,6 +45,7 @@ struct Plan {
   source::LonLatBox extent;
   regions::RegionGrid grid;
   std::vector<PlannedRegion> regions;  ///< Sorted by key.
+  Report elements;                     ///< Accounts of the elements of the whole extract, which no region can count.
 };
 
 /// The plan as JSON. The same plan gives the same bytes.
@@ -56,7 +59,12 @@ Result<CompileRequest> request_of(const Plan& plan);
 /// The region named "X_Y". Error: the plan has no such region.
 Result<PlannedRegion> region_named(const Plan& plan, const std::string& name);
 
+/// The places that a region owns: regions report the elements there (source/owned_elements.h).
+source::OwnsPlace owned_places(const Plan& plan, const map::Plane& plane, regions::RegionKey region);
+
 std::string cut_path(const std::string& plan_folder, regions::RegionKey region);
 std::string outputs_path(const std::string& plan_folder, regions::RegionKey region);
+/// Diagnoses of what belongs to no region, as findings.json.
+std::string survey_findings_path(const std::string& plan_folder);
 
 }  // namespace citykiln::commands

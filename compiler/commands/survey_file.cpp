@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include "exporters/content_hash.h"
@@ -11,6 +12,10 @@
 
 namespace citykiln::commands {
 namespace {
+
+std::string survey_path(const std::string& plan_folder, regions::RegionKey region) {
+  return plan_folder + "/survey/" + to_string(region) + ".kiln";
+}
 
 /// The part of a survey within the halo of a region.
 scene::Chunk chunk_of(const Survey& survey, const regions::RegionGrid& grid, regions::RegionKey region) {
@@ -27,25 +32,35 @@ scene::Chunk chunk_of(const Survey& survey, const regions::RegionGrid& grid, reg
 
 }  // namespace
 
-Result<Done> write_survey(const Survey& survey, const regions::RegionGrid& grid, const std::string& path, int threads) {
-  scene::Scene scene{.header = survey.header, .chunks = {}};
-  for (const regions::RegionKey region : regions::regions_of(grid))
-    scene.chunks.push_back(chunk_of(survey, grid, region));
-  std::ranges::sort(scene.chunks, {}, &scene::Chunk::tile);
-  const std::vector<std::byte> bytes = exporters::encode_manifest(scene, threads);
-  const Result<std::vector<std::byte>> before = exporters::read_file(path);
-  return before && *before == bytes ? Done{} : exporters::write_file(path, bytes);
+Result<Done> write_survey(const Survey& survey, const regions::RegionGrid& grid, const std::string& plan_folder,
+                          int threads) {
+  std::error_code problem;
+  std::filesystem::create_directories(plan_folder + "/survey", problem);
+  if (problem) return Error{plan_folder + "/survey", "cannot be created: " + problem.message()};
+  for (const regions::RegionKey region : regions::regions_of(grid)) {
+    const scene::Scene scene{.header = survey.header, .chunks = {chunk_of(survey, grid, region)}};
+    const std::vector<std::byte> bytes = exporters::encode_manifest(scene, threads);
+    const std::string path = survey_path(plan_folder, region);
+    const Result<std::vector<std::byte>> before = exporters::read_file(path);
+    if (before && *before == bytes) continue;
+    if (Result<Done> done = exporters::write_file(path, bytes); !done) return done;
+  }
+  return Done{};
 }
 
-Result<RegionSurvey> read_survey(const std::string& path, const Plan& plan, regions::RegionKey region) {
+Result<RegionSurvey> read_survey(const std::string& plan_folder, const Plan& plan, regions::RegionKey region) {
   const scene::TileKey tile = regions::tiles_of(plan.grid, region).front();
-  Result<scene::Scene> scene = exporters::read_manifest(path, std::span(&tile, 1));
+  Result<scene::Scene> scene = exporters::read_manifest(survey_path(plan_folder, region), std::span(&tile, 1));
   if (!scene) return scene.error();
   scene::Chunk& chunk = scene->chunks.front();
   const std::uint64_t hash =
       exporters::content_hash(fmt::format("{} {}", exporters::hash_of(scene->header), exporters::hash_of(chunk)));
-  return RegionSurvey{{plan.extent, std::move(scene->header), std::move(chunk.heights), std::move(chunk.surfaces),
-                       std::move(chunk.watercourses)},
+  return RegionSurvey{{plan.extent,
+                       std::move(scene->header),
+                       std::move(chunk.heights),
+                       std::move(chunk.surfaces),
+                       std::move(chunk.watercourses),
+                       {}},
                       hash};
 }
 

@@ -21,7 +21,8 @@ std::string build_ninja(const Plan& plan, const std::string& program) {
   std::string states;
   for (const PlannedRegion& region : plan.regions) {
     const std::string name = to_string(region.key);
-    text += fmt::format("build state/{0}.json: region cut/{0}.osm.pbf | plan.json survey.kiln\n  region = {0}\n", name);
+    text +=
+        fmt::format("build state/{0}.json: region cut/{0}.osm.pbf | plan.json survey/{0}.kiln\n  region = {0}\n", name);
     states += fmt::format(" $\n  state/{}.json", name);
   }
   text += fmt::format("\nbuild out/report.json: gather{}\ndefault out/report.json\n", states);

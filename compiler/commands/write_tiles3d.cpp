@@ -58,14 +58,6 @@ class ContentMaker {
              .plant_error_m = tile.plant_error_m}};
   }
 
-  exporters::TilesetFacts facts(const std::string& geoid) const {
-    return {.to_earth = globe_.to_earth(),
-            .origin = header_.origin,
-            .geoid = geoid,
-            .geoid_height_m = map::height_m(geoid_, {}),
-            .attributions = header_.attributions};
-  }
-
  private:
   const scene::Header& header_;
   const map::Geoid& geoid_;
@@ -311,14 +303,30 @@ Result<Done> add_surroundings(const scene::Scene& scene, const ContentMaker& mak
   return Done{};
 }
 
+Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs) {
+  return map::read_geoid(outputs.geoid, header.region, map::Plane(header.origin));
+}
+
 }  // namespace
+
+Result<exporters::TilesetFacts> tileset_facts(const scene::Header& header, const Outputs& outputs) {
+  const Result<map::Geoid> geoid = geoid_of(header, outputs);
+  if (!geoid) return geoid.error();
+  return exporters::TilesetFacts{.to_earth = map::Globe(header.origin).to_earth(),
+                                 .origin = header.origin,
+                                 .geoid = outputs.geoid,
+                                 .geoid_height_m = map::height_m(*geoid, {}),
+                                 .attributions = header.attributions};
+}
 
 Result<std::vector<verify::WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
                                                        exporters::OutputFolder& folder, Report& report,
                                                        const OnProgress& on_progress) {
   if (scene.chunks.empty()) return std::vector<verify::WrittenFile>();
-  const Result<map::Geoid> geoid = map::read_geoid(outputs.geoid, scene.header.region, map::Plane(scene.header.origin));
+  const Result<map::Geoid> geoid = geoid_of(scene.header, outputs);
   if (!geoid) return geoid.error();
+  const Result<exporters::TilesetFacts> facts = tileset_facts(scene.header, outputs);
+  if (!facts) return facts.error();
   if (outputs.geoid.empty()) report.add(Code::kNoGeoidHeight, {});
 
   const ContentMaker maker(scene.header, outputs, *geoid, threads);
@@ -329,7 +337,7 @@ Result<std::vector<verify::WrittenFile>> write_tiles3d(const scene::Scene& scene
   if (outputs.surroundings)
     if (const Result<Done> done = add_surroundings(scene, maker, folder, *root, writer.files); !done)
       return done.error();
-  for (const exporters::TilesetFile& file : exporters::encode_tileset(std::move(*root), maker.facts(outputs.geoid))) {
+  for (const exporters::TilesetFile& file : exporters::encode_tileset(std::move(*root), *facts)) {
     const auto bytes = exporters::bytes_of(file.json);
     if (const Result<Done> done = folder.write(file.name, bytes); !done) return done.error();
     writer.files.push_back({file.name, bytes.size()});

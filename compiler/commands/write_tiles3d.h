@@ -10,6 +10,7 @@
 #include "compiler/stage_timer.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/output_folder.h"
+#include "exporters/tiles3d/tileset.h"
 
 namespace citykiln::commands {
 
@@ -30,5 +31,8 @@ namespace citykiln::commands {
 Result<std::vector<verify::WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
                                                        exporters::OutputFolder& folder, Report& report,
                                                        const OnProgress& on_progress);
+
+/// What holds for the tileset of a scene. Error: a geoid that cannot be read.
+Result<exporters::TilesetFacts> tileset_facts(const scene::Header& header, const Outputs& outputs);
 
 }  // namespace citykiln::commands

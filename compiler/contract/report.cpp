@@ -38,6 +38,7 @@ bool Account::balances() const {
 }
 
 void Report::drop(Account& account, Code code, OsmId object, double size) {
+  if (!counts(object)) return;
   add(code, object, size);
   ++account.dropped[code];
 }

@@ -1,12 +1,14 @@
 // Diagnoses of what was mended, approximated or dropped, and the ledger that counts objects through all stages.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
@@ -46,9 +48,14 @@ struct Account {
 };
 
 /// The diagnoses and the ledger of a run. Parallel loops fill one Report for each slot and append them in order.
+///
+/// A report can be limited to some objects (limit_to). Then the others are neither diagnosed nor counted: a region of a
+/// plan reports the objects that it owns, and the reports of all regions add up to that of one run.
 class Report {
  public:
-  void add(const Diagnosis& diagnosis) { diagnoses_.push_back(diagnosis); }
+  void add(const Diagnosis& diagnosis) {
+    if (counts(diagnosis.object)) diagnoses_.push_back(diagnosis);
+  }
   void add(Code code, OsmId object, double size = 0) { add({code, object, size}); }
 
   /// Adds a diagnosis of two objects.
@@ -56,6 +63,13 @@ class Report {
 
   /// Adds a diagnosis of a place (x, y in the plane) that no one object explains.
   void add_at(Code code, std::array<double, 2> at_m, double size) { add({code, {}, size, at_m}); }
+
+  /// From now on counts only these objects, sorted by id. What is there already stays.
+  void limit_to(std::vector<OsmId> objects) { limit_ = std::move(objects); }
+  /// Counts all objects again.
+  void lift_limit() { limit_.reset(); }
+  /// Whether an object is diagnosed and counted. O(1), or O(log n) for n objects of a limit.
+  bool counts(OsmId object) const { return !limit_ || std::ranges::binary_search(*limit_, object); }
 
   /// Adds the diagnosis and counts the object as dropped from `account`.
   void drop(Account& account, Code code, OsmId object, double size = 0);
@@ -73,6 +87,7 @@ class Report {
 
  private:
   std::vector<Diagnosis> diagnoses_;
+  std::optional<std::vector<OsmId>> limit_;
   std::map<std::string, Account, std::less<>> ledger_;
 };
 

@@ -1,4 +1,5 @@
-// A grid of square buckets that finds boxes near a point or box.
+// A grid of square buckets that finds boxes near a point or box. Buckets begin at whole multiples of their side, so
+// what is found depends only on boxes that touch the same buckets, not on how far the others extend.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 namespace citykiln {
 
 struct BoxGrid {
-  Box2 box;
+  Box2 box;  ///< Of all buckets; its eastern and northern sides do not belong to it.
   BucketGrid buckets;
   BucketItems numbers;  ///< Indices of boxes, ascending in each bucket.
 };

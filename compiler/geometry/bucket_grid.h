@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -43,11 +44,13 @@ struct BucketGrid {
   }
 };
 
-/// A lattice that covers a box, which must not be empty. bucket_m > 0.
+/// A lattice that covers a box, which must not be empty. Its corner is a whole multiple of bucket_m, so that lattices
+/// over different boxes have the same buckets where they overlap. bucket_m > 0.
 inline BucketGrid grid_over(const Box2& box, double bucket_m) {
   assert(!box.is_empty() && bucket_m > 0);
-  return {box.min, bucket_m, static_cast<int>(box.width() / bucket_m) + 1,
-          static_cast<int>(box.height() / bucket_m) + 1};
+  const Vec2 corner{std::floor(box.min.x / bucket_m) * bucket_m, std::floor(box.min.y / bucket_m) * bucket_m};
+  return {corner, bucket_m, static_cast<int>((box.max.x - corner.x) / bucket_m) + 1,
+          static_cast<int>((box.max.y - corner.y) / bucket_m) + 1};
 }
 
 /// Calls visit(column, row) for each bucket of a range, row by row.

@@ -25,7 +25,7 @@ std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report
   std::vector<LandCoverPolygon> surfaces;
   Account account;
   for (const map::AreaFeature& area : features.areas) {
-    ++account.in, ++account.out;
+    account.in += report.counts(area.id.osm), account.out += report.counts(area.id.osm);
     surfaces.push_back(area_surface(area));
   }
   report.account("ground", "area") = account;
@@ -36,13 +36,13 @@ std::vector<roads::Strip> plan_streams(const map::Features& features, Report& re
   std::vector<roads::Strip> streams;
   Account account;
   for (const map::Waterway& water : features.waterways) {
-    ++account.in;
+    account.in += report.counts(water.id.osm);
     // a culvert or an aqueduct does not cover the ground
     if (water.passage != map::Passage::kGround) {
       report.drop(account, Code::kWaterOffGround, water.id.osm, length_m(water.axis));
       continue;
     }
-    ++account.out;
+    account.out += report.counts(water.id.osm);
     streams.push_back({water.id, water.axis, map::LandCoverClass::kRiver, water.width_m / 2, water.width_m / 2});
   }
   report.account("ground", "waterway") = account;

@@ -77,7 +77,7 @@ std::vector<Footprint> without(std::vector<Footprint> footprints, const std::vec
       kept.push_back(std::move(footprints[i]));
       continue;
     }
-    --account.out;
+    account.out -= report.counts(footprints[i].id.osm);
     report.drop(account, Code::kDuplicateBuilding, footprints[i].id.osm, rise_m(footprints[i]));
   }
   return kept;

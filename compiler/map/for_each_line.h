@@ -14,8 +14,8 @@ void for_each_line(const ReadContext& context, const char* account_name, IsOfKin
   Account account;
   for (const source::Way& way : context.osm.ways) {
     if (!is_of_kind(way) || says_yes(context.tag(way.tags, "area"))) continue;
-    ++account.in;
     const OsmId id{OsmType::kWay, way.id};
+    account.in += context.report.counts(id);
     const auto* row = row_of(way);
     LocatedLine line = located(context, way);
     if (row == nullptr)
@@ -25,7 +25,7 @@ void for_each_line(const ReadContext& context, const char* account_name, IsOfKin
     else if (!is_near(context, line.axis))
       context.report.drop(account, Code::kOutsideBounds, id);
     else
-      tell_cut(context, id, line.axis), make(way, *row, std::move(line)), ++account.out;
+      tell_cut(context, id, line.axis), make(way, *row, std::move(line)), account.out += context.report.counts(id);
   }
   context.report.account("map", account_name) = account;
 }

@@ -88,7 +88,7 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
     const AreaRow* row = row_of(context, area.tags);
     if ((row == nullptr && !carries_land_key(context, area.tags)) || is_line(context, area.tags, area.from.type))
       continue;
-    ++account.in;
+    account.in += context.report.counts(area.from);
     if (row == nullptr || row->surface == LandCoverClass::kUnknown) {
       context.report.drop(account, Code::kUnknownKind, area.from);
       continue;

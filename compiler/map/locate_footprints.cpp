@@ -29,7 +29,7 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
   for (const source::Area& area : context.osm.areas) {
     const std::string_view outline = context.tag(area.tags, "building"), part = context.tag(area.tags, "building:part");
     if (!says_yes(outline) && !says_yes(part)) continue;
-    ++account.in;
+    account.in += context.report.counts(area.from);
     if (context.tag(area.tags, "location") == "underground") {
       context.report.drop(account, Code::kUnderground, area.from);
       continue;

@@ -126,14 +126,14 @@ std::vector<PointFeature> locate_points(const ReadContext& context) {
   for (const source::Node& node : context.osm.nodes) {
     const PointRow* row = point_row(context, node.tags);
     if (row == nullptr) continue;
-    ++account.in;
     const OsmId id{OsmType::kNode, node.id};
+    account.in += context.report.counts(id);
     const Vec2 at = context.plane.snapped_forward(node.at);
     if (!context.region.contains(at)) {
       context.report.drop(account, Code::kOutsideBounds, id);
       continue;
     }
-    ++account.out;
+    account.out += context.report.counts(id);
     const double height = row->kind == PointKind::kTree ? tagged_plant_height_m(context, id, node.tags)
                                                         : tagged_point_height_m(context, id, *row, node.tags);
     points.push_back({.id = {id, 0}, .at = at, .kind = row->kind, .height_m = snapped(height)});

@@ -16,8 +16,8 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
   Account account;
   for (const source::Way& way : context.osm.ways) {
     if (context.tag(way.tags, "natural") != "coastline") continue;
-    ++account.in;
     const OsmId id{OsmType::kWay, way.id};
+    account.in += context.report.counts(id);
     LocatedLine line = located(context, way);
     if (line.axis.size() < 2) {
       context.report.drop(account, Code::kNoLength, id);
@@ -25,7 +25,7 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
     }
     const auto nodes = context.osm.nodes_of(way);
     ways.push_back({id, std::move(line.axis), nodes.front().id, nodes.back().id});
-    ++account.merged;
+    account.merged += context.report.counts(id);
   }
   // the sea is one object with the id of its lowest coastline; its polygons are numbered from west to east
   OsmId first;
@@ -43,7 +43,7 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
                      .surface = LandCoverClass::kSea,
                      .area_m2 = area});
   }
-  account.split = account.out = areas.size();
+  account.split = account.out = context.report.counts(first) ? areas.size() : 0;
   context.report.account("map", "coastline") = account;
   return areas;
 }

@@ -45,13 +45,14 @@ template <typename Visit>
 void for_each_near_polygon(const ReadContext& context, OsmId id, const std::vector<LocatedPolygon>& polygons,
                            Account& account, Visit visit) {
   if (polygons.empty()) return context.report.drop(account, Code::kDegenerateRing, id);
-  account.split += polygons.size() - 1;
+  const bool counts = context.report.counts(id);
+  account.split += counts ? polygons.size() - 1 : 0;
   for (const LocatedPolygon& polygon : polygons) {
     if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.region)) {
       context.report.drop(account, Code::kOutsideBounds, id);
       continue;
     }
-    ++account.out;
+    account.out += counts;
     visit(polygon);
   }
 }

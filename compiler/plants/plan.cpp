@@ -56,7 +56,7 @@ std::vector<Tree> plan_trees(const map::Features& features, Report& report) {
   Account account;
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
-    ++account.in, ++account.out;
+    account.in += report.counts(point.id.osm), account.out += report.counts(point.id.osm);
     const SpeciesMix species_mix = species_mix_for(point.plant_tags, species_mix_of(PlantCommunity::kTownTrees));
     trees.push_back({.id = point.id,
                      .at = point.at,
@@ -163,7 +163,7 @@ std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const ro
   std::vector<TreeRow> rows;
   Account account;
   for (const map::TreeRow& row : features.tree_rows) {
-    ++account.in, ++account.out;
+    account.in += report.counts(row.id.osm), account.out += report.counts(row.id.osm);
     const SpeciesMix species_mix = species_mix_for(row.plant_tags, species_mix_of(PlantCommunity::kTownTrees));
     rows.push_back({.id = row.id,
                     .axis = row.axis,

@@ -19,10 +19,11 @@ constexpr double kBeyondRegion_m = 4;
 
 // A barrier within the region. Each of its parts has a number.
 void add_barrier(const map::Barrier& barrier, const Box2& region, Props& props, Account& account, Report& report) {
-  ++account.in;
+  const bool counts = report.counts(barrier.id.osm);
+  account.in += counts;
   const std::vector<Polyline> parts = clipped_to(barrier.axis, region.widened(kBeyondRegion_m), map::kMapStep_m);
   if (parts.empty()) return report.drop(account, Code::kOutsideBounds, barrier.id.osm);
-  account.out += parts.size(), account.split += parts.size() - 1;
+  if (counts) account.out += parts.size(), account.split += parts.size() - 1;
   for (std::uint32_t i = 0; i < parts.size(); ++i)
     props.barriers.push_back({.id = {barrier.id.osm, barrier.id.part + i},
                               .axis = parts[i],
@@ -39,12 +40,12 @@ Props plan(const map::Features& features, Report& report) {
   for (const map::Barrier& barrier : features.barriers) add_barrier(barrier, features.region, props, barriers, report);
   for (const map::PointFeature& point : features.points) {
     if (is_of_other_room(point.kind)) continue;
-    ++points.in;
+    points.in += report.counts(point.id.osm);
     if (point.kind != map::PointKind::kStreetLamp) {
       report.drop(points, Code::kNotModelled, point.id.osm);
       continue;
     }
-    ++points.out;
+    points.out += report.counts(point.id.osm);
     props.lamps.push_back({.id = point.id, .at = point.at, .height_m = point.height_m, .light = point.lamp_tags});
   }
   std::ranges::sort(props.barriers, {}, &Barrier::id);

@@ -33,6 +33,13 @@
 #include "compiler/source/osm_format.h"
 
 namespace citykiln::regions {
+
+Vec2 place_near(const map::Plane& plane, const source::LonLatBox& extent, double lon, double lat) {
+  constexpr double kNear_deg = 1;
+  return plane.forward({std::clamp(lon, extent.west - kNear_deg, extent.east + kNear_deg),
+                        std::clamp(lat, extent.south - kNear_deg, extent.north + kNear_deg)});
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,6 +67,7 @@ int open_index(const std::string& folder) {
 /// A way that is a member of an area: its box, and the spools that hold it.
 struct MemberWay {
   Box2 box;
+  Vec2 first;  ///< Of its nodes that have a place.
   bool describes_water = false;
 };
 
@@ -87,7 +95,8 @@ class Cutter {
   void spool_areas();
   void spool_area(const osmium::Relation& relation);
   void spool_members();
-  void put(std::size_t spool, const osmium::Way& way);
+  void count(const osmium::OSMObject& object);
+  std::uint32_t owner(Vec2 place) const;
 
   Vec2 in_plane(osmium::Location place) const;
   /// A way's nodes that have places, in the plane. Projecting takes more time than all else: once a way.
@@ -110,6 +119,7 @@ class Cutter {
   std::vector<MemberWay> member_ways_;                                // by index in members_
   std::vector<std::pair<std::uint32_t, std::uint32_t>> has_, wants_;  // member, spool
   std::unique_ptr<PlaceIndex> places_;
+  Report report_;
 };
 
 std::size_t Cutter::member(osmium::object_id_type id) const {
@@ -117,12 +127,8 @@ std::size_t Cutter::member(osmium::object_id_type id) const {
   return found != members_.end() && *found == id ? static_cast<std::size_t>(found - members_.begin()) : members_.size();
 }
 
-// Places far away are brought near, where the projection is defined: they stay outside of all regions.
 Vec2 Cutter::in_plane(osmium::Location place) const {
-  constexpr double kNear_deg = 1;
-  const source::LonLatBox& box = cut_.extent;
-  return plane_.forward({std::clamp(place.lon(), box.west - kNear_deg, box.east + kNear_deg),
-                         std::clamp(place.lat(), box.south - kNear_deg, box.north + kNear_deg)});
+  return place_near(plane_, cut_.extent, place.lon(), place.lat());
 }
 
 const std::vector<Vec2>& Cutter::projected(const osmium::Way& way) {
@@ -130,6 +136,11 @@ const std::vector<Vec2>& Cutter::projected(const osmium::Way& way) {
   for (const osmium::NodeRef& node : way.nodes())
     if (node.location().valid()) line_.push_back(in_plane(node.location()));
   return line_;
+}
+
+// The spool of the region that owns a place.
+std::uint32_t Cutter::owner(Vec2 place) const {
+  return static_cast<std::uint32_t>(std::ranges::lower_bound(keys_, owner_of(grid_, place)) - keys_.begin());
 }
 
 std::vector<std::uint32_t> Cutter::spools_of(const osmium::Way& way, std::span<const Vec2> line,
@@ -145,14 +156,34 @@ std::vector<std::uint32_t> Cutter::spools_of(const osmium::Way& way, std::span<c
       segment.grow(line[i - 1]), segment.grow(line[i]);
       for_each_region_near(grid_, segment, add);
     }
+  if (!spools.empty()) spools.push_back(owner(line.front()));
   if (describes_water(way.tags()) && box.touches(grid_.extent.widened(kCoastMargin_m)))
     spools.push_back(static_cast<std::uint32_t>(is_coastline(way.tags()) ? coasts() : survey()));
   sort_unique(spools);
   return spools;
 }
 
+// In the accounts of read_osm(), but for duplicates.
+void Cutter::count(const osmium::OSMObject& object) {
+  const bool is_node = object.type() == osmium::item_type::node, is_way = object.type() == osmium::item_type::way;
+  Account& account = report_.account("source", is_node ? "node" : is_way ? "way" : "relation");
+  ++account.in;
+  const auto has_place = [](const osmium::NodeRef& node) { return node.location().valid(); };
+  if (object.deleted())
+    ++account.dropped[Code::kDeletedElement];
+  else if (is_node && !static_cast<const osmium::Node&>(object).location().valid())
+    ++account.dropped[Code::kNodeWithoutPlace];
+  else if (is_way && std::ranges::count_if(static_cast<const osmium::Way&>(object).nodes(), has_place) < 2)
+    ++account.dropped[Code::kWayTooShort];
+  else if (!is_node && !is_way && object.tags().empty())
+    ++account.dropped[Code::kRelationWithoutTags];
+  else
+    ++account.out;
+}
+
 void Cutter::find_members() {
   for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
+    count(relation);
     if (!is_area_relation(relation.tags())) return;
     for (const osmium::RelationMember& each : relation.members())
       if (each.type() == osmium::item_type::way) members_.push_back(each.ref());
@@ -176,7 +207,7 @@ void Cutter::spool_way(const osmium::Way& way) {
   for (const std::uint32_t spool : spools) spools_.add(spool, way);
   const std::size_t index = member(way.id());
   if (index == members_.size()) return;
-  member_ways_[index] = {box, describes_water(way.tags())};
+  member_ways_[index] = {box, line.empty() ? Vec2{} : line.front(), describes_water(way.tags())};
   for (const std::uint32_t spool : spools) has_.emplace_back(static_cast<std::uint32_t>(index), spool);
 }
 
@@ -192,11 +223,13 @@ Result<Done> Cutter::spool_nodes_and_ways() {
     for (osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) {
       if (object.type() == osmium::item_type::node) {
         if (has_ways) return Error{cut_.map_path, "expected nodes before ways; sort the file with `osmium sort`"};
+        count(object);
         if (!object.deleted()) places.node(static_cast<osmium::Node&>(object));
         spool_node(static_cast<osmium::Node&>(object));
       } else {
         has_ways = true;
         places.way(static_cast<osmium::Way&>(object));
+        count(object);
         spool_way(static_cast<osmium::Way&>(object));
       }
     }
@@ -219,6 +252,8 @@ void Cutter::spool_area(const osmium::Relation& relation) {
   }
   if (box.is_empty()) return;
   for_each_region_near(grid_, box, [&](std::uint32_t region) { spools.push_back(region); });
+  if (!spools.empty()) spools.push_back(owner(member_ways_[ways.front()].first));
+  sort_unique(spools);
   if (is_water && box.touches(grid_.extent.widened(kCoastMargin_m)))
     spools.push_back(static_cast<std::uint32_t>(survey()));
   for (const std::uint32_t spool : spools) {
@@ -261,7 +296,7 @@ bool is_same(const osmium::OSMObject* a, const osmium::OSMObject* b) {
   return a->type() == b->type() && a->id() == b->id();
 }
 
-void count(const osmium::OSMObject& object, const std::function<bool(osmium::Location)>& is_own, RegionFile& file) {
+void count_in(const osmium::OSMObject& object, const std::function<bool(osmium::Location)>& is_own, RegionFile& file) {
   if (object.type() == osmium::item_type::node) {
     ++file.nodes;
     file.own_nodes += is_own(static_cast<const osmium::Node&>(object).location());
@@ -317,7 +352,7 @@ Result<RegionFile> Cutter::write(const std::string& name, std::vector<std::size_
   for (const osmium::OSMObject* object : objects) {
     if (object->deleted()) continue;
     writer(*object);
-    count(
+    count_in(
         *object,
         [&](osmium::Location place) {
           return own_box.contains({place.lon(), place.lat()});
@@ -336,6 +371,7 @@ Result<RegionFile> Cutter::write(const std::string& name, std::vector<std::size_
 Result<CutFiles> Cutter::run() {
   fs::remove_all(cut_.folder + "/.cut");
   fs::create_directory(cut_.folder + "/.cut");
+  for (const char* kind : {"node", "way", "relation"}) report_.account("source", kind);
   find_members();
   if (const Result<Done> done = spool_nodes_and_ways(); !done) return done.error();
   spool_areas();
@@ -351,6 +387,7 @@ Result<CutFiles> Cutter::run() {
   const Result<RegionFile> file = write("survey.osm.pbf", {survey(), coasts()}, grid_.extent);
   if (!file) return file.error();
   files.survey = *file;
+  files.report = std::move(report_);
   places_.reset();
   spools_.remove();
   return files;

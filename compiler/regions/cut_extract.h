@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/map/plane.h"
 #include "compiler/regions/region.h"
@@ -40,13 +41,19 @@ struct RegionFile {
 struct CutFiles {
   std::vector<RegionFile> regions;
   RegionFile survey;
+  Report report;  ///< The accounts source/node, source/way and source/relation of the whole extract.
 };
+
+/// Where a place lies, in the plane. Places farther than 1 degree outside the extent are brought to that distance,
+/// where the projection is defined.
+Vec2 place_near(const map::Plane& plane, const source::LonLatBox& extent, double lon, double lat);
 
 /// Cuts an extract. A region's file holds, sorted and without metadata:
 /// - nodes with tags within the region widened by its halo;
 /// - ways, whole, of which a segment's box touches that, or, for ways that may become areas, their own box;
 /// - multipolygons and boundaries that may become areas and whose box touches that, with all their ways;
-/// - all coastlines near the extent.
+/// - all coastlines near the extent;
+/// - each element of another region's file that it owns (owner_of() its place, which is that of its first node).
 /// The survey's file holds waterways, coastlines and areas of water near the extent, whole. Nodes without tags are
 /// left out: ways have their places (LocationsOnWays). Of duplicates the highest version is kept.
 ///

@@ -4,6 +4,7 @@
 
 #include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/plan_profiles.h"
+#include "compiler/ground/profiles/profile_graph.h"
 #include "compiler/ground/water/river_areas.h"
 #include "compiler/plants/placing/blue_noise.h"
 #include "compiler/plants/placing/placing.h"
@@ -28,6 +29,7 @@ namespace citykiln::regions {
 // | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, planes, limits of grade             |
 // | bridges and tunnels    | ground::kSpanEndRadius_m       |   4096 | their ends                                     |
 // | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
+// | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
 //
 // Without a bound, and therefore in the survey: coastlines, levels of standing water, profiles of running water, and
 // the heights that fill places without a heightmap. The header's fields come from the survey too, except rules and
@@ -41,10 +43,11 @@ inline constexpr double kStoreyRadius_m = 1700;
 
 /// The sum of the longest chain: a tile, the roads and junctions of its chunk, their profiles, the bridges of these,
 /// and the bridges that cross them. A whole number of cells of 128 m.
-inline constexpr double kRegionHalo_m = 9216;
+inline constexpr double kRegionHalo_m = 10240;
 
 static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + roads::kLongestFitted_m +
-                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m + kStoreyRadius_m);
+                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m + kStoreyRadius_m +
+                                   ground::kKnotStretch_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 
 }  // namespace citykiln::regions

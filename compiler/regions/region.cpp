@@ -62,6 +62,14 @@ Box2 box_of(const RegionGrid& grid, RegionKey region) {
           {std::min(min.x + grid.region_m, grid.extent.max.x), std::min(min.y + grid.region_m, grid.extent.max.y)}};
 }
 
+RegionKey owner_of(const RegionGrid& grid, Vec2 place) {
+  const auto along = [&](double v, double low, double high) {
+    return std::clamp(down(std::clamp(v, low, high), grid.region_m), down(low, grid.region_m),
+                      last_below(high, grid.region_m));
+  };
+  return {along(place.x, grid.extent.min.x, grid.extent.max.x), along(place.y, grid.extent.min.y, grid.extent.max.y)};
+}
+
 std::vector<scene::TileKey> tiles_of(const RegionGrid& grid, RegionKey region) {
   const Box2 box = box_of(grid, region);
   std::vector<scene::TileKey> tiles;

@@ -39,6 +39,9 @@ Box2 box_of(const RegionGrid& grid, RegionKey region);
 /// The tiles of a region that the extent touches, sorted.
 std::vector<scene::TileKey> tiles_of(const RegionGrid& grid, RegionKey region);
 
+/// The region that owns a place of the plane: the one that it lies in, or, of a place outside the extent, the nearest.
+RegionKey owner_of(const RegionGrid& grid, Vec2 place);
+
 /// Calls visit(index) for each region whose box, widened by the halo, touches a box; the index is that in
 /// regions_of(). O(regions touched).
 template <typename Visit>

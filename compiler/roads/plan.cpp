@@ -19,13 +19,14 @@ std::vector<Road> plan(const map::Features& features, Report& report) {
   std::vector<Road> roads;
   Account account;
   for (const map::Track& track : features.tracks) {
-    ++account.in;
+    const bool counts = report.counts(track.id.osm);
+    account.in += counts;
     // bridges and tunnels become structures
     if (track.passage != map::Passage::kGround) {
-      ++account.merged;
+      account.merged += counts;
       continue;
     }
-    ++account.out;
+    account.out += counts;
     roads.push_back(road_of(track));
   }
   report.account("roads", "track") = account;

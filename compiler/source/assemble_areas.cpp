@@ -292,13 +292,14 @@ AssembledAreas assemble_areas(const Elements& elements, int threads, Report& rep
       for_each_slot<Slot>(pieces.size(), threads, [&](std::size_t i) { return assemble_slot(pieces[i], elements); });
 
   Account& account = report.account("source", "area");
-  account.in += candidates.ways.size() + candidates.relations.size();
+  for (const std::vector<Candidate>* kind : {&candidates.ways, &candidates.relations})
+    for (const Candidate& candidate : *kind) account.in += report.counts(id_of(candidate));
   std::rotate(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(relation_slots), slots.end());
   for (const Slot& slot : slots) {
     append(slot, all);
     for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
   }
-  account.out += all.areas.size();
+  for (const Area& area : all.areas) account.out += report.counts(area.from);
   return all;
 }
 

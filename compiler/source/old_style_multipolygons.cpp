@@ -103,9 +103,9 @@ void merge_old_style_multipolygons(OsmData& data, Report& report) {
   const auto is_merged = [&](const Area& area) {
     return area.from.type == OsmType::kWay && merged_ways.contains(area.from.id);
   };
-  const std::size_t count = std::erase_if(data.areas, is_merged);
-  account.merged += count;
-  account.out -= count;
+  for (const Area& area : data.areas)
+    if (is_merged(area) && report.counts(area.from)) ++account.merged, --account.out;
+  std::erase_if(data.areas, is_merged);
 }
 
 }  // namespace citykiln::source

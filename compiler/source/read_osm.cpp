@@ -9,6 +9,7 @@
 #include "compiler/source/decode_osm.h"
 #include "compiler/source/old_style_multipolygons.h"
 #include "compiler/source/order_elements.h"
+#include "compiler/source/owned_elements.h"
 #include "compiler/source/unique_strings.h"
 
 namespace citykiln::source {
@@ -61,7 +62,7 @@ void add_ways(const Elements& elements, UniqueStrings& strings, OsmData& data, R
     }
     data.ways.push_back({way->id(), nodes, add_tags(way->tags(), strings, data)});
   }
-  account.out += data.ways.size();
+  for (const Way& way : data.ways) account.out += report.counts({OsmType::kWay, way.id});
 }
 
 template <typename Pointer>
@@ -84,7 +85,7 @@ OsmId id_of(const osmium::RelationMember& member) {
   return {type, member.ref()};
 }
 
-void add_relations(const Elements& elements, UniqueStrings& strings, OsmData& data, Report& report) {
+void add_relations(const Elements& elements, bool has_nodes, UniqueStrings& strings, OsmData& data, Report& report) {
   Account& account = report.account("source", "relation");
   for (const osmium::Relation* relation : elements.relations) {
     const OsmId id{OsmType::kRelation, relation->id()};
@@ -96,12 +97,12 @@ void add_relations(const Elements& elements, UniqueStrings& strings, OsmData& da
     std::size_t missing = 0;
     for (const osmium::RelationMember& member : relation->members()) {
       data.members.push_back({id_of(member), strings.number_of(member.role())});
-      if (!contains(elements, id_of(member))) ++missing;
+      if (has_nodes || member.type() == osmium::item_type::way) missing += !contains(elements, id_of(member));
     }
     if (missing > 0) report.add(Code::kMissingMember, id, static_cast<double>(missing));
     data.relations.push_back({relation->id(), members, add_tags(relation->tags(), strings, data)});
   }
-  account.out += data.relations.size();
+  for (const Relation& relation : data.relations) account.out += report.counts({OsmType::kRelation, relation.id});
 }
 
 void sort_run(Range run, OsmData& data) {
@@ -148,24 +149,36 @@ void tag_areas(OsmData& data) {
 }
 
 // Converts all elements except areas.
-OsmData flatten(const Elements& elements, Report& report) {
+OsmData flatten(const Elements& elements, bool has_nodes, Report& report) {
   OsmData data;
   UniqueStrings strings;
   add_nodes(elements, strings, data);
   add_ways(elements, strings, data, report);
-  add_relations(elements, strings, data, report);
+  add_relations(elements, has_nodes, strings, data, report);
   sort_strings(strings, data);
   return data;
 }
 
+// Limits the report to what is owned. The accounts of elements begin with these.
+void limit(Report& report, const Elements& elements, const std::vector<OsmId>& owned) {
+  report.limit_to(owned);
+  Account &nodes = report.account("source", "node"), &ways = report.account("source", "way"),
+          &relations = report.account("source", "relation");
+  for (const osmium::Node* node : elements.nodes) nodes.in += report.counts({OsmType::kNode, node->id()});
+  nodes.out = nodes.in;
+  for (const osmium::Way* way : elements.ways) ways.in += report.counts({OsmType::kWay, way->id()});
+  for (const osmium::Relation* relation : elements.relations)
+    relations.in += report.counts({OsmType::kRelation, relation->id()});
+}
+
 // Flattens and assembles at the same time, because one large relation can keep a single thread busy.
-OsmData build(const Elements& elements, int threads, Report& report) {
+// @param area_report  Empty; limited like the report.
+OsmData build(const Elements& elements, bool has_nodes, int threads, Report&& area_report, Report& report) {
   OsmData data;
   AssembledAreas areas;
-  Report area_report;
   for_each_index(2, threads, [&](std::size_t i) {
     if (i == 0) areas = assemble_areas(elements, threads, area_report);
-    if (i == 1) data = flatten(elements, report);
+    if (i == 1) data = flatten(elements, has_nodes, report);
   });
   report.append(area_report);
   data.areas = std::move(areas.areas);
@@ -176,13 +189,19 @@ OsmData build(const Elements& elements, int threads, Report& report) {
 
 }  // namespace
 
-Result<OsmData> read_osm(const std::string& path, int threads, Report& report) {
+Result<OsmData> read_osm(const std::string& path, int threads, Report& report, const OwnsPlace& owns) {
   Result<DecodedOsm> decoded = decode_osm(path, threads);
   if (!decoded) return decoded.error();
-  const Elements elements = order_elements(decoded->buffers, threads, report);
+  Report of_all, area_report;
+  const Elements elements = order_elements(decoded->buffers, threads, owns ? of_all : report);
   if (!decoded->has_places_in_ways) locate_way_nodes(elements, threads);
+  if (owns) {
+    const std::vector<OsmId> owned = owned_elements(elements, owns);
+    limit(report, elements, owned);
+    area_report.limit_to(owned);
+  }
 
-  OsmData data = build(elements, threads, report);
+  OsmData data = build(elements, !decoded->has_places_in_ways, threads, std::move(area_report), report);
   data.file_name = std::filesystem::path(path).filename().string();
   data.header_box = decoded->header_box;
   tag_areas(data);

@@ -19,10 +19,9 @@ Span span_of(const map::Track& track, const Profile& profile, const SpanEnds& en
   return span;
 }
 
-void count(Report& report, const char* kind, std::size_t spans) {
+void count(Report& report, const char* kind, std::span<const Span> spans) {
   Account& account = report.account("structures", kind);
-  account.in += spans;
-  account.out += spans;
+  for (const Span& span : spans) account.in += report.counts(span.id.osm), account.out += report.counts(span.id.osm);
 }
 
 }  // namespace
@@ -44,8 +43,8 @@ Structures plan(const map::Features& features, std::span<const Profile> off_grou
   }
   std::ranges::sort(structures.bridges, {}, &Span::id);
   std::ranges::sort(structures.tunnels, {}, &Span::id);
-  count(report, "bridge", structures.bridges.size());
-  count(report, "tunnel", structures.tunnels.size());
+  count(report, "bridge", structures.bridges);
+  count(report, "tunnel", structures.tunnels);
   return structures;
 }
 

@@ -169,13 +169,14 @@ Outcome place_one(const Placing& placing, double wanted_m, std::vector<Placed>& 
 }
 
 void count(Outcome outcome, const Span& bridge, double bay_m, Account& account, Report& report) {
-  ++account.in;
+  const bool counts = report.counts(bridge.id.osm);
+  account.in += counts;
   if (outcome == Outcome::kNoPlace)
     report.drop(account, Code::kNoPlaceForPier, bridge.id.osm, bay_m);
   else if (outcome == Outcome::kPlaced)
-    ++account.out;
+    account.out += counts;
   else
-    ++account.merged;
+    account.merged += counts;
 }
 
 }  // namespace

@@ -15,11 +15,13 @@ bool reaches(const Span& span, const Box2& extent) {
 }
 
 void keep_within(std::vector<Span>& spans, const Box2& extent, Account& account, Report& report) {
-  account.in = spans.size();
-  for (const Span& span : spans)
-    if (!reaches(span, extent)) report.drop(account, Code::kOutsideBounds, span.id.osm);
-  std::erase_if(spans, [&](const Span& span) { return !reaches(span, extent); });
-  account.out = spans.size();
+  for (const Span& span : spans) account.in += report.counts(span.id.osm);
+  std::erase_if(spans, [&](const Span& span) {
+    if (reaches(span, extent)) return false;
+    report.drop(account, Code::kOutsideBounds, span.id.osm);
+    return true;
+  });
+  for (const Span& span : spans) account.out += report.counts(span.id.osm);
 }
 
 }  // namespace

@@ -220,10 +220,7 @@ Result<Done> check_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std
   check_ground(tile, *written, file.name);
   check_heights(tile, *written, file.name);
   check_trunks(tile, *written, file.name);
-  const auto edges_at_x = [&](double x) { return border_edges_along_x(*written, x); };
-  const auto edges_at_y = [&](double y) { return border_edges_along_y(*written, y); };
-  tile.checked.borders.push_back(
-      {edges_at_x(tile.box.min.x), edges_at_x(tile.box.max.x), edges_at_y(tile.box.min.y), edges_at_y(tile.box.max.y)});
+  tile.checked.borders.push_back(borders_of(*written, tile.box));
   return Done{};
 }
 

@@ -10,7 +10,7 @@
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
 #include "compiler/verify/check_results.h"
-#include "compiler/verify/measure_ground.h"
+#include "compiler/verify/check_seams.h"
 #include "compiler/verify/run_report.h"
 
 namespace citykiln::verify {
@@ -21,11 +21,6 @@ struct LoadedRun {
   RunRecord record;
   scene::Scene scene;
   std::shared_ptr<const bake::PrototypeCache> prototypes;
-};
-
-/// Ground edges on the four sides of a tile at one level, to compare with the neighbouring tiles'.
-struct Borders {
-  BorderEdges west, east, south, north;
 };
 
 struct CheckedTile {

@@ -12,6 +12,7 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/map/lonlat_box.h"
+#include "compiler/verify/ledger_json.h"
 #include "compiler/verify/written_tile_json.h"
 #include "exporters/settle_folder.h"
 
@@ -22,20 +23,6 @@ using Json = nlohmann::ordered_json;
 
 /// Object ids listed for each diagnosis.
 constexpr std::size_t kNamedObjects = 20;
-
-Json ledger_of(const Report& report) {
-  Json ledger = Json::object();
-  for (const auto& [name, account] : report.ledger()) {
-    Json dropped = Json::object();
-    for (const auto& [code, count] : account.dropped) dropped[std::string(name_of(code))] = count;
-    ledger[name] = {{"in", account.in},
-                    {"split", account.split},
-                    {"out", account.out},
-                    {"merged", account.merged},
-                    {"dropped", dropped}};
-  }
-  return ledger;
-}
 
 /// All diagnoses with one code.
 struct Tally {
@@ -174,14 +161,6 @@ Json tiles_of(std::span<const WrittenTile> written, const scene::Header& header,
   return tiles;
 }
 
-/// in + split = out + merged + dropped, recomputed from the file's numbers.
-bool balances(const Json& account) {
-  std::uint64_t lost = 0;
-  for (const auto& [code, count] : account.at("dropped").items()) lost += count.get<std::uint64_t>();
-  const auto number = [&](const char* key) { return account.at(key).get<std::uint64_t>(); };
-  return number("in") + number("split") == number("out") + number("merged") + lost;
-}
-
 RunRecord record_of(const Json& report) {
   RunRecord record;
   for (const Json& tile : report.at("tiles")) record.tiles.push_back(written_tile(tile));
@@ -193,9 +172,9 @@ RunRecord record_of(const Json& report) {
   if (const auto layout = parse_layout(report.value("layout", "embedded")); layout) record.layout = *layout;
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
   for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
-  for (const auto& [name, account] : report.at("ledger").items()) {
-    if (!balances(account)) record.unbalanced.push_back(name);
-  }
+  add_ledger(report.at("ledger"), record.ledger);
+  for (const auto& [name, account] : record.ledger.ledger())
+    if (!account.balances()) record.unbalanced.push_back(name);
   return record;
 }
 
@@ -236,7 +215,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["heights"] = heights_of(heights);
   json["bytes"] = written.bytes();
   json["balances"] = report.balances();
-  json["ledger"] = ledger_of(report);
+  json["ledger"] = ledger_json(report);
   json["diagnoses"] = diagnoses_of(report);
   json["files"] = files_of(written);
   json["tiles"] = tiles_of(written.tiles, header, plane);

@@ -72,6 +72,7 @@ struct RunRecord {
   Compress compress = Compress::kNone;
   Layout layout = Layout::kEmbedded;
   bool has_manifest = false;
+  Report ledger;                        ///< Without diagnoses.
   std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers do not balance.
 };
 /// Finishes an interrupted commit first (exporters/settle_folder.h).

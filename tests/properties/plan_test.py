@@ -42,7 +42,13 @@ class Plan(ProgramTest):
         done = run("gather", plan)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(bytes_of_outputs(plan / "out"), bytes_of_outputs(whole))
-        self.assertEqual(report_of(plan / "out")["counts"], report_of(whole)["counts"])
+        ours, theirs = report_of(plan / "out"), report_of(whole)
+        self.assertEqual(ours["counts"], theirs["counts"])
+        # each element is counted by the region that owns it
+        self.assertEqual(ours["ledger"], theirs["ledger"])
+        self.assertEqual({name: each["count"] for name, each in ours["diagnoses"].items()},
+                         {name: each["count"] for name, each in theirs["diagnoses"].items()})
+        self.assertEqual(run("check", plan / "out").returncode, 0)
 
     def test_a_finished_region_is_not_compiled_again(self):
         plan = self.planned()
@@ -66,6 +72,35 @@ class Plan(ProgramTest):
         self.assertEqual(done.returncode, 1)
         self.assertIn(f"region {regions[0]}: waiting", done.stdout)
         self.assertFalse((plan / "out" / "report.json").exists())
+
+    def test_gather_names_tiles_of_neighbouring_regions_that_do_not_fit(self):
+        plan = self.planned()
+        self.compile_all(plan)
+        # a tile west of a side gets the contents of another one, and the list of its region agrees
+        folder = plan / "regions" / "-1_0"
+        listed = json.loads((folder / "files.json").read_text())
+        files = {each["name"]: each for each in listed["files"]}
+        self.assertLessEqual({"glb/-1_0_L0.glb", "glb/-2_1_L0.glb"}, files.keys())
+        shutil.copy(folder / "glb" / "-2_1_L0.glb", folder / "glb" / "-1_0_L0.glb")
+        files["glb/-1_0_L0.glb"].update({key: value for key, value in files["glb/-2_1_L0.glb"].items() if key != "name"})
+        (folder / "files.json").write_text(json.dumps(listed))
+        done = run("gather", plan)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("-1_0 and its eastern neighbour, level 0", done.stdout)
+        self.assertFalse((plan / "out" / "report.json").exists())
+
+    def test_gather_writes_one_tileset_and_one_usd_scene(self):
+        arguments = ["--lods", "12.5", "--tile", "256", "--emit", "kiln,usd,3dtiles"]
+        whole = self.compiled("whole", self.MAP, *self.DEM, *arguments)
+        plan = self.folder / "plan"
+        done = run("plan", self.MAP, *self.DEM, *arguments, "--region", self.REGION, "-o", plan)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.compile_all(plan)
+        done = run("gather", plan)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((plan / "out" / "usd" / "scene.usda").read_bytes(), (whole / "usd" / "scene.usda").read_bytes())
+        self.assertTrue((plan / "out" / "3dtiles" / "tileset.json").exists())
+        self.assertEqual(run("check", plan / "out").returncode, 0)
 
     def test_a_corrupt_region_fails_alone_with_one_line(self):
         plan = self.planned()

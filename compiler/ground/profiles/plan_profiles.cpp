@@ -59,7 +59,8 @@ void report_free_ends(const ProfileGraph& graph, Report& report) {
   }
 }
 
-// Ways that lie at height 0 on terrain at height 0, beyond the influence of all that does not.
+// Ways that lie at height 0 on terrain at height 0, beyond the influence of all that does not. Long ways do not count:
+// whether they have knots would depend on what is far away.
 class LevelWays {
  public:
   LevelWays(const ProfileGraph& graph, const JunctionPlanes& planes, const map::Heightfield& heights)
@@ -76,6 +77,7 @@ class LevelWays {
 
   bool contains(const GraphWay& way) const {
     const std::span<const Station> stations = graph_.stations_of(way);
+    if (stations.back().at_m > kKnotStretch_m) return false;
     for (std::size_t s = 0; s + 1 < stations.size(); ++s)
       if (!is_level(stations[s].node) || !is_level(stations[s + 1].node) ||
           is_any_about(raised_, box_of(stations[s], stations[s + 1])))

@@ -60,10 +60,10 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 ///
 /// Guarantees: ways have the same height at a common node, within kKnotError_m; nodes of one junction lie on one plane;
 /// a bridge with enough clearance lies on the smooth line between its ends; summits of 20 to 500 m at one vertex of the
-/// terrain move no profile by more than 8 m; a road at height 0 on terrain at height 0, farther than kGrading_m from
-/// all that lies at other heights, has no knots. Does not depend on the order of tracks and roads. Reports kTooSteep,
-/// kClearanceNotMet or kLayersContradict, kCrossingWithoutOrder, kTunnelLowered, kBridgeWithoutGround. Total. Depends
-/// on what lies within kProfileRadius_m.
+/// terrain move no profile by more than 8 m; a road of at most kKnotStretch_m at height 0 on terrain at height 0, well
+/// beyond kGrading_m from all that lies at other heights, has no knots. Does not depend on the order of tracks and
+/// roads. Reports kTooSteep, kClearanceNotMet or kLayersContradict, kCrossingWithoutOrder, kTunnelLowered,
+/// kBridgeWithoutGround. Total. Depends on what lies within kProfileRadius_m.
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,

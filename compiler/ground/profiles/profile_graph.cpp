@@ -234,6 +234,8 @@ void Builder::put_stations() {
     Draft& draft = drafts[w];
     for (std::uint32_t v = 0; v < draft.along.size(); ++v)
       if (draft.node_at[v] != kNone) draft.stops.push_back({draft.along[v], v, draft.junction[v]});
+    for (double at_m = kKnotStretch_m; at_m < draft.along.back(); at_m += kKnotStretch_m)
+      draft.stops.push_back({at_m, kNone, kNone});
     const std::vector<Stop> stops = apart(std::move(draft.stops));
     way.first = static_cast<std::uint32_t>(graph.stations.size());
     const auto put = [&](double at_m, std::uint32_t junction) {

@@ -19,6 +19,10 @@ namespace citykiln::ground {
 /// Station spacing for Lines::kPaths, which follow banks and kerbs between stations.
 inline constexpr double kPathStation_m = 4;
 
+/// Each way has a station and a knot at every multiple of this: where its stations and knots are depends on nothing
+/// farther away along it.
+inline constexpr double kKnotStretch_m = 1024;
+
 /// Beyond a junction's cut its road follows its own profile again after this distance.
 inline constexpr double kJunctionEase_m = 8;
 
@@ -79,10 +83,10 @@ bool leaves_ground(const map::Track& track);
 /// Builds the graph.
 ///
 /// Ways on the ground meet where they share a place; ways off it meet these and each other where they share a map node.
-/// Stations: such nodes, both ends, the places and cuts of junctions and kJunctionEase_m beyond them, bends within
-/// junctions, and others between so that none are farther apart than kStation_m. The order of nodes depends on places
-/// and ids, not on distant objects or on the order of the input. Roads without a track are left out. In kPaths, places
-/// shared with lines that have profiles are pinned stations. O(n log n) in vertices.
+/// Stations: such nodes, both ends, multiples of kKnotStretch_m, the places and cuts of junctions and kJunctionEase_m
+/// beyond them, bends within junctions, and others between so that none are farther apart than kStation_m. The order of
+/// nodes depends on places and ids, not on distant objects or on the order of the input. Roads without a track are left
+/// out. In kPaths, places shared with lines that have profiles are pinned stations. O(n log n) in vertices.
 ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
                       std::span<const roads::Junction> junctions, Lines lines = Lines::kGraded);
 

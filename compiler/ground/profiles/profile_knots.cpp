@@ -89,7 +89,9 @@ std::vector<Candidate> candidates_of(const ProfileGraph& graph, const GraphWay& 
     const double z_m = height_beside(stations, s, planes.z_m, after_m);
     const double tilt = dot(planes.gradient[node], left_of(directions.at(stations[s].at_m)));
     const Knot knot{at_m, snapped_to(kProfileQuantum_m, z_m), snapped_to(kTiltQuantum, tilt)};
-    candidates.push_back({knot, i == 0 || is_last || graph.legs_of(node).size() != 2});
+    const bool is_new_stretch =
+        i > 0 && std::floor(at_m / kKnotStretch_m) > std::floor(places[i - 1].at_m / kKnotStretch_m);
+    candidates.push_back({knot, i == 0 || is_last || is_new_stretch || graph.legs_of(node).size() != 2});
   }
   return candidates;
 }

@@ -32,6 +32,26 @@ TEST(BoxGrid, IsAnyAgreesWithBoxesAbout) {
   EXPECT_GT(missed, 100);
 }
 
+// Boxes far away must not change what is found here: regions of a plan have none of them.
+TEST(BoxGrid, FindsTheSameWhateverElseItHolds) {
+  std::vector<Box2> boxes = random_boxes(3, 40);
+  const BoxGrid alone = grid_of(boxes, 16);
+  boxes.push_back({{-5003.25, -4001.5}, {-5000, -4000}});
+  boxes.push_back({{6000, 7000}, {6001.75, 7003}});
+  const BoxGrid among = grid_of(boxes, 16);
+  const Draw draw(3, StableId{33}, "places");
+  int found = 0;
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    const Vec2 p{draw.between(-400, 460, 2 * i), draw.between(-300, 360, 2 * i + 1)};
+    const auto here = boxes_about(alone, p);
+    EXPECT_TRUE(std::ranges::equal(here, boxes_about(among, p))) << p.x << " " << p.y;
+    const Box2 box{p, p + Vec2{24, 24}};
+    EXPECT_EQ(boxes_about(alone, box), boxes_about(among, box));
+    found += here.empty() ? 0 : 1;
+  }
+  EXPECT_GT(found, 100);
+}
+
 // What is denied is where the box has no place.
 TEST(BoxGrid, FindsAllBoxesThatAreNotExcluded) {
   const std::vector<Box2> boxes = random_boxes(1, 60);
