@@ -1,8 +1,8 @@
-// Fitted by tests/bench/fit_cost.py to tasks that tests/bench/measure_cost.py ran, 211 of 10 places (Monaco, Canillo,
+// Fitted by tests/bench/fit_cost.py to tasks that tests/bench/measure_cost.py ran, 274 of 10 places (Monaco, Canillo,
 // Chicago, Neubrandenburg, Berlin-Reinickendorf, St. Moritz, Kyoto, Liechtenstein, Los Angeles, Niteroi), regions of
-// 512 and 1024 m, one thread, processor time. On 35 regions of other places (Andorra la Vella, Boston, Helsinki,
-// Dublin, Nice, Berlin-Adlershof, Baltimore, Frederiksted), at all default levels, the median error of time is 27%, of
-// memory 22%, of bytes 31%.
+// 512 and 1024 m, one thread, processor time. On 37 regions of other places (Andorra la Vella, Boston, Helsinki,
+// Dublin, Nice, Berlin-Adlershof, Baltimore, Frederiksted), at all default levels, the median error of time is 16%, of
+// memory 25%, of bytes 46%.
 #include "compiler/commands/expected_cost.h"
 
 #include <algorithm>
@@ -25,16 +25,15 @@ struct LevelCost {
 };
 
 // of all default levels
-constexpr AroundWeights kAround_s = {0.186, 0.0144, 0.0002}, kAround_mb = {58.1, 1.2, 0.04};
-constexpr OwnWeights kOwn_s = {1.02, 0.274, 2.81, 6.79, 0.416, 0};
+constexpr AroundWeights kAround_s = {0.164, 0.0142, 0.0002}, kAround_mb = {58.6, 1.2, 0.04};
+constexpr OwnWeights kOwn_s = {0.904, 0.405, 2.44, 3.59, 0.576, 0};
 /// The share of time that does not depend on the levels, such as planning and grading the terrain.
-constexpr double kSharedTime = 0.227;
-constexpr LevelCost kLevels[] = {
-    {0, 0.258, {4.89, 0, 92.3, 59.8, 13.5, 0}, {4.53, 0, 12, 0, 0, 0}},
-    {0.3, 0.158, {3.26, 0, 73.4, 26.7, 0, 0}, {2.02, 0, 4.76, 0, 0, 0}},
-    {0.8, 0.160, {0, 0, 80.2, 72.8, 3.74, 0}, {0.962, 0, 3.32, 0, 0, 0}},
-    {1.8, 0.135, {0, 0, 50.5, 116, 5.75, 0}, {0.515, 0, 2.15, 0, 0, 0}},
-    {5, 0.062, {1.64, 0, 0, 87.3, 3.47, 0}, {0.0401, 0.00883, 0.556, 0.236, 0.022, 0.081}}};
+constexpr double kSharedTime = 0.234;
+constexpr LevelCost kLevels[] = {{0, 0.263, {4.72, 0, 68.9, 0, 30.2, 0}, {4.29, 0, 12.4, 0, 0, 0}},
+                                 {0.3, 0.158, {1.11, 0, 37.5, 0, 15.2, 0}, {1.95, 0, 4.68, 0, 0, 0}},
+                                 {0.8, 0.160, {0, 0, 49, 0, 18.8, 0}, {0.931, 0, 3.04, 0, 0, 0}},
+                                 {1.8, 0.130, {0, 0, 35.3, 0, 18, 0}, {0.482, 0, 1.56, 0, 0.0145, 0.0545}},
+                                 {5, 0.055, {0.493, 0, 0, 6.69, 7.22, 0}, {0.031, 0.00894, 0.411, 0, 0.0534, 0.0864}}};
 
 const LevelCost& cost_at(double tolerance_m) {
   const auto row = std::ranges::find_if(std::ranges::rbegin(kLevels), std::ranges::rend(kLevels),

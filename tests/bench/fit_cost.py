@@ -73,7 +73,7 @@ def least_squares(rows, targets, rounds=800):
 
 
 def fit(rows, fixed, values, rounds=12):
-    """Coefficients such that rows times coefficients, and fixed, give the values. With one round, errors are relative to the values."""
+    """Coefficients such that rows times coefficients, and fixed, give the values."""
     scales = values
     for _ in range(rounds):
         found = least_squares([[x / scale for x in row] for row, scale in zip(rows, scales)],
@@ -98,8 +98,7 @@ class Model:
         self.shared = (sum(alone.values()) - 1) / (len(LEVELS) - 1)
         self.shares = {level: share - self.shared for level, share in alone.items()}
         self.time = fit([time_row(run) for run in runs], [0] * len(runs), [measured_s(run) / self.share_of(run) for run in runs])
-        self.memory = fit([memory_row(run) for run in runs], [fixed_memory(run) for run in runs], [run["memory_bytes"] for run in runs],
-                          rounds=1)
+        self.memory = fit([memory_row(run) for run in runs], [fixed_memory(run) for run in runs], [run["memory_bytes"] for run in runs])
         self.bytes = fit([bytes_row(run) for run in runs], [0] * len(runs), [run["output_bytes"] for run in runs])
 
     def share_of(self, run):
@@ -138,7 +137,9 @@ def main():
     arguments.add_argument("fitted", nargs="+")
     arguments.add_argument("--check", nargs="*", default=[])
     request = arguments.parse_args()
-    runs, held_out = read(request.fitted), read(request.check)
+    runs = read(request.fitted)
+    # a region that was drawn twice counts once
+    held_out = list({(run["place"], run["region"], run["region_m"], run["tile_m"]): run for run in read(request.check)}.values())
     model = Model(runs)
     print_table(model)
     print_errors("fitted", model, runs)
