@@ -9,12 +9,10 @@ namespace citykiln::commands {
 
 /// Returns time on one core, largest resident memory and bytes of outputs.
 ///
-/// Method: time is the sum of what planning takes, by the region's file and heightfield, what all levels share, and
-/// what each level adds, by what lies within the region itself. Memory is that of planning and of the level that needs
-/// most; bytes are the sum over the levels. A tolerance between those that were measured counts as the next finer one.
-///
-/// Accuracy on 8 places that the model was not fitted to, all default levels: see expected_cost.cpp. Regions of few
-/// nodes but much forest are the farthest off, since `plan` does not know how large woods are.
+/// Method: time for all default levels is a sum over the region's file and heightfield and what lies within the region
+/// itself, times the share of its levels. Memory is that of planning and of baking the fullest tile at the level that
+/// needs most; bytes are the sum over the levels. A tolerance counts as one that was measured near it. Regions of few
+/// nodes but much forest are the farthest off, since `plan` does not know the size of woods.
 ExpectedCost expected_cost(const PlannedRegion& region, double tile_m, std::span<const double> ladder_m);
 
 }  // namespace citykiln::commands

@@ -3,6 +3,7 @@
 
 Slurm runs on this machine (small_cluster.py); its tests are skipped without root or without its packages.
 """
+import fcntl
 import json
 import math
 import os
@@ -11,8 +12,9 @@ import shutil
 import subprocess
 import time
 import unittest
+from pathlib import Path
 
-from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, run
+from citykiln_program import PROGRAM, TOWN, ProgramTest, bytes_of_outputs, run
 from small_cluster import SmallCluster, kill_process, processes_with, wait_until, why_not
 
 
@@ -70,7 +72,10 @@ class SlurmTest(ClusterTest):
 
     def tasks(self):
         """Process ids of running tasks."""
-        return [process for process, name in self.cluster.processes().items() if name == "citykiln"]
+        return [process for process, name in self.cluster.processes().items() if name == Path(PROGRAM).name[:15]]
+
+    def tasks_of(self, region):
+        return [task for task in self.tasks() if region.encode() in (Path(f"/proc/{task}") / "cmdline").read_bytes().split(b"\0")]
 
     def kill_task_and_step(self, task):
         """Returns whether both were there. The controller learns of neither."""
@@ -94,8 +99,13 @@ class SlurmCompilesATown(SlurmTest):
         arguments = (TOWN / "town.osm", "--lods", "2.5", "--tile", "256")
         whole = self.compiled("whole", *arguments)
         plan = self.planned(*arguments, "--region", 1024)
-        self.submit(plan)
-        wait_until(lambda: any(map(self.kill_task_and_step, self.tasks())), 60)
+        region = self.regions[0]
+        (plan / "state").mkdir()
+        # the task waits for the lock of its region, so that it is there to be killed
+        with open(plan / "state" / f".{region}.lock", "w", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            self.submit(plan)
+            wait_until(lambda: any(map(self.kill_task_and_step, self.tasks_of(region))), 120)
         self.assert_gather_names_missing(plan)
         self.wait_for_the_end()
         self.assertTrue((plan / "out" / "report.json").exists(), (plan / "log" / "gather.txt").read_text())
