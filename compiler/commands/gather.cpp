@@ -302,8 +302,10 @@ Verb gather_verb() {
   verb.examples = {"citykiln gather out/plan"};
   verb.run = [plan](const Console& console) -> Result<Exit> {
     if (plan->empty()) return Error{"", "no plan is given; expected the folder of a plan"};
-    const std::string folder = fs::absolute(*plan).lexically_normal().string();
-    return for_each_zone(folder, [&](const std::string& of_zone) { return gather(of_zone, console); });
+    // gather() moves to the folder where the plan was made
+    std::error_code problem;
+    const fs::path folder = fs::weakly_canonical(fs::absolute(*plan), problem);
+    return for_each_zone(folder.string(), [&](const std::string& of_zone) { return gather(of_zone, console); });
   };
   return verb;
 }

@@ -21,7 +21,8 @@ Result<std::vector<std::string>> zone_names(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   try {
     std::vector<std::string> names;
-    for (const Json& zone : Json::parse(file).at("zones")) names.push_back(zone.at("zone"));
+    const Json json = Json::parse(file);
+    for (const Json& zone : json.at("zones")) names.push_back(zone.at("zone"));
     return names;
   } catch (const nlohmann::json::exception&) {
     return Error{path, "is not a list of zones written by citykiln"};

@@ -13,7 +13,7 @@ namespace {
 // The mean radius of the Earth, and the length of a degree of latitude at the poles, the longest.
 constexpr double kRadius_m = 6371000, kDegree_m = 111694;
 // OSM's grid of coordinates.
-constexpr double kStep_deg = 1e-7;
+constexpr double kStepsOfDegree = 1e7;
 
 // Where a box is widest.
 double widest_m(const source::LonLatBox& box) {
@@ -25,7 +25,7 @@ double widest_m(const source::LonLatBox& box) {
 double cut(double low, double high, int i, int count) {
   if (i == 0) return low;
   if (i == count) return high;
-  return std::floor((low + (high - low) * i / count) / kStep_deg + 0.5) * kStep_deg;
+  return std::floor((low + (high - low) * i / count) * kStepsOfDegree + 0.5) / kStepsOfDegree;
 }
 
 int pieces(double length_m, double most_m) { return std::max(1, static_cast<int>(std::ceil(length_m / most_m))); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/for_each_slot.h"
@@ -93,6 +94,28 @@ void add_to(ByTile& tiles, const ByTile& more) {
   }
 }
 
+// Puts each line into every tile that plants on or beside one of its segments may depend on. The box of a long line
+// would touch tiles far away from it.
+// @param half_m  Half the width of a line; none: it belongs to no tile.
+template <typename Line, typename HalfWidth>
+ByTile by_segments(const TileGrid& grid, std::span<const Line> lines, HalfWidth half_m) {
+  std::vector<Box2> boxes;
+  std::vector<std::uint32_t> line_of;
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    const std::optional<double> half = half_m(lines[i]);
+    for (std::size_t s = 0; half && s + 1 < lines[i].axis.size(); ++s) {
+      boxes.push_back(near_tile(citykiln::box_of(std::span(lines[i].axis).subspan(s, 2)).widened(*half)));
+      line_of.push_back(i);
+    }
+  }
+  ByTile tiles = by_touch(grid, std::span<const Box2>(boxes), [](const Box2& box) { return box; });
+  for (std::vector<std::uint32_t>& tile : tiles) {
+    for (std::uint32_t& segment : tile) segment = line_of[segment];
+    sort_unique(tile);
+  }
+  return tiles;
+}
+
 // Puts spans into the tiles whose ground they grade, and into the tile that bakes them.
 ByTile spans_by_tile(const TileGrid& grid, std::span<const structures::Span> spans) {
   ByTile tiles = by_touch(grid, spans, [](const structures::Span& s) {
@@ -104,8 +127,8 @@ ByTile spans_by_tile(const TileGrid& grid, std::span<const structures::Span> spa
 
 // Puts barriers into the tile of their first point, hedges into all tiles that they touch.
 ByTile barriers_by_tile(const TileGrid& grid, std::span<const props::Barrier> barriers) {
-  ByTile hedges = by_touch(grid, barriers, [](const props::Barrier& b) {
-    return b.kind == map::BarrierKind::kHedge ? near_tile(citykiln::box_of(b.axis)) : Box2{};
+  ByTile hedges = by_segments(grid, barriers, [](const props::Barrier& b) {
+    return b.kind == map::BarrierKind::kHedge ? std::optional(0.0) : std::nullopt;
   });
   add_to(hedges, by_anchor(grid, barriers, [](const props::Barrier& b) { return b.axis.front(); }));
   return hedges;
@@ -115,26 +138,24 @@ Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(bu
 
 Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::LandCoverPolygon> junctions) {
   const plants::Plants& plants = recipes.plants;
-  return {
-      .surfaces = by_touch(grid, std::span(recipes.surfaces), ground::box_of),
-      .roads = by_touch(grid, std::span(recipes.roads), box_of_road),
-      .junctions = by_touch(grid, junctions, ground::box_of),
-      .watercourses = by_touch(grid, std::span(recipes.watercourses), box_of_strip),
-      .near_buildings = by_touch(grid, std::span(recipes.buildings),
-                                 [](const auto& b) { return citykiln::box_of(b.footprint.outer); }),
-      .buildings = by_anchor(grid, std::span(recipes.buildings), anchor_of),
-      .bridges = spans_by_tile(grid, recipes.structures.bridges),
-      .tunnels = spans_by_tile(grid, recipes.structures.tunnels),
-      .trees = by_touch(grid, std::span(plants.trees),
-                        [](const auto& t) {
-                          return near_tile({t.at, t.at});
-                        }),
-      .tree_rows =
-          by_touch(grid, std::span(plants.rows), [](const auto& r) { return near_tile(citykiln::box_of(r.axis)); }),
-      .corridors = by_touch(grid, std::span(plants.corridors),
-                            [](const auto& c) { return near_tile(citykiln::box_of(c.axis).widened(c.width_m / 2)); }),
-      .barriers = barriers_by_tile(grid, recipes.props.barriers),
-      .lamps = by_anchor(grid, std::span(recipes.props.lamps), [](const auto& lamp) { return lamp.at; })};
+  return {.surfaces = by_touch(grid, std::span(recipes.surfaces), ground::box_of),
+          .roads = by_touch(grid, std::span(recipes.roads), box_of_road),
+          .junctions = by_touch(grid, junctions, ground::box_of),
+          .watercourses = by_touch(grid, std::span(recipes.watercourses), box_of_strip),
+          .near_buildings = by_touch(grid, std::span(recipes.buildings),
+                                     [](const auto& b) { return citykiln::box_of(b.footprint.outer); }),
+          .buildings = by_anchor(grid, std::span(recipes.buildings), anchor_of),
+          .bridges = spans_by_tile(grid, recipes.structures.bridges),
+          .tunnels = spans_by_tile(grid, recipes.structures.tunnels),
+          .trees = by_touch(grid, std::span(plants.trees),
+                            [](const auto& t) {
+                              return near_tile({t.at, t.at});
+                            }),
+          .tree_rows = by_segments(grid, std::span(plants.rows), [](const auto&) { return std::optional(0.0); }),
+          .corridors = by_segments(grid, std::span(plants.corridors),
+                                   [](const auto& c) { return std::optional(c.width_m / 2); }),
+          .barriers = barriers_by_tile(grid, recipes.props.barriers),
+          .lamps = by_anchor(grid, std::span(recipes.props.lamps), [](const auto& lamp) { return lamp.at; })};
 }
 
 template <typename Object>

@@ -102,6 +102,21 @@ class Plan(ProgramTest):
         self.assertTrue((plan / "out" / "3dtiles" / "tileset.json").exists())
         self.assertEqual(run("check", plan / "out").returncode, 0)
 
+    def test_zones_are_plans_of_their_own_and_every_command_goes_over_them(self):
+        if shutil.which("ninja") is None:
+            self.skipTest("ninja is missing")
+        plan = self.planned("--zone", 1200)
+        zones = json.loads((plan / "zones.json").read_text())["zones"]
+        self.assertEqual([zone["zone"] for zone in zones], ["0_0", "1_0"])
+        self.assertEqual(zones[0]["box_deg"][2], zones[1]["box_deg"][0])
+        self.assertEqual(run("gather", plan).returncode, 1)
+        done = subprocess.run(["ninja", "-C", str(plan)], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(run("plan", "--status", plan).stdout.count(" done"), 2)
+        self.assertEqual(run("gather", plan).returncode, 0)
+        for zone in zones:
+            self.assertTrue((plan / "zones" / zone["zone"] / "out" / "report.json").exists())
+
     def test_a_corrupt_region_fails_alone_with_one_line(self):
         plan = self.planned()
         regions = self.regions_of(plan)

@@ -205,6 +205,14 @@ class Radii(ProgramTest):
             with self.subTest(stage=stage):
                 self.assertEqual(self.seen(stage, 1.02 * radii()[stage] + 2), self.seen(stage, None))
 
+    def test_a_line_is_in_no_tile_that_only_its_box_touches(self):
+        made = base()
+        made.way([(-400, -300), (-400, 600), (600, 600)], power="line")
+        (self.folder / "bent.osm").write_text(made.text())
+        out = self.compiled("bent", self.folder / "bent.osm", "--emit", "kiln", "--tile", TILE_M, "--only", "0_0,-2_0")
+        chunks = Manifest((out / "scene.kiln").read_bytes()).chunks
+        self.assertEqual([len(chunks[tile].corridors) for tile in ((0, 0), (-2, 0))], [0, 1])
+
     def test_what_is_near_changes_something(self):
         for stage, (*_, near) in CASES.items():
             with self.subTest(stage=stage):
