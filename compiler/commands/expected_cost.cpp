@@ -2,7 +2,7 @@
 // Chicago, Neubrandenburg, Berlin-Reinickendorf, St. Moritz, Kyoto, Liechtenstein, Los Angeles, Niteroi), regions of
 // 512 and 1024 m, one thread, processor time. On 37 regions of other places (Andorra la Vella, Boston, Helsinki,
 // Dublin, Nice, Berlin-Adlershof, Baltimore, Frederiksted), at all default levels, the median error of time is 16%, of
-// memory 25%, of bytes 46%.
+// memory 25%, of bytes 46%. The form of the model was chosen with these in view, so other places may be worse.
 #include "compiler/commands/expected_cost.h"
 
 #include <algorithm>
