@@ -278,7 +278,7 @@ TEST(Ground, CellsOfUnequalTolerancesMeetVertexForVertex) {
 GradedTerrain graded_in_the_east(const Heightfield& field) {
   roads::Road road;
   road.id = {{OsmType::kWay, 99}, 0};
-  road.axis = {{170, -40}, {175, 60}, {168, 170}};
+  road.axis = {{230, -40}, {235, 60}, {228, 170}};
   road.surface = LandCoverClass::kResidentialRoad;
   road.section.lanes = {{}};
   road.profile = {{0, 30, 0}, {100, 35, 0}, {212, 25, 0}};
