@@ -166,16 +166,17 @@ Result<Exit> plan_extent(const Request& request, const CompileSpec& spec, const 
 
 /// Plans each zone in a folder of its own, and writes the lists over all of them.
 Result<Exit> plan_zones(const Request& request, const CompileSpec& spec, const std::vector<regions::Zone>& zones,
-                        const Console& console) {
+                        const Report& of_extent, const Console& console) {
   if (spec.map.origin)
     return Error{"--origin",
-                 fmt::format("the area is wider than {:.0f} km and has {} zones, each with an origin of its "
+                 fmt::format("the area is cut into {} zones of at most {:.0f} m, each with an origin of its "
                              "own; leave the origin out",
-                             regions::kZoneSide_m / 1000, zones.size())};
+                             zones.size(), request.zone_m)};
   for (const regions::Zone& zone : zones) {
     CompileSpec of_zone = spec;
     of_zone.outputs.folder = zone_path(spec.outputs.folder, to_string(zone));
-    Report report;
+    // what was diagnosed of the whole extent is told once
+    Report report = &zone == &zones.front() ? of_extent : Report();
     const Result<Exit> planned = plan_extent(request, of_zone, zone.box, report, console);
     if (!planned) return planned;
     console.print_line(
@@ -199,7 +200,7 @@ Result<Exit> plan_map(const Request& request, const Console& console) {
   const Result<source::LonLatBox> extent = extent_of(*spec, report);
   if (!extent) return extent.error();
   const std::vector<regions::Zone> zones = regions::zones_of(*extent, request.zone_m);
-  if (zones.size() > 1) return plan_zones(request, *spec, zones, console);
+  if (zones.size() > 1) return plan_zones(request, *spec, zones, report, console);
   return plan_extent(request, *spec, *extent, report, console);
 }
 

@@ -16,23 +16,23 @@ bool is_on_street(const ProfileGraph& graph, std::uint32_t node) {
 }
 
 // Returns by node the greatest height that ground nodes allow, each `most_m(node)` above its own, and lines for which
-// `reaches(track)` holds as far above as their grade limits. Heights have their signs changed.
+// `reaches(track)` holds as far above as their grade limits, up to kPinRadius_m. Heights have their signs changed.
 template <typename Most, typename Reaches>
 std::vector<double> caps_near_ground(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> down_m,
                                      Most most_m, Reaches reaches) {
-  std::vector<double> cap_m(down_m.size(), std::numeric_limits<double>::infinity());
-  std::vector<GraphWalk::Start> starts;
-  for (std::uint32_t n = 0; n < down_m.size(); ++n)
-    if (graph.nodes[n].is_on_ground) starts.emplace_back(down_m[n] + most_m(n), n);
-  constexpr double kAll = std::numeric_limits<double>::max();
   const auto cost_of = [&](const Leg& leg) {
     return reaches(*graph.ways[leg.way].track) ? limit_of(graph, leg) * leg.length_m
                                                : std::numeric_limits<double>::infinity();
   };
-  walk.from(starts, kAll, cost_of, [&](std::uint32_t node, double at_m) {
-    cap_m[node] = at_m;
-    return true;
-  });
+  std::vector<double> cap_m(down_m.size(), std::numeric_limits<double>::infinity());
+  for (std::uint32_t n = 0; n < down_m.size(); ++n) {
+    if (!graph.nodes[n].is_on_ground) continue;
+    const double own_m = down_m[n] + most_m(n);
+    walk.from(n, kPinRadius_m, cost_of, [&](std::uint32_t node, double up_m) {
+      cap_m[node] = std::min(cap_m[node], own_m + up_m);
+      return true;
+    });
+  }
   return cap_m;
 }
 

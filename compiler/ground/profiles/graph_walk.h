@@ -69,7 +69,7 @@ double limit_of(const ProfileGraph& graph, const Leg& leg);
 /// Returns whether a way may exceed its limit for a clearance: streets and paths, not rails, motorways and runways.
 bool may_be_steeper(const ProfileGraph& graph, std::uint32_t way);
 
-/// A pinned node caps heights up to this far above its own.
+/// A node caps heights up to this far above its own.
 inline constexpr double kPinRadius_m = 64;
 
 /// Returns by node the greatest height that the grade limits allow above pinned nodes; infinity where none is near.
@@ -89,8 +89,8 @@ struct LoweringCaps {
 };
 
 /// Returns how low lines may lie: on the ground at most kMaxCutting_m below the heights given, streets at most
-/// kMaxCuttingForAccess_m for access roads; tunnels as far below the ground at their ends as their grade limits reach;
-/// no lower than the grade limits allow near pinned nodes. O(n log n).
+/// kMaxCuttingForAccess_m for access roads; tunnels, and access roads beside streets, as far below that as their grade
+/// limits reach; no lower than the grade limits allow near pinned nodes. Influence: kPinRadius_m of height.
 LoweringCaps lowering_caps(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> ground_m);
 
 }  // namespace citykiln::ground
