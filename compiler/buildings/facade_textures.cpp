@@ -68,11 +68,13 @@ SurfaceMaterial mean_material(const Impostor& impostor) {
 }
 
 // Renders with samples at most kMaxSampleSpacing_m apart and averages: with coarser ones the colour would depend on
-// where a row of windows meets the samples.
+// where a row of windows meets the samples. Pictures are no larger than kMaxTexelsPerFace for that: of kilometres of
+// wall even coarse samples meet many windows.
 Impostor render_supersampled(const impostor::Model& model, View view) {
   constexpr double kMaxSampleSpacing_m = 0.2;
+  const auto has_room = [&] { return std::uint64_t{view.columns} * view.rows * 4 <= kMaxTexelsPerFace; };
   std::uint32_t halvings = 0;
-  for (; view.texel_m > kMaxSampleSpacing_m * impostor::kSamplesPerSide; ++halvings)
+  for (; view.texel_m > kMaxSampleSpacing_m * impostor::kSamplesPerSide && has_room(); ++halvings)
     view.texel_m /= 2, view.columns *= 2, view.rows *= 2;
   Impostor impostor = impostor::render(model, view);
   for (; halvings > 0; --halvings) impostor.picture = halved(impostor.picture);
