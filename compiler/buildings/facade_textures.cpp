@@ -67,17 +67,12 @@ SurfaceMaterial mean_material(const Impostor& impostor) {
   return {material, tint_towards(material, paint)};
 }
 
-// Renders with samples at most kMaxSampleSpacing_m apart and averages: with coarser ones the colour would depend on
-// where a row of windows meets the samples. Pictures are no larger than kMaxTexelsPerFace for that: of kilometres of
-// wall even coarse samples meet many windows.
+// Renders with smaller texels and averages them.
 Impostor render_supersampled(const impostor::Model& model, View view) {
-  constexpr double kMaxSampleSpacing_m = 0.2;
-  const auto has_room = [&] { return std::uint64_t{view.columns} * view.rows * 4 <= kMaxTexelsPerFace; };
-  std::uint32_t halvings = 0;
-  for (; view.texel_m > kMaxSampleSpacing_m * impostor::kSamplesPerSide && has_room(); ++halvings)
-    view.texel_m /= 2, view.columns *= 2, view.rows *= 2;
+  const std::uint32_t halvings = halvings_for(view);
+  view.texel_m /= 1u << halvings, view.columns <<= halvings, view.rows <<= halvings;
   Impostor impostor = impostor::render(model, view);
-  for (; halvings > 0; --halvings) impostor.picture = halved(impostor.picture);
+  for (std::uint32_t i = 0; i < halvings; ++i) impostor.picture = halved(impostor.picture);
   return impostor;
 }
 
@@ -167,6 +162,16 @@ struct FacadeBuilder {
 };
 
 }  // namespace
+
+std::uint32_t halvings_for(const View& view) {
+  constexpr double kMaxSampleSpacing_m = 0.2;
+  std::uint64_t texels = std::uint64_t{view.columns} * view.rows * 4;
+  double texel_m = view.texel_m;
+  std::uint32_t halvings = 0;
+  for (; texel_m > kMaxSampleSpacing_m * impostor::kSamplesPerSide && texels <= kMaxTexelsPerFace; ++halvings)
+    texel_m /= 2, texels *= 4;
+  return halvings;
+}
 
 FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& detailed, double texel_m,
                              double tolerance_m, OsmId feature) {

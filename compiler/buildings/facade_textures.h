@@ -43,4 +43,9 @@ inline constexpr std::uint32_t kMinTexels = 9;
 /// A face of 300 by 400 m at 0.5 m; larger ones are roofs of halls.
 inline constexpr std::uint32_t kMaxTexelsPerFace = 1u << 19;
 
+/// How often the texels of a face's picture are halved while it is rendered: until samples lie at most 0.2 m apart
+/// (else the colour would depend on where a row of windows meets the samples), or until one more halving would exceed
+/// kMaxTexelsPerFace (a face of kilometres).
+std::uint32_t halvings_for(const impostor::View& view);
+
 }  // namespace citykiln::buildings

@@ -69,6 +69,16 @@ Shown shown_by(const GeneratedBuilding& house) {
 
 bool is_glass(const impostor::Texel& texel) { return texel.roughness < 100; }
 
+// Memory grows with the texels that are rendered, not with those that are kept.
+TEST(FacadeTextures, AreRenderedWithALimitedNumberOfTexels) {
+  impostor::View wall, kilometres;
+  wall.texel_m = 5, wall.columns = 4, wall.rows = 2;
+  kilometres.texel_m = 5, kilometres.columns = 800, kilometres.rows = 600;
+  EXPECT_GT(halvings_for(wall), 0u);
+  EXPECT_LE(5.0 / (1u << halvings_for(wall)), 0.2 * impostor::kSamplesPerSide);
+  EXPECT_LE((std::uint64_t{kilometres.columns} * kilometres.rows) << (2 * halvings_for(kilometres)), kMaxTexelsPerFace);
+}
+
 TEST(FacadeTextures, ShowWindows) {
   for (const Style style : {Style::kPanelBlock, Style::kOldTownHouse, Style::kOfficeSlab}) {
     const GeneratedBuilding block = expanded(house(style, 30, 18), 0.5);
