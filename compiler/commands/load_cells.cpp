@@ -101,7 +101,8 @@ std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const V
                                              {.width_px = viewing.width_px,
                                               .height_px = viewing.height_px,
                                               .pixel_error = request.pixel_error,
-                                              .unseen_deg = request.unseen_deg});
+                                              .unseen_deg = request.unseen_deg,
+                                              .finest_m = request.finest_m});
   return std::make_shared<preview::CellSource>(std::move(scene), view);
 }
 

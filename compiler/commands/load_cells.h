@@ -18,6 +18,7 @@ struct CellRequest {
   std::size_t budget_bytes = 0;  ///< 0: default_budget_bytes().
   double pixel_error = 0.5;      ///< Largest error in the picture, pixels.
   double unseen_deg = 0;         ///< Largest angle of errors that only scattered light and reflections show.
+  double finest_m = 0.02;        ///< The smallest tolerance, however near the eye. > 0.
 };
 
 /// Pictures of a scene.

@@ -14,17 +14,18 @@ namespace citykiln::commands {
 
 /// A place to be shown.
 struct PlaceToShow {
-  Vec2 at;              ///< Plane metres. The picture's middle is the highest surface there.
-  double extent_m = 0;  ///< Of what is to be seen; the camera is about as far away as this needs.
-  std::string tile{};   ///< Path of a .glb: the picture shows this tile alone; empty: the recipes.
-  std::string picture;  ///< Path of the PNG to write.
+  Vec2 at;               ///< Plane metres.
+  double extent_m = 0;   ///< Of what is to be seen; the camera is about as far away as this needs.
+  bool on_roofs = true;  ///< The picture's middle is the highest surface; else the lowest that can be seen.
+  std::string tile{};    ///< Path of a .glb: the picture shows this tile alone; empty: the recipes.
+  std::string picture;   ///< Path of the PNG to write.
 };
 
 /// Renders a picture of each place. A camera is chosen by rays: low, from the sunny side, where nothing hides the
 /// place; from above where no such view is found.
 ///
-/// Recipes are generated near the places only. Pictures do not depend on each other. Errors: a file that cannot be
-/// written, a tile that cannot be read. Cost: a second or two for each picture.
+/// Recipes are generated near the places only, with errors of up to two pixels. Pictures do not depend on each other.
+/// Errors: a file that cannot be written, a tile that cannot be read. Cost: a second or two for each picture.
 Result<Done> write_place_pictures(const scene::Scene& scene, std::span<const PlaceToShow> places, int threads,
                                   const OnProgress& on_progress);
 

@@ -92,7 +92,7 @@ void Page::add(const verify::PlacesOfKind& kind, const verify::WorstPlace& place
   if (place.at) {
     const std::string name = fmt::format("pictures/{:04}.png", shots.size());
     const std::string tile = place.file.empty() ? "" : run.folder + "/" + place.file;
-    shots.push_back({*place.at, extent_m_of(kind, place), tile, folder + "/" + name});
+    shots.push_back({*place.at, extent_m_of(kind, place), kind.on_roofs, tile, folder + "/" + name});
     html += fmt::format(R"(<div class="shot"><img loading="lazy" src="{}" alt=""></div>)", name);
   }
   html += fmt::format("<figcaption><b>{:.4g}</b>", place.size);

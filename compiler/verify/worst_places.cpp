@@ -41,6 +41,9 @@ constexpr Code kShown[] = {
     Code::kBadTagValue,
 };
 
+constexpr Code kOnRoofs[] = {Code::kHeightRaised, Code::kUnsupportedBuilding, Code::kRoofFallback,
+                             Code::kRuleErrors,   Code::kDuplicateBuilding,   Code::kMinHeightNotBelowHeight};
+
 // Keeps the largest place of each object, and of all the largest.
 void keep_worst(PlacesOfKind& kind, std::size_t most) {
   std::ranges::stable_sort(kind.worst, std::ranges::greater{}, &WorstPlace::size);
@@ -99,6 +102,7 @@ WorstPlace place_of(const Finding& finding, const map::Plane& plane) {
 void add_diagnoses(std::span<const Finding> findings, const map::Plane& plane, std::vector<PlacesOfKind>& kinds) {
   for (const Code code : kShown) {
     PlacesOfKind kind{std::string(name_of(code)), std::string(text_of(code)), 0, {}};
+    kind.on_roofs = std::ranges::find(kOnRoofs, code) != std::end(kOnRoofs);
     for (const Finding& finding : findings)
       if (finding.diagnosis.code == code) kind.worst.push_back(place_of(finding, plane));
     kinds.push_back(std::move(kind));

@@ -27,6 +27,7 @@ struct PlacesOfKind {
   std::string name, text;         ///< "TooSteep" and what it means.
   std::size_t count = 0;          ///< Of all, also those that are not among `worst`.
   std::vector<WorstPlace> worst;  ///< The largest first.
+  bool on_roofs = false;          ///< The places are on the highest surfaces; else on the ground, or on a road.
 };
 
 /// Returns every kind that has places: guarantees that do not hold, clearances, cuts and fills, then diagnoses, without

@@ -64,7 +64,7 @@ bake::Sight sight_of(const Camera& camera, int width_px, int height_px) {
 bake::View cell_view(const scene::Scene& scene, std::span<const Camera> cameras, const CellFineness& fineness) {
   assert(!cameras.empty() && fineness.pixel_error > 0 && fineness.unseen_deg >= 0);
   const std::vector<Vec3> eyes = eyes_of(cameras);
-  bake::View view{.eye = eyes.front(), .pixel_error = fineness.pixel_error};
+  bake::View view{.eye = eyes.front(), .pixel_error = fineness.pixel_error, .finest_m = fineness.finest_m};
   for (const Camera& camera : cameras)
     view.focal_px = std::max(view.focal_px, bake::focal_length_px(fineness.height_px, camera.vertical_fov_deg));
   if (eyes.size() > 1) {

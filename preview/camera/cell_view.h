@@ -14,6 +14,7 @@ struct CellFineness {
   int width_px = 0, height_px = 0;  ///< Of each picture. > 0.
   double pixel_error = 0.5;         ///< Largest error of what pictures show, pixels. > 0.
   double unseen_deg = 0;            ///< Largest angle of errors that only scattered light and reflections show. >= 0.
+  double finest_m = 0.02;           ///< The smallest tolerance, however near the eye. > 0.
 };
 
 /// The eyes of cameras, those at the end of a motion too. Plane metres.
