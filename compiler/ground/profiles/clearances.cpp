@@ -64,7 +64,8 @@ std::vector<double> Clearer::floors() {
   for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
     const std::span<const Leg> legs = graph.legs_of(n);
     if (std::ranges::none_of(legs, in_tunnel)) continue;
-    if (!graph.nodes[n].is_pinned && std::ranges::all_of(legs, in_tunnel)) continue;
+    const bool is_kept = graph.nodes[n].is_pinned && !graph.nodes[n].is_free_end;
+    if (!is_kept && std::ranges::all_of(legs, in_tunnel)) continue;
     walk.from(
         n, kMaxTotalLift_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
         [&](std::uint32_t node, double cost_m) {

@@ -60,6 +60,7 @@ struct Builder {
   void link();
   bool goes_on(std::uint32_t node) const;
   void pin();
+  void pin_to_path(std::uint32_t at, bool is_approach_path);
   void pin_free_ends();
 };
 
@@ -291,6 +292,16 @@ bool Builder::goes_on(std::uint32_t node) const {
          1;
 }
 
+// The end of a tunnel may fall where it meets approach paths alone, such as the steps of an underpass.
+void Builder::pin_to_path(std::uint32_t at, bool is_approach_path) {
+  GraphNode& node = graph.nodes[at];
+  if (node.is_on_ground || goes_on(at)) return;
+  const auto is_tunnel = [&](const Leg& leg) { return graph.ways[leg.way].track->passage == Passage::kTunnel; };
+  const bool may_fall = is_approach_path && std::ranges::all_of(graph.legs_of(at), is_tunnel);
+  node.is_free_end = may_fall && (node.is_free_end || !node.is_pinned);
+  node.is_pinned = true;
+}
+
 // Pins nodes where a bridge or tunnel meets a path that follows the ground, and free ends of bridges.
 void Builder::pin() {
   std::vector<std::pair<std::int64_t, std::uint32_t>> off;
@@ -309,9 +320,7 @@ void Builder::pin() {
     if (is_approach[t] && lines != Lines::kGraded) continue;
     for (const std::int64_t id : track.node_ids) {
       auto found = std::ranges::lower_bound(off, id, {}, &std::pair<std::int64_t, std::uint32_t>::first);
-      for (; found != off.end() && found->first == id; ++found)
-        if (!graph.nodes[found->second].is_on_ground && !goes_on(found->second))
-          graph.nodes[found->second].is_pinned = true;
+      for (; found != off.end() && found->first == id; ++found) pin_to_path(found->second, is_approach[t]);
     }
   }
   pin_free_ends();

@@ -37,7 +37,8 @@ struct GraphNode {
   Vec2 at;                    ///< Plane metres.
   bool is_on_ground = false;  ///< Of a way on the ground.
   bool is_pinned = false;     ///< Stays on the ground: where a bridge or tunnel meets a path that follows the ground.
-  bool is_free_end = false;   ///< A bridge's end that meets nothing: pinned, but may rise.
+  bool is_free_end = false;   ///< Pinned, but may rise or fall: a bridge's end that meets nothing, or a tunnel's that
+                              ///< meets approach paths alone.
   std::uint32_t junction = kNone;  ///< The junction plane that it lies on.
   std::uint32_t first_leg = 0, legs = 0;
 };

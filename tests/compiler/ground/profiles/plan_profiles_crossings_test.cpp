@@ -220,6 +220,20 @@ TEST(Profiles, AStackClearsStoreyByStorey) {
 
 constexpr auto kFootway = LandCoverClass::kPavedFootPath;
 
+TEST(Profiles, AnUnderpassBetweenStepsGoesDownAndLeavesTheRailwayLevel) {
+  map::Features f;
+  f.tracks = {track(1, {{0, -800}, {0, 800}}, LandCoverClass::kRailway),
+              track(2, {{-9, 0}, {9, 0}}, LandCoverClass::kPedestrianStreet, Passage::kTunnel, -1),
+              track(3, {{-30, 0}, {-9, 0}}, LandCoverClass::kSteps),
+              track(4, {{9, 0}, {30, 0}}, LandCoverClass::kSteps)};
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  EXPECT_EQ(p.report.counts().count(Code::kClearanceNotMet), 0u);
+  EXPECT_LT(height_m(p.profiles.off_ground[0], 9), 40 - kClearanceOverPath_m);
+  const auto railway = std::ranges::find(p.profiles.roads, ObjectId{{OsmType::kWay, 1}}, &roads::Road::id);
+  ASSERT_NE(railway, p.profiles.roads.end());
+  for (const Knot& k : railway->profile) EXPECT_EQ(k.z_m, 40);
+}
+
 TEST(Profiles, ReportAClearanceThatIsNotMet) {
   // the bridge ends on paths too long to rise with it
   map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
