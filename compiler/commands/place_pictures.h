@@ -25,7 +25,8 @@ struct PlaceToShow {
 /// place; from above where no such view is found.
 ///
 /// Recipes are generated near the places only, with errors of up to two pixels. Pictures do not depend on each other.
-/// Errors: a file that cannot be written, a tile that cannot be read. Cost: a second or two for each picture.
+/// Errors: a file that cannot be written, a tile that cannot be read. Cost: two to three seconds of one core for each
+/// picture.
 Result<Done> write_place_pictures(const scene::Scene& scene, std::span<const PlaceToShow> places, int threads,
                                   const OnProgress& on_progress);
 
