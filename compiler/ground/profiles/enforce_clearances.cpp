@@ -55,6 +55,8 @@ struct Enforcer {
   double cost_m(const Leg& leg, std::uint32_t from) const;
   void reach(std::uint32_t unit, double cost_there_m);
   void spread(const Push& push, std::vector<double>& up_m);
+  double room_m(std::uint32_t unit, std::span<const double> cap_m) const;
+  void hold_back(std::span<const double> cap_m, std::vector<double>& by_m);
   bool push_up(std::span<const Push> pushes, std::span<const double> cap_m);
   bool raise(Upper upper);
   bool lower();
@@ -123,19 +125,49 @@ void Enforcer::reach(std::uint32_t unit, double cost_there_m) {
   std::ranges::push_heap(queue, std::greater<>());
 }
 
+// Returns how far the caps of its nodes let a unit rise; 0 where it is above them.
+double Enforcer::room_m(std::uint32_t unit, std::span<const double> cap_m) const {
+  double least_m = kFar_m;
+  for (const std::uint32_t n : units.members(unit))
+    least_m = std::min({least_m, cap_m[n] - z_m[n], start_m[n] + kMaxEnforced_m - z_m[n]});
+  return std::max(least_m, 0.0);
+}
+
+// Limits the rise of units to their room. What a unit cannot rise holds back its neighbours (Dijkstra 1959), so that no
+// line to it becomes steeper than its limit.
+void Enforcer::hold_back(std::span<const double> cap_m, std::vector<double>& by_m) {
+  const auto hold = [&](std::uint32_t unit, double most_m) {
+    if (most_m >= by_m[unit]) return;
+    by_m[unit] = most_m;
+    queue.emplace_back(most_m, unit);
+    std::ranges::push_heap(queue, std::greater<>());
+  };
+  for (std::uint32_t u = 0; u < units.count(); ++u)
+    if (by_m[u] > 0) hold(u, room_m(u, cap_m));
+  while (!queue.empty()) {
+    std::ranges::pop_heap(queue, std::greater<>());
+    const auto [here_m, unit] = queue.back();
+    queue.pop_back();
+    if (here_m > by_m[unit]) continue;
+    for (const std::uint32_t n : units.members(unit))
+      for (const Leg& leg : graph.legs_of(n)) {
+        const double slack_m = limit_of(graph, leg) * leg.length_m - (z_m[leg.to] - z_m[n]);
+        if (units.of[leg.to] != unit) hold(units.of[leg.to], here_m + std::max(slack_m, 0.0));
+      }
+  }
+}
+
 // Moves units up by what they are pushed, below the caps of pinned nodes; returns whether any moved.
 bool Enforcer::push_up(std::span<const Push> pushes, std::span<const double> cap_m) {
   if (pushes.empty()) return false;
   std::vector<double> up_m(units.count(), -kFar_m);
   for (const Push& push : pushes) spread(push, up_m);
+  for (double& by_m : up_m) by_m = by_m > -kFoot_m ? soft_max(0, by_m) : 0;
+  hold_back(cap_m, up_m);
   bool has_moved = false;
   for (std::uint32_t u = 0; u < units.count(); ++u) {
-    if (up_m[u] <= -kFoot_m) continue;
-    double by_m = soft_max(0, up_m[u]);
-    for (const std::uint32_t n : units.members(u))
-      by_m = std::min({by_m, cap_m[n] - z_m[n], start_m[n] + kMaxEnforced_m - z_m[n]});
-    if (by_m <= 0) continue;
-    for (const std::uint32_t n : units.members(u)) z_m[n] += by_m;
+    if (up_m[u] <= 0) continue;
+    for (const std::uint32_t n : units.members(u)) z_m[n] += up_m[u];
     has_moved = true;
   }
   return has_moved;

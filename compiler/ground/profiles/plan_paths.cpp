@@ -9,6 +9,7 @@
 #include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/profiles/clearance_shortfalls.h"
 #include "compiler/ground/profiles/clearances.h"
+#include "compiler/ground/profiles/diagnose_profiles.h"
 #include "compiler/ground/profiles/enforce_clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
 #include "compiler/ground/profiles/grade_rules.h"
@@ -171,6 +172,7 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
   std::vector<double> z_m = enforce_clearances(paths, crossings, lines_m, limit_grades(paths, cleared_m));
   const std::vector<bool> is_below = pass_below(paths, crossings);
   straighten_decks(paths, is_below, z_m);
+  diagnose_profiles(paths, lines_m, z_m, report);
   const JunctionPlanes planes{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
   for (std::size_t w = 0; w < paths.ways.size(); ++w) {
     const GraphWay& way = paths.ways[w];

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/ground/grading/road_influence.h"
 #include "compiler/ground/profiles/clearances.h"
+#include "compiler/ground/profiles/diagnose_profiles.h"
 #include "compiler/ground/profiles/enforce_clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
-#include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
 #include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/plan_paths.h"
@@ -18,37 +17,6 @@
 
 namespace citykiln::ground {
 namespace {
-
-// Smaller excess over the limit is rounding.
-constexpr double kSteepMargin = 0.005;
-// Smoothing alone lowers tunnels by about this.
-constexpr double kDugMargin_m = 2;
-
-void report_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& report) {
-  for (const GraphWay& way : graph.ways) {
-    const double limit = graph.limit_scale * grade_rule_of(way.track->surface).limit;
-    const std::span<const Station> stations = graph.stations_of(way);
-    double steepest = 0;
-    for (std::size_t s = 1; s < stations.size(); ++s) {
-      const double run_m = std::max(stations[s].at_m - stations[s - 1].at_m, 1.0);
-      steepest = std::max(steepest, std::abs(z_m[stations[s].node] - z_m[stations[s - 1].node]) / run_m);
-    }
-    if (steepest > limit + kSteepMargin) report.add(Code::kTooSteep, way.track->id.osm, steepest);
-  }
-}
-
-// Reports how far below the line between its mouths a tunnel was lowered.
-void report_lowered_tunnels(const ProfileGraph& graph, std::span<const double> lines_m, std::span<const double> z_m,
-                            Report& report) {
-  for (const GraphWay& way : graph.ways) {
-    if (way.track->passage != map::Passage::kTunnel) continue;
-    double deepest_m = 0;
-    for (const Station& station : graph.stations_of(way)) {
-      deepest_m = std::max(deepest_m, lines_m[station.node] - z_m[station.node]);
-    }
-    if (deepest_m > kDugMargin_m) report.add(Code::kTunnelLowered, way.track->id.osm, deepest_m);
-  }
-}
 
 void report_free_ends(const ProfileGraph& graph, Report& report) {
   for (const GraphWay& way : graph.ways) {
@@ -148,8 +116,7 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
       profiles.roads[way.road].profile = knots_of(graph, way, planes);
     }
   }
-  report_steep(graph, planes.z_m, report);
-  report_lowered_tunnels(graph, lines_m, planes.z_m, report);
+  diagnose_profiles(graph, lines_m, planes.z_m, report);
   report_free_ends(graph, report);
   return plan_paths(features, std::move(profiles), {streams, waters, heights}, report);
 }

@@ -150,6 +150,23 @@ TEST(EnforceClearances, NoCuttingIsDeeperThanItsLimit) {
   EXPECT_GT(deepest_on_ground_m(m, z_m, kStreet), 4);
 }
 
+TEST(EnforceClearances, ADrivewayIsNoSteeperWhereItsStreetCannotBeLowered) {
+  // a driveway that ends a little beyond its junction, below a bridge that comes down on footpaths on both sides; the
+  // street already lies as low as it may
+  constexpr auto kPath = LandCoverClass::kFootPath, kDeck = LandCoverClass::kPedestrianStreet;
+  constexpr auto kDriveway = LandCoverClass::kServiceRoad;
+  const Made m = made({track(1, {{0, -300}, {0, 0}, {0, 300}}), track(2, {{0, 0}, {8, 0}}, kDriveway),
+                       track(3, {{7.5, -10}, {7.5, 10}}, kDeck, Passage::kBridge, 1),
+                       track(4, {{7.5, 10}, {7.5, 60}}, kPath), track(5, {{7.5, -60}, {7.5, -10}}, kPath)});
+  std::vector<double> low_m = m.level_m;
+  for (std::uint32_t n = 0; n < low_m.size(); ++n)
+    if (m.graph.nodes[n].is_on_ground && !m.graph.nodes[n].is_pinned) low_m[n] -= kMaxCuttingForAccess_m;
+  ASSERT_GT(largest_shortfall_m(m, low_m), 1);
+  const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, low_m);
+  EXPECT_GT(deepest_on_ground_m(m, z_m, kDriveway), kMaxCuttingForAccess_m + 0.1);
+  EXPECT_LE(steepest(m, z_m), 1 + 1e-9);
+}
+
 TEST(EnforceClearances, NothingMovesThatIsClear) {
   const Made m = made(bridge_over_a_street(kStreet));
   std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);

@@ -343,6 +343,19 @@ TEST(Profiles, StepsClimbToTheirFootbridgeAndGoDownToTheirUnderpass) {
   }
 }
 
+TEST(Profiles, FootbridgesAndUnderpassesAreReportedAsTheyAreWritten) {
+  const Planned bridge = planned(footbridge(Passage::kBridge, 1), field_from([](double, double) { return 40; }));
+  EXPECT_EQ(bridge.report.counts().count(Code::kTooSteep), 0u);
+  const Planned tunnel = planned(footbridge(Passage::kTunnel, -1), field_from([](double, double) { return 40; }));
+  EXPECT_EQ(tunnel.report.counts()[Code::kTunnelLowered], 1u);
+  const auto found = std::ranges::find(tunnel.report.diagnoses(), Code::kTunnelLowered, &Diagnosis::code);
+  ASSERT_NE(found, tunnel.report.diagnoses().end());
+  EXPECT_EQ(found->object, (OsmId{OsmType::kWay, 3}));
+  double lowest_m = 40;
+  for (const Knot& knot : tunnel.profiles.off_ground[0]) lowest_m = std::min(lowest_m, knot.z_m);
+  EXPECT_NEAR(found->size, 40 - lowest_m, kKnotError_m + 0.01);
+}
+
 TEST(Profiles, APathOverATunnelIsNotInTheCuttingOfItsMouth) {
   map::Features f;
   f.tracks = {track(1, {{0, -600}, {0, -150}}), track(2, {{0, -150}, {0, 150}}, kStreet, Passage::kTunnel, -1),
