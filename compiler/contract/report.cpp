@@ -1,7 +1,11 @@
 #include "compiler/contract/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+
+#include "compiler/contract/utf8.h"
 
 namespace citykiln {
 namespace {
@@ -35,6 +39,12 @@ bool Account::balances() const {
   std::uint64_t lost = 0;
   for (const auto& [code, count] : dropped) lost += count;
   return in + split == out + merged + lost;
+}
+
+void Report::add_tag(Code code, OsmId object, std::string_view key, std::string_view value) {
+  if (!counts(object)) return;
+  Diagnosis& diagnosis = diagnoses_.emplace_back(Diagnosis{code, object});
+  diagnosis.tag = to_valid_utf8(fmt::format("{}={}", key, value));
 }
 
 void Report::drop(Account& account, Code code, OsmId object, double size) {

@@ -34,6 +34,7 @@ struct Diagnosis {
   double size = 0;                              ///< In the unit that the code's text states; 0 if it states none.
   std::optional<std::array<double, 2>> at_m{};  ///< Where, in the plane; none: where the object is.
   OsmId other{};                                ///< The other of two objects that it is about; none: it is about one.
+  std::string tag{};                            ///< "width=wide": of a tag that it is about, valid UTF-8.
 };
 
 /// An account of the ledger: the objects of one kind in one stage. It balances if in + split = out + merged + dropped.
@@ -60,6 +61,9 @@ class Report {
 
   /// Adds a diagnosis of two objects.
   void add_pair(Code code, OsmId object, OsmId other, double size) { add({code, object, size, {}, other}); }
+
+  /// Adds a diagnosis of a tag of an object. The value may be of any bytes; what is not UTF-8 is replaced.
+  void add_tag(Code code, OsmId object, std::string_view key, std::string_view value);
 
   /// Adds a diagnosis of a place (x, y in the plane) that no one object explains.
   void add_at(Code code, std::array<double, 2> at_m, double size) { add({code, {}, size, at_m}); }

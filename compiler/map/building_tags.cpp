@@ -40,12 +40,11 @@ std::optional<Material> material_of(std::string_view value, const MaterialRow (&
 // The colour of the first key that is tagged.
 std::optional<Srgb> tagged_colour(const ReadContext& context, OsmId id, source::Range tags, std::string_view british,
                                   std::string_view american) {
-  const std::string_view text = context.tag(tags, british);
-  return parsed_tag(context, id, text.empty() ? context.tag(tags, american) : text, colour_of);
+  return parsed_tag(context, id, tags, context.tag(tags, british).empty() ? american : british, colour_of);
 }
 
 std::optional<double> tagged_levels(const ReadContext& context, OsmId id, source::Range tags, std::string_view key) {
-  return number_within(context, id, context.tag(tags, key), 0, kMostLevels);
+  return number_within(context, id, key, context.tag(tags, key), 0, kMostLevels);
 }
 
 // Default heights by area: sheds, houses of two storeys with a roof, town blocks of four to five storeys.
@@ -110,7 +109,7 @@ Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range
   footprint.roof_colour = tagged_colour(context, id, tags, "roof:colour", "roof:color");
   footprint.wall_material = material_of(context.tag(tags, "building:material"), kWalls);
   footprint.roof_material = material_of(context.tag(tags, "roof:material"), kRoofs);
-  footprint.year = parsed_tag(context, id, context.tag(tags, "start_date"), year_of).value_or(0);
+  footprint.year = parsed_tag(context, id, tags, "start_date", year_of).value_or(0);
   footprint.has_shop = is_shop(context, tags);
   return footprint;
 }

@@ -74,9 +74,9 @@ std::vector<LocatedPolygon> located(const ReadContext& context, const source::Ar
   return polygons;
 }
 
-std::optional<double> number_within(const ReadContext& context, OsmId id, std::string_view text, double least,
-                                    double most) {
-  return parsed_tag(context, id, text, [&](std::string_view value) {
+std::optional<double> number_within(const ReadContext& context, OsmId id, std::string_view key, std::string_view text,
+                                    double least, double most) {
+  return parsed_text(context, id, key, text, [&](std::string_view value) {
     const auto number = number_of(value);
     return number && *number >= least && *number <= most ? number : std::nullopt;
   });
@@ -85,14 +85,14 @@ std::optional<double> number_within(const ReadContext& context, OsmId id, std::s
 std::optional<double> tagged_length_m(const ReadContext& context, OsmId id, source::Range tags, std::string_view key,
                                       double least_m, double most_m) {
   assert(least_m <= most_m);
-  return parsed_tag(context, id, context.tag(tags, key), [&](std::string_view text) {
+  return parsed_tag(context, id, tags, key, [&](std::string_view text) {
     const auto length = length_m_of(text);
     return length && *length >= least_m && *length <= most_m ? length : std::nullopt;
   });
 }
 
 std::int8_t tagged_layer(const ReadContext& context, OsmId id, source::Range tags) {
-  return static_cast<std::int8_t>(number_within(context, id, context.tag(tags, "layer"), -10, 10).value_or(0));
+  return static_cast<std::int8_t>(number_within(context, id, "layer", context.tag(tags, "layer"), -10, 10).value_or(0));
 }
 
 Passage tagged_passage(const ReadContext& context, source::Range tags) {

@@ -57,18 +57,27 @@ void for_each_near_polygon(const ReadContext& context, OsmId id, const std::vect
   }
 }
 
-/// Returns parse(text), an optional, or nothing for an empty text. Diagnosed: kBadTagValue where parse returns nothing.
+/// Returns parse(text), an optional, or nothing for an empty text. Diagnosed: kBadTagValue of `key` where parse returns
+/// nothing.
 template <typename Parse>
-auto parsed_tag(const ReadContext& context, OsmId id, std::string_view text, Parse parse) -> decltype(parse(text)) {
+auto parsed_text(const ReadContext& context, OsmId id, std::string_view key, std::string_view text, Parse parse)
+    -> decltype(parse(text)) {
   if (text.empty()) return std::nullopt;
   auto parsed = parse(text);
-  if (!parsed) context.report.add(Code::kBadTagValue, id);
+  if (!parsed) context.report.add_tag(Code::kBadTagValue, id, key, text);
   return parsed;
 }
 
-/// Returns a number from least to most, or nothing where the text is empty. Diagnosed: kBadTagValue.
-std::optional<double> number_within(const ReadContext& context, OsmId id, std::string_view text, double least,
-                                    double most);
+/// parsed_text() of the whole value of a key.
+template <typename Parse>
+auto parsed_tag(const ReadContext& context, OsmId id, source::Range tags, std::string_view key, Parse parse) {
+  return parsed_text(context, id, key, context.tag(tags, key), parse);
+}
+
+/// Returns the number that a text of `key` states, from least to most, or nothing where the text is empty. Diagnosed:
+/// kBadTagValue.
+std::optional<double> number_within(const ReadContext& context, OsmId id, std::string_view key, std::string_view text,
+                                    double least, double most);
 
 /// Returns a length from a tag, or nothing where it is absent. Diagnosed: kBadTagValue where it is unreadable or
 /// outside least … most.

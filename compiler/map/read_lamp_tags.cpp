@@ -50,13 +50,13 @@ std::uint16_t temperature_of(const ReadContext& context, OsmId id, std::string_v
   if (!text.ends_with('K')) return 0;
   text.remove_suffix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
-  return static_cast<std::uint16_t>(number_within(context, id, text, 1000, 20000).value_or(0));
+  return static_cast<std::uint16_t>(number_within(context, id, "light:colour", text, 1000, 20000).value_or(0));
 }
 
-std::uint32_t lumen_of(const ReadContext& context, OsmId id, std::string_view text) {
+std::uint32_t lumen_of(const ReadContext& context, OsmId id, std::string_view key, std::string_view text) {
   if (text.ends_with("lm")) text.remove_suffix(2);
   while (text.ends_with(' ')) text.remove_suffix(1);
-  return static_cast<std::uint32_t>(number_within(context, id, text, 1, 1e6).value_or(0));
+  return static_cast<std::uint32_t>(number_within(context, id, key, text, 1, 1e6).value_or(0));
 }
 
 }  // namespace
@@ -64,17 +64,18 @@ std::uint32_t lumen_of(const ReadContext& context, OsmId id, std::string_view te
 const LampTypeValues& values_of(LampType type) { return kTypeValues[static_cast<std::size_t>(type)]; }
 
 LampTags read_lamp_tags(const ReadContext& context, OsmId id, source::Range tags) {
-  const auto either = [&](const char* key, const char* other) {
-    const std::string_view value = context.tag(tags, key);
-    return value.empty() ? context.tag(tags, other) : value;
+  const auto tagged_of = [&](std::string_view key, std::string_view other) {
+    return context.tag(tags, key).empty() ? other : key;
   };
   LampTags lamp;
-  if (const TypeRow* row = row_with(kTypes, either("lamp_type", "light:method"))) lamp.type = row->type;
+  if (const TypeRow* row = row_with(kTypes, context.tag(tags, tagged_of("lamp_type", "light:method"))))
+    lamp.type = row->type;
   if (const MountRow* row = row_with(kMounts, context.tag(tags, "lamp_mount"))) lamp.mount = row->mount;
-  const auto count = number_within(context, id, context.tag(tags, "light:count"), 1, kMostLuminaires);
+  const auto count = number_within(context, id, "light:count", context.tag(tags, "light:count"), 1, kMostLuminaires);
   lamp.count = static_cast<std::uint8_t>(count.value_or(1));
   lamp.temperature_k = temperature_of(context, id, context.tag(tags, "light:colour"));
-  lamp.lumen = lumen_of(context, id, either("light:lumen", "luminous_flux"));
+  const std::string_view lumen_key = tagged_of("light:lumen", "luminous_flux");
+  lamp.lumen = lumen_of(context, id, lumen_key, context.tag(tags, lumen_key));
   return lamp;
 }
 

@@ -19,18 +19,18 @@ constexpr std::string_view kIndefinite[] = {"yes", "no", "many", "unknown", "oth
 std::optional<double> tagged_number(const ReadContext& context, OsmId id, source::Range tags, std::string_view key,
                                     double most) {
   const std::string_view text = context.tag(tags, key);
-  return number_within(context, id, text.substr(0, text.find("\xc2\xb0")), 0, most);
+  return number_within(context, id, key, text.substr(0, text.find("\xc2\xb0")), 0, most);
 }
 
 std::optional<Vec2> tagged_direction(const ReadContext& context, OsmId id, source::Range tags) {
-  const auto bearing_deg = parsed_tag(context, id, context.tag(tags, "roof:direction"), bearing_deg_of);
+  const auto bearing_deg = parsed_tag(context, id, tags, "roof:direction", bearing_deg_of);
   return bearing_deg ? std::optional(direction_of((90 - *bearing_deg) / 360)) : std::nullopt;
 }
 
 std::optional<roofs::Form> tagged_form(const ReadContext& context, OsmId id, source::Range tags) {
   const std::string_view text = context.tag(tags, "roof:shape");
   if (std::ranges::find(kIndefinite, text) != std::end(kIndefinite)) return std::nullopt;
-  return parsed_tag(context, id, text, roofs::form_named);
+  return parsed_text(context, id, "roof:shape", text, roofs::form_named);
 }
 
 double tagged_height_m(const ReadContext& context, OsmId id, source::Range tags, double level_m) {

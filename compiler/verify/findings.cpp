@@ -50,7 +50,7 @@ std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>
 
 auto sort_key(const Finding& finding) {
   const Diagnosis& d = finding.diagnosis;
-  return std::tuple(d.code, d.object, d.other, finding.tile, finding.level, d.size);
+  return std::tuple(d.code, d.object, d.other, finding.tile, finding.level, d.size, std::string_view(finding.tags));
 }
 
 std::string text_of(const Finding& finding) {
@@ -102,9 +102,10 @@ std::optional<Finding> finding_of(const nlohmann::json& feature) {
   return finding;
 }
 
-// "w1: tunnel=yes layer=-1; w2: no tags of height"; empty for a diagnosis of one object.
+// "width=wide" of a diagnosis of a tag, "w1: tunnel=yes layer=-1; w2: no tags of height" of one of two objects; else
+// "".
 std::string tags_of(const Diagnosis& diagnosis, const map::LayerTags& layer_tags) {
-  if (diagnosis.other.type == OsmType::kNone) return {};
+  if (diagnosis.other.type == OsmType::kNone) return diagnosis.tag;
   std::string text;
   for (const OsmId object : {diagnosis.object, diagnosis.other}) {
     const auto found = layer_tags.find(object);

@@ -21,7 +21,7 @@ struct Finding {
   std::optional<map::LonLat> at;       ///< None: of the whole map (heightmaps), or the extract lacks the element.
   std::optional<scene::TileKey> tile;  ///< Of the place; none outside the compiled region.
   std::optional<std::size_t> level{};  ///< Of a finding while a tile was baked.
-  std::string tags{};                  ///< Of two ways, those that decide which is above; empty if it is about one.
+  std::string tags{};  ///< The tag that it is about; of two ways, those that decide which is above; else empty.
 };
 
 /// The findings of compiling, before tiles are baked.

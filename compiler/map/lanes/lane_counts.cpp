@@ -71,7 +71,7 @@ LaneCounts count_one_way(const LaneTags& tags, const LaneClass& lane_class, cons
     counts.flows[flow] = *rest;
   else
     counts.flows[flow] = list.driven_count() > 0 ? list.driven_count() : default_lanes(tags, lane_class);
-  if (along && rest && *along != *rest) tags.add_bad_value();
+  if (along && rest && *along != *rest) tags.add_bad_count();
   counts.flows[opposite(flow)] = against;
   counts.is_contraflow_bus = against > 0;
   return counts;
@@ -119,7 +119,7 @@ LaneCounts count_two_way(const LaneTags& tags, const LaneClass& lane_class, Tagg
       counts.flows[flow] = tagged.directed[flow] ? *tagged.directed[flow] : std::max(left, 1);
     }
   }
-  if (tagged.total && counts.total() != total) tags.add_bad_value();
+  if (tagged.total && counts.total() != total) tags.add_bad_count();
   return counts;
 }
 
@@ -136,7 +136,7 @@ LaneCounts lane_counts_of(const LaneTags& tags, const LaneClass& lane_class, con
   const TaggedCounts tagged = tagged_counts(tags);
   LaneCounts counts = counts_by_tags(tags, lane_class, tagged, lists);
   if (counts.total() == 0 || counts.total() > kMaxLanesOfRoad) {
-    tags.add_bad_value();
+    tags.add_bad_count();
     counts = counts_by_tags(tags, lane_class, {}, {});
   }
   for (const Flow flow : kFlows) counts.is_tagged |= tagged.directed[flow].has_value() || !lists[flow].lanes.empty();

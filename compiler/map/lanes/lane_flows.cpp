@@ -27,7 +27,7 @@ bool fit(const LaneTags& tags, Flow flow, LaneList& list, int& count) {
     list.lanes.pop_back();
     return true;
   }
-  tags.add_bad_value();
+  tags.add_bad_count();
   if (size != count || list.driven_count() == 0) return false;
   count = list.driven_count();
   return true;
@@ -138,7 +138,7 @@ MovingLanes moving_lanes_of(const LaneTags& tags, const LaneClass& lane_class) {
   bool is_known = true;
   if (counts.is_middle_to_turn)
     for (Lane& lane : moving.middle) lane.turns = turns_of(tags("turn:lanes:both_ways"), is_known);
-  if (!is_known) tags.add_bad_value();
+  if (!is_known) tags.add_bad_value("turn:lanes:both_ways");
   if (lane_class.kind == LaneKind::kDriving) reserve_for_buses(tags, moving);
   return moving;
 }

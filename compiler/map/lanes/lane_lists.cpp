@@ -85,10 +85,11 @@ LaneList listed_lanes(const LaneTags& tags, Flow flow) {
     const Entries entries = tags.list_along(flow, row.key);
     if (entries.empty()) continue;
     if (list.lanes.empty() && entries.size() <= kMaxLanes) list.lanes.resize(entries.size());
-    if (entries.size() != list.lanes.size() || !row.mark(entries, list.lanes)) tags.add_bad_value();
+    if (entries.size() != list.lanes.size() || !row.mark(entries, list.lanes))
+      tags.add_bad_value(tags.key_along(flow, row.key));
   }
   if (list.cycle_count() <= kMostCycleLanes) return list;
-  tags.add_bad_value();
+  tags.add_bad_value(tags.key_along(flow, "bicycle:lanes"));
   return {};
 }
 

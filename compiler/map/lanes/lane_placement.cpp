@@ -26,14 +26,15 @@ double outside_m(const std::vector<RoadsideLane>& roadside) {
   return sum;
 }
 
-// The position that a value like "right_of:2" names, in metres outwards from the flow's inner edge.
-std::optional<double> placed_m(const LaneTags& tags, const std::vector<Lane>& lanes, std::string_view text) {
+// The position that a key's value like "right_of:2" names, in metres outwards from the flow's inner edge.
+std::optional<double> placed_m(const LaneTags& tags, const std::vector<Lane>& lanes, std::string_view key) {
+  const std::string_view text = tags(key);
   const std::size_t colon = text.find(':');
   const std::string_view where = text.substr(0, colon);
   const double number = number_of(text.substr(std::min(colon, text.size() - 1) + 1)).value_or(0);
   const bool is_known = where == "left_of" || where == "middle_of" || where == "right_of";
   if (!is_known || number < 1 || number > static_cast<double>(lanes.size())) {
-    if (text != "transition") tags.add_bad_value();
+    if (text != "transition") tags.add_bad_value(key);
     return std::nullopt;
   }
   // lanes are counted from the driver's left: the middle of the road with traffic on the right
@@ -47,10 +48,10 @@ std::optional<double> placed_m(const LaneTags& tags, const std::vector<Lane>& la
 }
 
 // placement=* without a direction is for one-way roads; on two-way roads it applies to the forward lanes.
-std::string_view placement_of(const LaneTags& tags, Flow flow) {
-  const std::string_view directed = tags.along(flow, "placement");
-  if (!directed.empty() || tags.is_one_way() || flow == Flow::kBackward) return directed;
-  return tags("placement");
+std::string placement_key_of(const LaneTags& tags, Flow flow) {
+  std::string directed = tags.key_along(flow, "placement");
+  if (!tags(directed).empty() || tags.is_one_way() || flow == Flow::kBackward) return directed;
+  return "placement";
 }
 
 }  // namespace
@@ -61,9 +62,9 @@ double axis_from_backward_edge_m(const LaneTags& tags, const Carriageway& road) 
   const double to_middle_m = level_m(road.roadsides[Flow::kBackward]) + sum_m(moving.flows[Flow::kBackward]);
   const double past_middle_m = to_middle_m + sum_m(moving.middle);
   for (const Flow flow : kFlows) {
-    const std::string_view text = placement_of(tags, flow);
-    if (text.empty()) continue;
-    if (const auto out_m = placed_m(tags, moving.flows[flow], text))
+    const std::string key = placement_key_of(tags, flow);
+    if (tags(key).empty()) continue;
+    if (const auto out_m = placed_m(tags, moving.flows[flow], key))
       return flow == Flow::kForward ? past_middle_m + *out_m : to_middle_m - *out_m;
   }
   const double whole_m = past_middle_m + sum_m(moving.flows[Flow::kForward]) + level_m(road.roadsides[Flow::kForward]);

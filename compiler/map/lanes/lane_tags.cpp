@@ -39,6 +39,12 @@ bool is_readable_buffer(std::string_view value) {
 
 }  // namespace
 
+void LaneTags::add_bad_count() const {
+  for (const char* key : {"lanes", "lanes:forward", "lanes:backward", "lanes:both_ways"})
+    if (!(*this)(key).empty()) return add_bad_value(key);
+  add_bad_value("lanes");
+}
+
 std::string_view LaneTags::roadside(Flow flow) const {
   return (flow == Flow::kForward) == (side == DrivingSide::kRight) ? "right" : "left";
 }
@@ -52,14 +58,14 @@ std::string_view LaneTags::beside(Flow flow, std::string_view key, std::string_v
   return {};
 }
 
-std::string_view LaneTags::along(Flow flow, const std::string& key) const {
-  const std::string_view directed = (*this)(key + std::string(suffix(flow)));
-  if (!directed.empty() || !is_one_way() || flow != only_flow()) return directed;
-  return (*this)(key);
+std::string LaneTags::key_along(Flow flow, const std::string& key) const {
+  std::string directed = key + std::string(suffix(flow));
+  const bool is_stated_for_all = is_one_way() && flow == only_flow();
+  return is_stated_for_all && (*this)(directed).empty() ? key : directed;
 }
 
 std::vector<std::string_view> LaneTags::list_along(Flow flow, const std::string& key) const {
-  std::string_view text = along(flow, key);
+  std::string_view text = (*this)(key_along(flow, key));
   if (text.empty()) return {};
   std::vector<std::string_view> entries;
   for (std::size_t bar = text.find('|'); bar != std::string_view::npos; bar = text.find('|')) {
@@ -78,7 +84,7 @@ std::optional<double> LaneTags::count(const std::string& key, double least) cons
   if (text.empty()) return std::nullopt;
   const auto number = number_of(text);
   if (number && *number >= least && *number <= kMaxLanes) return number;
-  add_bad_value();
+  add_bad_value(key);
   return std::nullopt;
 }
 
@@ -98,7 +104,7 @@ std::optional<Traffic> tagged_traffic(std::string_view oneway) {
 Traffic traffic_of(const LaneTags& tags) {
   const std::string_view oneway = tags("oneway"), junction = tags("junction"), highway = tags("highway");
   if (const auto tagged = tagged_traffic(oneway)) return *tagged;
-  if (!oneway.empty()) tags.add_bad_value();
+  if (!oneway.empty()) tags.add_bad_value("oneway");
   const bool is_implied =
       junction == "roundabout" || junction == "circular" || highway == "motorway" || highway == "motorway_link";
   return is_implied ? Traffic::kForward : Traffic::kTwoWay;
@@ -110,7 +116,7 @@ void diagnose_widths_beside(const LaneTags& tags) {
     const std::string_view key = osm.strings[tag.key], value = osm.strings[tag.value];
     const bool is_bad_width = is_width_beside(key) && !readable_width_m(value);
     const bool is_bad_buffer = is_buffer(key) && !is_readable_buffer(value);
-    if (!value.empty() && (is_bad_width || is_bad_buffer)) tags.add_bad_value();
+    if (!value.empty() && (is_bad_width || is_bad_buffer)) tags.add_bad_value(key);
   }
 }
 

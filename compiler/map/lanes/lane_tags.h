@@ -45,7 +45,10 @@ struct LaneTags {
   Traffic traffic = Traffic::kTwoWay;
 
   std::string_view operator()(std::string_view key) const { return context.tag(tags, key); }
-  void add_bad_value() const { context.report.add(Code::kBadTagValue, id); }
+  /// Diagnoses the value of a key.
+  void add_bad_value(std::string_view key) const { context.report.add_tag(Code::kBadTagValue, id, key, (*this)(key)); }
+  /// Diagnoses the first tagged number of lanes, which contradicts other tags.
+  void add_bad_count() const;
 
   bool is_one_way() const { return traffic == Traffic::kForward || traffic == Traffic::kBackward; }
   /// The flow of a one-way road.
@@ -62,8 +65,9 @@ struct LaneTags {
   std::string_view roadside(Flow flow) const;
   /// The value of key:<side>suffix, else of key:both+suffix; "" where neither is tagged.
   std::string_view beside(Flow flow, std::string_view key, std::string_view suffix = "") const;
-  /// The value for the lanes of one flow: key+":forward", or key alone on a one-way road of that flow.
-  std::string_view along(Flow flow, const std::string& key) const;
+  /// The key that states something for the lanes of one flow: key+":forward", or, where that is untagged, key alone on
+  /// a one-way road of that flow.
+  std::string key_along(Flow flow, const std::string& key) const;
   /// The list "a|b|c" of one flow's lanes, from the middle of the road outwards; empty where untagged.
   std::vector<std::string_view> list_along(Flow flow, const std::string& key) const;
 

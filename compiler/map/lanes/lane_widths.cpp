@@ -43,6 +43,9 @@ void merge_two_lanes(MovingLanes& moving) {
   place = {one};
 }
 
+// Diagnoses the tag of the width, which contradicts the lanes.
+void add_bad_width(const LaneTags& tags) { tags.add_bad_value(tags("width").empty() ? "est_width" : "width"); }
+
 // Whether a width of the carriageway can be that of these lanes.
 bool is_credible(double width_m, const PerFlow<std::vector<RoadsideLane>>& roadsides, const MovingLanes& moving) {
   if (!moving.is_tagged) return true;
@@ -65,7 +68,7 @@ std::optional<double> credible_width_m(const LaneTags& tags, const PerFlow<std::
                                        const MovingLanes& moving) {
   const auto tagged_m = tagged_width_m(tags);
   if (!tagged_m || is_credible(*tagged_m, roadsides, moving)) return tagged_m;
-  tags.add_bad_value();
+  add_bad_width(tags);
   return std::nullopt;
 }
 
@@ -92,7 +95,7 @@ void share_widths(const LaneTags& tags, const LaneClass& lane_class, std::option
     rest_m = *tagged_m - inside - listed_m;
     const bool is_alone = open.size() == 1 && inside + listed_m == 0;
     if (!is_alone && rest_m < n * kNarrowestLane_m) {
-      tags.add_bad_value();
+      add_bad_width(tags);
       rest_m = n * kNarrowestLane_m;
     }
   }

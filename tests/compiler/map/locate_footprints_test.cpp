@@ -61,6 +61,9 @@ TEST(LocateFootprints, BadValuesAreDiagnosed) {
     Report report;
     features_of(std::string("a1 0:0 12:0 12:9 0:9 building=yes ") + bad, report);
     EXPECT_EQ(report.counts()[Code::kBadTagValue], 1u) << bad;
+    const auto found = std::ranges::find(report.diagnoses(), Code::kBadTagValue, &Diagnosis::code);
+    ASSERT_NE(found, report.diagnoses().end());
+    EXPECT_EQ(found->tag, bad);
   }
 }
 

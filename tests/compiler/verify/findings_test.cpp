@@ -85,6 +85,19 @@ TEST(Findings, OfTwoWaysQuoteTheirTags) {
   EXPECT_EQ(read->front().tags, written[0].tags);
 }
 
+TEST(Findings, OfATagQuoteItAsValidText) {
+  Report report;
+  report.add_tag(Code::kBadTagValue, {OsmType::kWay, 4}, "width", "wi\xffde");
+  const std::vector<Finding> findings = findings_of(report, {}, {}, made_header());
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].tags,
+            "width=wi\xef\xbf\xbd"
+            "de");
+  const auto read = parse_findings(findings_json(findings, made_header()));
+  ASSERT_TRUE(read);
+  EXPECT_EQ((*read)[0].tags, findings[0].tags);
+}
+
 TEST(Findings, AreReadAsTheyWereWritten) {
   Report report;
   report.add(Code::kTooSteep, {OsmType::kWay, -4}, 0.25);
