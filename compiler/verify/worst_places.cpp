@@ -82,9 +82,11 @@ void add_earthworks(std::span<const Earthwork> earthworks, bool is_cut, std::vec
     if ((e.depth_m > 0) != is_cut) continue;
     PlacesOfKind& kind = by_line[e.line];
     kind.name = fmt::format("{} of a {}", is_cut ? "cut" : "fill", e.line);
-    kind.text = fmt::format("the {} lies {} the terrain (size: metres; more than {} are unusual)", e.line,
-                            is_cut ? "below" : "above", earthwork_limit_m(e.line));
-    kind.worst.push_back({{e.id}, std::abs(e.depth_m), {}, e.at});
+    const double limit_m = earthwork_limit_m(e.line), depth_m = std::abs(e.depth_m);
+    kind.text = fmt::format(
+        "the {} lies {} the terrain (size: metres; more than {} are unusual, up to half of that has no picture)",
+        e.line, is_cut ? "below" : "above", limit_m);
+    kind.worst.push_back({{e.id}, depth_m, {}, e.at, {}, depth_m <= limit_m / 2});
   }
   for (auto& [line, kind] : by_line) kinds.push_back(std::move(kind));
 }

@@ -20,6 +20,7 @@ struct WorstPlace {
   std::string text;          ///< More about it; may be empty.
   std::optional<Vec2> at{};  ///< Plane metres.
   std::string file{};        ///< Of a tile in whose mesh it is, relative to the run's folder; empty: in the recipes.
+  bool is_usual = false;     ///< Less than half of what is unusual for its kind: no picture of it is needed.
 };
 
 /// All places of one kind.

@@ -46,6 +46,8 @@ TEST(WorstPlaces, BeginWithGuaranteesThatDoNotHold) {
   for (const PlacesOfKind& kind : kinds) names.push_back(kind.name);
   EXPECT_EQ(names, (std::vector<std::string>{"broken guarantee", "missing clearance", "LayersContradict",
                                              "cut of a stream", "fill of a stream", "TooSteep"}));
+  EXPECT_FALSE(kinds[3].worst[0].is_usual);
+  EXPECT_TRUE(kinds[4].worst[0].is_usual);
   EXPECT_EQ(kinds[1].worst[0].text, "w5 over w6 (w5: bridge=yes)");
   EXPECT_EQ(kinds[0].worst[0].file, "glb/0_0_L0.glb");
   EXPECT_EQ(kinds[0].worst[0].at, (Vec2{3, 4}));
