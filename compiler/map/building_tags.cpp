@@ -16,6 +16,9 @@ using materials::Material;
 // Minimum height: parts of monuments are a few decimetres high.
 constexpr double kLowest_m = 0.1, kHighest_m = 1000, kMostLevels = 250;
 
+// A roof that is mapped as a part without thickness.
+constexpr double kSlab_m = 0.25;
+
 struct MaterialRow {
   std::string_view value;
   Material material;
@@ -70,6 +73,15 @@ double min_height_m_of(const ReadContext& context, OsmId id, source::Range tags,
   return level_m * tagged_levels(context, id, tags, "building:min_level").value_or(0);
 }
 
+// A height below min_height is that of the part alone; an equal one is the place of a slab, or of one storey.
+void mend_height(bool is_in_metres, double level_m, Footprint& footprint) {
+  const bool is_equal = footprint.height_m == footprint.min_height_m;
+  const double own_m = !is_equal ? footprint.height_m : is_in_metres ? kSlab_m : level_m;
+  footprint.height_m = snapped(footprint.min_height_m + own_m);
+  if (footprint.height_m <= kHighest_m) return;
+  footprint.height_m = snapped(own_m), footprint.min_height_m = 0;
+}
+
 void read_heights(const ReadContext& context, OsmId id, source::Range tags, const BuildingValues& values,
                   double area_m2, Footprint& footprint) {
   const auto height_m = tagged_height_m(context, id, tags);
@@ -81,7 +93,7 @@ void read_heights(const ReadContext& context, OsmId id, source::Range tags, cons
   footprint.min_height_m = snapped(min_height_m_of(context, id, tags, values.level_m));
   if (footprint.min_height_m < footprint.height_m) return;
   context.report.add(Code::kMinHeightNotBelowHeight, id, footprint.min_height_m - footprint.height_m);
-  footprint.min_height_m = 0;
+  mend_height(height_m.has_value(), values.level_m, footprint);
 }
 
 // Amenities with a ground floor of wide windows, like shops.

@@ -131,9 +131,11 @@ struct Place {
   Vec2 to() const { return line->road->axis[segment + 1]; }
 };
 
+/// Lines that a walk follows.
+enum class Follow { kAll, kOnGround, kOffGround };
+
 /// Visits the vertices connected to a place, nearest first (Dijkstra), until visit(place, run) returns false.
-/// @param off_ground_only  Follow bridges and tunnels only.
-void walk(const Network& network, const Place& start, bool off_ground_only,
+void walk(const Network& network, const Place& start, Follow follow,
           const std::function<bool(std::size_t, double)>& visit) {
   std::map<std::size_t, double> runs;
   std::vector<std::pair<double, std::size_t>> queue;
@@ -154,13 +156,14 @@ void walk(const Network& network, const Place& start, bool off_ground_only,
     if (!visit(place, run_m)) return;
     auto edge = std::ranges::lower_bound(network.edges, place, {}, &Network::Edge::from);
     for (; edge != network.edges.end() && edge->from == place; ++edge)
-      if (edge->is_off || !off_ground_only) reach(edge->to, run_m + edge->length_m);
+      if (follow == Follow::kAll || edge->is_off == (follow == Follow::kOffGround))
+        reach(edge->to, run_m + edge->length_m);
   }
 }
 
 bool are_joined(const Network& network, const Place& a, const Place& b) {
   bool joined = false;
-  walk(network, a, false, [&](std::size_t place, double run_m) {
+  walk(network, a, Follow::kAll, [&](std::size_t place, double run_m) {
     for (const Vec2 end : {b.from(), b.to()})
       joined |= network.places[place] == end &&
                 run_m + joining_m(b.line->road->surface, distance(end, b.at)) <= ground::kJoined_m;
@@ -185,12 +188,23 @@ bool lands_on(const Network& network, const Place& on, const Line& other) {
   if (on.line->kind == Kind::kGround) return false;
   const double reach_m = on.line->half_m() + other.half_m();
   bool lands = false;
-  walk(network, on, true, [&](std::size_t place, double) {
+  walk(network, on, Follow::kOffGround, [&](std::size_t place, double) {
     const bool is_landing = network.is_on_ground[place] || (network.is_deck_end[place] && network.is_bore_end[place]);
     lands |= is_landing && distance_to(other.road->axis, network.places[place]) < reach_m;
     return !lands;
   });
   return lands;
+}
+
+/// True if a line on the ground goes on as a bridge or tunnel at one of these ends.
+bool leads_to(const Network& network, const Place& on_ground, std::span<const Vec2> ends) {
+  if (on_ground.line->kind != Kind::kGround || ends.empty()) return false;
+  bool leads = false;
+  walk(network, on_ground, Follow::kOnGround, [&](std::size_t place, double) {
+    leads |= std::ranges::find(ends, network.places[place]) != ends.end();
+    return !leads;
+  });
+  return leads;
 }
 
 std::optional<Vec2> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
@@ -295,8 +309,19 @@ class Measurer {
       if (other.line == here.line || is_a_path_of_ground(*other.line)) continue;
       const Place foot{other.line, other.segment, nearest_on(other.from(), other.to(), here.at)};
       if (distance(here.at, foot.at) >= here.line->half_m() + other.line->half_m()) continue;
-      if (!lands_on(network_, here, *other.line) && !lands_on(network_, foot, *here.line)) add(here, foot);
+      if (lands_on(network_, here, *other.line) || lands_on(network_, foot, *here.line)) continue;
+      if (!leads_to(network_, foot, twin_ends(*here.line))) add(here, foot);
     }
+  }
+
+  /// Ends beside a bridge or tunnel of others in the same order.
+  std::vector<Vec2> twin_ends(const Line& beside) const {
+    std::vector<Vec2> ends;
+    for (const Line& line : lines_)
+      if (&line != &beside && line.kind != Kind::kGround && line.rank() == beside.rank())
+        for (const Vec2 end : {line.road->axis.front(), line.road->axis.back()})
+          if (distance_to(beside.road->axis, end) < kWidest_m) ends.push_back(end);
+    return ends;
   }
 
   static bool passes_a_mouth(const Place& upper, const Place& lower) {

@@ -172,6 +172,27 @@ struct Finder {
     return std::ranges::any_of(landings, [&](Vec2 at) { return distance_to(beside.axis, at) < reach_m; });
   }
 
+  // Returns whether a way on the ground goes on, within kJoined_m, as a bridge or tunnel that begins beside another in
+  // the same order: both come down side by side.
+  bool leads_to_twin(std::uint32_t way, double way_m, std::uint32_t of) {
+    if (graph.ways[way].road == kNone) return false;
+    const Track& beside = *graph.ways[of].track;
+    const auto is_twin = [&](const Leg& leg) {
+      const Track& track = *graph.ways[leg.way].track;
+      return leg.way != of && leaves_ground(track) && rank_of(track) == rank_of(beside);
+    };
+    bool found_twin = false;
+    walk.from(
+        starts_about(graph, way, way_m), kJoined_m,
+        [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? 2 * kJoined_m : joining_m(leg); },
+        [&](std::uint32_t node, double) {
+          found_twin |= std::ranges::any_of(graph.legs_of(node), is_twin) &&
+                        distance_to(beside.axis, graph.nodes[node].at) < kWidest_m;
+          return !found_twin;
+        });
+    return found_twin;
+  }
+
   // Returns whether the lines are connected within kJoined_m along the network.
   bool are_joined(std::uint32_t a, double a_m, std::uint32_t b, double b_m) {
     const std::uint32_t i = station_before(graph, graph.ways[a], a_m), j = station_before(graph, graph.ways[b], b_m);
@@ -318,8 +339,8 @@ struct Finder {
       if (apart_m >= half_m + half_width_m(*graph.ways[other.way].track)) continue;
       const double other_m = other.at_m + along * distance(other.a, other.b);
       if (!landings) landings = landings_of(w, at_m);
-      if (!are_beside(*landings, w, other.way) && !are_beside(landings_of(other.way, other_m), other.way, w))
-        add(w, at_m, other, along);
+      if (are_beside(*landings, w, other.way) || are_beside(landings_of(other.way, other_m), other.way, w)) continue;
+      if (!leads_to_twin(other.way, other_m, w)) add(w, at_m, other, along);
     }
   }
 

@@ -32,6 +32,13 @@ TEST(LocateFootprints, HeightComesFromTagsElseLevelsElseClass) {
       {"building:part=yes height=30 min_height=10", 30, 10},
       {"building:part=apartments height=30 building:min_level=2", 30, 6},
       {"building=yes roof:levels=2", 1, 0},
+      // a height below min_height is that of the part; an equal one is the place of a slab or a storey
+      {"building:part=yes height=5 min_height=9", 14, 9},
+      {"building:part=roof height=146 min_height=146", 146.25, 146},
+      {"building=church building:part=yes min_height=18 roof:shape=dome roof:height=5", 19, 18},
+      {"building:part=apartments building:levels=1 building:min_level=3", 12, 9},
+      {"building:part=apartments building:levels=2 building:min_level=2", 9, 6},
+      {"building:part=yes height=900 min_height=990", 900, 0},
       {"building=garage", 2.75, 0},
       {"building=church", 16, 0},
       {"building=yes", 7.5, 0},  // 108 m²

@@ -87,7 +87,9 @@ TEST(Findings, OfTwoWaysQuoteTheirTags) {
 
 TEST(Findings, OfATagQuoteItAsValidText) {
   Report report;
-  report.add_tag(Code::kBadTagValue, {OsmType::kWay, 4}, "width", "wi\xffde");
+  report.add_tag(Code::kBadTagValue, {OsmType::kWay, 4}, "width",
+                 "wi\xff"
+                 "de");
   const std::vector<Finding> findings = findings_of(report, {}, {}, made_header());
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].tags,

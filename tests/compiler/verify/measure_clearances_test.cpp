@@ -111,6 +111,16 @@ TEST(MeasureClearances, CountParallelLinesUnlessOneDescendsBesideTheOther) {
   EXPECT_EQ(measured(chunk).crossings, 0u);
 }
 
+TEST(MeasureClearances, SkipTheApproachOfABridgeOfTheSameLayerBesideIt) {
+  // the left bridge is shorter than the right one
+  scene::Chunk chunk;
+  chunk.bridges = {span(2, {{500, 480}, {500, 520}}, 15, 1), span(3, {{504, 300}, {504, 700}}, 15, 1)};
+  chunk.roads = {road(4, {{500, 520}, {500, 560}}, 15)};
+  EXPECT_EQ(measured(chunk).shortfalls.size(), 0u);
+  chunk.bridges[0].layer = 2;
+  EXPECT_EQ(measured(chunk).count_over(3), 1u);
+}
+
 TEST(MeasureClearances, CountWaterAndPathsThatFollowTheGround) {
   scene::Chunk chunk;
   chunk.bridges = {span(1, kBesideRoad, 1, 1)};

@@ -428,6 +428,22 @@ TEST(Profiles, WhatComesDownBesideALineDoesNotPassOverIt) {
   EXPECT_GE(planned(f, field_from([](double, double) { return 40; })).measures.crossings, 1u);
 }
 
+TEST(Profiles, APavementsBridgeIsNotAboveTheApproachOfTheRoadBesideIt) {
+  // over a motorway: a road whose bridge is shorter than that of its pavement, which lies within the road's width
+  map::Features f;
+  f.tracks = {track(1, {{-400, -40}, {-60, -40}, {-30, 0}, {-20, 0}}),
+              track(2, {{-20, 0}, {20, 0}}, kStreet, Passage::kBridge, 1),
+              track(3, {{20, 0}, {30, 0}, {60, -40}, {400, -40}}),
+              track(4, {{-400, 4}, {-36, 4}}, kFootway),
+              track(5, {{-36, 4}, {36, 4}}, kFootway, Passage::kBridge, 1),
+              track(6, {{36, 4}, {400, 4}}, kFootway),
+              track(7, {{0, -400}, {0, 400}}, LandCoverClass::kMotorwayRoad)};
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  double highest_m = 0;
+  for (const Knot& knot : p.profiles.off_ground[1]) highest_m = std::max(highest_m, knot.z_m);
+  EXPECT_NEAR(highest_m, 40 + kClearanceOverRoad_m - kThinDeck_m, 0.6);
+}
+
 TEST(Profiles, AFootbridgeComesDownOnItsPaths) {
   map::Features f;
   f.tracks = {track(1, {{-100, 0}, {-40, 0}}, LandCoverClass::kPavedFootPath),

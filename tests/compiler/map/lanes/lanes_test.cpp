@@ -47,7 +47,8 @@ Read read(const std::string& tags, DrivingSide side = DrivingSide::kRight) {
 // The tags that are diagnosed as bad, each followed by a space.
 std::string bad_tags_of(const std::string& tags) {
   std::string text;
-  for (const Diagnosis& diagnosis : read(tags).report.diagnoses())
+  const Read result = read(tags);
+  for (const Diagnosis& diagnosis : result.report.diagnoses())
     if (diagnosis.code == Code::kBadTagValue) text += diagnosis.tag + " ";
   return text;
 }
