@@ -36,7 +36,8 @@ struct Clearer {
   GraphWalk walk;
   std::vector<double> raising_cap_m = {};  // by pinned nodes
   LoweringCaps lowering = {};
-  std::vector<bool> is_above = {};  // by way: whether it is the upper one of some crossing
+  std::vector<bool> is_above = {};   // by way: whether it is the upper one of some crossing
+  std::vector<bool> of_graded = {};  // by node
 
   // What is not in the graph stays, like the ground.
   Passage passage_of(std::uint32_t way) const {
@@ -120,8 +121,8 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
     if (down_m[n] < z_m[n] + kFoot_m) z_m[n] = std::max(-soft_max(-z_m[n], -down_m[n]), std::min(floor_m[n], z_m[n]));
 }
 
-// Raises everything connected to the places by ramps. On a slope a ramp is as steep as allowed, or, where it has risen
-// less than the slope, falls towards it at half its grade, so that it ends.
+// Raises everything connected to the places by ramps, for a path nothing but paths. On a slope a ramp is as steep as
+// allowed, or, where it has risen less than the slope, falls towards it at half its grade, so that it ends.
 void Clearer::push_up(std::span<const Push> pushes, std::span<const double> cap_m) {
   std::vector<double> up_m(z_m.size(), -kFar_m);
   for (const Push& push : pushes) {
@@ -129,10 +130,12 @@ void Clearer::push_up(std::span<const Push> pushes, std::span<const double> cap_
     const double top_m = height_along(graph, way, z_m, push.at_m) + push.shortfall_m;
     const double rise_m = top_m - height_along(graph, way, start_m, push.at_m);
     const double level_m = ramp_m({0, push.way, push.half_width_m});
+    const bool is_path = !is_graded(way.track->surface);
     walk.from(
         starts_about(graph, push.way, push.at_m), 5 * std::max(rise_m, 0.0) + kCrest_m + level_m,
         [&](const Leg& leg) { return ramp_m(leg); },
         [&](std::uint32_t node, double cost_m) {
+          if (is_path && of_graded[node]) return false;
           const double down_m = drop_m(cost_m - level_m);
           const double steep_m = top_m - down_m / kRampShare - std::max(0.0, down_m - 2 * rise_m) / 2;
           const double faded_m = start_m[node] + rise_m - down_m / 2;
@@ -221,6 +224,7 @@ std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const C
   Clearer clearer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, GraphWalk(graph)};
   clearer.raising_cap_m = caps_near_pinned(graph, clearer.walk, z_m);
   clearer.lowering = lowering_caps(graph, clearer.walk, z_m);
+  clearer.of_graded = nodes_of_graded(graph);
   clearer.is_above.resize(graph.ways.size());
   for (const Crossing& c : crossings)
     if (c.upper != kNone) clearer.is_above[c.upper] = true;

@@ -41,6 +41,7 @@ struct Enforcer {
   std::vector<std::pair<double, std::uint32_t>> queue = {};
   std::vector<double> highest_m = {};  // by pinned nodes, which stay
   LoweringCaps lowering = {};
+  std::vector<bool> of_graded = {};  // by unit
 
   Passage passage_of(std::uint32_t way) const {
     return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
@@ -94,17 +95,18 @@ double Enforcer::cost_m(const Leg& leg, std::uint32_t from) const {
   return std::max({most_m - drop_m, std::min(to_steepest_m, kRampFade * most_m), kLeastFade * leg.length_m});
 }
 
-// Spreads a push from its place outwards (Dijkstra 1959 on units), each unit keeping the greatest. One by which its
-// place moves already needs no walk.
+// Spreads a push from its place outwards (Dijkstra 1959 on units), each unit keeping the greatest; that of a path not
+// to graded lines. One by which its place moves already needs no walk.
 void Enforcer::spread(const Push& push, std::vector<double>& up_m) {
   const auto starts = starts_about(graph, push.way, push.at_m);
   if (std::ranges::all_of(starts, [&](const auto& start) { return up_m[units.of[start.second]] >= push.by_m; })) return;
+  const bool is_path = !is_graded(graph.ways[push.way].track->surface);
   for (const auto& start : starts) reach(units.of[start.second], 0);
   while (!queue.empty()) {
     std::ranges::pop_heap(queue, std::greater<>());
     const auto [cost_here_m, unit] = queue.back();
     queue.pop_back();
-    if (cost_here_m > unit_cost_m[unit]) continue;
+    if (cost_here_m > unit_cost_m[unit] || (is_path && of_graded[unit])) continue;
     up_m[unit] = std::max(up_m[unit], push.by_m - drop_m(cost_here_m));
     for (const std::uint32_t n : units.members(unit)) {
       for (const Leg& leg : graph.legs_of(n)) {
@@ -205,6 +207,10 @@ std::vector<double> enforce_clearances(const ProfileGraph& graph, std::span<cons
   assert(z_m.size() == graph.nodes.size() && ground_m.size() == graph.nodes.size());
   Enforcer enforcer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, RigidUnits(graph)};
   enforcer.unit_cost_m.assign(enforcer.units.count(), kFar_m);
+  enforcer.of_graded.resize(enforcer.units.count());
+  const std::vector<bool> nodes = nodes_of_graded(graph);
+  for (std::uint32_t n = 0; n < nodes.size(); ++n)
+    if (nodes[n]) enforcer.of_graded[enforcer.units.of[n]] = true;
   GraphWalk walk(graph);
   enforcer.highest_m = caps_near_pinned(graph, walk, z_m);
   enforcer.lowering = lowering_caps(graph, walk, ground_m);

@@ -48,6 +48,14 @@ std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint3
   return {{0, graph.stations[i].node}, {0, graph.stations[i + 1].node}};
 }
 
+std::vector<bool> nodes_of_graded(const ProfileGraph& graph) {
+  std::vector<bool> nodes(graph.nodes.size());
+  for (const GraphWay& way : graph.ways)
+    for (const Station& station : graph.stations_of(way))
+      if (is_graded(way.track->surface)) nodes[station.node] = true;
+  return nodes;
+}
+
 double limit_of(const ProfileGraph& graph, const Leg& leg) {
   return graph.limit_scale * grade_rule_of(graph.ways[leg.way].track->surface).limit;
 }

@@ -63,6 +63,10 @@ class GraphWalk {
 /// Returns the stations before and after a place along a way, as starts at no cost.
 std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint32_t way, double at_m);
 
+/// Returns by node whether a line with a profile of its own goes through it: paths are planned after these, so that no
+/// road rises with a footbridge that ends on it.
+std::vector<bool> nodes_of_graded(const ProfileGraph& graph);
+
 /// Returns the grade limit of a leg.
 double limit_of(const ProfileGraph& graph, const Leg& leg);
 

@@ -428,6 +428,16 @@ TEST(Profiles, WhatComesDownBesideALineDoesNotPassOverIt) {
   EXPECT_GE(planned(f, field_from([](double, double) { return 40; })).measures.crossings, 1u);
 }
 
+TEST(Profiles, NoRoadRisesWithAFootbridgeThatEndsOnIt) {
+  // from a path over a street up to a road, 20 m beside it
+  map::Features f;
+  f.tracks = {track(1, {{-400, 0}, {0, 0}, {400, 0}}), track(2, {{-400, 16}, {400, 16}}),
+              track(3, {{0, 0}, {0, 20}}, kFootway, Passage::kBridge, 1), track(4, {{0, 20}, {0, 200}}, kFootway)};
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
+  EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 400), 40, 0.1);
+  EXPECT_EQ(p.report.counts().count(Code::kClearanceNotMet), 0u);
+}
+
 TEST(Profiles, APavementsBridgeIsNotAboveTheApproachOfTheRoadBesideIt) {
   // over a motorway: a road whose bridge is shorter than that of its pavement, which lies within the road's width
   map::Features f;
