@@ -6,11 +6,13 @@
 #include <cassert>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "compiler/bake/bake.h"
 #include "compiler/buildings/plan.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/give_back_memory.h"
 #include "compiler/contract/once.h"
 #include "compiler/ground/grading/graded_box.h"
 #include "compiler/ground/plan.h"
@@ -166,24 +168,68 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
                        timer.finish(),   std::move(places), std::move(layer_tags)};
 }
 
+/// The waters of an extract in the plane, and where its elements lie.
+struct LocatedWaters {
+  map::Features features;
+  map::Places places;
+};
+
+/// Reads and locates; the extract itself is gone when this returns. Its diagnoses are those of the regions.
+Result<LocatedWaters> locate_waters(const CompileSpec& spec, const std::string& extract, const map::Plane& plane,
+                                    const source::LonLatBox& extent) {
+  Report repeated;
+  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, repeated);
+  if (!osm) return osm.error();
+  give_back_memory();
+  return LocatedWaters{map::locate(*osm, plane, extent, spec.map, repeated), map::places_of_ways_and_areas(*osm)};
+}
+
+/// The waters of an extract without heights, and where its elements lie.
+struct DryWaters {
+  Box2 region;
+  ground::Waters waters;
+  std::vector<Polyline> covered;  ///< Waterways in culverts and on aqueducts.
+  map::Places places;
+};
+
+/// Each stage gives its memory back before the next: together they hold several times what this returns.
+Result<DryWaters> read_dry_waters(const CompileSpec& spec, const std::string& extract, const map::Plane& plane,
+                                  const source::LonLatBox& extent) {
+  Result<LocatedWaters> located = locate_waters(spec, extract, plane, extent);
+  if (!located) return located.error();
+  give_back_memory();
+  Report repeated;
+  const map::Features& features = located->features;
+  return DryWaters{features.region, plan_dry_waters(features, repeated), ground::covered_waterways(features),
+                   std::move(located->places)};
+}
+
+/// Only the places of what is diagnosed.
+map::Places of_diagnosed(map::Places places, const Report& report) {
+  std::set<OsmId> named;
+  for (const Diagnosis& diagnosis : report.diagnoses()) named.insert(diagnosis.object);
+  std::erase_if(places, [&](const auto& place) { return !named.contains(place.first); });
+  return places;
+}
+
 }  // namespace
 
 Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const source::LonLatBox& extent,
                       Report& report, const OnProgress& on_progress) {
   StageTimer timer(on_progress);
   timer.enter("survey");
-  Report repeated;  // of what is diagnosed within the regions
-  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, repeated);
-  if (!osm) return osm.error();
   const map::Plane plane(spec.map.origin.value_or(map::default_origin(extent)));
-  const map::Features features = map::locate(*osm, plane, extent, spec.map, repeated);
+  Result<DryWaters> dry = read_dry_waters(spec, extract, plane, extent);
+  if (!dry) return dry.error();
+  give_back_memory();
   scene::Recipes recipes;
-  Result<map::Heightfield> heights = read_heights(spec, plane, features.region, report);
+  Result<map::Heightfield> heights = read_heights(spec, plane, dry->region, report);
   if (!heights) return heights.error();
   recipes.heights = std::move(*heights);
-  ground::Waters waters = plan_waters(plan_dry_waters(features, repeated), features, recipes.heights, report);
+  ground::Waters waters = ground::plan_water_heights(std::move(dry->waters.surfaces), std::move(dry->waters.streams),
+                                                     dry->covered, recipes.heights, report);
   recipes.surfaces = std::move(waters.surfaces);
-  Result<scene::Header> header = make_header(spec, plane, features.region, recipes);
+  Result<scene::Header> header = make_header(spec, plane, dry->region, recipes);
   if (!header) return header.error();
   timer.finish();
   return Survey{extent,
@@ -191,7 +237,7 @@ Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const
                 std::move(recipes.heights),
                 std::move(recipes.surfaces),
                 std::move(waters.streams),
-                map::places_of(*osm, report)};
+                of_diagnosed(std::move(dry->places), report)};
 }
 
 namespace {

@@ -14,6 +14,7 @@
 #include "compiler/commands/task_lists.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/zone_lists.h"
+#include "compiler/contract/give_back_memory.h"
 #include "compiler/map/choose_extent.h"
 #include "compiler/regions/cut_extract.h"
 #include "compiler/regions/radii.h"
@@ -150,6 +151,7 @@ Result<Exit> plan_extent(const Request& request, const CompileSpec& spec, const 
   const Result<regions::CutFiles> files =
       regions::cut_extract({spec.map_path, folder + "/cut", extent, spec.threads}, plane, plan->grid);
   if (!files) return files.error();
+  give_back_memory();
   const Result<Survey> surveyed = survey(spec, folder + "/cut/survey.osm.pbf", extent, report, on_progress);
   if (!surveyed) return surveyed.error();
   if (Result<Done> done = write_survey(*surveyed, plan->grid, folder, spec.threads); !done) return done.error();

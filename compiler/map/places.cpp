@@ -63,4 +63,14 @@ Places places_of(const source::OsmData& osm, const Report& report) {
   return places;
 }
 
+Places places_of_ways_and_areas(const source::OsmData& osm) {
+  Places places;
+  const auto add = [&](OsmId object) {
+    if (const auto at = place_of(osm, object)) places.emplace_hint(places.end(), object, *at);
+  };
+  for (const source::Way& way : osm.ways) add({OsmType::kWay, way.id});
+  for (const source::Area& area : osm.areas) add(area.from);
+  return places;
+}
+
 }  // namespace citykiln::map

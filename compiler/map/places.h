@@ -17,4 +17,8 @@ using Places = std::map<OsmId, LonLat>;
 /// Elements that the extract does not hold have none. Cost: linear in the extract.
 Places places_of(const source::OsmData& osm, const Report& report);
 
+/// Returns the places of all ways and areas, as above; for reports that are written when the extract is gone. O(n log
+/// n).
+Places places_of_ways_and_areas(const source::OsmData& osm);
+
 }  // namespace citykiln::map

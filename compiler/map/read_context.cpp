@@ -19,6 +19,7 @@ constexpr double kFarthest_m = 65536;
 
 Ring located_ring(const ReadContext& context, const source::AreaRing& ring) {
   Ring points;
+  points.reserve(context.osm.points_of(ring).size());
   for (const source::Location at : context.osm.points_of(ring)) points.push_back(context.plane.snapped_forward(at));
   points = without_repeats(points);
   if (points.size() < 3) return {};
@@ -44,6 +45,8 @@ Vec2 brought_near(Vec2 p, const Box2& region) {
 
 LocatedLine located(const ReadContext& context, const source::Way& way) {
   LocatedLine line;
+  const std::size_t n = context.osm.nodes_of(way).size();
+  line.axis.reserve(n), line.node_ids.reserve(n), line.vertices.reserve(n);
   for (const source::NodeRef& node : context.osm.nodes_of(way)) {
     const Vec2 p = brought_near(context.plane.snapped_forward(node.at), context.region);
     if (line.axis.empty() || line.axis.back() != p) {

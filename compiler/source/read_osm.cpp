@@ -47,6 +47,9 @@ void add_nodes(const Elements& elements, UniqueStrings& strings, OsmData& data) 
 
 void add_ways(const Elements& elements, UniqueStrings& strings, OsmData& data, Report& report) {
   Account& account = report.account("source", "way");
+  std::size_t most_nodes = 0;
+  for (const osmium::Way* way : elements.ways) most_nodes += way->nodes().size();
+  data.way_nodes.reserve(most_nodes);
   for (const osmium::Way* way : elements.ways) {
     Range nodes{size_of(data.way_nodes), 0};
     for (const osmium::NodeRef& node_ref : way->nodes()) {
