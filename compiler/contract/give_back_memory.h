@@ -1,6 +1,8 @@
 // Gives memory that was freed back to the system.
 #pragma once
 
+#include <cstdlib>  // says which C library it is
+
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif

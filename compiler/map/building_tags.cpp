@@ -73,12 +73,14 @@ double min_height_m_of(const ReadContext& context, OsmId id, source::Range tags,
   return level_m * tagged_levels(context, id, tags, "building:min_level").value_or(0);
 }
 
-// A height below min_height is that of the part alone; an equal one is the place of a slab, or of one storey.
+// A height below min_height is that of the part alone; an equal one is the place of a slab, or of one storey. Where no
+// tag states a height, min_height is ignored: nothing says that something is up there.
 void mend_height(bool is_in_metres, double level_m, Footprint& footprint) {
   const bool is_equal = footprint.height_m == footprint.min_height_m;
   const double own_m = !is_equal ? footprint.height_m : is_in_metres ? kSlab_m : level_m;
+  const bool is_stated = is_in_metres || footprint.levels > 0 || footprint.roof.height_m > 0;
   footprint.height_m = snapped(footprint.min_height_m + own_m);
-  if (footprint.height_m <= kHighest_m) return;
+  if (is_stated && footprint.height_m <= kHighest_m) return;
   footprint.height_m = snapped(own_m), footprint.min_height_m = 0;
 }
 

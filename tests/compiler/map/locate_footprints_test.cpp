@@ -39,6 +39,7 @@ TEST(LocateFootprints, HeightComesFromTagsElseLevelsElseClass) {
       {"building:part=apartments building:levels=1 building:min_level=3", 12, 9},
       {"building:part=apartments building:levels=2 building:min_level=2", 9, 6},
       {"building:part=yes height=900 min_height=990", 900, 0},
+      {"building=church height=tall min_height=30", 16, 0},
       {"building=garage", 2.75, 0},
       {"building=church", 16, 0},
       {"building=yes", 7.5, 0},  // 108 m²
