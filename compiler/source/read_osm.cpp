@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "compiler/contract/for_each_slot.h"
 #include "compiler/source/assemble_areas.h"
 #include "compiler/source/decode_osm.h"
 #include "compiler/source/old_style_multipolygons.h"
 #include "compiler/source/order_elements.h"
 #include "compiler/source/owned_elements.h"
+#include "compiler/source/pending_elements.h"
 #include "compiler/source/unique_strings.h"
 
 namespace citykiln::source {
@@ -37,34 +37,42 @@ LonLatBox box_of(const std::vector<const osmium::Node*>& nodes) {
   return {low.lon_deg(), low.lat_deg(), high.lon_deg(), high.lat_deg()};
 }
 
-void add_nodes(const Elements& elements, UniqueStrings& strings, OsmData& data) {
-  for (const osmium::Node* node : elements.nodes) {
-    if (node->tags().empty()) continue;
-    data.nodes.push_back({node->id(), location_of(node->location()), add_tags(node->tags(), strings, data)});
-  }
+void add_nodes(const Elements& elements, PendingElements& pending, UniqueStrings& strings, OsmData& data) {
   data.node_box = box_of(elements.nodes);
+  for (const osmium::Node* node : elements.nodes) {
+    if (!node->tags().empty())
+      data.nodes.push_back({node->id(), location_of(node->location()), add_tags(node->tags(), strings, data)});
+    pending.done(*node);
+  }
 }
 
-void add_ways(const Elements& elements, UniqueStrings& strings, OsmData& data, Report& report) {
-  Account& account = report.account("source", "way");
+void add_way(const osmium::Way& way, UniqueStrings& strings, OsmData& data, Report& report) {
+  Range nodes{size_of(data.way_nodes), 0};
+  for (const osmium::NodeRef& node_ref : way.nodes()) {
+    if (node_ref.location().valid()) data.way_nodes.push_back({node_ref.ref(), location_of(node_ref.location())});
+  }
+  nodes.count = size_of(data.way_nodes) - nodes.first;
+  const std::size_t missing = way.nodes().size() - nodes.count;
+  if (missing > 0) report.add(Code::kMissingNode, {OsmType::kWay, way.id()}, static_cast<double>(missing));
+  if (nodes.count < 2) {
+    data.way_nodes.resize(nodes.first);
+    report.drop(report.account("source", "way"), Code::kWayTooShort, {OsmType::kWay, way.id()});
+    return;
+  }
+  data.ways.push_back({way.id(), nodes, add_tags(way.tags(), strings, data)});
+}
+
+void add_ways(const Elements& elements, PendingElements& pending, UniqueStrings& strings, OsmData& data,
+              Report& report) {
   std::size_t most_nodes = 0;
   for (const osmium::Way* way : elements.ways) most_nodes += way->nodes().size();
   data.way_nodes.reserve(most_nodes);
+  data.ways.reserve(elements.ways.size());
   for (const osmium::Way* way : elements.ways) {
-    Range nodes{size_of(data.way_nodes), 0};
-    for (const osmium::NodeRef& node_ref : way->nodes()) {
-      if (node_ref.location().valid()) data.way_nodes.push_back({node_ref.ref(), location_of(node_ref.location())});
-    }
-    nodes.count = size_of(data.way_nodes) - nodes.first;
-    const std::size_t missing = way->nodes().size() - nodes.count;
-    if (missing > 0) report.add(Code::kMissingNode, {OsmType::kWay, way->id()}, static_cast<double>(missing));
-    if (nodes.count < 2) {
-      data.way_nodes.resize(nodes.first);
-      report.drop(account, Code::kWayTooShort, {OsmType::kWay, way->id()});
-      continue;
-    }
-    data.ways.push_back({way->id(), nodes, add_tags(way->tags(), strings, data)});
+    add_way(*way, strings, data, report);
+    pending.done(*way);
   }
+  Account& account = report.account("source", "way");
   for (const Way& way : data.ways) account.out += report.counts({OsmType::kWay, way.id});
 }
 
@@ -151,15 +159,22 @@ void tag_areas(OsmData& data) {
   }
 }
 
-// Converts all elements except areas.
-OsmData flatten(const Elements& elements, bool has_nodes, Report& report) {
+// Converts all elements except areas, and frees the buffers. Relations look for their members in them.
+OsmData flatten(const Elements& elements, bool has_nodes, PendingElements pending, Report& report) {
   OsmData data;
   UniqueStrings strings;
-  add_nodes(elements, strings, data);
-  add_ways(elements, strings, data, report);
   add_relations(elements, has_nodes, strings, data, report);
+  add_nodes(elements, pending, strings, data);
+  add_ways(elements, pending, strings, data, report);
   sort_strings(strings, data);
   return data;
+}
+
+void add_areas(AssembledAreas&& areas, OsmData& data) {
+  data.areas = std::move(areas.areas);
+  data.rings = std::move(areas.rings);
+  data.ring_points = std::move(areas.ring_points);
+  tag_areas(data);
 }
 
 // Limits the report to what is owned. The accounts of elements begin with these.
@@ -172,22 +187,6 @@ void limit(Report& report, const Elements& elements, const std::vector<OsmId>& o
   for (const osmium::Way* way : elements.ways) ways.in += report.counts({OsmType::kWay, way->id()});
   for (const osmium::Relation* relation : elements.relations)
     relations.in += report.counts({OsmType::kRelation, relation->id()});
-}
-
-// Flattens and assembles at the same time, because one large relation can keep a single thread busy.
-// @param area_report  Empty; limited like the report.
-OsmData build(const Elements& elements, bool has_nodes, int threads, Report&& area_report, Report& report) {
-  OsmData data;
-  AssembledAreas areas;
-  for_each_index(2, threads, [&](std::size_t i) {
-    if (i == 0) areas = assemble_areas(elements, threads, area_report);
-    if (i == 1) data = flatten(elements, has_nodes, report);
-  });
-  report.append(area_report);
-  data.areas = std::move(areas.areas);
-  data.rings = std::move(areas.rings);
-  data.ring_points = std::move(areas.ring_points);
-  return data;
 }
 
 }  // namespace
@@ -204,10 +203,13 @@ Result<OsmData> read_osm(const std::string& path, int threads, Report& report, c
     area_report.limit_to(owned);
   }
 
-  OsmData data = build(elements, !decoded->has_places_in_ways, threads, std::move(area_report), report);
+  // areas first: they are assembled from the buffers, which the copy frees
+  AssembledAreas areas = assemble_areas(elements, threads, area_report);
+  OsmData data = flatten(elements, !decoded->has_places_in_ways, PendingElements(decoded->buffers, elements), report);
+  report.append(area_report);
+  add_areas(std::move(areas), data);
   data.file_name = std::filesystem::path(path).filename().string();
   data.header_box = decoded->header_box;
-  tag_areas(data);
   merge_old_style_multipolygons(data, report);
   return data;
 }

@@ -6,9 +6,9 @@
 namespace citykiln::source {
 
 std::uint32_t UniqueStrings::number_of(std::string_view text) {
-  const auto [entry, is_new] = numbers_.try_emplace(text, static_cast<std::uint32_t>(texts_.size()));
-  if (is_new) texts_.push_back(text);
-  return entry->second;
+  if (const auto found = numbers_.find(text); found != numbers_.end()) return found->second;
+  texts_.emplace_back(text);
+  return numbers_.emplace(texts_.back(), static_cast<std::uint32_t>(texts_.size() - 1)).first->second;
 }
 
 std::vector<std::uint32_t> UniqueStrings::numbers_by_alphabet() const {
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> UniqueStrings::numbers_by_alphabet() const {
 std::vector<std::string> UniqueStrings::sorted() const {
   std::vector<std::string> strings;
   strings.reserve(texts_.size());
-  for (const std::uint32_t number : numbers_by_alphabet()) strings.emplace_back(texts_[number]);
+  for (const std::uint32_t number : numbers_by_alphabet()) strings.push_back(texts_[number]);
   return strings;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -12,7 +13,7 @@ namespace citykiln::source {
 /// Numbers distinct strings in order of first use; can renumber them in alphabetical order at the end.
 class UniqueStrings {
  public:
-  /// @param text  Must outlive this object.
+  /// Keeps a copy of a text that is new.
   std::uint32_t number_of(std::string_view text);
 
   /// All strings, sorted by bytes.
@@ -24,7 +25,7 @@ class UniqueStrings {
  private:
   std::vector<std::uint32_t> numbers_by_alphabet() const;
 
-  std::vector<std::string_view> texts_;
+  std::deque<std::string> texts_;  // by number; a deque, because numbers_ refers to them
   std::unordered_map<std::string_view, std::uint32_t> numbers_;
 };
 
