@@ -2,6 +2,7 @@
 // from the data within their sum. Stages not listed here (styles, roofs, tags, draws) look at one object alone.
 #pragma once
 
+#include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/profiles/profile_graph.h"
@@ -29,6 +30,7 @@ namespace citykiln::regions {
 // | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, planes, limits of grade             |
 // | bridges and tunnels    | ground::kSpanEndRadius_m       |   4096 | their ends                                     |
 // | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
+// | paths to a bridge      | ground::kLongestApproach_m     |   2048 | a bridge or tunnel that moves the path         |
 // | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
 //
 // Without a bound, and therefore in the survey: coastlines, levels of standing water, profiles of running water, and
@@ -48,6 +50,9 @@ inline constexpr double kRegionHalo_m = 10240;
 static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + roads::kLongestFitted_m +
                                    ground::kProfileRadius_m + ground::kSpanEndRadius_m + kStoreyRadius_m +
                                    ground::kKnotStretch_m);
+static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + roads::kLongestFitted_m +
+                                   ground::kLongestApproach_m + ground::kApproach_m + ground::kProfileRadius_m +
+                                   ground::kSpanEndRadius_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 
 }  // namespace citykiln::regions

@@ -23,6 +23,8 @@ WITHIN_CHUNK = {"woods", "plants' obstacles", "pieces of roads"}
 UNIT_TESTED = {"assumed widths", "knots"}
 # smoothed afterwards, so that they reach farther by the radius of profiles; the halo of a region is the sum
 SMOOTHED = {"bridges and tunnels"}
+# sums of the farthest that each of several steps reaches: no one thing was found that all of them carry on
+SUMS = {"profiles", "ramps of storeys"}
 
 
 def radii():
@@ -126,6 +128,15 @@ def railway_bridge(distance):
     return made
 
 
+def path_below_a_bridge(distance):
+    made = base()
+    far = 3000 if distance is None else distance
+    made.way([(-far - 20, 128), (60, 128)], highway="footway")
+    if distance is not None:
+        made.way([(-far, 100), (-far, 156)], highway="residential", bridge="yes", layer=1)
+    return made
+
+
 def long_road(_):
     made = base()
     made.way([(-11000, 128), (600, 128)], highway="motorway", oneway="yes")
@@ -177,9 +188,10 @@ CASES = {
     "roads of a chunk": (road, None, lambda chunk: chunk.roads, 28),
     "junctions": (second_junction, None, lambda chunk: [j for j in chunk.junctions if any(abs(x - 120) < 0.1 for x, _ in j[1])], 12),
     "running water": (river, lambda _: lambda x: x / 100, lambda chunk: [water[1:] for water in chunk.waters], 504),
-    "profiles": (long_road, lambda distance: step_at(distance, 200), lambda chunk: [heights_of(road) for road in chunk.roads], 300),
+    "profiles": (long_road, lambda distance: step_at(distance, 200), lambda chunk: [heights_of(road) for road in chunk.roads], 600),
     "bridges and tunnels": (tunnel, lambda distance: step_at(distance - 30, -60), lambda chunk: [heights_of(span) for span in chunk.tunnels], 2048),
-    "ramps of storeys": (railway_bridge, None, lambda chunk: [heights_of(road) for road in chunk.roads], 100),
+    "paths to a bridge": (path_below_a_bridge, None, lambda chunk: [road[5] for road in chunk.roads], 1500),
+    "ramps of storeys": (railway_bridge, None, lambda chunk: [heights_of(road) for road in chunk.roads], 200),
 }
 
 
@@ -223,6 +235,8 @@ class Radii(ProgramTest):
     def test_what_is_near_changes_something(self):
         for stage, (*_, near) in CASES.items():
             with self.subTest(stage=stage):
+                if stage not in SUMS:  # half the radius would be too little
+                    self.assertLessEqual(radii()[stage] / 2, near)
                 self.assertLess(near, radii()[stage])
                 self.assertNotEqual(self.seen(stage, near), self.seen(stage, None))
 

@@ -13,7 +13,7 @@ namespace citykiln::ground {
 /// 5.5 m at 3/8, twice.
 inline constexpr double kApproach_m = 32;
 /// Longer paths lead elsewhere and stay on the ground.
-inline constexpr double kLongestApproach_m = 1024;
+inline constexpr double kLongestApproach_m = 2048;
 
 /// Returns per track whether it is an approach: on the ground, of a class without profiles, connected by map nodes to
 /// the end of a bridge or tunnel (where no other continues) or crossed by a bridge; never connected to where one

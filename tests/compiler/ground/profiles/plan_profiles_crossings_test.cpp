@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/profiles/crossings.h"
 #include "compiler/ground/profiles/enforce_clearances.h"
 #include "compiler/ground/profiles/grade_rules.h"
@@ -237,8 +238,8 @@ TEST(Profiles, AnUnderpassBetweenStepsGoesDownAndLeavesTheRailwayLevel) {
 TEST(Profiles, ReportAClearanceThatIsNotMet) {
   // the bridge ends on paths too long to rise with it
   map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
-  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
-  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  f.tracks[0] = track(1, {{-kLongestApproach_m - 30, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {kLongestApproach_m + 30, 0}}, kFootway);
   const Planned p = planned(f, field_from([](double, double) { return 40; }));
   const auto found = std::ranges::find(p.report.diagnoses(), Code::kClearanceNotMet, &Diagnosis::code);
   ASSERT_NE(found, p.report.diagnoses().end());
@@ -252,8 +253,8 @@ TEST(Profiles, ReportAClearanceThatIsNotMet) {
 TEST(Profiles, ReportLayersThatContradictEachOther) {
   // the same, with a street that has the bridge's layer
   map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
-  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
-  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  f.tracks[0] = track(1, {{-kLongestApproach_m - 30, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {kLongestApproach_m + 30, 0}}, kFootway);
   f.tracks[3].layer = 1;
   const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_EQ(p.report.counts().count(Code::kClearanceNotMet), 0u);
@@ -395,8 +396,8 @@ TEST(Profiles, PathsThatNeedNotClimbKeepNone) {
 
 TEST(Profiles, APathGoesDownUnderABridgeThatCannotRise) {
   map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
-  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
-  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  f.tracks[0] = track(1, {{-kLongestApproach_m - 30, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {kLongestApproach_m + 30, 0}}, kFootway);
   f.tracks[3] = track(4, {{0, -100}, {0, 100}}, kFootway);
   const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_EQ(p.measures.shortfalls, 0u);
@@ -406,8 +407,8 @@ TEST(Profiles, APathGoesDownUnderABridgeThatCannotRise) {
 
 TEST(Profiles, ATunnelGoesDownUnderABridgeThatCannotRise) {
   map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
-  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
-  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  f.tracks[0] = track(1, {{-kLongestApproach_m - 30, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {kLongestApproach_m + 30, 0}}, kFootway);
   f.tracks[3] = track(4, {{0, -800}, {0, -30}});
   f.tracks.push_back(track(5, {{0, -30}, {0, 30}}, kStreet, Passage::kTunnel, -1));
   f.tracks.push_back(track(6, {{0, 30}, {0, 800}}));
