@@ -121,7 +121,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   features.tracks = roads::fit_assumed_widths(features);
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
-  recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints, report);
+  recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints,
+                                      roads::ways_through_buildings(features), report);
   timer.enter("land cover and water");
   ground::Waters waters = survey ? surveyed_waters(plan_dry_waters(features, report), *survey)
                                  : plan_waters(plan_dry_waters(features, report), features, recipes.heights, report);

@@ -61,6 +61,7 @@ struct Track {
   bool is_oneway = false, is_lit = false, is_rail = false;
   bool is_roundabout = false;         ///< junction=roundabout or circular.
   bool is_link = false;               ///< A ramp or slip road: highway=*_link.
+  bool is_through_building = false;   ///< Its tags say so: tunnel=building_passage, covered=*, level=*.
   std::vector<TrackPoint> points;     ///< Sorted. A closed axis has them at its first vertex, once.
   CrossSection section;               ///< By its tags.
   bool has_tagged_width = false;      ///< Whether they state how wide the carriageway is; else the class does.

@@ -54,6 +54,11 @@ bool is_upper_passage(const ReadContext& context, const source::Way& way, const 
          context.tag(way.tags, "tunnel") == "building_passage" && !says_yes(context.tag(way.tags, "bridge"));
 }
 
+bool is_through_building(const ReadContext& context, source::Range tags) {
+  return context.tag(tags, "tunnel") == "building_passage" || says_yes(context.tag(tags, "covered")) ||
+         !context.tag(tags, "level").empty();
+}
+
 void tell_layer(const Track& track, Report& report) {
   if (track.passage == Passage::kBridge && track.layer == 0) report.add(Code::kBridgeWithoutLayer, track.id.osm);
   // paths in tunnels without a layer are corridors in buildings
@@ -79,6 +84,7 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
   track.layer = tagged_layer(context, id, way.tags);
   track.passage = is_upper_passage(context, way, track) ? Passage::kTunnel : tagged_passage(context, way.tags);
+  track.is_through_building = is_through_building(context, way.tags);
   track.is_oneway = tagged_traffic(context.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;
   track.is_lit = says_yes(context.tag(way.tags, "lit"));
   track.is_rail = row.key == "railway";

@@ -1,5 +1,7 @@
 #include "compiler/roads/plan.h"
 
+#include <algorithm>
+
 namespace citykiln::roads {
 
 Road road_of(const map::Track& track) {
@@ -31,6 +33,14 @@ std::vector<Road> plan(const map::Features& features, Report& report) {
   }
   report.account("roads", "track") = account;
   return roads;
+}
+
+std::vector<OsmId> ways_through_buildings(const map::Features& features) {
+  std::vector<OsmId> ids;
+  for (const map::Track& track : features.tracks)
+    if (track.is_through_building) ids.push_back(track.id.osm);
+  std::ranges::sort(ids);
+  return ids;
 }
 
 }  // namespace citykiln::roads

@@ -16,4 +16,7 @@ Road road_of(const map::Track& track);
 /// merged, since they become structures. Total. O(n).
 std::vector<Road> plan(const map::Features& features, Report& report);
 
+/// Returns the ids of the ways that lead through buildings by their tags, sorted. O(n).
+std::vector<OsmId> ways_through_buildings(const map::Features& features);
+
 }  // namespace citykiln::roads

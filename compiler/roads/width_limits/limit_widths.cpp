@@ -179,7 +179,8 @@ double covered_m(const BuildingObstacles& beside, const SampledRoad& samples) {
   return static_cast<double>(std::unique(steps.begin(), steps.end()) - steps.begin()) * kStep_m;
 }
 
-void finish(const BuildingObstacles& beside, SampledRoad& samples, Road& road, Report& report) {
+// Fits the limits of both sides, and reports by how much the road lost.
+void finish(SampledRoad& samples, Road& road, Report& report) {
   int most = 0;
   for (const bool is_left : {true, false}) {
     const Widths widths = widths_of(road, is_left ? raised_left_m(road) : raised_right_m(road));
@@ -188,6 +189,9 @@ void finish(const BuildingObstacles& beside, SampledRoad& samples, Road& road, R
     (is_left ? road.width_limits.left : road.width_limits.right) = fit_width_limits(side, widths.whole, samples.first);
   }
   if (most > 0) report.add(Code::kRoadNarrowed, road.id.osm, most * kUnit_m);
+}
+
+void report_covered(const Road& road, const BuildingObstacles& beside, const SampledRoad& samples, Report& report) {
   if (const double covered = covered_m(beside, samples); covered > 0)
     report.add(Code::kBuildingOnRoad, road.id.osm, covered);
 }
@@ -195,7 +199,8 @@ void finish(const BuildingObstacles& beside, SampledRoad& samples, Road& road, R
 }  // namespace
 
 std::vector<Road> limit_widths(std::vector<Road> roads, std::span<const Junction> junctions,
-                               std::span<const map::Footprint> footprints, Report& report) {
+                               std::span<const map::Footprint> footprints, std::span<const OsmId> through_buildings,
+                               Report& report) {
   const StandingFootprints standing(footprints);
   const std::vector<StripEnds> ends = ends_of(roads);
   std::vector<BuildingObstacles> beside(roads.size());
@@ -211,8 +216,12 @@ std::vector<Road> limit_widths(std::vector<Road> roads, std::span<const Junction
   for (const std::uint32_t road : touched) mark_obstacles(beside[road], samples[road]);
   mark_cuts(roads, junctions, samples);
   spread_all(connections, samples);
-  for (std::size_t road = 0; road < roads.size(); ++road)
-    if (samples[road].is_active()) finish(beside[road], samples[road], roads[road], report);
+  for (std::size_t road = 0; road < roads.size(); ++road) {
+    if (!samples[road].is_active()) continue;
+    finish(samples[road], roads[road], report);
+    if (!std::ranges::binary_search(through_buildings, roads[road].id.osm))
+      report_covered(roads[road], beside[road], samples[road], report);
+  }
   return roads;
 }
 

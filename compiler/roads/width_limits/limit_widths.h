@@ -23,6 +23,7 @@ namespace citykiln::roads {
 /// @param junctions  Of these roads at their full width.
 /// @param footprints  In any order. Open roofs, buildings with kHeadroom_m of clearance, outlines that parts replace,
 /// and buildings that the axis runs into (near that point) do not limit a road.
+/// @param through_buildings  Sorted ids of the ways that lead through buildings by their tags: never kBuildingOnRoad.
 ///
 /// Guarantees: edges stay out of footprints, apart from snapping, wherever the minimum width (narrowed_section.h) and
 /// junction cuts allow; no edge turns by more than kTaper, nor steps by more than kUnit_m where two roads join; a road
@@ -30,6 +31,7 @@ namespace citykiln::roads {
 /// times half the road's width and a block of 64 m, nor farther across than max_offset_m(); the order of roads and
 /// footprints does not matter. Diagnosed, once a road: kRoadNarrowed, kBuildingOnRoad. Total. O(n log n).
 std::vector<Road> limit_widths(std::vector<Road> roads, std::span<const Junction> junctions,
-                               std::span<const map::Footprint> footprints, Report& report);
+                               std::span<const map::Footprint> footprints, std::span<const OsmId> through_buildings,
+                               Report& report);
 
 }  // namespace citykiln::roads

@@ -69,6 +69,10 @@ TEST(LocateTracks, APathThroughABuildingOnAnUpperStoreyIsACorridor) {
   EXPECT_EQ(track_of("highway=footway tunnel=building_passage layer=1").passage, Passage::kTunnel);
   EXPECT_EQ(track_of("highway=footway tunnel=building_passage bridge=yes layer=1").passage, Passage::kBridge);
   EXPECT_EQ(track_of("highway=service tunnel=building_passage layer=1").passage, Passage::kGround);
+  EXPECT_TRUE(track_of("highway=service tunnel=building_passage").is_through_building);
+  EXPECT_TRUE(track_of("highway=footway covered=arcade").is_through_building);
+  EXPECT_TRUE(track_of("highway=footway level=0").is_through_building);
+  EXPECT_FALSE(track_of("highway=footway covered=no").is_through_building);
 }
 
 TEST(LocateTracks, LayersAndBridgesThatDisagreeAreDiagnosed) {

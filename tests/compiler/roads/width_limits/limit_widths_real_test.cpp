@@ -61,7 +61,8 @@ TEST_P(LimitWidthsReal, KeepsOutOfBuildingsOrSaysThatItDoesNot) {
   ASSERT_TRUE(real) << to_string(real.error());
   const map::Features& features = real->features;
   const std::vector<Road> roads = plan(features, report);
-  const std::vector<Road> narrowed = limit_widths(roads, plan_junctions(roads, report), features.footprints, report);
+  const std::vector<Road> narrowed =
+      limit_widths(roads, plan_junctions(roads, report), features.footprints, {}, report);
 
   const StandingFootprints footprints(features.footprints);
   const std::vector<StripEnds> ends = ends_of(roads);

@@ -23,7 +23,7 @@ using Footprints = std::vector<map::Footprint>;
 
 Roads narrowed(const Roads& roads, const Footprints& footprints) {
   Report report;
-  return limit_widths(roads, plan_junctions(roads, report), footprints, report);
+  return limit_widths(roads, plan_junctions(roads, report), footprints, {}, report);
 }
 
 Road street(std::int64_t id, Polyline axis) {
@@ -180,7 +180,7 @@ TEST(LimitWidths, LeavesCarriagewaysWholeAtJunctions) {
   Report report;
   const Roads roads = {street(1, {{0, 0}, {100, 0}, {200, 0}}), street(2, {{100, 0}, {100, -90}})};
   const std::vector<Junction> junctions = plan_junctions(roads, report);
-  const Roads after = limit_widths(roads, junctions, std::vector{made_box(1, {80, 2}, {120, 20})}, report);
+  const Roads after = limit_widths(roads, junctions, std::vector{made_box(1, {80, 2}, {120, 20})}, {}, report);
   double cut = 0;
   for (const Cut& c : junctions[0].cuts) cut = std::max(cut, c.length_m);
   for (const double along : {100 - cut, 100.0, 100 + cut})
@@ -192,10 +192,19 @@ TEST(LimitWidths, LeavesCarriagewaysWholeAtJunctions) {
 TEST(LimitWidths, IsNotAskedByWhatTheAxisRunsThrough) {
   Report report;
   const Roads roads = {street(1, {{0, 0}, {100, 0}})};
-  const Roads after = limit_widths(roads, {}, std::vector{made_box(1, {40, -8}, {50, 9})}, report);
+  const Roads after = limit_widths(roads, {}, std::vector{made_box(1, {40, -8}, {50, 9})}, {}, report);
   EXPECT_EQ(after, roads);
   ASSERT_EQ(report.counts().count(Code::kBuildingOnRoad), 1u);
   EXPECT_NEAR(report.diagnoses().front().size, 10, 0.5);
+}
+
+TEST(LimitWidths, SaysNothingOfWaysThatLeadThroughBuildingsByTheirTags) {
+  Report report;
+  const std::vector<OsmId> passages = {{OsmType::kWay, 1}};
+  limit_widths({street(1, {{0, 0}, {100, 0}})}, {}, std::vector{made_box(1, {40, -8}, {50, 9})}, passages, report);
+  EXPECT_TRUE(report.diagnoses().empty());
+  limit_widths({street(2, {{0, 0}, {100, 0}})}, {}, std::vector{made_box(1, {40, -8}, {50, 9})}, passages, report);
+  EXPECT_EQ(report.diagnoses().size(), 1u);
 }
 
 TEST(LimitWidths, IsNotAskedByRoofsAndWhatHangsAbove) {
@@ -209,7 +218,7 @@ TEST(LimitWidths, IsNotAskedByRoofsAndWhatHangsAbove) {
 TEST(LimitWidths, SaysWhatIsLeftInTheWay) {
   Report report;
   const Roads after =
-      limit_widths({street(1, {{0, 0}, {100, 0}})}, {}, std::vector{made_box(1, {40, 0.5}, {50, 9})}, report);
+      limit_widths({street(1, {{0, 0}, {100, 0}})}, {}, std::vector{made_box(1, {40, 0.5}, {50, 9})}, {}, report);
   EXPECT_DOUBLE_EQ(road_edges_at(after[0], 45).left_m, kMinCarriageway_m / 2);
   ASSERT_EQ(report.diagnoses().size(), 2u);
   EXPECT_EQ(report.diagnoses()[0].code, Code::kRoadNarrowed);
@@ -257,8 +266,8 @@ TEST(LimitWidths, TakesAnythingForARoad) {
                      street(3, {{0, 0}, {30, 0}, {30, 30}, {0, 0}})};
   const Footprints houses = {made_box(1, {0, 0}, {9, 9}), made_box(2, {-3, 1}, {40, 2}),
                              made_footprint(3, {{0, 0}, {9, 0}, {4, 0x1p-10}})};
-  EXPECT_EQ(limit_widths(odd, plan_junctions(odd, report), houses, report).size(), 3u);
-  EXPECT_TRUE(limit_widths({}, {}, houses, report).empty());
+  EXPECT_EQ(limit_widths(odd, plan_junctions(odd, report), houses, {}, report).size(), 3u);
+  EXPECT_TRUE(limit_widths({}, {}, houses, {}, report).empty());
 }
 
 }  // namespace
