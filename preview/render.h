@@ -49,8 +49,4 @@ Image render(const World& world, const Lights& lights, const Camera& camera, con
 /// Renders baked tiles: the same picture whether they were baked or read from .glb.
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera, const Options& options);
 
-/// Factor of exposure for low suns and twilight, as eyes adapt: 1 while the sun is higher than 15 degrees, 3.6 stops
-/// when it sets, 9.4 stops from 6 degrees below the horizon.
-double adapted_exposure(const sky::Sky& sky);
-
 }  // namespace citykiln::preview

@@ -112,14 +112,13 @@ struct Studio {
   const scene::Scene& scene;
   const preview::Lights& lights;
   preview::Options options;
-  double exposure = 1;
 };
 
 Result<Done> write_picture(const Studio& studio, const preview::World& world, const PlaceToShow& place) {
   const preview::Camera camera = camera_for(world, studio.scene, place);
   preview::Image image =
       preview::denoise(preview::render(world, studio.lights, camera, studio.options), studio.options.threads);
-  preview::expose(image, studio.exposure);
+  preview::expose(image, preview::exposure_under(studio.scene.header.sky, image));
   return preview::write_image(image, place.picture);
 }
 
@@ -139,7 +138,7 @@ Result<Done> write_place_pictures(const scene::Scene& scene, std::span<const Pla
   const preview::World world(cells_for(scene, {above, kWidth_px, kHeight_px}, kFineness), above.front().eye,
                              default_budget_bytes());
   const preview::Lights lights(sky::generate(scene.header.sky, above.front().eye.z));
-  Studio studio{scene, lights, {}, preview::adapted_exposure(scene.header.sky)};
+  Studio studio{scene, lights, {}};
   studio.options.width = kWidth_px, studio.options.height = kHeight_px, studio.options.samples = kSamples;
   studio.options.bounces = kBounces, studio.options.threads = threads, studio.options.has_guides = true;
   for (std::size_t done = 0; const PlaceToShow* place : neighbours_together(places)) {

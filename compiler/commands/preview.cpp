@@ -32,14 +32,10 @@ struct Exposure {
   double factor = 1;
   bool is_auto = false, is_given = false;
 
-  /// By night, unless given, it is automatic: streets have a thousand times the light of the sky, or none.
-  bool is_auto_under(const sky::Sky& sky) const { return is_auto || (!is_given && sky::is_night(sky)); }
-
   /// Returns the factor of a picture.
   double of(const preview::Image& image, const sky::Sky& sky) const {
-    if (is_auto_under(sky)) return preview::auto_exposure(image) * factor;
-    const double adapted = preview::adapted_exposure(sky);
-    return is_given ? factor * adapted : preview::day_exposure(image, adapted);
+    if (!is_given) return preview::exposure_under(sky, image);
+    return factor * (is_auto ? preview::auto_exposure(image) : preview::adapted_exposure(sky));
   }
 };
 

@@ -87,14 +87,9 @@ struct Page {
   void add_contents(std::span<const verify::PlacesOfKind> kinds);
 };
 
-// Outside of the extent there is nothing to see.
-bool is_shown(const scene::Header& header, const verify::WorstPlace& place) {
-  return place.at && !place.is_usual && header.region.contains(*place.at);
-}
-
 void Page::add(const verify::PlacesOfKind& kind, const verify::WorstPlace& place) {
   html += "<figure>";
-  if (is_shown(run.scene.header, place)) {
+  if (needs_picture(run.scene.header.region, place)) {
     const std::string name = fmt::format("pictures/{:04}.png", shots.size());
     const std::string tile = place.file.empty() ? "" : run.folder + "/" + place.file;
     shots.push_back({*place.at, extent_m_of(kind, place), kind.on_roofs, tile, folder + "/" + name});
@@ -140,6 +135,10 @@ std::string joined(const std::vector<std::string>& texts) {
 }
 
 }  // namespace
+
+bool needs_picture(const Box2& extent, const verify::WorstPlace& place) {
+  return place.at && !place.is_usual && extent.contains(*place.at);
+}
 
 std::string html_text(std::string_view text) {
   std::string html;

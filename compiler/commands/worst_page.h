@@ -17,6 +17,10 @@ namespace citykiln::commands {
 Result<Done> write_worst_page(const verify::LoadedRun& run, std::span<const verify::PlacesOfKind> kinds,
                               const std::string& folder, int threads, const OnProgress& on_progress);
 
+/// Returns whether a place gets a picture: it has a position inside the extent, and is not usual. Outside of the extent
+/// there is nothing to see.
+bool needs_picture(const Box2& extent, const verify::WorstPlace& place);
+
 /// The text with the five characters that mean something in HTML replaced, and without control characters.
 std::string html_text(std::string_view text);
 

@@ -1,7 +1,10 @@
 #include "preview/picture/exposure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "preview/picture/tone_map.h"
 #include "preview/rgb.h"
@@ -40,6 +43,24 @@ double auto_exposure(const Image& image) {
 
 double day_exposure(const Image& image, double adapted) {
   return std::max(adapted, std::exp2(stops_below_mean(image) - kShade_stops));
+}
+
+double adapted_exposure(const sky::Sky& sky) {
+  // degrees above the horizon, and stops: three quarters of those that clear skies' illuminance of level ground has
+  // fallen by since 15 degrees, where it is 20 klx
+  constexpr std::array<std::pair<double, double>, 8> kStops = {
+      {{-6, 9.4}, {-3, 6.5}, {-0.8, 4.2}, {0, 3.6}, {2, 2.6}, {5, 1.5}, {10, 0.55}, {15, 0}}};
+  const double height_deg = std::asin(std::clamp(sky.to_sun.z, -1.0, 1.0)) * 180 / std::numbers::pi;
+  const auto above = std::ranges::lower_bound(kStops, height_deg, {}, &std::pair<double, double>::first);
+  if (above == kStops.begin()) return std::exp2(kStops.front().second);
+  if (above == kStops.end()) return 1;
+  const auto below = above - 1;
+  return std::exp2(
+      std::lerp(below->second, above->second, (height_deg - below->first) / (above->first - below->first)));
+}
+
+double exposure_under(const sky::Sky& sky, const Image& image) {
+  return sky::is_night(sky) ? auto_exposure(image) : day_exposure(image, adapted_exposure(sky));
 }
 
 bool is_black(const Image& image) {

@@ -1,6 +1,7 @@
 // Exposure of pictures.
 #pragma once
 
+#include "compiler/sky/recipe.h"
 #include "preview/picture/image.h"
 
 namespace citykiln::preview {
@@ -18,6 +19,14 @@ inline constexpr double kShade_stops = 2;
 
 /// The factor for a picture by day: that of adapted eyes, or in deep shade more.
 double day_exposure(const Image& image, double adapted);
+
+/// Factor of exposure for low suns and twilight, as eyes adapt: 1 while the sun is higher than 15 degrees, 3.6 stops
+/// when it sets, 9.4 stops from 6 degrees below the horizon.
+double adapted_exposure(const sky::Sky& sky);
+
+/// The factor for a picture when none is asked for: by day day_exposure(); by night auto_exposure(), since streets have
+/// a thousand times the light of the sky, or none.
+double exposure_under(const sky::Sky& sky, const Image& image);
 
 /// Whether a screen shows nothing: all channels of the picture's tone-mapped mean are below 3 of 255.
 bool is_black(const Image& image);

@@ -66,14 +66,6 @@ TEST(Render, WhatShinesIsSeenByNight) {
   for (std::size_t i = 0; i < image.rgb.size(); i += 3) EXPECT_NEAR(image.rgb[i], 100.0 / 6250, 1e-4);
 }
 
-TEST(Render, ExposureFollowsTheSunDown) {
-  const auto at = [](double z) { return adapted_exposure({"", {0, 0, z}, 2.6}); };
-  EXPECT_EQ(at(0.5), 1);
-  EXPECT_NEAR(at(0), std::exp2(3.6), 1e-4);
-  EXPECT_NEAR(at(-0.5), std::exp2(9.4), 1e-4);
-  for (double z = -0.2; z < 0.4; z += 0.01) EXPECT_GE(at(z), at(z + 0.01)) << z;
-}
-
 TEST(Render, ExposureMultiplies) {
   const std::vector tiles = {place_by_a_lake({0, 0, 0})};
   Options options = small(16, 9, 2);

@@ -12,5 +12,17 @@ TEST(WorstPage, EscapesTheTextsOfStrangers) {
   EXPECT_EQ(html_text("Straße"), "Straße");
 }
 
+TEST(WorstPage, ShowsUnusualPlacesInsideTheExtent) {
+  const Box2 extent{{0, 0}, {100, 50}};
+  verify::WorstPlace place;
+  EXPECT_FALSE(needs_picture(extent, place));
+  place.at = Vec2{90, 40};
+  EXPECT_TRUE(needs_picture(extent, place));
+  place.is_usual = true;
+  EXPECT_FALSE(needs_picture(extent, place));
+  place.is_usual = false, place.at = Vec2{40, 90};
+  EXPECT_FALSE(needs_picture(extent, place));
+}
+
 }  // namespace
 }  // namespace citykiln::commands
