@@ -308,10 +308,17 @@ class Measurer {
       const Place& other = segments_[s];
       if (other.line == here.line || is_a_path_of_ground(*other.line)) continue;
       const Place foot{other.line, other.segment, nearest_on(other.from(), other.to(), here.at)};
-      if (distance(here.at, foot.at) >= here.line->half_m() + other.line->half_m()) continue;
+      const double apart_m = distance(here.at, foot.at);
+      if (apart_m >= here.line->half_m() + other.line->half_m()) continue;
+      if (are_side_by_side(*here.line, *other.line, apart_m)) continue;
       if (lands_on(network_, here, *other.line) || lands_on(network_, foot, *here.line)) continue;
       if (!leads_to(network_, foot, twin_ends(*here.line))) add(here, foot);
     }
+  }
+
+  /// Two bridges or two tunnels that overlap, but neither axis is over the other's carriageway.
+  static bool are_side_by_side(const Line& a, const Line& b, double apart_m) {
+    return a.kind == b.kind && apart_m >= std::max(a.half_m(), b.half_m());
   }
 
   /// Ends beside a bridge or tunnel of others in the same order.

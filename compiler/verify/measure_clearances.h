@@ -36,9 +36,10 @@ struct Clearances {
 };
 
 /// Measures all crossings of the scene. Two lines cross where their axes intersect, or where one runs within the
-/// other's width (tested every 4 m), unless they are connected close by, one descends beside the other, or the other
-/// goes on as a bridge or tunnel beside it (ground/profiles/crossings.h). Lines without a profile lie on the graded
-/// terrain. Each crossing counts once, in the tile that contains it. O(n log n).
+/// other's width (tested every 4 m), unless they are connected close by, one descends beside the other, the other goes
+/// on as a bridge or tunnel beside it, or both are bridges or both tunnels and side by side
+/// (ground/profiles/crossings.h). Lines without a profile lie on the graded terrain. Each crossing counts once, in the
+/// tile that contains it. O(n log n).
 Clearances measure_clearances(const scene::Scene& scene, int threads);
 
 /// Returns the measures with the tags that findings quote, and with the shortfalls of pairs that a finding

@@ -165,6 +165,13 @@ struct Finder {
     return landings;
   }
 
+  // Returns whether two bridges or two tunnels that overlap so far apart lie side by side: neither axis is over the
+  // other's carriageway.
+  bool are_side_by_side(std::uint32_t a, std::uint32_t b, double apart_m) const {
+    const Track &one = *graph.ways[a].track, &two = *graph.ways[b].track;
+    return one.passage == two.passage && apart_m >= std::max(half_width_m(one), half_width_m(two));
+  }
+
   // Returns whether one of the landings lies on another way.
   bool are_beside(std::span<const Vec2> landings, std::uint32_t way, std::uint32_t other) const {
     const Track& beside = *graph.ways[other].track;
@@ -337,6 +344,7 @@ struct Finder {
       const double along = nearest_along(other.a, other.b, at);
       const double apart_m = distance(at, other.a + (other.b - other.a) * along);
       if (apart_m >= half_m + half_width_m(*graph.ways[other.way].track)) continue;
+      if (are_side_by_side(w, other.way, apart_m)) continue;
       const double other_m = other.at_m + along * distance(other.a, other.b);
       if (!landings) landings = landings_of(w, at_m);
       if (are_beside(*landings, w, other.way) || are_beside(landings_of(other.way, other_m), other.way, w)) continue;

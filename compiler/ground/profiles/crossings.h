@@ -65,11 +65,11 @@ struct BelowBridges {
 
 /// Finds all crossings. Bridges pass over the ground, and the ground and its paths over tunnels; of two bridges or two
 /// tunnels the one with the higher layer=* is above (default 1 for bridges, -1 for tunnels); with equal layers there is
-/// no crossing. Where a bridge goes on as a tunnel it comes down, as on the ground. Corridors in buildings (paths in
-/// "tunnels" of layer 0 or above) cross nothing. A line that runs along within another's width does not cross it within
-/// kJoined_m of an end that lies on the other, nor where the other goes on within kJoined_m as a bridge or tunnel of
-/// the same layer beside it: they come down side by side. Sorted by upper line, then by place. O(n log n) in what
-/// leaves the ground.
+/// no crossing, nor where they run side by side: apart by more than half the width of each. Where a bridge goes on as a
+/// tunnel it comes down, as on the ground. Corridors in buildings (paths in "tunnels" of layer 0 or above) cross
+/// nothing. A line that runs along within another's width does not cross it within kJoined_m of an end that lies on the
+/// other, nor where the other goes on within kJoined_m as a bridge or tunnel of the same layer beside it: they come
+/// down side by side. Sorted by upper line, then by place. O(n log n) in what leaves the ground.
 std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features,
                                      const BelowBridges& below);
 

@@ -111,6 +111,17 @@ TEST(MeasureClearances, CountParallelLinesUnlessOneDescendsBesideTheOther) {
   EXPECT_EQ(measured(chunk).crossings, 0u);
 }
 
+TEST(MeasureClearances, SkipBridgesAndTunnelsSideBySide) {
+  const auto crossings = [](double apart_m) {
+    scene::Chunk chunk;
+    const Polyline beside = {{100, 500 + apart_m}, {900, 500 + apart_m}};
+    chunk.bridges = {span(1, kAlong, 20, 2), span(2, beside, 20, 1)};
+    return measured(chunk).crossings;
+  };
+  EXPECT_EQ(crossings(4), 0u);
+  EXPECT_EQ(crossings(2), 1u);
+}
+
 TEST(MeasureClearances, SkipTheApproachOfABridgeOfTheSameLayerBesideIt) {
   // the left bridge is shorter than the right one
   scene::Chunk chunk;

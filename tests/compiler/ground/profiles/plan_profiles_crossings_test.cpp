@@ -429,6 +429,22 @@ TEST(Profiles, WhatComesDownBesideALineDoesNotPassOverIt) {
   EXPECT_GE(planned(f, field_from([](double, double) { return 40; })).measures.crossings, 1u);
 }
 
+TEST(Profiles, OfTwoBridgesSideBySideNoneIsAbove) {
+  // carriageways of one bridge with different layers, which overlap by an assumed width
+  const auto crossings = [](double apart_m) {
+    map::Features f;
+    for (const double y : {0.0, apart_m}) {
+      const auto id = static_cast<std::int64_t>(f.tracks.size());
+      f.tracks.push_back(track(id + 1, {{-600, y}, {-300, y}}));
+      f.tracks.push_back(track(id + 2, {{-300, y}, {300, y}}, kStreet, Passage::kBridge, y > 0 ? 1 : 2));
+      f.tracks.push_back(track(id + 3, {{300, y}, {600, y}}));
+    }
+    return planned(f, field_from([](double, double) { return 40; })).measures.crossings;
+  };
+  EXPECT_EQ(crossings(4), 0u);
+  EXPECT_GE(crossings(2), 1u);
+}
+
 TEST(Profiles, NoRoadRisesWithAFootbridgeThatEndsOnIt) {
   // from a path over a street up to a road, 20 m beside it
   map::Features f;
