@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 Json json_of(const PlannedRegion& region) {
   return {{"region", to_string(region.key)},
@@ -29,6 +29,8 @@ Json json_of(const PlannedRegion& region) {
           {"own_nodes", region.file.own_nodes},
           {"own_building_nodes", region.file.own_building_nodes},
           {"own_road_nodes", region.file.own_road_nodes},
+          {"own_trees", region.file.own_trees},
+          {"own_plantings", region.file.own_plantings},
           {"terrain_vertices", region.terrain_vertices},
           {"expected",
            {{"seconds", region.expected.seconds},
@@ -48,7 +50,9 @@ PlannedRegion region_of(const Json& json) {
                    .own_way_nodes = json.at("own_way_nodes"),
                    .own_nodes = json.at("own_nodes"),
                    .own_building_nodes = json.at("own_building_nodes"),
-                   .own_road_nodes = json.at("own_road_nodes")},
+                   .own_road_nodes = json.at("own_road_nodes"),
+                   .own_trees = json.at("own_trees"),
+                   .own_plantings = json.at("own_plantings")},
           .terrain_vertices = json.at("terrain_vertices"),
           .expected = {expected.at("seconds"), expected.at("memory_bytes"), expected.at("output_bytes")}};
 }

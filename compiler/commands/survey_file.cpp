@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
+#include <vector>
 
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
@@ -17,16 +16,35 @@ std::string survey_path(const std::string& plan_folder, regions::RegionKey regio
   return plan_folder + "/survey/" + to_string(region) + ".kiln";
 }
 
+/// The boxes of a survey's waters, found once for all regions.
+struct WaterBoxes {
+  std::vector<Box2> waters, streams;
+};
+
+WaterBoxes boxes_of(const Survey& survey) {
+  WaterBoxes boxes;
+  for (const ground::LandCoverPolygon& water : survey.waters) boxes.waters.push_back(ground::box_of(water));
+  for (const roads::Strip& stream : survey.streams) boxes.streams.push_back(box_of(stream.axis));
+  return boxes;
+}
+
+template <typename Water>
+std::vector<Water> waters_near(const Box2& near, const std::vector<Water>& waters, const std::vector<Box2>& boxes) {
+  std::vector<Water> found;
+  for (std::size_t i = 0; i < waters.size(); ++i)
+    if (boxes[i].touches(near)) found.push_back(waters[i]);
+  return found;
+}
+
 /// The part of a survey within the halo of a region.
-scene::Chunk chunk_of(const Survey& survey, const regions::RegionGrid& grid, regions::RegionKey region) {
+scene::Chunk chunk_of(const Survey& survey, const WaterBoxes& boxes, const regions::RegionGrid& grid,
+                      regions::RegionKey region) {
   const Box2 near = regions::box_of(grid, region).widened(grid.halo_m);
   scene::Chunk chunk;
   chunk.tile = regions::tiles_of(grid, region).front();
   chunk.heights = map::window_of(survey.heights, near);
-  std::ranges::copy_if(survey.waters, std::back_inserter(chunk.surfaces),
-                       [&](const ground::LandCoverPolygon& water) { return ground::box_of(water).touches(near); });
-  std::ranges::copy_if(survey.streams, std::back_inserter(chunk.watercourses),
-                       [&](const roads::Strip& stream) { return box_of(stream.axis).touches(near); });
+  chunk.surfaces = waters_near(near, survey.waters, boxes.waters);
+  chunk.watercourses = waters_near(near, survey.streams, boxes.streams);
   return chunk;
 }
 
@@ -37,8 +55,9 @@ Result<Done> write_survey(const Survey& survey, const regions::RegionGrid& grid,
   std::error_code problem;
   std::filesystem::create_directories(plan_folder + "/survey", problem);
   if (problem) return Error{plan_folder + "/survey", "cannot be created: " + problem.message()};
+  const WaterBoxes boxes = boxes_of(survey);
   for (const regions::RegionKey region : regions::regions_of(grid)) {
-    const scene::Scene scene{.header = survey.header, .chunks = {chunk_of(survey, grid, region)}};
+    const scene::Scene scene{.header = survey.header, .chunks = {chunk_of(survey, boxes, grid, region)}};
     const std::vector<std::byte> bytes = exporters::encode_manifest(scene, threads);
     const std::string path = survey_path(plan_folder, region);
     const Result<std::vector<std::byte>> before = exporters::read_file(path);

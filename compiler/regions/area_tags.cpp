@@ -1,6 +1,7 @@
 #include "compiler/regions/area_tags.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,22 @@ constexpr AreaRow kAreas[] = {
 #define AREA(key, value, surface) {key, value, LandCoverClass::surface},
 #include "compiler/map/area_rules.inc"
 #undef AREA
+};
+
+struct PlantRow {
+  LandCoverClass surface;
+  PlantDensity density;
+};
+
+constexpr double kHectare_m2 = 1e4;
+
+constexpr PlantRow kPlants[] = {
+#define WOOD(surface, community, trees_per_ha, height_m) \
+  {LandCoverClass::surface, {.trees_per_m2 = trees_per_ha / kHectare_m2, .plantings_per_m2 = 0}},
+#include "compiler/plants/wood_defaults.inc"
+#define PLANTING(surface, species, row_spacing_m, plant_spacing_m, height_m) \
+  {LandCoverClass::surface, {.trees_per_m2 = 0, .plantings_per_m2 = 1 / (row_spacing_m * plant_spacing_m)}},
+#include "compiler/plants/planting_defaults.inc"
 };
 
 bool has(const osmium::TagList& tags, std::string_view key) { return tags.has_key(std::string(key).c_str()); }
@@ -48,6 +65,13 @@ bool describes_water(const osmium::TagList& tags) {
 }
 
 bool is_coastline(const osmium::TagList& tags) { return tags.has_tag("natural", "coastline"); }
+
+PlantDensity plant_density(const osmium::TagList& tags) {
+  const auto row = std::ranges::find_if(kAreas, [&](const AreaRow& each) { return matches(each, tags); });
+  if (row == std::end(kAreas)) return {};
+  const auto plants = std::ranges::find(kPlants, row->surface, &PlantRow::surface);
+  return plants == std::end(kPlants) ? PlantDensity{} : plants->density;
+}
 
 bool is_area_relation(const osmium::TagList& tags) {
   return tags.has_tag("type", "multipolygon") || (tags.has_tag("type", "boundary") && describes_area(tags));

@@ -99,13 +99,14 @@ class Cutter {
   std::uint32_t owner(Vec2 place) const;
 
   Vec2 in_plane(osmium::Location place) const;
+  Box2 in_degrees(const Box2& box) const;
   /// A way's nodes that have places, in the plane. Projecting takes more time than all else: once a way.
   const std::vector<Vec2>& projected(const osmium::Way& way);
   std::vector<std::uint32_t> spools_of(const osmium::Way& way, std::span<const Vec2> line, const Box2& box) const;
   /// The index in members_ of a way's id; members_.size() for others.
   std::size_t member(osmium::object_id_type id) const;
 
-  /// Writes the elements of spools to a file. @param own  The region without its halo.
+  /// Writes the elements of spools to a file. @param own  The region without its halo, in the plane.
   Result<RegionFile> write(const std::string& name, std::vector<std::size_t> spools, const Box2& own);
 
   const Cut& cut_;
@@ -129,6 +130,15 @@ std::size_t Cutter::member(osmium::object_id_type id) const {
 
 Vec2 Cutter::in_plane(osmium::Location place) const {
   return place_near(plane_, cut_.extent, place.lon(), place.lat());
+}
+
+Box2 Cutter::in_degrees(const Box2& box) const {
+  Box2 degrees;
+  for (const Vec2 corner : {box.min, box.max}) {
+    const map::LonLat place = plane_.backward(corner);
+    degrees.grow({place.lon_deg, place.lat_deg});
+  }
+  return degrees;
 }
 
 const std::vector<Vec2>& Cutter::projected(const osmium::Way& way) {
@@ -296,24 +306,6 @@ bool is_same(const osmium::OSMObject* a, const osmium::OSMObject* b) {
   return a->type() == b->type() && a->id() == b->id();
 }
 
-void count_in(const osmium::OSMObject& object, const std::function<bool(osmium::Location)>& is_own, RegionFile& file) {
-  if (object.type() == osmium::item_type::node) {
-    ++file.nodes;
-    file.own_nodes += is_own(static_cast<const osmium::Node&>(object).location());
-  }
-  if (object.type() == osmium::item_type::relation) ++file.relations;
-  if (object.type() != osmium::item_type::way) return;
-  ++file.ways;
-  const bool is_building = object.tags().has_key("building") || object.tags().has_key("building:part"),
-             is_road = object.tags().has_key("highway");
-  for (const osmium::NodeRef& node : static_cast<const osmium::Way&>(object).nodes()) {
-    ++file.way_nodes;
-    if (!node.location().valid() || !is_own(node.location())) continue;
-    ++file.own_way_nodes;
-    file.own_building_nodes += is_building, file.own_road_nodes += is_road;
-  }
-}
-
 bool has_equal_bytes(const std::string& a, const std::string& b) {
   std::error_code none;
   if (!fs::exists(b, none) || fs::file_size(a, none) != fs::file_size(b, none)) return false;
@@ -332,6 +324,7 @@ Result<RegionFile> Cutter::write(const std::string& name, std::vector<std::size_
   }
   std::ranges::stable_sort(objects, is_before);
   objects.erase(std::unique(objects.begin(), objects.end(), is_same), objects.end());
+  std::erase_if(objects, [](const osmium::OSMObject* object) { return object->deleted(); });
 
   const std::string path = cut_.folder + "/" + name, part = path + ".part";
   osmium::io::File file(part, "pbf");
@@ -342,24 +335,9 @@ Result<RegionFile> Cutter::write(const std::string& name, std::vector<std::size_
   header.add_box(
       {osmium::Location{cut_.extent.west, cut_.extent.south}, osmium::Location{cut_.extent.east, cut_.extent.north}});
   osmium::io::Writer writer(file, header, osmium::io::overwrite::allow, pool_);
-  RegionFile written;
-  // what is counted need not be exact
-  Box2 own_box;
-  for (const Vec2 corner : {own.min, own.max}) {
-    const map::LonLat place = plane_.backward(corner);
-    own_box.grow({place.lon_deg, place.lat_deg});
-  }
-  for (const osmium::OSMObject* object : objects) {
-    if (object->deleted()) continue;
-    writer(*object);
-    count_in(
-        *object,
-        [&](osmium::Location place) {
-          return own_box.contains({place.lon(), place.lat()});
-        },
-        written);
-  }
+  for (const osmium::OSMObject* object : objects) writer(*object);
   writer.close();
+  RegionFile written = contents_of(objects, in_degrees(own), own.width() * own.height());
   written.bytes = fs::file_size(part);
   if (has_equal_bytes(part, path))
     fs::remove(part);

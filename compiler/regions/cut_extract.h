@@ -8,7 +8,6 @@
 // Then each spool is sorted and written as a file.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "compiler/contract/result.h"
 #include "compiler/map/plane.h"
 #include "compiler/regions/region.h"
+#include "compiler/regions/region_file.h"
 #include "compiler/source/osm_data.h"
 
 namespace citykiln::regions {
@@ -26,15 +26,6 @@ struct Cut {
   std::string folder;        ///< Exists. Gets X_Y.osm.pbf for each region, and survey.osm.pbf.
   source::LonLatBox extent;  ///< Stated in the header of each file.
   int threads = 0;
-};
-
-/// One file of a cut.
-struct RegionFile {
-  std::uint64_t bytes = 0;
-  std::uint64_t nodes = 0, ways = 0, relations = 0;  ///< Nodes have tags.
-  std::uint64_t way_nodes = 0, own_way_nodes = 0;    ///< Of all ways, and those within the region itself.
-  std::uint64_t own_nodes = 0;                       ///< Nodes with tags within the region itself: trees, lamps.
-  std::uint64_t own_building_nodes = 0, own_road_nodes = 0;  ///< Those of them that are of such ways.
 };
 
 /// The files of all regions, in the order of regions_of(), and that of the survey.

@@ -51,7 +51,7 @@ BOXES = {
     "boston-back-bay/back_bay.osm.pbf": "-71.092,42.342,-71.066,42.356",
     "small/frederiksted.osm.pbf": "-64.9044,17.6739,-64.8400,17.7300",
 }
-SIZES = ((1024, 1024, 512), (1024, 512, 2048), (512, 512, 1024))  # region, tile, halo in metres
+SIZES = ((1024, 1024, 512), (2048, 1024, 1024), (1024, 512, 2048), (512, 512, 1024))  # region, tile, halo in metres
 LEVELS = ("0.1", "0.5", "1.2", "2.5", "12.5")
 DEFAULT_LEVELS = ",".join(LEVELS)
 REGIONS = 2  # of each plan
