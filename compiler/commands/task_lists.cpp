@@ -29,12 +29,15 @@ std::string build_ninja(const Plan& plan, const std::string& program) {
   return text;
 }
 
-/// Regions that need up to so much memory, in GB.
+/// A task may take so many times the memory that is expected. None of 59 took more (expected_cost.cpp).
+constexpr double kMemorySafety = 2;
+
+/// Regions that may need up to so much memory, in GB.
 std::map<int, std::vector<const PlannedRegion*>> memory_classes(const Plan& plan) {
   std::map<int, std::vector<const PlannedRegion*>> classes;
   for (const PlannedRegion& region : plan.regions) {
     int gb = 1;
-    while (gb * 1e9 < static_cast<double>(region.expected.memory_bytes) * 1.5) gb *= 2;
+    while (gb * 1e9 < static_cast<double>(region.expected.memory_bytes) * kMemorySafety) gb *= 2;
     classes[gb].push_back(&region);
   }
   return classes;
