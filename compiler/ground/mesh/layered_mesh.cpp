@@ -10,6 +10,10 @@ namespace {
 // A higher vertical face is a wall, not a kerb of the polygon above it.
 constexpr double kHighestKerb_m = 0.3;
 
+// A shorter piece of a bore's mouth on the cell's border is a crossing of both that rounding has widened. It gets a
+// face of full height: open, it would be a gap between tiles.
+constexpr double kShortestMouth_m = 0.1;
+
 constexpr std::uint32_t kNoVertex = 0xffffffffu;
 using VertexByLayer = std::array<std::uint32_t, static_cast<std::size_t>(HeightLayer::kCount)>;
 
@@ -100,8 +104,11 @@ struct Builder {
   }
 
   void add_below(const Ledge& upper, const Ledge& lower) {
-    add_vertical_face(over_mouth(lower.a, lower.b, upper.a.z), over_mouth(lower.b, lower.a, upper.b.z), upper.a.z,
-                      upper.b.z, upper.surface);
+    add_vertical_face(lower.a, lower.b, upper.a.z, upper.b.z, upper.surface);
+  }
+
+  void add_over_mouth(const Ledge& upper, const Ledge& lower) {
+    add_below(upper, {over_mouth(lower.a, lower.b, upper.a.z), over_mouth(lower.b, lower.a, upper.b.z), lower.surface});
   }
 
   // Closes the step between a face and its neighbour beyond edge i; done from the face with the lower number.
@@ -113,9 +120,9 @@ struct Builder {
     const Ledge other = ledge(f, i, refined.face_height[beyond], refined.face_cover[beyond]);
     if (are_level(own, other)) return;
     if (is_higher(own, other))
-      add_below(own, other);
+      add_over_mouth(own, other);
     else
-      add_below({other.b, other.a, other.surface}, {own.b, own.a, own.surface});
+      add_over_mouth({other.b, other.a, other.surface}, {own.b, own.a, own.surface});
   }
 
   // Closes the step on the cell's border: the higher of both cells has the vertical face.
@@ -125,7 +132,11 @@ struct Builder {
     const FaceHeight height = piece->beyond == kNoLandCover ? FaceHeight{} : surfaces[piece->beyond];
     const Ledge own = ledge(f, i, refined.face_height[f], refined.face_cover[f]);
     const Ledge other = ledge(f, i, height, piece->beyond);
-    if (!are_level(own, other) && is_higher(own, other)) add_below(own, other);
+    if (are_level(own, other) || !is_higher(own, other)) return;
+    if (length(in_plan(own.b) - in_plan(own.a)) < kShortestMouth_m)
+      add_below(own, other);
+    else
+      add_over_mouth(own, other);
   }
 
   const CellBorderPiece* piece_with(std::uint32_t f, int i) const {

@@ -185,10 +185,12 @@ std::vector<LandCoverPolygon> kerb_along_a_border(std::int64_t steps, double lea
           surface(3, LandCoverClass::kGarden, 900, {{128, corner_m}, {160, 112}, {96, 112}})};
 }
 
-GradedTerrain terrain_with_kerbs(std::span<const LandCoverPolygon> surfaces, const Box2& box, double rough_m = 16) {
+GradedTerrain terrain_with_kerbs(std::span<const LandCoverPolygon> surfaces, const Box2& box, double rough_m = 16,
+                                 std::span<const roads::Road> bores = {}) {
   roads::Road road = roads::made_road(1, {{128, -40}, {128, 168}}, 12, LandCoverClass::kResidentialRoad, 4, 4);
   road.profile = {{0, 20, 0}, {208, 24, 0}};
-  return grade_terrain(rough_field({64, 64}, rough_m), {std::vector{road}, {}, surfaces, box.widened(kGrading_m)});
+  return grade_terrain(rough_field({64, 64}, rough_m),
+                       {std::vector{road}, {}, surfaces, box.widened(kGrading_m), true, {}, bores});
 }
 
 using MetEdge = std::pair<Vec3, Vec3>;
@@ -223,6 +225,26 @@ TEST(Ground, CellsGeneratedApartAreClosedWhereAKerbRunsAlongTheirBorder) {
     for (const auto& [edge, count] : met_on_line(std::span(cells).first(1))) steps_of_a_cell += count > 1;
   }
   EXPECT_GT(steps_of_a_cell, 10);
+}
+
+// The mouth of a tunnel crosses the border where a kerb runs along it for some grid steps.
+TEST(Ground, CellsGeneratedApartAreClosedInAMouthThatCrossesTheirBorder) {
+  roads::Road bore = roads::made_road(2, {{128, 64}, {168, 64}}, 8, LandCoverClass::kResidentialRoad, 4, 4);
+  bore.profile = {{0, 22, 0}, {40, 22, 0}};
+  int steps = 0;
+  for (int round = 0; round < 32; ++round) {
+    const auto surfaces = kerb_along_a_border(1 + round % 8, round % 16 < 8 ? 0.5 : 2, round >= 16);
+    const auto cell = [&](const Box2& box) {
+      Report report;
+      return generate_cell(surfaces, terrain_with_kerbs(surfaces, box, 16, std::span(&bore, 1)), box, 0.1, report);
+    };
+    const std::vector cells = {cell(kCell), cell({{128, 0}, {256, 128}})};
+    for (const auto& [edge, count] : met_on_line(cells)) {
+      EXPECT_EQ(count % 2, 0) << "round " << round << " at " << edge.first.y << ", " << edge.first.z;
+      steps += std::abs(edge.first.y - 64) < 0.1 && count > 1;
+    }
+  }
+  EXPECT_GT(steps, 10);
 }
 
 // On level terrain, without a line of its grid through the corner.
