@@ -13,8 +13,7 @@ class BakeForEye(ProgramTest):
 
     def setUp(self):
         super().setUp()
-        self.scene = self.compiled("town", "--spec", TOWN / "spec.json", "--tile", "256", "--emit",
-                                   "kiln") / "scene.kiln"
+        self.scene = self.compiled_once("--spec", TOWN / "spec.json", "--tile", "256", "--emit", "kiln") / "scene.kiln"
 
     def baked(self, name, *arguments):
         out = self.folder / name

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every real extract, and every map in broken/, compiles: no crash, a ledger that balances, and tiles without errors or warnings from
-Khronos' glTF validator, where that is installed. No building of an extract is lost: each is planned, replaced by its parts, or outside of
+"""Every real extract, and every map in broken/, compiles: no crash, a ledger that balances, and tiles (but of two large extracts) without
+errors or warnings from Khronos' glTF validator, where that is installed. No building of an extract is lost: each is planned, replaced by its parts, or outside of
 the extent by its centroid, and diagnosed. Fewer than one roof in 200 is flat because the mapped roof could not be built."""
 import shutil
 import subprocess
@@ -9,9 +9,9 @@ from pathlib import Path
 
 from citykiln_program import DATA, ROOT, ProgramTest, report_of, run
 
-# Map, heightmap, tolerances: coarse where the extract is a whole country or city.
+# Map, heightmap, tolerances: coarse where the extract is a country or city, none where its tiles would take minutes.
 EXTRACTS = [
-    ("andorra/andorra-2023.osm.pbf", "andorra/N42E001.hgt", "12.5"),
+    ("andorra/andorra-2023.osm.pbf", "andorra/N42E001.hgt", None),
     ("andorra/cut-andorra-la-vella.osm.pbf", "andorra/N42E001.hgt", "2.5,12.5"),
     ("andorra/cut-canillo-village.osm.pbf", "andorra/N42E001.hgt", "0.5,12.5"),
     ("monaco/monaco-2023.osm.pbf", "monaco/N43E007.hgt", "2.5,12.5"),
@@ -23,7 +23,7 @@ EXTRACTS = [
     ("chicago-loop/chicago_loop.osm.pbf", None, "2.5"),
     ("helsinki/Helsinki.osm.pbf", None, "2.5"),
     ("nyc/nyc-west-village.osm.pbf", None, "2.5"),
-    ("neubrandenburg/neubrandenburg.osm.bz2", None, "2.5"),
+    ("neubrandenburg/neubrandenburg.osm.bz2", None, None),
     ("liechtenstein/liechtenstein-2015.osm.pbf", None, "12.5"),
     ("small/somes-island.osm.pbf", None, "0.1"),
     ("small/osmtogeojson-map.osm", None, "0.1"),
@@ -51,9 +51,10 @@ class WholeProgram(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         report = report_of(out)
         self.assertTrue(report["balances"], report["ledger"])
-        self.assertTrue(report["tiles"])
         self.expect_claims(report)
-        self.validate(out)
+        if "--lods" in arguments:
+            self.assertTrue(report["tiles"])
+            self.validate(out)
 
     def expect_claims(self, report):
         """Further claims of a subclass."""
@@ -99,7 +100,8 @@ class BrokenMapsReal(WholeProgram):
 def add_claim(suite, map_name, dem_name, lods):
     def claim(self):
         dem = ["--dem", self.data(dem_name)] if dem_name else []
-        self.expect_compiled(self.data(map_name), *dem, "--lods", lods)
+        outputs = ["--lods", lods] if lods else ["--emit", "kiln"]
+        self.expect_compiled(self.data(map_name), *dem, *outputs)
 
     name = Path(map_name).name.split(".")[0].replace("-", "_").lower()
     setattr(suite, f"test_{name}", claim)
