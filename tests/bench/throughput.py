@@ -43,8 +43,8 @@ set ylabel 'km² a second'
 set key top right
 set xtics rotate by -20 nomirror
 set grid ytics
-plot '{folder}/chart.csv' using 2:xtic(1) title '0.1 m, one process', '' using 3 title 'two processes', \\
-  '' using 4 title 'all levels, one process', '' using 5 title 'two processes'
+plot '{folder}/chart.csv' using 2:xtic(1) title '0.1 m, one process', '' using 3 title '0.1 m, two processes', \\
+  '' using 4 title 'all levels, one process', '' using 5 title 'all levels, two processes'
 """
 
 
