@@ -22,11 +22,11 @@ OTHER_LEVELS = 0.5  # the share of their memory that levels other than the large
 WAY_NODES_MB, VERTICES_MB, VERTICES_S = 1.2, 0.04, 0.0002
 
 
-def own(run, share=1):
-    """A share of the facts of the region itself: thousands of nodes of buildings, roads and other ways, of nodes with tags, of trees and of
+def own(run, share=1, share_of_plants=1):
+    """A share of the facts of the region itself, and one of its plants: thousands of nodes of buildings, roads and other ways, of nodes with tags, of trees and of
     plantings; km²; tiles; whether there are trees and buildings, whose materials and prototypes take as much for few as for many: from 0 to 1."""
-    ways, buildings, roads, nodes, trees, plantings = (
-        share * run[f"own_{name}"] / 1000 for name in ("way_nodes", "building_nodes", "road_nodes", "nodes", "trees", "plantings"))
+    ways, buildings, roads, nodes = (share * run[f"own_{name}"] / 1000 for name in ("way_nodes", "building_nodes", "road_nodes", "nodes"))
+    trees, plantings = (share_of_plants * run[f"own_{name}"] / 1000 for name in ("trees", "plantings"))
     return [buildings, roads, ways - buildings - roads, nodes, trees, plantings, share * run["tiles"] * (run["tile_m"] / 1000) ** 2,
             share * run["tiles"], 1 - math.exp(-trees / 0.05), 1 - math.exp(-buildings / 0.2)]
 
@@ -50,9 +50,9 @@ def time_row(run):
 
 def memory_row(run):
     """The finest level and the fullest tile decide, because tiles are baked one after the other; of the other levels half is there too. The
-    fullest of n tiles counts as n**0.5 mean ones."""
+    fullest of n tiles counts as n**0.5 mean ones, but woods fill tiles evenly."""
     finest, *others = levels_of(run)
-    return [1] + by_level({finest: 1, **dict.fromkeys(others, OTHER_LEVELS)}, own(run, run["tiles"] ** -0.5))
+    return [1] + by_level({finest: 1, **dict.fromkeys(others, OTHER_LEVELS)}, own(run, run["tiles"] ** -0.5, 1 / run["tiles"]))
 
 
 def fixed_memory(run):

@@ -46,5 +46,16 @@ TEST(ExpectedCost, GrowsWithTheTreesOfWoods) {
   EXPECT_GT(wooded.output_bytes, bare.output_bytes + 10'000'000);
 }
 
+// Tiles are baked one after the other.
+TEST(ExpectedCost, WoodsOfManyTilesTakeTheMemoryOfOne) {
+  const std::vector<double> levels{0.1, 2.5};
+  PlannedRegion one = region_of(1000, 0), many = one;
+  one.file.own_trees = 10'000;
+  many.tiles = 25, many.file.own_trees = 250'000;
+  const ExpectedCost of_one = expected_cost(one, 1024, levels), of_many = expected_cost(many, 1024, levels);
+  EXPECT_LT(static_cast<double>(of_many.memory_bytes), 1.5 * static_cast<double>(of_one.memory_bytes));
+  EXPECT_GT(of_many.output_bytes, 20 * of_one.output_bytes);
+}
+
 }  // namespace
 }  // namespace citykiln::commands
