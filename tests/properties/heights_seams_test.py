@@ -8,7 +8,7 @@ from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run
 
 VOID = -32768
 DEGREE = 1200  # SRTM samples per degree
-LEVELS = ["--lods", "2.5,12.5"]
+LEVELS = ["--lods", "0.5,2.5,12.5"]
 
 
 def tiles_in(folder):
@@ -23,7 +23,7 @@ class TilesOfFourRunsReal(ProgramTest):
         map_path, dem = self.data("andorra/andorra-2023.osm.pbf"), self.data("andorra/N42E001.hgt")
         at_once = self.compiled("at_once", map_path, "--dem", dem, *LEVELS, f"--only={','.join(self.TILES)}", "--threads", 2)
         whole = tiles_in(at_once)
-        self.assertEqual(len(whole), 2 * len(self.TILES))
+        self.assertEqual(len(whole), 3 * len(self.TILES))
         for threads, tile in zip((1, 7, 3, 2), reversed(self.TILES)):
             apart = tiles_in(self.compiled(f"apart{tile}", map_path, "--dem", dem, *LEVELS, f"--only={tile}", "--threads", threads))
             self.assertEqual(apart, {name: digest for name, digest in whole.items() if name.startswith(f"glb/{tile}_L")})

@@ -10,8 +10,8 @@ namespace {
 // A higher vertical face is a wall, not a kerb of the polygon above it.
 constexpr double kHighestKerb_m = 0.3;
 
-// A shorter piece of a bore's mouth on the cell's border is a crossing of both that rounding has widened. It gets a
-// face of full height: open, it would be a gap between tiles.
+// Rounding can widen the point where a bore's mouth crosses the cell's border to an edge on the border. An edge that is
+// shorter than this gets a wall of full height: an opening there would be a gap between tiles.
 constexpr double kShortestMouth_m = 0.1;
 
 constexpr std::uint32_t kNoVertex = 0xffffffffu;
@@ -107,7 +107,8 @@ struct Builder {
     add_vertical_face(lower.a, lower.b, upper.a.z, upper.b.z, upper.surface);
   }
 
-  void add_over_mouth(const Ledge& upper, const Ledge& lower) {
+  // Adds the face below the upper ledge, and leaves a bore's mouth open.
+  void add_below_leaving_mouth(const Ledge& upper, const Ledge& lower) {
     add_below(upper, {over_mouth(lower.a, lower.b, upper.a.z), over_mouth(lower.b, lower.a, upper.b.z), lower.surface});
   }
 
@@ -120,9 +121,9 @@ struct Builder {
     const Ledge other = ledge(f, i, refined.face_height[beyond], refined.face_cover[beyond]);
     if (are_level(own, other)) return;
     if (is_higher(own, other))
-      add_over_mouth(own, other);
+      add_below_leaving_mouth(own, other);
     else
-      add_over_mouth({other.b, other.a, other.surface}, {own.b, own.a, own.surface});
+      add_below_leaving_mouth({other.b, other.a, other.surface}, {own.b, own.a, own.surface});
   }
 
   // Closes the step on the cell's border: the higher of both cells has the vertical face.
@@ -136,7 +137,7 @@ struct Builder {
     if (length(in_plan(own.b) - in_plan(own.a)) < kShortestMouth_m)
       add_below(own, other);
     else
-      add_over_mouth(own, other);
+      add_below_leaving_mouth(own, other);
   }
 
   const CellBorderPiece* piece_with(std::uint32_t f, int i) const {
