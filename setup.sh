@@ -1,11 +1,17 @@
 #!/bin/sh
 # Installs packages and builds a preset of CMakePresets.json. demo.sh and test.sh start with it.
 #   ./setup.sh [PRESET [GROUP…]]
-# PRESET is release unless given. The group "build" of packages.txt is always installed; GROUP names others.
+# PRESET is release unless given. The group "build" of packages.txt is always installed; GROUP names others. The group
+# "test" also builds the tests, without it the program alone is built. Both share their object files.
 set -eu
 cd "$(dirname "$0")"
 preset="${1:-release}"
 [ $# -eq 0 ] || shift
+case " $* " in
+  *" test "*) tests=ON target=all what="citykiln and its tests" ;;
+  *) tests=OFF target=citykiln what=citykiln ;;
+esac
+[ "$preset" = release ] || what="$what ($preset)"
 
 # The packages of the groups that are not installed yet.
 missing_packages() {
@@ -27,16 +33,19 @@ if [ -n "$missing" ]; then
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
 fi
 
-# ninja runs cmake again by itself whenever CMakeLists.txt changes, but does not read changed presets
-if [ ! -f "build/$preset/build.ninja" ] || [ -n "$(find CMakePresets.json -newer "build/$preset/build.ninja")" ]; then
+# True if the build folder is missing, older than the presets, or lacks tests that are wanted. Whenever CMakeLists.txt
+# changes, ninja runs cmake by itself.
+needs_configuring() {
+  [ -f "build/$preset/build.ninja" ] || return 0
+  [ -z "$(find CMakePresets.json -newer "build/$preset/build.ninja")" ] || return 0
+  [ "$tests" = ON ] && grep -q '^CITYKILN_TESTS:BOOL=OFF' "build/$preset/CMakeCache.txt"
+}
+if needs_configuring; then
   echo "configuring build/$preset"
   log="$(mktemp)"
-  cmake --preset "$preset" >"$log" 2>&1 || { cat "$log"; rm -f "$log"; exit 1; }
+  cmake --preset "$preset" "-DCITYKILN_TESTS=$tests" >"$log" 2>&1 || { cat "$log"; rm -f "$log"; exit 1; }
   rm -f "$log"
 fi
-
-what="citykiln"
-[ "$preset" = release ] || what="citykiln ($preset)"
 
 # Prints the seconds as a time to wait.
 time_left() {
@@ -83,4 +92,4 @@ show_progress() {
 }
 
 export NINJA_STATUS="@progress %f %t %e "
-{ cmake --build --preset "$preset" 2>&1 && echo "@status 0" || echo "@status $?"; } | show_progress
+{ cmake --build "build/$preset" --target "$target" 2>&1 && echo "@status 0" || echo "@status $?"; } | show_progress

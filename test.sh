@@ -1,50 +1,99 @@
 #!/bin/sh
-# Builds the program and the tests, and runs the tests: unit, properties, golden, real.
-# --full adds the sanitizers, and readers of glTF that are not part of citykiln.
+# Builds the program and the tests, and runs the tests that answer in minutes: unit, properties, golden, real.
+# --full also runs what takes longer, in groups; --full GROUP… runs these groups alone:
+#   long      the tests labelled full: large maps, clusters, a desktop window
+#   interop   programs of others that read the outputs: Blender, Godot, Chromium, validators
+#   lint      each source compiled alone, warnings are errors
+#   clang     the program built with clang++, which gives the golden outputs
+#   asan      the unit tests under the address and undefined-behaviour sanitizers
+#   tsan      the unit tests under the thread sanitizer
+#   bench     the benchmarks and tools compile
+#   clones    both commands in clones whose paths are short, long, or hold a space and an umlaut
 set -eu
 cd "$(dirname "$0")"
 
-full=no
+all_groups="long interop lint clang asan tsan bench clones"
+groups="" runs_quick=yes
 for argument in "$@"; do
-  case "$argument" in
-    --full) full=yes ;;
-    *) echo "usage: ./test.sh [--full]" >&2; exit 2 ;;
+  case " --full $all_groups " in
+    *" $argument "*) [ "$argument" = --full ] || groups="$groups $argument" ;;
+    *) echo "usage: ./test.sh [--full [$(echo "$all_groups" | tr ' ' '|')]…]" >&2; exit 2 ;;
   esac
 done
-
-# one build for all tests: it is optimised, and its assertions hold for the scripts too
-./setup.sh checked test
-[ "$full" = no ] || ./setup.sh checked interop
-
-# readers of tiles, at the versions in the lock file; without npm or its registry, tests with them are skipped. The large ones,
-# CesiumJS and 3DTilesRendererJS, are optional.
-omit=--omit=optional
-[ "$full" = no ] || omit=
-if command -v npm >/dev/null 2>&1 && [ ! -d tests/interop/node_modules ]; then
-  npm ci --prefix tests/interop $omit --silent --no-audit --no-fund || echo "npm ci failed: tests with the glTF validator are skipped"
+if [ $# -gt 0 ]; then
+  [ "$1" = --full ] || { echo "groups follow --full" >&2; exit 2; }
+  if [ -n "$groups" ]; then runs_quick=no; else groups="$all_groups"; fi
 fi
 
-jobs="$(nproc)"
+# Readers of tiles, at the versions in the lock file; without npm or its registry, tests with them are skipped.
+# install_readers [OPTION]: --omit=optional leaves out CesiumJS and 3DTilesRendererJS, which are large.
+install_readers() {
+  command -v npm >/dev/null 2>&1 || return 0
+  npm ci --prefix tests/interop "$@" --silent --no-audit --no-fund || echo "npm ci failed: tests with the glTF validator are skipped"
+}
+
 # run_tests PRESET OPTIONS… runs the tests that ctest's options choose.
 run_tests() {
   preset="$1"
   shift
-  ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure "$@"
+  ctest --test-dir "build/$preset" -j "$(nproc)" --output-on-failure "$@"
 }
 
-if [ "$full" = no ]; then
-  run_tests checked -LE interop
-  exit
-fi
-run_tests checked
+run_quick() {
+  ./setup.sh release test
+  [ -d tests/interop/node_modules ] || install_readers --omit=optional
+  run_tests release -LE 'full|interop'
+}
 
-# the address and thread sanitizers run unit tests only: the others would take hours
-./setup.sh asan test
-run_tests asan -L '^unit$'
+run_long() {
+  ./setup.sh release test long
+  run_tests release -L full
+}
+
+run_interop() {
+  ./setup.sh release test interop
+  [ -d tests/interop/node_modules/cesium ] || install_readers
+  run_tests release -L interop
+}
+
+run_lint() { ./setup.sh lint test; }
+
+run_clang() {
+  ./setup.sh clang clang
+  CITYKILN="$PWD/build/clang/citykiln" python3 tests/golden/golden_test.py
+}
+
+run_asan() {
+  ./setup.sh asan test
+  run_tests asan -L '^unit$'
+}
+
 # picture writing is left out: the thread sanitizer does not see the locks inside OpenImageIO
-./setup.sh tsan test
-export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp"
-run_tests tsan -L '^unit$' -E WriteImage
+run_tsan() {
+  ./setup.sh tsan test
+  TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" run_tests tsan -L '^unit$' -E WriteImage
+}
 
-# benchmarks and tools must compile
-./setup.sh bench test
+run_bench() {
+  ./setup.sh release test
+  cmake --build build/release --target citykiln_bench large_extract
+}
+
+# without real data, which lie beside this clone only
+run_clones() {
+  scratch="$(mktemp -d)"
+  long="$(printf 'a-folder-%.0s' 1 2 3 4 5 6 7 8 9 10 11 12 13)"
+  for name in c "$long" "a spaced für folder"; do
+    git clone -q . "$scratch/$name"
+    (cd "$scratch/$name" && ./demo.sh && ./test.sh)
+    rm -rf "${scratch:?}/$name"
+  done
+  rmdir "$scratch"
+}
+
+[ "$runs_quick" = no ] || run_quick
+for group in $groups; do
+  echo "--- $group"
+  "run_$group"
+done
+[ -n "$groups" ] || echo "not run: large maps, clusters, other programs, sanitizers, clang++: ./test.sh --full"

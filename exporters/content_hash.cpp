@@ -22,23 +22,25 @@ std::uint64_t word_at(const std::byte* at) {
   return word;
 }
 
-std::uint64_t rounded(std::uint64_t lane, std::uint64_t word) { return std::rotl(lane + word * kPrime2, 31) * kPrime1; }
+std::uint64_t mixed_lane(std::uint64_t lane, std::uint64_t word) {
+  return std::rotl(lane + word * kPrime2, 31) * kPrime1;
+}
 
 /// Mixes all whole stripes of 32 bytes, and removes them from the span.
 std::uint64_t take_stripes(std::span<const std::byte>& bytes) {
   std::array<std::uint64_t, 4> lanes = {kPrime1 + kPrime2, kPrime2, 0, 0 - kPrime1};
   for (; bytes.size() >= kStripe; bytes = bytes.subspan(kStripe))
-    for (std::size_t i = 0; i < 4; ++i) lanes[i] = rounded(lanes[i], word_at<std::uint64_t>(bytes.data() + 8 * i));
+    for (std::size_t i = 0; i < 4; ++i) lanes[i] = mixed_lane(lanes[i], word_at<std::uint64_t>(bytes.data() + 8 * i));
   std::uint64_t hash =
       std::rotl(lanes[0], 1) + std::rotl(lanes[1], 7) + std::rotl(lanes[2], 12) + std::rotl(lanes[3], 18);
-  for (const std::uint64_t lane : lanes) hash = (hash ^ rounded(0, lane)) * kPrime1 + kPrime4;
+  for (const std::uint64_t lane : lanes) hash = (hash ^ mixed_lane(0, lane)) * kPrime1 + kPrime4;
   return hash;
 }
 
 /// Mixes the last bytes, fewer than a stripe.
 std::uint64_t take_rest(std::uint64_t hash, std::span<const std::byte> bytes) {
   for (; bytes.size() >= 8; bytes = bytes.subspan(8))
-    hash = std::rotl(hash ^ rounded(0, word_at<std::uint64_t>(bytes.data())), 27) * kPrime1 + kPrime4;
+    hash = std::rotl(hash ^ mixed_lane(0, word_at<std::uint64_t>(bytes.data())), 27) * kPrime1 + kPrime4;
   for (; bytes.size() >= 4; bytes = bytes.subspan(4))
     hash = std::rotl(hash ^ word_at<std::uint32_t>(bytes.data()) * kPrime1, 23) * kPrime2 + kPrime3;
   for (const std::byte byte : bytes) hash = std::rotl(hash ^ static_cast<std::uint64_t>(byte) * kPrime5, 11) * kPrime1;

@@ -13,16 +13,16 @@ namespace citykiln::exporters {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 bool stays_inside(const fs::path& name) {
   const fs::path normal = name.lexically_normal();
   return name.is_relative() && name.has_filename() && name == normal && *normal.begin() != ".." && normal != ".";
 }
 
-FileList list_of(const Json& json) {
+FileList list_of(const OrderedJson& json) {
   FileList list;
-  for (const Json& file : json.at("files"))
+  for (const OrderedJson& file : json.at("files"))
     list.push_back({file.at("name"), file.value("bytes", std::uint64_t{0}), file.value("hash", "")});
   return list;
 }
@@ -40,7 +40,7 @@ std::set<fs::path> folders_of(const FileList& list) {
 std::string file_list_json(const FileList& list) {
   std::string text = "{\"files\": [";
   for (const ListedFile& file : list) {
-    Json json = {{"name", file.name}};
+    OrderedJson json = {{"name", file.name}};
     if (!file.hash.empty()) json["bytes"] = file.bytes, json["hash"] = file.hash;
     text += (text.back() == '[' ? "\n " : ",\n ") + json.dump();
   }
@@ -54,7 +54,7 @@ Result<std::optional<FileList>> read_file_list(const std::string& path) {
   if (!bytes) return bytes.error();
   try {
     const char* text = reinterpret_cast<const char*>(bytes->data());
-    FileList list = list_of(Json::parse(text, text + bytes->size()));
+    FileList list = list_of(OrderedJson::parse(text, text + bytes->size()));
     for (const ListedFile& file : list)
       if (!stays_inside(file.name)) return Error{path, "lists \"" + file.name + "\", which is not inside the folder"};
     return std::optional(std::move(list));

@@ -6,14 +6,14 @@
 
 namespace citykiln::exporters {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string journal_line(const StagedFile& staged) {
-  const Json json = {{"name", staged.file.name},
-                     {"bytes", staged.file.bytes},
-                     {"hash", staged.file.hash},
-                     {"key", staged.key},
-                     {"note", staged.note}};
+  const OrderedJson json = {{"name", staged.file.name},
+                            {"bytes", staged.file.bytes},
+                            {"hash", staged.file.hash},
+                            {"key", staged.key},
+                            {"note", staged.note}};
   return json.dump() + "\n";
 }
 
@@ -21,7 +21,7 @@ std::map<std::string, StagedFile> read_journal(const std::string& text) {
   std::map<std::string, StagedFile> files;
   for (const std::string_view line : split(text, '\n')) {
     try {
-      const Json json = Json::parse(line);
+      const OrderedJson json = OrderedJson::parse(line);
       const std::string name = json.at("name");
       files[name] = {{name, json.at("bytes"), json.at("hash")}, json.at("key"), json.at("note")};
     } catch (const nlohmann::json::exception&) {

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kJournalName = "journal";
 
-Error failed(const std::string& path, const char* what) {
+Error folder_error(const std::string& path, const char* what) {
   return {path, what + (": " + std::generic_category().message(errno))};
 }
 
@@ -37,7 +37,7 @@ Result<OutputFolder> OutputFolder::open(const std::string& path, TakesOver takes
   OutputFolder folder(path);
   folder.takes_over_ = takes_over;
   if (const Result<Done> made = folder.make_folder(path); !made) return made.error();
-  if (access(path.c_str(), W_OK | X_OK) != 0) return failed(path, "cannot be written");
+  if (access(path.c_str(), W_OK | X_OK) != 0) return folder_error(path, "cannot be written");
   const Result<int> lock = lock_folder(path, false);
   if (!lock) return lock.error();
   if (*lock < 0) return Error{path, "another run is being written into this folder"};
@@ -54,9 +54,10 @@ Result<Done> OutputFolder::begin() {
   staged_ = read_journal(text);
   if (takes_over_ == TakesOver::kFinished) finished_ = read_journal(journal_text(path_ + "/" + kKeysName));
   journal_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (journal_ < 0) return failed(path_, "cannot be written");
+  if (journal_ < 0) return folder_error(path_, "cannot be written");
   // ends a torn line
-  if (!text.empty() && text.back() != '\n' && ::write(journal_, "\n", 1) != 1) return failed(path, "cannot be written");
+  if (!text.empty() && text.back() != '\n' && ::write(journal_, "\n", 1) != 1)
+    return folder_error(path, "cannot be written");
   return Done{};
 }
 
@@ -133,7 +134,7 @@ Result<Done> OutputFolder::write(const std::string& name, std::span<const std::b
 Result<Done> OutputFolder::note_whole(const StagedFile& staged) {
   const std::string line = journal_line(staged);
   if (::write(journal_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
-    return failed(staging_ + "/" + kJournalName, "cannot be written");
+    return folder_error(staging_ + "/" + kJournalName, "cannot be written");
   // this run does not read its own notes
   files_[staged.file.name] = staged.file, staged_[staged.file.name] = {staged.file, staged.key, {}};
   return Done{};

@@ -131,11 +131,11 @@ std::vector<Row> cage_rows(const Cage& cage) {
   return rows;
 }
 
-struct Limits {
+struct LimitRows {
   std::vector<Row> positions, tangents_1, tangents_2;
 };
 
-Limits limits_of(const Far::TopologyRefiner& refiner, std::vector<Row> rows) {
+LimitRows limit_rows_of(const Far::TopologyRefiner& refiner, std::vector<Row> rows) {
   const Far::PrimvarRefinerReal<double> primvars(refiner);
   for (int level = 1; level <= refiner.GetMaxLevel(); ++level) {
     std::vector<Row> finer(refiner.GetLevel(level).GetNumVertices());
@@ -148,7 +148,7 @@ Limits limits_of(const Far::TopologyRefiner& refiner, std::vector<Row> rows) {
       }
     rows = std::move(finer);
   }
-  Limits limits;
+  LimitRows limits;
   for (auto* to : {&limits.positions, &limits.tangents_1, &limits.tangents_2}) to->resize(rows.size());
   primvars.Limit(rows, limits.positions, limits.tangents_1, limits.tangents_2);
   return limits;
@@ -196,7 +196,7 @@ JointStencils make_joint_stencils(int sides, unsigned open) {
   const int level = std::bit_width(static_cast<unsigned>(sides)) - 3;
   const Cage cage = make_cage(open);
   const std::unique_ptr<Far::TopologyRefiner> refiner = refined(cage, std::max(level, 1));
-  const Limits limits = limits_of(*refiner, cage_rows(cage));
+  const LimitRows limits = limit_rows_of(*refiner, cage_rows(cage));
   const std::vector<OnRing> rings = rings_of(*refiner, level);
   JointStencils shape;
   shape.stems = 2 + std::popcount(open);

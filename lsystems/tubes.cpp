@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "compiler/geometry/mathematics.h"
+#include "compiler/geometry/trig.h"
 #include "lsystems/joint.h"
 #include "lsystems/joint_bark_uv.h"
 #include "lsystems/joint_stencils.h"
@@ -17,7 +18,6 @@
 namespace citykiln::lsystems {
 namespace {
 
-constexpr double kTau = 6.283185307179586476925286766559;
 constexpr int kLevels = 5;  // 4, 8, … kMostSides
 // Bound of the distance from a joint's mesh to its limit surface in Joint::extent_m, by level: 1.5 times the largest of
 // 1,500 random joints.
@@ -200,7 +200,7 @@ struct Mesher {
     const double radius = std::max(lower.radius, upper.radius);
     const int sides = std::min(lower.sides, upper.sides);
     const Vec3 tilt = upper.axis - lower.axis;
-    bound(radius * (sagitta(sides) + kTau / sides / 4 * dot(tilt, tilt)));
+    bound(radius * (sagitta(sides) + 2 * kPi / sides / 4 * dot(tilt, tilt)));
   }
 
   // @param turned  Whether the upper ring keeps its own first point; else the lower one's is transported.
@@ -278,7 +278,7 @@ struct Mesher {
     const Vec3 to = direction(segment(child)), both = ring.axis + to, bend = to - ring.axis;
     if (length(both) > 1e-3) ring.axis = unit(both);
     ring.sides = 4;
-    const double bent = kTau / 4 * dot(bend, bend);
+    const double bent = 2 * kPi / 4 * dot(bend, bend);
     const double radius = std::max(thickest(segment(i)), thickest(segment(child)));
     while (ring.sides < kMostSides && radius * (sagitta(ring.sides) + bent / ring.sides) > options.tolerance_m)
       ring.sides *= 2;
@@ -334,7 +334,7 @@ struct Mesher {
     const double first = thickest(segment(i));
     while (children_of(i).size() == 1) i = children_of(i)[0];
     const double mean = (first + segment(i).end_radius) / 2;
-    return std::clamp(std::floor(kTau * mean / options.bark_m + 0.5), 1.0, kMostPeriods);
+    return std::clamp(std::floor(2 * kPi * mean / options.bark_m + 0.5), 1.0, kMostPeriods);
   }
 
   // Sets the wraps of the stems that leave a joint.

@@ -7,7 +7,6 @@
 namespace citykiln::lsystems {
 namespace {
 
-constexpr double kTau = 6.283185307179586476925286766559;
 // Sine of the angle to the vertical below which the heading has no horizontal left.
 constexpr double kVertical = 1e-9;
 
@@ -35,7 +34,7 @@ void bend(TurtleFrame& frame, Vec3 pull, double elasticity) {
   const Vec3 axis = cross(frame.heading, pull);
   const double moment = length(axis);
   if (!(moment > 0)) return;
-  const double turns = std::clamp(elasticity * moment / kTau, -0.5, 0.5);
+  const double turns = std::clamp(elasticity * moment / (2 * kPi), -0.5, 0.5);
   const Vec2 turn = direction_of(turns);
   const Vec3 about = axis * (1 / moment);
   frame.heading = rotated(frame.heading, about, turn);

@@ -6,7 +6,7 @@ namespace citykiln::preview {
 namespace {
 
 // Moves the lower 16 bits to the even positions.
-std::uint32_t spread(std::uint32_t v) {
+std::uint32_t spread_16_bits(std::uint32_t v) {
   v = (v | (v << 8)) & 0x00ff00ffu;
   v = (v | (v << 4)) & 0x0f0f0f0fu;
   v = (v | (v << 2)) & 0x33333333u;
@@ -14,7 +14,8 @@ std::uint32_t spread(std::uint32_t v) {
 }
 
 std::uint32_t code_of(const GridPlace& place) {
-  return spread(static_cast<std::uint32_t>(place.x)) | (spread(static_cast<std::uint32_t>(place.y)) << 1);
+  return spread_16_bits(static_cast<std::uint32_t>(place.x)) |
+         (spread_16_bits(static_cast<std::uint32_t>(place.y)) << 1);
 }
 
 }  // namespace

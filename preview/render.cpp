@@ -33,7 +33,7 @@ struct Shot {
 };
 
 // Samples of one sequence of points that are added to each pixel of a block.
-struct Stretch {
+struct SampleRange {
   std::uint64_t seed = 0;
   SampleGrid grid;
   int first = 0, count = 0;
@@ -48,7 +48,7 @@ struct Block {
 
 int blocks_along(int pixels) { return (pixels + kBlock_px - 1) / kBlock_px; }
 
-PixelSums sample_pixel(const Shot& shot, const Stretch& stretch, int x, int y) {
+PixelSums sample_pixel(const Shot& shot, const SampleRange& stretch, int x, int y) {
   const PixelSamples chances(stretch.seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), stretch.grid);
   PixelSums sums;
   for (int sample = stretch.first; sample < stretch.first + stretch.count; ++sample) {
@@ -72,7 +72,7 @@ void for_each_pixel(const Block& block, const Options& options, Visit visit) {
 }
 
 // Adds samples of equal weight to all pixels of a block.
-void sample_block(const Shot& shot, const Stretch& stretch, double weight, Block& block, RunningMean& mean) {
+void sample_block(const Shot& shot, const SampleRange& stretch, double weight, Block& block, RunningMean& mean) {
   const double added = weight * stretch.count, share = added / (block.weights + added);
   for_each_pixel(block, shot.options, [&](int x, int y, std::size_t pixel) {
     mean.add(pixel, sample_pixel(shot, stretch, x, y), block.samples, block.samples == 0 ? 1 : share);

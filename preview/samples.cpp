@@ -15,7 +15,7 @@ std::uint64_t mix(std::uint64_t x) {
 }
 
 // Moves the bits of x to the even positions.
-std::uint64_t spread(std::uint32_t x) {
+std::uint64_t spread_32_bits(std::uint32_t x) {
   std::uint64_t v = x;
   v = (v | (v << 16)) & 0x0000ffff0000ffffu;
   v = (v | (v << 8)) & 0x00ff00ff00ff00ffu;
@@ -88,7 +88,7 @@ std::uint64_t key_of(std::uint64_t seed, std::uint32_t dimension) {
 SampleGrid grid_of(int width, int height, int samples) { return {log2_up(std::max(width, height)), log2_up(samples)}; }
 
 PixelSamples::PixelSamples(std::uint64_t seed, std::uint32_t x, std::uint32_t y, SampleGrid grid)
-    : seed_(seed), morton_(spread(x) | (spread(y) << 1)), grid_(grid) {}
+    : seed_(seed), morton_(spread_32_bits(x) | (spread_32_bits(y) << 1)), grid_(grid) {}
 
 std::uint64_t PixelSamples::place(std::uint32_t dimension) const {
   static_assert(kOrdered <= 32);

@@ -122,6 +122,45 @@ def cycles_of(graph):
     return cycles
 
 
+# Declarations start at the left margin. A type is named by the word after its kind, everything else by the last word before the
+# first of ( [ { = ; and ,
+LOCAL_TYPE = re.compile(r"^(?:template <.*> )?(?:struct|class|enum class|enum|union) (\w+)(?!.*;$)")
+LOCAL_VALUE = re.compile(r"^(?!template\b|using\b|TEST|INSTANTIATE|namespace\b|static_assert|struct\b|enum\b|class\b)[A-Za-z][^=({;]*?[\s*&](\w+)(?:\(|\[| =|\{|;|,)")
+
+
+def local_names(text):
+    """The names that a source declares in anonymous namespaces, without aliases and operators."""
+    is_inside = False
+    for line in re.sub(r'R"(\w*)\(.*?\)\1"', '""', text, flags=re.DOTALL).splitlines():
+        if line == "namespace {":
+            is_inside = True
+        elif re.fullmatch(r"}\s*// namespace", line):
+            is_inside = False
+        elif is_inside and "operator" not in line:
+            found = LOCAL_TYPE.match(line) or LOCAL_VALUE.match(line)
+            if found:
+                yield found.group(1)
+
+
+def unit_of(path):
+    """The room, or folder of tests for a room, whose sources are compiled together (CITYKILN_UNITY)."""
+    parts = path.parts
+    depth = 1 + (parts[0] in ("compiler", "tests")) + (parts[:2] == ("tests", "compiler")) + (parts[-3:-1] == ("grammars", "roofs"))
+    return "/".join(parts[:min(depth, len(parts) - 1)])
+
+
+def shared_local_names():
+    """Names that two sources of a unit declare in anonymous namespaces, each with its sources."""
+    declared = {}
+    for top in ("compiler", "exporters", "preview", "grammars", "lsystems", "tests"):
+        for path in sorted((ROOT / top).rglob("*.cpp")):
+            path = path.relative_to(ROOT)
+            if not path.parts[-2].endswith("_module") and path.parts[:2] != ("tests", "fuzz"):
+                for name in set(local_names((ROOT / path).read_text())):
+                    declared.setdefault((unit_of(path), name), []).append(str(path))
+    return {name: paths for name, paths in declared.items() if len(paths) > 1}
+
+
 class Rooms(unittest.TestCase):
     def assertNone(self, violations):
         if violations:
@@ -150,6 +189,20 @@ class Rooms(unittest.TestCase):
     def test_a_cycle_is_found(self):
         self.assertEqual(cycles_of({"a": {"b": ""}, "b": {"c": ""}}), [])
         self.assertEqual(cycles_of({"a": {"b": ""}, "b": {"c": ""}, "c": {"b": ""}}), [["b", "c", "b"]])
+
+    def test_names_in_anonymous_namespaces_are_unique_in_a_room(self):
+        self.assertNone([f"{unit}: {name} is declared in {' and '.join(paths)}"
+                         for (unit, name), paths in sorted(shared_local_names().items())])
+
+    def test_local_names_are_found(self):
+        text = "\n".join(["int outside();", "namespace {", "struct Piece {", "  int member;", "};", "using Ring = int;", "struct Ahead;",
+                          "constexpr double kA_m = 2, kB_m = 3;", "std::vector<int> pieces_of(const Piece& piece) {", "template <typename T>",
+                          "bool is_any(T t) {", "}  // namespace", "int after() {"])
+        self.assertEqual(list(local_names(text)), ["Piece", "kA_m", "pieces_of", "is_any"])
+        self.assertGreater(len(set(local_names((ROOT / "compiler/ground/mesh/refine.cpp").read_text()))), 3)
+        self.assertEqual(unit_of(Path("tests/compiler/ground/mesh/a_test.cpp")), "tests/compiler/ground")
+        self.assertEqual(unit_of(Path("compiler/ground/mesh/a.cpp")), "compiler/ground")
+        self.assertEqual(unit_of(Path("grammars/roofs/a.cpp")), "grammars/roofs")
 
     def test_includes_name_files_from_the_root(self):
         violations = []

@@ -26,8 +26,6 @@ std::size_t cell_at(const Box2& tile, Vec2 place) {
   return index(place.x - tile.min.x, columns) * rows + index(place.y - tile.min.y, rows);
 }
 
-namespace {
-
 // What one cell bakes at one level, by index among the chunk's.
 struct CellObjects {
   std::vector<std::uint32_t> buildings, barriers, bridges, tunnels;
@@ -42,6 +40,8 @@ struct PartSizes {
   std::map<plants::Prototype, double> plants_m{};
   std::map<props::LampKind, double> lamps_m{};
 };
+
+namespace {
 
 template <typename Key>
 void raise(std::map<Key, double>& tallest_m, Key key, double height_m) {
@@ -240,7 +240,7 @@ BakedCellPart bake_part(const CellTile& tile, std::size_t cell, std::size_t numb
   return baked;
 }
 
-bool is_empty(const BakedCellPart& part) {
+bool holds_nothing(const BakedCellPart& part) {
   return part.tile.primitives.empty() && part.tile.instanced.empty() && part.plants.empty();
 }
 
@@ -283,7 +283,7 @@ BakedCell bake_cell(const CellTile& tile, std::size_t cell) {
                   .texture_m = tolerance_m_of(tile.view.view, tile.view.finest)};
   for (const auto& [part, objects] : tile.objects[cell]) {
     BakedCellPart one = bake_part(tile, cell, part, objects);
-    if (!is_empty(one)) baked.parts.push_back(std::move(one));
+    if (!holds_nothing(one)) baked.parts.push_back(std::move(one));
   }
   return baked;
 }

@@ -28,7 +28,7 @@ void merge_meshes(Baking& baking) {
 }
 
 // Whole metres, at the height of the lowest ground, which keeps offsets small.
-Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
+Vec3 tile_origin(const Box2& box, const map::Heightfield& heights) {
   const auto lowest = std::min_element(heights.heights.begin(), heights.heights.end());
   return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
 }
@@ -68,7 +68,7 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   const SharedByLevels& shared = *level.shared;
   const ground::GradedTerrain& graded = *shared.graded;
   BakedTile tile{.tile = chunk.tile,
-                 .origin = origin_of(scene::box_of(header, chunk.tile), chunk.heights),
+                 .origin = tile_origin(scene::box_of(header, chunk.tile), chunk.heights),
                  .tolerance_m = tolerance_m};
   if (part) tile.viewpoint = Viewpoint{part->levels.view.eye, part->levels.view.focal_px, 0};
   Baking baking{header, chunk, tolerance_m, tile, part, cell};

@@ -8,14 +8,14 @@
 namespace citykiln::bake {
 namespace {
 
-bool is_empty(const structures::GeneratedStructure& generated) {
+bool has_no_triangles(const structures::GeneratedStructure& generated) {
   return generated.meshes.empty() && generated.marked.empty();
 }
 
 enum class Body { kSolid, kHollow };
 
 // Removes what lies outside the extent. Bridges are closed there; tunnels are open, so that their inside is seen.
-void clip(structures::GeneratedStructure& generated, OsmId feature, const Box2& extent, Body body) {
+void clip_structure(structures::GeneratedStructure& generated, OsmId feature, const Box2& extent, Body body) {
   std::vector<MaterialMesh*> meshes;
   for (MaterialMesh& mesh : generated.meshes) meshes.push_back(&mesh);
   for (structures::MarkedMesh& marked : generated.marked) meshes.push_back(&marked.mesh);
@@ -40,9 +40,9 @@ void generate_spans(const Baking& baking, const std::vector<structures::Span>& s
     if (!scene::is_anchored(baking.header, baking.chunk.tile, span.axis.front()) || !baking.holds(bounds)) continue;
     ++account.in;
     structures::GeneratedStructure generated = generate(span, baking.tolerance_m);
-    const bool is_too_small = is_empty(generated);
-    clip(generated, span.id.osm, baking.header.region, body);
-    if (is_empty(generated)) {
+    const bool is_too_small = has_no_triangles(generated);
+    clip_structure(generated, span.id.osm, baking.header.region, body);
+    if (has_no_triangles(generated)) {
       report.drop(account, is_too_small ? Code::kBelowTolerance : Code::kOutsideBounds, span.id.osm, 0);
       continue;
     }

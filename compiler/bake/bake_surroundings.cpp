@@ -13,7 +13,7 @@ namespace citykiln::bake {
 namespace {
 
 // Whole metres, in the middle of the region.
-Vec3 origin_of(const scene::Header& header) {
+Vec3 surroundings_origin(const scene::Header& header) {
   const Vec2 middle = header.region.centre();
   return {std::floor(middle.x), std::floor(middle.y), std::floor(header.sky.ground_m)};
 }
@@ -45,7 +45,7 @@ std::optional<BakedTile> bake_surroundings(const scene::Scene& scene, EarthCurve
   if (scene.header.around.is_empty() || scene.chunks.empty()) return std::nullopt;
   const double error_m = scene.header.around.error_m;
   BakedTile tile{.tile = kSurroundingsTile,
-                 .origin = origin_of(scene.header),
+                 .origin = surroundings_origin(scene.header),
                  .tolerance_m = std::max(error_m, 1.0),
                  .error_m = error_m,
                  .features = {OsmId{}}};

@@ -27,6 +27,7 @@ using Float4 = std::array<float, 4>;
 
 inline Vec2 widened(const Float2& v) { return {v[0], v[1]}; }
 inline Vec3 widened(const Float3& v) { return {v[0], v[1], v[2]}; }
+inline Float3 narrowed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
 /// All triangles with one key. Frame: x east, y north, z up, metres from the tile's origin; instanced meshes have their
 /// own. Triangles share vertices and are counter-clockwise from outside.
@@ -46,6 +47,11 @@ struct Primitive {
   Layer layer{};  ///< The same for all primitives of an instanced mesh.
   bool operator==(const Primitive&) const = default;
 };
+
+/// Whether a primitive is part of the ground, whose primitives meet at the borders of tiles.
+inline bool is_terrain(const Primitive& p) {
+  return p.layer == Layer::kGround || p.layer == Layer::kRoads || p.layer == Layer::kWater;
+}
 
 /// What distinguishes the primitives of a mesh, which are sorted by it.
 struct PrimitiveKey {

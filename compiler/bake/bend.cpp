@@ -13,8 +13,6 @@ namespace {
 // Beyond this, multiples of kQuantum_m are not exact in single precision.
 constexpr double kExactReach_m = 16384;
 
-Float3 narrowed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-
 /// What all parts of a tile are bent by.
 struct Bending {
   const map::Globe& globe;
@@ -30,11 +28,6 @@ struct Bending {
     return globe.at({p.x, p.y, height});
   }
 };
-
-// These meet at the borders of tiles.
-bool is_terrain(const Primitive& p) {
-  return p.layer == Layer::kGround || p.layer == Layer::kRoads || p.layer == Layer::kWater;
-}
 
 void bend(Primitive& p, Bending& by) {
   const bool is_on_grid = is_terrain(p);

@@ -13,6 +13,9 @@
 
 namespace citykiln::bake {
 
+/// Cuts and banks meet the terrain within this distance, so that they hardly ever differ from it by more.
+inline constexpr double kGraded_m = 16;
+
 /// A closed box of the plane, and a closed interval of heights.
 struct Bounds {
   Box2 plan{};

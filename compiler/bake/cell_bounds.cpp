@@ -12,8 +12,6 @@
 namespace citykiln::bake {
 namespace {
 
-// Cuts and banks: as in view_levels.cpp; where roads have profiles, these count too.
-constexpr double kGraded_m = 16;
 // Lamps of streets (props/street_lamps.cpp).
 constexpr double kTallestStreetLamp_m = 12.5;
 // Crowns are at most as wide as plants are tall; arms of lamps and tree pits are shorter.
@@ -24,7 +22,7 @@ void grow(Bounds& bounds, const Bounds& more) {
   bounds.low_m = std::min(bounds.low_m, more.low_m), bounds.high_m = std::max(bounds.high_m, more.high_m);
 }
 
-Bounds widened(Bounds bounds, double by_m) {
+Bounds widened_bounds(Bounds bounds, double by_m) {
   bounds.plan = bounds.plan.widened(by_m), bounds.low_m -= by_m, bounds.high_m += by_m;
   return bounds;
 }
@@ -41,7 +39,7 @@ class CellBoxes {
     for (const Box2& outside : ground_beyond(header_, chunk_))
       grow(bounds_[cell_beside(cells, outside)], ground_at(outside));
     for (const auto& building : chunk_.buildings) add(bounds_of(building));
-    for (const auto& barrier : chunk_.barriers) add(widened(bounds_of(barrier, chunk_.heights), kGraded_m));
+    for (const auto& barrier : chunk_.barriers) add(widened_bounds(bounds_of(barrier, chunk_.heights), kGraded_m));
     for (const auto* spans : {&chunk_.bridges, &chunk_.tunnels})
       for (const structures::Span& span : *spans) add(bounds_of(span));
     for (const roads::Road& road : chunk_.roads)
@@ -103,14 +101,14 @@ class CellBoxes {
   // With the tolerance of the object's level.
   void add(const Bounds& bounds) {
     const double tolerance_m = tolerance_m_of(view_.view, level_for(view_.view, bounds));
-    grow(bounds_[cell_at(tile_, bounds.plan.centre())], widened(bounds, tolerance_m));
+    grow(bounds_[cell_at(tile_, bounds.plan.centre())], widened_bounds(bounds, tolerance_m));
   }
 
   // The part of a road that has stairs in the tile, and its middle, are not known yet.
   void add_steps(const roads::Road& road) {
     const Box2 box = box_of(road.axis).widened(roads::max_offset_m(road) + 1);
     for (std::size_t i = 0; i < bounds_.size(); ++i)
-      if (box.touches(cells_of(tile_)[i])) grow(bounds_[i], widened(ground_at(box), kBeside_m));
+      if (box.touches(cells_of(tile_)[i])) grow(bounds_[i], widened_bounds(ground_at(box), kBeside_m));
   }
 
   const scene::Header& header_;

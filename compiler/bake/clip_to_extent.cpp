@@ -36,7 +36,7 @@ std::array<Side, 4> sides_of(const Box2& box) {
   return {Side{&Vec3::x, box.min.x, -1}, {&Vec3::x, box.max.x, 1}, {&Vec3::y, box.min.y, -1}, {&Vec3::y, box.max.y, 1}};
 }
 
-materials::Tint mixed(materials::Tint a, materials::Tint b, double share) {
+materials::Tint mixed_tint(materials::Tint a, materials::Tint b, double share) {
   materials::Tint tint{};
   for (std::size_t i = 0; i < tint.size(); ++i)
     tint[i] = static_cast<std::uint8_t>(std::floor(a[i] + (b[i] - a[i]) * share + 0.5));
@@ -65,7 +65,7 @@ struct Cut {
     if (!mesh.normals.empty())
       mesh.normals.push_back(unit(mesh.normals[a] + (mesh.normals[b] - mesh.normals[a]) * share));
     if (!whole.uvs.empty()) whole.uvs.push_back(whole.uvs[a] + (whole.uvs[b] - whole.uvs[a]) * share);
-    if (!whole.tints.empty()) whole.tints.push_back(mixed(whole.tints[a], whole.tints[b], share));
+    if (!whole.tints.empty()) whole.tints.push_back(mixed_tint(whole.tints[a], whole.tints[b], share));
     depths_m.push_back(0);
   }
   // The part of a triangle inside, as the corners of a convex polygon.
@@ -106,7 +106,7 @@ void drop_unused(MaterialMesh& whole) {
 }
 
 // Returns whether anything was cut off.
-bool clip(MaterialMesh& whole, const Side& side) {
+bool clip_to_side(MaterialMesh& whole, const Side& side) {
   Cut cut{whole, side};
   for (const Vec3 p : whole.mesh.positions) cut.depths_m.push_back(side.depth_m(p));
   if (std::ranges::all_of(cut.depths_m, [](double depth_m) { return depth_m >= 0; })) return false;
@@ -182,7 +182,7 @@ void close(std::span<MaterialMesh* const> meshes, const Side& side, Mesh& caps) 
 void clip_to_extent(std::span<MaterialMesh* const> meshes, const Box2& extent) {
   assert(std::ranges::none_of(meshes, [](const MaterialMesh* mesh) { return mesh == nullptr; }));
   for (const Side& side : sides_of(extent))
-    for (MaterialMesh* mesh : meshes) clip(*mesh, side);
+    for (MaterialMesh* mesh : meshes) clip_to_side(*mesh, side);
 }
 
 Mesh clip_solid_to_extent(std::span<MaterialMesh* const> meshes, const Box2& extent) {
@@ -192,7 +192,7 @@ Mesh clip_solid_to_extent(std::span<MaterialMesh* const> meshes, const Box2& ext
   all.push_back(&caps);
   for (const Side& side : sides_of(extent)) {
     bool is_cut = false;
-    for (MaterialMesh* mesh : all) is_cut |= clip(*mesh, side);
+    for (MaterialMesh* mesh : all) is_cut |= clip_to_side(*mesh, side);
     if (is_cut) close(all, side, caps.mesh);
   }
   return std::move(caps.mesh);

@@ -14,10 +14,6 @@ namespace {
 using simplify::Corners;
 using Index = std::uint32_t;
 
-bool is_terrain(const Primitive& p) {
-  return p.layer == Layer::kGround || p.layer == Layer::kRoads || p.layer == Layer::kWater;
-}
-
 bool fades(const Primitive& p) {
   const bool is_slab = p.layer == Layer::kGround && p.material == materials::Material::kFloorSlab;
   return p.uvs.empty() && (p.layer == Layer::kRoads || is_slab);
@@ -62,7 +58,7 @@ std::vector<std::optional<Index>> takers_of(const WeldedPrimitives& terrain, std
   return taker;
 }
 
-Corners corners_of(const WeldedPrimitives& terrain, Index face) {
+Corners welded_corners(const WeldedPrimitives& terrain, Index face) {
   const auto& [a, b, c] = terrain.mesh.triangles[face];
   const std::vector<Vec3>& at = terrain.mesh.positions;
   return {at[a], at[b], at[c]};
@@ -72,14 +68,15 @@ Corners corners_of(const WeldedPrimitives& terrain, Index face) {
 std::vector<simplify::TriangleTree> trees_of(const WeldedPrimitives& terrain, std::size_t primitives) {
   std::vector<std::vector<Corners>> all(primitives);
   for (Index f = 0; f < terrain.mesh.triangles.size(); ++f)
-    all[terrain.mesh.labels[f]].push_back(corners_of(terrain, f));
+    all[terrain.mesh.labels[f]].push_back(welded_corners(terrain, f));
   std::vector<simplify::TriangleTree> trees;
   for (std::vector<Corners>& triangles : all) trees.emplace_back(std::move(triangles));
   return trees;
 }
 
 // Adds a face of another primitive, in the colour of a vertex.
-void add_face(Primitive& to, const Primitive& from, const std::array<Index, 3>& vertices, materials::Tint colour) {
+void add_recoloured_face(Primitive& to, const Primitive& from, const std::array<Index, 3>& vertices,
+                         materials::Tint colour) {
   const auto first = static_cast<Index>(to.positions.size());
   for (const Index v : vertices) {
     to.positions.push_back(from.positions[v]), to.normals.push_back(from.normals[v]);
@@ -105,13 +102,14 @@ void fade_roads(BakedTile& tile, double tolerance_m) {
     std::array<Index, 3> vertices{};
     for (std::size_t i = 0; i < 3; ++i) vertices[i] = terrain.vertex_at[own].at(terrain.mesh.triangles[f][i]);
     const Index label = takers[f] ? terrain.mesh.labels[*takers[f]] : own;
-    const Corners corners = corners_of(terrain, f);
+    const Corners corners = welded_corners(terrain, f);
     const double away_m = takers[f] ? distance_bound_m(std::span(&corners, 1), trees[label],
                                                        {.precision_m = kPrecision * tolerance_m, .most_m = tolerance_m})
                                     : 0;
     const bool stays = !takers[f] || away_m > tolerance_m;
     const Index like = stays ? vertices[0] : terrain.vertex_at[label].at(terrain.mesh.triangles[*takers[f]][0]);
-    add_face(tile.primitives[stays ? own : label], old[own], vertices, old[stays ? own : label].colours[like]);
+    add_recoloured_face(tile.primitives[stays ? own : label], old[own], vertices,
+                        old[stays ? own : label].colours[like]);
     if (!stays) farthest_m = std::max(farthest_m, away_m);
   }
   std::erase_if(tile.primitives, [](const Primitive& p) { return p.triangles.empty(); });

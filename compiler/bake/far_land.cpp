@@ -159,7 +159,7 @@ double rock_share(double belt_m, Vec3 normal) {
   return by_slope + (1 - by_slope) * by_height;
 }
 
-materials::Tint tint_of(const Colour& colour, TintFactor place) {
+materials::Tint far_tint(const Colour& colour, TintFactor place) {
   const Colour base = colour_of(kBase);
   return bake::tint_of({colour[0] / base[0], colour[1] / base[1], colour[2] / base[2]}, place);
 }
@@ -194,7 +194,7 @@ materials::SurfaceMaterial look_of(const FarLand& land, Vec3 place, Vec3 normal)
   const EdgeCover cover = cover_at(land, at);
   const Colour soft = mixed(growing_at(land, cover, habitat), cover.built, built_share(cover, normal));
   const Colour colour = mixed(soft, colour_of(Material::kRock), rock_share(habitat.belt_m, normal));
-  return {kBase, tint_of(colour, place_tint(at, Material::kMeadow, land.header.seed))};
+  return {kBase, far_tint(colour, place_tint(at, Material::kMeadow, land.header.seed))};
 }
 
 }  // namespace citykiln::bake

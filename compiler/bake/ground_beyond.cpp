@@ -97,13 +97,13 @@ std::vector<Box2> disjoint(const std::vector<Box2>& boxes) {
 
 bool contains(const Box2& outer, const Box2& inner) { return outer.contains(inner.min) && outer.contains(inner.max); }
 
-Box2 turned(const Box2& box) { return {{box.min.y, box.min.x}, {box.max.y, box.max.x}}; }
+Box2 transposed(const Box2& box) { return {{box.min.y, box.min.x}, {box.max.y, box.max.x}}; }
 
 // As disjoint(), from south to north.
 std::vector<Box2> disjoint_by_rows(std::vector<Box2> boxes) {
-  std::ranges::transform(boxes, boxes.begin(), turned);
+  std::ranges::transform(boxes, boxes.begin(), transposed);
   boxes = disjoint(boxes);
-  std::ranges::transform(boxes, boxes.begin(), turned);
+  std::ranges::transform(boxes, boxes.begin(), transposed);
   return boxes;
 }
 

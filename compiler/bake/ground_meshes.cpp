@@ -10,6 +10,7 @@
 #include "compiler/bake/ground_material.h"
 #include "compiler/bake/ground_tint.h"
 #include "compiler/bake/ground_uvs.h"
+#include "compiler/bake/merge.h"
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/materials/texture.h"
 #include "compiler/roads/markings/marking_atlas.h"
@@ -73,10 +74,6 @@ std::vector<bool> beside_roads(const CellContext& d) {
     if (is_paved(class_of(d.cover, d.ground.face_cover[f])))
       for (const std::uint32_t v : d.ground.mesh.triangles[f]) is_beside[v] = true;
   return is_beside;
-}
-
-Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
-  return unit(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]));
 }
 
 // The flatter one of the face's own normal and of its corners' mean, since rounding may turn slivers any way.
@@ -189,7 +186,7 @@ std::uint32_t vertex_in(std::vector<LayeredMesh>& all, const CellContext& d, std
   return map.vertex[v];
 }
 
-void add_face(std::vector<LayeredMesh>& all, const CellContext& d, std::uint32_t face, VertexMap& map) {
+void add_ground_face(std::vector<LayeredMesh>& all, const CellContext& d, std::uint32_t face, VertexMap& map) {
   const std::optional<FaceUvs> uvs = uvs_of(d, face, all.back().mesh.material);
   Triangle triangle = d.ground.mesh.triangles[face];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -242,7 +239,7 @@ std::vector<LayeredMesh> material_meshes(const ground::GroundMesh& ground, const
   for (const std::uint32_t f : order) {
     if (last != key_of_face(f)) meshes.push_back(empty_mesh(d, ground.face_cover[f], materials[f]));
     last = key_of_face(f);
-    add_face(meshes, d, f, map);
+    add_ground_face(meshes, d, f, map);
   }
   return meshes;
 }

@@ -9,7 +9,7 @@ namespace {
 using materials::ColourSource;
 using materials::TextureImage;
 
-double snapped(double at_m, double step_m) { return std::floor(at_m / step_m + 0.5) * step_m; }
+double snapped_to_step(double at_m, double step_m) { return std::floor(at_m / step_m + 0.5) * step_m; }
 
 void snap(std::span<Primitive> primitives, ColourSource colour_source, const TextureImage& image) {
   if (image.texels.empty()) return;
@@ -17,7 +17,7 @@ void snap(std::span<Primitive> primitives, ColourSource colour_source, const Tex
   for (Primitive& primitive : primitives) {
     if (primitive.colour_source != colour_source) continue;
     for (Float2& uv : primitive.uvs)
-      for (float& c : uv) c = static_cast<float>(snapped(c, step_m)) + 0.0f;
+      for (float& c : uv) c = static_cast<float>(snapped_to_step(c, step_m)) + 0.0f;
   }
 }
 
@@ -25,7 +25,7 @@ void snap(std::span<Primitive> primitives, ColourSource colour_source, const Tex
 
 Vec2 snapped_uv(Vec2 uv, const TextureImage& image) {
   const double step_m = materials::uv_step_m(image);
-  return {snapped(uv.x, step_m), snapped(uv.y, step_m)};
+  return {snapped_to_step(uv.x, step_m), snapped_to_step(uv.y, step_m)};
 }
 
 void snap_image_uvs(BakedTile& tile) { snap_image_uvs(tile, tile.marking_atlas); }

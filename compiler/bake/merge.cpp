@@ -69,11 +69,11 @@ struct Vertices {
 
 bool has_two_alike(const std::array<std::uint32_t, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
+}  // namespace
+
 Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
   return unit(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]));
 }
-
-}  // namespace
 
 Float3 offset_from(Vec3 origin, Vec3 p) { return single(p - origin); }
 

@@ -30,6 +30,9 @@ std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialM
 std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
                                                const materials::TextureCache& textures);
 
+/// The unit normal of a triangle; zero where it is degenerate.
+Vec3 normal_of(const Mesh& mesh, const Triangle& t);
+
 /// The offset of a point from an origin, in single precision.
 Float3 offset_from(Vec3 origin, Vec3 p);
 

@@ -24,7 +24,7 @@ std::size_t trimmed(std::vector<T>& all) {
 }
 
 // Frees what vectors have reserved.
-std::size_t bytes_of(Primitive& p) {
+std::size_t trimmed_bytes_of(Primitive& p) {
   return trimmed(p.positions) + trimmed(p.normals) + trimmed(p.colours) + trimmed(p.features) + trimmed(p.triangles) +
          trimmed(p.uvs);
 }
@@ -61,7 +61,7 @@ const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, dou
     if (plant.shows_leaf_atlas) slot.baked.cutout = leaves().cutout;
     snap_image_uvs(slot.baked.primitives, *slot.baked.cutout);
     slot.baked.error_per_m = plant.error_per_m;
-    for (Primitive& primitive : slot.baked.primitives) bytes_ += bytes_of(primitive);
+    for (Primitive& primitive : slot.baked.primitives) bytes_ += trimmed_bytes_of(primitive);
   });
   return slot.baked;
 }

@@ -18,10 +18,6 @@ using simplify::Corners;
 using Index = std::uint32_t;
 using FaceOf = std::array<Index, 3>;
 
-bool is_terrain(const Primitive& p) {
-  return p.layer == Layer::kGround || p.layer == Layer::kRoads || p.layer == Layer::kWater;
-}
-
 Corners corners_of(const Primitive& p, const FaceOf& t) {
   return {widened(p.positions[t[0]]), widened(p.positions[t[1]]), widened(p.positions[t[2]])};
 }

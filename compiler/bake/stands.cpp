@@ -28,18 +28,19 @@ std::set<OsmId> elements_to_take(const plants::PlacedPlants& placed, std::size_t
   return taken;
 }
 
-Vec3 turned(const Placement& p, Vec3 v) {
+Vec3 turned_by_yaw(const Placement& p, Vec3 v) {
   return {p.cos_yaw * v.x - p.sin_yaw * v.y, p.sin_yaw * v.x + p.cos_yaw * v.y, v.z};
 }
 
-Float3 single(Vec3 v) { return offset_from({}, v); }
+Float3 in_single_precision(Vec3 v) { return offset_from({}, v); }
 
 // Adds a copy of a primitive at a place relative to `at`.
 void add_plant(Primitive& to, const Primitive& from, double height_m, const Placement& p, Vec3 at) {
   const auto first = static_cast<std::uint32_t>(to.positions.size());
   const double scale = p.scale / height_m;
-  for (const Float3& v : from.positions) to.positions.push_back(single(turned(p, widened(v) * scale) + (p.at - at)));
-  for (const Float3& n : from.normals) to.normals.push_back(single(turned(p, widened(n))));
+  for (const Float3& v : from.positions)
+    to.positions.push_back(in_single_precision(turned_by_yaw(p, widened(v) * scale) + (p.at - at)));
+  for (const Float3& n : from.normals) to.normals.push_back(in_single_precision(turned_by_yaw(p, widened(n))));
   to.colours.insert(to.colours.end(), from.colours.begin(), from.colours.end());
   to.uvs.insert(to.uvs.end(), from.uvs.begin(), from.uvs.end());
   for (const auto& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});

@@ -19,9 +19,6 @@ namespace {
 constexpr int kNoLevel = ViewLevels::kNoLevel;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
-// Cuts and banks meet the terrain within 16 m, so that they hardly ever differ from it by more.
-constexpr double kGraded_m = 16;
-
 Bounds ground_bounds(const map::Heightfield& terrain, const Box2& box) {
   Bounds bounds = bounds_of(terrain, box);
   bounds.low_m -= kGraded_m, bounds.high_m += kGraded_m;

@@ -35,20 +35,20 @@ static_assert([] {
   return true;
 }());
 
-const Row& row_of(std::uint8_t building_class) {
+const Row& materials_row(std::uint8_t building_class) {
   assert(building_class < std::size(kRows));
   return kRows[building_class];
 }
 
 Material untagged_wall(const map::Footprint& footprint) {
-  const Row& row = row_of(footprint.building_class);
+  const Row& row = materials_row(footprint.building_class);
   if (footprint.height_m > kGlassTower_m && row.wall != Material::kStone) return Material::kGlassFacade;
   const bool is_other = Draw(0, stable_id(footprint.id), "wall").below(100, 0) < row.other_percent;
   return is_other ? row.other_wall : row.wall;
 }
 
 Material untagged_roof(const map::Footprint& footprint, roofs::Form form) {
-  const Row& row = row_of(footprint.building_class);
+  const Row& row = materials_row(footprint.building_class);
   return form == roofs::Form::kFlat ? row.flat_roof : row.pitched_roof;
 }
 

@@ -8,7 +8,7 @@
 namespace citykiln::buildings {
 namespace {
 
-constexpr double kBucket_m = 32;
+constexpr double kDoorBucket_m = 32;
 // Mappers put house numbers up to a step behind the wall.
 constexpr double kMaxDistance_m = 1.5;
 
@@ -49,7 +49,7 @@ MappedDoors index_doors(std::span<const map::PointFeature> points) {
     doors.is_entrance.push_back(point.kind == map::PointKind::kEntrance);
     boxes.emplace_back().grow(point.at);
   }
-  doors.grid = grid_of(boxes, kBucket_m);
+  doors.grid = grid_of(boxes, kDoorBucket_m);
   return doors;
 }
 

@@ -185,7 +185,7 @@ GeneratedBuilding drop_if_low(const Level& level, GeneratedBuilding generated) {
   return error_m < level.tolerance_m ? GeneratedBuilding{{}, error_m} : std::move(generated);
 }
 
-GeneratedBuilding generate(const Level& level, Report& report) {
+GeneratedBuilding generate_level(const Level& level, Report& report) {
   const RuledMass ruled = ruled_mass(level, report);
   GeneratedBuilding generated{{}, ruled.mass.roof.error_m};
   add_foundation(level, ruled.mass, generated.meshes);
@@ -216,7 +216,7 @@ std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook
         level.rules && !context.is_for_blocks && has_detail(Detail::kFacadeTextures, tolerances_m[i]);
     if (has_textures && !detailed) detailed = detailed_model(level);
     level.tolerance_m = tolerances_m[i], level.detailed = has_textures ? &*detailed : nullptr;
-    levels.push_back(generate(level, reports[i]));
+    levels.push_back(generate_level(level, reports[i]));
   }
   return levels;
 }

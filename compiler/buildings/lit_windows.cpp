@@ -31,7 +31,7 @@ constexpr UseRow kUses[] = {
 #undef LIST
 static_assert(std::size(kUses) == static_cast<std::size_t>(Use::kCount));
 
-const UseRow& row_of(Use use) { return kUses[static_cast<std::size_t>(use)]; }
+const UseRow& use_row(Use use) { return kUses[static_cast<std::size_t>(use)]; }
 
 // Units switch up to so much earlier or later than the table says.
 constexpr double kHabit_h = 0.75;
@@ -63,7 +63,7 @@ Use use_by_style(Style style) {
 
 // A family's house is one household.
 bool is_one_unit(const Building& building, Use use) {
-  if (row_of(use).unit_m == 0) return true;
+  if (use_row(use).unit_m == 0) return true;
   return use == Use::kHome && (building.style == Style::kVilla || building.style == Style::kRowHouse);
 }
 
@@ -127,13 +127,13 @@ Use use_of(const Building& building) {
 }
 
 double lit_share(Use use, WeekTime time) {
-  const UseRow& row = row_of(use);
+  const UseRow& row = use_row(use);
   const double hours = wrapped(time.hours), before = std::floor(hours), part = hours - before;
   const auto hour = static_cast<std::int64_t>(before);
   return share_at_hour(row, hour) * (1 - part) + share_at_hour(row, hour + 1) * part;
 }
 
-double lit_window_share(Use use, WeekTime time) { return lit_share(use, time) * row_of(use).room_share; }
+double lit_window_share(Use use, WeekTime time) { return lit_share(use, time) * use_row(use).room_share; }
 
 grammars::Occlusion lit_windows(const Building& building, WeekTime time, std::uint64_t seed) {
   const Use use = use_of(building);
@@ -141,7 +141,7 @@ grammars::Occlusion lit_windows(const Building& building, WeekTime time, std::ui
           units = Draw(seed, id_of(building), "lit unit"), rooms = Draw(seed, id_of(building), "lit room")](
              grammars::OcclusionQuery query, const grammars::Shape& shape) {
     if (query != grammars::OcclusionQuery::kIsLit) return false;
-    const UseRow& row = row_of(use);
+    const UseRow& row = use_row(use);
     const Vec3 at = middle_of(shape.scope);
     const bool is_lit_room = row.room_share == 1 || rooms.unit(cell_at(cells, at, row.room_m)) < row.room_share;
     return is_lit_room && is_on(use, time, units, whole ? 0 : cell_at(cells, at, row.unit_m));

@@ -18,7 +18,7 @@ using grammars::Face;
 using grammars::FaceTag;
 
 // Lower or shorter strips of wall do not become faces of their own.
-constexpr double kMinWall_m = 0.25;
+constexpr double kMinStrip_m = 0.25;
 
 // A straight stretch of the eaves in plan.
 struct Run {
@@ -31,10 +31,10 @@ struct Run {
 };
 
 // Vertices of the footprint by position. Those of holes are numbered after those of the outer ring.
-using Corners = std::map<Vec2, std::uint32_t>;
+using CornerNumbers = std::map<Vec2, std::uint32_t>;
 
-Corners corners_of(const Polygon& footprint) {
-  Corners corners;
+CornerNumbers corner_numbers_of(const Polygon& footprint) {
+  CornerNumbers corners;
   std::uint32_t count = 0;
   for (const Vec2 p : footprint.outer) corners.try_emplace(p, count++);
   for (const Ring& hole : footprint.holes)
@@ -48,7 +48,7 @@ bool is_straight(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 // The edges of the outer ring along a run; none if they would go round most of the ring.
-std::vector<std::uint32_t> edges_of(const Run& run, std::size_t count, const Corners& corners) {
+std::vector<std::uint32_t> edges_along(const Run& run, std::size_t count, const CornerNumbers& corners) {
   const auto from = corners.find(run.from()), to = corners.find(run.to());
   if (from == corners.end() || to == corners.end() || std::max(from->second, to->second) >= count) return {};
   std::vector<std::uint32_t> edges;
@@ -58,7 +58,8 @@ std::vector<std::uint32_t> edges_of(const Run& run, std::size_t count, const Cor
 }
 
 // Adds the runs of one ring of the eaves, which bends or has a corner of the footprint at their ends.
-void add_runs(const std::vector<Vec2>& ring, std::size_t outer_count, const Corners& corners, std::vector<Run>& runs) {
+void add_runs(const std::vector<Vec2>& ring, std::size_t outer_count, const CornerNumbers& corners,
+              std::vector<Run>& runs) {
   const std::size_t n = ring.size(), first_run = runs.size();
   std::size_t first = 0;
   while (first < n && is_straight(ring[(first + n - 1) % n], ring[first], ring[(first + 1) % n]) &&
@@ -71,12 +72,12 @@ void add_runs(const std::vector<Vec2>& ring, std::size_t outer_count, const Corn
     else
       runs.push_back({{a, b}, {}});
   }
-  for (std::size_t i = first_run; i < runs.size(); ++i) runs[i].edges = edges_of(runs[i], outer_count, corners);
+  for (std::size_t i = first_run; i < runs.size(); ++i) runs[i].edges = edges_along(runs[i], outer_count, corners);
 }
 
 // The rings of the eaves in the order of the footprint's rings, each from its first corner on. Walls then have the same
 // numbers, and rules the same random draws, for every roof.
-std::vector<std::vector<Vec2>> eaves_in_order(const roofs::Roof& roof, const Corners& corners) {
+std::vector<std::vector<Vec2>> eaves_in_order(const roofs::Roof& roof, const CornerNumbers& corners) {
   const auto number_of = [&](Vec2 p) {
     const auto corner = corners.find(p);
     return corner == corners.end() ? ~0u : corner->second;
@@ -92,7 +93,7 @@ std::vector<std::vector<Vec2>> eaves_in_order(const roofs::Roof& roof, const Cor
 }
 
 std::vector<Run> runs_of(const Building& building, const roofs::Roof& roof) {
-  const Corners corners = corners_of(building.footprint);
+  const CornerNumbers corners = corner_numbers_of(building.footprint);
   std::vector<Run> runs;
   for (const std::vector<Vec2>& ring : eaves_in_order(roof, corners))
     add_runs(ring, building.footprint.outer.size(), corners, runs);
@@ -113,7 +114,7 @@ std::vector<Stretch> stretches_on(const Run& run, const Building& building) {
     const Vec2 corner = ring[wall.edge], next = ring[(wall.edge + 1) % ring.size()];
     const double start_m = dot(run.along(), corner - run.from()), end_m = start_m + distance(corner, next);
     const auto snapped_to_ends = [&](double at_m) {
-      return at_m < kMinWall_m ? 0 : at_m > run.length_m() - kMinWall_m ? run.length_m() : at_m;
+      return at_m < kMinStrip_m ? 0 : at_m > run.length_m() - kMinStrip_m ? run.length_m() : at_m;
     };
     const double from_m = snapped_to_ends(start_m + wall.from_m);
     const double to_m = snapped_to_ends(std::min(end_m, start_m + wall.to_m));
@@ -170,7 +171,7 @@ struct WallBuilder {
   // The wall against a neighbour, and the blind or ordinary wall above it.
   void add_party_wall(const Stretch& stretch) {
     double top_m = std::clamp(stretch.wall->top_m, low_m, eaves);
-    if (top_m > eaves - kMinWall_m) top_m = eaves;
+    if (top_m > eaves - kMinStrip_m) top_m = eaves;
     const bool is_kept = !stretch.wall->is_hidden || !hides_party_walls;
     if (is_kept && top_m > low_m) add_wall(stretch, low_m, top_m, FaceTag::kInside, false);
     const FaceTag above = stretch.wall->has_windows_above ? FaceTag::kSide : FaceTag::kInside;

@@ -14,7 +14,7 @@ namespace {
 
 // Shorter overlaps are corners that touch.
 constexpr double kMinLength_m = 0.25;
-constexpr double kBucket_m = 32;
+constexpr double kPartyWallBucket_m = 32;
 // Cosine of the smallest angle between opposite walls: 3.6 degrees short of 180.
 constexpr double kOpposite = -0.998;
 
@@ -29,7 +29,7 @@ void add_edges(std::vector<Edge>& edges, std::uint32_t footprint, const Ring& ri
     edges.push_back({footprint, i, is_outer, ring[i], ring[(i + 1) % ring.size()]});
 }
 
-std::vector<Edge> edges_of(std::span<const map::Footprint> footprints) {
+std::vector<Edge> footprint_edges(std::span<const map::Footprint> footprints) {
   std::vector<Edge> edges;
   for (std::uint32_t i = 0; i < footprints.size(); ++i) {
     if (footprints[i].has_parts || footprints[i].polygon.outer.size() < 3) continue;
@@ -62,10 +62,10 @@ std::optional<SharedWall> shared(const Edge& wall, const Edge& other) {
 }  // namespace
 
 std::vector<std::vector<SharedWall>> shared_walls(std::span<const map::Footprint> footprints) {
-  const std::vector<Edge> edges = edges_of(footprints);
+  const std::vector<Edge> edges = footprint_edges(footprints);
   std::vector<Box2> boxes;
   for (const Edge& edge : edges) boxes.push_back(box_of(std::array{edge.from, edge.to}).widened(kTouching_m));
-  const BoxGrid grid = grid_of(boxes, kBucket_m);
+  const BoxGrid grid = grid_of(boxes, kPartyWallBucket_m);
   std::vector<std::vector<SharedWall>> all(footprints.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (!edges[i].is_outer) continue;

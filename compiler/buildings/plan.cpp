@@ -22,7 +22,7 @@ namespace citykiln::buildings {
 namespace {
 
 // A low storey. Less wall above the highest ground is an error of the heightmap, not a building.
-constexpr double kMinWall_m = 2;
+constexpr double kMinWallAboveGround_m = 2;
 
 // The ground may dip between two height samples, and coarse levels of the ground lie a little lower.
 constexpr double kFoundation_m = 3;
@@ -122,7 +122,7 @@ double min_height_m(const map::Footprint& footprint, Report& report) {
 
 double top_m(const map::Footprint& footprint, double base_m, double roof_m, const GroundRange& ground, Report& report) {
   const double top_m = snapped(base_m + footprint.height_m + (footprint.has_roof_in_height ? 0 : roof_m));
-  const double least_m = snapped(ground.highest_m + kMinWall_m + roof_m);
+  const double least_m = snapped(ground.highest_m + kMinWallAboveGround_m + roof_m);
   if (top_m >= least_m || footprint.min_height_m > 0) return top_m;
   report.add(Code::kHeightRaised, footprint.id.osm, least_m - top_m);
   return least_m;

@@ -20,9 +20,9 @@ namespace citykiln::buildings {
 /// ground along the walls that face a street (street_sides.h), or from the highest ground if none does; storeys are
 /// added below, down to the lowest ground. All parts of an outline (map/part_outlines.h) are measured from the
 /// outline's ground: from the lowest, if height=* is tagged for one of them. A building on the ground whose eaves are
-/// less than kMinWall_m above its highest ground is raised (kHeightRaised). Walls extend kFoundation_m below the lowest
-/// ground. Buildings that min_height lifts, but that nothing supports (vertical_support.h), are extended to the ground
-/// (kUnsupportedBuilding). The result does not depend on the order of the footprints. Total.
+/// less than kMinWallAboveGround_m above its highest ground is raised (kHeightRaised). Walls extend kFoundation_m below
+/// the lowest ground. Buildings that min_height lifts, but that nothing supports (vertical_support.h), are extended to
+/// the ground (kUnsupportedBuilding). The result does not depend on the order of the footprints. Total.
 std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report);
 
 }  // namespace citykiln::buildings

@@ -21,7 +21,7 @@ constexpr double kMaxGabledHall_m2 = 4000, kHallPitch_deg = 9;
 // Smaller sheds have flat roofs.
 constexpr double kMinGabledShed_m2 = 9;
 // Where only the building's height is tagged, the roof has at most half of it and leaves walls of this height.
-constexpr double kMaxRoofShare = 0.5, kMinWall_m = 2.25;
+constexpr double kMaxRoofShare = 0.5, kMinWallUnderRoof_m = 2.25;
 // Lower roofs are flat.
 constexpr double kMinRise_m = 0.25;
 constexpr double kOverhang_m = 0.375;
@@ -63,7 +63,7 @@ Form untagged_form(const map::Footprint& footprint, bool is_attached) {
 double max_rise_m(const map::Footprint& footprint, bool is_height_tagged) {
   if (!footprint.has_roof_in_height) return 1000;
   const double body_m = footprint.height_m - footprint.min_height_m;
-  return is_height_tagged ? body_m : std::min(kMaxRoofShare * body_m, body_m - kMinWall_m);
+  return is_height_tagged ? body_m : std::min(kMaxRoofShare * body_m, body_m - kMinWallUnderRoof_m);
 }
 
 bool has_overhang(const map::Footprint& footprint, Form form) {

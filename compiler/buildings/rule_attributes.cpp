@@ -22,7 +22,7 @@ std::string snake_case(std::string_view camel) {
   return name;
 }
 
-std::string name_of(materials::Material material) { return snake_case(materials::values_of(material).name); }
+std::string material_name(materials::Material material) { return snake_case(materials::values_of(material).name); }
 
 std::string name_of_class(std::uint8_t building_class) {
   return snake_case(map::values_of(static_cast<map::BuildingClass>(building_class)).name);
@@ -35,8 +35,8 @@ std::map<std::string, grammars::Value> rule_attributes_of(const Building& buildi
       {"building", name_of_class(building.building_class)}, {"height", eaves_m(building) - building.floor_m},
       {"levels", static_cast<double>(building.levels)},     {"shop", building.has_shop && building.stands_on_ground},
       {"attached", !building.party_walls.empty()},          {"year", static_cast<double>(building.year)},
-      {"wall_colour", hex_of(building.wall_colour)},        {"wall_material", name_of(building.wall)},
-      {"roof_colour", hex_of(building.roof_colour)},        {"roof_material", name_of(building.roof)},
+      {"wall_colour", hex_of(building.wall_colour)},        {"wall_material", material_name(building.wall)},
+      {"roof_colour", hex_of(building.roof_colour)},        {"roof_material", material_name(building.roof)},
       {"roof", std::string(roofs::name_of(roof))},          {"lifted", !building.stands_on_ground}};
 }
 

@@ -8,7 +8,7 @@
 namespace citykiln::buildings {
 namespace {
 
-constexpr double kBucket_m = 64;
+constexpr double kStreetBucket_m = 64;
 // From a wall to the kerb: a pavement and a front garden.
 constexpr double kMaxGarden_m = 14;
 // Wider carriageways count as this wide.
@@ -41,7 +41,7 @@ Streets index_streets(std::span<const map::Track> tracks) {
       boxes.push_back(box_of(std::array{track.axis[i], track.axis[i + 1]}));
     }
   }
-  streets.grid = grid_of(boxes, kBucket_m);
+  streets.grid = grid_of(boxes, kStreetBucket_m);
   return streets;
 }
 

@@ -18,7 +18,7 @@ constexpr std::string_view kRules[] = {
 static_assert(std::size(kRules) == static_cast<std::size_t>(Style::kCount));
 
 // Smaller buildings have no walls for windows.
-constexpr double kMinArea_m2 = 12, kMinWall_m = 2.2;
+constexpr double kMinWindowedArea_m2 = 12, kMinWindowedWall_m = 2.2;
 constexpr double kMinTower_m = 60, kMaxHouse_m2 = 220, kMaxOldTownHouse_m2 = 350;
 constexpr int kMaxHouseLevels = 3;
 // Since then walls are made of prefabricated slabs and concrete.
@@ -76,7 +76,7 @@ std::string_view rule_file_of(Style style) { return kRules[static_cast<std::size
 Style style_of(const map::Footprint& footprint, const Building& building) {
   assert(footprint.id == building.id);
   const double wall_m = eaves_m(building) - building.floor_m;
-  if (wall_m < kMinWall_m || area_m2(footprint.polygon) < kMinArea_m2) return Style::kPlain;
+  if (wall_m < kMinWindowedWall_m || area_m2(footprint.polygon) < kMinWindowedArea_m2) return Style::kPlain;
   const bool is_glass = building.wall == materials::Material::kGlassFacade;
   const bool is_greenhouse = footprint.building_class == static_cast<std::uint8_t>(BuildingClass::kGreenhouse);
   if (is_glass && !is_greenhouse) return wall_m > kMinTower_m ? Style::kGlassTower : Style::kOfficeSlab;

@@ -20,7 +20,7 @@ using materials::MaterialMesh;
 using materials::SurfaceMaterial;
 
 // Smaller faces and turns are rounding errors.
-constexpr double kMinArea_m2 = 1e-9;
+constexpr double kMinFaceArea_m2 = 1e-9;
 
 // Share of the colour that the material has to be able to show: a colour lighter by up to a third is clamped to the
 // material's own rather than painted over it.
@@ -28,7 +28,7 @@ constexpr double kMinShownShare = 0.75;
 
 std::uint8_t byte_of(double share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0, 1.0) * 255 + 0.5); }
 
-bool turns_left(Vec3 in, Vec3 out, Vec3 normal) { return dot(cross(in, out), normal) > kMinArea_m2; }
+bool turns_left(Vec3 in, Vec3 out, Vec3 normal) { return dot(cross(in, out), normal) > kMinFaceArea_m2; }
 
 // The reflex corner of a ring, or its first if there is none; nothing if there are several.
 std::optional<std::uint32_t> only_reflex_corner(std::span<const Vec3> ring, Vec3 normal) {
@@ -99,10 +99,10 @@ void add_triangulated(const Face& face, Mesh& mesh) {
 }
 
 // Returns false for a face without area. The vector area of the outer ring is computed once for size and normal.
-bool add_face(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Mesh& mesh) {
+bool add_face_with_normal(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Mesh& mesh) {
   const bool has_holes = !face.holes.empty();
   const double area = length(has_holes ? area_vector_m2(face) : twice_outer_m2) / 2;
-  if (area < kMinArea_m2) return false;
+  if (area < kMinFaceArea_m2) return false;
   const std::optional<std::uint32_t> hub = has_holes ? std::nullopt : hub_of(face.outer, normal);
   if (hub)
     add_fan(face.outer, *hub, mesh);
@@ -111,19 +111,19 @@ bool add_face(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Mesh& mesh) {
   return true;
 }
 
-void add_face(const Face& face, bool has_uvs, MaterialMesh& mesh) {
+void add_material_face(const Face& face, bool has_uvs, MaterialMesh& mesh) {
   const Vec3 twice_m2 = area_vector_m2(face.outer), normal = unit(twice_m2);
-  if (add_face(face, twice_m2, normal, mesh.mesh) && has_uvs) add_uvs(face, normal, mesh);
+  if (add_face_with_normal(face, twice_m2, normal, mesh.mesh) && has_uvs) add_uvs(face, normal, mesh);
 }
 
 // The mesh that terminals of one appearance are added to.
-struct Target {
+struct TargetMesh {
   MaterialMesh* mesh;
   bool has_uvs;
 };
 
 // Growing meshes step by step would copy them several times.
-void reserve_points(const grammars::Derivation& derivation, std::span<const Target> target_of_appearance) {
+void reserve_points(const grammars::Derivation& derivation, std::span<const TargetMesh> target_of_appearance) {
   std::vector<std::size_t> points(target_of_appearance.size());
   for (const grammars::Terminal& terminal : derivation.terminals)
     points[terminal.appearance] += grammars::vertex_count(terminal.faces);
@@ -140,10 +140,12 @@ void reserve_points(const grammars::Derivation& derivation, std::span<const Targ
 
 void add_face(const Face& face, Mesh& mesh) {
   const Vec3 twice_m2 = area_vector_m2(face.outer);
-  add_face(face, twice_m2, unit(twice_m2), mesh);
+  add_face_with_normal(face, twice_m2, unit(twice_m2), mesh);
 }
 
-void add_face(const Face& face, MaterialMesh& mesh) { add_face(face, materials::has_texture(mesh.material, 0), mesh); }
+void add_face(const Face& face, MaterialMesh& mesh) {
+  add_material_face(face, materials::has_texture(mesh.material, 0), mesh);
+}
 
 SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
   const Material material = materials::material_named(appearance.name).value_or(Material::kPlaster);
@@ -157,7 +159,7 @@ SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
 
 std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature) {
   std::map<SurfaceMaterial, MaterialMesh> mesh_of;
-  std::vector<Target> target_of_appearance;
+  std::vector<TargetMesh> target_of_appearance;
   for (const grammars::Appearance& appearance : derivation.appearances) {
     const SurfaceMaterial surface = surface_material_of(appearance);
     const auto [place, is_new] =
@@ -167,7 +169,7 @@ std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation
   reserve_points(derivation, target_of_appearance);
   for (const grammars::Terminal& terminal : derivation.terminals) {
     const auto [mesh, has_uvs] = target_of_appearance[terminal.appearance];
-    for (const Face& face : terminal.faces) add_face(face, has_uvs, *mesh);
+    for (const Face& face : terminal.faces) add_material_face(face, has_uvs, *mesh);
   }
   std::vector<MaterialMesh> meshes;
   for (auto& [surface, mesh] : mesh_of)

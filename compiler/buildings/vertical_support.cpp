@@ -11,7 +11,7 @@ namespace {
 
 using map::Footprint;
 
-constexpr double kBucket_m = 32;
+constexpr double kSupportBucket_m = 32;
 // A lower footprint may end this far below: heights are estimated from storeys.
 constexpr double kMaxGap_m = 3.5;
 // Whatever begins higher lacks more than a base: a dome without its drum must not become a column.
@@ -23,7 +23,7 @@ constexpr double kMinSupportedShare = 0.02;
 constexpr int kSamplesPerSide = 16;
 constexpr double kTrackSpacing_m = 2;
 
-Box2 box_of(const Footprint& footprint) { return citykiln::box_of(footprint.polygon.outer); }
+Box2 footprint_box(const Footprint& footprint) { return box_of(footprint.polygon.outer); }
 
 bool is_built(const Footprint& f) { return !f.has_parts && f.polygon.outer.size() >= 3; }
 
@@ -37,7 +37,7 @@ struct BuiltFootprints {
   void each_at(Vec2 p, Visit visit) const {
     for (const std::uint32_t i : boxes_about(grid, p)) {
       const Footprint& footprint = footprints[numbers[i]];
-      if (box_of(footprint).contains(p) && contains(footprint.polygon, p)) visit(numbers[i]);
+      if (footprint_box(footprint).contains(p) && contains(footprint.polygon, p)) visit(numbers[i]);
     }
   }
 };
@@ -48,9 +48,9 @@ BuiltFootprints index_built(std::span<const Footprint> footprints) {
   for (std::uint32_t i = 0; i < footprints.size(); ++i) {
     if (!is_built(footprints[i])) continue;
     built.numbers.push_back(i);
-    boxes.push_back(box_of(footprints[i]));
+    boxes.push_back(footprint_box(footprints[i]));
   }
-  built.grid = grid_of(boxes, kBucket_m);
+  built.grid = grid_of(boxes, kSupportBucket_m);
   return built;
 }
 
@@ -60,15 +60,15 @@ bool reaches(const Footprint& lower, const Footprint& upper) {
 
 // Columns and shafts may be too thin for the samples: one whose centre lies below is enough.
 bool has_column(const BuiltFootprints& built, const Footprint& upper) {
-  return std::ranges::any_of(boxes_about(built.grid, box_of(upper)), [&](std::uint32_t i) {
+  return std::ranges::any_of(boxes_about(built.grid, footprint_box(upper)), [&](std::uint32_t i) {
     const Footprint& lower = built.footprints[built.numbers[i]];
-    return reaches(lower, upper) && contains(upper.polygon, box_of(lower).centre());
+    return reaches(lower, upper) && contains(upper.polygon, footprint_box(lower).centre());
   });
 }
 
 bool has_footprint_below(const BuiltFootprints& built, const Footprint& upper) {
   if (has_column(built, upper)) return true;
-  const Box2 box = box_of(upper);
+  const Box2 box = footprint_box(upper);
   int samples = 0, supported = 0;
   for (int i = 0; i < kSamplesPerSide * kSamplesPerSide; ++i) {
     const Vec2 share{(i % kSamplesPerSide + 0.5) / kSamplesPerSide, (i / kSamplesPerSide + 0.5) / kSamplesPerSide};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr sky::CloudLayer kLayer = {sky::CloudKind::kCumulus, 0.4, 1500, 2300, {5, 2}, 7};
 constexpr Box2 kField = {{-9000, -9000}, {9000, 9000}};
-constexpr double kFinest_m = 12;
+constexpr double kFinestStep_m = 12;
 constexpr int kRays = 10000, kClouds = 3;
 
 const preview::CloudLight kLight = {
@@ -39,7 +39,8 @@ Chart depth_chart(std::span<const sky::Cloud> clouds) {
       const sky::CloudParticles coarse = sky::generate_cloud(kLayer, clouds[c], coarse_m);
       const auto particles = static_cast<double>(coarse.spheres.size());
       stated.points.emplace_back(particles, coarse.depth_error);
-      series.points.emplace_back(particles, sky::optical_depth_error(kLayer, clouds[c], coarse_m, kFinest_m, kRays));
+      series.points.emplace_back(particles,
+                                 sky::optical_depth_error(kLayer, clouds[c], coarse_m, kFinestStep_m, kRays));
     }
     chart.series.push_back(std::move(series)), chart.series.push_back(std::move(stated));
   }
@@ -72,7 +73,7 @@ constexpr double kPathsForOnePercent = 1e4;
 void add_light(const sky::Cloud& cloud, const std::string& name, Chart& ratios, Chart& times) {
   const std::vector<sky::CloudParticle> spheres = sky::generate_cloud(kLayer, cloud, 50).spheres;
   const preview::CloudField field(kLayer, spheres, kLight, preview::CloudEdges::kSoft);
-  Series ratio{.name = name, .points = {}}, single{.name = name + ", scattered once", .points = {}},
+  Series ratio{.name = name, .points = {}}, single{.name = fmt::format("{}, scattered once", name), .points = {}},
       time{.name = name, .points = {}};
   for (int side = 0; side < 8; ++side) {
     const double turn = side * 0.7853981633974483;

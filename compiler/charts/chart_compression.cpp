@@ -19,13 +19,13 @@ namespace {
 
 using exporters::Compression;
 
-constexpr double kTolerance_m = 0.1;
+constexpr double kPackedTolerance_m = 0.1;
 /// Tiles that say a finer tolerance keep the map's grid when they are packed, so that only the chart sets the step.
 constexpr double kKeepsGrid_m = 0.05;
 /// From the map's own grid to what shows at 2.5 m.
 constexpr int kExponents[] = {-10, -8, -7, -6, -5, -4, -3};
 /// The fastest of so many runs counts.
-constexpr int kRuns = 3;
+constexpr int kEncodingRuns = 3;
 
 struct Packing {
   const char* name;
@@ -45,7 +45,7 @@ Result<scene::Scene> scene_of(const ChartRequest& request) {
 bake::BakedTile tile_of(const scene::Scene& scene, int threads) {
   const auto fullest = std::ranges::max_element(scene.chunks, {}, [](const auto& c) { return c.buildings.size(); });
   Report ignored;
-  bake::BakedTile tile = bake::bake(scene.header, *fullest, kTolerance_m, threads, ignored);
+  bake::BakedTile tile = bake::bake(scene.header, *fullest, kPackedTolerance_m, threads, ignored);
   tile.instanced.clear(), tile.textures.clear();
   tile.facade_atlas = {}, tile.marking_atlas = {};
   std::erase_if(tile.primitives, [](const auto& p) { return p.colour_source == materials::ColourSource::kByCutout; });
@@ -74,15 +74,15 @@ Snapped snapped_tile(const bake::BakedTile& tile, double step_m) {
 /// Of the process, which runs on one thread while files are measured.
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-struct Cost {
+struct FileCost {
   double bytes = 0, write_s = 1e300, read_s = 1e300;
 };
 
 /// The file of a tile, written and read on one thread.
-Result<Cost> cost_of(const bake::BakedTile& tile, const scene::Header& header, Compression compression) {
+Result<FileCost> cost_of(const bake::BakedTile& tile, const scene::Header& header, Compression compression) {
   const exporters::GlbOptions options{.target = Target::kThree, .split = Split::kTile, .compression = compression};
-  Cost cost;
-  for (int run = 0; run < kRuns; ++run) {
+  FileCost cost;
+  for (int run = 0; run < kEncodingRuns; ++run) {
     const double begin_s = processor_s();
     const std::vector<std::byte> glb = exporters::encode_glb(tile, header, options);
     cost.write_s = std::min(cost.write_s, processor_s() - begin_s), cost.bytes = static_cast<double>(glb.size());
@@ -105,15 +105,15 @@ struct Measured {
 };
 
 /// One way of packing at each step, and the plain tile's bytes for the speed.
-Result<Measured> measure(const bake::BakedTile& tile, const scene::Header& header, const Packing& packing,
-                         double plain_bytes) {
+Result<Measured> measure_packing(const bake::BakedTile& tile, const scene::Header& header, const Packing& packing,
+                                 double plain_bytes) {
   const double triangles = static_cast<double>(exporters::triangles_of(tile)), other = other_bytes(tile, header);
   Measured out{{packing.name, {}}, {fmt::format("{} writes", packing.name), {}}, {packing.name, {}}};
   out.reading.name += " reads";
   for (const int exponent : kExponents) {
     const double step_m = std::ldexp(1, exponent);
     const Snapped snapped = snapped_tile(tile, step_m);
-    const Result<Cost> cost = cost_of(snapped.tile, header, packing.compression);
+    const Result<FileCost> cost = cost_of(snapped.tile, header, packing.compression);
     if (!cost) return cost.error();
     out.bits.points.emplace_back(snapped.moved_m, (cost->bytes - other) * 8 / triangles);
     out.writing.points.emplace_back(step_m, plain_bytes * 1e-6 / cost->write_s);
@@ -135,16 +135,16 @@ Result<std::vector<Chart>> chart_compression(const ChartRequest& request) {
   if (!scene) return scene.error();
   if (scene->chunks.empty()) return Error{"chart", "compression: the map has no tile"};
   const bake::BakedTile tile = tile_of(*scene, request.threads);
-  const Result<Cost> plain = cost_of(tile, scene->header, Compression::kNone);
+  const Result<FileCost> plain = cost_of(tile, scene->header, Compression::kNone);
   if (!plain) return plain.error();
-  const std::string of = fmt::format("tile {} at {} m, {} triangles, {} vertices", to_string(tile.tile), kTolerance_m,
-                                     exporters::triangles_of(tile), vertices_of(tile));
+  const std::string of = fmt::format("tile {} at {} m, {} triangles, {} vertices", to_string(tile.tile),
+                                     kPackedTolerance_m, exporters::triangles_of(tile), vertices_of(tile));
   Chart bits{"compression_bits", "Size of packed meshes: " + of, {"longest move of a vertex (m)", true}, {}, {}};
   bits.y = {"bits per triangle, all attributes", false};
   Chart speed{"compression_speed", "Speed on one thread: " + of, {"step of positions (m)", true}, {}, {}};
   speed.y = {"MB of the plain file per processor second", true};
   for (const Packing& packing : kPackings) {
-    Result<Measured> measured = measure(tile, scene->header, packing, plain->bytes);
+    Result<Measured> measured = measure_packing(tile, scene->header, packing, plain->bytes);
     if (!measured) return measured.error();
     bits.series.push_back(std::move(measured->bits));
     speed.series.push_back(std::move(measured->writing)), speed.series.push_back(std::move(measured->reading));

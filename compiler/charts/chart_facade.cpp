@@ -17,24 +17,22 @@
 namespace citykiln::charts {
 namespace {
 
-constexpr double kTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1, 2.5};
+constexpr double kFacadeTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1, 2.5};
 /// The tolerance of the reference pictures.
-constexpr double kFinest_m = 0.01;
+constexpr double kFinestFacade_m = 0.01;
 constexpr std::size_t kHouses = 4;
 /// The width of wall in a picture, equal for all tolerances, since more sky around a wall would lower the error. A
 /// pixel is as large as the tolerance, except at the finest tolerances.
 constexpr double kWindow_m = 12.8;
-constexpr int kFewestPixels = 5, kMostPixels = 256;
+constexpr int kFewestFacadePixels = 5, kMostFacadePixels = 256;
 /// Samples of all pixels together, so that small pictures have the same noise as large ones.
-constexpr int kSamples = 48 * 128 * 128, kFewestSamples = 24;
-/// Focal length of a picture with 1,080 lines and 45 degrees.
-constexpr double kFocal_px = 1304;
+constexpr int kFacadeSamples = 48 * 128 * 128, kFewestFacadeSamples = 24;
 /// Distance and width in pixels of the second picture.
 constexpr double kPictureDistance_m = 100;
 constexpr int kPictureSize_px = 160;
 
 int pixels_at(double tolerance_m) {
-  return std::clamp(static_cast<int>(std::lround(kWindow_m / tolerance_m)), kFewestPixels, kMostPixels);
+  return std::clamp(static_cast<int>(std::lround(kWindow_m / tolerance_m)), kFewestFacadePixels, kMostFacadePixels);
 }
 
 /// A building in a tile of its own, of the smallest size, so that nothing hides it.
@@ -97,7 +95,8 @@ preview::Camera camera_before(const buildings::Building& building, double away_m
   // slightly from the side, so that reveals and balconies show
   const Vec2 eye = middle + out * away_m + along * (0.2 * away_m);
   constexpr double kDegrees = 57.29577951308232;
-  return {at_height(eye, height_m), at_height(middle, height_m), 2 * kDegrees * std::atan(pixels / 2.0 / kFocal_px)};
+  return {at_height(eye, height_m), at_height(middle, height_m),
+          2 * kDegrees * std::atan(pixels / 2.0 / kChartFocal_px)};
 }
 
 /// A sun 20 degrees high and close to the wall's plane, so that reveals cast long shadows.
@@ -107,11 +106,11 @@ sky::Sky sun_along(const buildings::Building& building, sky::Sky sky) {
   return sky;
 }
 
-preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, const preview::Camera& camera, int pixels,
-                       std::uint64_t seed) {
+preview::Image facade_picture(const bake::BakedTile& tile, const sky::Sky& sky, const preview::Camera& camera,
+                              int pixels, std::uint64_t seed) {
   preview::Options options;
   options.width = options.height = pixels;
-  options.samples = std::max(kFewestSamples, kSamples / (pixels * pixels));
+  options.samples = std::max(kFewestFacadeSamples, kFacadeSamples / (pixels * pixels));
   options.bounces = 2, options.seed = seed;
   return preview::render(std::span(&tile, 1), sky, camera, options);
 }
@@ -121,14 +120,14 @@ struct Costs {
          noise_at_100_m = 0;
 };
 
-double triangles_of(const bake::BakedTile& tile) {
+double triangles_in_tile(const bake::BakedTile& tile) {
   double sum = 0;
   for (const bake::Primitive& primitive : tile.primitives) sum += static_cast<double>(primitive.triangles.size());
   return sum;
 }
 
 /// Adds the building's share of its tile.
-void add_costs(const House& house, double tolerance_m, int threads, Costs& costs) {
+void add_house_costs(const House& house, double tolerance_m, int threads, Costs& costs) {
   House empty = house;
   empty.chunk.buildings.clear();
   const Stopwatch of_bare;
@@ -137,7 +136,7 @@ void add_costs(const House& house, double tolerance_m, int threads, Costs& costs
   const Stopwatch of_tile;
   const bake::BakedTile tile = baked(house, tolerance_m, threads);
   costs.ms += 1000 * (of_tile.seconds() - bare_s);
-  costs.triangles += triangles_of(tile) - triangles_of(bare);
+  costs.triangles += triangles_in_tile(tile) - triangles_in_tile(bare);
   const auto bytes = [&](const bake::BakedTile& t) {
     return static_cast<double>(exporters::encode_glb(t, house.header, {}).size());
   };
@@ -148,18 +147,19 @@ void add_picture_error(const House& house, const bake::BakedTile& finest, double
                        Costs& costs) {
   const sky::Sky& sky = house.header.sky;
   const int pixels = pixels_at(tolerance_m);
-  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kFocal_px * tolerance_m, pixels);
-  const preview::Image truth = picture(finest, sky, camera, pixels, 1);
-  costs.noise += difference(truth, picture(finest, sky, camera, pixels, 2));
+  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kChartFocal_px * tolerance_m, pixels);
+  const preview::Image truth = facade_picture(finest, sky, camera, pixels, 1);
+  costs.noise += difference(truth, facade_picture(finest, sky, camera, pixels, 2));
   const bake::BakedTile tile = baked(house, tolerance_m, threads);
-  costs.error += difference(truth, picture(tile, sky, camera, pixels, 2));
+  costs.error += difference(truth, facade_picture(tile, sky, camera, pixels, 2));
   const sky::Sky low = sun_along(house.chunk.buildings.front(), sky);
-  costs.error_by_low_sun += difference(picture(finest, low, camera, pixels, 1), picture(tile, low, camera, pixels, 2));
+  costs.error_by_low_sun +=
+      difference(facade_picture(finest, low, camera, pixels, 1), facade_picture(tile, low, camera, pixels, 2));
 }
 
 preview::Image picture_from_100_m(const House& house, const bake::BakedTile& tile, std::uint64_t seed) {
   const preview::Camera camera = camera_before(house.chunk.buildings.front(), kPictureDistance_m, kPictureSize_px);
-  return picture(tile, house.header.sky, camera, kPictureSize_px, seed);
+  return facade_picture(tile, house.header.sky, camera, kPictureSize_px, seed);
 }
 
 /// The reference pictures of a building.
@@ -170,7 +170,7 @@ struct Finest {
 };
 
 Finest finest_of(const House& house, int threads) {
-  Finest finest{baked(house, kFinest_m, threads), {}};
+  Finest finest{baked(house, kFinestFacade_m, threads), {}};
   finest.across_the_square = picture_from_100_m(house, finest.tile, 1);
   finest.noise = difference(finest.across_the_square, picture_from_100_m(house, finest.tile, 2));
   return finest;
@@ -183,7 +183,7 @@ void add_error_across_the_square(const House& house, const Finest& finest, doubl
   costs.error_at_100_m += difference(finest.across_the_square, picture_from_100_m(house, tile, 2));
 }
 
-std::vector<Chart> empty_charts(std::size_t houses) {
+std::vector<Chart> empty_facade_charts(std::size_t houses) {
   std::vector<Chart> charts(3);
   for (Chart& chart : charts) chart.x.label = "tolerance (m)", chart.x.is_logarithmic = true;
   charts[0].name = "facade_costs", charts[0].title = fmt::format("A house, mean of {}", houses);
@@ -218,13 +218,13 @@ Result<std::vector<Chart>> chart_facade(const ChartRequest& request) {
   if (!scene) return scene.error();
   const std::vector<House> houses = houses_of(*scene);
   if (houses.empty()) return Error{request.maps.front(), "has no buildings with rules"};
-  std::vector<Chart> charts = empty_charts(houses.size());
+  std::vector<Chart> charts = empty_facade_charts(houses.size());
   std::vector<Finest> finest;
   for (const House& house : houses) finest.push_back(finest_of(house, request.threads));
-  for (const double tolerance_m : kTolerances_m) {
+  for (const double tolerance_m : kFacadeTolerances_m) {
     Costs costs;
     for (std::size_t i = 0; i < houses.size(); ++i) {
-      add_costs(houses[i], tolerance_m, request.threads, costs);
+      add_house_costs(houses[i], tolerance_m, request.threads, costs);
       add_picture_error(houses[i], finest[i].tile, tolerance_m, request.threads, costs);
       add_error_across_the_square(houses[i], finest[i], tolerance_m, request.threads, costs);
     }

@@ -20,35 +20,36 @@ namespace citykiln::charts {
 namespace {
 
 constexpr double kCoarse_m = 2.5;
-constexpr int kWidth_px = 320, kHeight_px = 180, kSamples = 4;
+constexpr int kStreetWidth_px = 320, kStreetHeight_px = 180, kStreetSamples = 4;
 
 // Smaller budgets are not tried once one takes so many times as long as all cells in memory.
 constexpr double kLongest = 20;
 constexpr std::size_t kPlenty_bytes = 16'000'000'000;
 
 /// Seconds, and megabytes at the end.
-struct Cost {
+struct RenderCost {
   double seconds = 0, megabytes = 0;
 };
 
 /// What is rendered, in either form.
-struct Place {
+struct RenderedStreet {
   scene::Scene scene;
   preview::Camera camera;
   int threads = 0;
-  int samples = kSamples;
+  int samples = kStreetSamples;
   int shrunk = 1;  ///< The picture has as many times fewer pixels along each side.
 };
 
-preview::Options options_of(const Place& place) {
+preview::Options street_options(const RenderedStreet& place) {
   preview::Options options;
-  options.width = kWidth_px / place.shrunk, options.height = kHeight_px / place.shrunk;
+  options.width = kStreetWidth_px / place.shrunk, options.height = kStreetHeight_px / place.shrunk;
   options.samples = place.samples, options.threads = place.threads;
   return options;
 }
 
-bake::View view_of(const Place& place, double unseen_deg) {
-  const preview::CellFineness fineness{.width_px = kWidth_px, .height_px = kHeight_px, .unseen_deg = unseen_deg};
+bake::View view_of(const RenderedStreet& place, double unseen_deg) {
+  const preview::CellFineness fineness{
+      .width_px = kStreetWidth_px, .height_px = kStreetHeight_px, .unseen_deg = unseen_deg};
   return preview::cell_view(place.scene, std::span(&place.camera, 1), fineness);
 }
 
@@ -81,7 +82,7 @@ struct StoredScene {
   double baking_s = 0;
 };
 
-StoredScene store(const Place& place) {
+StoredScene store(const RenderedStreet& place) {
   const Stopwatch watch;
   const bake::ViewLevels levels = bake::levels_for(place.scene, view_of(place, 0));
   StoredScene stored;
@@ -93,29 +94,29 @@ StoredScene store(const Place& place) {
 }
 
 /// Reads the files and renders them.
-Cost cost_of_stored(const Place& place, const StoredScene& stored) {
+RenderCost cost_of_stored(const RenderedStreet& place, const StoredScene& stored) {
   const Stopwatch watch;
   std::vector<bake::BakedTile> tiles;
   for (const std::vector<std::byte>& file : stored.files)
     if (Result<bake::BakedTile> tile = exporters::decode_glb(file, "tile")) tiles.push_back(std::move(*tile));
   const preview::World world(tiles, place.camera.eye);
-  preview::render(world, preview::Lights(sky::generate(place.scene.header.sky)), place.camera, options_of(place));
+  preview::render(world, preview::Lights(sky::generate(place.scene.header.sky)), place.camera, street_options(place));
   double bytes = static_cast<double>(world.bytes());
   for (const bake::BakedTile& tile : tiles) bytes += bytes_of(tile);
   return {watch.seconds(), megabytes(bytes)};
 }
 
-Cost cost_of_recipes(const Place& place, std::size_t budget_bytes) {
+RenderCost cost_of_recipes(const RenderedStreet& place, std::size_t budget_bytes) {
   const Stopwatch watch;
   const auto cells = std::make_shared<preview::CellSource>(place.scene, view_of(place, 1));
   const preview::World world(cells, place.camera.eye, budget_bytes);
-  preview::render(world, preview::Lights(sky::generate(place.scene.header.sky)), place.camera, options_of(place));
+  preview::render(world, preview::Lights(sky::generate(place.scene.header.sky)), place.camera, street_options(place));
   return {watch.seconds(), megabytes(static_cast<double>(world.bytes()))};
 }
 
 /// The scene's tiles that are nearest to a place.
-Place with_tiles(const Place& all, std::size_t count) {
-  Place some = all;
+RenderedStreet with_tiles(const RenderedStreet& all, std::size_t count) {
+  RenderedStreet some = all;
   const Vec2 eye = in_plan(all.camera.eye);
   std::ranges::stable_sort(some.scene.chunks, {}, [&](const scene::Chunk& chunk) {
     return distance(scene::box_of(all.scene.header, chunk.tile).centre(), eye);
@@ -126,8 +127,8 @@ Place with_tiles(const Place& all, std::size_t count) {
 }
 
 /// Buildings are a whole number of times as high, with as many more storeys.
-Place with_heights(const Place& place, int factor) {
-  Place higher = place;
+RenderedStreet with_heights(const RenderedStreet& place, int factor) {
+  RenderedStreet higher = place;
   for (scene::Chunk& chunk : higher.scene.chunks)
     for (buildings::Building& building : chunk.buildings) {
       const double added_m = (buildings::eaves_m(building) - building.floor_m) * (factor - 1);
@@ -139,7 +140,7 @@ Place with_heights(const Place& place, int factor) {
   return higher;
 }
 
-Result<Place> street_of(const ChartRequest& request) {
+Result<RenderedStreet> read_street(const ChartRequest& request) {
   Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
   std::vector<bake::BakedTile> tiles;
@@ -153,7 +154,7 @@ Result<Place> street_of(const ChartRequest& request) {
   if (!baked) return baked.error();
   const Result<preview::Camera> camera = preview::named_view(tiles, "street");
   if (!camera) return camera.error();
-  return Place{std::move(*scene), *camera, request.threads};
+  return RenderedStreet{std::move(*scene), *camera, request.threads};
 }
 
 /// A chart of time and one of memory, with the same series.
@@ -163,7 +164,7 @@ struct TimeAndMemory {
   TimeAndMemory(const std::string& name, const std::string& title, const Axis& x)
       : time{name + "_time", title + ": time", x, {"time (s)", true}, {}},
         memory{name + "_memory", title + ": memory", x, {"memory (MB)", true}, {}} {}
-  void add(const std::string& series, double x, const Cost& cost) {
+  void add(const std::string& series, double x, const RenderCost& cost) {
     add(time, series, x, cost.seconds), add(memory, series, x, cost.megabytes);
   }
   static void add(Chart& chart, const std::string& series, double x, double y) {
@@ -172,51 +173,52 @@ struct TimeAndMemory {
     own->points.emplace_back(x, y);
   }
   /// Both forms of a place.
-  void add_forms(double x, const Place& place) {
+  void add_forms(double x, const RenderedStreet& place) {
     const StoredScene stored = store(place);
-    const Cost cost = cost_of_stored(place, stored);
+    const RenderCost cost = cost_of_stored(place, stored);
     add("stored", x, cost);
     add(time, "stored, with baking", x, cost.seconds + stored.baking_s);
     add("recipes", x, cost_of_recipes(place, kPlenty_bytes));
   }
 };
 
-std::size_t buildings_in(const Place& place) {
+std::size_t buildings_in(const RenderedStreet& place) {
   std::size_t count = 0;
   for (const scene::Chunk& chunk : place.scene.chunks) count += chunk.buildings.size();
   return count;
 }
 
-TimeAndMemory over_size(const Place& place) {
-  TimeAndMemory charts("forms_size",
-                       fmt::format("A street, {} x {} pixels, {} paths each", kWidth_px, kHeight_px, kSamples),
-                       {"buildings", true});
+TimeAndMemory over_size(const RenderedStreet& place) {
+  TimeAndMemory charts(
+      "forms_size",
+      fmt::format("A street, {} x {} pixels, {} paths each", kStreetWidth_px, kStreetHeight_px, kStreetSamples),
+      {"buildings", true});
   std::size_t before = 0;
   for (const std::size_t count : {std::size_t{1}, std::size_t{4}, std::size_t{16}, place.scene.chunks.size()}) {
     if (std::min(count, place.scene.chunks.size()) <= before) continue;
-    const Place some = with_tiles(place, count);
+    const RenderedStreet some = with_tiles(place, count);
     before = some.scene.chunks.size();
     charts.add_forms(static_cast<double>(buildings_in(some)), some);
   }
   return charts;
 }
 
-TimeAndMemory over_height(const Place& place) {
+TimeAndMemory over_height(const RenderedStreet& place) {
   TimeAndMemory charts("forms_heights", "One tile with higher buildings", {"times as high", false});
   for (const int factor : {1, 2, 3}) charts.add_forms(factor, with_heights(with_tiles(place, 1), factor));
   return charts;
 }
 
 /// Few paths: with a small budget each of them may need cells again.
-Chart over_budget(const Place& place) {
-  Place one = with_tiles(place, 1);
+Chart over_budget(const RenderedStreet& place) {
+  RenderedStreet one = with_tiles(place, 1);
   one.samples = 1, one.shrunk = 10;
   Chart chart{"forms_budget",
               "One tile from recipes, 32 x 18 pixels, one path each, cells as for 320 x 180",
               {"budget (% of what all cells take)", true},
               {"time (s)", true},
               {}};
-  const Cost whole = cost_of_recipes(one, kPlenty_bytes);
+  const RenderCost whole = cost_of_recipes(one, kPlenty_bytes);
   for (const double percent : {100, 50, 20, 10, 5, 1}) {
     const auto budget = static_cast<std::size_t>(std::max(whole.megabytes * percent * 1e4, 1e6));
     const double seconds = cost_of_recipes(one, budget).seconds;
@@ -230,7 +232,7 @@ Chart over_budget(const Place& place) {
 }  // namespace
 
 Result<std::vector<Chart>> chart_forms(const ChartRequest& request) {
-  const Result<Place> place = street_of(request);
+  const Result<RenderedStreet> place = read_street(request);
   if (!place) return place.error();
   TimeAndMemory size = over_size(*place), heights = over_height(*place);
   return std::vector{std::move(size.time), std::move(size.memory), std::move(heights.time), std::move(heights.memory),

@@ -22,7 +22,7 @@ namespace {
 /// Allowed ratio of triangles to those of the heights without borders plus those of the borders without heights.
 constexpr double kBoundFactor = 1.3;
 
-struct Measure {
+struct GroundMeasure {
   double triangles = 0, upright = 0, error_m = 0, border_error_m = 0, seconds = 0, cpu_seconds = 0, peak_MB = 0;
 };
 
@@ -31,7 +31,7 @@ struct Bound {
   double triangles() const { return kBoundFactor * (bare_triangles + 2 * border_vertices); }
 };
 
-void bake_ground(const scene::Scene& scene, double tolerance_m, int threads, Measure& measure) {
+void bake_ground(const scene::Scene& scene, double tolerance_m, int threads, GroundMeasure& measure) {
   Report ignored;
   for (const scene::Chunk& chunk : scene.chunks) {
     const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, tolerance_m);
@@ -48,8 +48,8 @@ void bake_ground(const scene::Scene& scene, double tolerance_m, int threads, Mea
 
 /// Measures wall-clock time, processor time and memory of a function.
 template <typename Work>
-Measure measured(Work work) {
-  Measure measure;
+GroundMeasure measured_work(Work work) {
+  GroundMeasure measure;
   StageTimer timer([](std::string_view, double) {});
   timer.enter("ground");
   const std::clock_t begin = std::clock();
@@ -61,8 +61,8 @@ Measure measured(Work work) {
   return measure;
 }
 
-Measure measure_level(const scene::Scene& scene, double tolerance_m, int threads) {
-  return measured([&](Measure& measure) { bake_ground(scene, tolerance_m, threads, measure); });
+GroundMeasure measure_level(const scene::Scene& scene, double tolerance_m, int threads) {
+  return measured_work([&](GroundMeasure& measure) { bake_ground(scene, tolerance_m, threads, measure); });
 }
 
 /// Bakes all levels of a tile together, as bake() does.
@@ -79,8 +79,8 @@ void bake_ladder(const scene::Scene& scene, const scene::Chunk& chunk, std::span
   bake::generate_cells(levels, scene::box_of(scene.header, chunk.tile), threads, ignored);
 }
 
-Measure measure_ladder(const scene::Scene& scene, std::span<const double> ladder_m, int threads) {
-  return measured([&](Measure&) {
+GroundMeasure measure_ladder(const scene::Scene& scene, std::span<const double> ladder_m, int threads) {
+  return measured_work([&](GroundMeasure&) {
     for_each_index(scene.chunks.size(), threads,
                    [&](std::size_t i) { bake_ladder(scene, scene.chunks[i], ladder_m, threads); });
   });
@@ -127,7 +127,7 @@ struct GroundCharts {
   Chart triangles, errors, seconds, memory;
 };
 
-GroundCharts empty_charts(const std::string& what) {
+GroundCharts empty_ground_charts(const std::string& what) {
   const Axis tolerance{"tolerance (m)", true};
   return {{"ground_triangles",
            "Triangles of the ground over the tolerance: " + what,
@@ -153,7 +153,7 @@ GroundCharts empty_charts(const std::string& what) {
            {{"citykiln", {}}}}};
 }
 
-void add_level(GroundCharts& charts, double tolerance_m, const Measure& measure, const Bound& bound) {
+void add_ground_level(GroundCharts& charts, double tolerance_m, const GroundMeasure& measure, const Bound& bound) {
   const auto add = [&](Chart& chart, std::initializer_list<double> values) {
     std::size_t i = 0;
     for (const double value : values) chart.series[i++].points.emplace_back(tolerance_m, value);
@@ -171,14 +171,14 @@ Result<std::vector<Chart>> chart_ground(const ChartRequest& request) {
   if (!scene) return scene.error();
   const Box2& region = scene->header.region;
   const std::string map = request.maps.front().substr(request.maps.front().rfind('/') + 1);
-  GroundCharts charts = empty_charts(
+  GroundCharts charts = empty_ground_charts(
       fmt::format("{}, {:.0f} km², {} tiles", map, region.width() * region.height() * 1e-6, scene->chunks.size()));
-  const Measure all = measure_ladder(*scene, Outputs{}.ladder_m, request.threads);
+  const GroundMeasure all = measure_ladder(*scene, Outputs{}.ladder_m, request.threads);
   charts.seconds.title += fmt::format("; all levels at once {:.1f} s by the clock, {:.1f} s of processors, {:.0f} MB",
                                       all.seconds, all.cpu_seconds, all.peak_MB);
   for (const double tolerance_m : Outputs{}.ladder_m) {
-    const Measure measure = measure_level(*scene, tolerance_m, request.threads);
-    add_level(charts, tolerance_m, measure, bound_of(*scene, tolerance_m, request.threads));
+    const GroundMeasure measure = measure_level(*scene, tolerance_m, request.threads);
+    add_ground_level(charts, tolerance_m, measure, bound_of(*scene, tolerance_m, request.threads));
   }
   return std::vector{charts.triangles, charts.errors, charts.seconds, charts.memory};
 }

@@ -76,13 +76,13 @@ std::vector<Polygon> by_snap_rounding(const Case& one, double step_m) {
   return polygons;
 }
 
-struct Method {
+struct OutlineMethod {
   const char* name;
   std::vector<Polygon> (*outline)(const Case&, double step_m);
 };
-constexpr Method kMethods[] = {{"edges intersected in floating point, unchecked", by_walking},
-                               {"exact constructions (CGAL), then rounded", by_exact_union},
-                               {"snap rounding (citykiln's fallback)", by_snap_rounding}};
+constexpr OutlineMethod kOutlineMethods[] = {{"edges intersected in floating point, unchecked", by_walking},
+                                             {"exact constructions (CGAL), then rounded", by_exact_union},
+                                             {"snap rounding (citykiln's fallback)", by_snap_rounding}};
 
 constexpr double kSteps_m[] = {0x1p-10, 0x1p-8, 0x1p-6, 0x1p-4, 0x1p-3, 0x1p-2, 0x1p-1, 1};
 
@@ -104,7 +104,7 @@ Result<std::vector<Chart>> chart_junctions(const ChartRequest& request) {
                 {"share (%)"},
                 {}};
   Chart time{"junctions_time", "Time for an outline", grid, {"microseconds", true}, {}};
-  for (const Method& method : kMethods) {
+  for (const OutlineMethod& method : kOutlineMethods) {
     invalid.series.push_back({method.name, {}});
     time.series.push_back({method.name, {}});
     for (const double step_m : kSteps_m) {

@@ -23,13 +23,13 @@ namespace {
 using bake::BakedTile;
 
 /// The first is the finest level, which all others are compared with and made from.
-constexpr double kTolerances_m[] = {0.1, 0.5, 1.2, 2.5, 6, 12.5, 25};
+constexpr double kLodTolerances_m[] = {0.1, 0.5, 1.2, 2.5, 6, 12.5, 25};
 /// Small, so that the finest level can be decimated.
 constexpr double kTile_m = 128;
 /// A pixel of a picture is as large as the tolerance, within these widths in pixels.
-constexpr int kFewestPixels = 24, kMostPixels = 320;
-constexpr int kSamples = 48 * 128 * 128, kFewestSamples = 32;
-constexpr double kFov_deg = 30;
+constexpr int kFewestLodPixels = 24, kMostLodPixels = 320;
+constexpr int kLodSamples = 48 * 128 * 128, kFewestLodSamples = 32;
+constexpr double kLodFov_deg = 30;
 /// Numbers of triangles count as equal up to this factor.
 constexpr double kLikeness = 1.15;
 
@@ -42,10 +42,6 @@ bool is_of(Kind kind, bake::Layer layer) {
   if (kind == Kind::kBuildings) return layer == bake::Layer::kBuildings;
   if (kind == Kind::kRoads) return layer == bake::Layer::kRoads;
   return kind == Kind::kGround && (layer == bake::Layer::kGround || layer == bake::Layer::kWater);
-}
-
-bool is_terrain(const bake::Primitive& p) {
-  return p.layer == bake::Layer::kGround || p.layer == bake::Layer::kRoads || p.layer == bake::Layer::kWater;
 }
 
 /// The name of the plant that stands most often.
@@ -80,7 +76,7 @@ std::vector<bake::Primitive>& primitives_of(BakedTile& part) {
   return part.instanced.empty() ? part.primitives : part.instanced.front().primitives;
 }
 
-BakedTile simplified(const BakedTile& finest, Simplify simplify, Kind kind, std::size_t triangles) {
+BakedTile simplified_part(const BakedTile& finest, Simplify simplify, Kind kind, std::size_t triangles) {
   BakedTile made = finest;
   std::vector<bake::Primitive> left = simplify(primitives_of(made), triangles);
   // houses have edges, hills have none
@@ -109,16 +105,16 @@ Reference reference_of(BakedTile&& finest, const sky::Sky& sky) {
     }
   const Vec3 middle = finest.origin + (low + high) * 0.5;
   const double width_m = length(high - low), away_m = width_m / 2 / 0.26;  // the tangent of half the field of view
-  const preview::Camera camera{middle + unit(Vec3{-0.5, -0.7, 0.6}) * away_m, middle, kFov_deg};
+  const preview::Camera camera{middle + unit(Vec3{-0.5, -0.7, 0.6}) * away_m, middle, kLodFov_deg};
   simplify::TriangleTree tree(triangles);
   return {std::move(finest), std::move(triangles), std::move(tree), sky, camera, width_m};
 }
 
-preview::Image picture(const BakedTile& tile, const Reference& reference, double tolerance_m) {
+preview::Image lod_picture(const BakedTile& tile, const Reference& reference, double tolerance_m) {
   preview::Options options;
-  const int pixels = std::clamp(static_cast<int>(reference.width_m / tolerance_m), kFewestPixels, kMostPixels);
+  const int pixels = std::clamp(static_cast<int>(reference.width_m / tolerance_m), kFewestLodPixels, kMostLodPixels);
   options.width = options.height = pixels;
-  options.samples = std::max(kFewestSamples, kSamples / (pixels * pixels)), options.bounces = 2;
+  options.samples = std::max(kFewestLodSamples, kLodSamples / (pixels * pixels)), options.bounces = 2;
   return preview::render(std::span(&tile, 1), reference.sky, reference.camera, options);
 }
 
@@ -127,15 +123,15 @@ struct Measures {
 };
 
 /// @param ground  Of the level: it stands for objects that the level leaves out.
-Measures measured(const BakedTile& part, const Reference& reference, const std::vector<simplify::Corners>& ground,
-                  const scene::Header& header, double tolerance_m, double seconds) {
+Measures measured_part(const BakedTile& part, const Reference& reference, const std::vector<simplify::Corners>& ground,
+                       const scene::Header& header, double tolerance_m, double seconds) {
   const std::vector<simplify::Corners> own = triangles_in(part);
   std::vector<simplify::Corners> with_ground = own;
   with_ground.insert(with_ground.end(), ground.begin(), ground.end());
   const double there_m = sampled_distance_m(reference.triangles, simplify::TriangleTree(std::move(with_ground)));
   const double back_m = sampled_distance_m(own, reference.tree);
   const double error =
-      difference(picture(part, reference, tolerance_m), picture(reference.tile, reference, tolerance_m));
+      difference(lod_picture(part, reference, tolerance_m), lod_picture(reference.tile, reference, tolerance_m));
   const exporters::EncodedTile encoded = exporters::encode_tile(part, header, {}, 1);
   return {static_cast<double>(own.size()), std::max(there_m, back_m), error, static_cast<double>(encoded.glb.size()),
           seconds};
@@ -229,18 +225,18 @@ std::vector<simplify::Corners> ground_of(const BakedTile& tile, const BakedTile&
   return all;
 }
 
-void add_level(KindCharts& charts, Kind kind, const Level& level, const Reference& reference, const std::string& plant,
-               const scene::Header& header, double tolerance_m) {
+void add_lod_level(KindCharts& charts, Kind kind, const Level& level, const Reference& reference,
+                   const std::string& plant, const scene::Header& header, double tolerance_m) {
   const BakedTile part = part_of(level.tile, kind, plant);
   if (triangles_in(part).empty()) return;
   const std::vector<simplify::Corners> ground =
       kind == Kind::kPlants ? std::vector<simplify::Corners>() : ground_of(level.tile, reference.tile);
-  const Measures cut = measured(part, reference, ground, header, tolerance_m, level.seconds.at(kind));
+  const Measures cut = measured_part(part, reference, ground, header, tolerance_m, level.seconds.at(kind));
   charts.add(0, cut), ++charts.levels;
   const auto by = [&](Simplify simplify) {
     const Stopwatch watch;
-    const BakedTile made = simplified(reference.tile, simplify, kind, static_cast<std::size_t>(cut.triangles));
-    return measured(made, reference, ground, header, tolerance_m, watch.seconds());
+    const BakedTile made = simplified_part(reference.tile, simplify, kind, static_cast<std::size_t>(cut.triangles));
+    return measured_part(made, reference, ground, header, tolerance_m, watch.seconds());
   };
   const Measures openmesh = by(simplified_by_openmesh), meshoptimizer = by(simplified_by_meshoptimizer);
   charts.add(1, openmesh), charts.add(2, meshoptimizer);
@@ -277,7 +273,7 @@ Result<std::vector<Chart>> chart_lod(const ChartRequest& request) {
   const scene::Chunk& chunk =
       *std::ranges::max_element(scene->chunks, {}, [](const scene::Chunk& c) { return c.buildings.size(); });
   std::vector<Level> levels;
-  for (const double tolerance_m : kTolerances_m) levels.push_back(level_at(*scene, chunk, tolerance_m));
+  for (const double tolerance_m : kLodTolerances_m) levels.push_back(level_at(*scene, chunk, tolerance_m));
   const std::string plant = commonest_plant(levels.front().tile);
 
   std::vector<Chart> charts;
@@ -287,7 +283,7 @@ Result<std::vector<Chart>> chart_lod(const ChartRequest& request) {
     const Reference reference = reference_of(std::move(finest), scene->header.sky);
     KindCharts of_kind(kind);
     for (std::size_t i = 1; i < levels.size(); ++i)
-      add_level(of_kind, kind, levels[i], reference, plant, scene->header, kTolerances_m[i]);
+      add_lod_level(of_kind, kind, levels[i], reference, plant, scene->header, kLodTolerances_m[i]);
     add_titles(of_kind, kind);
     std::ranges::move(of_kind.charts, std::back_inserter(charts));
   }

@@ -41,7 +41,7 @@ double expected_symbols(int steps) {
   return apices + others;
 }
 
-std::vector<Chart> empty_charts() {
+std::vector<Chart> empty_derivation_charts() {
   std::vector<Chart> charts(3);
   charts[0].name = "lsystem_speed", charts[0].title = "Rewriting Honda's tree, one core";
   charts[0].x = {"symbols of the string", true}, charts[0].y = {"symbols a second", true};
@@ -85,7 +85,7 @@ void add_mesh(const lsystems::LSystem& system, int steps, Chart& chart) {
 Result<std::vector<Chart>> chart_lsystem(const ChartRequest&) {
   const Result<lsystems::LSystem> system = lsystems::read_lsystem(kHonda, "honda.lsys");
   if (!system) return system.error();
-  std::vector<Chart> charts = empty_charts();
+  std::vector<Chart> charts = empty_derivation_charts();
   for (int steps = 1; steps <= kMostSteps; ++steps) add_derivation(*system, steps, charts);
   for (int steps = kFewestMeshed; steps <= kMostMeshed; ++steps) add_mesh(*system, steps, charts[2]);
   const auto& symbols = charts[0].series[0].points;

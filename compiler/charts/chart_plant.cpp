@@ -24,14 +24,14 @@ namespace {
 
 using plants::Species;
 
-constexpr double kTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1.2, 2.5, 5, 12.5};
-constexpr double kFinest_m = 0.02;
+constexpr double kPlantTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1.2, 2.5, 5, 12.5};
+constexpr double kFinestPlant_m = 0.02;
 constexpr Species kTrees[] = {Species::kOak, Species::kBeech, Species::kBirch, Species::kSpruce, Species::kPine};
 /// The width of scene in a picture, equal for all tolerances as in chart_facade.cpp.
 constexpr double kTreeWindow_m = 40, kWoodWindow_m = 120;
-constexpr int kFewestPixels = 6, kMostPixels = 160;
-constexpr int kSamples = 16 * 128 * 128, kFewestSamples = 24;
-constexpr double kFocal_px = 1304, kDegrees = 57.29577951308232;
+constexpr int kFewestPlantPixels = 6, kMostPlantPixels = 160;
+constexpr int kPlantSamples = 16 * 128 * 128, kFewestPlantSamples = 24;
+constexpr double kDegrees = 57.29577951308232;
 constexpr int kWoodSide = 9;
 constexpr double kWoodSpacing_m = 7;
 
@@ -96,15 +96,15 @@ std::vector<PlacedPlant> wood() {
   return trees;
 }
 
-preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, double window_m, double tolerance_m,
-                       std::uint64_t seed) {
+preview::Image plant_picture(const bake::BakedTile& tile, const sky::Sky& sky, double window_m, double tolerance_m,
+                             std::uint64_t seed) {
   preview::Options options;
   options.width = options.height =
-      std::clamp(static_cast<int>(std::lround(window_m / tolerance_m)), kFewestPixels, kMostPixels);
-  options.samples = std::max(kFewestSamples, kSamples / (options.width * options.height));
+      std::clamp(static_cast<int>(std::lround(window_m / tolerance_m)), kFewestPlantPixels, kMostPlantPixels);
+  options.samples = std::max(kFewestPlantSamples, kPlantSamples / (options.width * options.height));
   options.bounces = 2, options.seed = seed;
   // the distance at which the tolerance is one pixel, but at least the distance at which the window fits the picture
-  const double away_m = kFocal_px * std::max(tolerance_m, window_m / kMostPixels);
+  const double away_m = kChartFocal_px * std::max(tolerance_m, window_m / kMostPlantPixels);
   const Vec3 middle{0, 0, window_m / 5};
   const preview::Camera camera{middle + unit(Vec3{0.25, -1, 0.35}) * away_m, middle,
                                2 * kDegrees * std::atan(window_m / 2 / away_m)};
@@ -118,7 +118,7 @@ double lighter(const preview::Image& a, const preview::Image& b) {
   return sum / static_cast<double>(a.rgb.size());
 }
 
-std::vector<Chart> empty_charts() {
+std::vector<Chart> empty_plant_charts() {
   std::vector<Chart> charts(3);
   for (Chart& chart : charts) chart.x.label = "tolerance (m)", chart.x.is_logarithmic = true;
   charts[0].name = "plant_costs", charts[0].title = fmt::format("A prototype, mean of {} species", std::size(kTrees));
@@ -135,7 +135,8 @@ std::vector<Chart> empty_charts() {
   return charts;
 }
 
-void add_costs(const bake::PrototypeCache& prototypes, const scene::Header& header, double tolerance_m, Chart& chart) {
+void add_prototype_costs(const bake::PrototypeCache& prototypes, const scene::Header& header, double tolerance_m,
+                         Chart& chart) {
   double triangles = 0, bytes = 0, us = 0;
   for (const Species species : kTrees) {
     prototypes.prototype({species, 0}, 1000, 999);  // derives the prototype before the clock starts
@@ -158,17 +159,18 @@ void add_costs(const bake::PrototypeCache& prototypes, const scene::Header& head
 void add_pictures(const bake::PrototypeCache& prototypes, const sky::Sky& sky, double tolerance_m, Chart& chart) {
   double error = 0, noise = 0;
   for (const Species species : kTrees) {
-    const bake::BakedTile truth = planted(prototypes, one_tree(species), kFinest_m);
-    const preview::Image finest = picture(truth, sky, kTreeWindow_m, tolerance_m, 1);
-    noise += difference(finest, picture(truth, sky, kTreeWindow_m, tolerance_m, 2));
+    const bake::BakedTile truth = planted(prototypes, one_tree(species), kFinestPlant_m);
+    const preview::Image finest = plant_picture(truth, sky, kTreeWindow_m, tolerance_m, 1);
+    noise += difference(finest, plant_picture(truth, sky, kTreeWindow_m, tolerance_m, 2));
     error += difference(
-        finest, picture(planted(prototypes, one_tree(species), tolerance_m), sky, kTreeWindow_m, tolerance_m, 2));
+        finest, plant_picture(planted(prototypes, one_tree(species), tolerance_m), sky, kTreeWindow_m, tolerance_m, 2));
   }
-  const bake::BakedTile truth = planted(prototypes, wood(), kFinest_m);
-  const preview::Image finest = picture(truth, sky, kWoodWindow_m, tolerance_m, 1);
-  const preview::Image coarse = picture(planted(prototypes, wood(), tolerance_m), sky, kWoodWindow_m, tolerance_m, 2);
+  const bake::BakedTile truth = planted(prototypes, wood(), kFinestPlant_m);
+  const preview::Image finest = plant_picture(truth, sky, kWoodWindow_m, tolerance_m, 1);
+  const preview::Image coarse =
+      plant_picture(planted(prototypes, wood(), tolerance_m), sky, kWoodWindow_m, tolerance_m, 2);
   const double values[] = {error / std::size(kTrees), noise / std::size(kTrees), difference(finest, coarse),
-                           difference(finest, picture(truth, sky, kWoodWindow_m, tolerance_m, 2)),
+                           difference(finest, plant_picture(truth, sky, kWoodWindow_m, tolerance_m, 2)),
                            lighter(coarse, finest)};
   for (std::size_t s = 0; s < std::size(values); ++s) chart.series[s].points.emplace_back(tolerance_m, values[s]);
 }
@@ -226,9 +228,9 @@ Result<std::vector<Chart>> chart_plant(const ChartRequest&) {
   const bake::PrototypeCache prototypes(header);
   const Result<sky::Sky> sky = sky::plan({11, 48}, "2026-06-21T09:30");
   if (!sky) return sky.error();
-  std::vector<Chart> charts = empty_charts();
-  for (const double tolerance_m : kTolerances_m) {
-    add_costs(prototypes, header, tolerance_m, charts[0]);
+  std::vector<Chart> charts = empty_plant_charts();
+  for (const double tolerance_m : kPlantTolerances_m) {
+    add_prototype_costs(prototypes, header, tolerance_m, charts[0]);
     add_pictures(prototypes, *sky, tolerance_m, charts[1]);
   }
   add_joint(charts[2]);

@@ -54,7 +54,7 @@ Result<ProfileInputs> read_profile_inputs(const ChartRequest& request) {
   return inputs;
 }
 
-struct Measure {
+struct ProfileMeasure {
   double length_m = 0, over_m = 0, earth_m3 = 0, squares_m3 = 0;
 
   double over_percent() const { return 100 * over_m / std::max(length_m, 1.0); }
@@ -63,7 +63,7 @@ struct Measure {
 };
 
 /// Integrates along the axis, with the heightmap sampled in the middle of each step.
-void add_earth(const roads::Road& road, const map::Heightfield& heights, Measure& measure) {
+void add_earth(const roads::Road& road, const map::Heightfield& heights, ProfileMeasure& measure) {
   const std::vector<double> along = roads::distances_along(road);
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const double long_m = along[i + 1] - along[i];
@@ -79,7 +79,7 @@ void add_earth(const roads::Road& road, const map::Heightfield& heights, Measure
   }
 }
 
-void add_grades(const roads::Road& road, double scale, Measure& measure) {
+void add_grades(const roads::Road& road, double scale, ProfileMeasure& measure) {
   const double limit = scale * ground::grade_rule_of(road.surface).limit;
   for (std::size_t i = 1; i < road.profile.size(); ++i) {
     const Knot a = road.profile[i - 1], b = road.profile[i];
@@ -88,12 +88,12 @@ void add_grades(const roads::Road& road, double scale, Measure& measure) {
   }
 }
 
-Measure measure_at(const ProfileInputs& inputs, double scale) {
+ProfileMeasure measure_at(const ProfileInputs& inputs, double scale) {
   Report ignored;
   const ground::Profiles profiles =
       ground::plan_profiles(inputs.features, inputs.roads, inputs.junctions, inputs.waters.streams,
                             inputs.waters.surfaces, inputs.heights, ignored, scale);
-  Measure measure;
+  ProfileMeasure measure;
   for (const roads::Road& road : profiles.roads) {
     if (road.profile.empty() || !ground::is_graded(road.surface)) continue;
     add_earth(road, inputs.heights, measure);
@@ -120,7 +120,7 @@ Result<std::vector<Chart>> chart_profile(const ChartRequest& request) {
   Chart error = chart_of("profile_error", "Profiles against the heightmap", "root mean square (m)", map);
   Chart over = chart_of("profile_over", "Share over the limit", "share of roads on the ground (%)", map);
   for (const double scale : {0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0}) {
-    const Measure measure = measure_at(*inputs, scale);
+    const ProfileMeasure measure = measure_at(*inputs, scale);
     earth.series.front().points.emplace_back(scale, measure.earth_m3_per_km());
     error.series.front().points.emplace_back(scale, measure.rms_m());
     over.series.front().points.emplace_back(scale, measure.over_percent());

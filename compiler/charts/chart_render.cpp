@@ -14,10 +14,10 @@
 namespace citykiln::charts {
 namespace {
 
-constexpr double kTolerance_m = 0.5;
+constexpr double kStreetTolerance_m = 0.5;
 constexpr int kReferenceSamples = 1024, kMostSamples = 64;
 
-preview::Options options_of(const ChartRequest& request) {
+preview::Options picture_options(const ChartRequest& request) {
   preview::Options options;
   options.width = 320, options.height = 180, options.threads = request.threads, options.has_guides = true;
   return options;
@@ -43,13 +43,13 @@ struct Street {
   preview::World world() const { return {tiles, camera.eye}; }
 };
 
-Result<Street> street_of(const ChartRequest& request) {
+Result<Street> bake_street(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
   std::vector<bake::BakedTile> tiles;
   Report ignored;
   const Result<Done> baked = bake_scene(
-      *scene, std::vector{kTolerance_m}, request.threads, ignored, [](std::string_view, double) {},
+      *scene, std::vector{kStreetTolerance_m}, request.threads, ignored, [](std::string_view, double) {},
       [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
         tiles.push_back(tile);
         return Done{};
@@ -120,10 +120,10 @@ ChoiceErrors errors_of_choices(const preview::World& world, std::span<const prev
 }  // namespace
 
 Result<std::vector<Chart>> chart_render(const ChartRequest& request) {
-  const Result<Street> street = street_of(request);
+  const Result<Street> street = bake_street(request);
   if (!street) return street.error();
   const preview::World world = street->world();
-  preview::Options options = options_of(request);
+  preview::Options options = picture_options(request);
   preview::Options most = options;
   most.samples = kReferenceSamples, most.roulette = 0, most.seed = 1;
   const preview::Image reference = preview::render(world, street->lights, street->camera, most);

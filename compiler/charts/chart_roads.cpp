@@ -17,7 +17,7 @@ namespace {
 
 using roads::Road;
 
-constexpr int kRuns = 5;
+constexpr int kNetworkRuns = 5;
 
 /// The `count` roads nearest to the map's middle, sorted by id.
 std::vector<Road> nearest(const std::vector<Road>& all, std::size_t count) {
@@ -42,10 +42,10 @@ double seconds_once(const std::vector<Road>& part, int threads) {
 }
 
 double median_seconds(const std::vector<Road>& part, int threads) {
-  std::vector<double> times(kRuns);
+  std::vector<double> times(kNetworkRuns);
   for (double& time : times) time = seconds_once(part, threads);
   std::ranges::sort(times);
-  return times[kRuns / 2];
+  return times[kNetworkRuns / 2];
 }
 
 double points_of(const std::vector<Road>& part) {

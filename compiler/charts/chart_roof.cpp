@@ -15,7 +15,7 @@ namespace {
 
 using roofs::Form;
 
-constexpr double kTolerance_m = 0.02;
+constexpr double kRoofTolerance_m = 0.02;
 
 /// Upper limits of the classes of footprints by corners; each class begins above the limit before.
 constexpr std::size_t kCorners[] = {3, 6, 10, 16, 28, 64};
@@ -29,22 +29,22 @@ using Roofer = bool (*)(const Polygon& footprint, const roofs::RoofShape& shape)
 
 template <SkeletonKernel kernel>
 bool by_kernel(const Polygon& footprint, const roofs::RoofShape& shape) {
-  return roofs::roof_by_skeleton(footprint, shape, kTolerance_m, kernel).has_value();
+  return roofs::roof_by_skeleton(footprint, shape, kRoofTolerance_m, kernel).has_value();
 }
 
 bool as_built(const Polygon& footprint, const roofs::RoofShape& shape) {
   Report report;
-  roofs::generate_roof(footprint, shape, kTolerance_m, {}, report);
+  roofs::generate_roof(footprint, shape, kRoofTolerance_m, {}, report);
   return report.diagnoses().empty();
 }
 
-struct Method {
+struct RoofMethod {
   const char* name;
   Roofer roof;
 };
-constexpr Method kMethods[] = {{"inexact skeleton", by_kernel<SkeletonKernel::kInexact>},
-                               {"exact skeleton", by_kernel<SkeletonKernel::kExact>},
-                               {"as citykiln builds it", as_built}};
+constexpr RoofMethod kRoofMethods[] = {{"inexact skeleton", by_kernel<SkeletonKernel::kInexact>},
+                                       {"exact skeleton", by_kernel<SkeletonKernel::kExact>},
+                                       {"as citykiln builds it", as_built}};
 
 std::size_t corners_of(const Polygon& footprint) {
   std::size_t count = footprint.outer.size();
@@ -76,7 +76,7 @@ struct Outcome {
   double failed_percent = 0, us = 0;
 };
 
-Outcome outcome_of(const Method& method, Form form, const std::vector<Polygon>& footprints) {
+Outcome outcome_of(const RoofMethod& method, Form form, const std::vector<Polygon>& footprints) {
   roofs::RoofShape shape;
   shape.form = form;
   const Stopwatch watch;
@@ -92,7 +92,7 @@ double mean_corners(const std::vector<Polygon>& footprints) {
   return sum / static_cast<double>(footprints.size());
 }
 
-void measure(const Method& method, Form form, const Classes& classes, Series& failures, Series& time) {
+void measure_roofs(const RoofMethod& method, Form form, const Classes& classes, Series& failures, Series& time) {
   failures.name = time.name = fmt::format("{}: {}", roofs::name_of(form), method.name);
   for (const std::vector<Polygon>& footprints : classes) {
     if (footprints.empty()) continue;
@@ -115,8 +115,8 @@ Result<std::vector<Chart>> chart_roof(const ChartRequest& request) {
   Chart failures{"roof_failures", fmt::format("Roofs that fail: {} footprints", count), corners, {"share (%)"}, {}};
   Chart time{"roof_time", "Time for a roof", corners, {"microseconds", true}, {}};
   for (const Form form : kForms)
-    for (const Method& method : kMethods)
-      measure(method, form, classes, failures.series.emplace_back(), time.series.emplace_back());
+    for (const RoofMethod& method : kRoofMethods)
+      measure_roofs(method, form, classes, failures.series.emplace_back(), time.series.emplace_back());
   return std::vector{failures, time};
 }
 

@@ -25,8 +25,6 @@ sky::Sky sky_at(double height_deg) {
   return sky;
 }
 
-double luminance(const sky::Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
-
 Chart vertical_of(double height_deg, int threads) {
   const sky::Sky sky = sky_at(height_deg);
   const sky::SkyModel model = sky::generate(sky);

@@ -98,20 +98,20 @@ Result<Terrain> read_terrain(const ChartRequest& request) {
                  cells_of(region, request.cell_m)};
 }
 
-struct Measure {
+struct MeshMeasure {
   double triangles = 0, error_m = 0, seconds = 0;
 };
 
-Measure mesh(const Terrain& terrain, double tolerance_m, int threads) {
+MeshMeasure mesh(const Terrain& terrain, double tolerance_m, int threads) {
   const Stopwatch watch;
-  const std::vector<Measure> cells = for_each_slot<Measure>(terrain.cells.size(), threads, [&](std::size_t i) {
+  const std::vector<MeshMeasure> cells = for_each_slot<MeshMeasure>(terrain.cells.size(), threads, [&](std::size_t i) {
     Report ignored;
     const ground::GroundMesh cell = ground::generate_cell({}, terrain.ground, terrain.cells[i], tolerance_m, ignored);
-    return Measure{static_cast<double>(cell.mesh.triangles.size()), cell.error_m, 0};
+    return MeshMeasure{static_cast<double>(cell.mesh.triangles.size()), cell.error_m, 0};
   });
-  Measure all;
+  MeshMeasure all;
   all.seconds = watch.seconds();
-  for (const Measure& cell : cells) {
+  for (const MeshMeasure& cell : cells) {
     all.triangles += cell.triangles;
     all.error_m = std::max(all.error_m, cell.error_m);
   }
@@ -206,7 +206,7 @@ Result<std::vector<Chart>> chart_terrain(const ChartRequest& request) {
   triangles.series.push_back({"citykiln, certified", {}});
   seconds.series.push_back({"citykiln, certified", {}});
   for (const double tolerance_m : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
-    const Measure measure = mesh(*terrain, tolerance_m, request.threads);
+    const MeshMeasure measure = mesh(*terrain, tolerance_m, request.threads);
     triangles.series.front().points.emplace_back(measure.triangles, measure.error_m);
     seconds.series.front().points.emplace_back(measure.seconds, measure.error_m);
   }

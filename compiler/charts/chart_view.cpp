@@ -16,15 +16,15 @@ namespace {
 
 /// Requested errors, in pixels of a picture with the preview's size and field of view.
 constexpr double kPixels[] = {0.5, 1, 2, 4, 8, 16};
-constexpr double kFov_deg = 45;
-constexpr int kHeight_px = 720;
+constexpr double kViewFov_deg = 45;
+constexpr int kViewHeight_px = 720;
 
 /// Height of the default viewer above the middle of the map.
 constexpr double kHeightAbove_m = 100;
 
 /// The number of all faces, vertical ones included.
-double triangles_of(const scene::Scene& scene, const scene::Chunk& chunk, double roads_m,
-                    std::span<const bake::CellLevel> cells, int threads) {
+double triangles_in_cells(const scene::Scene& scene, const scene::Chunk& chunk, double roads_m,
+                          std::span<const bake::CellLevel> cells, int threads) {
   Report ignored;
   const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, roads_m);
   const scene::LandCover cover = scene::land_cover_of(scene.header, chunk, roads_m);
@@ -39,7 +39,7 @@ double triangles_seen(const scene::Scene& scene, const bake::View& view, int thr
   double triangles = 0;
   for (const scene::Chunk& chunk : scene.chunks)
     for (const bake::ViewZone& zone : bake::zones_of(levels, scene::box_of(scene.header, chunk.tile)))
-      triangles += triangles_of(scene, chunk, zone.roads_m, zone.cells, threads);
+      triangles += triangles_in_cells(scene, chunk, zone.roads_m, zone.cells, threads);
   return triangles;
 }
 
@@ -49,7 +49,7 @@ double triangles_everywhere(const scene::Scene& scene, double tolerance_m, int t
     std::vector<bake::CellLevel> cells;
     for (const Box2& cell : bake::cells_of(scene::box_of(scene.header, chunk.tile)))
       cells.push_back({cell, tolerance_m, ground::all_sides(tolerance_m)});
-    triangles += triangles_of(scene, chunk, tolerance_m, cells, threads);
+    triangles += triangles_in_cells(scene, chunk, tolerance_m, cells, threads);
   }
   return triangles;
 }
@@ -76,7 +76,7 @@ double pixels_at_nearest(const scene::Scene& scene, const bake::View& view, doub
 Result<std::vector<Chart>> chart_view(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
-  bake::View view{request.eye.value_or(over_the_middle(*scene)), bake::focal_length_px(kHeight_px, kFov_deg)};
+  bake::View view{request.eye.value_or(over_the_middle(*scene)), bake::focal_length_px(kViewHeight_px, kViewFov_deg)};
   Chart chart{"view_triangles",
               fmt::format("Triangles of the ground for one eye at {:.0f}, {:.0f}, {:.0f} m: {:.0f} km²", view.eye.x,
                           view.eye.y, view.eye.z, scene->header.region.width() * scene->header.region.height() * 1e-6),

@@ -15,7 +15,7 @@ namespace citykiln::charts {
 namespace {
 
 /// Levels from half a metre on have no kerbs.
-constexpr double kTolerance_m = 0.5;
+constexpr double kTerrainTolerance_m = 0.5;
 
 struct Woods {
   double plants = 0, expand_seconds = 0;
@@ -27,7 +27,7 @@ Woods woods_of(const scene::Header& header, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
   const ground::LandCoverIndex map = ground::index_land_cover(surfaces, box.widened(scene::kHalo_m));
-  const ground::GradedTerrain graded = scene::graded_terrain_of(header, chunk, kTolerance_m);
+  const ground::GradedTerrain graded = scene::graded_terrain_of(header, chunk, kTerrainTolerance_m);
   Report ignored;
   Woods woods;
   timespec begin, end;

@@ -10,7 +10,7 @@ namespace {
 
 using simplify::Corners;
 
-constexpr std::uint32_t kSamples = 50'000;
+constexpr std::uint32_t kDistanceSamples = 50'000;
 
 void add(std::vector<Corners>& all, const bake::Primitive& p, Vec3 at, double scale) {
   const auto place = [&](std::uint32_t v) { return at + bake::widened(p.positions[v]) * scale; };
@@ -45,7 +45,7 @@ double sampled_distance_m(std::span<const Corners> from, const simplify::Triangl
   double due = 0;
   for (const Corners& t : from) {
     for (const Vec3 p : {t.a, t.b, t.c}) farthest_m = std::max(farthest_m, to.nearest(p).distance_m);
-    for (due += kSamples * area_m2(t) / total_m2; due >= 1; --due, number += 2)
+    for (due += kDistanceSamples * area_m2(t) / total_m2; due >= 1; --due, number += 2)
       farthest_m = std::max(farthest_m, to.nearest(point_of(t, draw.unit(number), draw.unit(number + 1))).distance_m);
   }
   return farthest_m;

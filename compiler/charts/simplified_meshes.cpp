@@ -14,7 +14,7 @@ namespace {
 using bake::Primitive;
 using Face = std::array<std::uint32_t, 3>;
 
-std::size_t triangles_of(const std::vector<Primitive>& primitives) {
+std::size_t triangle_count_of(const std::vector<Primitive>& primitives) {
   std::size_t sum = 0;
   for (const Primitive& p : primitives) sum += p.triangles.size();
   return sum;
@@ -42,8 +42,9 @@ std::vector<Face> by_openmesh(const simplify::LabelledMesh& mesh, std::size_t tr
 
 // Each primitive apart, with its share of the triangles.
 template <typename OfOne>
-std::vector<Primitive> simplified(const std::vector<Primitive>& primitives, std::size_t triangles, OfOne of_one) {
-  const double share = static_cast<double>(triangles) / static_cast<double>(triangles_of(primitives));
+std::vector<Primitive> simplified_one_by_one(const std::vector<Primitive>& primitives, std::size_t triangles,
+                                             OfOne of_one) {
+  const double share = static_cast<double>(triangles) / static_cast<double>(triangle_count_of(primitives));
   std::vector<Primitive> all;
   for (const Primitive& p : primitives) {
     const bake::WeldedPrimitives source = bake::welded(std::span(&p, 1), is_any);
@@ -60,11 +61,11 @@ std::vector<Primitive> simplified(const std::vector<Primitive>& primitives, std:
 }  // namespace
 
 std::vector<Primitive> simplified_by_openmesh(const std::vector<Primitive>& primitives, std::size_t triangles) {
-  return simplified(primitives, triangles, by_openmesh);
+  return simplified_one_by_one(primitives, triangles, by_openmesh);
 }
 
 std::vector<Primitive> simplified_by_meshoptimizer(const std::vector<Primitive>& primitives, std::size_t triangles) {
-  return simplified(primitives, triangles, by_meshoptimizer);
+  return simplified_one_by_one(primitives, triangles, by_meshoptimizer);
 }
 
 std::vector<Primitive> with_flat_normals(std::vector<Primitive>&& primitives) {

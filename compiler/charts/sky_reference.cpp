@@ -100,14 +100,14 @@ struct Step {
 };
 
 // A place along a ray where light is scattered, or the ground.
-struct Place {
+struct ScatteringPlace {
   double at_m, pdf;
   bool is_ground;
   Densities density;
   Columns columns;
 };
 
-std::optional<Place> draw_place(const World& world, Vec3 from, Vec3 direction, Chance& chance) {
+std::optional<ScatteringPlace> draw_scattering_place(const World& world, Vec3 from, Vec3 direction, Chance& chance) {
   const bool is_ground = hits_ground(from, direction);
   const auto outside = meets(from, direction, kEarth_m + kTop_m);
   if (!outside || outside->second <= 0) return std::nullopt;
@@ -136,12 +136,12 @@ std::optional<Place> draw_place(const World& world, Vec3 from, Vec3 direction, C
       const double within_m = wanted / step.weight;
       Columns reached = step.before;
       reached.add(step.density, within_m);
-      return Place{step.from_m + within_m, step.weight / all, false, step.density, reached};
+      return ScatteringPlace{step.from_m + within_m, step.weight / all, false, step.density, reached};
     }
     wanted -= of_step;
   }
   if (!is_ground) return std::nullopt;
-  return Place{end_m, ground / all, true, {}, columns};
+  return ScatteringPlace{end_m, ground / all, true, {}, columns};
 }
 
 Vec3 about(Vec3 axis, double cosine, double turn) {
@@ -164,7 +164,7 @@ Spectrum path_light(const World& world, Vec3 direction, Chance& chance) {
   carried.fill(1);
   Vec3 from{0, 0, kEarth_m};
   for (int places = 0; places < kMostPlaces; ++places) {
-    const std::optional<Place> place = draw_place(world, from, direction, chance);
+    const std::optional<ScatteringPlace> place = draw_scattering_place(world, from, direction, chance);
     if (!place) break;
     const Vec3 at = from + direction * place->at_m;
     const Spectrum sun = sunlight(world, at);
@@ -209,8 +209,6 @@ World world_of(const Air& air, Vec3 to_sun) {
   for (int i = 0; i < kWavelengths; ++i) world.coefficients[i] = coefficients_at(air, nm_of(i));
   return world;
 }
-
-double luminance(const sky::Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 sky::Rgb rgb_of(const Spectrum& light) {
   sky::Rgb xyz{};

@@ -8,6 +8,9 @@
 
 namespace citykiln::charts {
 
+/// The luminance of linear sRGB.
+inline double luminance(const sky::Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
+
 /// Radiance of the sky in a unit direction above the horizon, seen from sea level: linear sRGB, kcd/m².
 ///
 /// Method: Monte Carlo. A path starts at the eye; its next place is drawn in proportion to what scatters light of 550

@@ -29,7 +29,7 @@
 namespace citykiln::commands {
 namespace {
 
-struct Request {
+struct BakeRequest {
   std::string manifest_path, out_path;
   std::optional<double>
       tolerance_m;  ///< Of the one file; with an eye the finest tolerance. None: a folder with levels.
@@ -41,7 +41,7 @@ struct Request {
 };
 
 /// All tiles of the scene joined to one.
-Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, const Request& request,
+Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, const BakeRequest& request,
                                          const OnProgress& on_progress) {
   std::vector<bake::BakedTile> tiles;
   Report ignored;
@@ -56,13 +56,13 @@ Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, const Reques
   return tiles.size() == 1 ? std::move(tiles.front()) : join_tiles(tiles);
 }
 
-bool is_asked_for(const Request& request, scene::TileKey tile) {
+bool is_asked_for(const BakeRequest& request, scene::TileKey tile) {
   const std::vector<scene::TileKey>& only = request.spec.only;
   return only.empty() || std::ranges::find(only, tile) != only.end();
 }
 
 /// Writes the one file and returns its error in metres.
-Result<double> write_one_file(const Request& request, const scene::Scene& scene, const bake::BakedTile& tile) {
+Result<double> write_one_file(const BakeRequest& request, const scene::Scene& scene, const bake::BakedTile& tile) {
   const Outputs& outputs = request.spec.outputs;
   const scene::Header& header = scene.header;
   if (request.out_path.ends_with(".usdz")) {
@@ -82,7 +82,7 @@ Result<double> write_one_file(const Request& request, const scene::Scene& scene,
   return encoded.error_m;
 }
 
-Result<Exit> bake_to_file(const Request& request, const Console& console) {
+Result<Exit> bake_to_file(const BakeRequest& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
   if (scene->chunks.empty()) return Error{request.manifest_path, "contains no tiles"};
@@ -97,7 +97,7 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   return Exit::kDone;
 }
 
-Result<bake::View> view_of(const Request& request, const scene::Scene& scene, const Console& console) {
+Result<bake::View> view_of(const BakeRequest& request, const scene::Scene& scene, const Console& console) {
   const GroundHeight ground_m = [&](Vec2 place) { return ground_height_m(scene, place); };
   const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, scene.header, ground_m);
   if (!eye) return eye.error();
@@ -110,7 +110,7 @@ Result<bake::View> view_of(const Request& request, const scene::Scene& scene, co
 }
 
 /// Bakes the requested tiles. Levels are chosen for the whole scene, so that separately baked tiles fit together.
-Result<bake::BakedTile> bake_for_view(const Request& request, const scene::Scene& scene, const bake::View& view,
+Result<bake::BakedTile> bake_for_view(const BakeRequest& request, const scene::Scene& scene, const bake::View& view,
                                       const OnProgress& on_progress) {
   const bake::ViewLevels levels = bake::levels_for(scene, view);
   const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene.header);
@@ -127,7 +127,7 @@ Result<bake::BakedTile> bake_for_view(const Request& request, const scene::Scene
   return join_tiles(parts);
 }
 
-Result<Exit> bake_view_to_file(const Request& request, const Console& console) {
+Result<Exit> bake_view_to_file(const BakeRequest& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, {});
   if (!scene) return scene.error();
   const Result<bake::View> view = view_of(request, *scene, console);
@@ -145,7 +145,7 @@ Result<Exit> bake_view_to_file(const Request& request, const Console& console) {
   return Exit::kDone;
 }
 
-Result<Exit> bake_to_folder(const Request& request, const Console& console) {
+Result<Exit> bake_to_folder(const BakeRequest& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.out_path);
@@ -169,7 +169,7 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
 }
 
 /// Error: the output does not fit the options: one file is of one tolerance or one eye, a folder has all levels.
-Result<Done> output_fits(const Request& request) {
+Result<Done> output_fits(const BakeRequest& request) {
   const bool is_one_file = request.tolerance_m || request.eye || request.eye_lonlat;
   if (request.out_path.empty())
     return Error{"",
@@ -186,20 +186,20 @@ Result<Done> output_fits(const Request& request) {
   return fits_target(request.spec.outputs);
 }
 
-Result<Exit> run(const Request& asked, const Console& console) {
+Result<Exit> run_bake(const BakeRequest& asked, const Console& console) {
   if (asked.manifest_path.empty())
     return Error{"", "no manifest is given; expected a file such as out/scene.kiln, or the folder of a run"};
   if (const Result<Done> fits = output_fits(asked); !fits) return fits.error();
   const Result<std::string> manifest_path = manifest_of(asked.manifest_path);
   if (!manifest_path) return manifest_path.error();
-  Request request = asked;
+  BakeRequest request = asked;
   request.manifest_path = *manifest_path;
   if (request.eye || request.eye_lonlat) return bake_view_to_file(request, console);
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
 
 /// The settings that have the same meaning as for compile.
-void add_settings(Verb& verb, Request& request) {
+void add_settings(Verb& verb, BakeRequest& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
     if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
@@ -217,7 +217,7 @@ void add_settings(Verb& verb, Request& request) {
 }  // namespace
 
 Verb bake_verb() {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<BakeRequest>();
   Verb verb{"bake", "bakes a manifest to one .glb or .usdz file, or to a folder as compile does", {}, {}};
   verb.options = {
       {"manifest", "SCENE.kiln|OUT", "manifest to bake, such as out/scene.kiln, or the folder of a run", false,
@@ -246,7 +246,7 @@ Verb bake_verb() {
                    "citykiln bake out/town/scene.kiln --tile 0_0 --tolerance 0.5 -o tile.usdz",
                    "citykiln bake out/town/scene.kiln --eye 0,-200,+1.7 --size 1920x1080 -o view.glb",
                    "citykiln bake out/town/scene.kiln --lods 0.5,2.5 -o out/coarse"};
-  verb.run = [request](const Console& console) { return run(*request, console); };
+  verb.run = [request](const Console& console) { return run_bake(*request, console); };
   return verb;
 }
 

@@ -53,7 +53,7 @@ Result<std::vector<charts::Chart>> make(const std::string& name, const charts::C
   return Error{"chart", fmt::format("expected one of {}, found \"{}\"", known_names(), name)};
 }
 
-Result<Exit> run(const charts::ChartRequest& request, const Console& console) {
+Result<Exit> run_chart(const charts::ChartRequest& request, const Console& console) {
   if (request.names.empty()) return Error{"", "no chart is named; expected one of " + known_names()};
   if (request.folder.empty()) return Error{"", "no output folder is given; add -o FOLDER"};
   for (const std::string& name : request.names) {
@@ -106,7 +106,7 @@ Verb chart_verb() {
   };
   verb.examples = {"citykiln chart plant -o out/charts",
                    "citykiln chart terrain --dem N43E007.hgt --bbox 7.0,43.5,7.5,44.0 -o out/charts"};
-  verb.run = [request](const Console& console) { return run(*request, console); };
+  verb.run = [request](const Console& console) { return run_chart(*request, console); };
   return verb;
 }
 

@@ -114,7 +114,7 @@ Error failure(const std::string& folder, const verify::Check& check) {
                               more > 0 ? fmt::format(" and {} more", more) : "")};
 }
 
-struct Request {
+struct CheckRequest {
   std::string folder, page_folder;
   std::size_t worst = 0;  // places of each kind on the page; 0: no page
   int threads = 0;
@@ -129,7 +129,7 @@ Result<std::vector<verify::Finding>> read_findings(const std::string& folder) {
 }
 
 // The page of the worst places, if it is asked for.
-Result<Done> write_page(const Request& request, const verify::LoadedRun& loaded,
+Result<Done> write_page(const CheckRequest& request, const verify::LoadedRun& loaded,
                         std::span<const verify::Finding> findings, const verify::CheckResults& results,
                         const Console& console) {
   if (request.worst == 0) return Done{};
@@ -142,7 +142,7 @@ Result<Done> write_page(const Request& request, const verify::LoadedRun& loaded,
   return Done{};
 }
 
-Result<Exit> run(const Request& request, const Console& console) {
+Result<Exit> run_check(const CheckRequest& request, const Console& console) {
   if (request.folder.empty())
     return Error{"", "no folder is given; expected the output folder of compile, such as out"};
   if ((request.worst > 0) != !request.page_folder.empty())
@@ -175,7 +175,7 @@ Result<Exit> run(const Request& request, const Console& console) {
 }  // namespace
 
 Verb check_verb() {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<CheckRequest>();
   Verb verb{"check", "measures whether the outputs of a run keep their guarantees", {}, {}};
   verb.options = {{"folder", "OUT", "output folder of compile, with its manifest; OUT/scene.kiln means the same", false,
                    store_text(request->folder)},
@@ -185,7 +185,7 @@ Verb check_verb() {
                    store_text(request->page_folder)},
                   threads_option(request->threads)};
   verb.examples = {"citykiln check out/town", "citykiln check out/town --worst 20 -o out/town-worst"};
-  verb.run = [request](const Console& console) { return run(*request, console); };
+  verb.run = [request](const Console& console) { return run_check(*request, console); };
   return verb;
 }
 

@@ -13,7 +13,7 @@
 namespace citykiln::commands {
 namespace {
 
-constexpr const char* kVersion = "citykiln " CITYKILN_VERSION;
+constexpr const char* kProgramVersion = "citykiln " CITYKILN_VERSION;
 
 int fail(const Error& error, const Console& console) {
   console.print_error(error);
@@ -56,7 +56,7 @@ Result<Done> take(const CLI::App& command, const Verb& verb) {
   return Done{};
 }
 
-int run(const CLI::App& command, const Verb& verb, const Console& console) {
+int run_verb(const CLI::App& command, const Verb& verb, const Console& console) {
   if (const Result<Done> taken = take(command, verb); !taken) return fail(taken.error(), console);
   const Result<Exit> exit = verb.run(console);
   return exit ? static_cast<int>(*exit) : fail(exit.error(), console);
@@ -95,7 +95,7 @@ Result<Done> are_known(std::span<const Verb> verbs, std::span<const char* const>
 int run(std::span<const Verb> verbs, int argc, const char* const* argv) {
   assert(!verbs.empty() && argc > 0);
   CLI::App app("citykiln compiles OpenStreetMap extracts and heightmaps to 3D city tiles", "citykiln");
-  app.set_version_flag("--version", kVersion);
+  app.set_version_flag("--version", kProgramVersion);
   app.require_subcommand(1);
   // known before parsing, so that errors of the command line are JSON too
   const bool is_json =
@@ -109,7 +109,7 @@ int run(std::span<const Verb> verbs, int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
     for (const Verb& verb : verbs) {
-      if (app.got_subcommand(verb.name)) return run(*app.get_subcommand(verb.name), verb, console);
+      if (app.got_subcommand(verb.name)) return run_verb(*app.get_subcommand(verb.name), verb, console);
     }
   } catch (const CLI::Success& help) {
     return app.exit(help);

@@ -15,8 +15,9 @@
 namespace citykiln::commands {
 namespace {
 
-void print_summary(const CompileSpec& spec, const CompileResult& compiled, const WrittenOutputs& written,
-                   const std::vector<StageCost>& costs, const exporters::FileList& files, const Console& console) {
+void print_compile_summary(const CompileSpec& spec, const CompileResult& compiled, const WrittenOutputs& written,
+                           const std::vector<StageCost>& costs, const exporters::FileList& files,
+                           const Console& console) {
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
   for (const StageCost& cost : costs) {
@@ -75,7 +76,7 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
     return done.error();
   if (const Result<Done> done = commit_outputs(*written, report, header, *folder); !done) return done.error();
 
-  print_summary(spec, *compiled, *written, costs, folder->files(), console);
+  print_compile_summary(spec, *compiled, *written, costs, folder->files(), console);
   console.print_json(report);
   return Compiled{exit, std::move(costs), written->files.bytes()};
 }

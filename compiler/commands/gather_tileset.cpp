@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 using exporters::TilesetTile;
 
 // Box, error and extras stand as doubles in the file and are read back as they were.
-exporters::OrientedBox box_of(const Json& tile) {
+exporters::OrientedBox outward_box_of(const Json& tile) {
   const auto numbers = tile.at("boundingVolume").at("box").get<std::array<double, 12>>();
   const auto vector_at = [&](std::size_t i) { return Vec3{numbers[i], numbers[i + 1], numbers[i + 2]}; };
   exporters::OrientedBox box({unit(vector_at(3)), unit(vector_at(6)), unit(vector_at(9))});
@@ -28,9 +28,9 @@ exporters::OrientedBox box_of(const Json& tile) {
 }
 
 /// Reads the files of a tileset. Throws Json::exception.
-class Reader {
+class TilesetReader {
  public:
-  Reader(const std::string& folder, const std::string& prefix) : folder_(folder), prefix_(prefix) {}
+  TilesetReader(const std::string& folder, const std::string& prefix) : folder_(folder), prefix_(prefix) {}
 
   TilesetTile read(const std::string& name) const {
     const auto bytes = exporters::read_file(folder_ + "/" + name);
@@ -43,7 +43,7 @@ class Reader {
   TilesetTile tile_of(const Json& json) const {
     const std::string uri = json.contains("content") ? json.at("content").at("uri").get<std::string>() : "";
     if (uri.ends_with(".json")) return read(uri);
-    TilesetTile tile{.box = box_of(json), .error_m = json.at("geometricError")};
+    TilesetTile tile{.box = outward_box_of(json), .error_m = json.at("geometricError")};
     if (!uri.empty()) {
       tile.content = prefix_ + uri;
       tile.tolerance_m = json.at("extras").at("tolerance_m");
@@ -65,7 +65,7 @@ class Reader {
 
 Result<TilesetTile> read_tileset(const std::string& folder, const std::string& prefix) {
   try {
-    return Reader(folder, prefix).read("tileset.json");
+    return TilesetReader(folder, prefix).read("tileset.json");
   } catch (const Json::exception&) {
     return Error{folder + "/tileset.json", "is not a tileset written by citykiln"};
   }

@@ -25,15 +25,15 @@
 namespace citykiln::commands {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-struct Request {
+struct InspectRequest {
   std::string path, layer, geojson_path;
 };
 
 // ---- descriptions ----
 
-Json chunk_of(const scene::Chunk& chunk) {
+OrderedJson chunk_json(const scene::Chunk& chunk) {
   return {{"tile", to_string(chunk.tile)},
           {"heights", fmt::format("{} x {} every {} by {} m", chunk.heights.columns, chunk.heights.rows,
                                   chunk.heights.step_m.x, chunk.heights.step_m.y)},
@@ -49,84 +49,85 @@ Json chunk_of(const scene::Chunk& chunk) {
           {"lamps", chunk.lamps.size()}};
 }
 
-Json describe(const scene::Scene& scene) {
+OrderedJson describe(const scene::Scene& scene) {
   const scene::Header& header = scene.header;
-  Json json = {{"form", "manifest"},
-               {"origin_lonlat_deg", {header.origin.lon_deg, header.origin.lat_deg}},
-               {"region_m", {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y}},
-               {"tile_m", header.tile_m},
-               {"seed", header.seed},
-               {"resampling_error_m", header.resampling_error_m},
-               {"time", header.sky.time},
-               {"sources", header.sources},
-               {"attribution", header.attributions}};
-  json["tiles"] = Json::array();
-  for (const scene::Chunk& chunk : scene.chunks) json["tiles"].push_back(chunk_of(chunk));
+  OrderedJson json = {
+      {"form", "manifest"},
+      {"origin_lonlat_deg", {header.origin.lon_deg, header.origin.lat_deg}},
+      {"region_m", {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y}},
+      {"tile_m", header.tile_m},
+      {"seed", header.seed},
+      {"resampling_error_m", header.resampling_error_m},
+      {"time", header.sky.time},
+      {"sources", header.sources},
+      {"attribution", header.attributions}};
+  json["tiles"] = OrderedJson::array();
+  for (const scene::Chunk& chunk : scene.chunks) json["tiles"].push_back(chunk_json(chunk));
   return json;
 }
 
-Json describe(const bake::BakedTile& tile) {
-  Json json = {{"form", "glb"},
-               {"tile", to_string(tile.tile)},
-               {"origin_m", {tile.origin.x, tile.origin.y, tile.origin.z}},
-               {"tolerance_m", tile.tolerance_m},
-               {"error_m", tile.error_m},
-               {"triangles", exporters::triangles_of(tile)},
-               {"instances", exporters::instances_of(tile)},
-               {"features", tile.features.size() - 1}};
-  json["materials"] = Json::object();
+OrderedJson describe(const bake::BakedTile& tile) {
+  OrderedJson json = {{"form", "glb"},
+                      {"tile", to_string(tile.tile)},
+                      {"origin_m", {tile.origin.x, tile.origin.y, tile.origin.z}},
+                      {"tolerance_m", tile.tolerance_m},
+                      {"error_m", tile.error_m},
+                      {"triangles", exporters::triangles_of(tile)},
+                      {"instances", exporters::instances_of(tile)},
+                      {"features", tile.features.size() - 1}};
+  json["materials"] = OrderedJson::object();
   for (const bake::Primitive& primitive : tile.primitives) {
-    Json& count = json["materials"][exporters::material_name(bake::key_of(primitive), tile.textures)];
+    OrderedJson& count = json["materials"][exporters::material_name(bake::key_of(primitive), tile.textures)];
     count = (count.is_null() ? 0 : count.get<std::size_t>()) + primitive.triangles.size();
   }
-  json["instanced"] = Json::object();
+  json["instanced"] = OrderedJson::object();
   for (const bake::InstancedMesh& instanced : tile.instanced)
     json["instanced"][instanced.name] = instanced.translations.size();
   return json;
 }
 
-Json box_of(const source::LonLatBox& box) { return {box.west, box.south, box.east, box.north}; }
+OrderedJson box_json(const source::LonLatBox& box) { return {box.west, box.south, box.east, box.north}; }
 
-Json describe(const source::OsmData& osm, std::span<const roads::RoadLayer> off_ground, const Report& report) {
-  Json json = {{"form", "map"},
-               {"tagged_nodes", osm.nodes.size()},
-               {"ways", osm.ways.size()},
-               {"areas", osm.areas.size()},
-               {"relations", osm.relations.size()},
-               {"node_box_deg", box_of(osm.node_box)}};
-  if (osm.header_box) json["header_box_deg"] = box_of(*osm.header_box);
-  json["road_layers_off_ground"] = Json::array();
+OrderedJson describe(const source::OsmData& osm, std::span<const roads::RoadLayer> off_ground, const Report& report) {
+  OrderedJson json = {{"form", "map"},
+                      {"tagged_nodes", osm.nodes.size()},
+                      {"ways", osm.ways.size()},
+                      {"areas", osm.areas.size()},
+                      {"relations", osm.relations.size()},
+                      {"node_box_deg", box_json(osm.node_box)}};
+  if (osm.header_box) json["header_box_deg"] = box_json(*osm.header_box);
+  json["road_layers_off_ground"] = OrderedJson::array();
   for (const roads::RoadLayer& layer : off_ground)
     json["road_layers_off_ground"].push_back({{"layer", layer.layer},
                                               {"passage", layer.passage == map::Passage::kBridge ? "bridge" : "tunnel"},
                                               {"roads", layer.roads.size()},
                                               {"junctions", layer.junctions.size()}});
-  json["diagnoses"] = Json::object();
+  json["diagnoses"] = OrderedJson::object();
   for (const auto& [code, count] : report.counts()) json["diagnoses"][std::string(name_of(code))] = count;
   return json;
 }
 
 /// Prints one line for each name and value, and one line for each item of a list of objects.
-void print_line(const Json& json, const Console& console) {
+void print_line(const OrderedJson& json, const Console& console) {
   for (const auto& [key, value] : json.items()) {
     if (!value.is_array() || value.empty() || !value.front().is_object()) {
       console.print_line(fmt::format("{:<20} {}", key, value.is_string() ? value.get<std::string>() : value.dump()));
       continue;
     }
     console.print_line(fmt::format("{:<20} {}", key, value.size()));
-    for (const Json& item : value) console.print_line("  " + item.dump());
+    for (const OrderedJson& item : value) console.print_line("  " + item.dump());
   }
 }
 
 // ---- files and layers ----
 
-Result<Done> write_layer(const Request& request, const Result<Layer>& layer, const map::Plane& plane,
+Result<Done> write_layer(const InspectRequest& request, const Result<Layer>& layer, const map::Plane& plane,
                          const std::vector<std::string>& attributions) {
   if (!layer) return layer.error();
   return exporters::write_file(request.geojson_path, exporters::bytes_of(geojson_of(*layer, plane, attributions)));
 }
 
-Result<Json> inspect_manifest(const Request& request) {
+Result<OrderedJson> inspect_manifest(const InspectRequest& request) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.path, {});
   if (!scene) return scene.error();
   if (!request.layer.empty()) {
@@ -137,14 +138,14 @@ Result<Json> inspect_manifest(const Request& request) {
   return describe(*scene);
 }
 
-Result<Json> inspect_tile(const Request& request) {
+Result<OrderedJson> inspect_tile(const InspectRequest& request) {
   if (!request.layer.empty()) return Error{request.path, "--layer needs a map or a manifest (.kiln), not a .glb"};
   const Result<bake::BakedTile> tile = exporters::read_glb(request.path);
   if (!tile) return tile.error();
   return describe(*tile);
 }
 
-Result<Json> inspect_map(const Request& request) {
+Result<OrderedJson> inspect_map(const InspectRequest& request) {
   Report report;
   const Result<source::OsmData> osm = source::read_osm(request.path, 0, report);
   if (!osm) return osm.error();
@@ -161,7 +162,7 @@ Result<Json> inspect_map(const Request& request) {
 }
 
 /// Copies findings.json of the run that a folder, or its manifest, belongs to.
-Result<Done> write_findings(const Request& request) {
+Result<Done> write_findings(const InspectRequest& request) {
   const std::string folder = folder_of(request.path);
   std::error_code none;
   if (!std::filesystem::is_directory(folder, none))
@@ -172,7 +173,7 @@ Result<Done> write_findings(const Request& request) {
   return exporters::write_file(request.geojson_path, *findings);
 }
 
-Result<Exit> run(const Request& asked, const Console& console) {
+Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
   if (asked.path.empty()) return Error{"", "no file is given; expected a .kiln, a .glb, a map or the folder of a run"};
   if (asked.layer.empty() != asked.geojson_path.empty())
     return Error{"", "--layer and --geojson must be given together"};
@@ -183,11 +184,11 @@ Result<Exit> run(const Request& asked, const Console& console) {
   }
   const Result<std::string> path = manifest_of(asked.path);
   if (!path) return path.error();
-  Request request = asked;
+  InspectRequest request = asked;
   request.path = *path;
-  const Result<Json> json = request.path.ends_with(".kiln")  ? inspect_manifest(request)
-                            : request.path.ends_with(".glb") ? inspect_tile(request)
-                                                             : inspect_map(request);
+  const Result<OrderedJson> json = request.path.ends_with(".kiln")  ? inspect_manifest(request)
+                                   : request.path.ends_with(".glb") ? inspect_tile(request)
+                                                                    : inspect_map(request);
   if (!json) return json.error();
   if (!request.geojson_path.empty()) {
     console.print_line(fmt::format("{}: layer {}", request.geojson_path, request.layer));
@@ -201,7 +202,7 @@ Result<Exit> run(const Request& asked, const Console& console) {
 }  // namespace
 
 Verb inspect_verb() {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<InspectRequest>();
   Verb verb{
       "inspect", "prints the contents of a manifest, a .glb or a map, or writes a layer of it as GeoJSON", {}, {}};
   verb.options = {
@@ -215,7 +216,7 @@ Verb inspect_verb() {
   };
   verb.examples = {"citykiln inspect out/town/scene.kiln",
                    "citykiln inspect out/town/scene.kiln --layer buildings --geojson buildings.geojson"};
-  verb.run = [request](const Console& console) { return run(*request, console); };
+  verb.run = [request](const Console& console) { return run_inspect(*request, console); };
   return verb;
 }
 

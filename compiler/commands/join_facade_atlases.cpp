@@ -47,7 +47,7 @@ Atlas halved(const Atlas& atlas) {
 }
 
 // The first texel of each atlas, and the size of the joined one.
-struct Layout {
+struct FacadeLayout {
   std::vector<std::array<std::uint64_t, 2>> firsts;  // column, row
   std::uint64_t columns = 0, rows = 0;
 
@@ -56,8 +56,8 @@ struct Layout {
   }
 };
 
-Layout layout_of(std::span<const Atlas> atlases) {
-  Layout layout;
+FacadeLayout layout_of(std::span<const Atlas> atlases) {
+  FacadeLayout layout;
   std::uint64_t left = 0, row = 0;
   for (const Atlas& atlas : atlases) {
     const TextureImage& colour = atlas.colour;
@@ -69,19 +69,19 @@ Layout layout_of(std::span<const Atlas> atlases) {
   return layout;
 }
 
-void draw(const TextureImage& sheet, std::array<std::uint64_t, 2> first, TextureImage& joined) {
+void draw_facades(const TextureImage& sheet, std::array<std::uint64_t, 2> first, TextureImage& joined) {
   for (std::size_t row = 0; row < sheet.rows; ++row)
     std::copy_n(sheet.texels.begin() + static_cast<std::ptrdiff_t>(row * sheet.columns), sheet.columns,
                 joined.texels.begin() + static_cast<std::ptrdiff_t>((first[1] + row) * joined.columns + first[0]));
 }
 
-TextureImage blank(double texel_m, const Layout& layout, TextureImage::Texel texel = {}) {
+TextureImage blank(double texel_m, const FacadeLayout& layout, TextureImage::Texel texel = {}) {
   return {texel_m, static_cast<std::uint32_t>(layout.columns), static_cast<std::uint32_t>(layout.rows),
           std::vector<TextureImage::Texel>(layout.columns * layout.rows, texel)};
 }
 
 // An empty atlas with the channels that any of the atlases has.
-Atlas blank_like(std::span<const Atlas> atlases, double texel_m, const Layout& layout) {
+Atlas blank_like(std::span<const Atlas> atlases, double texel_m, const FacadeLayout& layout) {
   const auto any_has = [&](TextureImage Atlas::*sheet) {
     return std::ranges::any_of(atlases, [&](const Atlas& atlas) { return !(atlas.*sheet).texels.empty(); });
   };
@@ -113,16 +113,16 @@ JoinedFacadeAtlases join_facade_atlases(std::span<const Atlas* const> atlases) {
   std::vector<double> own_m;
   for (const Atlas& atlas : all) own_m.push_back(atlas.colour.texel_m);
   double texel_m = finest_m;
-  Layout layout = layout_of(all);
+  FacadeLayout layout = layout_of(all);
   for (; !layout.fits(); layout = layout_of(all), texel_m *= 2)
     for (Atlas& atlas : all) atlas = halved(atlas);
   joined.atlas = blank_like(all, texel_m, layout);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].colour.texels.empty()) continue;
-    draw(all[i].colour, layout.firsts[i], joined.atlas.colour);
-    draw(all[i].surface, layout.firsts[i], joined.atlas.surface);
-    draw(all[i].emission, layout.firsts[i], joined.atlas.emission);
-    draw(all[i].normal, layout.firsts[i], joined.atlas.normal);
+    draw_facades(all[i].colour, layout.firsts[i], joined.atlas.colour);
+    draw_facades(all[i].surface, layout.firsts[i], joined.atlas.surface);
+    draw_facades(all[i].emission, layout.firsts[i], joined.atlas.emission);
+    draw_facades(all[i].normal, layout.firsts[i], joined.atlas.normal);
     const auto& [column, row] = layout.firsts[i];
     joined.places[i] = {{static_cast<double>(column) * texel_m, static_cast<double>(row) * texel_m},
                         finest_m / own_m[i]};

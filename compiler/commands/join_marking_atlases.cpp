@@ -19,7 +19,7 @@ using materials::TextureImage;
 constexpr std::uint32_t kGutter_px = 4;
 
 // Copies an atlas to columns first, first + 1, … of the joined one, repeating its rows to the full height.
-void draw(const TextureImage& sheet, std::int64_t first, TextureImage& joined) {
+void draw_markings(const TextureImage& sheet, std::int64_t first, TextureImage& joined) {
   const std::int64_t from = std::max<std::int64_t>(0, first - kGutter_px),
                      to = std::min<std::int64_t>(joined.columns, first + sheet.columns + kGutter_px);
   for (std::size_t row = 0; row < joined.rows; ++row)
@@ -135,7 +135,8 @@ Result<JoinedMarkingAtlases> side_by_side(std::span<const TextureImage* const> s
   joined.sheet.columns = static_cast<std::uint32_t>(placed.columns);
   joined.sheet.rows = static_cast<std::uint32_t>(placed.rows);
   joined.sheet.texels.resize(placed.columns * placed.rows);
-  for (std::size_t i = 0; i < placed.sheets.size(); ++i) draw(*placed.sheets[i], placed.firsts[i], joined.sheet);
+  for (std::size_t i = 0; i < placed.sheets.size(); ++i)
+    draw_markings(*placed.sheets[i], placed.firsts[i], joined.sheet);
   return joined;
 }
 

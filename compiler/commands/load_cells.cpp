@@ -24,9 +24,6 @@ constexpr Unit kUnits[] = {{"kB", 1e3},  {"KB", 1e3},      {"MB", 1e6},     {"GB
                            {"TB", 1e12}, {"MiB", 1 << 20}, {"GiB", 1 << 30}};
 constexpr double kLeast_bytes = 1e6, kMost_bytes = 1e15;
 
-// Coarse enough to be quick, fine enough for the heights of streets.
-constexpr double kCoarse_m = 2.5;
-
 double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) * 1e-6; }
 
 std::int64_t total(const preview::CellCounters& c) { return c.geometry_bytes + c.hierarchy_bytes + c.texture_bytes; }
@@ -80,7 +77,7 @@ std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads
   Report ignored;
   const OnProgress quiet = [](auto&&...) {};
   // its receiver never fails
-  const Result<Done> done = bake_scene(scene, std::vector{kCoarse_m}, threads, ignored, quiet,
+  const Result<Done> done = bake_scene(scene, std::vector{kCoarseTile_m}, threads, ignored, quiet,
                                        [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
                                          tiles.push_back(tile);
                                          return Done{};

@@ -122,10 +122,7 @@ Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_prog
   return read_files(paths, fs::path(folder) / "scene.kiln", on_progress);
 }
 
-// Coarse enough to be quick, fine enough for the heights of streets.
-constexpr double kCoarse_m = 2.5;
-
-double from_coarse(double error_m) { return std::abs(std::log(std::max(error_m, 1e-6) / kCoarse_m)); }
+double from_coarse(double error_m) { return std::abs(std::log(std::max(error_m, 1e-6) / kCoarseTile_m)); }
 
 // The levels of one tile, of which a coarse level has been read, as a chain from the coarsest to the finest.
 TileNode chain_of(const std::vector<const verify::WrittenTile*>& coarsest_first, const std::string& folder,
@@ -183,7 +180,7 @@ Result<TileTree> tree_of_tileset(const LoadRequest& request, const std::string& 
   Result<TileNode> root = read_tileset_tree(folder);
   if (!root) return root.error();
   TileTree tree{.root = std::move(*root), .manifest_path = folder + "/../scene.kiln", .is_on_ellipsoid = true};
-  tree.coarse_paths = contents_of(tree.root, [](const TileNode& node) { return node.error_m <= kCoarse_m; });
+  tree.coarse_paths = contents_of(tree.root, [](const TileNode& node) { return node.error_m <= kCoarseTile_m; });
   if (tree.coarse_paths.empty()) return Error{folder, "has a tileset without contents"};
   Result<std::vector<bake::BakedTile>> coarse = read_all(tree.coarse_paths, on_progress);
   if (!coarse) return coarse.error();

@@ -15,6 +15,10 @@
 
 namespace citykiln::commands {
 
+/// The tolerance of the tiles that tell the heights of eyes: coarse enough to be quick, fine enough for the heights of
+/// streets.
+inline constexpr double kCoarseTile_m = 2.5;
+
 struct LoadRequest {
   std::vector<std::string> paths;      ///< One .kiln, or one folder of a run, or .glb files.
   std::string time;                    ///< Time of the sky for baking a manifest; "": the scene's.

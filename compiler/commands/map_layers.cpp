@@ -15,7 +15,7 @@ void add_name(Properties& properties, const map::Features& features, ObjectId id
   if (const map::ElementText* text = map::find_text(features.texts, id.osm)) properties.add("name", text->name);
 }
 
-Layer roads_of(const map::Features& features) {
+Layer mapped_roads(const map::Features& features) {
   Layer layer;
   for (const map::Track& track : features.tracks) {
     LayerFeature& road =
@@ -30,16 +30,16 @@ Layer roads_of(const map::Features& features) {
 }
 
 // Adds a feature, unless its polygons have no area.
-LayerFeature* add_polygons(Layer& layer, ObjectId id, std::string kind, std::span<const Polygon> polygons) {
+LayerFeature* add_flat_polygons(Layer& layer, ObjectId id, std::string kind, std::span<const Polygon> polygons) {
   if (polygons.empty()) return nullptr;
   return &layer.emplace_back(LayerFeature{id, std::move(kind), GeometryKind::kPolygon, flat(polygons)});
 }
 
-Layer areas_of(const map::Features& features) {
+Layer mapped_areas(const map::Features& features) {
   Layer layer;
   for (const map::AreaFeature& area : features.areas) {
     const std::vector<Polygon> inside = united_in(copied_rings(area.polygon), features.region);
-    LayerFeature* feature = add_polygons(layer, area.id, class_of(area.surface), inside);
+    LayerFeature* feature = add_flat_polygons(layer, area.id, class_of(area.surface), inside);
     if (feature == nullptr) continue;
     add_name(feature->properties, features, area.id);
     add_surface(feature->properties, area.surface);
@@ -48,7 +48,7 @@ Layer areas_of(const map::Features& features) {
   return layer;
 }
 
-void add_building(Properties& properties, const map::Footprint& building) {
+void add_mapped_building(Properties& properties, const map::Footprint& building) {
   properties.add("is_part", building.is_part), properties.add("has_parts", building.has_parts);
   if (building.levels > 0) properties.add("levels", building.levels);
   if (building.has_roof_shape) properties.add("roof", roofs::name_of(building.roof.form));
@@ -58,19 +58,20 @@ void add_building(Properties& properties, const map::Footprint& building) {
   properties.add("shop", building.has_shop);
 }
 
-Layer buildings_of(const map::Features& features) {
+Layer mapped_buildings(const map::Features& features) {
   Layer layer;
   for (const map::Footprint& building : features.footprints) {
     const auto kind = map::word_of(static_cast<map::BuildingClass>(building.building_class));
-    LayerFeature* feature = add_polygons(layer, building.id, std::string(kind), united(copied_rings(building.polygon)));
+    LayerFeature* feature =
+        add_flat_polygons(layer, building.id, std::string(kind), united(copied_rings(building.polygon)));
     if (feature == nullptr) continue;
     add_name(feature->properties, features, building.id);
-    add_building(feature->properties, building);
+    add_mapped_building(feature->properties, building);
   }
   return layer;
 }
 
-Layer plants_of(const map::Features& features) {
+Layer mapped_plants(const map::Features& features) {
   Layer layer;
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
@@ -89,14 +90,14 @@ void add_junctions(const roads::RoadLayer& network, const map::Features& feature
   const auto arms = roads::arms_of(network.junctions, network.roads);
   for (std::size_t j = 0; j < network.junctions.size(); ++j) {
     const roads::Road& main = roads::main_road(network.roads, arms[j]);
-    LayerFeature* junction = add_polygons(layer, main.id, class_of(main.surface), outlines[j]);
+    LayerFeature* junction = add_flat_polygons(layer, main.id, class_of(main.surface), outlines[j]);
     if (junction == nullptr) continue;
     add_name(junction->properties, features, main.id);
     add_place(junction->properties, network.layer, network.passage);
   }
 }
 
-Layer junctions_of(const map::Features& features) {
+Layer mapped_junctions(const map::Features& features) {
   Report ignored;
   Layer layer;
   roads::RoadLayer ground;
@@ -110,11 +111,11 @@ Layer junctions_of(const map::Features& features) {
 }  // namespace
 
 Result<Layer> layer_of(const map::Features& features, const std::string& name) {
-  if (name == "roads") return roads_of(features);
-  if (name == "areas") return areas_of(features);
-  if (name == "buildings") return buildings_of(features);
-  if (name == "plants") return plants_of(features);
-  if (name == "junctions") return junctions_of(features);
+  if (name == "roads") return mapped_roads(features);
+  if (name == "areas") return mapped_areas(features);
+  if (name == "buildings") return mapped_buildings(features);
+  if (name == "plants") return mapped_plants(features);
+  if (name == "junctions") return mapped_junctions(features);
   return Error{"--layer", fmt::format("expected {}, found \"{}\"", layer_names(), name)};
 }
 

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Request {
+struct PlanRequest {
   CompileRequest compile;
   double region_m = 16384, halo_m = regions::kRegionHalo_m, zone_m = regions::kZoneSide_m;
   std::string status, geojson;
@@ -53,7 +53,7 @@ Result<source::LonLatBox> extent_of(const CompileSpec& spec, Report& report) {
   return map::choose_extent(header, spec.map.bbox, report);
 }
 
-Result<Plan> make_plan(const Request& request, const CompileSpec& spec, const source::LonLatBox& extent,
+Result<Plan> make_plan(const PlanRequest& request, const CompileSpec& spec, const source::LonLatBox& extent,
                        const map::Plane& plane) {
   Plan plan{.working_folder = fs::current_path().string(),
             .spec_path = request.compile.spec_path,
@@ -115,7 +115,7 @@ Result<Done> write_lists(const Plan& plan, const std::string& folder) {
   return Done{};
 }
 
-void print_summary(const Plan& plan, const std::string& folder, double seconds, const Console& console) {
+void print_plan_summary(const Plan& plan, const std::string& folder, double seconds, const Console& console) {
   ExpectedCost all;
   std::uint64_t most_bytes = 0;
   std::size_t tiles = 0;
@@ -135,7 +135,7 @@ void print_summary(const Plan& plan, const std::string& folder, double seconds, 
 }
 
 /// Plans one extent in one plane, in the folder of the spec.
-Result<Exit> plan_extent(const Request& request, const CompileSpec& spec, const source::LonLatBox& extent,
+Result<Exit> plan_extent(const PlanRequest& request, const CompileSpec& spec, const source::LonLatBox& extent,
                          Report& report, const Console& console) {
   const auto begin = std::chrono::steady_clock::now();
   const map::Plane plane(spec.map.origin.value_or(map::default_origin(extent)));
@@ -160,14 +160,14 @@ Result<Exit> plan_extent(const Request& request, const CompileSpec& spec, const 
   if (Result<Done> done = write_if_changed(survey_findings_path(folder), diagnosed); !done) return done.error();
   describe_regions(*files, surveyed->heights, spec, *plan);
   if (Result<Done> done = write_lists(*plan, folder); !done) return done.error();
-  print_summary(*plan, folder, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
-                console);
+  print_plan_summary(*plan, folder, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+                     console);
   console.print_json(plan_json(*plan));
   return Exit::kDone;
 }
 
 /// Plans each zone in a folder of its own, and writes the lists over all of them.
-Result<Exit> plan_zones(const Request& request, const CompileSpec& spec, const std::vector<regions::Zone>& zones,
+Result<Exit> plan_zones(const PlanRequest& request, const CompileSpec& spec, const std::vector<regions::Zone>& zones,
                         const Report& of_extent, const Console& console) {
   if (spec.map.origin)
     return Error{"--origin",
@@ -193,7 +193,7 @@ Result<Exit> plan_zones(const Request& request, const CompileSpec& spec, const s
   return Exit::kDone;
 }
 
-Result<Exit> plan_map(const Request& request, const Console& console) {
+Result<Exit> plan_map(const PlanRequest& request, const Console& console) {
   const Result<CompileSpec> spec = spec_of(request.compile);
   if (!spec) return spec.error();
   if (const Result<Done> complete = is_complete(*spec); !complete) return complete.error();
@@ -209,7 +209,7 @@ Result<Exit> plan_map(const Request& request, const Console& console) {
 }  // namespace
 
 Verb plan_verb() {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<PlanRequest>();
   Verb verb{"plan",
             "cuts a map into regions that are compiled apart, in the memory of one region",
             options_of(request->compile),

@@ -11,11 +11,11 @@
 namespace citykiln::commands {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-constexpr int kVersion = 3;
+constexpr int kPlanVersion = 3;
 
-Json json_of(const PlannedRegion& region) {
+OrderedJson planned_region_json(const PlannedRegion& region) {
   return {{"region", to_string(region.key)},
           {"x", region.key.x},
           {"y", region.key.y},
@@ -38,8 +38,8 @@ Json json_of(const PlannedRegion& region) {
             {"output_bytes", region.expected.output_bytes}}}};
 }
 
-PlannedRegion region_of(const Json& json) {
-  const Json& expected = json.at("expected");
+PlannedRegion region_of(const OrderedJson& json) {
+  const OrderedJson& expected = json.at("expected");
   return {.key = {json.at("x"), json.at("y")},
           .tiles = json.at("tiles"),
           .file = {.bytes = json.at("file_bytes"),
@@ -57,7 +57,7 @@ PlannedRegion region_of(const Json& json) {
           .expected = {expected.at("seconds"), expected.at("memory_bytes"), expected.at("output_bytes")}};
 }
 
-Plan plan_of(const Json& json) {
+Plan plan_of(const OrderedJson& json) {
   Plan plan{.working_folder = json.at("working_folder"),
             .spec_path = json.at("spec"),
             .settings = {},
@@ -65,14 +65,14 @@ Plan plan_of(const Json& json) {
             .grid = {},
             .regions = {},
             .elements = {}};
-  for (const Json& setting : json.at("settings")) plan.settings.emplace_back(setting.at(0), setting.at(1));
-  const Json &degrees = json.at("extent_deg"), &metres = json.at("extent_m");
+  for (const OrderedJson& setting : json.at("settings")) plan.settings.emplace_back(setting.at(0), setting.at(1));
+  const OrderedJson &degrees = json.at("extent_deg"), &metres = json.at("extent_m");
   plan.extent = {degrees.at(0), degrees.at(1), degrees.at(2), degrees.at(3)};
   plan.grid = {.extent = {{metres.at(0), metres.at(1)}, {metres.at(2), metres.at(3)}},
                .tile_m = json.at("tile_m"),
                .region_m = json.at("region_m"),
                .halo_m = json.at("halo_m")};
-  for (const Json& region : json.at("regions")) plan.regions.push_back(region_of(region));
+  for (const OrderedJson& region : json.at("regions")) plan.regions.push_back(region_of(region));
   verify::add_ledger(json.at("elements"), plan.elements);
   return plan;
 }
@@ -80,16 +80,17 @@ Plan plan_of(const Json& json) {
 }  // namespace
 
 std::string plan_json(const Plan& plan) {
-  Json json = {{"citykiln_plan", kVersion}, {"working_folder", plan.working_folder}, {"spec", plan.spec_path}};
-  json["settings"] = Json::array();
+  OrderedJson json = {
+      {"citykiln_plan", kPlanVersion}, {"working_folder", plan.working_folder}, {"spec", plan.spec_path}};
+  json["settings"] = OrderedJson::array();
   for (const auto& [name, value] : plan.settings) json["settings"].push_back({name, value});
   json["extent_deg"] = {plan.extent.west, plan.extent.south, plan.extent.east, plan.extent.north};
   const Box2& extent = plan.grid.extent;
   json["extent_m"] = {extent.min.x, extent.min.y, extent.max.x, extent.max.y};
   json["tile_m"] = plan.grid.tile_m, json["region_m"] = plan.grid.region_m, json["halo_m"] = plan.grid.halo_m;
   json["elements"] = verify::ledger_json(plan.elements);
-  json["regions"] = Json::array();
-  for (const PlannedRegion& region : plan.regions) json["regions"].push_back(json_of(region));
+  json["regions"] = OrderedJson::array();
+  for (const PlannedRegion& region : plan.regions) json["regions"].push_back(planned_region_json(region));
   return json.dump(1) + "\n";
 }
 
@@ -98,8 +99,8 @@ Result<Plan> read_plan(const std::string& folder) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return Error{path, "cannot be read; expected the folder of a plan (citykiln plan)"};
   try {
-    const Json json = Json::parse(file);
-    if (json.at("citykiln_plan") != kVersion) return Error{path, "is a plan of another version of citykiln"};
+    const OrderedJson json = OrderedJson::parse(file);
+    if (json.at("citykiln_plan") != kPlanVersion) return Error{path, "is a plan of another version of citykiln"};
     return plan_of(json);
   } catch (const nlohmann::json::exception&) {
     return Error{path, "is not a plan written by citykiln"};

@@ -15,7 +15,7 @@
 namespace citykiln::commands {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 struct RegionStatus {
   PlannedRegion planned;
@@ -38,12 +38,12 @@ double seconds_left(const std::vector<RegionStatus>& all) {
   return expected_done_s > 0 ? expected_s * took_s / expected_done_s : expected_s;
 }
 
-Json json_of(const RegionStatus& region) {
-  Json json = {{"region", to_string(region.planned.key)},
-               {"state", name_of(region.state.state)},
-               {"tiles", region.planned.tiles},
-               {"expected_seconds", region.planned.expected.seconds},
-               {"expected_memory_bytes", region.planned.expected.memory_bytes}};
+OrderedJson region_status_json(const RegionStatus& region) {
+  OrderedJson json = {{"region", to_string(region.planned.key)},
+                      {"state", name_of(region.state.state)},
+                      {"tiles", region.planned.tiles},
+                      {"expected_seconds", region.planned.expected.seconds},
+                      {"expected_memory_bytes", region.planned.expected.memory_bytes}};
   if (region.state.state == TaskState::kDone)
     json["seconds"] = region.state.seconds, json["memory_bytes"] = region.state.memory_bytes,
     json["output_bytes"] = region.state.output_bytes;
@@ -51,8 +51,8 @@ Json json_of(const RegionStatus& region) {
   return json;
 }
 
-Json outline_of(const Box2& box, const map::Plane& plane) {
-  Json ring = Json::array();
+OrderedJson outline_of(const Box2& box, const map::Plane& plane) {
+  OrderedJson ring = OrderedJson::array();
   for (const Vec2 corner : {box.min, Vec2{box.max.x, box.min.y}, box.max, Vec2{box.min.x, box.max.y}, box.min}) {
     const map::LonLat place = plane.backward(corner);
     ring.push_back({place.lon_deg, place.lat_deg});
@@ -66,13 +66,13 @@ Result<Done> write_geojson(const std::vector<RegionStatus>& all, const Plan& pla
   const Result<CompileSpec> spec = spec_of(*request);
   if (!spec) return spec.error();
   const map::Plane plane(spec->map.origin.value_or(map::default_origin(plan.extent)));
-  Json features = Json::array();
+  OrderedJson features = OrderedJson::array();
   for (const RegionStatus& region : all)
     features.push_back({{"type", "Feature"},
                         {"geometry", outline_of(regions::box_of(plan.grid, region.planned.key), plane)},
-                        {"properties", json_of(region)}});
-  const Json json = {{"type", "FeatureCollection"}, {"features", features}};
-  const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+                        {"properties", region_status_json(region)}});
+  const OrderedJson json = {{"type", "FeatureCollection"}, {"features", features}};
+  const std::string text = json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
   return exporters::write_file(path, exporters::bytes_of(text));
 }
 
@@ -87,14 +87,14 @@ Result<Exit> print_status(const std::string& plan_folder, const std::string& geo
   std::string line = fmt::format("{}: {} regions", plan_folder, all.size());
   for (const auto& [state, count] : counts) line += fmt::format(", {} {}", count, name_of(state));
   console.print_line(fmt::format("{}; {:.2f} core hours left", line, seconds_left(all) / 3600));
-  Json regions = Json::array();
+  OrderedJson regions = OrderedJson::array();
   for (const RegionStatus& region : all) {
-    regions.push_back(json_of(region));
+    regions.push_back(region_status_json(region));
     if (region.state.state == TaskState::kFailed)
       console.print_line(fmt::format("  region {} failed: {}", to_string(region.planned.key), region.state.error));
   }
-  const Json json = {{"regions", regions}, {"seconds_left", seconds_left(all)}};
-  console.print_json(json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  const OrderedJson json = {{"regions", regions}, {"seconds_left", seconds_left(all)}};
+  console.print_json(json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
   if (geojson.empty()) return Exit::kDone;
   const Result<Done> written = write_geojson(all, *plan, geojson);
   return written ? Result<Exit>(Exit::kDone) : written.error();

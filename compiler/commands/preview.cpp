@@ -39,7 +39,7 @@ struct Exposure {
   }
 };
 
-struct Request {
+struct PreviewRequest {
   LoadRequest load;
   CellRequest cells;
   CameraRequest camera;
@@ -54,7 +54,7 @@ struct Request {
 };
 
 /// The environment map that replaces the sky, if one is given.
-Result<std::optional<preview::EnvironmentMap>> environment_of(const Request& request, const Console& console) {
+Result<std::optional<preview::EnvironmentMap>> environment_of(const PreviewRequest& request, const Console& console) {
   if (request.environment_path.empty()) return std::optional<preview::EnvironmentMap>();
   Result<preview::ReadEnvironment> read =
       preview::read_environment(request.environment_path, request.environment_turn_deg);
@@ -85,7 +85,7 @@ constexpr double kBlind_m = 0.3;
 
 // What all frames have in common.
 struct Stage {
-  const Request& request;
+  const PreviewRequest& request;
   const PreviewScene& scene;
   const preview::Lights& lights;
   const Console& console;
@@ -102,8 +102,8 @@ struct LitWorld {
         local(world, stage.lights.lamps(), stage.options.threads, stage.scene.panes) {}
 };
 
-void print_summary(const Stage& stage, const std::string& path, const preview::Image& image,
-                   const preview::World& world) {
+void print_picture_summary(const Stage& stage, const std::string& path, const preview::Image& image,
+                           const preview::World& world) {
   const preview::RenderStatistics& made = image.statistics;
   const std::string paths = made.least_samples == made.most_samples
                                 ? fmt::format("{} paths each", made.most_samples)
@@ -129,7 +129,7 @@ void print_json(const Stage& stage, const preview::Image& image, const preview::
 }
 
 // The options of render() for a request.
-preview::Options options_of(const Request& request) {
+preview::Options options_of(const PreviewRequest& request) {
   preview::Options options = request.options;
   options.width = request.size.width, options.height = request.size.height;
   options.threads = request.load.threads;
@@ -161,13 +161,13 @@ void note_if_blind(const Stage& stage, const preview::World& world, const previe
         "note: the picture is black; the eye may be inside a building or below the ground, or --exposure is too low");
 }
 
-Result<std::vector<std::string>> names_of(const Request& request, std::size_t cameras) {
+Result<std::vector<std::string>> picture_names(const PreviewRequest& request, std::size_t cameras) {
   if (!request.camera.is_film()) return std::vector{request.picture_path};
   return frame_names(request.picture_path, static_cast<int>(cameras));
 }
 
 Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& cameras, const OnProgress& on_progress) {
-  const Result<std::vector<std::string>> names = names_of(stage.request, cameras.size());
+  const Result<std::vector<std::string>> names = picture_names(stage.request, cameras.size());
   if (!names) return names.error();
   const StopOnInterrupt interrupt;
   stage.options.is_stopped = &interrupt.is_stopped();
@@ -182,7 +182,7 @@ Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& came
     if (!lit) lit.emplace(stage, cameras);
     const Result<preview::Image> image = render_frame(stage, *lit, cameras[i], (*names)[i], exposure);
     if (!image) return image.error();
-    print_summary(stage, (*names)[i], *image, lit->world);
+    print_picture_summary(stage, (*names)[i], *image, lit->world);
     note_if_blind(stage, lit->world, cameras[i], *image);
     if (!stage.request.camera.is_film()) print_json(stage, *image, cameras[i], lit->world);
   }
@@ -209,7 +209,7 @@ Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
 
 // The clouds of a scene's sky, as fine as the first camera needs: particles of a third of a degree in radius.
 std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, const sky::SkyModel& model,
-                                                 const preview::Camera& camera, const Request& request) {
+                                                 const preview::Camera& camera, const PreviewRequest& request) {
   constexpr double kFinest = 0.006;
   if (scene.sky.clouds.empty()) return nullptr;
   return std::make_shared<preview::Clouds>(scene.sky.clouds, model, camera.eye, kFinest, request.cloud_method,
@@ -217,12 +217,12 @@ std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, cons
 }
 
 // The light of a scene, for the first camera.
-preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& camera, const Request& request) {
+preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& camera, const PreviewRequest& request) {
   const sky::SkyModel model = sky::generate(scene.sky, camera.eye.z, preview::ground_lights(scene.lamps, camera.eye));
   return preview::Lights(model, scene.lamps, scene.around, scene.fog, clouds_of(scene, model, camera, request));
 }
 
-Result<Exit> run(const Request& request, const Console& console) {
+Result<Exit> run_preview(const PreviewRequest& request, const Console& console) {
   if (request.picture_path.empty() && !request.is_interactive)
     return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
   if (request.is_interactive)
@@ -311,7 +311,7 @@ Take store_switch(bool& is_on) {
   };
 }
 
-std::vector<Option> sampling_options(Request& request) {
+std::vector<Option> sampling_options(PreviewRequest& request) {
   return {
       {"--spp", "N", "light paths for each pixel; more give less noise (default: 64)", false,
        store_whole(request.options.samples, 1)},
@@ -340,7 +340,7 @@ auto store_cloud_method(preview::CloudMethod& method) {
   };
 }
 
-std::vector<Option> light_options(Request& request) {
+std::vector<Option> light_options(PreviewRequest& request) {
   return {
       {"--time", "ISO",
        "date and time of the sky in UTC, or with an offset from it, such as 2026-12-21T23:00+01:00 (default: the "
@@ -366,7 +366,7 @@ std::vector<Option> light_options(Request& request) {
   };
 }
 
-std::vector<Option> picture_options(Request& request) {
+std::vector<Option> picture_options(PreviewRequest& request) {
   return {
       {"--size", "WxH", "size in pixels (default: 1280x720)", false, store_size(request.size)},
       {"--exposure", "STOPS|X|auto",
@@ -390,7 +390,7 @@ std::vector<Option> picture_options(Request& request) {
 }  // namespace
 
 Verb preview_verb() {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<PreviewRequest>();
   Verb verb{"preview",
             "renders a picture of a manifest, a run's folder or .glb files",
             tile_options(request->load, request->cells),
@@ -402,7 +402,7 @@ Verb preview_verb() {
                    "citykiln preview out/town --view street --time 2026-12-21T22:00 -o night.png",
                    "citykiln preview out/town/scene.kiln --eye 0,-200,+60 --look 0,0,+5 --spp 256 -o town.exr",
                    "citykiln preview out/town --turntable 100 --denoise --spp 16 -o frame_###.png"};
-  verb.run = [request](const Console& console) { return run(*request, console); };
+  verb.run = [request](const Console& console) { return run_preview(*request, console); };
   return verb;
 }
 

@@ -14,21 +14,21 @@
 namespace citykiln::commands {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json print_check(const verify::Check& check, const Console& console) {
+OrderedJson print_check(const verify::Check& check, const Console& console) {
   const bool holds = check.failures.empty();
   console.print_line(
       fmt::format("{} {}: {}", holds ? "holds" : "FAILS", check.claim,
                   holds ? fmt::format("not falsified by {} tests", check.tests) : check.failures.front().text));
   if (check.failures.size() > 1)
     console.print_line(fmt::format("      and {} more failures", check.failures.size() - 1));
-  Json failures = Json::array();
+  OrderedJson failures = OrderedJson::array();
   for (const verify::Failure& failure : check.failures) failures.push_back(failure.text);
   return {{"guarantee", check.claim}, {"tests", check.tests}, {"failures", std::move(failures)}};
 }
 
-Json print_measure(const verify::Grades& grades, const Console& console) {
+OrderedJson print_measure(const verify::Grades& grades, const Console& console) {
   console.print_line(fmt::format("info  {:.1f} km of {:.1f} km of graded roads exceed the grade limit of their class",
                                  grades.over_m / 1000, grades.length_m / 1000));
   return {{"measure", "length of graded roads over the grade limit of their class"},
@@ -36,7 +36,7 @@ Json print_measure(const verify::Grades& grades, const Console& console) {
           {"over_m", grades.over_m}};
 }
 
-Json json_of(const verify::ClearanceShortfall& s) {
+OrderedJson shortfall_json(const verify::ClearanceShortfall& s) {
   return {{"missing_m", s.missing_m},
           {"upper", to_string(s.upper)},
           {"lower", to_string(s.lower)},
@@ -44,14 +44,14 @@ Json json_of(const verify::ClearanceShortfall& s) {
           {"tags", s.tags}};
 }
 
-Json json_of(std::span<const verify::ClearanceShortfall> shortfalls) {
-  Json json = Json::array();
-  for (const verify::ClearanceShortfall& s : shortfalls) json.push_back(json_of(s));
+OrderedJson shortfall_json(std::span<const verify::ClearanceShortfall> shortfalls) {
+  OrderedJson json = OrderedJson::array();
+  for (const verify::ClearanceShortfall& s : shortfalls) json.push_back(shortfall_json(s));
   return json;
 }
 
 // The crossings that the map explains are counted apart.
-Json print_measure(const verify::Clearances& c, const Console& console) {
+OrderedJson print_measure(const verify::Clearances& c, const Console& console) {
   const verify::ClearanceShortfall worst = c.shortfalls.empty() ? verify::ClearanceShortfall{} : c.shortfalls.front();
   console.print_line(fmt::format(
       "info  {} of {} crossings have too little clearance, {} by over 1 m, {} by over 3 m; the largest shortfall is "
@@ -70,17 +70,17 @@ Json print_measure(const verify::Clearances& c, const Console& console) {
           {"upper", to_string(worst.upper)},
           {"lower", to_string(worst.lower)},
           {"at", {worst.at.x, worst.at.y}},
-          {"places", json_of(c.shortfalls)},
-          {"contradictions", json_of(c.contradictions)}};
+          {"places", shortfall_json(c.shortfalls)},
+          {"contradictions", shortfall_json(c.contradictions)}};
 }
 
 // The count of all, and the worst of those over the limit of their kind.
-Json print_measure(std::span<const verify::Earthwork> earthworks, const Console& console) {
+OrderedJson print_measure(std::span<const verify::Earthwork> earthworks, const Console& console) {
   constexpr std::size_t kPrinted = 5;
   const std::vector<verify::Earthwork> over = verify::over_their_limits(earthworks);
   console.print_line(fmt::format("info  {} of {} cuts and fills of over 0.5 m exceed the limit of their kind",
                                  over.size(), earthworks.size()));
-  Json places = Json::array();
+  OrderedJson places = OrderedJson::array();
   for (std::size_t i = 0; i < over.size(); ++i) {
     const verify::Earthwork& e = over[i];
     if (i < kPrinted)
@@ -95,7 +95,7 @@ Json print_measure(std::span<const verify::Earthwork> earthworks, const Console&
           {"over", std::move(places)}};
 }
 
-Json print_measure(const verify::ReferenceErrors& f, const Console& console) {
+OrderedJson print_measure(const verify::ReferenceErrors& f, const Console& console) {
   const double share = static_cast<double>(f.over) / static_cast<double>(std::max<std::uint64_t>(f.places, 1));
   console.print_line(
       fmt::format("info  {:.2f} % of {} places on the ground mesh deviate by over {} m, the largest by {:.2f} m at "
@@ -107,7 +107,7 @@ Json print_measure(const verify::ReferenceErrors& f, const Console& console) {
           {"largest_m", f.largest_m}};
 }
 
-Json print_folder(const verify::CheckResults& results, const Console& console) {
+OrderedJson print_folder(const verify::CheckResults& results, const Console& console) {
   if (!results.strange.empty())
     console.print_line(fmt::format("info  {} files in the folder are not of the run: {}", results.strange.size(),
                                    fmt::join(results.strange, ", ")));
@@ -121,7 +121,7 @@ Json print_folder(const verify::CheckResults& results, const Console& console) {
 }  // namespace
 
 void print(const verify::CheckResults& results, const Console& console) {
-  Json json = Json::array();
+  OrderedJson json = OrderedJson::array();
   for (const verify::Check* check : verify::all_of(results)) json.push_back(print_check(*check, console));
   json.push_back(print_folder(results, console));
   json.push_back(print_measure(results.grades, console));

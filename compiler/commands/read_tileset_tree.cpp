@@ -22,7 +22,7 @@ struct Wrong {
 };
 Wrong wrong(std::string what) { return {std::move(what)}; }
 
-exporters::OrientedBox box_of(const Json& tile) {
+exporters::OrientedBox checked_box_of(const Json& tile) {
   const auto numbers = tile.at("boundingVolume").at("box").get<std::vector<double>>();
   if (numbers.size() != 12) throw wrong("has a box without twelve numbers");
   const auto vector_at = [&](std::size_t i) { return Vec3{numbers[i], numbers[i + 1], numbers[i + 2]}; };
@@ -35,9 +35,9 @@ exporters::OrientedBox box_of(const Json& tile) {
 }
 
 /// Reads the files of a tileset, each once. Throws Json::exception and Wrong.
-class Reader {
+class TilesetTreeReader {
  public:
-  explicit Reader(std::string folder) : folder_(std::move(folder)) {}
+  explicit TilesetTreeReader(std::string folder) : folder_(std::move(folder)) {}
 
   /// The file that is being read.
   const std::string& file() const { return file_; }
@@ -59,7 +59,7 @@ class Reader {
     if (depth > kMostDepth) throw wrong(fmt::format("has more than {} levels", kMostDepth));
     if (tile.value("refine", "REPLACE") != "REPLACE") throw wrong("refines tiles by addition");
     if (depth > 0 && tile.contains("transform")) throw wrong("moves a tile");
-    TileNode node{.box = box_of(tile), .error_m = tile.at("geometricError").get<double>()};
+    TileNode node{.box = checked_box_of(tile), .error_m = tile.at("geometricError").get<double>()};
     if (!(node.error_m >= 0)) throw wrong("has a negative error");
     if (tile.contains("content")) {
       const auto uri = tile.at("content").at("uri").get<std::string>();
@@ -80,7 +80,7 @@ class Reader {
 }  // namespace
 
 Result<TileNode> read_tileset_tree(const std::string& folder) {
-  Reader reader(folder);
+  TilesetTreeReader reader(folder);
   try {
     return reader.read("tileset.json", 0);
   } catch (const Wrong& wrong) {

@@ -16,7 +16,7 @@
 namespace citykiln::commands {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string path_of(const std::string& plan_folder, regions::RegionKey region) {
   return plan_folder + "/state/" + to_string(region) + ".json";
@@ -38,7 +38,7 @@ bool is_gone(const RegionState& state) {
   return state.host == host_name() && kill(static_cast<pid_t>(state.process), 0) != 0 && errno == ESRCH;
 }
 
-RegionState state_of(const Json& json) {
+RegionState state_of(const OrderedJson& json) {
   RegionState state{.state = state_named(json.at("state")),
                     .key = json.at("key"),
                     .error = json.at("error"),
@@ -62,22 +62,22 @@ RegionState read_state(const std::string& plan_folder, regions::RegionKey region
   std::ifstream file(path_of(plan_folder, region), std::ios::binary);
   if (!file) return {};
   try {
-    return state_of(Json::parse(file));
+    return state_of(OrderedJson::parse(file));
   } catch (const nlohmann::json::exception&) {
     return {};
   }
 }
 
 Result<Done> write_state(const std::string& plan_folder, regions::RegionKey region, RegionState state) {
-  const Json json = {{"state", name_of(state.state)},
-                     {"key", state.key},
-                     {"error", state.error},
-                     {"host", host_name()},
-                     {"process", getpid()},
-                     {"seconds", state.seconds},
-                     {"memory_bytes", state.memory_bytes},
-                     {"output_bytes", state.output_bytes}};
-  const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const OrderedJson json = {{"state", name_of(state.state)},
+                            {"key", state.key},
+                            {"error", state.error},
+                            {"host", host_name()},
+                            {"process", getpid()},
+                            {"seconds", state.seconds},
+                            {"memory_bytes", state.memory_bytes},
+                            {"output_bytes", state.output_bytes}};
+  const std::string text = json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
   std::error_code none;
   std::filesystem::create_directories(plan_folder + "/state", none);
   return exporters::write_file(path_of(plan_folder, region), exporters::bytes_of(text));

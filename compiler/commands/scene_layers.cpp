@@ -23,7 +23,7 @@ using scene::Chunk;
 using scene::Scene;
 
 /// The names of all elements of a scene.
-std::map<OsmId, std::string> names_of(const Scene& scene) {
+std::map<OsmId, std::string> element_names(const Scene& scene) {
   std::map<OsmId, std::string> names;
   for (const Chunk& chunk : scene.chunks)
     for (const map::ElementText& text : chunk.texts) names.emplace(text.id, text.name);
@@ -50,8 +50,8 @@ std::vector<Vec3> lifted(std::span<const Vec2> points, HeightAt height_m) {
 }
 
 template <typename HeightAt>
-LayerFeature& add_polygons(Layer& layer, ObjectId id, std::string kind, std::span<const Polygon> polygons,
-                           HeightAt height_m) {
+LayerFeature& add_lifted_polygons(Layer& layer, ObjectId id, std::string kind, std::span<const Polygon> polygons,
+                                  HeightAt height_m) {
   LayerFeature& feature =
       layer.emplace_back(LayerFeature{id, std::move(kind), GeometryKind::kPolygon, {}, /*has_z=*/true});
   for (const Polygon& polygon : polygons) {
@@ -95,7 +95,7 @@ std::map<ObjectId, const structures::Span*> spans_of(const Scene& scene, std::ve
   return spans;
 }
 
-Layer roads_of(const Context& context) {
+Layer planned_roads(const Context& context) {
   Layer layer;
   for (const roads::Road& road : whole_roads(context.scene)) add_road(context, road, 0, map::Passage::kGround, layer);
   for (const auto& [id, span] : spans_of(context.scene, &Chunk::bridges))
@@ -123,7 +123,7 @@ const Chunk* chunk_at(const Scene& scene, Vec2 at) {
 }
 
 /// Junctions take area from each other across the borders of tiles, so all are outlined at once.
-Layer junctions_of(const Context& context) {
+Layer planned_junctions(const Context& context) {
   const std::vector<roads::Road> roads = whole_roads(context.scene);
   const std::vector<roads::Junction> junctions = all_junctions(context.scene);
   const auto outlines = roads::outline_junctions(junctions, roads, 0);
@@ -133,8 +133,8 @@ Layer junctions_of(const Context& context) {
     const Chunk* chunk = chunk_at(context.scene, junctions[j].nodes.front());
     if (outlines[j].empty() || chunk == nullptr) continue;
     const roads::Road& main = roads::main_road(roads, arms[j]);
-    LayerFeature& junction = add_polygons(layer, main.id, class_of(main.surface), outlines[j],
-                                          [&](Vec2 p) { return land_m(context.heights, p); });
+    LayerFeature& junction = add_lifted_polygons(layer, main.id, class_of(main.surface), outlines[j],
+                                                 [&](Vec2 p) { return land_m(context.heights, p); });
     context.add_name(junction.properties, main.id);
     junction.properties.add("layer", 0);
     junction.properties.add("tile", to_string(chunk->tile));
@@ -171,19 +171,19 @@ std::map<std::pair<ObjectId, map::LandCoverClass>, AreaPieces> area_pieces(const
   return areas;
 }
 
-std::vector<Polygon> joined(const AreaPieces& pieces) {
+std::vector<Polygon> joined_pieces(const AreaPieces& pieces) {
   if (pieces.tiles.size() == 1) return pieces.polygons;
   std::vector<Ring> rings;
   for (const Polygon& polygon : pieces.polygons) std::ranges::move(copied_rings(polygon), std::back_inserter(rings));
   return united(rings);
 }
 
-Layer areas_of(const Context& context) {
+Layer planned_areas(const Context& context) {
   Layer layer;
   for (const auto& [key, pieces] : area_pieces(context.scene)) {
     const auto face = ground::face_height_of(*pieces.first);
-    LayerFeature& area = add_polygons(layer, key.first, class_of(key.second), joined(pieces),
-                                      [&](Vec2 p) { return face_m(context.heights, p, face); });
+    LayerFeature& area = add_lifted_polygons(layer, key.first, class_of(key.second), joined_pieces(pieces),
+                                             [&](Vec2 p) { return face_m(context.heights, p, face); });
     context.add_name(area.properties, key.first);
     add_surface(area.properties, key.second);
     area.properties.add("area_m2", pieces.first->area_m2);
@@ -195,7 +195,7 @@ Layer areas_of(const Context& context) {
 
 // ---- buildings and plants ----
 
-void add_building(Properties& properties, const buildings::Building& building, double foot_m) {
+void add_planned_building(Properties& properties, const buildings::Building& building, double foot_m) {
   properties.add("levels", building.levels);
   properties.add("roof", roofs::name_of(building.roof_shape.form));
   properties.add("style", buildings::rule_file_of(building.style));
@@ -209,7 +209,7 @@ void add_building(Properties& properties, const buildings::Building& building, d
   properties.add("shop", building.has_shop);
 }
 
-Layer buildings_of(const Context& context) {
+Layer planned_buildings(const Context& context) {
   Layer layer;
   for (const Chunk& chunk : context.scene.chunks) {
     for (const buildings::Building& building : chunk.buildings) {
@@ -218,16 +218,16 @@ Layer buildings_of(const Context& context) {
       const double foot_m = building.stands_on_ground ? building.floor_m : building.bottom_m;
       const auto kind = map::word_of(static_cast<map::BuildingClass>(building.building_class));
       LayerFeature& feature =
-          add_polygons(layer, building.id, std::string(kind), outline, [&](Vec2) { return foot_m; });
+          add_lifted_polygons(layer, building.id, std::string(kind), outline, [&](Vec2) { return foot_m; });
       context.add_name(feature.properties, building.id);
-      add_building(feature.properties, building, foot_m);
+      add_planned_building(feature.properties, building, foot_m);
       feature.properties.add("tile", to_string(chunk.tile));
     }
   }
   return layer;
 }
 
-Layer plants_of(const Context& context) {
+Layer planned_plants(const Context& context) {
   Layer layer;
   for (const Chunk& chunk : context.scene.chunks) {
     for (const plants::Tree& tree : chunk.trees) {
@@ -248,13 +248,13 @@ Layer plants_of(const Context& context) {
 
 Result<Layer> layer_of(const scene::Scene& scene, const std::string& name) {
   constexpr std::array<std::pair<std::string_view, Layer (*)(const Context&)>, 5> kLayers = {
-      {{"roads", roads_of},
-       {"junctions", junctions_of},
-       {"areas", areas_of},
-       {"buildings", buildings_of},
-       {"plants", plants_of}}};
+      {{"roads", planned_roads},
+       {"junctions", planned_junctions},
+       {"areas", planned_areas},
+       {"buildings", planned_buildings},
+       {"plants", planned_plants}}};
   for (const auto& [known, make] : kLayers)
-    if (known == name) return make({scene, heights_of(scene), names_of(scene)});
+    if (known == name) return make({scene, heights_of(scene), element_names(scene)});
   return Error{"--layer", fmt::format("expected {}, found \"{}\"", layer_names(), name)};
 }
 

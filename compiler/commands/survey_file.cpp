@@ -37,8 +37,8 @@ std::vector<Water> waters_near(const Box2& near, const std::vector<Water>& water
 }
 
 /// The part of a survey within the halo of a region.
-scene::Chunk chunk_of(const Survey& survey, const WaterBoxes& boxes, const regions::RegionGrid& grid,
-                      regions::RegionKey region) {
+scene::Chunk surveyed_chunk(const Survey& survey, const WaterBoxes& boxes, const regions::RegionGrid& grid,
+                            regions::RegionKey region) {
   const Box2 near = regions::box_of(grid, region).widened(grid.halo_m);
   scene::Chunk chunk;
   chunk.tile = regions::tiles_of(grid, region).front();
@@ -57,7 +57,7 @@ Result<Done> write_survey(const Survey& survey, const regions::RegionGrid& grid,
   if (problem) return Error{plan_folder + "/survey", "cannot be created: " + problem.message()};
   const WaterBoxes boxes = boxes_of(survey);
   for (const regions::RegionKey region : regions::regions_of(grid)) {
-    const scene::Scene scene{.header = survey.header, .chunks = {chunk_of(survey, boxes, grid, region)}};
+    const scene::Scene scene{.header = survey.header, .chunks = {surveyed_chunk(survey, boxes, grid, region)}};
     const std::vector<std::byte> bytes = exporters::encode_manifest(scene, threads);
     const std::string path = survey_path(plan_folder, region);
     const Result<std::vector<std::byte>> before = exporters::read_file(path);

@@ -7,7 +7,7 @@
 namespace citykiln::commands {
 namespace {
 
-std::string text_of(NumberRange range) {
+std::string range_text(NumberRange range) {
   if (range.is_closed) return fmt::format("from {} to {}", range.low, range.high);
   const std::string low = fmt::format("above {}", range.low);
   return std::isinf(range.high) ? low : fmt::format("{} and below {}", low, range.high);
@@ -19,7 +19,7 @@ Take store_in(Number& number, NumberRange range) {
     const Result<double> given = parse_number(text);
     const bool is_inside = given && (range.is_closed ? *given >= range.low && *given <= range.high
                                                      : *given > range.low && *given < range.high);
-    if (!is_inside) return Error{"", fmt::format("expected a number {}, found \"{}\"", text_of(range), text)};
+    if (!is_inside) return Error{"", fmt::format("expected a number {}, found \"{}\"", range_text(range), text)};
     number = *given;
     return Done{};
   };

@@ -38,7 +38,7 @@ code { background: #f2f2f2; }
 )";
 
 // The text of an element in any tile.
-const map::ElementText* text_of(const scene::Scene& scene, OsmId id) {
+const map::ElementText* element_text_of(const scene::Scene& scene, OsmId id) {
   for (const scene::Chunk& chunk : scene.chunks)
     if (const map::ElementText* text = find_text(chunk.texts, id)) return text;
   return nullptr;
@@ -63,7 +63,7 @@ std::string element_html(const scene::Scene& scene, OsmId id) {
   std::string html = id.id > 0 ? fmt::format(R"(<a href="https://www.openstreetmap.org/{}/{}">{}</a>)",
                                              type_name(id.type), id.id, to_string(id))
                                : to_string(id);
-  const map::ElementText* text = text_of(scene, id);
+  const map::ElementText* text = element_text_of(scene, id);
   if (!text) return html;
   if (!text->name.empty()) html += fmt::format(" <b>{}</b>", html_text(text->name));
   return html + tags_html(text->tags);
@@ -128,7 +128,7 @@ void Page::add_contents(std::span<const verify::PlacesOfKind> kinds) {
   html += "</table>\n";
 }
 
-std::string joined(const std::vector<std::string>& texts) {
+std::string joined_by_commas(const std::vector<std::string>& texts) {
   std::string all;
   for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
   return all;
@@ -167,9 +167,9 @@ Result<Done> write_worst_page(const verify::LoadedRun& run, std::span<const veri
   std::filesystem::create_directories(folder + "/pictures", failed);
   if (failed) return Error{folder, "cannot be made: " + failed.message()};
   Page page{run, folder, map::Plane(run.scene.header.origin), std::string(kHead)};
-  page.html +=
-      fmt::format("<h1>The worst places of {}</h1>\n<p>Measured by citykiln check. Map: {}.</p>\n",
-                  html_text(joined(run.scene.header.sources)), html_text(joined(run.scene.header.attributions)));
+  page.html += fmt::format("<h1>The worst places of {}</h1>\n<p>Measured by citykiln check. Map: {}.</p>\n",
+                           html_text(joined_by_commas(run.scene.header.sources)),
+                           html_text(joined_by_commas(run.scene.header.attributions)));
   page.add_contents(kinds);
   for (const verify::PlacesOfKind& kind : kinds) page.add(kind);
   page.html += "</body>\n</html>\n";

@@ -28,8 +28,8 @@
 namespace citykiln::commands {
 namespace {
 
-Result<verify::WrittenFile> write(const std::string& name, const std::vector<std::byte>& bytes,
-                                  exporters::OutputFolder& folder) {
+Result<verify::WrittenFile> write_output(const std::string& name, const std::vector<std::byte>& bytes,
+                                         exporters::OutputFolder& folder) {
   if (const Result<Done> done = folder.write(name, bytes); !done) return done.error();
   return verify::WrittenFile{name, bytes.size()};
 }
@@ -174,7 +174,7 @@ class TileWriter {
     exporters::GlbOptions options = verify::glb_options_of(outputs_);
     options.compression = exporters::Compression::kNone;
     const exporters::EncodedTile encoded = exporters::encode_tile(*tile, scene_.header, options, threads_);
-    const Result<verify::WrittenFile> file = commands::write(exporters::kSurroundingsGlb, encoded.glb, folder_);
+    const Result<verify::WrittenFile> file = write_output(exporters::kSurroundingsGlb, encoded.glb, folder_);
     if (!file) return file.error();
     written.files.files.push_back(*file);
     return Done{};
@@ -245,7 +245,7 @@ class TileWriter {
     for (const exporters::SharedFile& file : shared) {
       const std::string name = "glb/" + file.name;
       if (std::ranges::find(files, name, &verify::WrittenFile::name) != files.end()) continue;
-      const Result<verify::WrittenFile> done = commands::write(name, file.bytes, folder_);
+      const Result<verify::WrittenFile> done = write_output(name, file.bytes, folder_);
       if (!done) return done.error();
       files.push_back(*done);
     }
@@ -287,7 +287,8 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
   WrittenOutputs written;
   if (outputs.manifest) {
     on_progress("write", 0);
-    const Result<verify::WrittenFile> file = write("scene.kiln", exporters::encode_manifest(scene, threads), folder);
+    const Result<verify::WrittenFile> file =
+        write_output("scene.kiln", exporters::encode_manifest(scene, threads), folder);
     if (!file) return file.error();
     written.files.files.push_back(*file);
   }

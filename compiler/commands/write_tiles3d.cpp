@@ -280,7 +280,7 @@ class TreeWriter {
 };
 
 /// A root without content above the scene's and the land around it, which are shown together.
-TilesetTile joined(TilesetTile&& root, TilesetTile&& around) {
+TilesetTile joined_with_surroundings(TilesetTile&& root, TilesetTile&& around) {
   TilesetTile both;
   both.box = root.box;
   both.box.grow(around.box);
@@ -299,7 +299,7 @@ Result<Done> add_surroundings(const scene::Scene& scene, const ContentMaker& mak
   const std::string name = "3dtiles/" + content.tile.content;
   if (const Result<Done> done = folder.write(name, content.glb); !done) return done;
   files.push_back({name, content.glb.size()});
-  root = joined(std::move(root), std::move(content.tile));
+  root = joined_with_surroundings(std::move(root), std::move(content.tile));
   return Done{};
 }
 

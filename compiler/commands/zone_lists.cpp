@@ -9,9 +9,9 @@
 namespace citykiln::commands {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json json_of(const regions::Zone& zone) {
+OrderedJson zone_json(const regions::Zone& zone) {
   return {{"zone", to_string(zone)},
           {"box_deg", {zone.box.west, zone.box.south, zone.box.east, zone.box.north}},
           {"scale_error_ppm", regions::scale_error(zone) * 1e6}};
@@ -21,8 +21,8 @@ Result<std::vector<std::string>> zone_names(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   try {
     std::vector<std::string> names;
-    const Json json = Json::parse(file);
-    for (const Json& zone : json.at("zones")) names.push_back(zone.at("zone"));
+    const OrderedJson json = OrderedJson::parse(file);
+    for (const OrderedJson& zone : json.at("zones")) names.push_back(zone.at("zone"));
     return names;
   } catch (const nlohmann::json::exception&) {
     return Error{path, "is not a list of zones written by citykiln"};
@@ -36,7 +36,7 @@ std::string zone_path(const std::string& plan_folder, const std::string& zone) {
 }
 
 std::map<std::string, std::string> zone_lists(const std::vector<regions::Zone>& zones) {
-  Json json = {{"agreement_m", regions::kZoneAgreement_m}, {"zones", Json::array()}};
+  OrderedJson json = {{"agreement_m", regions::kZoneAgreement_m}, {"zones", OrderedJson::array()}};
   std::string ninja =
       "# Written by citykiln plan; run `ninja -C` with this folder.\n"
       "ninja_required_version = 1.5\n\n"
@@ -46,7 +46,7 @@ std::map<std::string, std::string> zone_lists(const std::vector<regions::Zone>& 
       "cd \"$(dirname \"$0\")\"\n";
   for (const regions::Zone& zone : zones) {
     const std::string name = to_string(zone);
-    json["zones"].push_back(json_of(zone));
+    json["zones"].push_back(zone_json(zone));
     // the output never exists, so that Ninja looks into each zone every time
     ninja += fmt::format("build zone_{0}: zone\n  zone = {0}\n", name);
     submit += fmt::format("zones/{}/submit.sh \"$@\"\n", name);

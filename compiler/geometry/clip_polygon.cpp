@@ -20,7 +20,7 @@ void add_side(Ring& ring, Vec2 a, Vec2 b) {
     ring.push_back(is_level ? Vec2{sign * at, a.y} : Vec2{a.x, sign * at});
 }
 
-Ring ring_of(const Box2& box) {
+Ring ring_of_box(const Box2& box) {
   const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
   Ring ring;
   for (std::size_t i = 0; i < 4; ++i) add_side(ring, corners[i], corners[(i + 1) % 4]);
@@ -48,10 +48,10 @@ std::vector<Polygon> united_in(std::span<const Ring> rings, const Box2& box) {
   }
   if (segments.empty()) return {};
   if (around != box) {
-    Ring hole = ring_of(box);
+    Ring hole = ring_of_box(box);
     std::ranges::reverse(hole);
     add_ring(segments, hole, kOutside);
-    add_ring(segments, ring_of(around.widened(1)), kOutside);
+    add_ring(segments, ring_of_box(around.widened(1)), kOutside);
   }
   return std::move(overlay(segments, 2)[kInside]);
 }

@@ -19,7 +19,7 @@ Vec2 direction_of_edge(const Ring& ring, std::size_t i) { return unit(ring[(i + 
 
 /// The intersection of the lines of edges e0 and e1 after moving them to the left by d0 and d1, relative to their
 /// common corner.
-std::optional<Vec2> corner_of(Vec2 e0, Vec2 e1, double d0, double d1) {
+std::optional<Vec2> moved_corner(Vec2 e0, Vec2 e1, double d0, double d1) {
   const double c = cross(e0, e1);
   if (std::abs(c) > kParallel) return (e1 * d0 - e0 * d1) * (1 / c);
   if (dot(e0, e1) > 0 && d0 == d1) return left_of(e1) * d1;
@@ -37,7 +37,7 @@ std::optional<Ring> moved_ring(const Ring& ring, std::span<const double> depth_m
     const std::size_t before = (i + n - 1) % n;
     const Vec2 e0 = direction_of_edge(ring, before), e1 = direction_of_edge(ring, i);
     const double d0 = depth_m[before], d1 = depth_m[i];
-    const auto corner = corner_of(e0, e1, d0, d1);
+    const auto corner = moved_corner(e0, e1, d0, d1);
     if (!corner) return std::nullopt;
     const double reach_m = kMitreLimit * std::max(std::abs(d0), std::abs(d1));
     if (goes_around(e0, e1, d0, d1) && length(*corner) > reach_m) return std::nullopt;
@@ -130,7 +130,7 @@ void add_corner(Strips& strips, const Ring& ring, std::size_t i, double d0, doub
   const Vec2 e0 = direction_of_edge(ring, before), e1 = direction_of_edge(ring, i), v = ring[i];
   if (d0 == 0 || d1 == 0 || !goes_around(e0, e1, d0, d1)) return;
   Ring kite = {v, v + left_of(e0) * d0, v + left_of(e1) * d1};
-  const auto corner = corner_of(e0, e1, d0, d1);
+  const auto corner = moved_corner(e0, e1, d0, d1);
   if (corner && length(*corner) <= kMitreLimit * std::max(std::abs(d0), std::abs(d1)))
     kite.insert(kite.begin() + 2, v + *corner);
   strips.add(kite, owner);

@@ -87,7 +87,7 @@ EdgeByStart edges_of(const Polygon& polygon) {
 
 // Empty if the walk around the face does not return to its start.
 template <typename FaceHandle>
-Ring ring_of(FaceHandle face, Vec2 origin, std::size_t most_points) {
+Ring ring_of_face(FaceHandle face, Vec2 origin, std::size_t most_points) {
   // a face's halfedge is the polygon's edge and points to the edge's end
   const auto first = face->halfedge()->prev();
   Ring ring;
@@ -130,7 +130,7 @@ std::vector<SkeletonFace> faces_of(const Polygon& polygon) {
   if (!skeleton) return {};
   EdgeByStart edges = edges_of(polygon);
   for (auto face = skeleton->faces_begin(); face != skeleton->faces_end(); ++face) {
-    Ring ring = ring_of(face, origin, 8 * corners_of(polygon));
+    Ring ring = ring_of_face(face, origin, 8 * corners_of(polygon));
     const auto edge = ring.empty() ? edges.end() : edges.find(ring.front());
     if (edge == edges.end()) return {};
     edge->second.ring = std::move(ring);

@@ -12,17 +12,17 @@ __extension__ using Wide = __int128;
 
 FinePoint place(const StraightWalk& walk, std::uint32_t vertex) { return fine_point(walk.ground.vertices[vertex]); }
 
-int corner_of(const DelaunayFace& face, std::uint32_t vertex) {
+int corner_index(const DelaunayFace& face, std::uint32_t vertex) {
   return face.vertices[0] == vertex ? 0 : face.vertices[1] == vertex ? 1 : 2;
 }
 
 // The next face counter-clockwise about a vertex.
 std::uint32_t turned_left(const DelaunayFace& face, std::uint32_t vertex) {
-  return face.neighbours[(corner_of(face, vertex) + 1) % 3];
+  return face.neighbours[(corner_index(face, vertex) + 1) % 3];
 }
 
 std::uint32_t turned_right(const DelaunayFace& face, std::uint32_t vertex) {
-  return face.neighbours[(corner_of(face, vertex) + 2) % 3];
+  return face.neighbours[(corner_index(face, vertex) + 2) % 3];
 }
 
 // True if b lies beyond w on the ray from v through w.
@@ -58,7 +58,7 @@ WalkStep leave_vertex(StraightWalk& walk) {
   walk.face = walk.ground.first_faces[vertex];
   for (std::uint32_t f = walk.face;;) {
     const DelaunayFace& face = walk.ground.faces[f];
-    const int i = corner_of(face, vertex);
+    const int i = corner_index(face, vertex);
     const std::uint32_t p = face.vertices[(i + 1) % 3], q = face.vertices[(i + 2) % 3];
     const int right = side_of(v, place(walk, p), walk.to), left = side_of(v, place(walk, q), walk.to);
     if (right >= 0 && left <= 0) {

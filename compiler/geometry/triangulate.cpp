@@ -23,21 +23,20 @@ struct FaceState {
 };
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointIndex, Kernel>;
-using FaceInfo = CGAL::Triangulation_face_base_with_info_2<FaceState, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, FaceInfo>;
-using Cdt =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                               CGAL::Exact_predicates_tag>;
+using PolygonVertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointIndex, Kernel>;
+using PolygonFaceInfo = CGAL::Triangulation_face_base_with_info_2<FaceState, Kernel>;
+using PolygonFaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, PolygonFaceInfo>;
+using PolygonCdt = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<PolygonVertexBase, PolygonFaceBase>, CGAL::Exact_predicates_tag>;
 
-double area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a) / 2; }
-Vec2 place_of(Cdt::Vertex_handle v) { return {v->point().x(), v->point().y()}; }
-Vec2 corner(Cdt::Face_handle face, int i) { return place_of(face->vertex(i)); }
+double triangle_area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a) / 2; }
+Vec2 place_of(PolygonCdt::Vertex_handle v) { return {v->point().x(), v->point().y()}; }
+Vec2 corner(PolygonCdt::Face_handle face, int i) { return place_of(face->vertex(i)); }
 
-void insert_ring(Cdt& cdt, const Ring& ring, std::vector<Vec2>& points) {
-  std::vector<Cdt::Vertex_handle> handles;
+void insert_ring(PolygonCdt& cdt, const Ring& ring, std::vector<Vec2>& points) {
+  std::vector<PolygonCdt::Vertex_handle> handles;
   for (const Vec2 p : ring) {
-    const auto hint = handles.empty() ? Cdt::Face_handle() : handles.back()->face();
+    const auto hint = handles.empty() ? PolygonCdt::Face_handle() : handles.back()->face();
     handles.push_back(cdt.insert({p.x, p.y}, hint));
     if (handles.back()->info().value == kNoPoint)
       handles.back()->info().value = static_cast<std::uint32_t>(points.size());
@@ -48,12 +47,12 @@ void insert_ring(Cdt& cdt, const Ring& ring, std::vector<Vec2>& points) {
 }
 
 // All faces connected to `start` without crossing a constraint.
-std::vector<Cdt::Face_handle> region_of(const Cdt& cdt, Cdt::Face_handle start) {
-  std::vector<Cdt::Face_handle> region = {start};
+std::vector<PolygonCdt::Face_handle> region_of(const PolygonCdt& cdt, PolygonCdt::Face_handle start) {
+  std::vector<PolygonCdt::Face_handle> region = {start};
   start->info().is_seen = true;
   for (std::size_t next = 0; next < region.size(); ++next)
     for (int i = 0; i < 3; ++i) {
-      const Cdt::Face_handle beyond = region[next]->neighbor(i);
+      const PolygonCdt::Face_handle beyond = region[next]->neighbor(i);
       if (region[next]->is_constrained(i) || cdt.is_infinite(beyond) || beyond->info().is_seen) continue;
       beyond->info().is_seen = true;
       region.push_back(beyond);
@@ -61,19 +60,19 @@ std::vector<Cdt::Face_handle> region_of(const Cdt& cdt, Cdt::Face_handle start) 
   return region;
 }
 
-bool is_inside(const Polygon& polygon, const std::vector<Cdt::Face_handle>& region) {
+bool is_inside(const Polygon& polygon, const std::vector<PolygonCdt::Face_handle>& region) {
   double largest_m2 = -1;
   Vec2 middle;
-  for (const Cdt::Face_handle face : region) {
+  for (const PolygonCdt::Face_handle face : region) {
     const Vec2 a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
-    if (area_m2(a, b, c) <= largest_m2) continue;
-    largest_m2 = area_m2(a, b, c);
+    if (triangle_area_m2(a, b, c) <= largest_m2) continue;
+    largest_m2 = triangle_area_m2(a, b, c);
     middle = (a + b + c) * (1 / 3.0);
   }
   return contains(polygon, middle);
 }
 
-void append(PlaneTriangles& product, Cdt::Face_handle face) {
+void append(PlaneTriangles& product, PolygonCdt::Face_handle face) {
   Triangle triangle;
   for (int i = 0; i < 3; ++i) {
     std::uint32_t& index = face->vertex(i)->info().value;
@@ -85,22 +84,22 @@ void append(PlaneTriangles& product, Cdt::Face_handle face) {
   }
   // snapping a crossing can give a triangle zero area
   const auto& p = product.points;
-  if (area_m2(p[triangle[0]], p[triangle[1]], p[triangle[2]]) > 0) product.triangles.push_back(triangle);
+  if (triangle_area_m2(p[triangle[0]], p[triangle[1]], p[triangle[2]]) > 0) product.triangles.push_back(triangle);
 }
 
 }  // namespace
 
 PlaneTriangles triangulate(const Polygon& polygon) {
   PlaneTriangles product;
-  Cdt cdt;
+  PolygonCdt cdt;
   insert_ring(cdt, polygon.outer, product.points);
   for (const Ring& hole : polygon.holes) insert_ring(cdt, hole, product.points);
   if (cdt.dimension() < 2) return product;
-  for (const Cdt::Face_handle face : cdt.finite_face_handles()) {
+  for (const PolygonCdt::Face_handle face : cdt.finite_face_handles()) {
     if (face->info().is_seen) continue;
     const auto region = region_of(cdt, face);
     if (!is_inside(polygon, region)) continue;
-    for (const Cdt::Face_handle inside : region) append(product, inside);
+    for (const PolygonCdt::Face_handle inside : region) append(product, inside);
   }
   return product;
 }

@@ -1,9 +1,14 @@
 // Directions by fractions of a turn, without libm, whose sine and cosine differ between CPUs in the last bit.
 #pragma once
 
+#include <numbers>
+
 #include "compiler/geometry/vec.h"
 
 namespace citykiln {
+
+/// Half a turn in radians.
+inline constexpr double kPi = std::numbers::pi;
 
 /// The direction `turns` full circles counter-clockwise of +x: {cosine, sine}.
 ///

@@ -42,7 +42,7 @@ constexpr double kBorderRetries[] = {0.25, 0.0625, 0};
          is_integer(cell.max.y);
 }
 
-std::vector<FaceHeight> heights_of(std::span<const LandCoverPolygon> surfaces) {
+std::vector<FaceHeight> face_heights_of(std::span<const LandCoverPolygon> surfaces) {
   std::vector<FaceHeight> heights;
   for (const LandCoverPolygon& surface : surfaces) heights.push_back(face_height_of(surface));
   return heights;
@@ -80,12 +80,12 @@ struct HeightTolerances {
   double borders_m, faces_m;
 };
 
-using Lines = std::vector<std::pair<GridPoint, GridPoint>>;
+using GridLines = std::vector<std::pair<GridPoint, GridPoint>>;
 
 // Partitions the cell along borders that are split where the ground bends, and along further lines.
 // @param lines  Edges of the reference. If there are any, nothing is rounded, or these edges would be bent off it.
 Partition partition_along(const Reference& reference, std::span<const Border> whole, const SplitBorders& bent,
-                          const Lines& lines) {
+                          const GridLines& lines) {
   std::optional<Partition> all;
   if (!lines.empty()) all = partition_of_borders(bent.borders, bent.points, reference.cell, lines, Rounding::kNone);
   if (!all) all = partition_of_borders(bent.borders, bent.points, reference.cell, lines, Rounding::kInside);
@@ -97,7 +97,7 @@ Partition partition_along(const Reference& reference, std::span<const Border> wh
 
 // Splits the borders where the ground bends, triangulates them with further lines and refines the faces.
 Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
-                   const HeightTolerances& tolerances, const Lines& lines) {
+                   const HeightTolerances& tolerances, const GridLines& lines) {
   const SplitBorders bent = split_borders(reference, borders, heights, tolerances.cell_border_m, tolerances.borders_m);
   Partition seen = partition_along(reference, borders, bent, lines);
   std::vector<FaceHeight> of_faces = face_heights(seen.face_cover, heights);
@@ -159,7 +159,7 @@ Simplified simplified_to(const PreparedCell& prepared, double tolerance_m, doubl
 }
 
 // The edges of the reference about the faces that are off.
-Lines edges_about_errors(const Reference& reference, const Refined& refined) {
+GridLines edges_about_errors(const Reference& reference, const Refined& refined) {
   const std::vector<GridPoint>& vertices = refined.triangulation.vertices();
   std::vector<std::array<GridPoint, 3>> triangles;
   for (const std::uint32_t f : refined.off) {
@@ -170,8 +170,8 @@ Lines edges_about_errors(const Reference& reference, const Refined& refined) {
 }
 
 // Adds to sorted lines; returns whether any is new.
-bool add_lines(Lines& lines, const Lines& more) {
-  Lines all;
+bool add_lines(GridLines& lines, const GridLines& more) {
+  GridLines all;
   std::ranges::set_union(lines, more, std::back_inserter(all));
   const bool any_new = all.size() > lines.size();
   lines = std::move(all);
@@ -182,13 +182,13 @@ bool add_lines(Lines& lines, const Lines& more) {
 // round, as they push others aside. Borders are not simplified: so they meet these edges at the reference's vertices.
 Simplified along_reference(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
   const SimplerBorders whole = simpler_borders(prepared, 0);
-  Lines lines;
+  GridLines lines;
   const auto refine_along_lines = [&] {
     return refined_to(prepared.reference, whole.borders, prepared.heights,
                       {cell_border_m(sides_m), tolerance_m / kFinestBorders, tolerance_m}, lines);
   };
   Simplified cell{refine_along_lines(), whole.error_m};
-  Lines more = edges_about_errors(prepared.reference, cell.refined);
+  GridLines more = edges_about_errors(prepared.reference, cell.refined);
   for (int round = 0; round < kEdgeRounds && !keeps(cell, tolerance_m) && add_lines(lines, more); ++round) {
     Refined next = refine_along_lines();
     more = edges_about_errors(prepared.reference, next);
@@ -207,7 +207,7 @@ Reference reference_of_cell(std::span<const LandCoverPolygon> surfaces, const Gr
 
 PreparedCell prepare_cell(std::span<const LandCoverPolygon> surfaces, const GradedTerrain& graded, const Box2& cell) {
   assert(is_whole(cell));
-  std::vector<FaceHeight> heights = heights_of(surfaces);
+  std::vector<FaceHeight> heights = face_heights_of(surfaces);
   GradedHeights cache(graded);
   const std::vector<LandCoverPolygon> bent = rings_with_bends(surfaces, cache, cell);
   const NearbyCover layers = land_cover_near(bent, cell);

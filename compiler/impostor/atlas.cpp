@@ -42,7 +42,7 @@ std::uint32_t width_of(std::span<const Picture> pictures) {
 }
 
 // Pictures of equal height stay in their order.
-Shelves shelve(std::span<const Picture> pictures) {
+Shelves shelve_pictures(std::span<const Picture> pictures) {
   std::vector<std::size_t> order(pictures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return pictures[i].rows; });
@@ -76,7 +76,7 @@ TextureImage::Texel normal_of(const std::array<std::int16_t, 2>& slope) {
   return {byte(normal.x), byte(normal.y), byte(normal.z)};
 }
 
-void draw(const Picture& picture, Place place, Atlas& atlas) {
+void draw_picture(const Picture& picture, Place place, Atlas& atlas) {
   for (std::uint32_t y = 0; y < framed(picture.rows); ++y)
     for (std::uint32_t x = 0; x < framed(picture.columns); ++x) {
       const std::size_t row = std::clamp(y, 1u, picture.rows) - 1, column = std::clamp(x, 1u, picture.columns) - 1;
@@ -126,11 +126,11 @@ AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m, std
   assert(texel_m > 0 && std::ranges::none_of(pictures, [](const Picture& p) { return p.texels.empty(); }));
   if (pictures.empty()) return layout;
   Unique unique = unique_of(pictures);
-  Shelves shelves = shelve(unique.pictures);
+  Shelves shelves = shelve_pictures(unique.pictures);
   while (!fits(shelves, budget) && !are_single(unique.pictures)) {
     for (Picture& picture : unique.pictures) picture = halved(picture);
     texel_m *= 2;
-    shelves = shelve(unique.pictures);
+    shelves = shelve_pictures(unique.pictures);
   }
   const auto blank = [&](TextureImage::Texel texel) {
     return materials::blank_image(texel_m, shelves.columns, shelves.rows, texel);
@@ -138,7 +138,8 @@ AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m, std
   layout.atlas = {.colour = blank({}), .surface = blank({255, 255, 0}), .emission = {}, .normal = {}};
   if (any_texel(unique.pictures, [](const Texel& texel) { return emits(texel); })) layout.atlas.emission = blank({});
   if (any_texel(unique.pictures, has_slope)) layout.atlas.normal = blank(normal_of({}));
-  for (std::size_t i = 0; i < unique.pictures.size(); ++i) draw(unique.pictures[i], shelves.places[i], layout.atlas);
+  for (std::size_t i = 0; i < unique.pictures.size(); ++i)
+    draw_picture(unique.pictures[i], shelves.places[i], layout.atlas);
   for (const std::size_t number : unique.number) {
     const Place& place = shelves.places[number];
     layout.at_m.push_back({(place.column + 1) * texel_m, (place.row + 1) * texel_m});

@@ -200,7 +200,7 @@ bool is_out_of_depth(const Canvas& canvas, const Box3& box) {
   return is_out_of_depth(canvas, middle_m - extent_m, middle_m + extent_m);
 }
 
-void draw(Canvas& canvas, const ModelTriangle& triangle) {
+void draw_triangle(Canvas& canvas, const ModelTriangle& triangle) {
   if (is_out_of_depth(canvas, triangle)) return;
   const std::optional<Projected> projected = project(canvas, triangle);
   if (!projected) return;
@@ -228,7 +228,7 @@ Canvas drawn(const Model& model, const View& view, IsDrawn is_drawn) {
     const std::size_t end = std::min(first + kTrianglesPerBlock, model.triangles.size());
     for (std::size_t i = first; i < end; ++i)
       if (is_drawn(model.triangles[i].surface) && overlap(visible, model.triangles[i].box))
-        draw(canvas, model.triangles[i]);
+        draw_triangle(canvas, model.triangles[i]);
   }
   return canvas;
 }

@@ -16,7 +16,7 @@ constexpr float kMargin = 0.75f, kMeanMargin = 1.0f;
 // Rounds of projections while the share is fitted, and for the last one; the share changes little after two fits.
 constexpr int kRoughSweeps = 2, kSweeps = 12, kFits = 2;
 
-CoverageGrid halved(const CoverageGrid& grid) {
+CoverageGrid halved_grid(const CoverageGrid& grid) {
   CoverageGrid half{grid.columns / 2, grid.rows / 2, {}};
   half.share.reserve(grid.share.size() / 4);
   for (std::size_t row = 0; row < half.rows; ++row)
@@ -52,7 +52,7 @@ std::vector<Level> levels_of(const CoverageGrid& coverage) {
   std::vector<Level> levels{{coverage.columns, coverage.rows, 1, ranks_of(coverage)}};
   CoverageGrid grid = coverage;
   for (int i = halvings_of(grid.columns, grid.rows); i > 0; --i) {
-    grid = halved(grid);
+    grid = halved_grid(grid);
     levels.push_back({grid.columns, grid.rows, 2 * levels.back().side, ranks_of(grid)});
   }
   return levels;

@@ -17,7 +17,7 @@ std::vector<std::size_t> by_height(std::span<const BoxSize> boxes) {
   return order;
 }
 
-PackedBoxes shelve(std::span<const BoxSize> boxes, std::span<const std::size_t> order, std::uint32_t columns) {
+PackedBoxes shelve_boxes(std::span<const BoxSize> boxes, std::span<const std::size_t> order, std::uint32_t columns) {
   PackedBoxes packed{std::vector<BoxPlace>(boxes.size()), columns, 0};
   std::uint32_t column = 0, row = 0, end = 0;
   for (const std::size_t i : order) {
@@ -41,7 +41,7 @@ PackedBoxes pack_boxes(std::span<const BoxSize> boxes) {
   PackedBoxes best;
   std::uint32_t columns = std::bit_ceil(std::ranges::max_element(boxes, {}, &BoxSize::columns)->columns);
   for (bool is_high = true; is_high; columns *= 2) {
-    PackedBoxes packed = shelve(boxes, order, columns);
+    PackedBoxes packed = shelve_boxes(boxes, order, columns);
     is_high = packed.rows > packed.columns;
     if (best.places.empty() || cost(packed) < cost(best)) best = std::move(packed);
   }

@@ -7,7 +7,7 @@
 namespace citykiln::map {
 namespace {
 
-constexpr BuildingValues kTable[] = {
+constexpr BuildingValues kBuildingValues[] = {
 #define BUILDING(name, height_m, level_m) {std::string_view(#name).substr(1), height_m, level_m},
 #include "compiler/map/building_classes.inc"
 #undef BUILDING
@@ -28,7 +28,7 @@ constexpr ValueRow kValues[] = {
 
 const BuildingValues& values_of(BuildingClass building) {
   assert(building < BuildingClass::kCount);
-  return kTable[static_cast<std::size_t>(building)];
+  return kBuildingValues[static_cast<std::size_t>(building)];
 }
 
 std::string_view word_of(BuildingClass building) {

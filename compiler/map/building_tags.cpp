@@ -14,7 +14,7 @@ namespace {
 using materials::Material;
 
 // Minimum height: parts of monuments are a few decimetres high.
-constexpr double kLowest_m = 0.1, kHighest_m = 1000, kMostLevels = 250;
+constexpr double kLowest_m = 0.1, kHighestBuilding_m = 1000, kMostBuildingLevels = 250;
 
 // A roof that is mapped as a part without thickness.
 constexpr double kSlab_m = 0.25;
@@ -47,7 +47,7 @@ std::optional<Srgb> tagged_colour(const ReadContext& context, OsmId id, source::
 }
 
 std::optional<double> tagged_levels(const ReadContext& context, OsmId id, source::Range tags, std::string_view key) {
-  return number_within(context, id, key, context.tag(tags, key), 0, kMostLevels);
+  return number_within(context, id, key, context.tag(tags, key), 0, kMostBuildingLevels);
 }
 
 // Default heights by area: sheds, houses of two storeys with a roof, town blocks of four to five storeys.
@@ -55,9 +55,9 @@ double height_by_area_m(double area_m2) {
   return area_m2 < 25 ? 2.8 : area_m2 < 70 ? 4.5 : area_m2 < 220 ? 7.5 : area_m2 < 700 ? 11 : 13;
 }
 
-std::optional<double> tagged_height_m(const ReadContext& context, OsmId id, source::Range tags) {
-  const auto height_m = tagged_length_m(context, id, tags, "height", kLowest_m, kHighest_m);
-  return height_m ? height_m : tagged_length_m(context, id, tags, "building:height", kLowest_m, kHighest_m);
+std::optional<double> tagged_building_height_m(const ReadContext& context, OsmId id, source::Range tags) {
+  const auto height_m = tagged_length_m(context, id, tags, "height", kLowest_m, kHighestBuilding_m);
+  return height_m ? height_m : tagged_length_m(context, id, tags, "building:height", kLowest_m, kHighestBuilding_m);
 }
 
 double untagged_height_m(const ReadContext& context, OsmId id, const Footprint& footprint, double level_m,
@@ -69,7 +69,7 @@ double untagged_height_m(const ReadContext& context, OsmId id, const Footprint& 
 }
 
 double min_height_m_of(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
-  if (const auto height_m = tagged_length_m(context, id, tags, "min_height", 0, kHighest_m)) return *height_m;
+  if (const auto height_m = tagged_length_m(context, id, tags, "min_height", 0, kHighestBuilding_m)) return *height_m;
   return level_m * tagged_levels(context, id, tags, "building:min_level").value_or(0);
 }
 
@@ -80,13 +80,13 @@ void mend_height(bool is_in_metres, double level_m, Footprint& footprint) {
   const double own_m = !is_equal ? footprint.height_m : is_in_metres ? kSlab_m : level_m;
   const bool is_stated = is_in_metres || footprint.levels > 0 || footprint.roof.height_m > 0;
   footprint.height_m = snapped(footprint.min_height_m + own_m);
-  if (is_stated && footprint.height_m <= kHighest_m) return;
+  if (is_stated && footprint.height_m <= kHighestBuilding_m) return;
   footprint.height_m = snapped(own_m), footprint.min_height_m = 0;
 }
 
 void read_heights(const ReadContext& context, OsmId id, source::Range tags, const BuildingValues& values,
                   double area_m2, Footprint& footprint) {
-  const auto height_m = tagged_height_m(context, id, tags);
+  const auto height_m = tagged_building_height_m(context, id, tags);
   footprint.levels = tagged_levels(context, id, tags, "building:levels").value_or(0);
   footprint.has_roof_in_height = height_m.has_value();
   // compared as stored

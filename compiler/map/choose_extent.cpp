@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "compiler/map/lonlat_box.h"
 #include "compiler/map/map_box.h"
 
 namespace citykiln::map {
@@ -12,10 +13,6 @@ namespace {
 
 using source::LonLatBox;
 using source::OsmData;
-
-std::string text_of(const LonLatBox& box) {
-  return fmt::format("{:.4f},{:.4f},{:.4f},{:.4f}", box.west, box.south, box.east, box.north);
-}
 
 bool touches(const LonLatBox& a, const LonLatBox& b) {
   return a.west <= b.east && b.west <= a.east && a.south <= b.north && b.south <= a.north;

@@ -15,7 +15,7 @@ namespace citykiln::map {
 namespace {
 
 // About a town block.
-constexpr double kBucket_m = 64;
+constexpr double kFootprintBucket_m = 64;
 // Footprints that share more than this part of the lower one's height are in the same place.
 constexpr double kSameHeightsShare = 0.5;
 // A part that rises less above its outline is no more than a step of the roof.
@@ -96,7 +96,7 @@ double eaves_m(const Footprint& f) {
 std::vector<Footprint> without_duplicates(std::vector<Footprint> footprints, Account& account, Report& report) {
   std::vector<Box2> boxes;
   for (const Footprint& f : footprints) boxes.push_back(box_of(f.polygon.outer));
-  const BoxGrid grid = grid_of(boxes, kBucket_m);
+  const BoxGrid grid = grid_of(boxes, kFootprintBucket_m);
   std::vector<bool> is_kept(footprints.size(), false), is_left_out(footprints.size(), false);
   for (const std::uint32_t i : by_rank(footprints)) {
     const std::vector<std::uint32_t> near = boxes_about(grid, boxes[i]);

@@ -23,15 +23,15 @@ constexpr Corner kCorners[] = {
 constexpr std::size_t kRingCount = static_cast<std::size_t>(std::count(std::begin(kCorners), std::end(kCorners), kEnd));
 
 // A ring: the corners [first, last) of kCorners, and their box.
-struct Border {
+struct CornerRing {
   std::size_t first = 0, last = 0;
   Corner low{32767, 32767}, high{-32767, -32767};
 };
 
-constexpr std::array<Border, kRingCount> borders() {
-  std::array<Border, kRingCount> all{};
+constexpr std::array<CornerRing, kRingCount> corner_rings() {
+  std::array<CornerRing, kRingCount> all{};
   std::size_t i = 0;
-  for (Border& border : all) {
+  for (CornerRing& border : all) {
     border.first = i;
     for (; kCorners[i] != kEnd; ++i) {
       const Corner c = kCorners[i];
@@ -42,9 +42,9 @@ constexpr std::array<Border, kRingCount> borders() {
   }
   return all;
 }
-constexpr std::array<Border, kRingCount> kBorders = borders();
+constexpr std::array<CornerRing, kRingCount> kBorders = corner_rings();
 
-bool is_in_box(const Border& border, double lon, double lat) {
+bool is_in_box(const CornerRing& border, double lon, double lat) {
   return lon >= border.low.lon && lon <= border.high.lon && lat >= border.low.lat && lat <= border.high.lat;
 }
 
@@ -54,7 +54,7 @@ bool is_west_of(Corner a, Corner b, double lon, double lat) {
   return lon < a.lon + (lat - a.lat) * (b.lon - a.lon) / (b.lat - a.lat);
 }
 
-bool is_within(const Border& border, double lon, double lat) {
+bool is_within(const CornerRing& border, double lon, double lat) {
   bool is_inside = false;
   Corner before = kCorners[border.last - 1];
   for (std::size_t i = border.first; i < border.last; before = kCorners[i++])
@@ -69,7 +69,7 @@ DrivingSide driving_side_at(LonLat place) {
   const double lon = (place.lon_deg < 180 ? place.lon_deg : place.lon_deg - 360) * 100, lat = place.lat_deg * 100;
   // a ring within a ring is an island that drives on the right
   bool is_left = false;
-  for (const Border& border : kBorders)
+  for (const CornerRing& border : kBorders)
     if (is_in_box(border, lon, lat)) is_left ^= is_within(border, lon, lat);
   return is_left ? DrivingSide::kLeft : DrivingSide::kRight;
 }

@@ -8,7 +8,7 @@ namespace {
 
 using materials::Material;
 
-constexpr LandCoverValues kTable[] = {
+constexpr LandCoverValues kLandCoverValues[] = {
 #define LAND_COVER(name, group, priority, material) \
   {std::string_view(#name).substr(1), LandCoverGroup::group, priority, Material::material},
 #include "compiler/map/land_cover_classes.inc"
@@ -19,7 +19,7 @@ constexpr LandCoverValues kTable[] = {
 
 const LandCoverValues& values_of(LandCoverClass surface) {
   assert(surface < LandCoverClass::kCount);
-  return kTable[static_cast<std::size_t>(surface)];
+  return kLandCoverValues[static_cast<std::size_t>(surface)];
 }
 
 }  // namespace citykiln::map

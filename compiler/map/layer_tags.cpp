@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 9> kKeys = {"bridge", "tunnel",   "layer",   "level",    "covered",
                                                    "indoor", "location", "incline", "maxheight"};
 
-std::string text_of(const source::OsmData& osm, source::Range tags) {
+std::string layer_text_of(const source::OsmData& osm, source::Range tags) {
   std::string text;
   for (const std::string_view key : kKeys) {
     const std::string_view value = osm.value_of(tags, key);
@@ -30,7 +30,7 @@ LayerTags layer_tags_of(const source::OsmData& osm, const Report& report) {
   const auto add = [&](OsmId object) {
     const auto way = std::ranges::lower_bound(osm.ways, object.id, {}, &source::Way::id);
     if (object.type == OsmType::kWay && way != osm.ways.end() && way->id == object.id)
-      tags.try_emplace(object, text_of(osm, way->tags));
+      tags.try_emplace(object, layer_text_of(osm, way->tags));
   };
   for (const Diagnosis& diagnosis : report.diagnoses())
     if (diagnosis.other.type != OsmType::kNone) add(diagnosis.object), add(diagnosis.other);

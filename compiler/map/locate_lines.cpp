@@ -61,7 +61,7 @@ const PointRow* point_row(const ReadContext& context, source::Range tags) {
   return context.tag(tags, kAddress.key).empty() ? nullptr : &kAddress;
 }
 
-constexpr double kTallest_m = 400;
+constexpr double kTallestPoint_m = 400;
 
 // The plant tags of a tree or shrub; natural=shrub wins over names of trees.
 PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
@@ -72,9 +72,9 @@ PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
 
 // Of a lamp also that of its light.
 double tagged_point_height_m(const ReadContext& context, OsmId id, const PointRow& row, source::Range tags) {
-  auto height_m = tagged_length_m(context, id, tags, "height", 0.1, kTallest_m);
+  auto height_m = tagged_length_m(context, id, tags, "height", 0.1, kTallestPoint_m);
   if (!height_m && row.kind == PointKind::kStreetLamp)
-    height_m = tagged_length_m(context, id, tags, "light:height", 0.1, kTallest_m);
+    height_m = tagged_length_m(context, id, tags, "light:height", 0.1, kTallestPoint_m);
   return height_m.value_or(0);
 }
 

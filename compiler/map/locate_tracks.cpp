@@ -43,7 +43,7 @@ LandCoverClass surfaced(LandCoverClass surface, std::string_view tagged) {
   return surface;
 }
 
-LonLat place_of(const ReadContext& context, const source::Way& way) {
+LonLat place_of_way(const ReadContext& context, const source::Way& way) {
   const source::Location at = context.osm.nodes_of(way).front().at;
   return {at.lon_deg(), at.lat_deg()};
 }
@@ -71,7 +71,7 @@ void tell_layer(const Track& track, Report& report) {
 Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_side, const source::Way& way,
                const TrackRow& row, LocatedLine&& line) {
   const OsmId id{OsmType::kWay, way.id};
-  const LonLat place = place_of(context, way);
+  const LonLat place = place_of_way(context, way);
   const DrivingSide side = driving_side ? *driving_side : driving_side_at(place);
   Track track;
   track.id = {id, 0};

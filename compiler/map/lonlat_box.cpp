@@ -1,5 +1,7 @@
 #include "compiler/map/lonlat_box.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 
@@ -16,6 +18,10 @@ source::LonLatBox lonlat_box_of(const Box2& box, const Plane& plane) {
     }
   }
   return around;
+}
+
+std::string text_of(const source::LonLatBox& box) {
+  return fmt::format("{:.4f},{:.4f},{:.4f},{:.4f}", box.west, box.south, box.east, box.north);
 }
 
 }  // namespace citykiln::map

@@ -1,6 +1,8 @@
 // Boxes of the plane in longitude and latitude.
 #pragma once
 
+#include <string>
+
 #include "compiler/geometry/box.h"
 #include "compiler/map/plane.h"
 #include "compiler/source/osm_data.h"
@@ -10,5 +12,8 @@ namespace citykiln::map {
 /// Returns the smallest box in degrees that holds the corners, side middles and centre of a box of the plane (its sides
 /// are curves in degrees).
 source::LonLatBox lonlat_box_of(const Box2& box, const Plane& plane);
+
+/// Returns "west,south,east,north" in degrees, with 4 digits after the point, about 10 m.
+std::string text_of(const source::LonLatBox& box);
 
 }  // namespace citykiln::map

@@ -9,7 +9,7 @@ namespace citykiln::map {
 namespace {
 
 // About a town block.
-constexpr double kBucket_m = 64;
+constexpr double kPartBucket_m = 64;
 
 Vec2 centre_of_largest_triangle(const Polygon& polygon) {
   const PlaneTriangles t = triangulate(polygon);
@@ -31,7 +31,7 @@ std::vector<std::uint32_t> part_outlines(std::span<const Footprint> footprints) 
   std::vector<Box2> boxes;
   for (std::uint32_t i = 0; i < footprints.size(); ++i)
     if (!footprints[i].is_part) wholes.push_back(i), boxes.push_back(box_of(footprints[i].polygon.outer));
-  const BoxGrid grid = grid_of(boxes, kBucket_m);
+  const BoxGrid grid = grid_of(boxes, kPartBucket_m);
   std::vector<std::uint32_t> outlines(footprints.size(), kNoOutline);
   for (std::size_t i = 0; i < footprints.size(); ++i) {
     if (!footprints[i].is_part || footprints[i].polygon.outer.size() < 3) continue;

@@ -24,7 +24,7 @@ std::optional<LonLat> centre_of(const source::OsmData& osm, const source::Area& 
   return LonLat{(west.lon_deg() + east.lon_deg()) / 2, (south.lat_deg() + north.lat_deg()) / 2};
 }
 
-std::optional<LonLat> place_of(const source::OsmData& osm, OsmId object) {
+std::optional<LonLat> place_of_object(const source::OsmData& osm, OsmId object) {
   if (object.type == OsmType::kNode) {
     const source::Node* node = with_id(osm.nodes, object.id);
     return node != nullptr ? std::optional(lonlat_of(node->at)) : std::nullopt;
@@ -42,7 +42,7 @@ std::optional<LonLat> place_of(const source::OsmData& osm, OsmId object) {
 std::optional<LonLat> place_of_members(const source::OsmData& osm, const source::Relation& relation) {
   for (std::uint32_t i = 0; i < relation.members.count; ++i) {
     const OsmId member = osm.members[relation.members.first + i].object;
-    if (const auto at = place_of(osm, member)) return at;
+    if (const auto at = place_of_object(osm, member)) return at;
   }
   return std::nullopt;
 }
@@ -54,7 +54,7 @@ Places places_of(const source::OsmData& osm, const Report& report) {
   for (const Diagnosis& diagnosis : report.diagnoses()) named.insert(diagnosis.object);
   Places places;
   for (const OsmId object : named) {
-    std::optional<LonLat> at = place_of(osm, object);
+    std::optional<LonLat> at = place_of_object(osm, object);
     const source::Relation* relation =
         !at && object.type == OsmType::kRelation ? with_id(osm.relations, object.id) : nullptr;
     if (relation != nullptr) at = place_of_members(osm, *relation);
@@ -66,7 +66,7 @@ Places places_of(const source::OsmData& osm, const Report& report) {
 Places places_of_ways_and_areas(const source::OsmData& osm) {
   Places places;
   const auto add = [&](OsmId object) {
-    if (const auto at = place_of(osm, object)) places.emplace_hint(places.end(), object, *at);
+    if (const auto at = place_of_object(osm, object)) places.emplace_hint(places.end(), object, *at);
   };
   for (const source::Way& way : osm.ways) add({OsmType::kWay, way.id});
   for (const source::Area& area : osm.areas) add(area.from);

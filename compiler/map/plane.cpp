@@ -14,11 +14,11 @@ namespace {
 // Share of a step. Larger than the whole error of the double computation, so that beyond it every CPU rounds to the
 // same side. That error is at most 4.2e-9 m or 5.4e-7 step, measured up to 78° N against long double; results with and
 // without FMA differ by up to 1.9e-9 m.
-constexpr double kNearTie = 1e-5;
+constexpr double kNearStepTie = 1e-5;
 
 bool is_near_tie(double v) {
   const double steps = v / kMapStep_m + 0.5;
-  return std::abs(steps - std::round(steps)) < kNearTie;
+  return std::abs(steps - std::round(steps)) < kNearStepTie;
 }
 
 // The longitude up to which the series still gives finite results: nodes at 0, 0 by mistake must not become infinite.

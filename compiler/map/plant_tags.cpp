@@ -11,7 +11,7 @@ constexpr std::string_view kTaxonKeys[] = {"genus",      "species",  "taxon",   
                                            "species:fr", "genus:es", "species:es", "genus:ca", "species:ca",
                                            "trees",      "crop",     "produce"};
 
-constexpr double kTallest_m = 130, kWidest_m = 60, kThickest_m = 40;
+constexpr double kTallestPlant_m = 130, kWidest_m = 60, kThickest_m = 40;
 
 PlantKind tagged_kind(const ReadContext& context, source::Range tags) {
   for (const std::string_view key : kTaxonKeys)
@@ -51,8 +51,8 @@ PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range ta
 }
 
 double tagged_plant_height_m(const ReadContext& context, OsmId id, source::Range tags) {
-  const auto height_m = tagged_length_m(context, id, tags, "height", 0.1, kTallest_m);
-  return height_m ? *height_m : tagged_length_m(context, id, tags, "est_height", 0.1, kTallest_m).value_or(0);
+  const auto height_m = tagged_length_m(context, id, tags, "height", 0.1, kTallestPlant_m);
+  return height_m ? *height_m : tagged_length_m(context, id, tags, "est_height", 0.1, kTallestPlant_m).value_or(0);
 }
 
 TreeSides tree_sides_of(std::string_view tree_lined) {

@@ -8,7 +8,7 @@ namespace {
 
 // Share of a grain. Positions are off by at most 1.6e-9 m (measured against long double), so on a slope of 100 to 1 a
 // height is off by a hundred thousandth of a quantum.
-constexpr double kNearTie = 1e-5;
+constexpr double kNearGrainTie = 1e-5;
 
 template <typename Real>
 std::optional<Real> first_height_m(std::span<const RasterSampler> samplers, Real lon_deg, Real lat_deg) {
@@ -36,7 +36,8 @@ std::optional<std::int32_t> quantised_height(std::span<const RasterSampler> samp
   const auto height = first_height_m<double>(samplers, place.lon_deg, place.lat_deg);
   if (!height) return std::nullopt;
   const double grains = *height / grain_m + 0.5;
-  if (std::abs(grains - std::round(grains)) > kNearTie) return static_cast<std::int32_t>(std::floor(grains)) * grain;
+  if (std::abs(grains - std::round(grains)) > kNearGrainTie)
+    return static_cast<std::int32_t>(std::floor(grains)) * grain;
   const PreciseLonLat precise = precise_backward(plane.origin(), p, place);
   const auto exact = first_height_m<long double>(samplers, precise.lon_deg, precise.lat_deg);
   return static_cast<std::int32_t>(floorl(exact.value_or(*height) / grain_m + 0.5L)) * grain;

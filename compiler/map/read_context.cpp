@@ -28,7 +28,7 @@ Ring located_ring(const ReadContext& context, const source::AreaRing& ring) {
   return area == 0 ? Ring{} : points;
 }
 
-Polygon trimmed(const Polygon& polygon, const Box2& region) {
+Polygon trimmed_to_region(const Polygon& polygon, const Box2& region) {
   const Box2 near = region.widened(kKeptAround_m), far = region.widened(kFarthest_m);
   Polygon kept{clip_ring(trimmed_to(polygon.outer, near), far), {}};
   for (const Ring& hole : polygon.holes)
@@ -72,7 +72,7 @@ std::vector<LocatedPolygon> located(const ReadContext& context, const source::Ar
   }
   for (LocatedPolygon& located : polygons) {
     located.area_m2 = area_m2(located.polygon);
-    located.polygon = trimmed(located.polygon, context.region);
+    located.polygon = trimmed_to_region(located.polygon, context.region);
   }
   return polygons;
 }

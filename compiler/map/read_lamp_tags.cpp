@@ -38,15 +38,15 @@ struct ColourRow {
   std::string_view value;
   std::uint16_t temperature_k;
 };
-constexpr ColourRow kColours[] = {
+constexpr ColourRow kLightColours[] = {
 #define COLOUR(value, temperature_k) {value, temperature_k},
 #include "compiler/map/lamp_values.inc"
 #undef COLOUR
 };
 
-// "3000 K", "3000K" or a name of kColours.
+// "3000 K", "3000K" or a name of kLightColours.
 std::uint16_t temperature_of(const ReadContext& context, OsmId id, std::string_view text) {
-  if (const ColourRow* row = row_with(kColours, text)) return row->temperature_k;
+  if (const ColourRow* row = row_with(kLightColours, text)) return row->temperature_k;
   if (!text.ends_with('K')) return 0;
   text.remove_suffix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);

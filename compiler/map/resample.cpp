@@ -84,10 +84,6 @@ double resampling_error_m(const Heightfield& field, const Raster& raster, const 
   return std::ceil(largest / kHeightQuantum_m) * kHeightQuantum_m;
 }
 
-std::string text_of(const source::LonLatBox& box) {
-  return fmt::format("{:.4f},{:.4f},{:.4f},{:.4f}", box.west, box.south, box.east, box.north);
-}
-
 Error covers_nothing(std::span<const Raster> rasters, const Plane& plane, const Box2& region) {
   std::string boxes;
   for (const Raster& raster : rasters) boxes += (boxes.empty() ? "" : " and ") + text_of(raster.file_box);

@@ -8,13 +8,13 @@ namespace citykiln::map {
 namespace {
 
 // A region's border. x is the longitude, y the latitude.
-struct Border {
+struct RegionBorder {
   RoadRegion region;
   Ring ring;
 };
 
-const std::vector<Border>& borders() {
-  static const std::vector<Border> all = {
+const std::vector<RegionBorder>& region_borders() {
+  static const std::vector<RegionBorder> all = {
 #define ROAD_REGION(region, ...) {RoadRegion::region, {__VA_ARGS__}},
 #include "compiler/map/road_region.inc"
 #undef ROAD_REGION
@@ -25,7 +25,7 @@ const std::vector<Border>& borders() {
 }  // namespace
 
 RoadRegion road_region_at(LonLat place) {
-  for (const Border& border : borders())
+  for (const RegionBorder& border : region_borders())
     if (winding_number(border.ring, {place.lon_deg, place.lat_deg}) != 0) return border.region;
   return RoadRegion::kElsewhere;
 }

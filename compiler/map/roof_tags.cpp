@@ -11,7 +11,7 @@
 namespace citykiln::map {
 namespace {
 
-constexpr double kHighest_m = 1000, kSteepest_deg = 85, kMostLevels = 50;
+constexpr double kHighestRoof_m = 1000, kSteepest_deg = 85, kMostRoofLevels = 50;
 
 // Values of roof:shape without a definite shape.
 constexpr std::string_view kIndefinite[] = {"yes", "no", "many", "unknown", "other"};
@@ -33,9 +33,9 @@ std::optional<roofs::Form> tagged_form(const ReadContext& context, OsmId id, sou
   return parsed_text(context, id, "roof:shape", text, roofs::form_named);
 }
 
-double tagged_height_m(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
-  if (const auto height_m = tagged_length_m(context, id, tags, "roof:height", 0, kHighest_m)) return *height_m;
-  return level_m * tagged_number(context, id, tags, "roof:levels", kMostLevels).value_or(0);
+double tagged_roof_height_m(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
+  if (const auto height_m = tagged_length_m(context, id, tags, "roof:height", 0, kHighestRoof_m)) return *height_m;
+  return level_m * tagged_number(context, id, tags, "roof:levels", kMostRoofLevels).value_or(0);
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ TaggedRoof tagged_roof(const ReadContext& context, OsmId id, source::Range tags,
   assert(level_m > 0);
   const auto form = tagged_form(context, id, tags);
   TaggedRoof roof{form.has_value(), {form.value_or(roofs::Form::kFlat)}};
-  roof.shape.height_m = tagged_height_m(context, id, tags, level_m);
+  roof.shape.height_m = tagged_roof_height_m(context, id, tags, level_m);
   roof.shape.angle_deg = tagged_number(context, id, tags, "roof:angle", kSteepest_deg).value_or(0);
   roof.shape.direction = tagged_direction(context, id, tags);
   roof.shape.is_ridge_across = context.tag(tags, "roof:orientation") == "across";

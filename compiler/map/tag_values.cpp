@@ -12,13 +12,13 @@ struct Colour {
   Srgb srgb;
 };
 
-constexpr Colour kColours[] = {
+constexpr Colour kNamedColours[] = {
 #define COLOUR(name, red, green, blue) {name, {red, green, blue}},
 #include "compiler/map/colours.inc"
 #undef COLOUR
 };
 
-std::string_view trimmed(std::string_view text) {
+std::string_view first_value(std::string_view text) {
   text = text.substr(0, text.find(';'));
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
@@ -34,7 +34,7 @@ std::optional<double> take_number(std::string_view& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) return std::nullopt;
-  text = trimmed(text.substr(taken));
+  text = first_value(text.substr(taken));
   return value;
 }
 
@@ -81,13 +81,13 @@ constexpr double kFoot_m = 0.3048, kInch_m = 0.0254, kLongest_m = 10000;
 }  // namespace
 
 std::optional<double> number_of(std::string_view value) {
-  value = trimmed(value);
+  value = first_value(value);
   const auto number = take_number(value);
   return value.empty() ? number : std::nullopt;
 }
 
 std::optional<double> length_m_of(std::string_view value) {
-  value = trimmed(value);
+  value = first_value(value);
   auto number = take_number(value);
   if (!number) return std::nullopt;
   if (value == "ft" || value == "feet" || value == "foot") {
@@ -95,7 +95,7 @@ std::optional<double> length_m_of(std::string_view value) {
   } else if (value == "km") {
     *number *= 1000;
   } else if (!value.empty() && value.front() == '\'') {
-    value = trimmed(value.substr(1));
+    value = first_value(value.substr(1));
     const auto inches = take_number(value);
     *number = *number * kFoot_m + inches.value_or(0) * kInch_m;
   } else if (!value.empty() && value != "m" && value != "metres" && value != "meters" && value != "metre" &&
@@ -107,12 +107,12 @@ std::optional<double> length_m_of(std::string_view value) {
 }
 
 std::optional<Srgb> colour_of(std::string_view value) {
-  value = trimmed(value);
+  value = first_value(value);
   if (!value.empty() && value.front() == '#') return hex_colour(value.substr(1));
   std::string name;
   for (const char c : value)
     if (c != ' ' && c != '_') name += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  for (const Colour& colour : kColours)
+  for (const Colour& colour : kNamedColours)
     if (colour.name == name) return colour.srgb;
   return hex_colour(name);
 }
@@ -120,7 +120,7 @@ std::optional<Srgb> colour_of(std::string_view value) {
 std::optional<double> bearing_deg_of(std::string_view value) {
   constexpr std::string_view kWinds[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                          "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
-  const std::string wind = initials_of(trimmed(value));
+  const std::string wind = initials_of(first_value(value));
   for (std::size_t i = 0; i < std::size(kWinds); ++i)
     if (kWinds[i] == wind) return 22.5 * static_cast<double>(i);
   const auto number = number_of(value);
@@ -129,7 +129,7 @@ std::optional<double> bearing_deg_of(std::string_view value) {
 }
 
 std::optional<std::uint16_t> year_of(std::string_view value) {
-  value = trimmed(value);
+  value = first_value(value);
   const std::size_t first = value.find_first_of("0123456789");
   if (first == std::string_view::npos) return std::nullopt;
   const bool is_century = first > 0 && (value[first - 1] == 'C' || value[first - 1] == 'c');

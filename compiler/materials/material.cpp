@@ -7,7 +7,7 @@
 namespace citykiln::materials {
 namespace {
 
-constexpr MaterialValues kTable[] = {
+constexpr MaterialValues kMaterialValues[] = {
 #define MATERIAL(name, r, g, b, roughness, metallic, variation) \
   {std::string_view(#name).substr(1), {r, g, b}, roughness, metallic, variation},
 #include "compiler/materials/material_table.inc"
@@ -59,14 +59,14 @@ bool is_same_name(std::string_view camel, std::string_view snake) {
 }  // namespace
 
 std::optional<Material> material_named(std::string_view name) {
-  for (std::size_t i = 0; i < std::size(kTable); ++i)
-    if (is_same_name(kTable[i].name, name)) return static_cast<Material>(i);
+  for (std::size_t i = 0; i < std::size(kMaterialValues); ++i)
+    if (is_same_name(kMaterialValues[i].name, name)) return static_cast<Material>(i);
   return {};
 }
 
 const MaterialValues& values_of(Material material) {
   assert(material < Material::kCount);
-  return kTable[static_cast<std::size_t>(material)];
+  return kMaterialValues[static_cast<std::size_t>(material)];
 }
 
 std::array<float, 3> emission_of(Material material) {

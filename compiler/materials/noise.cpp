@@ -15,12 +15,12 @@ std::array<std::uint32_t, 4> bits_at(std::uint32_t x, std::uint32_t y, std::uint
   return philox4x32_10({x, y, use, 0}, {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)});
 }
 
-double unit(std::uint32_t bits) { return bits * 0x1p-32; }
+double unit_share(std::uint32_t bits) { return bits * 0x1p-32; }
 
 // 6t^5 - 15t^4 + 10t^3: continuous slope and curvature.
 double faded(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
-double mixed(double a, double b, double share) { return a + (b - a) * share; }
+double mixed_value(double a, double b, double share) { return a + (b - a) * share; }
 
 // The centre of a texel along one side: lattice points before and after it, and its position between them.
 struct Step {
@@ -47,7 +47,8 @@ Field gradient_noise(std::uint32_t side_px, WaveCounts waves, std::uint64_t key)
   for (std::uint32_t y = 0; y < waves.along; ++y)
     for (std::uint32_t x = 0; x < waves.across; ++x) {
       const auto bits = bits_at(x, y, 1, key);
-      slopes[static_cast<std::size_t>(y) * waves.across + x] = {2 * unit(bits[0]) - 1, 2 * unit(bits[1]) - 1};
+      slopes[static_cast<std::size_t>(y) * waves.across + x] = {2 * unit_share(bits[0]) - 1,
+                                                                2 * unit_share(bits[1]) - 1};
     }
   const auto slope = [&](std::uint32_t x, std::uint32_t y) {
     return slopes[static_cast<std::size_t>(y) * waves.across + x];
@@ -57,11 +58,11 @@ Field gradient_noise(std::uint32_t side_px, WaveCounts waves, std::uint64_t key)
   for (std::uint32_t row = 0; row < side_px; ++row)
     for (std::uint32_t column = 0; column < side_px; ++column) {
       const Step &x = across[column], &y = along[row];
-      const double low = mixed(dot(slope(x.before, y.before), {x.within, y.within}),
-                               dot(slope(x.after, y.before), {x.within - 1, y.within}), x.share);
-      const double high = mixed(dot(slope(x.before, y.after), {x.within, y.within - 1}),
-                                dot(slope(x.after, y.after), {x.within - 1, y.within - 1}), x.share);
-      field.at(column, row) = static_cast<float>(mixed(low, high, y.share));
+      const double low = mixed_value(dot(slope(x.before, y.before), {x.within, y.within}),
+                                     dot(slope(x.after, y.before), {x.within - 1, y.within}), x.share);
+      const double high = mixed_value(dot(slope(x.before, y.after), {x.within, y.within - 1}),
+                                      dot(slope(x.after, y.after), {x.within - 1, y.within - 1}), x.share);
+      field.at(column, row) = static_cast<float>(mixed_value(low, high, y.share));
     }
   return field;
 }
@@ -88,7 +89,7 @@ Cells cells(std::uint32_t side_px, std::uint32_t across, std::uint64_t key) {
   for (std::uint32_t y = 0; y < across; ++y)
     for (std::uint32_t x = 0; x < across; ++x) {
       const auto bits = bits_at(x, y, 2, key);
-      stones.push_back({{unit(bits[0]), unit(bits[1])}, static_cast<float>(unit(bits[2]))});
+      stones.push_back({{unit_share(bits[0]), unit_share(bits[1])}, static_cast<float>(unit_share(bits[2]))});
     }
   const std::size_t texels = static_cast<std::size_t>(side_px) * side_px;
   Cells found{{side_px, std::vector<float>(texels)}, {side_px, std::vector<float>(texels)}};
@@ -120,9 +121,11 @@ double noise_at(Vec2 place_m, double wave_m, std::uint64_t key) {
   const double x0 = std::floor(at.x), y0 = std::floor(at.y);
   const auto x = static_cast<std::uint32_t>(static_cast<std::int64_t>(x0)),
              y = static_cast<std::uint32_t>(static_cast<std::int64_t>(y0));
-  const auto value = [&](std::uint32_t i, std::uint32_t j) { return 2 * unit(bits_at(x + i, y + j, 3, key)[0]) - 1; };
+  const auto value = [&](std::uint32_t i, std::uint32_t j) {
+    return 2 * unit_share(bits_at(x + i, y + j, 3, key)[0]) - 1;
+  };
   const double right = faded(at.x - x0), up = faded(at.y - y0);
-  return mixed(mixed(value(0, 0), value(1, 0), right), mixed(value(0, 1), value(1, 1), right), up);
+  return mixed_value(mixed_value(value(0, 0), value(1, 0), right), mixed_value(value(0, 1), value(1, 1), right), up);
 }
 
 }  // namespace citykiln::materials

@@ -8,7 +8,7 @@
 namespace citykiln::materials {
 namespace {
 
-TextureImage::Texel mixed(TextureImage::Texel under, TextureImage::Texel over, double share) {
+TextureImage::Texel mixed_texel(TextureImage::Texel under, TextureImage::Texel over, double share) {
   if (share <= 0) return under;
   if (share >= 1) return over;
   TextureImage::Texel mix{};
@@ -31,7 +31,7 @@ void paint(TextureImage& image, ColumnRange columns, const Ring& ring_m, Texture
     const std::size_t row = (cover.first_row + r) % image.rows;
     for (std::size_t c = 0; c < cover.columns; ++c) {
       TextureImage::Texel& texel = image.texels[row * image.columns + cover.first_column + c];
-      texel = mixed(texel, colour, cover.share[r * cover.columns + c]);
+      texel = mixed_texel(texel, colour, cover.share[r * cover.columns + c]);
     }
   }
 }

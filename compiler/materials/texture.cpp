@@ -26,7 +26,7 @@ struct Row {
   double contrast, warmth, relief_m;
 };
 
-constexpr Row kTable[] = {
+constexpr Row kTextureRows[] = {
 #define TEXTURE(material, pattern, side_m, side_px, contrast, warmth, relief_m) \
   {Material::material, TexturePattern::pattern, side_m, side_px, contrast, warmth, relief_m},
 #include "compiler/materials/texture_table.inc"
@@ -34,8 +34,8 @@ constexpr Row kTable[] = {
 };
 
 const Row* row_of(Material material) {
-  const auto row = std::ranges::find(kTable, material, &Row::material);
-  return row == std::end(kTable) ? nullptr : &*row;
+  const auto row = std::ranges::find(kTextureRows, material, &Row::material);
+  return row == std::end(kTextureRows) ? nullptr : &*row;
 }
 
 // Colours from dark to light.

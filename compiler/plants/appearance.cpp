@@ -5,7 +5,7 @@
 namespace citykiln::plants {
 namespace {
 
-materials::Tint tint_of(materials::Material material, const Thousandths& reflectance) {
+materials::Tint tint_of_reflectance(materials::Material material, const Thousandths& reflectance) {
   const auto& base = values_of(material).base_colour;
   materials::Tint tint = materials::kNoTint;
   for (std::size_t c = 0; c < 3; ++c)
@@ -41,15 +41,16 @@ Appearance appearance_of(Prototype prototype, Month month) {
   const SeasonState state = season_state_of(prototype, month);
   // stalks of grasses have the colour of their blades
   const bool is_blade = species.leaf_form == LeafForm::kBlade;
-  const materials::Tint bark = tint_of(Material::kBark, is_blade ? mixed(species.bark, species, state) : species.bark);
+  const materials::Tint bark =
+      tint_of_reflectance(Material::kBark, is_blade ? mixed(species.bark, species, state) : species.bark);
   if (state.leaf_share == 0)
     return {.leaf_material = Material::kBark,
-            .leaf = tint_of(Material::kBark, twig_of(species.bark)),
+            .leaf = tint_of_reflectance(Material::kBark, twig_of(species.bark)),
             .bark = bark,
             .leaf_share = 0,
             .height_share = state.height_share};
   return {.leaf_material = leaf,
-          .leaf = tint_of(leaf, mixed(species.leaf, species, state)),
+          .leaf = tint_of_reflectance(leaf, mixed(species.leaf, species, state)),
           .bark = bark,
           .leaf_share = state.leaf_share,
           .height_share = state.height_share};

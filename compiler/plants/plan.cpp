@@ -46,7 +46,7 @@ constexpr double kBehindKerb_m = 1;
 double in_eighths(double v) { return std::floor(v * 8 + 0.5) / 8; }
 
 // The tagged height, else from other tagged sizes; a tree of unknown species is sized as the most common one.
-double height_m_of(double tagged_m, SpeciesMix species_mix, const map::PlantTags& plant_tags) {
+double planned_height_m(double tagged_m, SpeciesMix species_mix, const map::PlantTags& plant_tags) {
   if (tagged_m > 0) return tagged_m;
   return height_from_tags_m(is_single_species(species_mix) ? single_species(species_mix) : Species::kLime, plant_tags);
 }
@@ -60,7 +60,7 @@ std::vector<Tree> plan_trees(const map::Features& features, Report& report) {
     const SpeciesMix species_mix = species_mix_for(point.plant_tags, species_mix_of(PlantCommunity::kTownTrees));
     trees.push_back({.id = point.id,
                      .at = point.at,
-                     .height_m = height_m_of(point.height_m, species_mix, point.plant_tags),
+                     .height_m = planned_height_m(point.height_m, species_mix, point.plant_tags),
                      .species_mix = species_mix});
   }
   report.account("plants", "tree") = account;
@@ -168,7 +168,7 @@ std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const ro
     rows.push_back({.id = row.id,
                     .axis = row.axis,
                     .species_mix = species_mix,
-                    .height_m = in_eighths(height_m_of(row.height_m, species_mix, row.plant_tags)),
+                    .height_m = in_eighths(planned_height_m(row.height_m, species_mix, row.plant_tags)),
                     .spacing_m = in_eighths(row.spacing_m)});
   }
   report.account("plants", "row") = account;

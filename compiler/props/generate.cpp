@@ -15,7 +15,7 @@ using materials::Material;
 using materials::MaterialMesh;
 
 // Depth below the ground, which coarse levels may lower.
-constexpr double kFoot_m = 0.5;
+constexpr double kFootDepth_m = 0.5;
 // A mitre is at most this many times as long as half the width; sharper bends are bevelled.
 constexpr double kMaxMitre = 2;
 
@@ -52,7 +52,7 @@ Vec2 side_at(const std::vector<Vec3>& axis, std::size_t i, bool is_closed) {
 // Adds four vertices: left foot, left top, right top, right foot.
 void add_profile(Mesh& mesh, Vec3 at, Vec2 side, double height_m) {
   const Vec2 left = snapped(in_plan(at) + side), right = snapped(in_plan(at) - side);
-  const double foot = snapped(at.z - kFoot_m), top = snapped(at.z + height_m);
+  const double foot = snapped(at.z - kFootDepth_m), top = snapped(at.z + height_m);
   for (const Vec3 corner : {at_height(left, foot), at_height(left, top), at_height(right, top), at_height(right, foot)})
     mesh.positions.push_back(corner);
 }

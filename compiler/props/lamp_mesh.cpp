@@ -22,7 +22,7 @@ using Details = std::array<double, 3>;
 constexpr Details kPostTopErrors = {0, 0.0105, 0.023}, kArmErrors = {0, 0.0065, 0.025};
 
 // Depth below the ground, which slopes and coarse levels may lower.
-constexpr double kFoot_m = -0.03;
+constexpr double kLampFoot_m = -0.03;
 
 // Adds the closed surface through cross-sections of equal size.
 void add_loft(Mesh& mesh, const std::vector<Section>& sections) {
@@ -71,10 +71,10 @@ Section triangle(double x_m, double low_m, double high_m, double half_width_m) {
 // The lower part, with the access door, is wider.
 void add_pole(Mesh& mesh, int detail, double top_m) {
   if (detail == 0) {
-    add_tube(mesh, 5, kFoot_m, 0.125, 0.0105, 0.0105);
+    add_tube(mesh, 5, kLampFoot_m, 0.125, 0.0105, 0.0105);
     add_tube(mesh, 5, 0.125, top_m, 0.0075, 0.0045);
   } else {
-    add_tube(mesh, 3, kFoot_m, top_m, 0.0115, 0.0055);
+    add_tube(mesh, 3, kLampFoot_m, top_m, 0.0115, 0.0055);
   }
 }
 

@@ -19,7 +19,7 @@ using materials::MaterialMesh;
 
 constexpr std::array kSides_m = {1.5, 1.25, 1.0, 0.75};
 
-constexpr double kSoil_m = 0.03, kEdging_m = 0.08, kEdgingWidth_m = 0.1, kFoot_m = 0.1;
+constexpr double kSoil_m = 0.03, kEdging_m = 0.08, kEdgingWidth_m = 0.1, kPitFoot_m = 0.1;
 
 // Pits farther from all roads lie in courts or squares.
 constexpr double kMaxRoad_m = 20;
@@ -129,7 +129,7 @@ MaterialMesh edging_of(const TreePit& pit, const ground::GradedTerrain& ground) 
   MaterialMesh edging{{}, Material::kStone, materials::kNoTint, pit.feature};
   const double inner_m = pit.side_m - 2 * kEdgingWidth_m;
   for (const auto& [side_m, up_m] :
-       {std::pair{pit.side_m, -kFoot_m}, {pit.side_m, kEdging_m}, {inner_m, kEdging_m}, {inner_m, kSoil_m}})
+       {std::pair{pit.side_m, -kPitFoot_m}, {pit.side_m, kEdging_m}, {inner_m, kEdging_m}, {inner_m, kSoil_m}})
     for (const Vec2 p : corners_of(pit, side_m)) edging.mesh.positions.push_back(on_ground(ground, p, up_m));
   for (std::uint32_t ring = 0; ring < 12; ring += 4)
     for (std::uint32_t i = 0; i < 4; ++i) {

@@ -12,6 +12,7 @@
 #include "compiler/map/lanes/narrowest_lanes.h"
 #include "compiler/roads/network.h"
 #include "compiler/roads/plan.h"
+#include "compiler/roads/width_limits/narrowed_section.h"
 
 namespace citykiln::roads {
 namespace {
@@ -145,11 +146,6 @@ Fit fit_between(const Room& room, double left_m, double right_m, double least_m,
   const double fitted_m = std::clamp(room.left_m + room.right_m, least_m, width_m);
   const double wanted_m = fitted_m * left_m / width_m;
   return {fitted_m, std::min(std::max(wanted_m, fitted_m - room.right_m), room.left_m)};
-}
-
-bool is_soft(map::LaneKind kind) {
-  using map::LaneKind;
-  return kind == LaneKind::kParking || kind == LaneKind::kShoulder || kind == LaneKind::kBuffer;
 }
 
 // Takes a length from lanes in proportion to what each can give; returns what is left of it.

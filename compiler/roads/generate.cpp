@@ -31,7 +31,7 @@ struct Halves {
 
 // The wedge that a bend opens between two quads, filled to the mitre: p, the two outer corners, and the point where the
 // outer edges meet.
-Ring mitre(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
+Ring mitre_wedge(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
   // a left bend opens on its right; an edge that width limits press beyond the axis opens nothing
   const double half_m = cross(before, after) > 0 ? -std::max(halves.right_m, 0.0) : std::max(halves.left_m, 0.0);
   const Vec2 a = left_of(before) * half_m, b = left_of(after) * half_m;
@@ -41,7 +41,8 @@ Ring mitre(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
 
 // Bends of less than a right angle take a mitre, whose tip lies within 1.42 half widths; sharper ones take a disk.
 Ring bend(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
-  return dot(before, after) > 0 ? mitre(p, before, after, halves) : disk(p, std::max(halves.left_m, halves.right_m));
+  return dot(before, after) > 0 ? mitre_wedge(p, before, after, halves)
+                                : disk(p, std::max(halves.left_m, halves.right_m));
 }
 
 // Appends a ring counter-clockwise, unless snapping left no area.
@@ -57,24 +58,24 @@ void push_if_area(std::vector<Ring>& rings, Ring ring) {
 bool is_joint(Vec2 before, Vec2 after) { return dot(before, after) > 0; }
 
 // A point of the axis with the extent of the strip there.
-struct Station {
+struct StripStation {
   Vec2 at;
   Halves halves;
 };
 
 // The stations of each segment, from vertex to vertex.
-using Stations = std::vector<std::vector<Station>>;
+using Stations = std::vector<std::vector<StripStation>>;
 
-Stations stations_of(const Polyline& axis, Halves halves) {
+Stations strip_stations_of(const Polyline& axis, Halves halves) {
   Stations stations;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) stations.push_back({{axis[i], halves}, {axis[i + 1], halves}});
   return stations;
 }
 
-void stroke_segment(std::span<const Station> stations, std::vector<Ring>& rings) {
+void stroke_segment(std::span<const StripStation> stations, std::vector<Ring>& rings) {
   const Vec2 left = left_of(unit(stations.back().at - stations.front().at));
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-    const Station &a = stations[i], &b = stations[i + 1];
+    const StripStation &a = stations[i], &b = stations[i + 1];
     push_if_area(rings, {snapped(a.at - left * a.halves.right_m), snapped(b.at - left * b.halves.right_m),
                          snapped(b.at + left * b.halves.left_m), snapped(a.at + left * a.halves.left_m)});
   }
@@ -87,8 +88,8 @@ std::vector<Ring> stroke_along(const Polyline& axis, const Stations& stations, c
     stroke_segment(stations[i], rings);
     if (i > 0) push_if_area(rings, bend(axis[i], direction(i - 1), direction(i), stations[i].front().halves));
   }
-  const auto join = [&](const Station& end, Vec2 before, Vec2 after) {
-    if (is_joint(before, after)) push_if_area(rings, mitre(end.at, before, after, end.halves));
+  const auto join = [&](const StripStation& end, Vec2 before, Vec2 after) {
+    if (is_joint(before, after)) push_if_area(rings, mitre_wedge(end.at, before, after, end.halves));
   };
   if (ends.before) join(stations.front().front(), unit(axis.front() - *ends.before), direction(0));
   if (ends.after) join(stations.back().back(), direction(axis.size() - 2), unit(*ends.after - axis.back()));
@@ -102,7 +103,7 @@ Stations stations_along(const Road& road, HalvesAt halves_at) {
   Stations stations;
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
     const Vec2 a = road.axis[i], b = road.axis[i + 1];
-    std::vector<Station>& here = stations.emplace_back();
+    std::vector<StripStation>& here = stations.emplace_back();
     here.push_back({a, halves_at(along[i])});
     for (auto bend = std::ranges::upper_bound(bends, along[i]); bend != bends.end() && *bend < along[i + 1]; ++bend)
       here.push_back({a + (b - a) * ((*bend - along[i]) / (along[i + 1] - along[i])), halves_at(*bend)});
@@ -115,7 +116,8 @@ Stations stations_along(const Road& road, HalvesAt halves_at) {
 
 std::vector<Ring> stroke(const Strip& strip, const StripEnds& ends) {
   assert(strip.axis.size() >= 2);
-  std::vector<Ring> rings = stroke_along(strip.axis, stations_of(strip.axis, {strip.left_m, strip.right_m}), ends);
+  std::vector<Ring> rings =
+      stroke_along(strip.axis, strip_stations_of(strip.axis, {strip.left_m, strip.right_m}), ends);
   if (!ends.has_round_ends) return rings;
   for (const Vec2 end : {strip.axis.front(), strip.axis.back()})
     push_if_area(rings, disk(end, (strip.left_m + strip.right_m) / 2));

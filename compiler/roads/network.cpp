@@ -8,34 +8,34 @@ namespace citykiln::roads {
 namespace {
 
 // One vertex of a road. Sorting groups the vertices that share a position within a family.
-struct Passing {
+struct RoadVertex {
   Vec2 at;
   Family family;
   std::uint32_t road, vertex;
-  auto operator<=>(const Passing&) const = default;
+  auto operator<=>(const RoadVertex&) const = default;
 };
 
-std::vector<Passing> passings_of(std::span<const Road> roads) {
-  std::vector<Passing> passings;
+std::vector<RoadVertex> road_vertices_of(std::span<const Road> roads) {
+  std::vector<RoadVertex> road_vertices;
   for (std::uint32_t road = 0; road < roads.size(); ++road) {
     const Family family = family_of(roads[road].surface);
     for (std::uint32_t vertex = 0; vertex < roads[road].axis.size(); ++vertex)
-      passings.push_back({roads[road].axis[vertex], family, road, vertex});
+      road_vertices.push_back({roads[road].axis[vertex], family, road, vertex});
   }
-  std::sort(passings.begin(), passings.end());
-  return passings;
+  std::sort(road_vertices.begin(), road_vertices.end());
+  return road_vertices;
 }
 
 // Calls visit(vertex, arms) for each position at which roads of one family have a vertex.
 template <typename Visit>
 void for_each_place(std::span<const Road> roads, Visit visit) {
-  const std::vector<Passing> passings = passings_of(roads);
+  const std::vector<RoadVertex> road_vertices = road_vertices_of(roads);
   std::vector<Arm> arms;
-  for (std::size_t i = 0; i < passings.size();) {
+  for (std::size_t i = 0; i < road_vertices.size();) {
     arms.clear();
-    const Passing& here = passings[i];
-    for (; i < passings.size() && passings[i].at == here.at && passings[i].family == here.family; ++i)
-      append_arms(roads, passings[i].road, passings[i].vertex, arms);
+    const RoadVertex& here = road_vertices[i];
+    for (; i < road_vertices.size() && road_vertices[i].at == here.at && road_vertices[i].family == here.family; ++i)
+      append_arms(roads, road_vertices[i].road, road_vertices[i].vertex, arms);
     visit(here, arms);
   }
 }
@@ -115,7 +115,7 @@ double arm_right_m(std::span<const Road> roads, const Arm& arm) {
 
 std::vector<Node> find_nodes(std::span<const Road> roads) {
   std::vector<Node> nodes;
-  for_each_place(roads, [&](const Passing& here, const std::vector<Arm>& arms) {
+  for_each_place(roads, [&](const RoadVertex& here, const std::vector<Arm>& arms) {
     if (here.family != Family::kOther && is_node(roads, arms, here.family))
       nodes.push_back({here.at, here.family, arms});
   });
@@ -124,7 +124,7 @@ std::vector<Node> find_nodes(std::span<const Road> roads) {
 
 std::vector<StripEnds> ends_of(std::span<const Road> roads) {
   std::vector<StripEnds> ends(roads.size());
-  for_each_place(roads, [&](const Passing&, const std::vector<Arm>& arms) {
+  for_each_place(roads, [&](const RoadVertex&, const std::vector<Arm>& arms) {
     if (arms.size() != 2) return;
     for (const auto& [arm, other] : {std::pair(arms[0], arms[1]), std::pair(arms[1], arms[0])}) {
       const Polyline& axis = roads[arm.road].axis;
@@ -138,7 +138,7 @@ std::vector<StripEnds> ends_of(std::span<const Road> roads) {
 
 std::vector<Joint> joints_of(std::span<const Road> roads) {
   std::vector<Joint> joints;
-  for_each_place(roads, [&](const Passing& here, const std::vector<Arm>& arms) {
+  for_each_place(roads, [&](const RoadVertex& here, const std::vector<Arm>& arms) {
     if (here.family == Family::kOther || arms.size() != 2 || !go_on(roads, arms[0], arms[1])) return;
     if (arms[0].road != arms[1].road || arms[0].vertex != arms[1].vertex) joints.push_back({arms[0], arms[1]});
   });

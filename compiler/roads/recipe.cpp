@@ -20,7 +20,7 @@ double outer_width_m(Lanes&& lanes, IsOutside is_outside) {
   return width;
 }
 
-bool is_any(const map::Lane&) { return true; }
+bool is_any_lane(const map::Lane&) { return true; }
 bool is_verge(const map::Lane& lane) { return lane.kind == map::LaneKind::kVerge; }
 
 auto from_the_right(const Road& road) { return std::views::reverse(road.section.lanes); }
@@ -30,8 +30,8 @@ auto from_the_right(const Road& road) { return std::views::reverse(road.section.
 double left_m(const Road& road) { return road.section.axis_offset_m; }
 double right_m(const Road& road) { return map::carriageway_width_m(road.section) - road.section.axis_offset_m; }
 
-double raised_left_m(const Road& road) { return outer_width_m(road.section.lanes, is_any); }
-double raised_right_m(const Road& road) { return outer_width_m(from_the_right(road), is_any); }
+double raised_left_m(const Road& road) { return outer_width_m(road.section.lanes, is_any_lane); }
+double raised_right_m(const Road& road) { return outer_width_m(from_the_right(road), is_any_lane); }
 
 double paved_left_m(const Road& road) { return raised_left_m(road) - outer_width_m(road.section.lanes, is_verge); }
 double paved_right_m(const Road& road) { return raised_right_m(road) - outer_width_m(from_the_right(road), is_verge); }

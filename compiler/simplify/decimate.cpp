@@ -242,8 +242,8 @@ struct Measured {
 };
 
 // Adds the distance of one label.
-void measure(const Labelled& before, const Labelled& after, double tolerance_m, const BoundOptions& options,
-             Measured& measured) {
+void measure_label(const Labelled& before, const Labelled& after, double tolerance_m, const BoundOptions& options,
+                   Measured& measured) {
   const TriangleTree source(before.corners), made(after.corners);
   for (std::size_t i = 0; i < before.corners.size(); ++i) {
     const double away_m = distance_bound_m(std::span(&before.corners[i], 1), made, options);
@@ -262,7 +262,7 @@ Measured measured(const LabelledMesh& source, const DecimatedMesh& made, double 
   ByLabel after = by_label(source.positions, made.triangles, made.labels);
   Measured all;
   for (const auto& [label, before] : by_label(source.positions, source.triangles, source.labels))
-    measure(before, after[label], tolerance_m, options, all);
+    measure_label(before, after[label], tolerance_m, options, all);
   return all;
 }
 

@@ -24,7 +24,7 @@ std::array<Corners, 2> halved(const Corners& t) {
   return {{{t.a, t.b, (t.c + t.a) * 0.5}, {(t.c + t.a) * 0.5, t.b, t.c}}};
 }
 
-void measure(Search& search, const Corners& t, std::uint32_t guess) {
+void measure_triangle(Search& search, const Corners& t, std::uint32_t guess) {
   const Vec3 middle = (t.a + t.b + t.c) * (1.0 / 3);
   const auto [away_m, nearest] = search.to.nearest(middle, guess);
   if (away_m > search.options.most_m) {
@@ -43,7 +43,7 @@ void measure(Search& search, const Corners& t, std::uint32_t guess) {
     return;
   }
   for (const Corners& half : halved(t))
-    if (!search.is_over) measure(search, half, nearest);
+    if (!search.is_over) measure_triangle(search, half, nearest);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ DistanceBound distance_bound(std::span<const Corners> from, const TriangleTree& 
   if (from.empty()) return search.bound;
   if (to.is_empty()) return {std::numeric_limits<double>::infinity(), from.front().a};
   for (const Corners& t : from)
-    if (!search.is_over) measure(search, t, 0);
+    if (!search.is_over) measure_triangle(search, t, 0);
   search.bound.distance_m += kRounding_m;
   return search.bound;
 }

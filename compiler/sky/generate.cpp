@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "compiler/geometry/trig.h"
 
 namespace citykiln::sky {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kUnit_kcd_m2 = kUnitLuminance_cd_m2 / 1000;
 
 // Illuminance of the sun outside of the atmosphere, to which domes are relative.

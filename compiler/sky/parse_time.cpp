@@ -71,7 +71,7 @@ std::optional<Fields> read_fields(const std::string& text) {
   return cursor.is_right() && cursor.is_at_end() ? std::optional(f) : std::nullopt;
 }
 
-std::string text_of(std::chrono::sys_seconds moment) {
+std::string moment_text(std::chrono::sys_seconds moment) {
   const auto day = std::chrono::floor<std::chrono::days>(moment);
   const std::chrono::year_month_day date(day);
   const std::chrono::hh_mm_ss time(moment - day);
@@ -101,7 +101,7 @@ Result<Moment> parse_time(const std::string& text) {
   if (year < std::chrono::year(0) || year > std::chrono::year(9999))
     return Error{text, "expected a moment in the years 0 to 9999, in UTC"};
   const double days = static_cast<double>(moment.time_since_epoch().count()) / 86400 + kUnixEpoch - kJ2000;
-  return Moment{f->offset_min == 0 ? text : text_of(moment), days};
+  return Moment{f->offset_min == 0 ? text : moment_text(moment), days};
 }
 
 }  // namespace citykiln::sky

@@ -60,7 +60,7 @@ double twilight(double cos_zenith) {
 }
 
 // Converts chromaticity and luminance (kcd/m²) to linear RGB, kcd/m².
-Rgb rgb_of(double x, double y, double luminance) {
+Rgb rgb_of_chromaticity(double x, double y, double luminance) {
   Rgb rgb = rgb_of_xyz({x / y * luminance, luminance, (1 - x - y) / y * luminance});
   for (double& c : rgb) c = std::max(0.0, c * kMeasuredShare);
   return rgb;
@@ -86,7 +86,7 @@ Rgb radiance(const PreethamSky& sky, Vec3 direction) {
   const double cos_zenith = std::max(direction.z, kMinCosZenith), cos_sun = dot(direction, sky.to_sun);
   std::array<double, 3> yxy{};
   for (int row = 0; row < 3; ++row) yxy[row] = sky.zenith[row] * perez(sky.coefficients[row], cos_zenith, cos_sun);
-  return rgb_of(yxy[1], yxy[2], std::max(0.0, yxy[0]));
+  return rgb_of_chromaticity(yxy[1], yxy[2], std::max(0.0, yxy[0]));
 }
 
 }  // namespace citykiln::sky

@@ -19,8 +19,8 @@ namespace citykiln::source {
 namespace {
 
 // candidates per task: enough to hide the cost of scheduling; relations take longer and vary more
-constexpr std::size_t kWaysPerSlot = 256;
-constexpr std::size_t kRelationsPerSlot = 1;
+constexpr std::size_t kAreaWaysPerSlot = 256;
+constexpr std::size_t kAreaRelationsPerSlot = 1;
 
 struct Candidate {
   const osmium::Way* way = nullptr;
@@ -32,7 +32,7 @@ struct Slot : AssembledAreas {
   std::vector<OsmId> broken;
 };
 
-OsmId id_of(const Candidate& candidate) {
+OsmId id_of_candidate(const Candidate& candidate) {
   return candidate.way ? OsmId{OsmType::kWay, candidate.way->id()}
                        : OsmId{OsmType::kRelation, candidate.relation->id()};
 }
@@ -103,7 +103,7 @@ struct Members {
   bool is_complete = true;
 };
 
-const osmium::Way* find_way(const Elements& elements, std::int64_t id) {
+const osmium::Way* find_osmium_way(const Elements& elements, std::int64_t id) {
   const auto found = std::lower_bound(elements.ways.begin(), elements.ways.end(), id,
                                       [](const osmium::Way* way, std::int64_t wanted) { return way->id() < wanted; });
   return found != elements.ways.end() && (*found)->id() == id ? *found : nullptr;
@@ -117,7 +117,7 @@ const osmium::Relation& without_absent(const osmium::Relation& relation, const E
     builder.set_id(relation.id());
     osmium::builder::RelationMemberListBuilder members(builder);
     for (const osmium::RelationMember& member : relation.members()) {
-      if (member.type() != osmium::item_type::way || !find_way(elements, member.ref())) continue;
+      if (member.type() != osmium::item_type::way || !find_osmium_way(elements, member.ref())) continue;
       members.add_member(member.type(), member.ref(), member.role());
     }
   }
@@ -129,7 +129,7 @@ Members find_members(const osmium::Relation& relation, const Elements& elements,
   members.relation = &relation;
   for (const osmium::RelationMember& member : relation.members()) {
     if (member.type() != osmium::item_type::way) continue;
-    const osmium::Way* way = find_way(elements, member.ref());
+    const osmium::Way* way = find_osmium_way(elements, member.ref());
     if (way) members.ways.push_back(way);
     if (!way) members.is_complete = false;
   }
@@ -154,7 +154,7 @@ std::set<Segment> segments_of_inner_members(const Members& members) {
   return segments;
 }
 
-Location location_of(const osmium::NodeRef& node_ref) { return {node_ref.location().x(), node_ref.location().y()}; }
+Location location_of_ref(const osmium::NodeRef& node_ref) { return {node_ref.location().x(), node_ref.location().y()}; }
 
 // The orientation at the westernmost point of a simple ring. Exact: longitudes differ by less than 2^32 and latitudes
 // by less than 2^31, so the products stay below 2^63.
@@ -165,9 +165,9 @@ bool is_counter_clockwise(std::span<const Location> ring) {
   return dx1 * dy2 > dy1 * dx2;
 }
 
-void add_ring(const osmium::NodeRefList& nodes, std::uint32_t part, bool is_outer, Slot& slot) {
+void add_area_ring(const osmium::NodeRefList& nodes, std::uint32_t part, bool is_outer, Slot& slot) {
   AreaRing ring{{static_cast<std::uint32_t>(slot.ring_points.size()), 0}, part, is_outer};
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) slot.ring_points.push_back(location_of(nodes[i]));
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) slot.ring_points.push_back(location_of_ref(nodes[i]));
   ring.points.count = static_cast<std::uint32_t>(slot.ring_points.size()) - ring.points.first;
   const auto begin = slot.ring_points.begin() + ring.points.first;
   std::rotate(begin, std::min_element(begin, slot.ring_points.end()), slot.ring_points.end());
@@ -188,8 +188,8 @@ bool add_area(const osmium::Area& assembled, OsmId from, const std::set<Segment>
   std::uint32_t part = 0;
   for (const osmium::OuterRing& outer : assembled.outer_rings()) {
     if (is_made_of(outer, not_outer)) continue;
-    add_ring(outer, part, true, slot);
-    for (const osmium::InnerRing& inner : assembled.inner_rings(outer)) add_ring(inner, part, false, slot);
+    add_area_ring(outer, part, true, slot);
+    for (const osmium::InnerRing& inner : assembled.inner_rings(outer)) add_area_ring(inner, part, false, slot);
     ++part;
   }
   area.rings.count = static_cast<std::uint32_t>(slot.rings.size()) - area.rings.first;
@@ -230,12 +230,12 @@ Slot assemble_slot(std::span<const Candidate> candidates, const Elements& elemen
   Slot slot;
   Workspace space;
   for (const Candidate& candidate : candidates) {
-    if (!assemble(candidate, elements, space, slot)) slot.broken.push_back(id_of(candidate));
+    if (!assemble(candidate, elements, space, slot)) slot.broken.push_back(id_of_candidate(candidate));
   }
   return slot;
 }
 
-void append(const Slot& slot, AssembledAreas& all) {
+void append_slot(const Slot& slot, AssembledAreas& all) {
   const auto first_ring = static_cast<std::uint32_t>(all.rings.size());
   const auto first_point = static_cast<std::uint32_t>(all.ring_points.size());
   for (Area area : slot.areas) {
@@ -265,7 +265,8 @@ Candidates find_candidates(const Elements& elements) {
 }
 
 // Cuts the candidates into spans of at most `size`.
-void cut(const std::vector<Candidate>& candidates, std::size_t size, std::vector<std::span<const Candidate>>& pieces) {
+void cut_into_spans(const std::vector<Candidate>& candidates, std::size_t size,
+                    std::vector<std::span<const Candidate>>& pieces) {
   for (std::size_t first = 0; first < candidates.size(); first += size) {
     pieces.push_back(std::span(candidates).subspan(first, std::min(size, candidates.size() - first)));
   }
@@ -285,18 +286,18 @@ AssembledAreas assemble_areas(const Elements& elements, int threads, Report& rep
   const Candidates candidates = find_candidates(elements);
   // relations first, because one relation can take as long as all ways together
   std::vector<std::span<const Candidate>> pieces;
-  cut(candidates.relations, kRelationsPerSlot, pieces);
+  cut_into_spans(candidates.relations, kAreaRelationsPerSlot, pieces);
   const std::size_t relation_slots = pieces.size();
-  cut(candidates.ways, kWaysPerSlot, pieces);
+  cut_into_spans(candidates.ways, kAreaWaysPerSlot, pieces);
   std::vector<Slot> slots =
       for_each_slot<Slot>(pieces.size(), threads, [&](std::size_t i) { return assemble_slot(pieces[i], elements); });
 
   Account& account = report.account("source", "area");
   for (const std::vector<Candidate>* kind : {&candidates.ways, &candidates.relations})
-    for (const Candidate& candidate : *kind) account.in += report.counts(id_of(candidate));
+    for (const Candidate& candidate : *kind) account.in += report.counts(id_of_candidate(candidate));
   std::rotate(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(relation_slots), slots.end());
   for (const Slot& slot : slots) {
-    append(slot, all);
+    append_slot(slot, all);
     for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
   }
   for (const Area& area : all.areas) account.out += report.counts(area.from);

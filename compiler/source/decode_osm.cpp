@@ -33,7 +33,7 @@ const char* osmium_name(OsmFormat format) {
   return "";
 }
 
-std::optional<LonLatBox> box_of(const osmium::io::Header& header) {
+std::optional<LonLatBox> box_of_header(const osmium::io::Header& header) {
   const osmium::Box box = header.joined_boxes();
   if (!box.valid()) return std::nullopt;
   return LonLatBox{box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(), box.top_right().lat()};
@@ -47,14 +47,14 @@ bool has_places_in_ways(const osmium::io::Header& header) {
   }
 }
 
-DecodedOsm decode(const std::string& path, OsmFormat format, int threads) {
+DecodedOsm decode_file(const std::string& path, OsmFormat format, int threads) {
   // an absolute path, since libosmium would pass a name like http:x to curl
   const osmium::io::File file(std::filesystem::absolute(path).string(), osmium_name(format));
   osmium::thread::Pool pool(threads > 0 ? threads
                                         : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   osmium::io::Reader reader(file, osmium::osm_entity_bits::nwr, pool);
   DecodedOsm decoded;
-  decoded.header_box = box_of(reader.header());
+  decoded.header_box = box_of_header(reader.header());
   decoded.has_places_in_ways = has_places_in_ways(reader.header());
   while (osmium::memory::Buffer buffer = reader.read()) decoded.buffers.push_back(std::move(buffer));
   reader.close();
@@ -67,7 +67,7 @@ Result<DecodedOsm> decode_osm(const std::string& path, int threads) {
   const Result<OsmFormat> format = osm_format_of(path);
   if (!format) return format.error();
   try {
-    return decode(path, *format, threads);
+    return decode_file(path, *format, threads);
   } catch (const osmium::xml_error& error) {
     if (error.line == 0) return Error{path, error.error_string};
     return Error{fmt::format("{}:{}:{}", path, error.line, error.column + 1), "malformed XML: " + error.error_string};

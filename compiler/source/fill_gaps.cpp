@@ -7,12 +7,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace citykiln::source {
 namespace {
 
-constexpr double kVoid = std::numeric_limits<double>::quiet_NaN();
 // one sweep smooths errors with wavelengths of a sample or two, which the next coarser grid cannot represent
 constexpr int kSweeps = 2;
 // Cycles end when every sample is within the height quantum of the mean of its neighbours, or after kMaxCycles. One

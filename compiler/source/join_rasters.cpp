@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "compiler/source/raster_system.h"
@@ -11,7 +10,6 @@
 namespace citykiln::source {
 namespace {
 
-constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 // in samples: far below what changes a height, far above what is lost when a file stores its origin in decimals
 constexpr double kSamePlace = 1e-4;
 
@@ -78,7 +76,7 @@ void copy_into(const Raster& source, const Extent& extent, const Extent& whole, 
 
 /// Sets the place of the north-western sample: copied from the part that begins there, which rounds nothing, else
 /// computed.
-void place(const Raster& a, const Raster& b, const Extent& of_b, const Extent& whole, Raster& joined) {
+void place_joined(const Raster& a, const Raster& b, const Extent& of_b, const Extent& whole, Raster& joined) {
   const bool is_a_first = whole.west == 0 && whole.north == 0;
   const bool is_b_first = whole.west == of_b.west && whole.north == of_b.north;
   joined.from_grid = is_a_first || !is_b_first ? a.from_grid : b.from_grid;
@@ -96,7 +94,7 @@ std::optional<Raster> joined(const Raster& a, const Raster& b) {
   const Extent whole = around(of_a, *of_b);
   Raster both{a.file_name,  a.credit, whole.east - whole.west,       whole.south - whole.north, {}, {},
               a.system_wkt, {},       around(a.file_box, b.file_box)};
-  place(a, b, *of_b, whole, both);
+  place_joined(a, b, *of_b, whole, both);
   both.heights_m.assign(static_cast<std::size_t>(both.columns) * both.rows, kVoid);
   copy_into(a, of_a, whole, both);
   copy_into(b, *of_b, whole, both);

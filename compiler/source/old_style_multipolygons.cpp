@@ -61,7 +61,7 @@ std::vector<TagText> common_description(const OsmData& data, const std::vector<c
 }
 
 // Replaces the area's tags by its own and `more`.
-void add_tags(OsmData& data, Area& area, const std::vector<TagText>& more) {
+void add_area_tags(OsmData& data, Area& area, const std::vector<TagText>& more) {
   const auto first = static_cast<std::uint32_t>(data.tags.size());
   for (std::uint32_t i = 0; i < area.tags.count; ++i) data.tags.push_back(Tag(data.tags[area.tags.first + i]));
   for (const auto& [key, value] : more) data.tags.push_back({key, value});
@@ -77,7 +77,7 @@ void merge(OsmData& data, Area& area, const Relation& relation, std::set<std::in
   if (description.empty()) {
     description = common_description(data, ways.outer);
     if (description.empty()) return;
-    add_tags(data, area, description);
+    add_area_tags(data, area, description);
     for (const Way* way : ways.outer) {
       if (description_of(data, way->tags) == description) merged_ways.insert(way->id);
     }

@@ -10,9 +10,9 @@ namespace citykiln::source {
 namespace {
 
 // ways per task: enough to hide the cost of scheduling
-constexpr std::size_t kWaysPerSlot = 512;
+constexpr std::size_t kLocatedWaysPerSlot = 512;
 
-OsmId id_of(const osmium::OSMObject& object) {
+OsmId id_of_element(const osmium::OSMObject& object) {
   const OsmType type = object.type() == osmium::item_type::node  ? OsmType::kNode
                        : object.type() == osmium::item_type::way ? OsmType::kWay
                                                                  : OsmType::kRelation;
@@ -38,7 +38,7 @@ void keep_one_each(std::vector<Pointer>& elements, Account& account, Report& rep
   std::sort(elements.begin(), elements.end(), is_before);
   const auto same_id = [&](Pointer kept, Pointer next) {
     if (kept->id() != next->id()) return false;
-    report.add(Code::kDuplicateElement, id_of(*next));
+    report.add(Code::kDuplicateElement, id_of_element(*next));
     ++account.merged;
     return true;
   };
@@ -49,7 +49,7 @@ template <typename Pointer>
 void drop_deleted(std::vector<Pointer>& elements, Account& account, Report& report) {
   const auto is_deleted = [&](Pointer element) {
     if (!element->deleted()) return false;
-    report.drop(account, Code::kDeletedElement, id_of(*element));
+    report.drop(account, Code::kDeletedElement, id_of_element(*element));
     return true;
   };
   elements.erase(std::remove_if(elements.begin(), elements.end(), is_deleted), elements.end());
@@ -58,7 +58,7 @@ void drop_deleted(std::vector<Pointer>& elements, Account& account, Report& repo
 void drop_nodes_without_place(std::vector<const osmium::Node*>& nodes, Account& account, Report& report) {
   const auto has_no_place = [&](const osmium::Node* node) {
     if (node->location().valid()) return false;
-    report.drop(account, Code::kNodeWithoutPlace, id_of(*node));
+    report.drop(account, Code::kNodeWithoutPlace, id_of_element(*node));
     return true;
   };
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), has_no_place), nodes.end());
@@ -97,7 +97,7 @@ Collected collect(osmium::memory::Buffer& buffer) {
 }
 
 template <typename Pointer>
-void append(const std::vector<Pointer>& more, std::vector<Pointer>& all) {
+void append_pointers(const std::vector<Pointer>& more, std::vector<Pointer>& all) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
@@ -106,9 +106,9 @@ Collected join(const std::vector<Collected>& parts) {
   Collected all;
   for (const Collected& part : parts) {
     if (!part.first) continue;
-    append(part.elements.nodes, all.elements.nodes);
-    append(part.elements.ways, all.elements.ways);
-    append(part.elements.relations, all.elements.relations);
+    append_pointers(part.elements.nodes, all.elements.nodes);
+    append_pointers(part.elements.ways, all.elements.ways);
+    append_pointers(part.elements.relations, all.elements.relations);
     all.is_sorted &= part.is_sorted && !(all.last && is_out_of_order(*all.last, *part.first));
     all.has_losses |= part.has_losses;
     all.last = part.last;
@@ -171,10 +171,10 @@ Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, int thread
 
 void locate_way_nodes(const Elements& elements, int threads) {
   const NodePlaces nodes = places_of(elements.nodes);
-  const std::size_t slots = (elements.ways.size() + kWaysPerSlot - 1) / kWaysPerSlot;
+  const std::size_t slots = (elements.ways.size() + kLocatedWaysPerSlot - 1) / kLocatedWaysPerSlot;
   for_each_index(slots, threads, [&](std::size_t slot) {
-    const std::size_t end = std::min(elements.ways.size(), (slot + 1) * kWaysPerSlot);
-    for (std::size_t i = slot * kWaysPerSlot; i < end; ++i) locate(*elements.ways[i], nodes);
+    const std::size_t end = std::min(elements.ways.size(), (slot + 1) * kLocatedWaysPerSlot);
+    for (std::size_t i = slot * kLocatedWaysPerSlot; i < end; ++i) locate(*elements.ways[i], nodes);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,10 @@ struct RasterSpec {
   std::string credit;                          ///< Added to the attribution of all outputs.
 };
 
-/// Heights in metres at the nodes of a grid. Row 0 is the northernmost. Voids are NaN.
+/// A sample without a height.
+inline constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
+
+/// Heights in metres at the nodes of a grid. Row 0 is the northernmost. Voids are NaN (kVoid).
 struct Raster {
   std::string file_name;
   std::string credit;

@@ -13,7 +13,6 @@
 namespace citykiln::source {
 namespace {
 
-constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 // SRTM's value for voids, used even where the file declares none
 constexpr double kSrtmVoid = -32768;
 // larger values are heights in no unit: they are undeclared nodata values
@@ -73,7 +72,7 @@ Result<std::vector<float>> read_plain(GDALDataset& dataset, const PixelWindow& w
   return heights_m;
 }
 
-double decode(const std::string& encoding, double red, double green, double blue) {
+double decode_height(const std::string& encoding, double red, double green, double blue) {
   if (encoding == "terrarium") return 256 * red + green + blue / 256 - 32768;
   return -10000 + 0.1 * (65536 * red + 256 * green + blue);
 }
@@ -90,7 +89,7 @@ Result<std::vector<float>> read_coloured(GDALDataset& dataset, const PixelWindow
   heights_m.reserve(red.size());
   for (std::size_t i = 0; i < red.size(); ++i) {
     const bool is_transparent = !alpha.empty() && alpha[i] == 0;
-    const double height_m = spec.scale * decode(spec.encoding, red[i], green[i], blue[i]) + spec.offset_m;
+    const double height_m = spec.scale * decode_height(spec.encoding, red[i], green[i], blue[i]) + spec.offset_m;
     heights_m.push_back(is_transparent ? kVoid : static_cast<float>(height_m));
   }
   return heights_m;

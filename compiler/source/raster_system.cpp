@@ -50,7 +50,7 @@ struct Place {
   double x = 0, y = 0;
 };
 
-Place place_of(const Raster& raster, double column, double row) {
+Place place_of_sample(const Raster& raster, double column, double row) {
   const std::array<double, 6>& a = raster.from_grid;
   return {a[0] + a[1] * column + a[2] * row, a[3] + a[4] * column + a[5] * row};
 }
@@ -95,8 +95,8 @@ std::string web_mercator_wkt() {
 Vec2 spacing_m_of(const Raster& raster) {
   const QuietGdal quiet;
   const double column = (raster.columns - 1) / 2.0, row = (raster.rows - 1) / 2.0;
-  std::array<Place, 3> places = {place_of(raster, column, row), place_of(raster, column + 1, row),
-                                 place_of(raster, column, row + 1)};
+  std::array<Place, 3> places = {place_of_sample(raster, column, row), place_of_sample(raster, column + 1, row),
+                                 place_of_sample(raster, column, row + 1)};
   if (!raster.system_wkt.empty()) {
     const Transform transform = to_wgs84(raster.system_wkt);
     for (Place& place : places) {
@@ -112,7 +112,7 @@ LonLatBox lonlat_box_of(const Raster& raster) {
   LonLatBox box{180, 90, -180, -90};
   for (const double across : {0.0, 0.5, 1.0})
     for (const double down : {0.0, 0.5, 1.0}) {
-      Place place = place_of(raster, (raster.columns - 1) * across, (raster.rows - 1) * down);
+      Place place = place_of_sample(raster, (raster.columns - 1) * across, (raster.rows - 1) * down);
       if (!raster.system_wkt.empty() && (!transform || !transform->Transform(1, &place.x, &place.y))) continue;
       box = {std::min(box.west, place.x), std::min(box.south, place.y), std::max(box.east, place.x),
              std::max(box.north, place.y)};

@@ -19,14 +19,14 @@ std::uint32_t size_of(const auto& vector) { return static_cast<std::uint32_t>(ve
 
 Location location_of(osmium::Location place) { return {place.x(), place.y()}; }
 
-Range add_tags(const osmium::TagList& tags, UniqueStrings& strings, OsmData& data) {
+Range add_element_tags(const osmium::TagList& tags, UniqueStrings& strings, OsmData& data) {
   const Range run{size_of(data.tags), static_cast<std::uint32_t>(tags.size())};
   for (const osmium::Tag& tag : tags)
     data.tags.push_back({strings.number_of(tag.key()), strings.number_of(tag.value())});
   return run;
 }
 
-LonLatBox box_of(const std::vector<const osmium::Node*>& nodes) {
+LonLatBox box_of_nodes(const std::vector<const osmium::Node*>& nodes) {
   if (nodes.empty()) return {};
   Location low = location_of(nodes.front()->location()), high = low;
   for (const osmium::Node* node : nodes) {
@@ -38,10 +38,10 @@ LonLatBox box_of(const std::vector<const osmium::Node*>& nodes) {
 }
 
 void add_nodes(const Elements& elements, PendingElements& pending, UniqueStrings& strings, OsmData& data) {
-  data.node_box = box_of(elements.nodes);
+  data.node_box = box_of_nodes(elements.nodes);
   for (const osmium::Node* node : elements.nodes) {
     if (!node->tags().empty())
-      data.nodes.push_back({node->id(), location_of(node->location()), add_tags(node->tags(), strings, data)});
+      data.nodes.push_back({node->id(), location_of(node->location()), add_element_tags(node->tags(), strings, data)});
     pending.done(*node);
   }
 }
@@ -59,7 +59,7 @@ void add_way(const osmium::Way& way, UniqueStrings& strings, OsmData& data, Repo
     report.drop(report.account("source", "way"), Code::kWayTooShort, {OsmType::kWay, way.id()});
     return;
   }
-  data.ways.push_back({way.id(), nodes, add_tags(way.tags(), strings, data)});
+  data.ways.push_back({way.id(), nodes, add_element_tags(way.tags(), strings, data)});
 }
 
 void add_ways(const Elements& elements, PendingElements& pending, UniqueStrings& strings, OsmData& data,
@@ -89,7 +89,7 @@ bool contains(const Elements& elements, OsmId id) {
   return contains(elements.relations, id.id);
 }
 
-OsmId id_of(const osmium::RelationMember& member) {
+OsmId id_of_member(const osmium::RelationMember& member) {
   const OsmType type = member.type() == osmium::item_type::node  ? OsmType::kNode
                        : member.type() == osmium::item_type::way ? OsmType::kWay
                                                                  : OsmType::kRelation;
@@ -107,11 +107,11 @@ void add_relations(const Elements& elements, bool has_nodes, UniqueStrings& stri
     Range members{size_of(data.members), static_cast<std::uint32_t>(relation->members().size())};
     std::size_t missing = 0;
     for (const osmium::RelationMember& member : relation->members()) {
-      data.members.push_back({id_of(member), strings.number_of(member.role())});
-      if (has_nodes || member.type() == osmium::item_type::way) missing += !contains(elements, id_of(member));
+      data.members.push_back({id_of_member(member), strings.number_of(member.role())});
+      if (has_nodes || member.type() == osmium::item_type::way) missing += !contains(elements, id_of_member(member));
     }
     if (missing > 0) report.add(Code::kMissingMember, id, static_cast<double>(missing));
-    data.relations.push_back({relation->id(), members, add_tags(relation->tags(), strings, data)});
+    data.relations.push_back({relation->id(), members, add_element_tags(relation->tags(), strings, data)});
   }
   for (const Relation& relation : data.relations) account.out += report.counts({OsmType::kRelation, relation.id});
 }

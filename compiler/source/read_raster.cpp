@@ -101,7 +101,7 @@ bool lies_on_earth(const Raster& raster) {
 }
 
 // Locates the samples by the user's settings, else by the file.
-std::optional<Error> place(GDALDataset& dataset, const RasterSpec& spec, Raster& raster) {
+std::optional<Error> locate_samples(GDALDataset& dataset, const RasterSpec& spec, Raster& raster) {
   if (spec.tile_zxy) {
     place_as_tile(*spec.tile_zxy, raster);
     return std::nullopt;
@@ -137,7 +137,7 @@ void put_north_first(Raster& raster) {
   a = {a[0] + a[2] * (raster.rows - 1), a[1], -a[2], a[3] + a[5] * (raster.rows - 1), a[4], -a[5]};
 }
 
-void cut(const PixelWindow& window, Raster& raster) {
+void cut_to_window(const PixelWindow& window, Raster& raster) {
   std::array<double, 6>& a = raster.from_grid;
   a[0] += a[1] * window.column + a[2] * window.row;
   a[3] += a[4] * window.column + a[5] * window.row;
@@ -154,7 +154,7 @@ Result<Raster> read(const RasterSpec& spec, const LonLatBox* box, double spacing
   raster.credit = spec.credit;
   raster.columns = (*dataset)->GetRasterXSize();
   raster.rows = (*dataset)->GetRasterYSize();
-  if (const std::optional<Error> error = place(**dataset, spec, raster)) return *error;
+  if (const std::optional<Error> error = locate_samples(**dataset, spec, raster)) return *error;
 
   raster.file_box = lonlat_box_of(raster);
   PixelWindow window{0, 0, raster.columns, raster.rows};
@@ -164,7 +164,7 @@ Result<Raster> read(const RasterSpec& spec, const LonLatBox* box, double spacing
     window = *needed;
   }
   if (spacing_m > 0) raster.spacing_m = spacing_m_of(raster), window = thinned(window, raster, spacing_m);
-  cut(window, raster);
+  cut_to_window(window, raster);
   if (raster.columns == 0) return raster;
   Result<std::vector<float>> heights_m = read_samples(**dataset, window, spec);
   if (!heights_m) return heights_m.error();

@@ -12,7 +12,6 @@
 namespace citykiln::source {
 namespace {
 
-constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 // Chosen on the real heightmaps of the tests: the smallest values that keep every sea stack, river bank and cliff (the
 // worst is 18.5 m on a coast with 20 m samples) and still find clear errors (17 m in a plain with 7 m samples).
 constexpr double kLeast_m = 12, kLeastSlope = 0.5;

@@ -26,7 +26,7 @@ struct Budget {
   }
 };
 
-void add_concrete(Mesh&& mesh, const Span& bridge, GeneratedStructure& generated) {
+void add_bridge_concrete(Mesh&& mesh, const Span& bridge, GeneratedStructure& generated) {
   if (mesh.triangles.empty()) return;
   generated.meshes.push_back({std::move(mesh), materials::Material::kConcrete, materials::kNoTint, bridge.id.osm});
 }
@@ -58,7 +58,7 @@ void add_supports(const Span& bridge, std::span<const Rib> ribs, const DeckDimen
   const bool has_abutments = budget.keeps(kAbutment_m);
   if (has_abutments && is_on_ground(bridge.from)) add_abutment(ribs, shape, true, mesh);
   if (has_abutments && is_on_ground(bridge.to)) add_abutment(ribs, shape, false, mesh);
-  add_concrete(std::move(mesh), bridge, generated);
+  add_bridge_concrete(std::move(mesh), bridge, generated);
 }
 
 DeckDetail detail_of(const DeckDimensions& shape, double tolerance_m, Budget& budget) {

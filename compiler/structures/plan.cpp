@@ -19,7 +19,7 @@ Span span_of(const map::Track& track, const Profile& profile, const SpanEnds& en
   return span;
 }
 
-void count(Report& report, const char* kind, std::span<const Span> spans) {
+void count_spans(Report& report, const char* kind, std::span<const Span> spans) {
   Account& account = report.account("structures", kind);
   for (const Span& span : spans) account.in += report.counts(span.id.osm), account.out += report.counts(span.id.osm);
 }
@@ -43,8 +43,8 @@ Structures plan(const map::Features& features, std::span<const Profile> off_grou
   }
   std::ranges::sort(structures.bridges, {}, &Span::id);
   std::ranges::sort(structures.tunnels, {}, &Span::id);
-  count(report, "bridge", structures.bridges);
-  count(report, "tunnel", structures.tunnels);
+  count_spans(report, "bridge", structures.bridges);
+  count_spans(report, "tunnel", structures.tunnels);
   return structures;
 }
 

@@ -9,7 +9,7 @@ namespace citykiln::structures {
 namespace {
 
 // Spacing of samples along an edge.
-constexpr double kStep_m = 0.25;
+constexpr double kGapStep_m = 0.25;
 // Adjacent decks keep their parapets: an edge has to lie this far inside the other deck.
 constexpr double kMinOverlap_m = 0.125;
 // Gaps with a shorter parapet between them are merged.
@@ -41,10 +41,10 @@ void add_gap(std::vector<ParapetGap>& gaps, ParapetGap gap) {
 
 std::vector<ParapetGap> gaps_of(const DeckIndex& decks, std::uint32_t own, std::span<const Rib> ribs, double edge_m) {
   std::vector<ParapetGap> gaps;
-  const double first_m = std::ceil(ribs.front().along_m / kStep_m) * kStep_m, last_m = ribs.back().along_m;
-  for (double at_m = first_m; at_m <= last_m; at_m += kStep_m)
+  const double first_m = std::ceil(ribs.front().along_m / kGapStep_m) * kGapStep_m, last_m = ribs.back().along_m;
+  for (double at_m = first_m; at_m <= last_m; at_m += kGapStep_m)
     if (is_on_deck(decks, own, point_on(rib_at(ribs, at_m), edge_m, 0)))
-      add_gap(gaps, {std::max(0.0, at_m - kStep_m), at_m + kStep_m});
+      add_gap(gaps, {std::max(0.0, at_m - kGapStep_m), at_m + kGapStep_m});
   return gaps;
 }
 

@@ -18,11 +18,11 @@ namespace {
 // Bridges up to this length have no piers; longer ones have bays between the other two lengths.
 constexpr double kMaxUnsupported_m = 30, kMinBay_m = 20, kMaxBay_m = 40;
 // Piers are at least this far from each other, also from those of joined bridges.
-constexpr double kMinSpacing_m = 12;
+constexpr double kMinPierSpacing_m = 12;
 // Distance along the axis, and step, of the search for a free position.
-constexpr double kSearch_m = 12, kStep_m = 1;
+constexpr double kSearch_m = 12, kSearchStep_m = 1;
 // Least height of a deck above the ground, and depth of piers below ground and water.
-constexpr double kMinHeight_m = 2, kDepth_m = 0.5, kDepthInWater_m = 2;
+constexpr double kMinHeight_m = 2, kPierDepth_m = 0.5, kDepthInWater_m = 2;
 // Bridges over deeper valleys are suspended or arched.
 constexpr double kMaxHeight_m = 60;
 constexpr double kMaxClear_m = 4;  // at least the largest keep_clear_m()
@@ -103,7 +103,7 @@ struct Placing {
     });
   }
   std::optional<double> nearest_free(double wanted_m, int priority) const {
-    for (double off_m = 0; off_m <= kSearch_m; off_m += kStep_m)
+    for (double off_m = 0; off_m <= kSearch_m; off_m += kSearchStep_m)
       for (const double at_m : {wanted_m - off_m, wanted_m + off_m})
         if (at_m >= ribs.front().along_m && at_m <= ribs.back().along_m && is_free(rib_at(ribs, at_m), priority))
           return at_m;
@@ -115,7 +115,7 @@ struct Placing {
       const ground::Heights heights = ground::heights_at(site.graded, p);
       const double land_m = layer_height_m(heights, ground::HeightLayer::kLand),
                    water_m = layer_height_m(heights, ground::HeightLayer::kWater);
-      lowest_m = std::min(lowest_m, water_m < land_m ? water_m - kDepthInWater_m : land_m - kDepth_m);
+      lowest_m = std::min(lowest_m, water_m < land_m ? water_m - kDepthInWater_m : land_m - kPierDepth_m);
     }
     return std::floor(lowest_m / kFootStep_m) * kFootStep_m;
   }
@@ -147,7 +147,7 @@ std::vector<double> target_positions(const Span& bridge, std::span<const Rib> ri
 
 bool is_taken(std::span<const Placed> placed, Vec2 at, double z_m) {
   return std::ranges::any_of(placed, [&](const Placed& p) {
-    return distance(p.at, at) < kMinSpacing_m && std::abs(p.z_m - z_m) < kMinHeight_m;
+    return distance(p.at, at) < kMinPierSpacing_m && std::abs(p.z_m - z_m) < kMinHeight_m;
   });
 }
 
@@ -161,14 +161,14 @@ Outcome place_one(const Placing& placing, double wanted_m, std::vector<Placed>& 
   const Rib rib = rib_at(placing.ribs, quarters(*found));
   if (is_taken(placed, rib.at, rib.z_m)) return Outcome::kTaken;
   const Pier pier{std::max(0.0, quarters(*found)), placing.foot_m(rib)};
-  if (rib.z_m - pier.foot_m < kMinHeight_m + kDepth_m) return Outcome::kTooLow;
+  if (rib.z_m - pier.foot_m < kMinHeight_m + kPierDepth_m) return Outcome::kTooLow;
   if (rib.z_m - pier.foot_m > kMaxHeight_m) return Outcome::kNoPlace;
   bridge.piers.push_back(pier);
   placed.push_back({rib.at, rib.z_m});
   return Outcome::kPlaced;
 }
 
-void count(Outcome outcome, const Span& bridge, double bay_m, Account& account, Report& report) {
+void count_outcome(Outcome outcome, const Span& bridge, double bay_m, Account& account, Report& report) {
   const bool counts = report.counts(bridge.id.osm);
   account.in += counts;
   if (outcome == Outcome::kNoPlace)
@@ -193,9 +193,10 @@ std::vector<Span> place_piers(std::vector<Span> bridges, const ground::GradedTer
     if (placing.ribs.empty()) continue;
     const std::vector<double> wanted = target_positions(bridge, placing.ribs);
     for (const double wanted_m : wanted)
-      count(place_one(placing, wanted_m, placed, bridge), bridge,
-            2 * (placing.ribs.back().along_m - placing.ribs.front().along_m) / static_cast<double>(wanted.size() + 1),
-            account, report);
+      count_outcome(
+          place_one(placing, wanted_m, placed, bridge), bridge,
+          2 * (placing.ribs.back().along_m - placing.ribs.front().along_m) / static_cast<double>(wanted.size() + 1),
+          account, report);
     std::ranges::sort(bridge.piers, {}, &Pier::at_m);
     erase_repeated(bridge.piers, &Pier::at_m);
   }

@@ -13,7 +13,7 @@ namespace {
 constexpr double kMaxMitre = 2;
 
 // Ribs are at least this far apart: nearer knots of the profile are ignored.
-constexpr double kMinSpacing_m = 0.25;
+constexpr double kMinRibSpacing_m = 0.25;
 
 // The bisector of two directions, scaled to reach the edges of both strips. The same line, bit for bit, if the bend is
 // walked in the opposite direction.
@@ -75,7 +75,7 @@ std::vector<Rib> all_ribs(const Axis& axis) {
     ribs.push_back(axis.at_vertex(i));
     if (i == axis.last()) break;
     for (const Knot& knot : axis.span.profile)
-      if (knot.at_m > axis.along_m[i] + kMinSpacing_m && knot.at_m < axis.along_m[i + 1] - kMinSpacing_m)
+      if (knot.at_m > axis.along_m[i] + kMinRibSpacing_m && knot.at_m < axis.along_m[i + 1] - kMinRibSpacing_m)
         ribs.push_back(axis.within(i, knot.at_m));
   }
   return ribs;
@@ -86,14 +86,14 @@ void cut_ends(const Axis& axis, std::vector<Rib>& ribs) {
   const Span& span = axis.span;
   const double from_m = axis.along_m.front() + span.from.cut_m, to_m = axis.along_m.back() - span.to.cut_m;
   if (span.from.cut_m > 0) {
-    std::erase_if(ribs, [&](const Rib& rib) { return rib.along_m < from_m + kMinSpacing_m; });
+    std::erase_if(ribs, [&](const Rib& rib) { return rib.along_m < from_m + kMinRibSpacing_m; });
     ribs.insert(ribs.begin(), axis.within(axis.segment_at(from_m), from_m));
   }
   if (span.to.cut_m > 0) {
-    std::erase_if(ribs, [&](const Rib& rib) { return rib.along_m > to_m - kMinSpacing_m; });
+    std::erase_if(ribs, [&](const Rib& rib) { return rib.along_m > to_m - kMinRibSpacing_m; });
     ribs.push_back(axis.within(axis.segment_at(to_m), to_m));
   }
-  if (from_m + kMinSpacing_m > to_m) ribs.clear();
+  if (from_m + kMinRibSpacing_m > to_m) ribs.clear();
 }
 
 struct Simplification {

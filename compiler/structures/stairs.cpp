@@ -19,7 +19,7 @@ constexpr double kMinFlight_m = 1.5 * kRiser_m;
 // The ground is sampled at this share of the half width: beside the edge there may be a wall.
 constexpr double kNearEdge = 0.9;
 // How far blocks extend into the ground.
-constexpr double kDepth_m = 0.25;
+constexpr double kBlockDepth_m = 0.25;
 
 // A line across the way.
 struct CrossLine {
@@ -127,7 +127,7 @@ void add_block(const CrossLine& a, const CrossLine& b, double top_m, Stairs& sta
   std::array<Vec2, 4> base = {a.right, b.right, b.left, a.left};
   if (cross(base[2] - base[0], base[3] - base[1]) < 0) std::ranges::reverse(base);
   if (!is_convex(base)) return;
-  add_box(base, low_m - kDepth_m, top_m, stairs.mesh);
+  add_box(base, low_m - kBlockDepth_m, top_m, stairs.mesh);
 }
 
 // A tread from one riser to the next: a block for each straight piece.

@@ -21,7 +21,7 @@ bool is_covered(const Span& tunnel, std::span<const Rib> ribs, double at_m, cons
   return map::height_m_at(heights, rib.at) >= rib.z_m + ground::bore_height_m(tunnel);
 }
 
-void add_concrete(Mesh&& mesh, const Span& tunnel, GeneratedStructure& generated) {
+void add_tunnel_concrete(Mesh&& mesh, const Span& tunnel, GeneratedStructure& generated) {
   generated.meshes.push_back({std::move(mesh), materials::Material::kConcrete, materials::kNoTint, tunnel.id.osm});
 }
 
@@ -87,7 +87,7 @@ GeneratedStructure generate_tunnel(const Span& tunnel, double tolerance_m) {
   Mesh mesh = lining(tunnel, simplified.ribs, road, high_m);
   if (has_frames && is_on_ground(tunnel.from)) add_frame(simplified.ribs.front(), -1, road, high_m, mesh);
   if (has_frames && is_on_ground(tunnel.to)) add_frame(simplified.ribs.back(), 1, road, high_m, mesh);
-  add_concrete(std::move(mesh), tunnel, generated);
+  add_tunnel_concrete(std::move(mesh), tunnel, generated);
   generated.error_m = simplified.error_m + std::max(has_kerbs ? 0 : ground::kKerbRise_m, has_frames ? 0 : kFrameTop_m);
   return generated;
 }

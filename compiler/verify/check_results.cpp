@@ -13,7 +13,7 @@ constexpr Check CheckResults::*kChecks[] = {
 constexpr Check CheckResults::*kUsdChecks[] = {&CheckResults::usd_layers, &CheckResults::usd_same,
                                                &CheckResults::usd_scene};
 
-void add(Check& all, const Check& more) {
+void add_check(Check& all, const Check& more) {
   all.tests += more.tests;
   all.failures.insert(all.failures.end(), more.failures.begin(), more.failures.end());
 }
@@ -29,8 +29,8 @@ std::vector<const Check*> all_of(const CheckResults& results) {
 }
 
 void add(CheckResults& results, const CheckResults& of_tile) {
-  for (const auto claim : kChecks) add(results.*claim, of_tile.*claim);
-  for (const auto claim : kUsdChecks) add(results.*claim, of_tile.*claim);
+  for (const auto claim : kChecks) add_check(results.*claim, of_tile.*claim);
+  for (const auto claim : kUsdChecks) add_check(results.*claim, of_tile.*claim);
   results.reference_errors = combined(results.reference_errors, of_tile.reference_errors);
 }
 

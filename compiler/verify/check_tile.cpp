@@ -140,7 +140,7 @@ void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const std:
        name});
 }
 
-RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, double tolerance_m, const GroundIndex& ground) {
+RoadFaces baked_road_faces(const scene::Chunk& chunk, const Box2& box, double tolerance_m, const GroundIndex& ground) {
   return measure_road_faces(chunk, box, !is_plain(tolerance_m), [&](const roads::Road& road, Vec2 p) {
     const std::vector<GroundHit> places = ground_at(ground, p);
     const bool is_its_own = !places.empty() && places.front().feature == road.id.osm;
@@ -151,7 +151,7 @@ RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, double toler
 // Measures roads, waters and buildings by the triangles of one file.
 void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
   const GroundIndex ground = index_ground(level);
-  const RoadFaces roads = road_faces_of(tile.chunk, tile.box, level.tolerance_m, ground);
+  const RoadFaces roads = baked_road_faces(tile.chunk, tile.box, level.tolerance_m, ground);
   tile.results().roads.test_all(roads.places, roads.largest_gap_m <= level.error_m + kQuantum_m,
                                 {fmt::format("{}: {} m at {}, {} of {}", name, roads.largest_gap_m, roads.at.x,
                                              roads.at.y, to_string(roads.worst)),
@@ -207,8 +207,8 @@ bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t
   return std::ranges::equal(encoded.glb, bytes);
 }
 
-Result<Done> check_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std::size_t level,
-                         const WrittenFile& file) {
+Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std::size_t level,
+                             const WrittenFile& file) {
   const LoadedRun& loaded = tile.loaded;
   const std::string path = loaded.folder + "/" + file.name;
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
@@ -233,7 +233,8 @@ Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenT
   TileUnderCheck tile{loaded,  chunk, scene::box_of(loaded.scene.header, chunk.tile), water_levels_of(chunk),
                       nullptr, {}};
   for (std::size_t i = 0; i < levels.size(); ++i)
-    if (const Result<Done> done = check_level(tile, *recipes->prepared, i, levels[i].file); !done) return done.error();
+    if (const Result<Done> done = check_glb_level(tile, *recipes->prepared, i, levels[i].file); !done)
+      return done.error();
   return std::move(tile.checked);
 }
 

@@ -234,10 +234,6 @@ double vertices_outside_m(const Box12& box, const bake::BakedTile& tile) {
   return farthest_m;
 }
 
-bool is_terrain(const bake::Primitive& p) {
-  return p.layer == bake::Layer::kGround || p.layer == bake::Layer::kRoads || p.layer == bake::Layer::kWater;
-}
-
 void find_sides(const bake::BakedTile& tile, const scene::Header& header, CheckedContent& content) {
   constexpr double kOnSide_m = 0.0008;  // a vertex is rounded to 2^-10 m, and moved by at most 0.7 of it in plan
   const Unbend unbend(header.origin);

@@ -267,8 +267,8 @@ Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& pre
 
 std::string folder_of_file(const std::string& path) { return fs::path(path).parent_path().string(); }
 
-Result<Done> check_level(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
-                         const WrittenTile& level, CheckResults& results) {
+Result<Done> check_usd_level(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
+                             const WrittenTile& level, CheckResults& results) {
   const std::string path = loaded.folder + "/" + level.file.name, folder = folder_of_file(path);
   const Result<UsdReadLayer> read_layer = read(path);
   if (!read_layer) return read_layer.error();
@@ -340,7 +340,7 @@ Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const Wri
   if (!recipes) return recipes.error();
   CheckResults results;
   for (std::size_t i = 0; i < levels.size(); ++i)
-    if (const Result<Done> done = check_level(loaded, *recipes->prepared, i, levels[i], results); !done)
+    if (const Result<Done> done = check_usd_level(loaded, *recipes->prepared, i, levels[i], results); !done)
       return done.error();
   return results;
 }

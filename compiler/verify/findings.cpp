@@ -93,7 +93,11 @@ std::optional<Finding> finding_of(const nlohmann::json& feature) {
   const nlohmann::json& properties = feature.at("properties");
   const std::optional<Code> code = code_named(properties.at("code").get<std::string>());
   if (!code) return std::nullopt;
-  Finding finding{{*code, id_of(properties.at("id")), properties.at("size").get<double>()}, {}, tile_of(properties)};
+  Finding finding;
+  finding.diagnosis.code = *code;
+  finding.diagnosis.object = id_of(properties.at("id"));
+  finding.diagnosis.size = properties.at("size").get<double>();
+  finding.tile = tile_of(properties);
   if (properties.contains("other")) finding.diagnosis.other = id_of(properties.at("other"));
   finding.tags = properties.value("tags", "");
   if (properties.contains("level")) finding.level = properties.at("level").get<std::size_t>();

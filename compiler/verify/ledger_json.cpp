@@ -8,20 +8,20 @@
 namespace citykiln::verify {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Code known_code(const std::string& name) {
-  const std::optional<Code> code = code_named(name);
-  if (!code) throw Json::other_error::create(501, "unknown code " + name, nullptr);
-  return *code;
-}
+using OrderedJson = nlohmann::ordered_json;
 
 }  // namespace
 
-Json ledger_json(const Report& report) {
-  Json ledger = Json::object();
+Code known_code(const std::string& name) {
+  const std::optional<Code> code = code_named(name);
+  if (!code) throw OrderedJson::other_error::create(501, "unknown code " + name, nullptr);
+  return *code;
+}
+
+OrderedJson ledger_json(const Report& report) {
+  OrderedJson ledger = OrderedJson::object();
   for (const auto& [name, account] : report.ledger()) {
-    Json dropped = Json::object();
+    OrderedJson dropped = OrderedJson::object();
     for (const auto& [code, count] : account.dropped) dropped[std::string(name_of(code))] = count;
     ledger[name] = {{"in", account.in},
                     {"split", account.split},
@@ -32,7 +32,7 @@ Json ledger_json(const Report& report) {
   return ledger;
 }
 
-void add_ledger(const Json& json, Report& report) {
+void add_ledger(const OrderedJson& json, Report& report) {
   for (const auto& [name, theirs] : json.items()) {
     const std::size_t slash = name.find('/');
     Account& ours = report.account(name.substr(0, slash), slash == std::string::npos ? "" : name.substr(slash + 1));

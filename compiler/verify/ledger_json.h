@@ -9,6 +9,9 @@
 
 namespace citykiln::verify {
 
+/// The code of a name. Error, an exception of the JSON library: a name that this program does not have.
+Code known_code(const std::string& name);
+
 /// An object with a member for each account: in, split, out, merged, and what was dropped by code.
 nlohmann::ordered_json ledger_json(const Report& report);
 

@@ -25,7 +25,7 @@ using map::LandCoverGroup;
 
 /// The tolerance of the graded terrain: no kerbs.
 constexpr double kTolerance_m = tolerances_with(Detail::kRoadSurfaces).below_m;
-constexpr double kEvery_m = 4, kWidest_m = 16, kBucket_m = 64;
+constexpr double kLineSample_m = 4, kWidest_m = 16, kLineBucket_m = 64;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
 enum class Kind { kBore, kGround, kDeck };
@@ -33,7 +33,7 @@ enum class Kind { kBore, kGround, kDeck };
 LandCoverGroup group_of(map::LandCoverClass surface) { return map::values_of(surface).group; }
 
 /// The part of a ground road that a chunk holds, or a bridge or tunnel.
-struct Line {
+struct RoadLine {
   const roads::Road* road = nullptr;
   Kind kind{};
   int layer = 0;
@@ -43,19 +43,19 @@ struct Line {
   double half_m() const { return std::min(std::max(roads::left_m(*road), roads::right_m(*road)), kWidest_m); }
 };
 
-Line line_of(const roads::Road& road) { return {&road, Kind::kGround, 0, true}; }
+RoadLine road_line_of(const roads::Road& road) { return {&road, Kind::kGround, 0, true}; }
 
-Line line_of(const structures::Span& span, Kind kind) {
+RoadLine road_line_of(const structures::Span& span, Kind kind) {
   const bool is_corridor = kind == Kind::kBore && group_of(span.surface) == LandCoverGroup::kPath && span.layer >= 0;
   const int default_layer = kind == Kind::kDeck ? 1 : -1;
   return {&span, kind, span.layer == 0 ? default_layer : span.layer, !is_corridor};
 }
 
-std::vector<Line> lines_of(const scene::Chunk& chunk) {
-  std::vector<Line> lines;
-  for (const roads::Road& road : chunk.roads) lines.push_back(line_of(road));
-  for (const structures::Span& span : chunk.bridges) lines.push_back(line_of(span, Kind::kDeck));
-  for (const structures::Span& span : chunk.tunnels) lines.push_back(line_of(span, Kind::kBore));
+std::vector<RoadLine> road_lines_of(const scene::Chunk& chunk) {
+  std::vector<RoadLine> lines;
+  for (const roads::Road& road : chunk.roads) lines.push_back(road_line_of(road));
+  for (const structures::Span& span : chunk.bridges) lines.push_back(road_line_of(span, Kind::kDeck));
+  for (const structures::Span& span : chunk.tunnels) lines.push_back(road_line_of(span, Kind::kBore));
   return lines;
 }
 
@@ -83,16 +83,16 @@ double joining_m(map::LandCoverClass surface, double length_m) {
 
 Network network_of(const scene::Scene& scene) {
   Network network;
-  std::vector<Line> lines;
+  std::vector<RoadLine> lines;
   for (const scene::Chunk& chunk : scene.chunks)
-    for (const Line& line : lines_of(chunk)) lines.push_back(line);
-  for (const Line& line : lines)
+    for (const RoadLine& line : road_lines_of(chunk)) lines.push_back(line);
+  for (const RoadLine& line : lines)
     network.places.insert(network.places.end(), line.road->axis.begin(), line.road->axis.end());
   std::ranges::sort(network.places);
   network.places.erase(std::unique(network.places.begin(), network.places.end()), network.places.end());
   for (std::vector<bool>* flags : {&network.is_on_ground, &network.is_deck_end, &network.is_bore_end})
     flags->assign(network.places.size(), false);
-  for (const Line& line : lines) {
+  for (const RoadLine& line : lines) {
     const Polyline& axis = line.road->axis;
     for (std::size_t i = 0; i < axis.size(); ++i) {
       const std::size_t here = network.of(axis[i]);
@@ -123,7 +123,7 @@ Network network_of(const scene::Scene& scene) {
 
 /// A place on a segment of a line.
 struct Place {
-  const Line* line = nullptr;
+  const RoadLine* line = nullptr;
   std::size_t segment = 0;
   Vec2 at;
 
@@ -184,7 +184,7 @@ double distance_to(const Polyline& axis, Vec2 p) {
 }
 
 /// True if a bridge or tunnel reaches the ground, or a bridge goes on as a tunnel, close to another line.
-bool lands_on(const Network& network, const Place& on, const Line& other) {
+bool lands_on(const Network& network, const Place& on, const RoadLine& other) {
   if (on.line->kind == Kind::kGround) return false;
   const double reach_m = on.line->half_m() + other.half_m();
   bool lands = false;
@@ -229,19 +229,19 @@ class Measurer {
         chunk_(chunk),
         network_(network),
         box_(scene::box_of(header, chunk.tile)),
-        lines_(lines_of(chunk)) {
+        lines_(road_lines_of(chunk)) {
     std::vector<Box2> boxes;
-    for (const Line& line : lines_) {
+    for (const RoadLine& line : lines_) {
       for (std::size_t i = 0; i + 1 < line.road->axis.size(); ++i) {
         segments_.push_back({&line, i, {}});
         boxes.push_back(box_of(std::span(line.road->axis).subspan(i, 2)));
       }
     }
-    grid_ = grid_of(boxes, kBucket_m);
+    grid_ = grid_of(boxes, kLineBucket_m);
   }
 
   Pairs run() {
-    for (const Line& line : lines_) {
+    for (const RoadLine& line : lines_) {
       if (line.kind == Kind::kGround || !line.passes) continue;
       cross_lines(line);
       run_along(line);
@@ -278,7 +278,7 @@ class Measurer {
     add(upper.line->road->id.osm, lower.line->road->id.osm, height_m(lower) + wanted_m - height_m(upper), upper.at);
   }
 
-  void cross_lines(const Line& line) {
+  void cross_lines(const RoadLine& line) {
     const Polyline& axis = line.road->axis;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
       for (const std::uint32_t s : boxes_about(grid_, box_of(std::span(axis).subspan(i, 2)))) {
@@ -290,10 +290,10 @@ class Measurer {
     }
   }
 
-  void run_along(const Line& line) {
+  void run_along(const RoadLine& line) {
     const Polyline& axis = line.road->axis;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-      const int pieces = std::max(1, static_cast<int>(std::ceil(distance(axis[i], axis[i + 1]) / kEvery_m)));
+      const int pieces = std::max(1, static_cast<int>(std::ceil(distance(axis[i], axis[i + 1]) / kLineSample_m)));
       for (int k = 0; k <= pieces; ++k) {
         const Place here{&line, i, axis[i] + (axis[i + 1] - axis[i]) * (static_cast<double>(k) / pieces)};
         if (is_here(here.at)) look_about(here);
@@ -317,14 +317,14 @@ class Measurer {
   }
 
   /// Two bridges or two tunnels that overlap, but neither axis is over the other's carriageway.
-  static bool are_side_by_side(const Line& a, const Line& b, double apart_m) {
+  static bool are_side_by_side(const RoadLine& a, const RoadLine& b, double apart_m) {
     return a.kind == b.kind && apart_m >= std::max(a.half_m(), b.half_m());
   }
 
   /// Ends beside a bridge or tunnel of others in the same order.
-  std::vector<Vec2> twin_ends(const Line& beside) const {
+  std::vector<Vec2> twin_ends(const RoadLine& beside) const {
     std::vector<Vec2> ends;
-    for (const Line& line : lines_)
+    for (const RoadLine& line : lines_)
       if (&line != &beside && line.kind != Kind::kGround && line.rank() == beside.rank())
         for (const Vec2 end : {line.road->axis.front(), line.road->axis.back()})
           if (distance_to(beside.road->axis, end) < kWidest_m) ends.push_back(end);
@@ -337,11 +337,11 @@ class Measurer {
            std::min(distance(axis.front(), lower.at), distance(axis.back(), lower.at)) < ground::kMouth_m;
   }
 
-  static bool is_a_path_of_ground(const Line& line) {
+  static bool is_a_path_of_ground(const RoadLine& line) {
     return line.kind == Kind::kGround && !ground::is_graded(line.road->surface);
   }
 
-  void cross_water(const Line& line) {
+  void cross_water(const RoadLine& line) {
     const Polyline& axis = line.road->axis;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
       for (const roads::Strip& stream : chunk_.watercourses) cross_stream({&line, i, {}}, stream);
@@ -365,7 +365,7 @@ class Measurer {
   }
 
   void cross_standing(Place place, const ground::LandCoverPolygon& water) {
-    const int pieces = std::max(1, static_cast<int>(std::ceil(distance(place.from(), place.to()) / kEvery_m)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(distance(place.from(), place.to()) / kLineSample_m)));
     for (int k = 0; k <= pieces; ++k) {
       place.at = place.from() + (place.to() - place.from()) * (static_cast<double>(k) / pieces);
       int winding = 0;
@@ -380,7 +380,7 @@ class Measurer {
   const scene::Chunk& chunk_;
   const Network& network_;
   Box2 box_;
-  std::vector<Line> lines_;
+  std::vector<RoadLine> lines_;
   std::vector<Place> segments_;
   BoxGrid grid_;
   std::optional<ground::GradedTerrain> graded_;

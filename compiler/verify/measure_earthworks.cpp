@@ -26,7 +26,7 @@ constexpr Row kRows[] = {
 #undef LINE
 };
 
-std::string_view line_of(LandCoverClass surface, double width_m) {
+std::string_view line_kind_of(LandCoverClass surface, double width_m) {
   const auto fits = [&](const Row& row) {
     return (row.surface == surface || row.surface == LandCoverClass::kCount) && width_m >= row.least_width_m;
   };
@@ -34,7 +34,7 @@ std::string_view line_of(LandCoverClass surface, double width_m) {
 }
 
 // A line with a profile.
-struct Line {
+struct ProfiledLine {
   OsmId id;
   std::string_view name;
   const Polyline& axis;
@@ -42,12 +42,13 @@ struct Line {
   double start_along_m;
 };
 
-void add(std::vector<Earthwork>& found, const Earthwork& deepest) {
+void add_if_deep(std::vector<Earthwork>& found, const Earthwork& deepest) {
   if (std::abs(deepest.depth_m) > kLeast_m) found.push_back(deepest);
 }
 
 // The deepest cut and the highest fill of a line in the box.
-void measure(const Line& line, const Box2& box, const map::Heightfield& terrain, std::vector<Earthwork>& found) {
+void measure_line(const ProfiledLine& line, const Box2& box, const map::Heightfield& terrain,
+                  std::vector<Earthwork>& found) {
   if (line.profile.empty()) return;
   const std::vector<double> along = roads::distances_along(line.axis, line.start_along_m);
   Earthwork cut{line.id, line.name, 0, {}}, fill = cut;
@@ -64,7 +65,7 @@ void measure(const Line& line, const Box2& box, const map::Heightfield& terrain,
       sample(line.axis[i] + (line.axis[i + 1] - line.axis[i]) * t, along[i] + (along[i + 1] - along[i]) * t);
     }
   }
-  add(found, cut), add(found, fill);
+  add_if_deep(found, cut), add_if_deep(found, fill);
 }
 
 }  // namespace
@@ -73,12 +74,13 @@ std::vector<Earthwork> measure_earthworks(const scene::Header& header, const sce
   const Box2 box = scene::box_of(header, chunk.tile);
   std::vector<Earthwork> found;
   for (const roads::Road& road : chunk.roads)
-    measure({road.id.osm, line_of(road.surface, roads::width_m(road)), road.axis, road.profile, road.start_along_m},
-            box, chunk.heights, found);
+    measure_line(
+        {road.id.osm, line_kind_of(road.surface, roads::width_m(road)), road.axis, road.profile, road.start_along_m},
+        box, chunk.heights, found);
   for (const roads::Strip& water : chunk.watercourses)
-    measure({water.id.osm, line_of(water.surface, water.left_m + water.right_m), water.axis, water.profile,
-             water.start_along_m},
-            box, chunk.heights, found);
+    measure_line({water.id.osm, line_kind_of(water.surface, water.left_m + water.right_m), water.axis, water.profile,
+                  water.start_along_m},
+                 box, chunk.heights, found);
   return found;
 }
 

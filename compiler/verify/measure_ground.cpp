@@ -126,7 +126,7 @@ std::vector<GroundFace> ground_faces(const bake::BakedTile& tile) {
 
 namespace {
 
-void keep_worst(GroundSamples& samples, double error_m, Vec2 at) {
+void keep_largest_error(GroundSamples& samples, double error_m, Vec2 at) {
   if (error_m > samples.error_m) samples.error_m = error_m, samples.at = at;
 }
 
@@ -143,7 +143,8 @@ GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& devi
     if (std::isinf(lattice.lowest_m[i])) {
       if (samples.uncovered++ == 0) samples.hole = lattice.places[i];
     } else {
-      keep_worst(samples, deviation_m(lattice.places[i], lattice.lowest_m[i], lattice.features[i]), lattice.places[i]);
+      keep_largest_error(samples, deviation_m(lattice.places[i], lattice.lowest_m[i], lattice.features[i]),
+                         lattice.places[i]);
     }
   }
   return samples;

@@ -35,7 +35,7 @@ Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedT
   return lakes;
 }
 
-RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
+RoadFaces graded_road_faces(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
   return measure_road_faces(chunk, box, true, [&](const roads::Road&, Vec2 p) -> std::vector<double> {
     return {layer_height_m(heights_at(graded, p), ground::HeightLayer::kRoad)};
   });
@@ -52,14 +52,14 @@ HeightMeasures measures_of(const scene::Scene& scene, const scene::Chunk& chunk)
   const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, kFine_m);
   return {.grades = measure_grades(scene.header, chunk),
           .jumps = {},
-          .road_faces = road_faces_of(chunk, box, graded),
+          .road_faces = graded_road_faces(chunk, box, graded),
           .rises = measure_rises(chunk),
           .lakes = lakes_of(chunk, box, graded),
           .footing = footing_of(chunk, box, graded),
           .clearances = {}};
 }
 
-void add(HeightMeasures& sum, const HeightMeasures& tile) {
+void add_tile(HeightMeasures& sum, const HeightMeasures& tile) {
   sum.grades.length_m += tile.grades.length_m, sum.grades.over_m += tile.grades.over_m;
   sum.rises.streams += tile.rises.streams, sum.rises.rising += tile.rises.rising;
   sum.rises.largest_m = std::max(sum.rises.largest_m, tile.rises.largest_m);
@@ -75,7 +75,7 @@ HeightMeasures measure_heights(const scene::Scene& scene, int threads) {
   const auto tiles = for_each_slot<HeightMeasures>(scene.chunks.size(), threads,
                                                    [&](std::size_t i) { return measures_of(scene, scene.chunks[i]); });
   HeightMeasures sum;
-  for (const HeightMeasures& tile : tiles) add(sum, tile);
+  for (const HeightMeasures& tile : tiles) add_tile(sum, tile);
   sum.jumps = measure_jumps(scene);
   sum.clearances = measure_clearances(scene, threads);
   return sum;

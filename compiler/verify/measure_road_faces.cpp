@@ -11,7 +11,7 @@
 namespace citykiln::verify {
 namespace {
 
-constexpr double kEvery_m = 4, kBucket_m = 32;
+constexpr double kFaceSample_m = 4, kFaceBucket_m = 32;
 
 /// Closer than this to another road's edge, heights are blended.
 constexpr double kMixed_m = 2 * ground::kBlend_m;
@@ -59,7 +59,7 @@ double gap_m(const roads::Road& road, double at_m, bool has_kerbs, const std::ve
 /// Visits sample places on a piece beyond the influence of its neighbours along the road.
 template <typename Visit>
 void for_each_place(const Piece& piece, Visit visit) {
-  const int n = static_cast<int>((piece.to_m - piece.from_m) / kEvery_m);
+  const int n = static_cast<int>((piece.to_m - piece.from_m) / kFaceSample_m);
   for (int k = 0; k <= n; ++k) {
     const double t = (k + 0.5) / (n + 1);
     visit(piece.a + (piece.b - piece.a) * t, piece.from_m + (piece.to_m - piece.from_m) * t);
@@ -79,7 +79,7 @@ RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool ha
   const std::vector<Piece> pieces = pieces_of(chunk.roads);
   std::vector<Box2> boxes;
   for (const Piece& piece : pieces) boxes.push_back(box_of(std::array{piece.a, piece.b}).widened(piece.reach_m));
-  const BoxGrid grid = grid_of(boxes, kBucket_m);
+  const BoxGrid grid = grid_of(boxes, kFaceBucket_m);
   RoadFaces result;
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     const roads::Road& road = chunk.roads[pieces[i].road];

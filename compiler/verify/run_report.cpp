@@ -19,7 +19,7 @@
 namespace citykiln::verify {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Object ids listed for each diagnosis.
 constexpr std::size_t kNamedObjects = 20;
@@ -31,7 +31,7 @@ struct Tally {
   std::set<OsmId> objects;
 };
 
-Json diagnoses_of(const Report& report) {
+OrderedJson diagnoses_of(const Report& report) {
   std::map<Code, Tally> tallies;
   for (const Diagnosis& diagnosis : report.diagnoses()) {
     Tally& tally = tallies[diagnosis.code];
@@ -41,9 +41,9 @@ Json diagnoses_of(const Report& report) {
     // keeps the lowest ids, so the list does not depend on the order of diagnoses
     if (tally.objects.size() > kNamedObjects) tally.objects.erase(std::prev(tally.objects.end()));
   }
-  Json diagnoses = Json::object();
+  OrderedJson diagnoses = OrderedJson::object();
   for (const auto& [code, tally] : tallies) {
-    Json objects = Json::array();
+    OrderedJson objects = OrderedJson::array();
     for (const OsmId object : tally.objects) objects.push_back(to_string(object));
     diagnoses[std::string(name_of(code))] = {{"severity", name_of(severity_of(code))},
                                              {"meaning", text_of(code)},
@@ -64,7 +64,7 @@ std::size_t different(const scene::Scene& scene, std::vector<T> scene::Chunk::*m
   return ids.size();
 }
 
-Json counts_of(const scene::Scene& scene) {
+OrderedJson counts_of(const scene::Scene& scene) {
   std::size_t junctions = 0;
   for (const scene::Chunk& chunk : scene.chunks) junctions += scene::anchored_junctions(scene.header, chunk).size();
   return {{"tiles", scene.chunks.size()},
@@ -79,8 +79,8 @@ Json counts_of(const scene::Scene& scene) {
           {"lamps", different(scene, &scene::Chunk::lamps)}};
 }
 
-Json levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs) {
-  Json levels = Json::array();
+OrderedJson levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs) {
+  OrderedJson levels = OrderedJson::array();
   for (std::size_t n = 0; n < outputs.ladder_m.size(); ++n) {
     std::uint64_t bytes = 0, triangles = 0;
     double error_m = 0;
@@ -101,7 +101,7 @@ Json levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs) {
 
 double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-Json clearances_of(const Clearances& measured) {
+OrderedJson clearances_of(const Clearances& measured) {
   return {{"crossings", measured.crossings},
           {"shortfalls", measured.shortfalls.size()},
           {"shortfalls_over_1_m", measured.count_over(1)},
@@ -110,7 +110,7 @@ Json clearances_of(const Clearances& measured) {
           {"contradictions", measured.contradictions.size()}};
 }
 
-Json clearances_of(const ground::ProfileMeasures& planned) {
+OrderedJson clearances_of(const ground::ProfileMeasures& planned) {
   return {{"crossings", planned.crossings},
           {"shortfalls", planned.shortfalls},
           {"shortfalls_over_1_m", planned.shortfalls_over_1_m},
@@ -120,40 +120,40 @@ Json clearances_of(const ground::ProfileMeasures& planned) {
 }
 
 /// Every value should be 0, except lengths, shares over the grade limit, and clearances.
-Json heights_of(const HeightReport& heights) {
+OrderedJson heights_of(const HeightReport& heights) {
   const HeightMeasures& m = heights.recipes;
-  Json json = {{"graded_length_m", m.grades.length_m},
-               {"length_over_grade_limit_m", m.grades.over_m},
-               {"share_over_grade_limit", share(m.grades.over_m, m.grades.length_m)},
-               {"largest_height_step_m", m.jumps.largest_m},
-               {"largest_gap_road_to_ground_m", m.road_faces.largest_gap_m},
-               {"watercourses_flowing_uphill", m.rises.rising},
-               {"largest_uphill_rise_m", m.rises.largest_m},
-               {"lakes_not_level", m.lakes.not_level},
-               {"buildings_above_ground", m.footing.floating.size()},
-               {"largest_gap_below_building_m", std::max(0.0, m.footing.largest_gap_m)}};
+  OrderedJson json = {{"graded_length_m", m.grades.length_m},
+                      {"length_over_grade_limit_m", m.grades.over_m},
+                      {"share_over_grade_limit", share(m.grades.over_m, m.grades.length_m)},
+                      {"largest_height_step_m", m.jumps.largest_m},
+                      {"largest_gap_road_to_ground_m", m.road_faces.largest_gap_m},
+                      {"watercourses_flowing_uphill", m.rises.rising},
+                      {"largest_uphill_rise_m", m.rises.largest_m},
+                      {"lakes_not_level", m.lakes.not_level},
+                      {"buildings_above_ground", m.footing.floating.size()},
+                      {"largest_gap_below_building_m", std::max(0.0, m.footing.largest_gap_m)}};
   json["clearances"] = clearances_of(m.clearances);
   if (heights.planned) json["planned_clearances"] = clearances_of(*heights.planned);
   return json;
 }
 
-Json files_of(const WrittenFiles& written) {
-  Json files = Json::array();
+OrderedJson files_of(const WrittenFiles& written) {
+  OrderedJson files = OrderedJson::array();
   for (const WrittenFile& file : written.files) files.push_back({{"file", file.name}, {"bytes", file.bytes}});
   return files;
 }
 
 /// West, south, east, north in degrees, to OSM's grid of 1e-7.
-Json box_deg_of(const Box2& box, const map::Plane& plane) {
+OrderedJson box_deg_of(const Box2& box, const map::Plane& plane) {
   const source::LonLatBox degrees = map::lonlat_box_of(box, plane);
-  Json sides = Json::array();
+  OrderedJson sides = OrderedJson::array();
   for (const double side : {degrees.west, degrees.south, degrees.east, degrees.north})
     sides.push_back(std::floor(side * 1e7 + 0.5) / 1e7);
   return sides;
 }
 
-Json tiles_of(std::span<const WrittenTile> written, const scene::Header& header, const map::Plane& plane) {
-  Json tiles = Json::array();
+OrderedJson tiles_of(std::span<const WrittenTile> written, const scene::Header& header, const map::Plane& plane) {
+  OrderedJson tiles = OrderedJson::array();
   for (const WrittenTile& tile : written) {
     tiles.push_back(json_of(tile));
     tiles.back()["box_deg"] = box_deg_of(scene::box_of(header, tile.tile), plane);
@@ -161,17 +161,17 @@ Json tiles_of(std::span<const WrittenTile> written, const scene::Header& header,
   return tiles;
 }
 
-RunRecord record_of(const Json& report) {
+RunRecord record_of(const OrderedJson& report) {
   RunRecord record;
-  for (const Json& tile : report.at("tiles")) record.tiles.push_back(written_tile(tile));
+  for (const OrderedJson& tile : report.at("tiles")) record.tiles.push_back(written_tile(tile));
   if (report.contains("usd"))
-    for (const Json& tile : report.at("usd")) record.usd.push_back(written_tile(tile));
+    for (const OrderedJson& tile : report.at("usd")) record.usd.push_back(written_tile(tile));
   if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
   if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
   if (const auto layout = parse_layout(report.value("layout", "embedded")); layout) record.layout = *layout;
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
-  for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
+  for (const OrderedJson& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
   add_ledger(report.at("ledger"), record.ledger);
   for (const auto& [name, account] : record.ledger.ledger())
     if (!account.balances()) record.unbalanced.push_back(name);
@@ -192,7 +192,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
                         const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights) {
   assert(std::ranges::all_of(written.tiles, [&](const WrittenTile& t) { return t.level < outputs.ladder_m.size(); }));
   const map::Plane plane(header.origin);
-  Json json;
+  OrderedJson json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
   json["sources"] = header.sources;
@@ -210,7 +210,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   if (outputs.max_bytes) json["solved_for"]["max_bytes"] = *outputs.max_bytes;
   if (outputs.max_triangles) json["solved_for"]["max_triangles"] = *outputs.max_triangles;
   json["levels"] = json.contains("solved_for")
-                       ? Json::array()
+                       ? OrderedJson::array()
                        : levels_of(written.tiles.empty() ? written.usd : written.tiles, outputs);
   json["heights"] = heights_of(heights);
   json["bytes"] = written.bytes();
@@ -225,7 +225,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
 
 std::string timing_json(std::span<const StageCost> costs, int threads) {
   assert(threads >= 0);
-  Json stages = Json::array();
+  OrderedJson stages = OrderedJson::array();
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
   for (const StageCost& cost : costs) {
@@ -233,7 +233,7 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
     seconds += cost.seconds;
     peak_bytes = std::max(peak_bytes, cost.peak_bytes);
   }
-  const Json json = {{"threads", threads}, {"seconds", seconds}, {"peak_bytes", peak_bytes}, {"stages", stages}};
+  const OrderedJson json = {{"threads", threads}, {"seconds", seconds}, {"peak_bytes", peak_bytes}, {"stages", stages}};
   return json.dump(1) + "\n";
 }
 
@@ -276,7 +276,7 @@ Result<RunRecord> read_report(const std::string& folder) {
     return Error{folder, "holds an unfinished run; repeat the command that writes it"};
   if (!file) return Error{path, "cannot be read; expected the folder of a finished run"};
   try {
-    return record_of(Json::parse(file));
+    return record_of(OrderedJson::parse(file));
   } catch (const nlohmann::json::exception&) {
     return Error{path, "is not a report written by citykiln"};
   }

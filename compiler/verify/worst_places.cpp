@@ -45,7 +45,7 @@ constexpr Code kOnRoofs[] = {Code::kHeightRaised, Code::kUnsupportedBuilding, Co
                              Code::kRuleErrors,   Code::kDuplicateBuilding,   Code::kMinHeightNotBelowHeight};
 
 // Keeps the largest place of each object, and of all the largest.
-void keep_worst(PlacesOfKind& kind, std::size_t most) {
+void keep_worst_places(PlacesOfKind& kind, std::size_t most) {
   std::ranges::stable_sort(kind.worst, std::ranges::greater{}, &WorstPlace::size);
   std::set<std::vector<OsmId>> known;
   std::erase_if(kind.worst,
@@ -120,7 +120,7 @@ std::vector<PlacesOfKind> worst_places(const CheckResults& results, std::span<co
   add_shortfalls(results.clearances, kinds);
   for (const bool is_cut : {true, false}) add_earthworks(earthworks, is_cut, kinds);
   add_diagnoses(findings, plane, kinds);
-  for (PlacesOfKind& kind : kinds) keep_worst(kind, most);
+  for (PlacesOfKind& kind : kinds) keep_worst_places(kind, most);
   std::erase_if(kinds, [](const PlacesOfKind& kind) { return kind.worst.empty(); });
   return kinds;
 }

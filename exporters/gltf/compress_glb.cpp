@@ -21,9 +21,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char *kDraco = "KHR_draco_mesh_compression", *kMeshopt = "EXT_meshopt_compression",
-                     *kQuantised = "KHR_mesh_quantization";
-
 // ---- views that are not packed -------------------------------------------------------------------------------------
 
 // All references to buffer views, but for those of primitives' accessors.
@@ -77,7 +74,7 @@ std::size_t add_meshopt_view(const MeshoptView& view, GlbParts& packed, std::siz
                 {"byteOffset", fallback_bytes},
                 {"byteLength", view.count * stride},
                 {"target", is_attribute ? 34962 : 34963},
-                {"extensions", {{kMeshopt, extension}}}};
+                {"extensions", {{kMeshoptExtension, extension}}}};
   if (is_attribute) whole["byteStride"] = stride;
   fallback_bytes += (view.count * stride + 3) / 4 * 4;
   packed.gltf["bufferViews"].push_back(std::move(whole));
@@ -173,7 +170,7 @@ void compress_meshopt(const GlbParts& plain, GlbParts& packed, int threads) {
     for (Json* accessor : shared[i]->accessors) (*accessor)["bufferView"] = number;
   }
   packed.gltf["buffers"].push_back(
-      {{"byteLength", fallback_bytes}, {"extensions", {{kMeshopt, {{"fallback", true}}}}}});
+      {{"byteLength", fallback_bytes}, {"extensions", {{kMeshoptExtension, {{"fallback", true}}}}}});
   scale_by_plan(plan, packed);
 }
 
@@ -210,7 +207,7 @@ void add_draco(const DracoMesh& mesh, Json& primitive, GlbParts& packed) {
   Json ids = Json::object();
   std::size_t i = 0;
   for (const auto& [name, number] : primitive.at("attributes").items()) ids[name] = mesh.ids[i++];
-  primitive["extensions"][kDraco] = {{"bufferView", add_view(packed, mesh.bytes)}, {"attributes", ids}};
+  primitive["extensions"][kDracoExtension] = {{"bufferView", add_view(packed, mesh.bytes)}, {"attributes", ids}};
   const std::vector<Json*> accessors = accessors_of(packed.gltf, primitive);
   for (Json* accessor : accessors) accessor->erase("bufferView"), (*accessor)["count"] = mesh.count;
   (*accessors.back())["count"] = 3 * mesh.triangles;
@@ -232,20 +229,21 @@ void demand(Json& gltf, const char* extension) {
 
 }  // namespace
 
-std::vector<std::byte> compressed_glb(GlbParts plain, Compression compression, int threads) {
+std::vector<std::byte> compressed_glb(PlainGlb file, Compression compression, int threads) {
   assert(compression != Compression::kNone);
+  GlbParts plain = parts_of(std::move(file));
   GlbParts packed{plain.gltf, {}};
   if (primitives_of(packed.gltf).empty()) return join_glb(std::move(plain));
   copy_other_views(plain, packed);
   if (compression == Compression::kDraco) {
     compress_draco(plain, packed, threads);
-    demand(packed.gltf, kDraco);
+    demand(packed.gltf, kDracoExtension);
   } else if (compression == Compression::kMeshopt) {
     compress_meshopt(plain, packed, threads);
-    demand(packed.gltf, kMeshopt), demand(packed.gltf, kQuantised);
+    demand(packed.gltf, kMeshoptExtension), demand(packed.gltf, kQuantizationExtension);
   } else {
     quantise_attributes(plain, packed, threads);
-    demand(packed.gltf, kQuantised);
+    demand(packed.gltf, kQuantizationExtension);
   }
   return join_glb(std::move(packed));
 }

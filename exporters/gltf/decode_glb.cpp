@@ -23,8 +23,8 @@ using bake::BakedTile;
 using tinygltf::Value;
 
 // The image that a primitive's uvs lie on; null where they show none.
-const materials::TextureImage* image_of(const BakedTile& tile, const bake::Primitive& p,
-                                        const impostor::Cutout* cutout) {
+const materials::TextureImage* image_under_uvs(const BakedTile& tile, const bake::Primitive& p,
+                                               const impostor::Cutout* cutout) {
   if (p.colour_source == materials::ColourSource::kByMarkingAtlas) return &tile.marking_atlas;
   if (p.colour_source == materials::ColourSource::kByAtlas) return &tile.facade_atlas.colour;
   if (p.colour_source == materials::ColourSource::kByCutout) return cutout == nullptr ? nullptr : &cutout->colour;
@@ -35,7 +35,7 @@ const materials::TextureImage* image_of(const BakedTile& tile, const bake::Primi
 void put_uvs_in_metres(std::vector<bake::Primitive>& primitives, const impostor::Cutout* cutout,
                        const BakedTile& tile) {
   for (bake::Primitive& p : primitives) {
-    const materials::TextureImage* image = image_of(tile, p, cutout);
+    const materials::TextureImage* image = image_under_uvs(tile, p, cutout);
     if (image == nullptr) continue;
     for (bake::Float2& uv : p.uvs) {
       uv = in_metres(*image, p.colour_source, uv);

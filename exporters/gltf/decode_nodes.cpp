@@ -19,7 +19,7 @@ using bake::InstancedMesh;
 using bake::Primitive;
 using tinygltf::Value;
 
-void add_extended(GltfReader& reader, const tinygltf::Node& node, std::size_t features, InstancedMesh& out) {
+void read_extended_instances(GltfReader& reader, const tinygltf::Node& node, std::size_t features, InstancedMesh& out) {
   const Value& attributes = member(node.extensions.at("EXT_mesh_gpu_instancing"), "attributes");
   const auto accessor = [&](const char* name) { return whole(member(attributes, name)); };
   out.translations =
@@ -96,7 +96,7 @@ struct NodeReader {
       return add_single(node, tile.features.size(), tile.instanced.back());
     tile.instanced.push_back({.name = node.name, .primitives = next_mesh(node.mesh)});
     accept_instanced(node);
-    if (is_extended(node)) return add_extended(reader, node, tile.features.size(), tile.instanced.back());
+    if (is_extended(node)) return read_extended_instances(reader, node, tile.features.size(), tile.instanced.back());
     is_open = true;
     add_single(node, tile.features.size(), tile.instanced.back());
   }

@@ -13,7 +13,7 @@ using bake::BakedTile;
 using materials::ColourSource;
 
 // Texel sizes are in the images' extras, since scales are rounded.
-double texel_m_of(const tinygltf::Image& image) {
+double stated_texel_m(const tinygltf::Image& image) {
   const double texel_m = number(member(image.extras, "texel_m"));
   expect(texel_m > 0 && std::isfinite(texel_m), "texels with a size");
   return texel_m;
@@ -22,11 +22,11 @@ double texel_m_of(const tinygltf::Image& image) {
 CutoutImage cutout_image_in(GltfReader& reader, const tinygltf::Image& image) {
   auto picture = decode_picture(std::as_bytes(bytes_of(reader, image.bufferView)), "");
   if (!picture) throw FormatError{"a picture: " + to_string(picture.error())};
-  picture->colour.texel_m = texel_m_of(image);
+  picture->colour.texel_m = stated_texel_m(image);
   return std::move(*picture);
 }
 
-materials::TextureImage picture_of(GltfReader& reader, const tinygltf::Image& image) {
+materials::TextureImage read_picture(GltfReader& reader, const tinygltf::Image& image) {
   return cutout_image_in(reader, image).colour;
 }
 
@@ -45,7 +45,7 @@ void read_texture(GltfReader& reader, const tinygltf::Image& image, std::vector<
   materials::Texture& texture = texture_with(textures, coloured ? *coloured : *shaped);
   materials::TextureImage& target = coloured ? texture.colour : texture.normal;
   expect(target.texels.empty() && (shaped || texture.normal.texels.empty()), "each material's pictures once, in order");
-  target = picture_of(reader, image);
+  target = read_picture(reader, image);
   expect(target.columns == target.rows, "textures that are square");
 }
 
@@ -55,7 +55,7 @@ impostor::Cutout read_cutout(GltfReader& reader, std::size_t image) {
   CutoutImage picture = cutout_image_in(reader, images[image]);
   impostor::Cutout cutout{std::move(picture.colour), std::move(picture.opacity), {}};
   if (image + 1 < images.size() && images[image + 1].name == "cutoutNormal")
-    cutout.normal = picture_of(reader, images[image + 1]);
+    cutout.normal = read_picture(reader, images[image + 1]);
   return cutout;
 }
 
@@ -73,7 +73,7 @@ void read_cutouts(GltfReader& reader, std::size_t first, std::span<const std::op
 }
 
 // The image of a texture, in any of its formats.
-int image_of(const tinygltf::Texture& texture) {
+int image_of_texture(const tinygltf::Texture& texture) {
   const auto webp = texture.extensions.find(kWebpExtension);
   return webp == texture.extensions.end() ? texture.source : whole(member(webp->second, "source"));
 }
@@ -96,7 +96,7 @@ std::optional<std::size_t> cutout_image_of(const tinygltf::Model& model, int mes
     const tinygltf::Material& m = item(model.materials, p.material, "a material that exists");
     if (primitive_key_named(m.name).colour_source != ColourSource::kByCutout) continue;
     const int texture = m.pbrMetallicRoughness.baseColorTexture.index;
-    const int image = image_of(item(model.textures, texture, "a texture that exists"));
+    const int image = image_of_texture(item(model.textures, texture, "a texture that exists"));
     expect(item(model.images, image, "a picture that exists").name == "cutout", "a cutout image");
     expect(!number || *number == static_cast<std::size_t>(image), "one cutout a mesh");
     number = static_cast<std::size_t>(image);
@@ -114,7 +114,7 @@ void read_pictures(GltfReader& reader, std::span<const std::optional<std::size_t
   const auto& images = reader.model.images;
   std::size_t i = 0;
   for (const auto& [name, target] : images_of_tile)
-    if (i < images.size() && images[i].name == name) *target = picture_of(reader, images[i++]);
+    if (i < images.size() && images[i].name == name) *target = read_picture(reader, images[i++]);
   for (; i < images.size() && images[i].name != "cutout"; ++i) read_texture(reader, images[i], tile.textures);
   read_cutouts(reader, i, cutouts, tile);
   expect(are_one_size(tile.facade_atlas), "a facade atlas whose images are of one size");

@@ -79,7 +79,7 @@ std::vector<materials::Tint> colours_of(GltfReader& reader, int accessor, const 
   return colours;
 }
 
-Primitive primitive_of(GltfReader& reader, const tinygltf::Primitive& p, std::size_t features) {
+Primitive read_primitive(GltfReader& reader, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
   const tinygltf::Material& material = item(reader.model.materials, p.material, "a material that exists");
   const bake::PrimitiveKey key = primitive_key_named(material.name);
@@ -116,7 +116,7 @@ std::vector<Primitive> primitives_of(GltfReader& reader, int mesh_number, std::s
   expect(!mesh.primitives.empty(), "a primitive in each mesh");
   std::vector<Primitive> primitives;
   for (const tinygltf::Primitive& p : mesh.primitives) {
-    Primitive primitive = primitive_of(reader, p, features);
+    Primitive primitive = read_primitive(reader, p, features);
     primitive.layer = layer_in(p.extras, mesh.extras);
     if (primitive.colour_source == ColourSource::kByCutout) primitive = without_backs(primitive);
     // large primitives are written in parts, which follow each other

@@ -45,25 +45,25 @@ std::vector<OsmId> ids_of(const Table& table) {
   return features;
 }
 
-std::string text_of(const Value& value) {
+std::string text_in(const Value& value) {
   expect(value.IsString(), "a text");
   return value.Get<std::string>();
 }
 
 // The names of the enum's values, which are numbered from 0; the first one stands for none.
-std::vector<std::string> kinds_of(const Table& table) {
+std::vector<std::string> kind_names_in(const Table& table) {
   const Value& values = member(member(member(table.schema, "enums"), "class"), "values");
   expect(values.IsArray() && values.ArrayLen() > 0, "the classes of features");
   std::vector<std::string> kinds = {""};
   for (std::size_t i = 1; i < values.ArrayLen(); ++i) {
-    kinds.push_back(text_of(member(values.Get(i), "name")));
+    kinds.push_back(text_in(member(values.Get(i), "name")));
     expect(kinds.back().size() <= kMostClassBytes, "short names of classes");
   }
   return kinds;
 }
 
 void read_kinds(const Table& table, std::vector<FeatureAttributes>& rows) {
-  const std::vector<std::string> kinds = kinds_of(table);
+  const std::vector<std::string> kinds = kind_names_in(table);
   const auto numbers = values_in<std::uint16_t>(table.reader, member(table.columns, "class"), "values", table.count);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     expect(numbers[i] < kinds.size(), "classes that the enum lists");
@@ -79,8 +79,8 @@ void read_heights(const Table& table, std::vector<FeatureAttributes>& rows) {
   }
 }
 
-std::vector<std::uint32_t> offsets_of(const Table& table, const Value& column) {
-  if (text_of(member(column, "stringOffsetType")) == "UINT32")
+std::vector<std::uint32_t> text_offsets_in(const Table& table, const Value& column) {
+  if (text_in(member(column, "stringOffsetType")) == "UINT32")
     return values_in<std::uint32_t>(table.reader, column, "stringOffsets", table.count + 1);
   const auto narrow = values_in<std::uint16_t>(table.reader, column, "stringOffsets", table.count + 1);
   return {narrow.begin(), narrow.end()};
@@ -91,7 +91,7 @@ void read_texts(const Table& table, const char* name, std::string FeatureAttribu
                 std::vector<FeatureAttributes>& rows) {
   if (!table.columns.Has(name)) return;
   const Value& column = table.columns.Get(name);
-  const std::vector<std::uint32_t> offsets = offsets_of(table, column);
+  const std::vector<std::uint32_t> offsets = text_offsets_in(table, column);
   const auto bytes = bytes_of(table.reader, whole(member(column, "values")));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     expect(offsets[i] <= offsets[i + 1] && offsets[i + 1] <= bytes.size(), "texts inside their buffer view");

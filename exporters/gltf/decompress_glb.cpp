@@ -18,10 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char *kDraco = "KHR_draco_mesh_compression", *kMeshopt = "EXT_meshopt_compression",
-                     *kQuantised = "KHR_mesh_quantization";
-
-[[noreturn]] void refuse(const char* what) { throw std::runtime_error(what); }
+[[noreturn]] void refuse_file(const char* what) { throw std::runtime_error(what); }
 
 void put_attribute(const VertexAttribute& attribute, std::size_t count, Json& accessor, GlbParts& parts) {
   accessor["bufferView"] = add_view(parts, attribute.bytes);
@@ -51,7 +48,7 @@ struct Unpacking {
 
   std::vector<unsigned char> take(const Json& view) {
     const auto bytes = bytes_of_view(parts, view);
-    if (bytes.size() > unread_bytes) refuse("each byte of the buffer to be used once");
+    if (bytes.size() > unread_bytes) refuse_file("each byte of the buffer to be used once");
     unread_bytes -= bytes.size();
     return {bytes.begin(), bytes.end()};
   }
@@ -59,7 +56,7 @@ struct Unpacking {
 
 void unpack_draco(Json& primitive, Unpacking& unpacking) {
   GlbParts& parts = unpacking.parts;
-  const Json extension = primitive.at("extensions").at(kDraco);
+  const Json extension = primitive.at("extensions").at(kDracoExtension);
   std::vector<VertexAttribute> wanted;
   std::vector<int> ids;
   for (const auto& [name, number] : primitive.at("attributes").items()) {
@@ -69,25 +66,25 @@ void unpack_draco(Json& primitive, Unpacking& unpacking) {
   }
   const Json& view = parts.gltf.at("bufferViews").at(extension.at("bufferView").get<std::size_t>());
   const auto mesh = decode_draco(unpacking.take(view), std::move(wanted), ids);
-  if (!mesh) refuse("meshes that Draco can decode");
+  if (!mesh) refuse_file("meshes that Draco can decode");
   const std::vector<Json*> accessors = accessors_of(parts.gltf, primitive);
   for (std::size_t i = 0; i < mesh->attributes.size(); ++i)
     put_attribute(mesh->attributes[i], mesh->count, *accessors[i], parts);
   put_indices(mesh->indices, *accessors.back(), parts);
-  primitive.at("extensions").erase(kDraco);
+  primitive.at("extensions").erase(kDracoExtension);
 }
 
 bool is_meshopt(const Json& gltf, const Json& accessor) {
   if (!accessor.contains("bufferView")) return false;
   const Json& view = view_of(gltf, accessor);
-  return view.contains("extensions") && view.at("extensions").contains(kMeshopt);
+  return view.contains("extensions") && view.at("extensions").contains(kMeshoptExtension);
 }
 
 UnpackedView unpacked_view(Unpacking& unpacking, const Json& extension) {
   const MeshoptKind kind{extension.at("byteStride").get<std::size_t>(), extension.at("mode").get<std::string>(),
                          extension.value("filter", std::string("NONE"))};
   auto bytes = decode_meshopt({kind, extension.at("count").get<std::size_t>(), unpacking.take(extension)});
-  if (!bytes) refuse("views that meshopt can decode");
+  if (!bytes) refuse_file("views that meshopt can decode");
   return {kind, std::move(*bytes)};
 }
 
@@ -96,21 +93,21 @@ MeshoptArray take_meshopt(Unpacking& unpacking, const Json& accessor) {
   const auto number = accessor.at("bufferView").get<std::size_t>();
   auto found = unpacking.views.find(number);
   if (found == unpacking.views.end()) {
-    const Json& extension = view_of(unpacking.parts.gltf, accessor).at("extensions").at(kMeshopt);
+    const Json& extension = view_of(unpacking.parts.gltf, accessor).at("extensions").at(kMeshoptExtension);
     found = unpacking.views.emplace(number, unpacked_view(unpacking, extension)).first;
   }
   UnpackedView& view = found->second;
   const auto offset = accessor.value("byteOffset", std::size_t{0}), count = accessor.at("count").get<std::size_t>();
   if (count > view.unread_bytes / view.kind.stride || offset > view.bytes.size() ||
       count * view.kind.stride > view.bytes.size() - offset)
-    refuse("accessors within their views");
+    refuse_file("accessors within their views");
   view.unread_bytes -= count * view.kind.stride;
   const auto first = view.bytes.begin() + static_cast<std::ptrdiff_t>(offset);
   return {view.kind, {first, first + static_cast<std::ptrdiff_t>(count * view.kind.stride)}};
 }
 
-std::vector<std::uint32_t> indices_of(const MeshoptArray& array) {
-  if (array.kind.mode != "TRIANGLES") refuse("indices that are packed as triangles");
+std::vector<std::uint32_t> unpacked_indices(const MeshoptArray& array) {
+  if (array.kind.mode != "TRIANGLES") refuse_file("indices that are packed as triangles");
   std::vector<std::uint32_t> indices(array.bytes.size() / array.kind.stride);
   for (std::size_t i = 0; i < indices.size(); ++i)
     std::memcpy(&indices[i], &array.bytes[i * array.kind.stride], array.kind.stride);
@@ -126,11 +123,11 @@ void unpack_meshopt(const Json& primitive, Unpacking& unpacking) {
     if (!is_meshopt(parts.gltf, accessor)) continue;
     MeshoptArray array = take_meshopt(unpacking, accessor);
     VertexAttribute attribute{name, component_of(accessor), width_of(accessor), std::move(array.bytes)};
-    if (!can_hold(array.kind, attribute)) refuse("attributes that meshopt can decode");
+    if (!can_hold(array.kind, attribute)) refuse_file("attributes that meshopt can decode");
     put_attribute(widened(std::move(attribute), accessor), accessor.at("count").get<std::size_t>(), accessor, parts);
   }
   if (is_meshopt(parts.gltf, *accessors.back()))
-    put_indices(indices_of(take_meshopt(unpacking, *accessors.back())), *accessors.back(), parts);
+    put_indices(unpacked_indices(take_meshopt(unpacking, *accessors.back())), *accessors.back(), parts);
 }
 
 bool is_narrow(const Json& accessor) {
@@ -156,7 +153,7 @@ void unpack_narrow(const Json& primitive, Unpacking& unpacking) {
 // Removes the second buffer, and the references to it of views that are unpacked.
 void forget_fallback(Json& gltf) {
   for (Json& view : gltf.at("bufferViews"))
-    if (view.contains("extensions") && view.at("extensions").contains(kMeshopt))
+    if (view.contains("extensions") && view.at("extensions").contains(kMeshoptExtension))
       view = {{"buffer", 0}, {"byteLength", 1}};
   gltf["buffers"] = Json::array({Json::object()});
 }
@@ -165,12 +162,12 @@ void forget_fallback(Json& gltf) {
 
 std::optional<std::vector<std::byte>> decompressed_glb(std::span<const std::byte> bytes) {
   const std::string_view json = json_of_glb(bytes);
-  if (json.find(kDraco) == json.npos && json.find(kQuantised) == json.npos) return std::nullopt;
+  if (json.find(kDracoExtension) == json.npos && json.find(kQuantizationExtension) == json.npos) return std::nullopt;
   Unpacking unpacking{split_glb(bytes)};
   GlbParts& parts = unpacking.parts;
   unscale(parts);
   for (Json* primitive : primitives_of(parts.gltf)) {
-    if (primitive->contains("extensions") && primitive->at("extensions").contains(kDraco)) {
+    if (primitive->contains("extensions") && primitive->at("extensions").contains(kDracoExtension)) {
       unpack_draco(*primitive, unpacking);
       continue;
     }

@@ -18,7 +18,7 @@ namespace {
 
 using draco::GeometryAttribute;
 
-GeometryAttribute::Type type_of(const std::string& name) {
+GeometryAttribute::Type draco_type_of(const std::string& name) {
   if (name == "POSITION") return GeometryAttribute::POSITION;
   if (name == "NORMAL") return GeometryAttribute::NORMAL;
   if (name == "COLOR_0") return GeometryAttribute::COLOR;
@@ -86,7 +86,7 @@ int add_attribute(const MeshArrays& mesh, const VertexAttribute& attribute, drac
   if (attribute.name == "POSITION") keep_thin_triangles(mesh, stride, values);
   GeometryAttribute target;
   const bool is_normalised = attribute.component != Component::kFloat;
-  target.Init(type_of(attribute.name), nullptr, static_cast<std::int8_t>(attribute.width),
+  target.Init(draco_type_of(attribute.name), nullptr, static_cast<std::int8_t>(attribute.width),
               data_type_of(attribute.component), is_normalised, static_cast<std::int64_t>(stride), 0);
   const int id = out.AddAttribute(target, false, static_cast<std::uint32_t>(values.count));
   for (std::size_t i = 0; i < values.count; ++i)

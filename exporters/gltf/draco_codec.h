@@ -10,6 +10,8 @@
 
 namespace citykiln::exporters {
 
+inline constexpr const char* kDracoExtension = "KHR_draco_mesh_compression";
+
 struct DracoMesh {
   std::vector<unsigned char> bytes;
   std::vector<int> ids;                  ///< Draco's id of each attribute, in the mesh's order.

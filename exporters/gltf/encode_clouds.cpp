@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "exporters/gltf/glb_builder.h"
-#include "exporters/gltf/glb_parts.h"
+#include "exporters/gltf/plain_glb.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -31,8 +31,6 @@ Vec3 whole_metres_near(std::span<const CloudMeshes> layers) {
   return {std::round(middle.x), std::round(middle.y), std::round(middle.z)};
 }
 
-Float3 narrowed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-
 // The smallest and largest coordinates, which POSITION must have.
 void set_bounds(GlbBuilder& f, int accessor, const std::vector<Float3>& positions) {
   std::vector<double> low(3, 1e300), high(3, -1e300);
@@ -45,19 +43,19 @@ void set_bounds(GlbBuilder& f, int accessor, const std::vector<Float3>& position
   f.model.accessors[static_cast<std::size_t>(accessor)].maxValues = high;
 }
 
-int add_positions(GlbBuilder& f, const sky::CloudSurface& part, Vec3 origin) {
+int add_cloud_positions(GlbBuilder& f, const sky::CloudSurface& part, Vec3 origin) {
   std::vector<Float3> positions;
   positions.reserve(part.positions.size());
-  for (const Vec3 p : part.positions) positions.push_back(narrowed(p - origin));
+  for (const Vec3 p : part.positions) positions.push_back(bake::narrowed(p - origin));
   const int accessor = f.add_turned(positions, TINYGLTF_TYPE_VEC3);
   set_bounds(f, accessor, positions);
   return accessor;
 }
 
-int add_normals(GlbBuilder& f, const sky::CloudSurface& part) {
+int add_cloud_normals(GlbBuilder& f, const sky::CloudSurface& part) {
   std::vector<Float3> normals;
   normals.reserve(part.normals.size());
-  for (const Vec3 n : part.normals) normals.push_back(narrowed(n));
+  for (const Vec3 n : part.normals) normals.push_back(bake::narrowed(n));
   return f.add_turned(normals, TINYGLTF_TYPE_VEC3);
 }
 
@@ -70,7 +68,7 @@ int add_opacity(GlbBuilder& f, const sky::CloudSurface& part) {
                          TINYGLTF_TARGET_ARRAY_BUFFER, true);
 }
 
-int add_indices(GlbBuilder& f, const sky::CloudSurface& part) {
+int add_cloud_indices(GlbBuilder& f, const sky::CloudSurface& part) {
   std::vector<std::uint32_t> indices;
   indices.reserve(3 * part.triangles.size());
   for (const auto& triangle : part.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
@@ -78,7 +76,7 @@ int add_indices(GlbBuilder& f, const sky::CloudSurface& part) {
                          TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
 }
 
-int add_material(GlbBuilder& f, bool is_thin) {
+int add_cloud_material(GlbBuilder& f, bool is_thin) {
   tinygltf::Material material;
   material.name = is_thin ? "ThinCloud" : "Cloud";
   material.pbrMetallicRoughness.baseColorFactor = {kCloudAlbedo, kCloudAlbedo, kCloudAlbedo, 1};
@@ -88,30 +86,30 @@ int add_material(GlbBuilder& f, bool is_thin) {
   return static_cast<int>(f.model.materials.size()) - 1;
 }
 
-int add_node(GlbBuilder& f, tinygltf::Node node, int parent) {
+int add_cloud_node(GlbBuilder& f, tinygltf::Node node, int parent) {
   f.model.nodes.push_back(std::move(node));
   const int number = static_cast<int>(f.model.nodes.size()) - 1;
   if (parent >= 0) f.model.nodes[static_cast<std::size_t>(parent)].children.push_back(number);
   return number;
 }
 
-void add_part(GlbBuilder& f, const sky::CloudSurface& part, const std::string& name, int material, bool is_thin,
-              Vec3 origin, int parent) {
+void add_cloud_part(GlbBuilder& f, const sky::CloudSurface& part, const std::string& name, int material, bool is_thin,
+                    Vec3 origin, int parent) {
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES, primitive.material = material;
-  primitive.attributes["POSITION"] = add_positions(f, part, origin);
-  primitive.attributes["NORMAL"] = add_normals(f, part);
+  primitive.attributes["POSITION"] = add_cloud_positions(f, part, origin);
+  primitive.attributes["NORMAL"] = add_cloud_normals(f, part);
   if (is_thin) primitive.attributes["COLOR_0"] = add_opacity(f, part);
-  primitive.indices = add_indices(f, part);
+  primitive.indices = add_cloud_indices(f, part);
   tinygltf::Mesh mesh;
   mesh.name = name, mesh.primitives = {primitive};
   f.model.meshes.push_back(std::move(mesh));
   tinygltf::Node node;
   node.name = name, node.mesh = static_cast<int>(f.model.meshes.size()) - 1;
-  add_node(f, std::move(node), parent);
+  add_cloud_node(f, std::move(node), parent);
 }
 
-void add_layer(GlbBuilder& f, const CloudMeshes& layer, std::size_t number, Vec3 origin) {
+void add_cloud_layer(GlbBuilder& f, const CloudMeshes& layer, std::size_t number, Vec3 origin) {
   tinygltf::Node node;
   node.name = sky::name_of(layer.layer.kind);
   if (number > 0) node.name += fmt::format("_{}", number + 1);
@@ -121,11 +119,11 @@ void add_layer(GlbBuilder& f, const CloudMeshes& layer, std::size_t number, Vec3
                                     {"top_m", Value(layer.layer.top_m)},
                                     {"clouds", Value(static_cast<int>(layer.clouds))}});
   const std::string name = node.name;
-  const int own = add_node(f, std::move(node), 0);
+  const int own = add_cloud_node(f, std::move(node), 0);
   const bool is_thin = sky::is_thin(layer.layer);
-  const int material = add_material(f, is_thin);
+  const int material = add_cloud_material(f, is_thin);
   for (std::size_t i = 0; i < layer.parts.size(); ++i)
-    add_part(f, layer.parts[i], fmt::format("{}_part_{}", name, i + 1), material, is_thin, origin, own);
+    add_cloud_part(f, layer.parts[i], fmt::format("{}_part_{}", name, i + 1), material, is_thin, origin, own);
 }
 
 Value plane_of(const scene::Header& header) {
@@ -159,15 +157,14 @@ std::vector<std::byte> encode_clouds(std::span<const CloudMeshes> layers, const 
                           {"error_m", Value(cell_m * 1.7320508075688772)},
                           {"particle_m", Value(particle_m)},
                           {frame.empty() ? "plane" : "frame", frame.empty() ? plane_of(header) : Value(frame)}});
-  add_node(f, std::move(root), -1);
-  for (std::size_t i = 0; i < layers.size(); ++i) add_layer(f, layers[i], same_before(layers, i), origin);
+  add_cloud_node(f, std::move(root), -1);
+  for (std::size_t i = 0; i < layers.size(); ++i) add_cloud_layer(f, layers[i], same_before(layers, i), origin);
   tinygltf::Scene scene;
   scene.nodes = {0};
   f.model.scenes.push_back(scene), f.model.defaultScene = 0;
   std::ostringstream out;
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&f.model, out, false, true);
-  const std::string without_buffer = std::move(out).str();
-  return join_glb({nlohmann::json::parse(json_of_glb(std::as_bytes(std::span(without_buffer)))), std::move(f.buffer)});
+  return joined_glb({std::move(out).str(), std::move(f.buffer)});
 }
 
 }  // namespace citykiln::exporters

@@ -8,9 +8,10 @@
 #include "exporters/gltf/encode_pictures.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_builder.h"
-#include "exporters/gltf/glb_parts.h"
+#include "exporters/gltf/plain_glb.h"
 #include "exporters/gltf/property_table.h"
 #include "exporters/gltf/quantise.h"
+#include "exporters/joined_attributions.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -23,12 +24,6 @@ using Array = Value::Array;
 
 Value text(const std::string& s) { return Value(s); }
 Value number(double v) { return Value(v); }
-
-std::string joined(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& t : texts) all += (all.empty() ? "" : "; ") + t;
-  return all;
-}
 
 Value vector(Vec3 v) { return Value(Array{number(v.x), number(v.y), number(v.z)}); }
 
@@ -67,7 +62,7 @@ tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header, const
 
 void fill(GlbBuilder& f) {
   f.model.asset.version = "2.0", f.model.asset.generator = "citykiln 0.1.0",
-  f.model.asset.copyright = joined(f.header.attributions);
+  f.model.asset.copyright = joined_attributions(f.header.attributions);
   f.model.buffers.emplace_back();
   add_nodes(f, root_of(f.tile, f.header, f.options));
   add_lights(f);
@@ -90,23 +85,22 @@ std::size_t bytes_of_meshes(const std::vector<Primitive>& primitives) {
   return bytes;
 }
 
-GlbParts plain_parts(const BakedTile& tile, const scene::Header& header, const GlbOptions& options) {
+PlainGlb plain_glb(const BakedTile& tile, const scene::Header& header, const GlbOptions& options) {
   GlbBuilder f{tile, header, options};
   f.buffer.reserve(bytes_of_meshes(tile.primitives));
   find_cutouts(f);
   fill(f);
   std::ostringstream out;
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&f.model, out, false, true);
-  const std::string without_buffer = std::move(out).str();
-  return {nlohmann::json::parse(json_of_glb(std::as_bytes(std::span(without_buffer)))), std::move(f.buffer)};
+  return {std::move(out).str(), std::move(f.buffer)};
 }
 
 }  // namespace
 
 std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, const GlbOptions& options,
                                   int threads) {
-  if (options.compression == Compression::kNone) return join_glb(plain_parts(tile, header, options));
-  return compressed_glb(plain_parts(quantised(tile), header, options), options.compression, threads);
+  if (options.compression == Compression::kNone) return joined_glb(plain_glb(tile, header, options));
+  return compressed_glb(plain_glb(quantised(tile), header, options), options.compression, threads);
 }
 
 Result<Done> write_glb(const BakedTile& tile, const scene::Header& header, const GlbOptions& options,

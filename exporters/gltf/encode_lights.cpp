@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "compiler/geometry/trig.h"
+
 namespace citykiln::exporters {
 namespace {
 
@@ -13,20 +15,19 @@ using tinygltf::Value;
 constexpr const char* kExtension = "KHR_lights_punctual";
 constexpr const char* kGroup = "lights";
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kLeast_lx = 0.05;
 
 double candela_of(const props::Luminaire& light) {
   return light.beam == props::Beam::kDown ? 3 * light.lumen / (2 * kPi) : light.lumen / props::beam_sr(light.beam);
 }
 
-const char* name_of(props::LampKind kind) { return kind == props::LampKind::kArm ? "ArmLamp" : "PostTopLamp"; }
+const char* lamp_name(props::LampKind kind) { return kind == props::LampKind::kArm ? "ArmLamp" : "PostTopLamp"; }
 
 tinygltf::Light light_of(const bake::PlacedLamp& lamp) {
   const auto colour = props::black_body_colour(lamp.light.temperature_k);
   const double largest = *std::ranges::max_element(colour), candela = candela_of(lamp.light);
   tinygltf::Light light;
-  light.name = name_of(lamp.kind);
+  light.name = lamp_name(lamp.kind);
   light.type = lamp.light.beam == props::Beam::kDown ? "spot" : "point";
   for (const float c : colour) light.color.push_back(c / largest);
   // the colour's luminance is 1 / largest
@@ -37,7 +38,7 @@ tinygltf::Light light_of(const bake::PlacedLamp& lamp) {
 }
 
 // The number of the lamp's light in the model.
-int number_of(GlbBuilder& f, std::vector<props::Luminaire>& known, const bake::PlacedLamp& lamp) {
+int light_number(GlbBuilder& f, std::vector<props::Luminaire>& known, const bake::PlacedLamp& lamp) {
   const auto found = std::ranges::find(known, lamp.light);
   if (found != known.end()) return static_cast<int>(found - known.begin());
   known.push_back(lamp.light);
@@ -45,17 +46,17 @@ int number_of(GlbBuilder& f, std::vector<props::Luminaire>& known, const bake::P
   return static_cast<int>(known.size()) - 1;
 }
 
-const char* type_name(OsmType type) {
+const char* osm_type_of(OsmType type) {
   return type == OsmType::kNode ? "node" : type == OsmType::kWay ? "way" : "relation";
 }
 
 Value extras_of_lamp(const bake::PlacedLamp& lamp) {
   const OsmId id = lamp.placement.feature;
-  return Value(Value::Object{{"class", Value(std::string(name_of(lamp.kind)))},
+  return Value(Value::Object{{"class", Value(std::string(lamp_name(lamp.kind)))},
                              {"lumen", Value(static_cast<double>(lamp.light.lumen))},
                              {"temperature_k", Value(static_cast<double>(lamp.light.temperature_k))},
                              {"osm_id", Value(static_cast<double>(id.id))},
-                             {"osm_type", Value(std::string(type_name(id.type)))}});
+                             {"osm_type", Value(std::string(osm_type_of(id.type)))}});
 }
 
 tinygltf::Node node_of(const GlbBuilder& f, const bake::PlacedLamp& lamp, int light) {
@@ -63,7 +64,7 @@ tinygltf::Node node_of(const GlbBuilder& f, const bake::PlacedLamp& lamp, int li
   const bake::Float3 at =
       to_gltf(bake::Float3{static_cast<float>(glass.x), static_cast<float>(glass.y), static_cast<float>(glass.z)});
   tinygltf::Node node;
-  node.name = name_of(lamp.kind);
+  node.name = lamp_name(lamp.kind);
   node.translation = {at[0], at[1], at[2]};
   // lights shine along -z, these down
   constexpr double kHalf = std::numbers::sqrt2 / 2;
@@ -85,7 +86,7 @@ void add_lights(GlbBuilder& f) {
   std::vector<props::Luminaire> known;
   for (const bake::PlacedLamp& lamp : f.options.lights) {
     group.children.push_back(static_cast<int>(f.model.nodes.size()));
-    const int light = number_of(f, known, lamp);
+    const int light = light_number(f, known, lamp);
     f.model.nodes.push_back(node_of(f, lamp, light));
   }
   f.model.nodes[static_cast<std::size_t>(first)] = std::move(group);

@@ -19,7 +19,7 @@ using materials::ColourSource;
 using tinygltf::Value;
 
 // The image that a primitive's uvs lie on; null where they show none.
-const materials::TextureImage* image_of(const GlbBuilder& f, const MaterialKey& key) {
+const materials::TextureImage* image_of_material(const GlbBuilder& f, const MaterialKey& key) {
   if (key.primitive.colour_source == ColourSource::kByMarkingAtlas) return &f.tile.marking_atlas;
   if (key.primitive.colour_source == ColourSource::kByAtlas) return &f.tile.facade_atlas.colour;
   if (key.cutout != nullptr) return &key.cutout->colour;
@@ -89,7 +89,7 @@ void set_emission(GlbBuilder& f, const MaterialKey& key, tinygltf::Material& m) 
 
 // Some programs keep materials by name, across tiles and levels: those with images of this file have a name of their
 // own, and those with a tint are named after it.
-std::string unique_name(const GlbBuilder& f, const MaterialKey& key) {
+std::string material_name_in_file(const GlbBuilder& f, const MaterialKey& key) {
   std::string name = material_name(key.primitive, f.tile.textures);
   if (key.primitive.colour_source != ColourSource::kByMaterial)
     name += fmt::format("_{}_{}m", to_string(f.tile.tile), f.tile.tolerance_m);
@@ -128,7 +128,7 @@ int material_number(GlbBuilder& f, const MaterialKey& key) {
   const auto same = std::ranges::find(f.material_keys, key);
   if (same != f.material_keys.end()) return static_cast<int>(same - f.material_keys.begin());
   tinygltf::Material m;
-  m.name = unique_name(f, key);
+  m.name = material_name_in_file(f, key);
   set_colour(f, key, m.pbrMetallicRoughness);
   add_tint(key.tint, m);
   if (const materials::TextureImage* normals = normals_of(f, key))
@@ -142,7 +142,7 @@ int material_number(GlbBuilder& f, const MaterialKey& key) {
 }
 
 int add_uvs(GlbBuilder& f, const Primitive& p, const MaterialKey& key) {
-  const materials::TextureImage* image = f.has_uvs_in_metres() ? nullptr : image_of(f, key);
+  const materials::TextureImage* image = f.has_uvs_in_metres() ? nullptr : image_of_material(f, key);
   if (image != nullptr) {
     const int view = f.add_view_of(p.uvs, TINYGLTF_TARGET_ARRAY_BUFFER,
                                    [&](const bake::Float2& uv) { return in_image_units(*image, uv); });

@@ -64,7 +64,7 @@ int add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
   return f.add_turned(tangents, TINYGLTF_TYPE_VEC4);
 }
 
-tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& front, const impostor::Cutout* cutout) {
+tinygltf::Primitive encoded_primitive(GlbBuilder& f, const Primitive& front, const impostor::Cutout* cutout) {
   tinygltf::Primitive out;
   out.mode = TINYGLTF_MODE_TRIANGLES;
   const MaterialKey key = material_key_of(f, front, cutout);
@@ -111,7 +111,7 @@ int add_mesh(GlbBuilder& f, const std::string& name, std::span<const Primitive> 
   mesh.name = name;
   if (is_one_layer) mesh.extras = layer_extras(layer);
   const auto add = [&](const Primitive& p) {
-    mesh.primitives.push_back(primitive_of(f, p, cutout));
+    mesh.primitives.push_back(encoded_primitive(f, p, cutout));
     if (!is_one_layer) mesh.primitives.back().extras = layer_extras(p.layer);
   };
   for (const Primitive& p : primitives) {

@@ -25,7 +25,7 @@ int add_node(GlbBuilder& f, tinygltf::Node node) {
 }
 
 // Adds all instances as one node, with their placements as attributes.
-void add_extended(GlbBuilder& f, const InstancedMesh& instanced, int mesh, std::vector<int>& parent) {
+void add_extended_node(GlbBuilder& f, const InstancedMesh& instanced, int mesh, std::vector<int>& parent) {
   tinygltf::Node node;
   node.name = instanced.name, node.mesh = mesh;
   std::vector<Float3> scales;
@@ -59,7 +59,7 @@ void add_single_nodes(GlbBuilder& f, const InstancedMesh& instanced, int mesh, s
 void add_instances(GlbBuilder& f, const InstancedMesh& instanced, std::vector<int>& parent) {
   const int mesh = add_mesh(f, instanced.name, instanced.primitives, cutout_like(f, *instanced.cutout));
   const bool is_extended = values_of(f.options.target).instancing == Instancing::kExtension;
-  is_extended ? add_extended(f, instanced, mesh, parent) : add_single_nodes(f, instanced, mesh, parent);
+  is_extended ? add_extended_node(f, instanced, mesh, parent) : add_single_nodes(f, instanced, mesh, parent);
 }
 
 // Adds the layer's own mesh, of what cannot be split, and a node per building.
@@ -75,8 +75,8 @@ void add_buildings(GlbBuilder& f, std::span<const Primitive> primitives, tinyglt
 }
 
 // Adds the node of a layer. Its own mesh comes before those of its children.
-void add_layer(GlbBuilder& f, Layer layer, std::span<const Primitive> primitives,
-               std::span<const InstancedMesh> instanced) {
+void add_layer_node(GlbBuilder& f, Layer layer, std::span<const Primitive> primitives,
+                    std::span<const InstancedMesh> instanced) {
   tinygltf::Node node;
   node.name = name_of(layer);
   const int number = add_node(f, node);
@@ -98,7 +98,8 @@ void add_layers(GlbBuilder& f) {
     const auto own_instanced = std::ranges::find_if(instanced, [&](const auto& m) { return layer_of(m) != layer; });
     const auto count = static_cast<std::size_t>(own - primitives.begin()),
                instanced_count = static_cast<std::size_t>(own_instanced - instanced.begin());
-    if (count + instanced_count > 0) add_layer(f, layer, primitives.first(count), instanced.first(instanced_count));
+    if (count + instanced_count > 0)
+      add_layer_node(f, layer, primitives.first(count), instanced.first(instanced_count));
     primitives = primitives.subspan(count), instanced = instanced.subspan(instanced_count);
   }
   assert(primitives.empty() && instanced.empty() && "sorted by layer");

@@ -26,7 +26,7 @@ struct TileImage {
 };
 
 // All images that have texels, in the order of the file.
-std::vector<TileImage> images_of(const GlbBuilder& f) {
+std::vector<TileImage> images_of_tile(const GlbBuilder& f) {
   std::vector<TileImage> all;
   const auto add = [&](const ImageGroup& group, const std::string& name, const materials::TextureImage& image,
                        PictureContent content = PictureContent::kExact, std::span<const std::uint8_t> opacity = {}) {
@@ -60,7 +60,7 @@ int add_sampler(GlbBuilder& f, const ImageGroup& group) {
 }
 
 // Adds the texture of the image that is added next.
-void add_texture(GlbBuilder& f, int sampler) {
+void add_texture_of_next_image(GlbBuilder& f, int sampler) {
   tinygltf::Texture texture;
   texture.sampler = sampler;
   const auto source = static_cast<int>(f.model.images.size());
@@ -88,7 +88,7 @@ const impostor::Cutout* cutout_like(const GlbBuilder& f, const impostor::Cutout&
 }
 
 int picture_number(const GlbBuilder& f, const materials::TextureImage* picture) {
-  const std::vector<TileImage> images = images_of(f);
+  const std::vector<TileImage> images = images_of_tile(f);
   const auto found = std::ranges::find(images, picture, &TileImage::image);
   assert(found != images.end());
   return static_cast<int>(found - images.begin());
@@ -97,14 +97,14 @@ int picture_number(const GlbBuilder& f, const materials::TextureImage* picture) 
 void add_pictures(GlbBuilder& f) {
   const ImageGroup* group = nullptr;
   int sampler = -1;
-  for (const TileImage& each : images_of(f)) {
+  for (const TileImage& each : images_of_tile(f)) {
     if (each.group != group) sampler = add_sampler(f, *(group = each.group));
     EncodedPicture picture = encode_picture(*each.image, each.opacity, each.content, f.pictures());
     tinygltf::Image image;
     image.name = each.name, image.mimeType = picture.mime_type, image.bufferView = f.add_view(picture.bytes, 0);
     // KHR_texture_transform's scales are rounded
     image.extras = Value(Value::Object{{"texel_m", Value(each.image->texel_m)}});
-    add_texture(f, sampler);
+    add_texture_of_next_image(f, sampler);
     f.model.images.push_back(image);
   }
 }

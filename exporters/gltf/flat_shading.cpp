@@ -18,7 +18,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 constexpr double kLowest_m = 0.001;
 // cos 1°
 constexpr double kAlike = 0.99984769515639127;
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoCopy = 0xffffffffu;
 
 // A normal whose length is twice the triangle's area.
 Vec3 doubled_area(const Primitive& p, const Triangle& t) {
@@ -56,7 +56,7 @@ struct Copies {
   std::vector<std::uint32_t> before;  // of each copy: the copy of the same vertex made before
 
   std::uint32_t copy_of(std::uint32_t v, const Float3& normal) {
-    for (std::uint32_t c = last[v]; c != kNone; c = before[c])
+    for (std::uint32_t c = last[v]; c != kNoCopy; c = before[c])
       if (to.normals[c] == normal) return c;
     before.push_back(last[v]);
     last[v] = static_cast<std::uint32_t>(to.normals.size());
@@ -81,7 +81,7 @@ Primitive without_normals(Primitive&& primitive) {
 
 Primitive with_face_normals(const Primitive& primitive) {
   assert(primitive.normals.empty());
-  Copies copies{primitive, {}, std::vector(primitive.positions.size(), kNone), {}};
+  Copies copies{primitive, {}, std::vector(primitive.positions.size(), kNoCopy), {}};
   copies.to.material = primitive.material, copies.to.colour_source = primitive.colour_source;
   copies.to.layer = primitive.layer;
   for (const Triangle& t : primitive.triangles) {

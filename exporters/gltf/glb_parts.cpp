@@ -3,17 +3,18 @@
 #include <cassert>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace citykiln::exporters {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 12, kChunkBytes = 8;
 
-void put_number(std::vector<std::byte>& bytes, std::size_t value) {
+void append_number(std::vector<std::byte>& bytes, std::size_t value) {
   for (std::size_t i = 0; i < 4; ++i) bytes.push_back(static_cast<std::byte>(value >> 8 * i));
 }
 
-void put(std::vector<std::byte>& bytes, const void* from, std::size_t size) {
+void append_bytes(std::vector<std::byte>& bytes, const void* from, std::size_t size) {
   const auto* first = static_cast<const std::byte*>(from);
   bytes.insert(bytes.end(), first, first + size);
 }
@@ -38,23 +39,29 @@ GlbParts split_glb(std::span<const std::byte> bytes) {
   return {nlohmann::json::parse(json), {buffer.begin(), buffer.end()}};
 }
 
+GlbParts parts_of(PlainGlb plain) {
+  return {nlohmann::json::parse(json_of_glb(std::as_bytes(std::span(plain.without_buffer)))), std::move(plain.buffer)};
+}
+
+std::vector<std::byte> joined_glb(PlainGlb plain) { return join_glb(parts_of(std::move(plain))); }
+
 std::vector<std::byte> join_glb(GlbParts parts) {
   parts.gltf["buffers"][0]["byteLength"] = parts.buffer.size();
   std::string json = parts.gltf.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
   parts.buffer.resize((parts.buffer.size() + 3) / 4 * 4);
   std::vector<std::byte> front;
-  put(front, "glTF\2\0\0\0", 8);
-  put_number(front, kHeaderBytes + 2 * kChunkBytes + json.size() + parts.buffer.size());
-  put_number(front, json.size()), put(front, "JSON", 4), put(front, json.data(), json.size());
-  put_number(front, parts.buffer.size()), put(front, "BIN\0", 4);
+  append_bytes(front, "glTF\2\0\0\0", 8);
+  append_number(front, kHeaderBytes + 2 * kChunkBytes + json.size() + parts.buffer.size());
+  append_number(front, json.size()), append_bytes(front, "JSON", 4), append_bytes(front, json.data(), json.size());
+  append_number(front, parts.buffer.size()), append_bytes(front, "BIN\0", 4);
   parts.buffer.insert(parts.buffer.begin(), front.begin(), front.end());
   return std::move(parts.buffer);
 }
 
 std::size_t append(GlbParts& parts, std::span<const unsigned char> bytes) {
   parts.buffer.resize((parts.buffer.size() + 7) / 8 * 8);
-  put(parts.buffer, bytes.data(), bytes.size());
+  append_bytes(parts.buffer, bytes.data(), bytes.size());
   return parts.buffer.size() - bytes.size();
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "exporters/gltf/plain_glb.h"
+
 namespace citykiln::exporters {
 
 struct GlbParts {
@@ -24,6 +26,9 @@ std::string_view json_of_glb(std::span<const std::byte> bytes);
 
 /// Divides a .glb. Throws nlohmann's exceptions where the JSON is invalid.
 GlbParts split_glb(std::span<const std::byte> bytes);
+
+/// Reads the JSON of a file whose buffer is apart.
+GlbParts parts_of(PlainGlb plain);
 
 /// Joins the parts and sets the buffer's length. Reuses the buffer's memory for the file.
 std::vector<std::byte> join_glb(GlbParts parts);

@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 constexpr const char* kOtherAccessors = "accessors as citykiln writes them";
 
-std::vector<std::uint32_t> indices_of(const GlbParts& plain, const Json& accessor) {
+std::vector<std::uint32_t> plain_indices(const GlbParts& plain, const Json& accessor) {
   const auto bytes = bytes_of_view(plain, view_of(plain.gltf, accessor));
   const std::size_t stride = bytes_of(component_of(accessor));
   std::vector<std::uint32_t> indices(bytes.size() / stride);
@@ -20,7 +20,7 @@ std::vector<std::uint32_t> indices_of(const GlbParts& plain, const Json& accesso
   return indices;
 }
 
-bool is_instance(const Json& node) {
+bool carries_instances(const Json& node) {
   return (node.contains("extensions") && node["extensions"].contains("EXT_mesh_gpu_instancing")) ||
          (node.contains("extras") && node["extras"].contains("feature"));
 }
@@ -38,7 +38,7 @@ std::vector<Json*> primitives_of(Json& gltf) {
 std::vector<std::size_t> instanced_meshes(const Json& gltf) {
   std::vector<std::size_t> meshes;
   for (const Json& node : gltf.at("nodes")) {
-    if (!node.contains("mesh") || !is_instance(node)) continue;
+    if (!node.contains("mesh") || !carries_instances(node)) continue;
     const auto mesh = node["mesh"].get<std::size_t>();
     if (std::ranges::find(meshes, mesh) == meshes.end()) meshes.push_back(mesh);
   }
@@ -86,7 +86,7 @@ MeshArrays arrays_of(const GlbParts& plain, const Json& primitive) {
     mesh.count = accessor.at("count").get<std::size_t>();
     mesh.attributes.push_back(attribute_of(plain, name, accessor));
   }
-  mesh.indices = indices_of(plain, accessors.at(primitive.at("indices").get<std::size_t>()));
+  mesh.indices = plain_indices(plain, accessors.at(primitive.at("indices").get<std::size_t>()));
   return mesh;
 }
 

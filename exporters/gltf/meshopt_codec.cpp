@@ -14,8 +14,6 @@ namespace {
 
 using Byte4 = std::array<std::int8_t, 4>;
 
-bool is_direction(const std::string& name) { return name == "NORMAL" || name == "TANGENT"; }
-
 MeshoptArray array_of(const void* values, std::size_t count, std::size_t stride, const char* filter) {
   const auto* bytes = static_cast<const unsigned char*>(values);
   return {{stride, "ATTRIBUTES", filter}, {bytes, bytes + count * stride}};
@@ -40,7 +38,7 @@ MeshoptArray array_of_steps(Steps steps, std::size_t count, std::size_t stride) 
 }
 
 MeshoptArray attribute_array(const VertexAttribute& attribute, std::size_t count) {
-  if (is_direction(attribute.name)) return direction_array(attribute, count);
+  if (is_direction(attribute)) return direction_array(attribute, count);
   if (auto steps = steps_of(attribute)) return array_of_steps(std::move(*steps), count, stride_of(attribute));
   return array_of(attribute.bytes.data(), count, stride_of(attribute), "NONE");
 }
@@ -75,7 +73,7 @@ MeshoptMesh meshopt_arrays(MeshArrays mesh, std::size_t index_stride) {
   MeshoptMesh out;
   for (const VertexAttribute& attribute : mesh.attributes) {
     out.attributes.push_back(attribute_array(attribute, mesh.count));
-    out.components.push_back(is_direction(attribute.name) ? Component::kByte : attribute.component);
+    out.components.push_back(is_direction(attribute) ? Component::kByte : attribute.component);
   }
   out.indices = index_array(mesh.indices, index_stride), out.count = mesh.count;
   return out;
@@ -113,7 +111,7 @@ std::optional<std::vector<unsigned char>> decode_meshopt(const MeshoptView& view
 bool can_hold(const MeshoptKind& kind, const VertexAttribute& attribute) {
   if (kind.mode != "ATTRIBUTES") return false;
   if (kind.filter == "OCTAHEDRAL")
-    return is_direction(attribute.name) && attribute.component == Component::kByte && kind.stride == 4 &&
+    return is_direction(attribute) && attribute.component == Component::kByte && kind.stride == 4 &&
            (attribute.width == 3 || attribute.width == 4);
   const bool is_filter =
       kind.filter == "NONE" || (kind.filter == "EXPONENTIAL" && attribute.component == Component::kFloat);

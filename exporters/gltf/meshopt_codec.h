@@ -9,6 +9,8 @@
 
 namespace citykiln::exporters {
 
+inline constexpr const char* kMeshoptExtension = "EXT_meshopt_compression";
+
 /// How a buffer view is packed, in the extension's terms. Arrays of one kind can follow each other in one view.
 struct MeshoptKind {
   std::size_t stride = 0;           ///< Bytes of a decoded element.

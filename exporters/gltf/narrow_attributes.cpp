@@ -104,7 +104,7 @@ T value_at(const unsigned char* at) {
   return value;
 }
 
-VertexAttribute narrowed(const VertexAttribute& attribute, const NarrowSteps& steps) {
+VertexAttribute narrowed_to_steps(const VertexAttribute& attribute, const NarrowSteps& steps) {
   const auto count = [&](const unsigned char* at, std::size_t c) {
     return std::ldexp(double{value_at<float>(at)} - steps.offset_m.at(c), -steps.exponent);
   };
@@ -113,10 +113,6 @@ VertexAttribute narrowed(const VertexAttribute& attribute, const NarrowSteps& st
                                     [&](auto* at, std::size_t c) { return static_cast<std::uint16_t>(count(at, c)); });
   return converted<std::int16_t>(attribute, Component::kShort,
                                  [&](auto* at, std::size_t c) { return static_cast<std::int16_t>(count(at, c)); });
-}
-
-bool is_direction(const VertexAttribute& attribute) {
-  return attribute.name == "NORMAL" || attribute.name == "TANGENT";
 }
 
 // Gives the first three components unit length.
@@ -142,7 +138,7 @@ double step_m_of(const Json& accessor) {
 
 // ---- scales --------------------------------------------------------------------------------------------------------
 
-std::array<double, 3> scale_of(const Json& node) {
+std::array<double, 3> node_scale(const Json& node) {
   if (!node.contains("scale")) return {1, 1, 1};
   return node["scale"].get<std::array<double, 3>>();
 }
@@ -175,7 +171,7 @@ void scale_node(Json& node, double factor, std::set<std::size_t>& scaled, GlbPar
     if (scaled.insert(number).second) scale_instances(parts.gltf.at("accessors").at(number), factor, parts);
     return;
   }
-  auto scale = scale_of(node);
+  auto scale = node_scale(node);
   for (double& s : scale) s *= factor;
   node["scale"] = scale;
 }
@@ -254,8 +250,10 @@ NarrowPlan plan_narrowing(const GlbParts& plain) {
 
 void narrow_steps(const NarrowPlan& plan, std::size_t mesh, std::size_t material, MeshArrays& arrays) {
   for (VertexAttribute& attribute : arrays.attributes) {
-    if (attribute.name == "POSITION" && plan.positions.at(mesh)) attribute = narrowed(attribute, *plan.positions[mesh]);
-    if (attribute.name == "TEXCOORD_0" && plan.uvs.at(material)) attribute = narrowed(attribute, *plan.uvs[material]);
+    if (attribute.name == "POSITION" && plan.positions.at(mesh))
+      attribute = narrowed_to_steps(attribute, *plan.positions[mesh]);
+    if (attribute.name == "TEXCOORD_0" && plan.uvs.at(material))
+      attribute = narrowed_to_steps(attribute, *plan.uvs[material]);
   }
 }
 

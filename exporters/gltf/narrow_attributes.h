@@ -11,6 +11,8 @@
 
 namespace citykiln::exporters {
 
+inline constexpr const char* kQuantizationExtension = "KHR_mesh_quantization";
+
 /// Steps of an attribute in 16 bits, from an offset on.
 struct NarrowSteps {
   int exponent = 0;

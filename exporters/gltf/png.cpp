@@ -14,7 +14,7 @@ namespace {
 using materials::TextureImage;
 
 // An image header for libpng.
-png_image picture_of(const TextureImage& sheet) {
+png_image png_image_of(const TextureImage& sheet) {
   png_image picture{};
   picture.version = PNG_IMAGE_VERSION;
   picture.width = sheet.columns, picture.height = sheet.rows, picture.format = PNG_FORMAT_RGB;
@@ -54,7 +54,7 @@ std::vector<std::byte> written(png_image& picture, const void* pixels, const voi
 }
 
 // An upper bound: eight pixels per byte, which deflate compresses at most 1032 times.
-std::uint64_t most_texels_in(std::size_t bytes) {
+std::uint64_t most_texels_in_png(std::size_t bytes) {
   return std::min<std::uint64_t>(8 * 1032 * bytes, materials::kMaxImageTexels);
 }
 
@@ -64,7 +64,8 @@ Result<Done> begin(png_image& picture, std::span<const std::byte> bytes, const s
   if (png_image_begin_read_from_memory(&picture, bytes.data(), bytes.size()) == 0)
     return Error{name, std::string("expected a PNG picture: ") + picture.message};
   const std::uint64_t texels = std::uint64_t{picture.width} * picture.height;
-  if (std::max(picture.width, picture.height) <= materials::kMaxImageSide_px && texels <= most_texels_in(bytes.size()))
+  if (std::max(picture.width, picture.height) <= materials::kMaxImageSide_px &&
+      texels <= most_texels_in_png(bytes.size()))
     return Done{};
   png_image_free(&picture);
   return Error{name, "expected a picture of no more texels than an image may have"};
@@ -74,7 +75,7 @@ Result<Done> begin(png_image& picture, std::span<const std::byte> bytes, const s
 
 std::vector<std::byte> encode_png(const TextureImage& sheet) {
   assert(sheet.texels.size() == std::size_t{sheet.columns} * sheet.rows && !sheet.texels.empty());
-  png_image picture = picture_of(sheet);
+  png_image picture = png_image_of(sheet);
   const std::optional<Palette> palette = palette_of(sheet);
   if (!palette) return written(picture, sheet.texels.data(), nullptr);
   std::vector<std::uint8_t> numbers;
@@ -87,7 +88,7 @@ std::vector<std::byte> encode_png(const TextureImage& sheet) {
 
 std::vector<std::byte> encode_png(const TextureImage& sheet, std::span<const std::uint8_t> opacity) {
   assert(sheet.texels.size() == opacity.size() && !sheet.texels.empty());
-  png_image picture = picture_of(sheet);
+  png_image picture = png_image_of(sheet);
   picture.format = PNG_FORMAT_RGBA;
   std::vector<std::array<std::uint8_t, 4>> pixels(opacity.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -57,7 +57,7 @@ void begin_in_first_period(const ObjectRun& run, std::vector<bake::Float2>& uvs)
 }
 
 // The texel of the image that a primitive shows; 0 where it shows none.
-double texel_m_of(const bake::BakedTile& tile, const impostor::Cutout* cutout, ColourSource source) {
+double shown_texel_m(const bake::BakedTile& tile, const impostor::Cutout* cutout, ColourSource source) {
   if (source == ColourSource::kByMarkingAtlas) return tile.marking_atlas.texel_m;
   if (source == ColourSource::kByAtlas) return tile.facade_atlas.colour.texel_m;
   return source == ColourSource::kByCutout && cutout != nullptr ? cutout->colour.texel_m : 0;
@@ -72,12 +72,6 @@ double quantise(double step_m, double texel_m, double tolerance_m, Primitive& pr
     for (const ObjectRun& run : object_runs(primitive)) begin_in_first_period(run, primitive.uvs);
   share_vertices(primitive);
   return farthest_m;
-}
-
-// The terrain keeps the map's own grid: borders, lakes and quays are measured by the height at a place, which a step
-// aside can change by the height of a quay.
-bool is_terrain(const Primitive& p) {
-  return p.layer == bake::Layer::kGround || p.layer == bake::Layer::kRoads || p.layer == bake::Layer::kWater;
 }
 
 }  // namespace
@@ -97,15 +91,18 @@ bake::BakedTile quantised(bake::BakedTile tile) {
   double farthest_m = 0, of_instances_m = 0;
   tile.error_m += rounding_m(tile.primitives);
   for (Primitive& p : tile.primitives) {
+    // terrain keeps the map's own grid: borders, lakes and quays are measured by the height at a place, which a step
+    // aside can change by the height of a quay
     const double own_step_m = is_terrain(p) ? kQuantum_m : step_m;
     farthest_m =
-        std::max(farthest_m, quantise(own_step_m, texel_m_of(tile, nullptr, p.colour_source), tile.tolerance_m, p));
+        std::max(farthest_m, quantise(own_step_m, shown_texel_m(tile, nullptr, p.colour_source), tile.tolerance_m, p));
   }
   for (bake::InstancedMesh& instanced : tile.instanced) {
     double moved_m = 0;
     for (Primitive& p : instanced.primitives)
-      moved_m = std::max(moved_m, quantise(step_m * kPrototypeStepRatio,
-                                           texel_m_of(tile, &*instanced.cutout, p.colour_source), tile.tolerance_m, p));
+      moved_m =
+          std::max(moved_m, quantise(step_m * kPrototypeStepRatio,
+                                     shown_texel_m(tile, &*instanced.cutout, p.colour_source), tile.tolerance_m, p));
     for (const float scale : instanced.scales) of_instances_m = std::max(of_instances_m, moved_m * std::abs(scale));
   }
   tile.error_m += std::max(farthest_m, of_instances_m), tile.plant_error_m += of_instances_m;

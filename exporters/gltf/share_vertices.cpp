@@ -16,7 +16,7 @@ namespace {
 
 using bake::Primitive;
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoVertex = 0xffffffffu;
 using Key = std::array<std::uint32_t, 8>;
 
 // A normal in few bits.
@@ -54,19 +54,19 @@ std::vector<bool> used_vertices(const Primitive& primitive) {
   return used;
 }
 
-// For each vertex the first equal one of its run, itself if it is that; kNone without a triangle.
+// For each vertex the first equal one of its run, itself if it is that; kNoVertex without a triangle.
 std::vector<std::uint32_t> first_equals(const Primitive& primitive) {
-  std::vector<std::uint32_t> first(primitive.positions.size(), kNone);
+  std::vector<std::uint32_t> first(primitive.positions.size(), kNoVertex);
   const std::vector<bool> used = used_vertices(primitive);
   for (const ObjectRun& run : object_runs(primitive)) {
-    std::vector<std::uint32_t> slots(std::bit_ceil(2 * run.vertices()), kNone);
+    std::vector<std::uint32_t> slots(std::bit_ceil(2 * run.vertices()), kNoVertex);
     for (std::size_t v = run.first_vertex; v < run.last_vertex; ++v) {
       if (!used[v]) continue;
       const Key key = key_of_vertex(primitive, v);
       std::size_t slot = hash_of(key) & (slots.size() - 1);
-      while (slots[slot] != kNone && key_of_vertex(primitive, slots[slot]) != key)
+      while (slots[slot] != kNoVertex && key_of_vertex(primitive, slots[slot]) != key)
         slot = (slot + 1) & (slots.size() - 1);
-      if (slots[slot] == kNone) slots[slot] = static_cast<std::uint32_t>(v);
+      if (slots[slot] == kNoVertex) slots[slot] = static_cast<std::uint32_t>(v);
       first[v] = slots[slot];
     }
   }

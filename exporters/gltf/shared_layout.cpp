@@ -13,17 +13,17 @@
 
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
+#include "exporters/gltf/draco_codec.h"
 #include "exporters/gltf/glb_checks.h"
 #include "exporters/gltf/glb_parts.h"
 #include "exporters/gltf/glb_primitives.h"
 #include "exporters/gltf/glb_reader.h"
+#include "exporters/gltf/meshopt_codec.h"
 
 namespace citykiln::exporters {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr const char *kDraco = "KHR_draco_mesh_compression", *kMeshopt = "EXT_meshopt_compression";
 
 // ---- sharing -------------------------------------------------------------------------------------------------------
 
@@ -33,7 +33,9 @@ std::span<const unsigned char> bytes_of(const std::vector<std::byte>& bytes) {
 
 // A view's buffer and place, which meshopt has in an extension.
 Json& place_of(Json& view) {
-  return view.contains("extensions") && view["extensions"].contains(kMeshopt) ? view["extensions"][kMeshopt] : view;
+  return view.contains("extensions") && view["extensions"].contains(kMeshoptExtension)
+             ? view["extensions"][kMeshoptExtension]
+             : view;
 }
 
 // The buffer views of a mesh.
@@ -46,8 +48,8 @@ std::vector<std::size_t> views_of(const Json& gltf, const Json& mesh) {
   for (const Json& primitive : mesh.at("primitives")) {
     for (const auto& [name, number] : primitive.at("attributes").items()) add(number);
     add(primitive.at("indices"));
-    if (primitive.contains("extensions") && primitive["extensions"].contains(kDraco))
-      views.push_back(primitive["extensions"][kDraco]["bufferView"].get<std::size_t>());
+    if (primitive.contains("extensions") && primitive["extensions"].contains(kDracoExtension))
+      views.push_back(primitive["extensions"][kDracoExtension]["bufferView"].get<std::size_t>());
   }
   return views;
 }
@@ -132,18 +134,19 @@ void renumber_views(Json& at, const std::map<std::size_t, std::size_t>& number) 
 
 // ---- embedding -----------------------------------------------------------------------------------------------------
 
-[[noreturn]] void refuse(const std::string& what) { throw std::runtime_error(what); }
+[[noreturn]] void refuse_layout(const std::string& what) { throw std::runtime_error(what); }
 
 // Reads one shared file.
 std::vector<std::byte> shared_bytes(const std::string& folder, const std::string& uri) {
   namespace fs = std::filesystem;
-  if (!is_shared_uri(uri)) refuse(fmt::format("refers to \"{}\"; only files in shared/ beside it are read", uri));
+  if (!is_shared_uri(uri))
+    refuse_layout(fmt::format("refers to \"{}\"; only files in shared/ beside it are read", uri));
   const fs::path path = fs::path(folder) / uri;
   std::error_code ignored;
   if (fs::is_symlink(path.parent_path(), ignored) || !fs::is_regular_file(fs::symlink_status(path, ignored)))
-    refuse(fmt::format("refers to \"{}\", which is missing or no plain file", uri));
+    refuse_layout(fmt::format("refers to \"{}\", which is missing or no plain file", uri));
   auto bytes = read_file(path.string());
-  if (!bytes) refuse(to_string(bytes.error()));
+  if (!bytes) refuse_layout(to_string(bytes.error()));
   return std::move(*bytes);
 }
 
@@ -155,7 +158,7 @@ struct Embedding {
 
   std::vector<std::byte> take(const Json& at) {
     const auto uri = at.at("uri").get<std::string>();
-    if (!read.insert(uri).second) refuse(fmt::format("refers to \"{}\" twice", uri.substr(0, 80)));
+    if (!read.insert(uri).second) refuse_layout(fmt::format("refers to \"{}\" twice", uri.substr(0, 80)));
     return shared_bytes(folder, uri);
   }
 
@@ -167,7 +170,7 @@ struct Embedding {
       if (!buffers[b].contains("uri")) continue;
       const std::vector<std::byte> bytes = take(buffers[b]);
       if (bytes.size() != buffers[b].at("byteLength").get<std::size_t>())
-        refuse(fmt::format("refers to \"{}\", which has another length", buffers[b]["uri"].get<std::string>()));
+        refuse_layout(fmt::format("refers to \"{}\", which has another length", buffers[b]["uri"].get<std::string>()));
       begin[b] = append(parts, bytes_of(bytes));
     }
     if (begin.empty()) return;
@@ -178,7 +181,7 @@ struct Embedding {
       const auto offset = place.value("byteOffset", std::uint64_t{0}),
                  length = place.at("byteLength").get<std::uint64_t>(),
                  size = buffers[found->first].at("byteLength").get<std::uint64_t>();
-      if (offset > size || length > size - offset) refuse("has buffer views outside their buffer");
+      if (offset > size || length > size - offset) refuse_layout("has buffer views outside their buffer");
       place["buffer"] = 0, place["byteOffset"] = offset + found->second;
     }
     while (buffers.size() > 1 && buffers.back().contains("uri")) buffers.erase(buffers.size() - 1);

@@ -36,7 +36,7 @@ std::map<std::uint32_t, Primitive> by_feature(const Primitive& p) {
 }
 
 template <typename T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
+void append_values(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
@@ -57,8 +57,9 @@ SplitBuildings split_buildings(std::span<const Primitive> primitives) {
 void append_primitive(Primitive& to, const Primitive& from) {
   assert(key_of(to) == key_of(from));
   const auto first = static_cast<std::uint32_t>(to.positions.size());
-  append(to.positions, from.positions), append(to.normals, from.normals), append(to.colours, from.colours);
-  append(to.features, from.features), append(to.uvs, from.uvs);
+  append_values(to.positions, from.positions), append_values(to.normals, from.normals),
+      append_values(to.colours, from.colours);
+  append_values(to.features, from.features), append_values(to.uvs, from.uvs);
   for (const auto& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 

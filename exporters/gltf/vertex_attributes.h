@@ -37,6 +37,11 @@ inline std::size_t stride_of(const VertexAttribute& attribute) {
   return (attribute.width * bytes_of(attribute.component) + 3) / 4 * 4;
 }
 
+/// Whether an attribute is of unit vectors.
+inline bool is_direction(const VertexAttribute& attribute) {
+  return attribute.name == "NORMAL" || attribute.name == "TANGENT";
+}
+
 struct MeshArrays {
   std::size_t count = 0;                    ///< Of vertices.
   std::vector<VertexAttribute> attributes;  ///< Each with `count` elements.

@@ -43,7 +43,7 @@ std::vector<std::byte> encoded(const TextureImage& image, const std::vector<Pixe
 }
 
 // A few bytes can hold an image of one colour of any size, which must not take memory without limit.
-std::uint64_t most_texels_in(std::size_t bytes) {
+std::uint64_t most_texels_in_webp(std::size_t bytes) {
   constexpr std::uint64_t kAnyFile = std::uint64_t{1} << 20, kPerByte = 4096;
   return std::clamp<std::uint64_t>(kPerByte * bytes, kAnyFile, materials::kMaxImageTexels);
 }
@@ -73,7 +73,7 @@ Result<CutoutImage> decode_webp(std::span<const std::byte> bytes, const std::str
     return Error{name, "expected a WebP picture"};
   const auto columns = static_cast<std::uint32_t>(features.width), rows = static_cast<std::uint32_t>(features.height);
   const std::uint64_t texels = std::uint64_t{columns} * rows;
-  if (std::max(columns, rows) > materials::kMaxImageSide_px || texels > most_texels_in(bytes.size()))
+  if (std::max(columns, rows) > materials::kMaxImageSide_px || texels > most_texels_in_webp(bytes.size()))
     return Error{name, "expected a picture of no more texels than an image may have"};
   std::vector<Pixel> pixels(texels);
   const std::size_t size = pixels.size() * sizeof(Pixel);

@@ -114,7 +114,7 @@ void serialise(auto& io, props::Lamp& l) {
 }
 
 // The prediction of a height from its western, southern and south-western neighbours; the difference is written.
-std::int64_t predicted(const map::Heightfield& h, std::size_t i) {
+std::int64_t predicted_field_height(const map::Heightfield& h, std::size_t i) {
   const auto across = static_cast<std::size_t>(h.columns);
   const std::int64_t west = i % across > 0 ? h.heights[i - 1] : 0, south = i >= across ? h.heights[i - across] : 0;
   if (i % across == 0) return south;
@@ -156,12 +156,12 @@ void heights(Io& io, map::Heightfield& h) {
   if constexpr (Io::kReads)
     if (shift < 0 || shift > 30) return io.fail("field");
   for (std::size_t i = 0; i < size; ++i) {
-    std::int64_t off = (h.heights[i] - predicted(h, i)) >> shift;
+    std::int64_t off = (h.heights[i] - predicted_field_height(h, i)) >> shift;
     std::uint64_t zigzag = static_cast<std::uint64_t>(off) << 1 ^ static_cast<std::uint64_t>(off >> 63);
     io.number("heights", zigzag);
     if constexpr (Io::kReads) {
       const std::uint64_t undone = (zigzag >> 1 ^ (~(zigzag & 1) + 1)) << shift;
-      const auto height = static_cast<std::int64_t>(static_cast<std::uint64_t>(predicted(h, i)) + undone);
+      const auto height = static_cast<std::int64_t>(static_cast<std::uint64_t>(predicted_field_height(h, i)) + undone);
       h.heights[i] = static_cast<std::int32_t>(height);
       if (h.heights[i] != height) return io.fail("heights");
     }

@@ -148,10 +148,10 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
-void put(Bytes& bytes, std::uint64_t value, int size) {
+void put_little_endian(Bytes& bytes, std::uint64_t value, int size) {
   for (int i = 0; i < size; ++i) bytes.push_back(static_cast<std::byte>(value >> 8 * i));
 }
-std::uint64_t get(ByteSpan bytes, std::size_t at, int size) {
+std::uint64_t get_little_endian(ByteSpan bytes, std::size_t at, int size) {
   std::uint64_t value = 0;
   for (int i = 0; i < size; ++i) value |= static_cast<std::uint64_t>(bytes[at + static_cast<std::size_t>(i)]) << 8 * i;
   return value;
@@ -162,8 +162,8 @@ std::uint64_t header_checksum(ByteSpan beginning, ByteSpan frame) {
   return checksum(frame, checksum(beginning.first(kChecksumAt)));
 }
 
-using Texts = flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>;
-std::vector<std::string> strings_of(const Texts* texts) {
+using HeaderTexts = flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>;
+std::vector<std::string> strings_of(const HeaderTexts* texts) {
   std::vector<std::string> strings;
   if (texts != nullptr)
     for (const auto* text : *texts) strings.push_back(text->str());
@@ -171,7 +171,7 @@ std::vector<std::string> strings_of(const Texts* texts) {
 }
 
 // The total size of texts: a FlatBuffer may refer to one text a million times.
-std::size_t size_of(const Texts* texts) {
+std::size_t size_of(const HeaderTexts* texts) {
   std::size_t size = 0;
   if (texts != nullptr)
     for (const auto* text : *texts) size += text->size();
@@ -387,7 +387,7 @@ Result<Done> check_index(std::span<const Entry> entries, const scene::Header& he
 }
 
 // Null where the header has none.
-Result<UnpackingDictionary> dictionary_of(const fbs::Header& h, const std::string& name) {
+Result<UnpackingDictionary> unpacking_dictionary_of(const fbs::Header& h, const std::string& name) {
   if (h.dictionary() == nullptr) return UnpackingDictionary();
   auto dictionary = unpacking_dictionary({h.dictionary()->data(), h.dictionary()->size()});
   if (dictionary == nullptr) return Error{name, "expected a zstd dictionary in the header, found damage in it"};
@@ -414,12 +414,12 @@ Error made_by_another(const std::string& name, ByteSpan frame, const std::string
 Result<ByteSpan> header_frame(ByteSpan bytes, const std::string& name) {
   if (bytes.size() < kPreamble || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0)
     return Error{name, "expected a citykiln manifest, which begins with CITYKILN"};
-  const std::uint64_t major = get(bytes, kMajorAt, 2), size = get(bytes, kHeaderSizeAt, 4);
+  const std::uint64_t major = get_little_endian(bytes, kMajorAt, 2), size = get_little_endian(bytes, kHeaderSizeAt, 4);
   const ByteSpan frame = bytes.subspan(kPreamble, std::min<std::uint64_t>(size, bytes.size() - kPreamble));
   if (major != kMajor)
     return made_by_another(name, frame, fmt::format("has manifest format {}, expected {}", major, kMajor));
   if (size > frame.size()) return Error{name, "expected the header, found the end of the file"};
-  if (header_checksum(bytes, frame) != get(bytes, kChecksumAt, 8)) return damaged_header(name);
+  if (header_checksum(bytes, frame) != get_little_endian(bytes, kChecksumAt, 8)) return damaged_header(name);
   return frame;
 }
 
@@ -456,8 +456,8 @@ Bytes encode_manifest(const scene::Scene& scene, int threads) {
   const Bytes header = packed(raw_header(scene, frames, dictionary), nullptr);
   Bytes bytes;
   for (const char c : kMagic) bytes.push_back(static_cast<std::byte>(c));
-  put(bytes, kMajor, 2), put(bytes, kMinor, 2), put(bytes, header.size(), 4);
-  put(bytes, header_checksum(bytes, header), 8);
+  put_little_endian(bytes, kMajor, 2), put_little_endian(bytes, kMinor, 2), put_little_endian(bytes, header.size(), 4);
+  put_little_endian(bytes, header_checksum(bytes, header), 8);
   bytes.insert(bytes.end(), header.begin(), header.end());
   for (const Bytes& frame : frames) bytes.insert(bytes.end(), frame.begin(), frame.end());
   return bytes;
@@ -479,7 +479,7 @@ Result<scene::Scene> decode_manifest(ByteSpan bytes, const std::string& name, st
   if (!entries) return damaged_header(name);
   const ByteSpan body = bytes.subspan(kPreamble + frame->size());
   if (const auto index = check_index(*entries, *header, body.size(), name); !index) return index.error();
-  const auto dictionary = dictionary_of(h, name);
+  const auto dictionary = unpacking_dictionary_of(h, name);
   if (!dictionary) return dictionary.error();
   auto chunks = chunks_of(body, *entries, *dictionary, name, only);
   if (!chunks) return chunks.error();

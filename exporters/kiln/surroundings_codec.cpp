@@ -17,14 +17,14 @@ std::vector<std::uint8_t> encode_lines(const std::vector<std::int32_t>& lines) {
 }
 
 // Each height is predicted by its neighbours to the west, south and south-west.
-std::int64_t predicted(const Surroundings& around, std::size_t column, std::size_t row) {
+std::int64_t predicted_surrounding_height_m(const Surroundings& around, std::size_t column, std::size_t row) {
   const auto at = [&](std::size_t c, std::size_t r) { return std::int64_t{around.heights_m[around.index(c, r)]}; };
   if (column == 0) return row == 0 ? 0 : at(0, row - 1);
   if (row == 0) return at(column - 1, 0);
   return at(column - 1, row) + at(column, row - 1) - at(column - 1, row - 1);
 }
 
-std::optional<std::int32_t> narrowed(std::int64_t value) {
+std::optional<std::int32_t> as_int32(std::int64_t value) {
   using Limits = std::numeric_limits<std::int32_t>;
   if (value < Limits::min() || value > Limits::max()) return std::nullopt;
   return static_cast<std::int32_t>(value);
@@ -34,7 +34,7 @@ std::optional<std::vector<std::int32_t>> decode_lines(std::span<const std::uint8
   StreamReader reader(stream);
   std::vector<std::int32_t> lines;
   while (reader.remaining() > 0 && lines.size() <= surroundings::kMostLines) {
-    const auto line = narrowed(reader.get_delta());
+    const auto line = as_int32(reader.get_delta());
     if (!line) return std::nullopt;
     lines.push_back(*line);
   }
@@ -48,7 +48,7 @@ bool decode_heights(std::span<const std::uint8_t> stream, Surroundings& around) 
       const std::int64_t difference = reader.get_signed();
       constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
       if (!reader.good() || difference < -kMost || difference > kMost) return false;
-      const auto height_m = narrowed(predicted(around, column, row) + difference);
+      const auto height_m = as_int32(predicted_surrounding_height_m(around, column, row) + difference);
       if (!height_m) return false;
       around.heights_m.push_back(*height_m);
     }
@@ -73,7 +73,8 @@ SurroundingsStreams encode_surroundings(const Surroundings& around) {
   StreamWriter heights, covers;
   for (std::size_t row = 0; row < around.rows(); ++row)
     for (std::size_t column = 0; column < around.columns(); ++column)
-      heights.put_signed(around.heights_m[around.index(column, row)] - predicted(around, column, row));
+      heights.put_signed(around.heights_m[around.index(column, row)] -
+                         predicted_surrounding_height_m(around, column, row));
   Cover cover = Cover::kLand;
   std::uint64_t run = 0;
   for (const Cover next : around.covers) {

@@ -7,10 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "exporters/joined_attributions.h"
+
 namespace citykiln::exporters {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kSuffix = ".json";
 
@@ -22,12 +24,12 @@ std::size_t tiles_of(const TilesetTile& tile) {
   return count;
 }
 
-Json extras_of(const TilesetTile& tile) {
+OrderedJson extras_of(const TilesetTile& tile) {
   return {{"tolerance_m", tile.tolerance_m}, {"error_m", tile.error_m}, {"plant_error_m", tile.plant_error_m}};
 }
 
-Json json_of(const TilesetTile& tile) {
-  Json json = {{"boundingVolume", {{"box", numbers_of(tile.box)}}}, {"geometricError", tile.error_m}};
+OrderedJson json_of(const TilesetTile& tile) {
+  OrderedJson json = {{"boundingVolume", {{"box", numbers_of(tile.box)}}}, {"geometricError", tile.error_m}};
   if (!tile.content.empty()) json["content"] = {{"uri", tile.content}};
   if (!tile.content.empty() && !is_external(tile)) json["extras"] = extras_of(tile);
   for (const TilesetTile& child : tile.children) {
@@ -37,29 +39,23 @@ Json json_of(const TilesetTile& tile) {
   return json;
 }
 
-std::string joined(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
-  return all;
-}
-
-Json asset_of(const TilesetFacts& facts) {
-  Json credits = Json::array();
+OrderedJson asset_of(const TilesetFacts& facts) {
+  OrderedJson credits = OrderedJson::array();
   for (const std::string& credit : facts.attributions) credits.push_back({{"html", credit}, {"showOnScreen", true}});
   return {{"version", "1.1"},
           {"generator", "citykiln 0.1.0"},
-          {"copyright", joined(facts.attributions)},
-          {"extras", {{"copyright", joined(facts.attributions)}, {"cesium", {{"credits", credits}}}}}};
+          {"copyright", joined_attributions(facts.attributions)},
+          {"extras", {{"copyright", joined_attributions(facts.attributions)}, {"cesium", {{"credits", credits}}}}}};
 }
 
-Json property(const char* description, const char* type) {
+OrderedJson property(const char* description, const char* type) {
   if (std::string_view(type) == "STRING") return {{"type", type}, {"description", description}};
   return {{"type", "SCALAR"}, {"componentType", type}, {"description", description}};
 }
 
-void add_metadata(Json& json, const TilesetFacts& facts) {
+void add_metadata(OrderedJson& json, const TilesetFacts& facts) {
   const bool has_geoid = !facts.geoid.empty();
-  Json properties = {
+  OrderedJson properties = {
       {"attribution", property("sources of the data", "STRING")},
       {"origin_lon_deg", property("longitude of the origin of the plane and of the root's frame", "FLOAT64")},
       {"origin_lat_deg", property("latitude of the same", "FLOAT64")},
@@ -70,7 +66,7 @@ void add_metadata(Json& json, const TilesetFacts& facts) {
   json["metadata"] = {
       {"class", "tileset"},
       {"properties",
-       {{"attribution", joined(facts.attributions)},
+       {{"attribution", joined_attributions(facts.attributions)},
         {"origin_lon_deg", facts.origin.lon_deg},
         {"origin_lat_deg", facts.origin.lat_deg},
         {"heights", has_geoid ? "heights above sea level, and the geoid's: " + facts.geoid
@@ -80,8 +76,8 @@ void add_metadata(Json& json, const TilesetFacts& facts) {
 
 double diagonal_m(const OrientedBox& box) { return length(box.corner(7) - box.corner(0)); }
 
-std::string text_of(const TilesetTile& root, const TilesetFacts& facts, bool is_outermost) {
-  Json json = {{"asset", asset_of(facts)}};
+std::string tileset_text(const TilesetTile& root, const TilesetFacts& facts, bool is_outermost) {
+  OrderedJson json = {{"asset", asset_of(facts)}};
   if (is_outermost) add_metadata(json, facts);
   json["geometricError"] = std::max(diagonal_m(root.box), 2 * root.error_m);
   json["root"] = json_of(root);
@@ -110,7 +106,7 @@ class Divider {
  private:
   void move_out(TilesetTile& tile) {
     const std::string name = fmt::format("tileset_{}{}", files.size() + 1, kSuffix);
-    files.push_back({"3dtiles/" + name, text_of(tile, facts_, false)});
+    files.push_back({"3dtiles/" + name, tileset_text(tile, facts_, false)});
     tile.content = name, tile.children.clear();
   }
 
@@ -122,7 +118,7 @@ class Divider {
 std::vector<TilesetFile> encode_tileset(TilesetTile root, const TilesetFacts& facts) {
   Divider divider(facts);
   divider.divide(root);
-  divider.files.push_back({"3dtiles/tileset.json", text_of(root, facts, true)});
+  divider.files.push_back({"3dtiles/tileset.json", tileset_text(root, facts, true)});
   return std::move(divider.files);
 }
 

@@ -45,7 +45,7 @@ unsigned code_of(std::int32_t difference, std::int32_t common) {
 }
 
 // Little-endian.
-void put(Bytes& out, std::int32_t value, std::size_t size) {
+void put_code(Bytes& out, std::int32_t value, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i)
     out.push_back(static_cast<std::byte>(static_cast<std::uint32_t>(value) >> 8 * i));
 }
@@ -60,7 +60,7 @@ Bytes encode(std::span<const std::int32_t> numbers) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const unsigned code = code_of(steps[i], common);
     out[4 + i / 4] |= static_cast<std::byte>(code << 2 * (i % 4));
-    put(out, steps[i], kCodeBytes[code]);
+    put_code(out, steps[i], kCodeBytes[code]);
   }
   return out;
 }

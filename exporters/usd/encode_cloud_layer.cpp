@@ -13,9 +13,7 @@ namespace {
 
 using bake::Float3;
 
-Float3 narrowed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-
-UsdBounds bounds_of(const sky::LayerParticles& layer) {
+UsdBounds bounds_of_spheres(const sky::LayerParticles& layer) {
   UsdBounds bounds;
   for (const sky::CloudParticle& sphere : layer.spheres) {
     const Vec3 half{sphere.radius_m, sphere.radius_m, sphere.radius_m};
@@ -42,7 +40,7 @@ void write_frame(LayerWriter& writer, const sky::LayerFrame& frame) {
   writer.write({.type = "token[]", .name = "xformOpOrder", .value = UsdTokens{order}, .is_uniform = true});
 }
 
-void write_extent(LayerWriter& writer, const UsdBounds& bounds) {
+void write_cloud_extent(LayerWriter& writer, const UsdBounds& bounds) {
   const auto extent = extent_of(is_empty(bounds) ? UsdBounds{{}, {}} : bounds);
   writer.write({.type = "float3[]", .name = "extent", .value = std::span<const Float3>(extent)});
 }
@@ -51,12 +49,12 @@ void write_points(LayerWriter& writer, const sky::LayerParticles& layer) {
   std::vector<Float3> points;
   std::vector<float> widths;
   for (const sky::CloudParticle& sphere : layer.spheres) {
-    points.push_back(narrowed(sphere.centre));
+    points.push_back(bake::narrowed(sphere.centre));
     widths.push_back(static_cast<float>(2 * sphere.radius_m));
   }
   const std::vector<Float3> white = {{0.92f, 0.92f, 0.92f}};
   writer.begin_prim({.type = "Points", .name = "particles"});
-  write_extent(writer, bounds_of(layer));
+  write_cloud_extent(writer, bounds_of_spheres(layer));
   writer.write({.type = "point3f[]", .name = "points", .value = std::span<const Float3>(points)});
   writer.write(
       {.type = "float[]", .name = "widths", .value = std::span<const float>(widths), .interpolation = "vertex"});
@@ -70,7 +68,7 @@ void write_points(LayerWriter& writer, const sky::LayerParticles& layer) {
 
 void write_volume(LayerWriter& writer, const UsdBounds& bounds) {
   writer.begin_prim({.type = "Volume", .name = "volume"});
-  write_extent(writer, bounds);
+  write_cloud_extent(writer, bounds);
   writer.write({.type = "token", .name = "purpose", .value = UsdToken{"render"}, .is_uniform = true});
   writer.write(UsdRelationship{"field:density", {"/clouds/volume/density"}});
   writer.begin_prim({.type = "OpenVDBAsset", .name = "density"});
@@ -80,7 +78,7 @@ void write_volume(LayerWriter& writer, const UsdBounds& bounds) {
 }
 
 // "cumulus", and "cumulus_2" for the second of its kind.
-std::string name_of(std::span<const sky::LayerParticles> layers, std::size_t i) {
+std::string unique_layer_name(std::span<const sky::LayerParticles> layers, std::size_t i) {
   const auto kind = layers[i].layer.kind;
   const auto before = std::ranges::count(layers.first(i), kind, [](const auto& other) { return other.layer.kind; });
   return before > 0 ? fmt::format("{}_{}", sky::name_of(kind), before + 1) : std::string(sky::name_of(kind));
@@ -95,7 +93,7 @@ std::vector<std::byte> encode_cloud_layer(std::span<const sky::LayerParticles> l
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const sky::CloudLayer& layer = layers[i].layer;
     writer.begin_prim({.type = "Xform",
-                       .name = name_of(layers, i),
+                       .name = unique_layer_name(layers, i),
                        .custom_data = {{"cover", layer.cover},
                                        {"base_m", layer.base_m},
                                        {"top_m", layer.top_m},

@@ -32,10 +32,10 @@ double illuminance_lx(const sky::Sky& sky) {
 }
 
 // Six digits: more would be false, and would show the last bits of the arithmetic.
-std::string rounded(double value) { return fmt::format("{:.6g}", value); }
+std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
 
 std::string vector4(Vec3 v, double w) {
-  return fmt::format("({},{},{},{})", rounded(v.x), rounded(v.y), rounded(v.z), w);
+  return fmt::format("({},{},{},{})", six_digits(v.x), six_digits(v.y), six_digits(v.z), w);
 }
 
 // A rotation that turns local z, against which a light shines, to the sun.
@@ -50,7 +50,7 @@ void write_sun(TextWriter& writer, const sky::Sky& sky, double intensity) {
                      .name = "sun",
                      .custom_data = {{"illuminance_lx", std::round(illuminance_lx(sky))}, {"time", sky.time}}});
   writer.write({.type = "float", .name = "inputs:angle", .value = static_cast<float>(kSunAngle_deg)});
-  writer.write_lines("float inputs:intensity = " + rounded(intensity));
+  writer.write_lines("float inputs:intensity = " + six_digits(intensity));
   writer.write({.type = "bool", .name = "inputs:normalize", .value = true});
   writer.write_lines("matrix4d xformOp:transform = " + turned_to(sky.to_sun) +
                      "\nuniform token[] xformOpOrder = [\"xformOp:transform\"]");
@@ -64,7 +64,7 @@ void write_lights(TextWriter& writer, const sky::Sky& sky) {
   const double height = std::max(0.02, sky.to_sun.z);
   writer.begin_prim({.type = "DomeLight", .name = "sky"});
   writer.write({.type = "color3f", .name = "inputs:color", .value = bake::Float3{0.7f, 0.85f, 1}});
-  writer.write_lines("float inputs:intensity = " + rounded(kSkyShare * height));
+  writer.write_lines("float inputs:intensity = " + six_digits(kSkyShare * height));
   writer.end_prim();
 }
 

@@ -15,19 +15,19 @@ struct CrateError {
   std::string expected;
 };
 
-using Bytes = std::span<const std::byte>;
+using ByteSpan = std::span<const std::byte>;
 using Numbers = std::vector<std::int32_t>;
 
 // Reads forwards; throws CrateError at the end of the file.
 class Cursor {
  public:
-  Cursor(Bytes file, std::uint64_t at) : file_(file), at_(at) {
+  Cursor(ByteSpan file, std::uint64_t at) : file_(file), at_(at) {
     if (at > file.size()) throw CrateError{"offsets inside the file"};
   }
 
-  Bytes take(std::uint64_t size) {
+  ByteSpan take(std::uint64_t size) {
     if (size > file_.size() - at_) throw CrateError{"values inside the file"};
-    const Bytes bytes = file_.subspan(at_, size);
+    const ByteSpan bytes = file_.subspan(at_, size);
     at_ += size;
     return bytes;
   }
@@ -47,7 +47,7 @@ class Cursor {
   }
 
  private:
-  Bytes file_;
+  ByteSpan file_;
   std::uint64_t at_;
 };
 
@@ -67,7 +67,7 @@ struct Node {
 };
 
 struct Crate {
-  Bytes file;
+  ByteSpan file;
   std::map<std::string, Section> sections{};
   std::vector<std::string> tokens{};
   std::vector<std::uint32_t> strings{};
@@ -115,7 +115,7 @@ void read_contents(Crate& crate) {
   Cursor contents(crate.file, Cursor(crate.file, 16).number<std::uint64_t>());
   const std::uint64_t count = contents.count(kCrateSectionNameBytes + 16);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const Bytes name = contents.take(kCrateSectionNameBytes);
+    const ByteSpan name = contents.take(kCrateSectionNameBytes);
     const std::string_view text(reinterpret_cast<const char*>(name.data()), name.size());
     const auto start = contents.number<std::uint64_t>(), size = contents.number<std::uint64_t>();
     crate.sections[std::string(text.substr(0, text.find('\0')))] = {start, size};
@@ -203,7 +203,7 @@ UsdReadValue quaternions_at(Cursor cursor, std::uint64_t count) {
   return value;
 }
 
-CrateType type_of(std::uint64_t rep) { return static_cast<CrateType>(rep >> 48 & 0xff); }
+CrateType crate_type_of(std::uint64_t rep) { return static_cast<CrateType>(rep >> 48 & 0xff); }
 
 UsdReadValue texts_at(const Crate& crate, Cursor cursor, std::uint64_t count, CrateType type) {
   UsdReadValue value;
@@ -250,16 +250,16 @@ UsdReadValue array_at(const Crate& crate, std::uint64_t rep) {
   Cursor cursor(crate.file, offset);
   if ((rep & kCrateCompressed) == 0) {
     const std::uint64_t count = cursor.count(4);
-    return plain_values(crate, type_of(rep), cursor, count);
+    return plain_values(crate, crate_type_of(rep), cursor, count);
   }
-  if (type_of(rep) != CrateType::kInt) throw CrateError{"compressed arrays of integers alone"};
+  if (crate_type_of(rep) != CrateType::kInt) throw CrateError{"compressed arrays of integers alone"};
   const Numbers numbers = packed_numbers(cursor, cursor.number<std::uint64_t>());
   return {{numbers.begin(), numbers.end()}, {}};
 }
 
 UsdReadValue inlined_value(const Crate& crate, std::uint64_t rep) {
   const auto payload = static_cast<std::uint32_t>(rep);
-  switch (type_of(rep)) {
+  switch (crate_type_of(rep)) {
     case CrateType::kBool:
     case CrateType::kSpecifier:
     case CrateType::kVariability:
@@ -285,10 +285,10 @@ UsdReadValue value_of(const Crate& crate, std::uint64_t rep) {
     return value;
   }
   if ((rep & kCrateInlined) != 0) return inlined_value(crate, rep);
-  return plain_values(crate, type_of(rep), Cursor(crate.file, rep & kCratePayload), 1);
+  return plain_values(crate, crate_type_of(rep), Cursor(crate.file, rep & kCratePayload), 1);
 }
 
-UsdReadDictionary dictionary_of(const Crate& crate, std::uint64_t rep) {
+UsdReadDictionary read_dictionary(const Crate& crate, std::uint64_t rep) {
   UsdReadDictionary entries;
   const std::uint64_t start = rep & kCratePayload;
   Cursor cursor(crate.file, start);
@@ -363,7 +363,7 @@ void add_head(const Crate& crate, const Fields& fields, UsdReadLayer& layer) {
   if (const auto unit = fields.find("metersPerUnit"); unit != fields.end())
     layer.meters_per_unit = value_of(crate, unit->second).numbers.at(0);
   if (const auto data = fields.find("customLayerData"); data != fields.end())
-    layer.custom_data = dictionary_of(crate, data->second);
+    layer.custom_data = read_dictionary(crate, data->second);
 }
 
 UsdReadLayer layer_of(const Crate& crate) {
@@ -381,7 +381,7 @@ UsdReadLayer layer_of(const Crate& crate) {
     } else {
       layer.prims.push_back({.path = node.path, .type = text_field(crate, fields[number], "typeName")});
       if (const auto data = fields[number].find("customData"); data != fields[number].end())
-        layer.prims.back().custom_data = dictionary_of(crate, data->second);
+        layer.prims.back().custom_data = read_dictionary(crate, data->second);
     }
   }
   return layer;
@@ -389,7 +389,7 @@ UsdReadLayer layer_of(const Crate& crate) {
 
 }  // namespace
 
-Result<UsdReadLayer> read_crate(Bytes bytes) {
+Result<UsdReadLayer> read_crate(ByteSpan bytes) {
   try {
     Crate crate{.file = bytes};
     if (bytes.size() < kCrateBootstrapBytes) throw CrateError{"88 bytes at least"};

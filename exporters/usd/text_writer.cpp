@@ -11,49 +11,50 @@ namespace {
 
 constexpr std::size_t kIndent = 4;
 
-void put(std::string& out, std::string_view text) { out += quoted(text); }
-void put(std::string& out, const std::string& text) { out += quoted(text); }
-void put(std::string& out, const UsdToken& token) { out += quoted(token.text); }
-void put(std::string& out, const UsdAsset& asset) { out += '@' + asset.path + '@'; }
-void put(std::string& out, bool value) { out += value ? "true" : "false"; }
-void put(std::string&, std::monostate) {}
+void put_alternative(std::string& out, std::string_view text) { out += exporters::quoted(text); }
+void put_alternative(std::string& out, const std::string& text) { out += exporters::quoted(text); }
+void put_alternative(std::string& out, const UsdToken& token) { out += exporters::quoted(token.text); }
+void put_alternative(std::string& out, const UsdAsset& asset) { out += '@' + asset.path + '@'; }
+void put_alternative(std::string& out, bool value) { out += value ? "true" : "false"; }
+void put_alternative(std::string&, std::monostate) {}
 
 template <typename Number>
-requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) void put(std::string& out, Number value) {
+requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) void put_alternative(std::string& out,
+                                                                                             Number value) {
   char digits[32];
   const auto end = std::to_chars(digits, std::end(digits), value).ptr;
   out.append(digits, end);
 }
 
 template <std::size_t kSize>
-void put(std::string& out, const std::array<float, kSize>& values) {
+void put_alternative(std::string& out, const std::array<float, kSize>& values) {
   for (std::size_t i = 0; i < kSize; ++i) {
     out += i == 0 ? '(' : ',';
-    put(out, values[i]);
+    put_alternative(out, values[i]);
   }
   out += ')';
 }
 
-void put(std::string& out, Vec3 v) { out += fmt::format("({},{},{})", v.x, v.y, v.z); }
+void put_alternative(std::string& out, Vec3 v) { out += fmt::format("({},{},{})", v.x, v.y, v.z); }
 
 // The real part is the first in text.
-void put(std::string& out, const UsdQuath& q) {
-  put(out, bake::Float4{half_value(q[3]), half_value(q[0]), half_value(q[1]), half_value(q[2])});
+void put_alternative(std::string& out, const UsdQuath& q) {
+  put_alternative(out, bake::Float4{half_value(q[3]), half_value(q[0]), half_value(q[1]), half_value(q[2])});
 }
 
 template <typename T>
-void put(std::string& out, std::span<const T> values) {
+void put_alternative(std::string& out, std::span<const T> values) {
   out += '[';
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i > 0) out += ',';
-    put(out, values[i]);
+    put_alternative(out, values[i]);
   }
   out += ']';
 }
-void put(std::string& out, const UsdTokens& tokens) { put(out, tokens.texts); }
+void put_alternative(std::string& out, const UsdTokens& tokens) { put_alternative(out, tokens.texts); }
 
 void put_value(std::string& out, const UsdValue& value) {
-  std::visit([&](const auto& v) { put(out, v); }, value);
+  std::visit([&](const auto& v) { put_alternative(out, v); }, value);
 }
 
 void put_dictionary(std::string& out, std::string_view name, const UsdDictionary& entries, std::size_t indent) {
@@ -77,12 +78,12 @@ void put_metadata(std::string& out, const UsdPrim& prim, std::size_t indent) {
     out += margin + "prepend apiSchemas = [";
     for (const std::string_view& schema : prim.api_schemas) {
       if (&schema != prim.api_schemas.data()) out += ", ";
-      put(out, schema);
+      put_alternative(out, schema);
     }
     out += "]\n";
   }
   if (!prim.custom_data.empty()) put_dictionary(out, "customData", prim.custom_data, indent);
-  if (!prim.kind.empty()) out += margin + "kind = " + quoted(prim.kind) + '\n';
+  if (!prim.kind.empty()) out += margin + "kind = " + exporters::quoted(prim.kind) + '\n';
 }
 
 }  // namespace

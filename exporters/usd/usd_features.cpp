@@ -6,12 +6,12 @@ namespace citykiln::exporters {
 namespace {
 
 using bake::FeatureAttributes;
-using Texts = std::vector<std::string>;
+using TextColumn = std::vector<std::string>;
 
 void write_ids(UsdBuilder& b) {
   constexpr const char* kTypes[] = {"none", "node", "way", "relation"};
   std::vector<std::int64_t> ids;
-  Texts types;
+  TextColumn types;
   for (const OsmId& id : b.tile.features) {
     ids.push_back(id.id);
     types.emplace_back(kTypes[static_cast<std::size_t>(id.type)]);
@@ -21,7 +21,7 @@ void write_ids(UsdBuilder& b) {
 }
 
 void write_texts(UsdBuilder& b, const char* name, std::string FeatureAttributes::*member) {
-  Texts texts;
+  TextColumn texts;
   for (const FeatureAttributes& row : b.tile.attributes) texts.push_back(row.*member);
   if (std::ranges::all_of(texts, &std::string::empty)) return;
   b.writer.write({.type = "string[]", .name = name, .value = std::span<const std::string>(texts), .is_custom = true});

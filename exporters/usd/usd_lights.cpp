@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
+#include "compiler/geometry/trig.h"
 #include "exporters/usd/encode_scene.h"
 
 namespace citykiln::exporters {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kLantern_m = 0.1, kHead_m = 0.15;
 
 double luminance_of(const props::Luminaire& light) {

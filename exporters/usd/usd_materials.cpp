@@ -44,7 +44,7 @@ UsdMaterialKey key_of_material(const UsdBuilder& b, const Primitive& p, const im
   return key;
 }
 
-std::string unique_name(const UsdBuilder& b, const UsdMaterialKey& key) {
+std::string material_prim_name(const UsdBuilder& b, const UsdMaterialKey& key) {
   const std::string name = material_name(key.primitive, b.tile.textures);
   const auto is_taken = [&](const std::string& wanted) {
     return std::ranges::count(b.materials, wanted, &UsdMaterial::name) > 0;
@@ -58,8 +58,8 @@ std::string unique_name(const UsdBuilder& b, const UsdMaterialKey& key) {
 // ---- textures ----
 
 // Adds an image as a file, unless it is one already, and returns its path from the layer.
-std::string add_texture(UsdBuilder& b, std::string_view name, const TextureImage& image, PictureContent content,
-                        std::span<const std::uint8_t> opacity = {}) {
+std::string add_texture_file(UsdBuilder& b, std::string_view name, const TextureImage& image, PictureContent content,
+                             std::span<const std::uint8_t> opacity = {}) {
   EncodedPicture picture = encode_picture(image, opacity, content, PictureFormats::kPngAndJpeg);
   const std::string file = fmt::format("{}_{}.{}", name, hash_text(content_hash(picture.bytes)),
                                        picture.mime_type == "image/jpeg" ? "jpg" : "png");
@@ -106,17 +106,17 @@ void write_reader(UsdBuilder& b, const char* name, const char* type, const char*
 
 using ImageUses = std::vector<ImageUse>;
 
-Float4 scale_of(const materials::Tint& tint) {
+Float4 tint_scale(const materials::Tint& tint) {
   const auto channel = [&](std::size_t c) { return static_cast<float>(tint[c]) / 255; };
   return {channel(0), channel(1), channel(2), 1};
 }
 
 // Texels of 0 … 1 stand for components of -1 … 1.
-void add_normals(UsdBuilder& b, std::string_view name, const TextureImage& image, std::string_view wrap,
-                 ImageUses& uses) {
+void add_normal_map(UsdBuilder& b, std::string_view name, const TextureImage& image, std::string_view wrap,
+                    ImageUses& uses) {
   if (image.texels.empty()) return;
   uses.push_back({.name = "normals",
-                  .path = add_texture(b, name, image, PictureContent::kExact),
+                  .path = add_texture_file(b, name, image, PictureContent::kExact),
                   .wrap_s = wrap,
                   .wrap_t = wrap,
                   .scale = {2, 2, 2, 1},
@@ -125,7 +125,7 @@ void add_normals(UsdBuilder& b, std::string_view name, const TextureImage& image
 
 void add_marking_atlas(UsdBuilder& b, const Float4& tint, ImageUses& uses) {
   uses.push_back({.name = "colour",
-                  .path = add_texture(b, "marking_atlas", b.tile.marking_atlas, PictureContent::kExact),
+                  .path = add_texture_file(b, "marking_atlas", b.tile.marking_atlas, PictureContent::kExact),
                   .is_colour = true,
                   .wrap_t = "repeat",
                   .scale = tint});
@@ -134,25 +134,25 @@ void add_marking_atlas(UsdBuilder& b, const Float4& tint, ImageUses& uses) {
 void add_facade_atlas(UsdBuilder& b, const Float4& tint, ImageUses& uses) {
   const impostor::Atlas& atlas = b.tile.facade_atlas;
   uses.push_back({.name = "colour",
-                  .path = add_texture(b, "facade_atlas", atlas.colour, PictureContent::kAtlas),
+                  .path = add_texture_file(b, "facade_atlas", atlas.colour, PictureContent::kAtlas),
                   .is_colour = true,
                   .scale = tint});
   uses.push_back(
-      {.name = "surfaces", .path = add_texture(b, "facade_atlas_surface", atlas.surface, PictureContent::kExact)});
+      {.name = "surfaces", .path = add_texture_file(b, "facade_atlas_surface", atlas.surface, PictureContent::kExact)});
   if (!atlas.emission.texels.empty())
     uses.push_back({.name = "emission",
-                    .path = add_texture(b, "facade_atlas_emission", atlas.emission, PictureContent::kAtlas),
+                    .path = add_texture_file(b, "facade_atlas_emission", atlas.emission, PictureContent::kAtlas),
                     .is_colour = true});
-  add_normals(b, "facade_atlas_normal", atlas.normal, "clamp", uses);
+  add_normal_map(b, "facade_atlas_normal", atlas.normal, "clamp", uses);
 }
 
 void add_cutout(UsdBuilder& b, const impostor::Cutout& cutout, const Float4& tint, ImageUses& uses) {
   uses.push_back({.name = "colour",
-                  .path = add_texture(b, "cutout", cutout.colour, PictureContent::kExact, cutout.opacity),
+                  .path = add_texture_file(b, "cutout", cutout.colour, PictureContent::kExact, cutout.opacity),
                   .is_colour = true,
                   .scale = tint,
                   .has_alpha = true});
-  add_normals(b, "cutout_normal", cutout.normal, "clamp", uses);
+  add_normal_map(b, "cutout_normal", cutout.normal, "clamp", uses);
 }
 
 void add_repeated(UsdBuilder& b, const materials::Texture& texture, Float4 tint, ImageUses& uses) {
@@ -161,18 +161,18 @@ void add_repeated(UsdBuilder& b, const materials::Texture& texture, Float4 tint,
   for (std::size_t c = 0; c < 3; ++c) tint[c] *= static_cast<float>(factor[c]);
   if (!texture.colour.texels.empty())
     uses.push_back({.name = "colour",
-                    .path = add_texture(b, name + "Colour", texture.colour, PictureContent::kColour),
+                    .path = add_texture_file(b, name + "Colour", texture.colour, PictureContent::kColour),
                     .is_colour = true,
                     .wrap_s = "repeat",
                     .wrap_t = "repeat",
                     .scale = tint});
-  add_normals(b, name + "Normal", texture.normal, "repeat", uses);
+  add_normal_map(b, name + "Normal", texture.normal, "repeat", uses);
 }
 
 // The images of a material, by what they are for.
-ImageUses images_of(UsdBuilder& b, const UsdMaterialKey& key) {
+ImageUses image_uses_of(UsdBuilder& b, const UsdMaterialKey& key) {
   ImageUses uses;
-  const Float4 tint = scale_of(key.tint);
+  const Float4 tint = tint_scale(key.tint);
   if (key.primitive.colour_source == ColourSource::kByMarkingAtlas) add_marking_atlas(b, tint, uses);
   if (key.primitive.colour_source == ColourSource::kByAtlas) add_facade_atlas(b, tint, uses);
   if (key.cutout != nullptr) add_cutout(b, *key.cutout, tint, uses);
@@ -217,7 +217,7 @@ void write_emission(UsdBuilder& b, const std::string& path, const UsdMaterialKey
 
 void write_material(UsdBuilder& b, const UsdMaterial& material) {
   const std::string path = scope_path() + "/" + material.name;
-  const ImageUses uses = images_of(b, material.key);
+  const ImageUses uses = image_uses_of(b, material.key);
   b.writer.begin_prim({.type = "Material", .name = material.name});
   b.writer.write({.type = "token", .name = "outputs:surface", .connection = path + "/surface.outputs:surface"});
   b.writer.begin_prim({.type = "Shader", .name = "surface"});
@@ -242,7 +242,7 @@ std::string material_path(UsdBuilder& b, const Primitive& p, const impostor::Cut
   const UsdMaterialKey key = key_of_material(b, p, cutout);
   auto found = std::ranges::find(b.materials, key, &UsdMaterial::key);
   if (found == b.materials.end()) {
-    b.materials.push_back({key, unique_name(b, key)});
+    b.materials.push_back({key, material_prim_name(b, key)});
     found = std::prev(b.materials.end());
   }
   return scope_path() + "/" + found->name;

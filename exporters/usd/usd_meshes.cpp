@@ -156,7 +156,7 @@ UsdQuath half_quaternion(const bake::Float4& q) {
   return {half_bits(q[0]), half_bits(q[1]), half_bits(q[2]), half_bits(q[3])};
 }
 
-void append(Placements& all, const InstancedMesh& instanced, std::int32_t prototype, const UsdBounds& own) {
+void append_placements(Placements& all, const InstancedMesh& instanced, std::int32_t prototype, const UsdBounds& own) {
   for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
     const float scale = instanced.scales[i];
     all.ids.push_back(static_cast<std::int64_t>(all.ids.size()));
@@ -218,7 +218,7 @@ void write_instances(UsdBuilder& b, const std::string& path, std::span<const Ins
   Placements all;
   UsdRelationship prototypes{"prototypes", {}};
   for (std::size_t i = 0; i < instanced.size(); ++i) {
-    append(all, instanced[i], static_cast<std::int32_t>(i), bounds_of(instanced[i]));
+    append_placements(all, instanced[i], static_cast<std::int32_t>(i), bounds_of(instanced[i]));
     prototypes.targets.push_back(fmt::format("{}/instances/meshes/{}", path, names[i]));
   }
   include(b.bounds, all.bounds);

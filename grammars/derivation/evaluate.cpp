@@ -71,7 +71,7 @@ bool holds(const Expression& condition, Context& context);
 
 // Calls `make` within the limits of steps and depth, else returns `otherwise`.
 template <typename Result, typename Make>
-Result within(const Expression& expression, Context& context, Result otherwise, Make make) {
+Result within_limits(const Expression& expression, Context& context, Result otherwise, Make make) {
   if (!context.run.spend(1)) return otherwise;
   if (context.depth >= kMostDepth) {
     context.run.warn(expression.position, "values refer to each other without end");
@@ -86,7 +86,8 @@ Result within(const Expression& expression, Context& context, Result otherwise, 
 double number_at(const Expression& expression, Context& context) {
   const double* plain = context.depth < kMostDepth ? plain_number(expression, context) : nullptr;
   if (plain != nullptr) return context.run.spend(1) ? *plain : 0.0;
-  if (is_arithmetic(expression)) return within(expression, context, 0.0, [&] { return result(expression, context); });
+  if (is_arithmetic(expression))
+    return within_limits(expression, context, 0.0, [&] { return result(expression, context); });
   const Value value = evaluate(expression, context);
   if (!std::holds_alternative<double>(value))
     context.run.warn(expression.position, std::string("expected a float, found a ") + kind_name(value));
@@ -94,7 +95,8 @@ double number_at(const Expression& expression, Context& context) {
 }
 
 bool truth_at(const Expression& expression, Context& context) {
-  if (is_condition(expression)) return within(expression, context, false, [&] { return holds(expression, context); });
+  if (is_condition(expression))
+    return within_limits(expression, context, false, [&] { return holds(expression, context); });
   const Value value = evaluate(expression, context);
   if (!std::holds_alternative<bool>(value))
     context.run.warn(expression.position, std::string("expected a bool, found a ") + kind_name(value));
@@ -431,7 +433,7 @@ Value evaluate_kind(const Expression& expression, Context& context) {
 }  // namespace
 
 Value evaluate(const Expression& expression, Context& context) {
-  return within(expression, context, Value(0.0), [&] { return evaluate_kind(expression, context); });
+  return within_limits(expression, context, Value(0.0), [&] { return evaluate_kind(expression, context); });
 }
 
 namespace {

@@ -64,7 +64,7 @@ Vec3 twice_area(const Patch& patch) {
   return sum;
 }
 
-Vec3 middle_of(const Patch& patch) {
+Vec3 patch_middle(const Patch& patch) {
   Vec3 sum;
   for (const auto& [a, b, c] : patch.triangles) sum = sum + (patch.at[a] + patch.at[b] + patch.at[c]) * (1 / 3.0);
   return sum * (1 / static_cast<double>(patch.triangles.size()));
@@ -88,7 +88,7 @@ bool lies_along(const Patch& patch, const Triangle& t, Vec3 on_plane, Vec3 norma
 }
 
 bool is_flat(const Patch& patch) {
-  const Vec3 middle = middle_of(patch), normal = unit(twice_area(patch));
+  const Vec3 middle = patch_middle(patch), normal = unit(twice_area(patch));
   return std::all_of(patch.triangles.begin(), patch.triangles.end(),
                      [&](const Triangle& t) { return lies_along(patch, t, middle, normal, kFlat_m); });
 }
@@ -151,7 +151,7 @@ void add_faces(Patch patch, FaceTag tag, std::vector<Face>& faces) {
 /// gable may end several roof planes and a rim goes around corners.
 using PatchKey = std::array<std::int64_t, 5>;
 
-PatchKey key_of(const roofs::Roof& roof, std::size_t i) {
+PatchKey patch_key(const roofs::Roof& roof, std::size_t i) {
   const auto part = static_cast<std::int64_t>(roof.parts[i]);
   const bool is_vertical = roof.parts[i] == roofs::Part::kGable || roof.parts[i] == roofs::Part::kEdge;
   if (!is_vertical) return {part, roof.faces[i], 0, 0, 0};
@@ -171,7 +171,7 @@ struct Keyed {
 std::vector<Keyed> by_patch(const roofs::Roof& roof) {
   std::vector<Keyed> keyed;
   keyed.reserve(roof.triangles.size());
-  for (std::size_t i = 0; i < roof.triangles.size(); ++i) keyed.push_back({key_of(roof, i), i});
+  for (std::size_t i = 0; i < roof.triangles.size(); ++i) keyed.push_back({patch_key(roof, i), i});
   std::sort(keyed.begin(), keyed.end());
   return keyed;
 }

@@ -55,7 +55,7 @@ void add_inherited(MemoKey& key, const Shape& shape) {
 
 // The vertical in coordinates of the scope is part of the key, so motions are translations and turns about the
 // vertical.
-MemoKey key_of(const Execution& execution, const Body& body) {
+MemoKey memo_key(const Execution& execution, const Body& body) {
   const Shape& shape = execution.shape;
   const Scope& scope = shape.scope;
   MemoKey key;
@@ -188,7 +188,7 @@ Recording begin_recording(Execution& execution, const Body& body) {
   Run& run = execution.run;
   BodyRecord& record = run.memo.bodies[body.number];
   if (!run.options.memoise || record.never || only_names(body) || !may_repeat(execution.shape)) return {};
-  const Candidates found = candidates_of(run, execution.shape, run.memo.first_of[key_of(execution, body)]);
+  const Candidates found = candidates_of(run, execution.shape, run.memo.first_of[memo_key(execution, body)]);
   if (found.known == 0) {
     if (found.closed) return {};
     ++record.misses;

@@ -5,7 +5,7 @@
 namespace citykiln::grammars {
 namespace {
 
-constexpr BuiltinRow kFunctions[] = {
+constexpr BuiltinRow kBuiltinFunctions[] = {
 #define FUNCTION(name, arguments, kind, computes, text) {name, arguments, kind, text},
 #include "grammars/language/functions.inc"
 #undef FUNCTION
@@ -27,7 +27,7 @@ constexpr std::string_view kMaterialValues[] = {
 
 }  // namespace
 
-std::span<const BuiltinRow> builtin_functions() { return kFunctions; }
+std::span<const BuiltinRow> builtin_functions() { return kBuiltinFunctions; }
 std::span<const BuiltinRow> shape_values() { return kShapeValues; }
 
 int row_of(std::span<const BuiltinRow> rows, std::string_view name) {

@@ -12,7 +12,7 @@ bool is_vertical(Vec3 normal) { return std::abs(normal.z) < 0.01; }
 bool is_level(Vec3 normal) { return std::abs(normal.z) > 0.9999; }
 
 // The tag of a face takes precedence over its direction: a steep roof plane is top.
-std::string_view side_of(const Scope& scope, const Face& face, Vec3 normal) {
+std::string_view side_of_face(const Scope& scope, const Face& face, Vec3 normal) {
   if (face.tag == FaceTag::kTop) return "top";
   if (face.tag == FaceTag::kBottom) return "bottom";
   const NearestAxis nearest = nearest_axis(scope, normal);
@@ -27,7 +27,7 @@ std::string_view side_of(const Scope& scope, const Face& face, Vec3 normal) {
 
 bool is_side(std::string_view side) { return side != "top" && side != "bottom"; }
 
-bool selects(std::string_view word, std::string_view side, Vec3 normal, const Face& face) {
+bool selects_face(std::string_view word, std::string_view side, Vec3 normal, const Face& face) {
   if (word == "all" || word == side) return true;
   if (word == "side") return is_side(side);
   if (word == "vertical") return is_vertical(normal);
@@ -53,9 +53,10 @@ int selector_of(const std::vector<Key>& keys, const Scope& scope, const Face& fa
   for (std::size_t k = 0; k < keys.size(); ++k)
     if (!own.empty() && !keys[k].index && keys[k].word == own) return static_cast<int>(k);
   const Vec3 normal = normal_of(face);
-  const std::string_view side = side_of(scope, face, normal);
+  const std::string_view side = side_of_face(scope, face, normal);
   for (std::size_t k = 0; k < keys.size(); ++k)
-    if (keys[k].index ? *keys[k].index == index : selects(keys[k].word, side, normal, face)) return static_cast<int>(k);
+    if (keys[k].index ? *keys[k].index == index : selects_face(keys[k].word, side, normal, face))
+      return static_cast<int>(k);
   return -1;
 }
 

@@ -62,7 +62,7 @@ void extrude_faces(Execution& execution, double height_m, std::string_view direc
   execution.shape.faces = std::move(faces);
 }
 
-Vec3 middle_of(const Ring3& ring) {
+Vec3 ring_middle(const Ring3& ring) {
   Vec3 sum;
   for (const Vec3 p : ring) sum = sum + p;
   return sum * (1.0 / static_cast<double>(ring.size()));
@@ -71,7 +71,7 @@ Vec3 middle_of(const Ring3& ring) {
 // Adds a pyramid and returns the largest distance of its apex from a corner, which bounds its displacement, because
 // each triangle contains an edge of the face.
 double add_pyramid(const Face& face, double height_m, std::vector<Face>& faces) {
-  const Vec3 apex = middle_of(face.outer) + normal_of(face) * height_m;
+  const Vec3 apex = ring_middle(face.outer) + normal_of(face) * height_m;
   double farthest_m = 0;
   faces.push_back(reversed(face));
   for (std::size_t i = 0; i < face.outer.size(); ++i) {

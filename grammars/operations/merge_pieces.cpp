@@ -10,7 +10,7 @@
 namespace citykiln::grammars {
 namespace {
 
-double width_m(const Slice& slice) { return slice.interval.to_m - slice.interval.from_m; }
+double slice_width_m(const Slice& slice) { return slice.interval.to_m - slice.interval.from_m; }
 
 // With a margin for the rounding of a piece exactly as wide as the tolerance.
 bool is_narrow(double width_m, double tolerance_m) { return width_m <= tolerance_m + kSliver_m; }
@@ -23,8 +23,8 @@ struct Narrow {
 
 Narrow narrow_run_from(std::span<const Slice> slices, std::size_t first, double tolerance_m) {
   Narrow narrow{first, first, 0};
-  for (; narrow.end < slices.size() && is_narrow(width_m(slices[narrow.end]), tolerance_m); ++narrow.end)
-    narrow.width_m += width_m(slices[narrow.end]);
+  for (; narrow.end < slices.size() && is_narrow(slice_width_m(slices[narrow.end]), tolerance_m); ++narrow.end)
+    narrow.width_m += slice_width_m(slices[narrow.end]);
   return narrow;
 }
 
@@ -128,7 +128,7 @@ bool may_merge_narrow(const Run& run, const Shape& shape) {
 Division merge_narrow_pieces(Execution& execution, Division division, std::span<const Selector* const> selectors) {
   assert(is_flat(execution.shape));
   const double tolerance_m = execution.run.options.tolerance_m;
-  const auto may_go = [&](const Slice& slice) { return is_narrow(width_m(slice), tolerance_m); };
+  const auto may_go = [&](const Slice& slice) { return is_narrow(slice_width_m(slice), tolerance_m); };
   if (std::none_of(division.slices.begin(), division.slices.end(), may_go)) return division;
   PieceBounds bounds{execution, selectors};
   const auto absorbers = absorbers_of(span_of(division.slices), tolerance_m, bounds, division.error_m);

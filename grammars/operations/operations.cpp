@@ -6,7 +6,7 @@
 namespace citykiln::grammars {
 namespace {
 
-constexpr OperationFunction kFunctions[] = {
+constexpr OperationFunction kOperationFunctions[] = {
 #define OPERATION(name, function, signatures, words, selectors, alters, bound, text) function,
 #include "grammars/language/operations.inc"
 #undef OPERATION
@@ -15,8 +15,8 @@ constexpr OperationFunction kFunctions[] = {
 }  // namespace
 
 OperationFunction operation_function(std::uint32_t row) {
-  assert(row < std::size(kFunctions));
-  return kFunctions[row];
+  assert(row < std::size(kOperationFunctions));
+  return kOperationFunctions[row];
 }
 
 }  // namespace citykiln::grammars

@@ -17,7 +17,7 @@ struct FaceEdge {
   bool street = false;
 };
 
-std::vector<FaceEdge> edges_of(const Face& face) {
+std::vector<FaceEdge> face_edges(const Face& face) {
   std::vector<FaceEdge> edges;
   const auto add = [&](const Ring3& ring, const std::vector<std::uint8_t>& street) {
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -28,7 +28,7 @@ std::vector<FaceEdge> edges_of(const Face& face) {
   return edges;
 }
 
-std::string side_of(const Scope& scope, const Face& face, const FaceEdge& edge) {
+std::string side_of_edge(const Scope& scope, const Face& face, const FaceEdge& edge) {
   const PlanAxes axes = plan_axes(scope, face);
   const Vec3 outward = cross(unit(edge.b - edge.a), normal_of(face));
   const double ahead = dot(outward, axes.front), aside = dot(outward, axes.right);
@@ -36,12 +36,12 @@ std::string side_of(const Scope& scope, const Face& face, const FaceEdge& edge) 
   return aside > 0 ? "right" : "left";
 }
 
-bool selects(const Key& key, std::size_t index, const Scope& scope, const Face& face, const FaceEdge& edge) {
+bool selects_edge(const Key& key, std::size_t index, const Scope& scope, const Face& face, const FaceEdge& edge) {
   if (key.index) return *key.index == index;
   if (key.word == "all") return true;
   if (key.word == "street" || key.word == "street.front") return edge.street;
   if (key.word == "street.back") return !edge.street;
-  return key.word == side_of(scope, face, edge);
+  return key.word == side_of_edge(scope, face, edge);
 }
 
 std::vector<int> selectors_of(const std::vector<Key>& keys, const Scope& scope, const Face& face,
@@ -49,7 +49,7 @@ std::vector<int> selectors_of(const std::vector<Key>& keys, const Scope& scope, 
   std::vector<int> chosen(edges.size(), -1);
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t k = 0; k < keys.size() && chosen[i] < 0; ++k)
-      if (selects(keys[k], i, scope, face, edges[i])) chosen[i] = static_cast<int>(k);
+      if (selects_edge(keys[k], i, scope, face, edges[i])) chosen[i] = static_cast<int>(k);
   return chosen;
 }
 
@@ -63,7 +63,7 @@ struct Cut {
 
 // Limits depths to the length of the border, which is larger than any distance within the face, since greater depths
 // lose digits. Bands that would snap to their edge are left out.
-std::vector<double> within(std::vector<double> depths_m, const std::vector<FaceEdge>& edges) {
+std::vector<double> limited_depths(std::vector<double> depths_m, const std::vector<FaceEdge>& edges) {
   double border_m = 0;
   for (const FaceEdge& edge : edges) border_m += length(edge.b - edge.a);
   for (double& depth_m : depths_m) depth_m = depth_m <= kSnap_m ? 0 : std::min(depth_m, border_m);
@@ -82,8 +82,8 @@ Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward
   const FaceFrame frame = frame_of(face);
   const Polygon polygon = flat(face, frame);
   if (!fits_grid(polygon)) return {};
-  const std::vector<FaceEdge> edges = edges_of(face);
-  const OffsetPolygon offset = outward ? outset(polygon, depth_m) : inset(polygon, within(depth_m, edges));
+  const std::vector<FaceEdge> edges = face_edges(face);
+  const OffsetPolygon offset = outward ? outset(polygon, depth_m) : inset(polygon, limited_depths(depth_m, edges));
   Cut cut;
   cut.on_grid = offset.on_grid;
   for (const Polygon& moved : offset.moved) cut.moved.push_back(lifted(moved, frame, face, kSnap_m));
@@ -102,7 +102,7 @@ Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward
 // Returns true if the parts were rounded to the grid of the overlay.
 bool add_setback(Execution& execution, const std::vector<Key>& keys, int remainder, const Face& face, double depth_m,
                  std::vector<PartOf>& parts) {
-  const std::vector<FaceEdge> edges = edges_of(face);
+  const std::vector<FaceEdge> edges = face_edges(face);
   const std::vector<int> chosen = selectors_of(keys, execution.shape.scope, face, edges);
   std::vector<double> depths_m;
   for (const int selector : chosen) depths_m.push_back(selector < 0 ? 0 : depth_m);
@@ -125,7 +125,7 @@ constexpr double kMaxOffset_m = 1000;
 
 void add_offset(const Face& face, double by_m, std::string_view which, std::vector<Face>& faces, double& reach_m) {
   Cut cut =
-      cut_bands(face, std::vector<double>(edges_of(face).size(), std::min(std::abs(by_m), kMaxOffset_m)), by_m > 0);
+      cut_bands(face, std::vector<double>(face_edges(face).size(), std::min(std::abs(by_m), kMaxOffset_m)), by_m > 0);
   reach_m = std::max(reach_m, cut.reach_m);
   tag(cut.moved, FaceTag::kInside);
   for (auto& bands : cut.bands) tag(bands, FaceTag::kBorder);

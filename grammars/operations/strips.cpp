@@ -124,7 +124,7 @@ bool passes_through(const Ring& ring, const Rectangle& r) {
 }
 
 /// True if the rectangle is in the polygon: its centre is, and no edge passes through it.
-bool lies_in(const Polygon& polygon, const Rectangle& r) {
+bool lies_in_polygon(const Polygon& polygon, const Rectangle& r) {
   if (!contains(polygon, {(r.low_x + r.high_x) / 2, (r.low_y + r.high_y) / 2})) return false;
   const auto passes = [&](const Ring& ring) { return passes_through(ring, r); };
   return !passes(polygon.outer) && std::none_of(polygon.holes.begin(), polygon.holes.end(), passes);
@@ -154,7 +154,7 @@ Rectangle largest_inside(const Polygon& polygon) {
       for (std::size_t k = 0; k < ys.size(); ++k)
         for (std::size_t l = k + 1; l < ys.size(); ++l) {
           const Rectangle tried{xs[i], xs[j], ys[k], ys[l]};
-          if (tried.area() > best.area() + 1e-9 && lies_in(polygon, tried)) best = tried;
+          if (tried.area() > best.area() + 1e-9 && lies_in_polygon(polygon, tried)) best = tried;
         }
   return best;
 }

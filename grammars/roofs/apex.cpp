@@ -46,7 +46,7 @@ Ring kernel_of(std::span<const Vec2> ring) {
   return kernel;
 }
 
-bool is_convex(std::span<const Vec2> ring) {
+bool is_convex_ring(std::span<const Vec2> ring) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i)
     if (cross(ring[(i + 1) % n] - ring[i], ring[(i + 2) % n] - ring[(i + 1) % n]) < 0) return false;
@@ -128,7 +128,7 @@ class Stack {
 std::optional<Vec2> apex_of(std::span<const Vec2> ring) {
   const double area = signed_area_m2(ring);
   if (ring.size() < 3 || area <= 0) return std::nullopt;
-  const double enough_m = is_convex(ring) ? 2 * kQuantum_m : kWellInside * std::sqrt(area);
+  const double enough_m = is_convex_ring(ring) ? 2 * kQuantum_m : kWellInside * std::sqrt(area);
   Vec2 apex = snapped(centroid_of(ring));
   if (inward_m(ring, apex) < enough_m) {
     const Ring kernel = kernel_of(ring);

@@ -25,7 +25,7 @@ constexpr double kFillsItsBox = 0.75, kMiddle = 0.25, kLongWall = 0.15;
 // not depend on the tolerance, because a skeleton may change its shape for any bend, which no error could bound.
 constexpr double kDrop_m = 0.03;
 // A skeleton of more corners takes seconds, with exact numbers one of kMostExactCorners.
-constexpr std::size_t kMostCorners = 1000, kMostExactCorners = 250;
+constexpr std::size_t kMostInexactCorners = 1000, kMostExactCorners = 250;
 // Tests for a wrong skeleton: the largest height difference where faces meet; the largest uncovered share of the
 // footprint; the largest square of the span as a share of the area, which is 1 / π for a disc and somewhat more with
 // gables.
@@ -144,7 +144,7 @@ std::optional<Roof> pyramid_convex(const RoofInput& input, Vec2 apex) {
 
 // ---- the straight skeleton
 
-std::size_t corners_of(const std::vector<Polygon>& polygons) {
+std::size_t corner_count(const std::vector<Polygon>& polygons) {
   std::size_t count = 0;
   for (const Polygon& polygon : polygons) {
     count += polygon.outer.size();
@@ -170,7 +170,7 @@ InsetFacets skeleton_inset(const RoofInput& input, const std::vector<Polygon>& p
   const double overhang_m = input.eaves.outer.empty() ? 0 : input.shape.overhang_m;
   for (const Polygon& polygon : polygons) {
     InsetFacets inset = inset_of(input, polygon, kernel, first_face);
-    first_face += static_cast<std::uint32_t>(corners_of({polygon}));
+    first_face += static_cast<std::uint32_t>(corner_count({polygon}));
     for (Facet& facet : inset.facets) facet.plane.offset -= overhang_m, all.facets.push_back(std::move(facet));
     all.span_m = std::max(all.span_m, inset.span_m - overhang_m);
   }
@@ -188,8 +188,8 @@ std::vector<Polygon> skeleton_plan(const RoofInput& input) {
 }
 
 std::optional<Roof> by_skeleton(const RoofInput& input, const std::vector<Polygon>& polygons, SkeletonKernel kernel) {
-  const std::size_t corners = corners_of(polygons);
-  if (corners > (kernel == SkeletonKernel::kExact ? kMostExactCorners : kMostCorners)) return std::nullopt;
+  const std::size_t corners = corner_count(polygons);
+  if (corners > (kernel == SkeletonKernel::kExact ? kMostExactCorners : kMostInexactCorners)) return std::nullopt;
   const InsetFacets inset = skeleton_inset(input, polygons, kernel);
   double area = 0;
   for (const Polygon& polygon : polygons) area += area_m2(polygon);

@@ -16,7 +16,7 @@ struct Corner {
   double z_m;
 };
 
-std::vector<Corner> corners_of(const PlanCells& plan, std::span<const Facet> facets) {
+std::vector<Corner> corners_of_plan(const PlanCells& plan, std::span<const Facet> facets) {
   std::vector<Corner> corners;
   corners.reserve(3 * plan.cells.size());
   for (std::uint32_t c = 0; c < plan.cells.size(); ++c) {
@@ -79,7 +79,7 @@ struct Range {
 
 PlanHeights plan_heights(const PlanCells& plan, std::span<const Facet> facets, double flush_m) {
   PlanHeights heights{std::vector<std::array<double, 3>>(plan.cells.size()), uncovered_m2(plan), 0};
-  const std::vector<Corner> corners = corners_of(plan, facets);
+  const std::vector<Corner> corners = corners_of_plan(plan, facets);
   const std::vector<Location> locations = locations_of(plan);
   const auto is_joined = [](const Corner& a, const Corner& b) { return a.point == b.point && a.surface == b.surface; };
   for (std::size_t i = 0, end = 0; i < corners.size(); i = end) {

@@ -24,7 +24,7 @@ constexpr Vec2 kGambrelKnee = {0.4, 0.65}, kMansardKnee = {0.35, 0.75};
 // How the error of a chord is measured: at a right angle to it, or vertically.
 enum class Measure : std::uint8_t { kPerpendicular, kVertical };
 
-constexpr std::size_t kMostCorners = 256;
+constexpr std::size_t kMostSectionCorners = 256;
 
 Vec2 scaled(Vec2 p, Vec2 size_m) { return {p.x * size_m.x, p.y * size_m.y}; }
 
@@ -59,7 +59,7 @@ Section flattened(std::span<const Bezier> pieces, Vec2 size_m, Measure measure, 
   Section section{{pieces.front()[0]}, 0};
   for (const Bezier& piece : pieces) {
     const double error_m = chord_error_m(piece, size_m, measure);
-    const double n = std::clamp(std::ceil(std::sqrt(error_m / tolerance_m)), 1.0, kMostCorners / 2.0);
+    const double n = std::clamp(std::ceil(std::sqrt(error_m / tolerance_m)), 1.0, kMostSectionCorners / 2.0);
     for (double i = 1; i <= n; ++i) section.corners.push_back(at(piece, i / n));
     section.error_m = std::max(section.error_m, error_m / (n * n));
   }
@@ -94,7 +94,7 @@ Section flattened(const Arc& arc, Vec2 size_m, Measure measure, double tolerance
   double error_m = 0;
   while (!ahead.empty()) {
     const double own_m = arc.chord_error_m(done.back(), ahead.back(), measure);
-    if (own_m > tolerance_m && done.size() + ahead.size() < kMostCorners) {
+    if (own_m > tolerance_m && done.size() + ahead.size() < kMostSectionCorners) {
       ahead.push_back(unit(done.back() + ahead.back()));
       continue;
     }

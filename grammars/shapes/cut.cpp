@@ -151,7 +151,7 @@ std::vector<Face> nested(const std::vector<Ring3>& rings, Vec3 normal) {
   return faces;
 }
 
-bool lies_in(const Face& face, const CutPlane& plane) {
+bool lies_in_plane(const Face& face, const CutPlane& plane) {
   return std::all_of(face.outer.begin(), face.outer.end(), [&](Vec3 p) { return height_above(plane, p) == 0; });
 }
 
@@ -159,7 +159,7 @@ void add_edges(const Ring3& ring, std::vector<Edge3>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
 }
 
-std::vector<Edge3> edges_of(std::span<const Face> faces) {
+std::vector<Edge3> edges_of_faces(std::span<const Face> faces) {
   std::vector<Edge3> edges;
   for (const Face& face : faces) {
     add_edges(face.outer, edges);
@@ -324,7 +324,7 @@ std::optional<std::vector<Face>> part_of_simple(const Face& face, const CutPlane
 std::vector<Face> part_above(const Face& face, const CutPlane& plane) {
   if (std::optional<std::vector<Face>> part = part_of_simple(face, plane)) return std::move(*part);
   const Vec3 normal = normal_of(face);
-  if (lies_in(face, plane)) return dot(normal, plane.normal) < 0 ? std::vector{face} : std::vector<Face>{};
+  if (lies_in_plane(face, plane)) return dot(normal, plane.normal) < 0 ? std::vector{face} : std::vector<Face>{};
   Chains cut;
   cut_ring(face.outer, plane, false, cut);
   for (const Ring3& hole : face.holes) cut_ring(hole, plane, true, cut);
@@ -353,7 +353,7 @@ bool cut_in_two(Face& face, const CutPlane& plane, Face& below) {
 
 bool is_closed(std::span<const Face> faces) {
   if (faces.size() < 4) return false;
-  return without_opposites(edges_of(faces)).empty();
+  return without_opposites(edges_of_faces(faces)).empty();
 }
 
 std::vector<Face> faces_along(std::span<const Edge3> all, Vec3 normal) {
@@ -380,7 +380,7 @@ std::vector<Face> solid_above(std::span<const Face> faces, const CutPlane& plane
     for (Face& part : part_above(face, plane)) parts.push_back(std::move(part));
   if (!closed || parts.empty()) return parts;
   std::vector<Edge3> open;
-  for (const Edge3& edge : edges_of(parts))
+  for (const Edge3& edge : edges_of_faces(parts))
     if (height_above(plane, edge.first) == 0 && height_above(plane, edge.second) == 0)
       open.push_back({edge.second, edge.first});
   for (Face& cap : faces_along(open, plane.normal * -1.0)) parts.push_back(std::move(cap));
@@ -389,7 +389,7 @@ std::vector<Face> solid_above(std::span<const Face> faces, const CutPlane& plane
 
 std::vector<Face> merged(std::span<const Face> faces) {
   if (faces.size() < 2) return {faces.begin(), faces.end()};
-  std::vector<Face> made = faces_along(edges_of(faces), normal_of(faces.front()));
+  std::vector<Face> made = faces_along(edges_of_faces(faces), normal_of(faces.front()));
   for (Face& face : made) face.tag = faces.front().tag;
   return made;
 }

@@ -17,7 +17,7 @@ Vec2 on_disk(UnitPair chance) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-Pose between(const Pose& a, const Pose& b, double share) {
+Pose pose_between(const Pose& a, const Pose& b, double share) {
   return {a.eye + (b.eye - a.eye) * share, a.look_at + (b.look_at - a.look_at) * share};
 }
 
@@ -43,7 +43,7 @@ CameraRay CameraRays::through(double x, double y, PathDraw& draw) const {
   Pose pose{camera_.eye, camera_.look_at};
   ViewAxes axes = axes_;
   if (camera_.shutter_end) {
-    pose = between(pose, *camera_.shutter_end, draw.next().u);
+    pose = pose_between(pose, *camera_.shutter_end, draw.next().u);
     axes = axes_of(pose);
   }
   const auto& [forward, right, up] = axes;

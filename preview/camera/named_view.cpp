@@ -34,7 +34,7 @@ constexpr View kOutsideViews[] = {
     {"south", {0, -1, 0.5}, 35},           {"east", {1, 0, 0.5}, 35}, {"west", {-1, 0, 0.5}, 35}};
 
 // The largest of the values without the share that may lie outside.
-double largest(std::vector<double>& values) {
+double largest_inside(std::vector<double>& values) {
   const auto nth = values.end() - 1 - static_cast<std::ptrdiff_t>(kOutside * static_cast<double>(values.size()));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
@@ -52,7 +52,7 @@ Wedge wedge_about(const std::vector<Vec3>& points, Vec3 across, Vec3 forward, do
     plus.push_back(dot(p, across) - half_slope * dot(p, forward));
     minus.push_back(-dot(p, across) - half_slope * dot(p, forward));
   }
-  const double a = largest(plus), b = largest(minus);
+  const double a = largest_inside(plus), b = largest_inside(minus);
   return {(a - b) / 2, -(a + b) / (2 * half_slope)};
 }
 

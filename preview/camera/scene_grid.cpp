@@ -9,13 +9,13 @@ namespace {
 
 using materials::Material;
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kFarBelow = std::numeric_limits<double>::infinity();
 
 Vec3 point_of(const bake::BakedTile& tile, const bake::Float3& p) { return tile.origin + bake::widened(p); }
 
 bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-Box2 box_of(std::span<const bake::BakedTile> tiles) {
+Box2 box_around(std::span<const bake::BakedTile> tiles) {
   Box2 box;
   for (const bake::BakedTile& tile : tiles)
     for (const bake::Primitive& primitive : tile.primitives)
@@ -50,7 +50,7 @@ bool is_street(Material material) {
 }
 
 SceneGrid::SceneGrid(std::span<const bake::BakedTile> tiles)
-    : box_(box_of(tiles)), columns_(kAcross * kAcross, {kFar, -kFar}) {
+    : box_(box_around(tiles)), columns_(kAcross * kAcross, {kFarBelow, -kFarBelow}) {
   for (const bake::BakedTile& tile : tiles)
     for (const bake::Primitive& primitive : tile.primitives) add(tile, primitive);
   find_core();
@@ -123,13 +123,13 @@ void SceneGrid::find_core() {
 }
 
 double SceneGrid::highest_m(Vec2 at) const {
-  if (!box_.contains(at)) return -kFar;
+  if (!box_.contains(at)) return -kFarBelow;
   return columns_[column_at(at)].high_m;
 }
 
 double SceneGrid::lowest_m(Vec2 at) const {
   const Column& column = columns_[column_at(at)];
-  return box_.contains(at) && column.low_m <= column.high_m ? column.low_m : -kFar;
+  return box_.contains(at) && column.low_m <= column.high_m ? column.low_m : -kFarBelow;
 }
 
 }  // namespace citykiln::preview

@@ -4,12 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "compiler/geometry/trig.h"
 
 namespace citykiln::preview {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Cells from which directions are drawn, finer near the horizon: their radiance is that of their middle.
 constexpr int kAcross = 128, kDown = 64;

@@ -5,14 +5,13 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "compiler/geometry/trig.h"
 #include "preview/surface/microfacet.h"
 
 namespace citykiln::preview {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr int kBins = 12;
 
@@ -24,7 +23,7 @@ double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 double angle_between(Vec3 a, Vec3 b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
 
 // Turns a unit vector towards another by an angle.
-Vec3 turned(Vec3 from, Vec3 towards, double angle) {
+Vec3 turned_towards(Vec3 from, Vec3 towards, double angle) {
   const Vec3 across = unit(towards - from * dot(from, towards));
   const Vec3 side = dot(across, across) > 0 ? across : frame_about(from).x;
   return unit(from * std::cos(angle) + side * std::sin(angle));
@@ -39,7 +38,7 @@ void join_cones(LightBounds& joined, const LightBounds& a, const LightBounds& b)
   if (std::min(between + narrow.spread_rad, kPi) <= wide.spread_rad) return;
   const double spread = (wide.spread_rad + between + narrow.spread_rad) / 2;
   joined.spread_rad = std::min(spread, kPi);
-  if (spread < kPi) joined.axis = turned(wide.axis, narrow.axis, spread - wide.spread_rad);
+  if (spread < kPi) joined.axis = turned_towards(wide.axis, narrow.axis, spread - wide.spread_rad);
 }
 
 // The solid angle, weighted by cosine, into which a cone of surfaces shines.

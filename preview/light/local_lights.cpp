@@ -1,16 +1,14 @@
 #include "preview/light/local_lights.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/geometry/trig.h"
 #include "compiler/sky/generate.h"
 #include "preview/surface/microfacet.h"
 
 namespace citykiln::preview {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 const double kLanternRise_rad = std::asin(props::kLanternRise);
 

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/geometry/trig.h"
 
 namespace citykiln::preview {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // What shines lies this near to its pane along rays: coarse levels show windows on the wall.
 constexpr double kNear_m = 1.5;

@@ -111,7 +111,7 @@ std::optional<double> first_below(const Surroundings& around, Vec3 from, Vec3 di
   return std::nullopt;
 }
 
-Edge mixed(const Edge& a, const Edge& b, double share) {
+Edge mixed_edges(const Edge& a, const Edge& b, double share) {
   return {preview::mixed(a.albedo, b.albedo, share), std::lerp(a.sea, b.sea, share),
           std::lerp(a.height_m, b.height_m, share)};
 }
@@ -150,7 +150,7 @@ std::optional<GroundPoint> meet_ground(const Surroundings& around, Vec3 from, Ve
 Edge edge_at(const Surroundings& around, Vec2 place) {
   assert(!around.ring.empty());
   const auto [low, high, share, faded] = ring_place(around, place);
-  return mixed(mixed(around.ring[low], around.ring[high], share), around.mean, faded);
+  return mixed_edges(mixed_edges(around.ring[low], around.ring[high], share), around.mean, faded);
 }
 
 }  // namespace citykiln::preview

@@ -43,7 +43,7 @@ struct Layer {
   bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
 };
 
-float luminance_of(const Rgbf& c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
+float single_luminance(const Rgbf& c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
 
 float squared_difference(const Rgbf& a, const Rgbf& b) {
   float sum = 0;
@@ -114,7 +114,7 @@ Pixel filtered(const Layer& layer, const std::vector<Pixel>& pixels, int x, int 
   constexpr float kSpline[] = {1 / 16.f, 4 / 16.f, 6 / 16.f, 4 / 16.f, 1 / 16.f};
   const std::size_t middle = layer.at(x, y);
   const Surface& surface = layer.surfaces[middle];
-  const float here = luminance_of(pixels[middle].light);
+  const float here = single_luminance(pixels[middle].light);
   if (!std::isfinite(here)) return {};
   const float error = kLuminanceErrors * std::sqrt(smooth_variance(layer, pixels, x, y)) + 1e-6f;
   Pixel sum;
@@ -123,7 +123,7 @@ Pixel filtered(const Layer& layer, const std::vector<Pixel>& pixels, int x, int 
     for (int i = -2; i <= 2; ++i) {
       if (!layer.contains(x + i * step, y + j * step)) continue;
       const std::size_t at = layer.at(x + i * step, y + j * step);
-      const float there = luminance_of(pixels[at].light);
+      const float there = single_luminance(pixels[at].light);
       if (!std::isfinite(there)) continue;
       const float apart = static_cast<float>(step * std::max(std::abs(i), std::abs(j)));
       const float unlike =
@@ -150,7 +150,7 @@ Image denoise(const Image& image, int threads) {
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Rgbf by = divisor(i);
     for (int c = 0; c < 3; ++c) pixels[i].light[c] = image.rgb[i * 3 + c] / by[c];
-    pixels[i].variance = image.guides.variance[i] / (luminance_of(by) * luminance_of(by));
+    pixels[i].variance = image.guides.variance[i] / (single_luminance(by) * single_luminance(by));
   }
   for (int pass = 0; pass < kPasses; ++pass) {
     for_each_index(static_cast<std::size_t>(image.height), threads, [&](std::size_t row) {

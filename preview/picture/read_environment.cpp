@@ -42,7 +42,7 @@ std::size_t mend(std::vector<float>& rgb) {
 
 // Moves columns, around both sides, so that those of a picture with the bearing `turn_deg` in its middle are where
 // EnvironmentMap has them, with east in its middle.
-std::vector<float> turned(const EnvironmentMap& map, double turn_deg) {
+std::vector<float> turned_rows(const EnvironmentMap& map, double turn_deg) {
   const double shift = (90 - turn_deg) / 360 * map.width, whole = std::floor(shift);
   const auto share = static_cast<float>(shift - whole);
   const auto column = [&](int x) {
@@ -75,7 +75,7 @@ Result<ReadEnvironment> read_environment(const std::string& path, double turn_de
     return Error{path, problem.empty() ? std::string("cannot be read: ") + error : problem};
   }
   read.mended = mend(read.map.rgb);
-  read.map.rgb = turned(read.map, turn_deg);
+  read.map.rgb = turned_rows(read.map, turn_deg);
   return read;
 }
 

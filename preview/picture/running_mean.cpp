@@ -11,7 +11,7 @@ namespace {
 // Moves a mean towards another one by a share.
 void blend(float& mean, double other, double share) { mean = static_cast<float>(mean + (other - mean) * share); }
 
-double luminance_of(const float* rgb) { return luminance({rgb[0], rgb[1], rgb[2]}); }
+double luminance_at(const float* rgb) { return luminance({rgb[0], rgb[1], rgb[2]}); }
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void RunningMean::add(std::size_t pixel, const PixelSums& sums, int before, doub
   assert(sums.count > 0 && share > 0 && share <= 1);
   float* rgb = &image_.rgb[pixel * 3];
   // Chan, Golub, LeVeque 1983
-  const double apart = before > 0 ? sums.luminance_mean - luminance_of(rgb) : 0;
+  const double apart = before > 0 ? sums.luminance_mean - luminance_at(rgb) : 0;
   const double joined = apart * apart * before * sums.count / (before + sums.count);
   squares_[pixel] += static_cast<float>(sums.squares + joined);
   for (int c = 0; c < 3; ++c) blend(rgb[c], sums.light[c] / sums.count, share);

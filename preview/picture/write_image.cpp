@@ -54,7 +54,7 @@ std::vector<CitykilnChannel> exr_channels(const Image& image, const IdChannels& 
   return channels;
 }
 
-std::vector<std::uint8_t> screen_bytes(const Image& image) {
+std::vector<std::uint8_t> dithered_bytes(const Image& image) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(image.rgb.size());
   for (int y = 0; y < image.height; ++y)
@@ -89,7 +89,7 @@ Result<Done> write_image(const Image& image, const std::string& path, const std:
   const bool is_exr = ends_with(path, ".exr");
   if (!is_exr && !ends_with(path, ".png")) return Error{path, "expected a name that ends in .png or .exr"};
   const IdChannels ids = id_channels(is_exr ? image.guides.feature : std::vector<OsmId>{});
-  const std::vector<std::uint8_t> bytes = is_exr ? std::vector<std::uint8_t>{} : screen_bytes(image);
+  const std::vector<std::uint8_t> bytes = is_exr ? std::vector<std::uint8_t>{} : dithered_bytes(image);
   std::vector<CitykilnChannel> channels;
   if (is_exr)
     channels = exr_channels(image, ids);

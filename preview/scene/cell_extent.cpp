@@ -7,16 +7,16 @@
 namespace citykiln::preview {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kFarOnRay = std::numeric_limits<float>::infinity();
 
 // An interval along a ray.
-struct Stretch {
+struct RayInterval {
   double from, to;
 
   // Cuts it to where one coordinate of the ray is between two values.
   void cut(double origin, double direction, double low, double high) {
     if (direction == 0) {
-      if (origin < low || origin > high) to = -kFar;
+      if (origin < low || origin > high) to = -kFarOnRay;
       return;
     }
     const double a = (low - origin) / direction, b = (high - origin) / direction;
@@ -34,7 +34,7 @@ CellExtent::CellExtent(const RTCBounds& box)
   constexpr float kRelative = 0x1p-18f;
   margin_ = 0.01f + kRelative * std::max({std::abs(box.lower_x), std::abs(box.upper_x), std::abs(box.lower_y),
                                           std::abs(box.upper_y), std::abs(box.lower_z), std::abs(box.upper_z)});
-  columns_.fill({kFar, -kFar});
+  columns_.fill({kFarOnRay, -kFarOnRay});
 }
 
 // The columns that an interval touches.
@@ -56,19 +56,19 @@ void CellExtent::add(const RTCBounds& box) {
 }
 
 bool CellExtent::may_meet(const RTCRay& ray) const {
-  Stretch inside{ray.tnear, ray.tfar};
+  RayInterval inside{ray.tnear, ray.tfar};
   inside.cut(ray.org_x, ray.dir_x, box_.lower_x - margin_, box_.upper_x + margin_);
   inside.cut(ray.org_y, ray.dir_y, box_.lower_y - margin_, box_.upper_y + margin_);
   inside.cut(ray.org_z, ray.dir_z, box_.lower_z - margin_, box_.upper_z + margin_);
   if (!(inside.from <= inside.to)) return false;
-  const auto between = [](double origin, double direction, const Stretch& s, auto take) {
+  const auto between = [](double origin, double direction, const RayInterval& s, auto take) {
     const double a = origin + s.from * direction, b = origin + s.to * direction;
     return take(static_cast<float>(std::min(a, b)), static_cast<float>(std::max(a, b)));
   };
   const Span rows =
       between(ray.org_x, ray.dir_x, inside, [&](float a, float b) { return span_of(a, b, box_.lower_x, width_); });
   for (int i = rows.first; i <= rows.last; ++i) {
-    Stretch row = inside;
+    RayInterval row = inside;
     row.cut(ray.org_x, ray.dir_x, box_.lower_x + i * width_ - 2 * margin_,
             box_.lower_x + (i + 1) * width_ + 2 * margin_);
     if (!(row.from <= row.to)) continue;
@@ -76,7 +76,7 @@ bool CellExtent::may_meet(const RTCRay& ray) const {
         between(ray.org_y, ray.dir_y, row, [&](float a, float b) { return span_of(a, b, box_.lower_y, depth_); });
     for (int j = cells.first; j <= cells.last; ++j) {
       const Column& column = columns_[static_cast<std::size_t>(i * kAcross + j)];
-      Stretch met = row;
+      RayInterval met = row;
       met.cut(ray.org_y, ray.dir_y, box_.lower_y + j * depth_ - 2 * margin_,
               box_.lower_y + (j + 1) * depth_ + 2 * margin_);
       met.cut(ray.org_z, ray.dir_z, column.low - margin_, column.high + margin_);

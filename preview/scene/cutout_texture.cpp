@@ -5,13 +5,14 @@
 namespace citykiln::preview {
 namespace {
 
-constexpr std::size_t kLevels = 2;
+constexpr std::size_t kCutoutLevels = 2;
 
 }  // namespace
 
 CutoutTexture::CutoutTexture(const impostor::Cutout& cutout)
-    : cutout_(&cutout), colour_(cutout.colour, TexelMeaning::kColours, WrapMode::kClamp, kLevels) {
-  if (!cutout.normal.texels.empty()) normal_.emplace(cutout.normal, TexelMeaning::kNormals, WrapMode::kClamp, kLevels);
+    : cutout_(&cutout), colour_(cutout.colour, TexelMeaning::kColours, WrapMode::kClamp, kCutoutLevels) {
+  if (!cutout.normal.texels.empty())
+    normal_.emplace(cutout.normal, TexelMeaning::kNormals, WrapMode::kClamp, kCutoutLevels);
 }
 
 std::size_t CutoutTexture::bytes() const {

@@ -3,17 +3,18 @@
 namespace citykiln::preview {
 namespace {
 
-constexpr std::size_t kLevels = 2;
+constexpr std::size_t kFacadeLevels = 2;
 
 }  // namespace
 
 FacadeAtlasTexture::FacadeAtlasTexture(const impostor::Atlas& atlas)
     : atlas_(&atlas),
-      colour_(atlas.colour, TexelMeaning::kColours, WrapMode::kClamp, kLevels),
-      surface_(atlas.surface, TexelMeaning::kNumbers, WrapMode::kClamp, kLevels) {
+      colour_(atlas.colour, TexelMeaning::kColours, WrapMode::kClamp, kFacadeLevels),
+      surface_(atlas.surface, TexelMeaning::kNumbers, WrapMode::kClamp, kFacadeLevels) {
   if (!atlas.emission.texels.empty())
-    emission_.emplace(atlas.emission, TexelMeaning::kColours, WrapMode::kClamp, kLevels);
-  if (!atlas.normal.texels.empty()) normal_.emplace(atlas.normal, TexelMeaning::kNormals, WrapMode::kClamp, kLevels);
+    emission_.emplace(atlas.emission, TexelMeaning::kColours, WrapMode::kClamp, kFacadeLevels);
+  if (!atlas.normal.texels.empty())
+    normal_.emplace(atlas.normal, TexelMeaning::kNormals, WrapMode::kClamp, kFacadeLevels);
 }
 
 std::size_t FacadeAtlasTexture::bytes() const {

@@ -12,7 +12,7 @@ namespace {
 using Rgb3 = std::array<double, 3>;
 
 template <typename Of>
-std::array<float, 256> table(Of of) {
+std::array<float, 256> byte_table(Of of) {
   std::array<float, 256> all{};
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = of(static_cast<std::uint8_t>(i));
   return all;
@@ -20,11 +20,12 @@ std::array<float, 256> table(Of of) {
 
 // The values of a texel's bytes.
 const std::array<float, 256>& values_of(TexelMeaning texels) {
-  static const std::array<float, 256> colours = table(materials::linear_of_srgb);
+  static const std::array<float, 256> colours = byte_table(materials::linear_of_srgb);
   // flat parts of a normal map are exactly flat, as if there were none: zero lies between two bytes
   static const std::array<float, 256> normals =
-      table([](std::uint8_t byte) { return byte == 128 ? 0 : static_cast<float>(byte) / 127.5f - 1; });
-  static const std::array<float, 256> numbers = table([](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
+      byte_table([](std::uint8_t byte) { return byte == 128 ? 0 : static_cast<float>(byte) / 127.5f - 1; });
+  static const std::array<float, 256> numbers =
+      byte_table([](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
   if (texels == TexelMeaning::kNumbers) return numbers;
   return texels == TexelMeaning::kColours ? colours : normals;
 }

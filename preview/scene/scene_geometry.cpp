@@ -7,7 +7,7 @@ namespace citykiln::preview {
 
 namespace {
 
-RTCBounds box_of(const MeshPart& part, const std::array<std::uint32_t, 3>& triangle) {
+RTCBounds triangle_bounds(const MeshPart& part, const std::array<std::uint32_t, 3>& triangle) {
   const bake::Float3 &a = part.corners[triangle[0]], &b = part.corners[triangle[1]], &c = part.corners[triangle[2]];
   RTCBounds box{};
   box.lower_x = std::min({a[0], b[0], c[0]}), box.upper_x = std::max({a[0], b[0], c[0]});
@@ -38,7 +38,7 @@ Hit SceneGeometry::hit_of(const RTCHit& found, const RayFootprint& footprint) co
 
 void SceneGeometry::add_to(CellExtent& extent) const {
   for (const MeshPart& part : parts_)
-    for (const auto& triangle : part.primitive->triangles) extent.add(box_of(part, triangle));
+    for (const auto& triangle : part.primitive->triangles) extent.add(triangle_bounds(part, triangle));
   for (const auto& set : sets_)
     for (std::size_t i = 0; i < set->size(); ++i) extent.add(set->box_of(i));
 }

@@ -2,21 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "compiler/geometry/trig.h"
 #include "preview/turn.h"
 
 namespace citykiln::preview {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr Rgb kWhite = {1, 1, 1};
 
 // Microfacets narrower than the sun's disk only add noise.
 constexpr double kLeastAlpha = 0.01;
 
 // A shading normal that faces away from the eye is turned to this cosine.
-constexpr double kLeastCosine = 0.01;
+constexpr double kLeastEyeCosine = 0.01;
 
 // Fades light where a smooth normal faces it but the flat triangle hides it, which would be a hard edge on large
 // triangles. Chiang, Li, Burley, "Taming the Shadow Terminator", SIGGRAPH 2019 talks.
@@ -28,7 +27,7 @@ double terminator(double flat, double smooth, double between) {
 
 Vec3 facing(Vec3 normal, Vec3 to_eye) {
   const double cosine = dot(normal, to_eye);
-  return cosine >= kLeastCosine ? normal : unit(normal + to_eye * (kLeastCosine - cosine));
+  return cosine >= kLeastEyeCosine ? normal : unit(normal + to_eye * (kLeastEyeCosine - cosine));
 }
 
 double grazing(double cosine) {

@@ -11,16 +11,16 @@ namespace citykiln::preview {
 namespace {
 
 // Rows by the square root of alpha, columns by the square root of the cosine: both change fastest near 0.
-constexpr int kRows = 32, kColumns = 48, kSide = 24;
-constexpr double kLeastRow = 0.1, kLeastCosine = 1e-4;
+constexpr int kAlphaRows = 32, kCosineColumns = 48, kSide = 24;
+constexpr double kLeastAlphaRow = 0.1, kLeastTableCosine = 1e-4;
 
 double alpha_of(double row) {
-  const double root = kLeastRow + (1 - kLeastRow) * row / (kRows - 1);
+  const double root = kLeastAlphaRow + (1 - kLeastAlphaRow) * row / (kAlphaRows - 1);
   return root * root;
 }
 double cosine_of(double column) {
-  const double root = column / (kColumns - 1);
-  return std::max(kLeastCosine, root * root);
+  const double root = column / (kCosineColumns - 1);
+  return std::max(kLeastTableCosine, root * root);
 }
 
 // The mean over sampled facets of what each reflects, divided by their density.
@@ -41,36 +41,36 @@ SingleReflection integrated(double alpha, double cosine) {
 }
 
 struct Table {
-  std::array<std::array<SingleReflection, kColumns>, kRows> cells;
-  std::array<SingleReflection, kRows> means;
+  std::array<std::array<SingleReflection, kCosineColumns>, kAlphaRows> cells;
+  std::array<SingleReflection, kAlphaRows> means;
 
   Table() {
-    for (int row = 0; row < kRows; ++row) {
-      for (int column = 0; column < kColumns; ++column)
+    for (int row = 0; row < kAlphaRows; ++row) {
+      for (int column = 0; column < kCosineColumns; ++column)
         cells[row][column] = integrated(alpha_of(row), cosine_of(column));
       means[row] = mean_of(cells[row]);
     }
   }
 
   // The integral of 2 cos over the cosine, which is 4 t³ over t = √cos; the trapezoidal rule.
-  static SingleReflection mean_of(const std::array<SingleReflection, kColumns>& row) {
+  static SingleReflection mean_of(const std::array<SingleReflection, kCosineColumns>& row) {
     SingleReflection sum{0, 0};
     double weights = 0;
-    for (int column = 0; column < kColumns; ++column) {
-      const double t = static_cast<double>(column) / (kColumns - 1);
-      const double weight = t * t * t * (column == kColumns - 1 ? 0.5 : 1);
+    for (int column = 0; column < kCosineColumns; ++column) {
+      const double t = static_cast<double>(column) / (kCosineColumns - 1);
+      const double weight = t * t * t * (column == kCosineColumns - 1 ? 0.5 : 1);
       sum.mirror += weight * row[column].mirror, sum.grazing += weight * row[column].grazing, weights += weight;
     }
     return {sum.mirror / weights, sum.grazing / weights};
   }
 };
 
-const Table& table() {
+const Table& reflection_table() {
   static const Table all;
   return all;
 }
 
-SingleReflection between(const SingleReflection& a, const SingleReflection& b, double share) {
+SingleReflection reflection_between(const SingleReflection& a, const SingleReflection& b, double share) {
   return {a.mirror + (b.mirror - a.mirror) * share, a.grazing + (b.grazing - a.grazing) * share};
 }
 
@@ -89,21 +89,22 @@ Place place_of(double at, int count) {
 }  // namespace
 
 SingleReflections::SingleReflections(double alpha) {
-  const Place place = place_of((std::sqrt(std::max(0.0, alpha)) - kLeastRow) / (1 - kLeastRow) * (kRows - 1), kRows);
+  const Place place = place_of(
+      (std::sqrt(std::max(0.0, alpha)) - kLeastAlphaRow) / (1 - kLeastAlphaRow) * (kAlphaRows - 1), kAlphaRows);
   row_ = place.before, share_ = place.share;
 }
 
 SingleReflection SingleReflections::at(double cosine) const {
-  const Place column = place_of(std::sqrt(std::max(0.0, cosine)) * (kColumns - 1), kColumns);
-  const auto along = [&](const std::array<SingleReflection, kColumns>& row) {
-    return between(row[column.before], row[column.before + 1], column.share);
+  const Place column = place_of(std::sqrt(std::max(0.0, cosine)) * (kCosineColumns - 1), kCosineColumns);
+  const auto along = [&](const std::array<SingleReflection, kCosineColumns>& row) {
+    return reflection_between(row[column.before], row[column.before + 1], column.share);
   };
-  const Table& all = table();
-  return between(along(all.cells[row_]), along(all.cells[row_ + 1]), share_);
+  const Table& all = reflection_table();
+  return reflection_between(along(all.cells[row_]), along(all.cells[row_ + 1]), share_);
 }
 
 SingleReflection SingleReflections::mean() const {
-  return between(table().means[row_], table().means[row_ + 1], share_);
+  return reflection_between(reflection_table().means[row_], reflection_table().means[row_ + 1], share_);
 }
 
 }  // namespace citykiln::preview

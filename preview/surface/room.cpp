@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "compiler/geometry/trig.h"
 #include "preview/surface/microfacet.h"
 
 namespace citykiln::preview {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Reflectances of plaster, wood and white paint.
 constexpr Rgb kWall = {0.55, 0.50, 0.42}, kFloor = {0.16, 0.11, 0.07}, kCeiling = {0.75, 0.73, 0.68};

@@ -17,7 +17,7 @@ constexpr double kLongest_s = 0.2;
 constexpr double kSteepest_rad = 89 * std::numbers::pi / 180;
 
 // The view's direction, turned to the right and down by angles.
-Vec3 turned(Vec3 forward, double right_rad, double down_rad) {
+Vec3 turned_view(Vec3 forward, double right_rad, double down_rad) {
   const double bearing = std::atan2(forward.x, forward.y) + right_rad;
   const double rise = std::clamp(std::asin(std::clamp(forward.z, -1.0, 1.0)) - down_rad, -kSteepest_rad, kSteepest_rad);
   return {std::sin(bearing) * std::cos(rise), std::cos(bearing) * std::cos(rise), std::sin(rise)};
@@ -39,7 +39,7 @@ Camera moved(const Camera& camera, const CitykilnInput& input) {
   next.eye = camera.eye + unit(way) * step_m;
   const bool turns = input.turn_px != 0 || input.tilt_px != 0;
   const Vec3 forward =
-      turns ? turned(axes.forward, input.turn_px * pixel_rad, input.tilt_px * pixel_rad) : axes.forward;
+      turns ? turned_view(axes.forward, input.turn_px * pixel_rad, input.tilt_px * pixel_rad) : axes.forward;
   next.look_at = next.eye + forward * far_m;
   return next;
 }

@@ -37,7 +37,7 @@ Result<Module> load_module() {
   return module;
 }
 
-std::vector<std::uint8_t> screen_bytes(const Image& image, double exposure) {
+std::vector<std::uint8_t> exposed_bytes(const Image& image, double exposure) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(image.rgb.size());
   for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
@@ -98,7 +98,7 @@ Result<Done> show_interactive(const World& world, const Lights& lights, const Lo
       expose(exposed, exposure);
       write(exposed, now, exposure);
     }
-    const std::vector<std::uint8_t> bytes = is_new ? screen_bytes(shown, exposure) : std::vector<std::uint8_t>();
+    const std::vector<std::uint8_t> bytes = is_new ? exposed_bytes(shown, exposure) : std::vector<std::uint8_t>();
     module->show(*window, bytes.empty() ? nullptr : bytes.data(), shown.width, shown.height, &input);
   }
   module->close(*window);

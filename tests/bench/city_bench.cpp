@@ -37,7 +37,7 @@ void plan_town(benchmark::State& state) {
   state.counters["buildings"] = static_cast<double>(buildings);
 }
 
-std::uint64_t triangles_of(const GeneratedBuilding& house) {
+std::uint64_t triangles_of_building(const GeneratedBuilding& house) {
   std::uint64_t triangles = 0;
   for (const auto& dressed : house.meshes) triangles += dressed.mesh.triangles.size();
   for (const auto& textured_faces : house.textured_faces) triangles += textured_faces.mesh.mesh.triangles.size();
@@ -63,7 +63,7 @@ void generate_town(benchmark::State& state) {
     const Rulebook rulebook = parse_rulebook(shipped_rules());
     const auto made = for_each_slot<std::uint64_t>(count, static_cast<int>(state.range(2)), [&](std::size_t i) {
       Report report;
-      return triangles_of(generate(all[i * one_in], rulebook, {1}, tolerance_m, report));
+      return triangles_of_building(generate(all[i * one_in], rulebook, {1}, tolerance_m, report));
     });
     for (const std::uint64_t each : made) triangles += each;
   }

@@ -7,6 +7,7 @@
 
 #include "grammars/derivation/derive.h"
 #include "grammars/language/read_rules.h"
+#include "tests/test_files.h"
 
 namespace citykiln::grammars {
 namespace {
@@ -19,7 +20,7 @@ Result<std::string> file_at(const std::string& path) {
   return text.str();
 }
 
-Result<std::string> beside(const std::string& file) { return file_at(std::string(CITYKILN_SOURCE) + "/tests/" + file); }
+Result<std::string> beside(const std::string& file) { return file_at(source_file("tests/" + file)); }
 
 /// The input of one derivation.
 struct House {
@@ -39,7 +40,7 @@ House old_town() {
 // Ten floors of windows, and of balconies with railings.
 House flats() { return {read_rules("bench/flats.cga", beside), 24, 14, {}}; }
 
-std::uint64_t triangles_of(const Derivation& derivation) {
+std::uint64_t triangles_of_derivation(const Derivation& derivation) {
   std::uint64_t triangles = 0;
   // a polygon of n points has n - 2 triangles, and two more for each hole
   for (const Terminal& terminal : derivation.terminals)
@@ -57,7 +58,7 @@ void derive_houses(benchmark::State& state, House house) {
   std::uint64_t houses = 0, triangles = 0;
   for (auto _ : state) {
     const Shape first = lot(footprint, 0, 0, StableId{++houses}, {0});
-    triangles += triangles_of(derive(*house.program, first, house.options));
+    triangles += triangles_of_derivation(derive(*house.program, first, house.options));
   }
   state.counters["triangles"] = static_cast<double>(triangles) / static_cast<double>(houses);
   state.counters["triangles/s"] = benchmark::Counter(static_cast<double>(triangles), benchmark::Counter::kIsRate);

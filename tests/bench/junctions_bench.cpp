@@ -26,7 +26,7 @@ void plan_and_outline(benchmark::State& state, const std::string& name) {
   for (auto _ : state) {
     Report ignored;
     const std::vector<Junction> planned = plan_junctions(roads, ignored);
-    benchmark::DoNotOptimize(outline(planned, roads, 0));
+    benchmark::DoNotOptimize(outline_junctions(planned, roads, 0));
     junctions = planned.size();
   }
   state.counters["junctions/s"] =

@@ -9,14 +9,12 @@
 #include "compiler/bake/bake.h"
 #include "compiler/pipeline.h"
 #include "compiler/source/read_raster.h"
+#include "tests/test_files.h"
 
 namespace citykiln {
 namespace {
 
-const std::string kTown = std::string(CITYKILN_SOURCE) + "/examples/town/";
-const std::string kData = std::string(CITYKILN_DATA) + "/";
-
-scene::Scene scene_of(const std::string& map, const std::string& heights, const std::string& time) {
+scene::Scene scene_from_files(const std::string& map, const std::string& heights, const std::string& time) {
   CompileSpec spec;
   spec.map_path = map, spec.time = time;
   Result<source::RasterSpec> raster = source::parse_raster_spec(heights);
@@ -28,9 +26,10 @@ scene::Scene scene_of(const std::string& map, const std::string& heights, const 
 }
 
 scene::Scene town() {
-  return scene_of(kTown + "town.osm",
-                  kTown + "town_heights.png,bounds=12.2871378/48.6926888/12.3128622/48.7073471,scale=0.02",
-                  "2026-06-21T15:20");
+  return scene_from_files(source_file("examples/town/town.osm"),
+                          source_file("examples/town/town_heights.png").string() +
+                              ",bounds=12.2871378/48.6926888/12.3128622/48.7073471,scale=0.02",
+                          "2026-06-21T15:20");
 }
 
 bake::View view_above(const scene::Scene& scene, Vec2 place, double above_m) {
@@ -129,8 +128,9 @@ TEST(BakeCell, CellsTogetherAreTheTownForAView) {
 
 // Bridges, a tunnel, woods, a river, ground under buildings at the edge of the extent.
 TEST(BakeCellReal, CellsTogetherAreAVillageForAView) {
-  if (!std::filesystem::exists(kData + "andorra/N42E001.hgt")) GTEST_SKIP() << "no real data";
-  const scene::Scene scene = scene_of(kData + "andorra/cut-canillo-village.osm.pbf", kData + "andorra/N42E001.hgt", "");
+  if (!std::filesystem::exists(real_data("andorra/N42E001.hgt"))) GTEST_SKIP() << "no real data";
+  const scene::Scene scene =
+      scene_from_files(real_data("andorra/cut-canillo-village.osm.pbf"), real_data("andorra/N42E001.hgt"), "");
   expect_same(scene, view_above(scene, scene.header.region.centre(), 50), 1000, 30);
 }
 

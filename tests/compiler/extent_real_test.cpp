@@ -5,6 +5,7 @@
 #include "compiler/bake/bake.h"
 #include "compiler/bake/ground_beyond.h"
 #include "tests/compiler/real_scenes.h"
+#include "tests/test_files.h"
 
 namespace citykiln {
 namespace {
@@ -27,10 +28,10 @@ constexpr double kBuildingMargin_m = 3;
 
 CompileSpec spec_of(const Case& place) {
   CompileSpec spec;
-  spec.map_path = kData / place.map;
+  spec.map_path = real_data(place.map);
   spec.map.bbox = place.bbox;
   spec.tile_m = 512;
-  if (place.heights) spec.rasters.emplace_back().path = kData / place.heights;
+  if (place.heights) spec.rasters.emplace_back().path = real_data(place.heights);
   return spec;
 }
 
@@ -78,7 +79,7 @@ void check_tile(const bake::BakedTile& tile, const scene::Header& header, const 
 }
 
 TEST(ExtentReal, EverythingButOverhangingBuildingsLiesInIt) {
-  if (!std::filesystem::exists(kData)) GTEST_SKIP();
+  if (!std::filesystem::exists(real_data())) GTEST_SKIP();
   std::size_t overhanging = 0, spans = 0;
   for (const Case& place : kCases) {
     const auto compiled = compile(spec_of(place), [](auto&&...) {});
@@ -102,7 +103,7 @@ TEST(ExtentReal, EverythingButOverhangingBuildingsLiesInIt) {
 }
 
 TEST(ExtentReal, ABuildingBelongsToItByTheCentroidOfItsOutline) {
-  if (!std::filesystem::exists(kData)) GTEST_SKIP();
+  if (!std::filesystem::exists(real_data())) GTEST_SKIP();
   const auto compiled = compile(spec_of(kCases[1]), [](auto&&...) {});
   ASSERT_TRUE(compiled);
   const Box2 extent = compiled->scene.header.region;
@@ -119,7 +120,7 @@ TEST(ExtentReal, ABuildingBelongsToItByTheCentroidOfItsOutline) {
 }
 
 TEST(ExtentReal, TheGroundGoesOnUnderBuildingsAcrossItsBorder) {
-  if (!std::filesystem::exists(kData)) GTEST_SKIP();
+  if (!std::filesystem::exists(real_data())) GTEST_SKIP();
   const auto compiled = compile(spec_of(kCases[1]), [](auto&&...) {});
   ASSERT_TRUE(compiled);
   const scene::Header& header = compiled->scene.header;
@@ -142,7 +143,7 @@ TEST(ExtentReal, TheGroundGoesOnUnderBuildingsAcrossItsBorder) {
 }
 
 TEST(ExtentReal, TilesMadeApartEqualThoseOfTheWhole) {
-  if (!std::filesystem::exists(kData)) GTEST_SKIP();
+  if (!std::filesystem::exists(real_data())) GTEST_SKIP();
   CompileSpec spec = spec_of(kCases[0]);
   const auto whole = compile(spec, [](auto&&...) {});
   ASSERT_TRUE(whole);

@@ -9,11 +9,10 @@
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
 #include "tests/compiler/roads/junctions/junction_claims.h"
+#include "tests/test_files.h"
 
 namespace citykiln {
 namespace {
-
-const std::filesystem::path kData = CITYKILN_DATA;
 
 Result<CompileResult> compiled(const std::filesystem::path& map, int threads) {
   CompileSpec spec;
@@ -24,8 +23,8 @@ Result<CompileResult> compiled(const std::filesystem::path& map, int threads) {
 
 std::vector<std::string> small_cases() {
   std::vector<std::string> names;
-  if (!std::filesystem::exists(kData / "junctions")) return {"junctions/absent.osm"};
-  for (const auto& entry : std::filesystem::directory_iterator(kData / "junctions"))
+  if (!std::filesystem::exists(real_data("junctions"))) return {"junctions/absent.osm"};
+  for (const auto& entry : std::filesystem::directory_iterator(real_data("junctions")))
     if (entry.path().extension() == ".osm") names.push_back("junctions/" + entry.path().filename().string());
   std::ranges::sort(names);
   return names;
@@ -41,8 +40,8 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) {
 class JunctionsInSceneReal : public testing::TestWithParam<std::string> {};
 
 TEST_P(JunctionsInSceneReal, AreTheSameWhenCompiledAgain) {
-  if (!std::filesystem::exists(kData / GetParam())) GTEST_SKIP() << "absent: " << GetParam();
-  const auto once = compiled(kData / GetParam(), 1), again = compiled(kData / GetParam(), 2);
+  if (!std::filesystem::exists(real_data(GetParam()))) GTEST_SKIP() << "absent: " << GetParam();
+  const auto once = compiled(real_data(GetParam()), 1), again = compiled(real_data(GetParam()), 2);
   ASSERT_TRUE(once && again);
   EXPECT_TRUE(once->scene == again->scene);
 }
@@ -83,9 +82,9 @@ bool is_of_street(map::LandCoverClass surface) {
 }
 
 TEST_P(JunctionsInSceneReal, RoadSurfacesOfTheGroundShareNoArea) {
-  if (!std::filesystem::exists(kData / GetParam())) GTEST_SKIP() << "absent: " << GetParam();
+  if (!std::filesystem::exists(real_data(GetParam()))) GTEST_SKIP() << "absent: " << GetParam();
   const roads::Geos geos;
-  const auto compiled_case = compiled(kData / GetParam(), 0);
+  const auto compiled_case = compiled(real_data(GetParam()), 0);
   ASSERT_TRUE(compiled_case);
   double sum = 0;
   std::vector<Ring> all;
@@ -107,8 +106,8 @@ class JunctionsOfTilesReal : public testing::TestWithParam<std::string> {};
 
 // Well inside, where a tile's roads are all that matters: idempotence, and that nothing farther is asked for.
 TEST_P(JunctionsOfTilesReal, AreDerivedFromTheTilesRoads) {
-  if (!std::filesystem::exists(kData / GetParam())) GTEST_SKIP() << "absent: " << GetParam();
-  const auto whole = compiled(kData / GetParam(), 0);
+  if (!std::filesystem::exists(real_data(GetParam()))) GTEST_SKIP() << "absent: " << GetParam();
+  const auto whole = compiled(real_data(GetParam()), 0);
   ASSERT_TRUE(whole);
   std::size_t compared = 0;
   for (const scene::Chunk& chunk : whole->scene.chunks) {

@@ -6,6 +6,7 @@
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
 #include "tests/compiler/real_scenes.h"
+#include "tests/test_files.h"
 
 namespace citykiln {
 namespace {
@@ -13,10 +14,10 @@ namespace {
 using map::LandCoverGroup;
 using plants::Species;
 
-constexpr Extract kExtracts[] = {{"berlin/berlin-siegessaeule.osm.gz", "berlin/N52E013.hgt"},
-                                 {"helsinki/Helsinki.osm.pbf"},
-                                 {"monaco/monaco-2023.osm.pbf", "monaco/N43E007.hgt"},
-                                 {"andorra/cut-canillo-village.osm.pbf", "andorra/N42E001.hgt"}};
+constexpr Extract kPlantExtracts[] = {{"berlin/berlin-siegessaeule.osm.gz", "berlin/N52E013.hgt"},
+                                      {"helsinki/Helsinki.osm.pbf"},
+                                      {"monaco/monaco-2023.osm.pbf", "monaco/N43E007.hgt"},
+                                      {"andorra/cut-canillo-village.osm.pbf", "andorra/N42E001.hgt"}};
 
 // A plant without its tile.
 struct Plant {
@@ -56,8 +57,8 @@ std::vector<Plant> plants_of(const scene::Scene& scene) {
 }
 
 TEST(PlantsReal, StandInNoRoadRailBuildingOrWater) {
-  if (!std::filesystem::exists(kData)) GTEST_SKIP() << "no data";
-  for (const Extract& extract : kExtracts) {
+  if (!std::filesystem::exists(real_data())) GTEST_SKIP() << "no data";
+  for (const Extract& extract : kPlantExtracts) {
     const scene::Scene scene = scene_of(extract, 512);
     std::size_t count = 0;
     for (const scene::Chunk& chunk : scene.chunks) {
@@ -80,8 +81,8 @@ TEST(PlantsReal, StandInNoRoadRailBuildingOrWater) {
 }
 
 TEST(PlantsReal, DoNotDependOnTiles) {
-  if (!std::filesystem::exists(kData)) GTEST_SKIP() << "no data";
-  for (const Extract& extract : kExtracts) {
+  if (!std::filesystem::exists(real_data())) GTEST_SKIP() << "no data";
+  for (const Extract& extract : kPlantExtracts) {
     const std::vector<Plant> large = plants_of(scene_of(extract, 1024)), small = plants_of(scene_of(extract, 256));
     EXPECT_FALSE(large.empty()) << extract.map;
     std::vector<Plant> differing;
@@ -93,8 +94,8 @@ TEST(PlantsReal, DoNotDependOnTiles) {
 
 // Canillo's woods climb from 1450 to 2200 m.
 TEST(PlantsReal, OfCanilloAreOfManySpeciesAndMostlyConifers) {
-  if (!std::filesystem::exists(kData)) GTEST_SKIP() << "no data";
-  const std::vector<Plant> plants = plants_of(scene_of(kExtracts[3], 1024));
+  if (!std::filesystem::exists(real_data())) GTEST_SKIP() << "no data";
+  const std::vector<Plant> plants = plants_of(scene_of(kPlantExtracts[3], 1024));
   std::set<Species> species;
   double needles = 0;
   for (const Plant& plant : plants) {

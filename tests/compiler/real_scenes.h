@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "compiler/pipeline.h"
+#include "tests/test_files.h"
 
 namespace citykiln {
-
-inline const std::filesystem::path kData = CITYKILN_DATA;
 
 struct Extract {
   const char* map;
@@ -20,9 +19,9 @@ struct Extract {
 
 inline scene::Scene scene_of(const Extract& extract, double tile_m) {
   CompileSpec spec;
-  spec.map_path = kData / extract.map;
+  spec.map_path = real_data(extract.map);
   spec.tile_m = tile_m;
-  if (extract.heights) spec.rasters.emplace_back().path = kData / extract.heights;
+  if (extract.heights) spec.rasters.emplace_back().path = real_data(extract.heights);
   Result<CompileResult> compiled = compile(spec, [](auto&&...) {});
   EXPECT_TRUE(compiled) << extract.map;
   return compiled ? std::move(compiled->scene) : scene::Scene{};

@@ -8,13 +8,12 @@
 #include "compiler/pipeline.h"
 #include "compiler/scene/land_cover.h"
 #include "tests/compiler/ground/cover/border_claims.h"
+#include "tests/test_files.h"
 
 namespace citykiln {
 namespace {
 
 using ground::Border;
-
-const std::filesystem::path kData = CITYKILN_DATA;
 
 struct CellBorders {
   Box2 cell;
@@ -24,7 +23,7 @@ struct CellBorders {
 // Of all cells of an extract, with all pieces of its roads.
 std::vector<CellBorders> borders_of_cells(const char* extract) {
   CompileSpec spec;
-  spec.map_path = (kData / extract).string();
+  spec.map_path = real_data(extract);
   const auto compiled = compile(spec, [](std::string_view, double) {});
   EXPECT_TRUE(compiled);
   if (!compiled) return {};
@@ -49,7 +48,7 @@ struct Stopwatch {
 class SimplifiedBordersReal : public testing::TestWithParam<const char*> {};
 
 TEST_P(SimplifiedBordersReal, KeepEveryGuarantee) {
-  if (!std::filesystem::exists(kData / GetParam())) GTEST_SKIP() << "absent: " << GetParam();
+  if (!std::filesystem::exists(real_data(GetParam()))) GTEST_SKIP() << "absent: " << GetParam();
   const std::vector<CellBorders> cells = borders_of_cells(GetParam());
   ASSERT_FALSE(cells.empty());
   for (const double tolerance_m : {0.25, 1.0, 8.0}) {
@@ -69,7 +68,7 @@ TEST_P(SimplifiedBordersReal, KeepEveryGuarantee) {
 }
 
 TEST_P(SimplifiedBordersReal, KeepEveryGuaranteeAfterMergingSlivers) {
-  if (!std::filesystem::exists(kData / GetParam())) GTEST_SKIP() << "absent: " << GetParam();
+  if (!std::filesystem::exists(real_data(GetParam()))) GTEST_SKIP() << "absent: " << GetParam();
   const std::vector<CellBorders> cells = borders_of_cells(GetParam());
   ASSERT_FALSE(cells.empty());
   for (const double tolerance_m : {0.25, 1.0, 8.0}) {

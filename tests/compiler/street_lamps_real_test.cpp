@@ -4,6 +4,7 @@
 #include "compiler/props/street_lamps.h"
 #include "compiler/scene/land_cover.h"
 #include "tests/compiler/real_scenes.h"
+#include "tests/test_files.h"
 
 namespace citykiln {
 namespace {
@@ -11,10 +12,10 @@ namespace {
 using map::LandCoverGroup;
 using props::StreetLamp;
 
-constexpr Extract kExtracts[] = {{"berlin/berlin-neukolln.osm"},
-                                 {"helsinki/Helsinki.osm.pbf"},
-                                 {"monaco/monaco-2023.osm.pbf"},
-                                 {"berlin/berlin-reinickendorf-2026.osm.pbf"}};
+constexpr Extract kLampExtracts[] = {{"berlin/berlin-neukolln.osm"},
+                                     {"helsinki/Helsinki.osm.pbf"},
+                                     {"monaco/monaco-2023.osm.pbf"},
+                                     {"berlin/berlin-reinickendorf-2026.osm.pbf"}};
 
 std::vector<StreetLamp> lamps_of(const scene::Scene& scene, const scene::Chunk& chunk,
                                  std::span<const props::Lamp> mapped) {
@@ -45,8 +46,8 @@ Vec2 towards_its_way(std::span<const roads::Road> roads, const StreetLamp& lamp)
 }
 
 TEST(StreetLampsReal, StandBesideCarriagewaysAndFaceThem) {
-  if (!std::filesystem::exists(kData)) GTEST_SKIP();
-  for (const Extract& extract : kExtracts) {
+  if (!std::filesystem::exists(real_data())) GTEST_SKIP();
+  for (const Extract& extract : kLampExtracts) {
     const scene::Scene scene = scene_of(extract, 1024);
     std::size_t count = 0, averted = 0;
     for (const scene::Chunk& chunk : scene.chunks) {
@@ -78,8 +79,8 @@ std::vector<StreetLamp> sorted_lamps(const scene::Scene& scene) {
 }
 
 TEST(StreetLampsReal, DoNotDependOnTheTileSize) {
-  if (!std::filesystem::exists(kData)) GTEST_SKIP();
-  for (const Extract& extract : kExtracts) {
+  if (!std::filesystem::exists(real_data())) GTEST_SKIP();
+  for (const Extract& extract : kLampExtracts) {
     const auto large = sorted_lamps(scene_of(extract, 2048)), small = sorted_lamps(scene_of(extract, 256));
     EXPECT_FALSE(large.empty()) << extract.map;
     EXPECT_TRUE(large == small) << extract.map << ": " << large.size() << " and " << small.size();

@@ -14,16 +14,15 @@
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/source/read_raster.h"
+#include "tests/test_files.h"
 
 namespace citykiln {
 namespace {
 
-const std::filesystem::path kData = CITYKILN_DATA;
-
 Result<CompileResult> compiled_village() {
   CompileSpec spec;
-  spec.map_path = (kData / "andorra/cut-canillo-village.osm.pbf").string();
-  Result<source::RasterSpec> raster = source::parse_raster_spec((kData / "andorra/N42E001.hgt").string());
+  spec.map_path = real_data("andorra/cut-canillo-village.osm.pbf");
+  Result<source::RasterSpec> raster = source::parse_raster_spec(real_data("andorra/N42E001.hgt").string());
   if (!raster) return raster.error();
   spec.rasters.push_back(std::move(*raster));
   return compile(spec, [](std::string_view, double) {});
@@ -88,7 +87,7 @@ double pixels_off(const Seen& seen, const bake::View& view, std::size_t face, Ve
 class ViewReal : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(kData / "andorra/cut-canillo-village.osm.pbf")) GTEST_SKIP() << "absent";
+    if (!std::filesystem::exists(real_data("andorra/cut-canillo-village.osm.pbf"))) GTEST_SKIP() << "absent";
     Result<CompileResult> compiled = compiled_village();
     ASSERT_TRUE(compiled);
     scene = std::move(compiled->scene);

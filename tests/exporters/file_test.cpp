@@ -23,12 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::byte> bytes_of(const std::string& text) {
+std::vector<std::byte> bytes_of_text(const std::string& text) {
   const auto span = std::as_bytes(std::span(text));
   return {span.begin(), span.end()};
 }
 template <typename T>
-std::string refusal(const Result<T>& result) {
+std::string message_of(const Result<T>& result) {
   return result ? "done" : to_string(result.error());
 }
 
@@ -54,16 +54,16 @@ void fill_disk(rlim_t bytes) {
 
 TEST_F(File, ReadsBackWhatItWrote) {
   for (const std::string& text : {std::string(), std::string("clay"), std::string(1 << 20, 'x')}) {
-    ASSERT_EQ(refusal(write_file(at("a"), bytes_of(text))), "done");
+    ASSERT_EQ(message_of(write_file(at("a"), bytes_of_text(text))), "done");
     const auto back = read_file(at("a"));
-    ASSERT_TRUE(back) << refusal(back);
-    EXPECT_EQ(*back, bytes_of(text));
+    ASSERT_TRUE(back) << message_of(back);
+    EXPECT_EQ(*back, bytes_of_text(text));
     EXPECT_EQ(names(), std::set<std::string>{"a"});
   }
 }
 
 TEST_F(File, AFolderThatIsNotThereIsNamed) {
-  EXPECT_EQ(refusal(write_file(at("no/a"), bytes_of("x"))),
+  EXPECT_EQ(message_of(write_file(at("no/a"), bytes_of_text("x"))),
             at("no/a") + ": cannot be created: No such file or directory");
 }
 
@@ -73,7 +73,7 @@ TEST_F(File, AFolderThatMayNotBeWrittenIsNamed) {
   const auto attempt = [&] {
     if (::geteuid() == 0 && (::chown(folder_.path().c_str(), 65534, 65534) != 0 || ::seteuid(65534) != 0))
       say("still root");
-    say(refusal(write_file(at("a"), bytes_of("x"))));
+    say(message_of(write_file(at("a"), bytes_of_text("x"))));
   };
   EXPECT_EXIT(attempt(), testing::ExitedWithCode(0), "/a: cannot be created: Permission denied");
   EXPECT_EQ(names(), std::set<std::string>{});
@@ -82,31 +82,31 @@ TEST_F(File, AFolderThatMayNotBeWrittenIsNamed) {
 TEST_F(File, AFullDiskLeavesNothing) {
   const auto attempt = [&] {
     fill_disk(4096);
-    say(refusal(write_file(at("a"), bytes_of(std::string(10000, 'x')))));
+    say(message_of(write_file(at("a"), bytes_of_text(std::string(10000, 'x')))));
   };
   EXPECT_EXIT(attempt(), testing::ExitedWithCode(0), "/a: cannot be written: File too large");
   EXPECT_EQ(names(), std::set<std::string>{});
 }
 
 TEST_F(File, AFullDiskLeavesTheFileThatWasThere) {
-  ASSERT_TRUE(write_file(at("a"), bytes_of("before")));
+  ASSERT_TRUE(write_file(at("a"), bytes_of_text("before")));
   const auto attempt = [&] {
     fill_disk(4096);
-    say(refusal(write_file(at("a"), bytes_of(std::string(10000, 'x')))));
+    say(message_of(write_file(at("a"), bytes_of_text(std::string(10000, 'x')))));
   };
   EXPECT_EXIT(attempt(), testing::ExitedWithCode(0), "/a: cannot be written");
   EXPECT_EQ(names(), std::set<std::string>{"a"});
-  EXPECT_EQ(*read_file(at("a")), bytes_of("before"));
+  EXPECT_EQ(*read_file(at("a")), bytes_of_text("before"));
 }
 
 TEST_F(File, AFullDiskEndsManifestAndTileWithTheirNames) {
   const auto manifest = [&] {
     fill_disk(100);
-    say(refusal(write_manifest(SceneMaker(1).scene(), at("scene.kiln"), 1)));
+    say(message_of(write_manifest(SceneMaker(1).scene(), at("scene.kiln"), 1)));
   };
   const auto tile = [&] {
     fill_disk(100);
-    say(refusal(write_glb(made_tile(1), {}, {}, at("tile.glb"))));
+    say(message_of(write_glb(made_tile(1), {}, {}, at("tile.glb"))));
   };
   EXPECT_EXIT(manifest(), testing::ExitedWithCode(0), "/scene.kiln: cannot be written");
   EXPECT_EXIT(tile(), testing::ExitedWithCode(0), "/tile.glb: cannot be written");
@@ -115,22 +115,22 @@ TEST_F(File, AFullDiskEndsManifestAndTileWithTheirNames) {
 
 TEST_F(File, AFolderUnderTheFinalNameStays) {
   fs::create_directory(at("a"));
-  EXPECT_EQ(refusal(write_file(at("a"), bytes_of("x"))), at("a") + ": cannot be written: Is a directory");
+  EXPECT_EQ(message_of(write_file(at("a"), bytes_of_text("x"))), at("a") + ": cannot be written: Is a directory");
   EXPECT_EQ(names(), std::set<std::string>{"a"});
 }
 
 TEST_F(File, WhatCannotBeReadIsNamed) {
-  EXPECT_EQ(refusal(read_file(at("none"))), at("none") + ": cannot be opened: No such file or directory");
-  EXPECT_EQ(refusal(read_file(folder_.path())), folder_.path() + ": expected a file, found a folder");
-  EXPECT_EQ(refusal(read_manifest(at("none"), {})), at("none") + ": cannot be opened: No such file or directory");
-  EXPECT_EQ(refusal(read_glb(at("none"))), at("none") + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(message_of(read_file(at("none"))), at("none") + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(message_of(read_file(folder_.path())), folder_.path() + ": expected a file, found a folder");
+  EXPECT_EQ(message_of(read_manifest(at("none"), {})), at("none") + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(message_of(read_glb(at("none"))), at("none") + ": cannot be opened: No such file or directory");
 }
 
 TEST_F(File, APipeIsRefused) {
   ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
   // opens both ends, so that neither blocks
   const std::fstream ends(at("pipe"));
-  EXPECT_EQ(refusal(read_file(at("pipe"))), at("pipe") + ": cannot be opened: Illegal seek");
+  EXPECT_EQ(message_of(read_file(at("pipe"))), at("pipe") + ": cannot be opened: Illegal seek");
 }
 
 }  // namespace

@@ -6,12 +6,13 @@
 #include <string>
 
 #include "compiler/contract/result.h"
+#include "tests/test_files.h"
 
 namespace citykiln::grammars {
 
 /// @param path  From the root of the tree.
 inline Result<std::string> text_of_tree(const std::string& path) {
-  std::ifstream in(std::string(CITYKILN_SOURCE) + "/" + path);
+  std::ifstream in(source_file(path));
   if (!in) return Error{path, "cannot be read"};
   std::ostringstream text;
   text << in.rdbuf();

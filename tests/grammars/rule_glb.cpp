@@ -16,6 +16,7 @@
 #include "grammars/derivation/form_roofs.h"
 #include "grammars/language/read_rules.h"
 #include "tests/grammars/made_mass.h"
+#include "tests/test_files.h"
 
 namespace {
 
@@ -133,7 +134,7 @@ void colour_by_names(Derivation& derivation) {
 
 bool add_building(bake::PrimitiveMap& merged, Order order, double tolerance_m) {
   std::filesystem::path file = order.style;
-  if (!file.has_parent_path()) file = std::string(CITYKILN_SOURCE) + "/grammars/rules/" + order.style + ".cga";
+  if (!file.has_parent_path()) file = source_file("grammars/rules/" + order.style + ".cga");
   const auto program =
       read_rules(file.filename().string(), [&](const std::string& name) { return text_in(file.parent_path() / name); });
   if (!program) return std::fprintf(stderr, "%s\n", to_string(program.error()).c_str()), false;

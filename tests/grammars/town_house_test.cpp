@@ -22,14 +22,14 @@ struct TownHouse : testing::Test {
 };
 
 /// The sum of all area vectors: 0 for a closed surface, however its faces meet.
-Vec3 open_m2(const Derivation& derivation) {
+Vec3 area_vector_sum_m2(const Derivation& derivation) {
   Vec3 sum;
   for (const Terminal& terminal : derivation.terminals)
     for (const Face& face : terminal.faces) sum = sum + area_vector_m2(face) * 0.5;
   return sum;
 }
 
-double volume_of(const Derivation& derivation) {
+double derived_volume_m3(const Derivation& derivation) {
   double sum = 0;
   for (const Terminal& terminal : derivation.terminals)
     for (const Face& face : terminal.faces) sum += dot(area_vector_m2(face) * 0.5, face.outer.front()) / 3;
@@ -54,10 +54,10 @@ TEST_F(TownHouse, IsClosedAtEveryTolerance) {
     DeriveOptions options;
     options.tolerance_m = tolerance_m;
     const Derivation derivation = house(11, 9, options);
-    const Vec3 open = open_m2(derivation);
+    const Vec3 open = area_vector_sum_m2(derivation);
     EXPECT_NEAR(length(open), 0, 1e-6) << tolerance_m;
     // reveals take a little of the block, cornices and sills add a little
-    EXPECT_NEAR(volume_of(derivation), 11 * 9 * 13.2, 11 * 9 * 13.2 * 0.02) << tolerance_m;
+    EXPECT_NEAR(derived_volume_m3(derivation), 11 * 9 * 13.2, 11 * 9 * 13.2 * 0.02) << tolerance_m;
   }
 }
 
@@ -111,7 +111,7 @@ TEST_F(TownHouse, StandsOnAnyFootprint) {
   for (const Polygon& footprint : footprints) {
     const Derivation derivation = derive(*program, lot(footprint, 3, 0, StableId{1}, {0, 1}), options);
     EXPECT_GT(derivation.terminals.size(), 3u);
-    EXPECT_NEAR(length(open_m2(derivation)), 0, 1e-6);
+    EXPECT_NEAR(length(area_vector_sum_m2(derivation)), 0, 1e-6);
   }
 }
 

@@ -17,7 +17,7 @@ namespace {
 using Words = std::vector<std::string>;
 using Counts = std::map<std::string, std::uint64_t>;
 
-LSystem figure(const std::string& name) {
+LSystem book_figure(const std::string& name) {
   const std::string path = "lsystems/book/fig_" + name + ".lsys";
   const Result<LSystem> system = read_lsystem(text_of_tree(path), path);
   EXPECT_TRUE(system) << to_string(system.error());
@@ -52,7 +52,7 @@ Words rewritten(Words string, const std::map<std::string, std::string>& rules, i
 }
 
 void expect_same(const std::string& name, const std::string& axiom, const std::map<std::string, std::string>& rules) {
-  const LSystem system = figure(name);
+  const LSystem system = book_figure(name);
   Words found;
   for (const Kind kind : derive(system).string.kinds) found.push_back(system.kinds[kind].name);
   EXPECT_EQ(found, rewritten(words_of(axiom), rules, system.steps)) << name;
@@ -82,7 +82,7 @@ TEST(Book, Figures1_25And1_26AreAsASimpleRewriterSays) {
 }
 
 double mean_of(const std::string& name, const std::string& module, int steps, int plants) {
-  const LSystem system = figure(name);
+  const LSystem system = book_figure(name);
   double sum = 0;
   for (int i = 0; i < plants; ++i) {
     const Derivation derivation = derive(system, {.steps = steps, .plant = StableId{static_cast<std::uint64_t>(i)}});
@@ -94,7 +94,7 @@ double mean_of(const std::string& name, const std::string& module, int steps, in
 TEST(Book, Figure1_27GrowsByItsMeanAndKeepsItsBranches) {
   // a step makes 0.33 · 5 + 0.67 · 3 = 3.66 F of one
   EXPECT_NEAR(mean_of("1_27", "F", 3, 4'000) / std::pow(3.66, 3), 1, 0.02);
-  const LSystem system = figure("1_27");
+  const LSystem system = book_figure("1_27");
   for (std::uint64_t i = 0; i < 20; ++i) {
     Counts counts = counts_of(system, derive(system, {.plant = StableId{i}}).string);
     // each branch adds two F
@@ -113,7 +113,7 @@ TEST(Book, Figure1_28GrowsByItsMean) {
 TEST(Book, Figure2_6HasTheClosedForm) {
   // each of 2^n apices adds seven modules, one of them a segment
   for (const char* name : {"2_6a", "2_6b", "2_6c", "2_6d"}) {
-    const LSystem system = figure(name);
+    const LSystem system = book_figure(name);
     for (int n = 0; n <= 15; ++n) {
       const ModuleString string = derive(system, {.steps = n}).string;
       const std::uint64_t apices = std::uint64_t{1} << n;
@@ -125,7 +125,7 @@ TEST(Book, Figure2_6HasTheClosedForm) {
 
 TEST(Book, Figure2_6HasHondasLengths) {
   // the trunk's segments shrink by r1, the first branch by r2, and widths by wr
-  const Skeleton skeleton = grow(figure("2_6a")).skeleton;
+  const Skeleton skeleton = grow(book_figure("2_6a")).skeleton;
   const auto& s = skeleton.segments;
   EXPECT_EQ(s[0].length, 1);
   EXPECT_EQ(s[1].length, 0.6);
@@ -139,7 +139,7 @@ TEST(Book, Figure2_6HasHondasLengths) {
 
 TEST(Book, Figure2_7HasTheClosedForm) {
   for (const char* name : {"2_7a", "2_7b", "2_7c", "2_7d"}) {
-    const LSystem system = figure(name);
+    const LSystem system = book_figure(name);
     const ModuleString string = derive(system).string;
     // A adds 10 modules, then each of 2^k B adds 11
     EXPECT_EQ(string.kinds.size(), 1 + 10 + 11 * (1024 - 2));
@@ -149,7 +149,7 @@ TEST(Book, Figure2_7HasTheClosedForm) {
 
 TEST(Book, Figure2_8HasTheClosedForm) {
   for (const char* name : {"2_8a", "2_8b", "2_8c", "2_8d"}) {
-    const LSystem system = figure(name);
+    const LSystem system = book_figure(name);
     const ModuleString string = derive(system).string;
     // each of 3^k apices adds 18 modules, among them 4 F
     const auto written = static_cast<std::uint64_t>((std::pow(3, system.steps) - 1) / 2);
@@ -161,13 +161,13 @@ TEST(Book, Figure2_8HasTheClosedForm) {
 TEST(Book, Figure2_8BendsToItsTropism) {
   const auto mean_end = [](const std::string& name) {
     Vec3 sum;
-    const Skeleton skeleton = grow(figure(name)).skeleton;
+    const Skeleton skeleton = grow(book_figure(name)).skeleton;
     for (const Segment& segment : skeleton.segments) sum = sum + segment.end().heading;
     return sum * (1.0 / static_cast<double>(skeleton.segments.size()));
   };
   // gravity lowers the headings of figure a
   const LSystem straight = [] {
-    LSystem system = figure("2_8a");
+    LSystem system = book_figure("2_8a");
     system.elasticity = 0;
     return system;
   }();
@@ -202,7 +202,7 @@ std::uint64_t segments_by_recurrence(const LSystem& system, int delay, std::uint
 
 TEST(Book, Figure5_11IsAsItsRecurrenceSays) {
   for (const Leaf leaf : {Leaf{"5_11a", 0}, {"5_11b", 1}, {"5_11c", 2}, {"5_11d", 4}, {"5_11e", 7}}) {
-    const LSystem system = figure(leaf.name);
+    const LSystem system = book_figure(leaf.name);
     const std::uint64_t segments = segments_by_recurrence(system, leaf.delay, 2);
     Counts counts = counts_of(system, derive(system).string);
     EXPECT_EQ(counts["F"], segments) << leaf.name;
@@ -213,7 +213,7 @@ TEST(Book, Figure5_11IsAsItsRecurrenceSays) {
 
 TEST(Book, Figure5_12IsAsItsRecurrenceSays) {
   for (const Leaf leaf : {Leaf{"5_12a", 1}, {"5_12b", 4}, {"5_12c", 7}}) {
-    const LSystem system = figure(leaf.name);
+    const LSystem system = book_figure(leaf.name);
     // A and B differ only in the side to which they branch
     const std::uint64_t segments = segments_by_recurrence(system, leaf.delay, 1);
     Counts counts = counts_of(system, derive(system).string);
@@ -224,7 +224,7 @@ TEST(Book, Figure5_12IsAsItsRecurrenceSays) {
 
 TEST(Book, DerivesWithoutWarnings) {
   for (const char* name : {"1_24a", "1_25", "1_26", "1_27", "1_28", "2_6a", "2_7d", "2_8c", "5_11b", "5_12a"}) {
-    const LSystem system = figure(name);
+    const LSystem system = book_figure(name);
     const Plant plant = grow(system);
     EXPECT_FALSE(plant.derivation.limit_exceeded) << name;
     EXPECT_TRUE(plant.derivation.warnings.empty() && plant.skeleton.warnings.empty()) << name;

@@ -10,6 +10,7 @@
 
 #include "lsystems/derive.h"
 #include "lsystems/read_lsystem.h"
+#include "tests/test_files.h"
 
 namespace citykiln::lsystems {
 
@@ -30,7 +31,7 @@ inline std::string grown(const std::string& text, int steps, std::uint64_t seed 
 
 /// The text of a file of the source tree.
 inline std::string text_of_tree(const std::string& path) {
-  std::ifstream in(std::string(CITYKILN_SOURCE) + "/" + path);
+  std::ifstream in(source_file(path));
   EXPECT_TRUE(in) << path;
   std::ostringstream text;
   text << in.rdbuf();

@@ -7,7 +7,7 @@
 namespace citykiln::lsystems {
 namespace {
 
-std::string error_of(const std::string& text) {
+std::string lsystem_error_of(const std::string& text) {
   const Result<LSystem> system = read_lsystem(text, "x.lsys");
   return system ? "" : to_string(system.error());
 }
@@ -19,7 +19,9 @@ struct Mistake {
 
 class Mistakes : public testing::TestWithParam<Mistake> {};
 
-TEST_P(Mistakes, AreNamedWithPlaceAndWhatWasExpected) { EXPECT_EQ(error_of(GetParam().text), GetParam().error); }
+TEST_P(Mistakes, AreNamedWithPlaceAndWhatWasExpected) {
+  EXPECT_EQ(lsystem_error_of(GetParam().text), GetParam().error);
+}
 
 const Mistake kMistakes[] = {
     {"", "x.lsys: expected an axiom, found the end of the file"},
@@ -81,15 +83,15 @@ INSTANTIATE_TEST_SUITE_P(Table, Mistakes, testing::ValuesIn(kMistakes));
 
 TEST(ReadLsystem, RefusesWhatIsNestedTooDeep) {
   const std::string deep = "axiom: F(" + std::string(1000, '(') + "1" + std::string(1000, ')') + ")";
-  EXPECT_NE(error_of(deep).find("nested deeper than 64"), std::string::npos);
+  EXPECT_NE(lsystem_error_of(deep).find("nested deeper than 64"), std::string::npos);
   std::string powers = "axiom: F(2";
   for (int i = 0; i < 1000; ++i) powers += "^2";
-  EXPECT_NE(error_of(powers + ")").find("nested deeper than 64"), std::string::npos);
+  EXPECT_NE(lsystem_error_of(powers + ")").find("nested deeper than 64"), std::string::npos);
 }
 
 TEST(ReadLsystem, RefusesAFileOf100MB) {
   const std::string text = "axiom: " + std::string(100'000'000, 'F');
-  EXPECT_EQ(error_of(text), "x.lsys: expected at most 4194304 bytes, found 100000007");
+  EXPECT_EQ(lsystem_error_of(text), "x.lsys: expected at most 4194304 bytes, found 100000007");
 }
 
 TEST(ReadLsystem, ReadsEachDirective) {

@@ -14,7 +14,7 @@ LSystem rpforest(const std::string& text, const std::string& file) {
   return system ? *system : LSystem{};
 }
 
-std::string error_of(const std::string& text, const std::string& file = "x.lsys") {
+std::string rpforest_error_of(const std::string& text, const std::string& file = "x.lsys") {
   const Result<LSystem> system = read_rpforest(text, file);
   return system ? "" : to_string(system.error());
 }
@@ -47,7 +47,7 @@ TEST(RpForest, FamilyFilesGiveOneLeaf) {
   EXPECT_EQ(plant.skeleton.polygons[0].count, 1 + 2 * 19u);
   EXPECT_NEAR(top_of(plant.skeleton), 0.4, 1e-12);
   // lower case occurs in its assets
-  EXPECT_EQ(error_of("N 20\ndelta 60\nLA 5\nRA 1.2\nLB 10.0\nRB 1.00\nPD 0.50", "D.family"), "");
+  EXPECT_EQ(rpforest_error_of("N 20\ndelta 60\nLA 5\nRA 1.2\nLB 10.0\nRB 1.00\nPD 0.50", "D.family"), "");
 }
 
 TEST(RpForest, LsysFilesHaveThreeAngles) {
@@ -79,16 +79,16 @@ TEST(RpForest, FilesAreDistinguishedFromOurs) {
 }
 
 TEST(RpForest, ErrorsStateTheirPosition) {
-  EXPECT_EQ(error_of("N seven"), "x.lsys:1:3: expected a number, found 'seven'");
-  EXPECT_EQ(error_of("N 7\n  Hight 3"), "x.lsys:2:3: 'Hight' is no RPForest entry of this format");
-  EXPECT_EQ(error_of("N 7"), "x.lsys: expected an Axiom");
-  EXPECT_EQ(error_of("Axiom F"), "x.lsys: expected a value of 'N'");
-  EXPECT_EQ(error_of("N"), "x.lsys:1:1: expected a value of 'N', found the end of the file");
-  EXPECT_EQ(error_of("N 7\nAxiom F\nProd F -> FF"), "x.lsys:3:8: expected '>', found '->'");
-  EXPECT_EQ(error_of("N 7\nAxiom F\nProd FF > FF"), "x.lsys:3:6: expected one symbol, found 'FF'");
-  EXPECT_EQ(error_of("N 7\nR1 2", "x.honda"), "x.honda: expected a value of 'R2'");
-  EXPECT_EQ(error_of("5\n25.7"), "x.lsys:1:1: expected N, angle, height and axiom");
-  EXPECT_EQ(error_of("N 1\nAxiom F["), "x.lsys: translated to our notation: x.lsys:3:9: '[' without ']'");
+  EXPECT_EQ(rpforest_error_of("N seven"), "x.lsys:1:3: expected a number, found 'seven'");
+  EXPECT_EQ(rpforest_error_of("N 7\n  Hight 3"), "x.lsys:2:3: 'Hight' is no RPForest entry of this format");
+  EXPECT_EQ(rpforest_error_of("N 7"), "x.lsys: expected an Axiom");
+  EXPECT_EQ(rpforest_error_of("Axiom F"), "x.lsys: expected a value of 'N'");
+  EXPECT_EQ(rpforest_error_of("N"), "x.lsys:1:1: expected a value of 'N', found the end of the file");
+  EXPECT_EQ(rpforest_error_of("N 7\nAxiom F\nProd F -> FF"), "x.lsys:3:8: expected '>', found '->'");
+  EXPECT_EQ(rpforest_error_of("N 7\nAxiom F\nProd FF > FF"), "x.lsys:3:6: expected one symbol, found 'FF'");
+  EXPECT_EQ(rpforest_error_of("N 7\nR1 2", "x.honda"), "x.honda: expected a value of 'R2'");
+  EXPECT_EQ(rpforest_error_of("5\n25.7"), "x.lsys:1:1: expected N, angle, height and axiom");
+  EXPECT_EQ(rpforest_error_of("N 1\nAxiom F["), "x.lsys: translated to our notation: x.lsys:3:9: '[' without ']'");
 }
 
 }  // namespace

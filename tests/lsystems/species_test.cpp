@@ -9,6 +9,7 @@
 #include "lsystems/tubes.h"
 #include "lsystems/turtle.h"
 #include "tests/lsystems/derived.h"
+#include "tests/test_files.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -44,7 +45,7 @@ Species read_species(const std::string& name) {
 
 std::vector<std::string> names() {
   std::vector<std::string> found;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(CITYKILN_SOURCE) + "/lsystems/species"))
+  for (const auto& entry : std::filesystem::directory_iterator(source_file("lsystems/species")))
     if (entry.path().extension() == ".lsys") found.push_back(entry.path().stem().string());
   std::sort(found.begin(), found.end());
   return found;

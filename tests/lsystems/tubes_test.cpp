@@ -15,8 +15,10 @@
 namespace citykiln::lsystems {
 namespace {
 
-Skeleton skeleton_of(const std::string& text) { return grow(system_of(text)).skeleton; }
-Skeleton figure(const std::string& name) { return skeleton_of(text_of_tree("lsystems/book/fig_" + name + ".lsys")); }
+Skeleton grown_skeleton(const std::string& text) { return grow(system_of(text)).skeleton; }
+Skeleton figure_skeleton(const std::string& name) {
+  return grown_skeleton(text_of_tree("lsystems/book/fig_" + name + ".lsys"));
+}
 
 PlantMesh meshed(const Skeleton& skeleton, double tolerance_m, double flare = 0) {
   TubeOptions options;
@@ -91,7 +93,7 @@ Skeleton random_plant(std::uint32_t seed, int most, int nodes) {
                           drawn(0.2, 2), drawn(-30, 30), drawn(0.2, 1));
     text += fmt::format("/({})&({})!({})F({})", drawn(0, 360), drawn(0, 40), drawn(0.2, 0.4), drawn(0.3, 2));
   }
-  return skeleton_of("axiom: " + text + "\n");
+  return grown_skeleton("axiom: " + text + "\n");
 }
 
 // Ericson, "Real-Time Collision Detection", 5.1.5
@@ -139,7 +141,7 @@ TEST(Tubes, OfNoSegmentsAreEmpty) {
 
 TEST(Tubes, AreClosedManifoldsAtJoints) {
   for (const char* name : {"2_6a", "2_6d", "2_7c", "2_8a"}) {
-    const PlantMesh mesh = meshed(figure(name), name[2] == '8' ? 2 : 0.005, 0.6);
+    const PlantMesh mesh = meshed(figure_skeleton(name), name[2] == '8' ? 2 : 0.005, 0.6);
     EXPECT_GT(mesh.joints, 60U) << name;
     EXPECT_EQ(mesh.separate_stems, 1U) << name;
     EXPECT_TRUE(is_manifold(mesh.bark)) << name;
@@ -160,7 +162,7 @@ TEST(Tubes, AreClosedOnRandomPlants) {
 }
 
 TEST(Tubes, LookOutward) {
-  const PlantMesh mesh = meshed(figure("2_7b"), 0.002);
+  const PlantMesh mesh = meshed(figure_skeleton("2_7b"), 0.002);
   std::size_t inward = 0;
   for (const Triangle& t : mesh.bark.triangles) {
     const auto& p = mesh.bark.positions;
@@ -173,7 +175,7 @@ TEST(Tubes, LookOutward) {
 
 TEST(Tubes, HaveTheVolumeOfACylinder) {
   const double exact = 3.14159265358979 * 0.3 * 0.3 * 4;
-  const Skeleton stem = skeleton_of("axiom: !(0.6)F(1)F(1)F(2)\n");
+  const Skeleton stem = grown_skeleton("axiom: !(0.6)F(1)F(1)F(2)\n");
   EXPECT_NEAR(volume_of(meshed(stem, 0.0005).bark), exact, 0.01 * exact);
   EXPECT_LT(volume_of(meshed(stem, 0.05).bark), exact);
 }
@@ -181,7 +183,7 @@ TEST(Tubes, HaveTheVolumeOfACylinder) {
 TEST(Tubes, KeepTheStemThroughAJoint) {
   // a twig hardly changes the volume of the stem it leaves
   const double exact = 3.14159265358979 * 0.3 * 0.3 * 4;
-  const Skeleton stem = skeleton_of("axiom: !(0.6)F(2)[+(60)!(0.1)F(0.5)]F(2)\n");
+  const Skeleton stem = grown_skeleton("axiom: !(0.6)F(2)[+(60)!(0.1)F(0.5)]F(2)\n");
   const PlantMesh mesh = meshed(stem, 0.0005);
   EXPECT_EQ(mesh.joints, 1U);
   EXPECT_NEAR(volume_of(mesh.bark), exact, 0.03 * exact);
@@ -210,7 +212,7 @@ TEST(Joints, StayWithinTheirError) {
     std::string text = "!(0.5)F(2)";
     for (std::uint32_t i = 0; i <= seed % 4; ++i)
       text += fmt::format("[/({})&({})!({})F({})]", drawn(0, 360), drawn(18, 120), drawn(0.2, 0.5), drawn(0.5, 3));
-    const Skeleton plant = skeleton_of(fmt::format("axiom: {}/({})&({})F(2)\n", text, drawn(0, 360), drawn(0, 45)));
+    const Skeleton plant = grown_skeleton(fmt::format("axiom: {}/({})&({})F(2)\n", text, drawn(0, 360), drawn(0, 45)));
     const PlantMesh fine = meshed(plant, 0.02);
     for (const double tolerance_m : {0.19, 0.08}) {
       const PlantMesh coarse = meshed(plant, tolerance_m);
@@ -225,7 +227,7 @@ TEST(Joints, StayWithinTheirError) {
 TEST(Tubes, HaveAnErrorWithinTheTolerance) {
   for (const char* name : {"2_6a", "2_6c", "2_7b"})
     for (const double tolerance_m : {0.1, 0.02, 0.005, 0.002}) {
-      const PlantMesh mesh = meshed(figure(name), tolerance_m, 0.6);
+      const PlantMesh mesh = meshed(figure_skeleton(name), tolerance_m, 0.6);
       EXPECT_FALSE(mesh.bark.triangles.empty()) << name;
       EXPECT_LE(mesh.error_m, tolerance_m) << name;
     }
@@ -245,19 +247,19 @@ TEST(Tubes, HaveNoMoreTrianglesAtCoarserTolerances) {
 }
 
 TEST(Tubes, LeaveOutStemsBelowTheTolerance) {
-  const Skeleton plant = skeleton_of("axiom: !(0.5)F(2)[+!(0.05)F(1)F(1)]F(2)\n");
+  const Skeleton plant = grown_skeleton("axiom: !(0.5)F(2)[+!(0.05)F(1)F(1)]F(2)\n");
   EXPECT_EQ(meshed(plant, 0.049).left_out, 0U);
   const PlantMesh coarse = meshed(plant, 0.05);
   EXPECT_EQ(coarse.left_out, 2U);
   EXPECT_EQ(coarse.joints, 0U);
   // stems that carry something thick are kept
-  EXPECT_EQ(meshed(skeleton_of("axiom: !(0.01)F(1)!(0.5)F(1)\n"), 0.05).left_out, 0U);
+  EXPECT_EQ(meshed(grown_skeleton("axiom: !(0.01)F(1)!(0.5)F(1)\n"), 0.05).left_out, 0U);
   EXPECT_TRUE(meshed(plant, 1).bark.triangles.empty());
 }
 
 TEST(Tubes, CountSeparateStems) {
-  EXPECT_EQ(meshed(skeleton_of("axiom: F f F\n"), 0.01).separate_stems, 2U);
-  const PlantMesh many = meshed(skeleton_of("axiom: F[+F][-F][&F][^F][/(45)&F][/(90)&F]F\n"), 0.01);
+  EXPECT_EQ(meshed(grown_skeleton("axiom: F f F\n"), 0.01).separate_stems, 2U);
+  const PlantMesh many = meshed(grown_skeleton("axiom: F[+F][-F][&F][^F][/(45)&F][/(90)&F]F\n"), 0.01);
   EXPECT_EQ(many.joints, 1U);
   EXPECT_EQ(many.separate_stems, 3U);
   EXPECT_TRUE(is_closed(many.bark));
@@ -284,7 +286,7 @@ TEST(Tubes, AreFiniteAndClosedWhateverTheSkeleton) {
            "!(1)F[&(1)F][&(2)F]F",
        })
     for (const double tolerance_m : {0.0, 0.01, 5.0}) {
-      const PlantMesh mesh = meshed(skeleton_of(std::string("axiom: ") + text + "\n"), tolerance_m, 0.6);
+      const PlantMesh mesh = meshed(grown_skeleton(std::string("axiom: ") + text + "\n"), tolerance_m, 0.6);
       EXPECT_TRUE(is_closed(mesh.bark)) << text;
       expect_sound(mesh.bark);
       EXPECT_TRUE(std::isfinite(mesh.error_m)) << text;
@@ -308,7 +310,7 @@ TEST(Tubes, AreTheSameAgain) {
 }
 
 TEST(Tubes, WidenAtTheFoot) {
-  const Skeleton stem = skeleton_of("axiom: !(0.4)F(4)\n");
+  const Skeleton stem = grown_skeleton("axiom: !(0.4)F(4)\n");
   double widest = 0;
   const PlantMesh mesh = meshed(stem, 0.002, 0.5);
   for (const Vec3 p : mesh.bark.positions)
@@ -320,7 +322,7 @@ TEST(Tubes, WidenAtTheFoot) {
 
 TEST(Tubes, CountMetresAlongTheBark) {
   double most = 0;
-  for (const Vec2 uv : meshed(skeleton_of("axiom: !(0.4)F(1)F(2)[+!(0.05)F(1)]F(3)\n"), 0.002).bark.uvs)
+  for (const Vec2 uv : meshed(grown_skeleton("axiom: !(0.4)F(1)F(2)[+!(0.05)F(1)]F(3)\n"), 0.002).bark.uvs)
     most = std::max(most, uv.y);
   EXPECT_NEAR(most, 6, 1e-9);
 }
@@ -329,7 +331,7 @@ TEST(Tubes, CountMetresAlongTheBark) {
 PlantMesh barked(double bark_m) {
   TubeOptions options;
   options.tolerance_m = 0.004, options.flare = 0, options.bark_m = bark_m;
-  return mesh_plant(skeleton_of("axiom: !(0.8)F(4)[/(40)+(60)!(0.4)F(3)!(0.3)F(1)]!(0.5)F(3)!(0.4)F(1)\n"), options);
+  return mesh_plant(grown_skeleton("axiom: !(0.8)F(4)[/(40)+(60)!(0.4)F(3)!(0.3)F(1)]!(0.5)F(3)!(0.4)F(1)\n"), options);
 }
 
 // Whether two texture coordinates show the same texel.
@@ -382,7 +384,7 @@ TEST(Bark, HasOnePeriodAroundThinStems) {
   TubeOptions options;
   options.tolerance_m = 0.001, options.bark_m = 1;
   double least = 9, most = 0;
-  for (const Vec2 uv : mesh_plant(skeleton_of("axiom: !(0.05)F(1)F(1)\n"), options).bark.uvs)
+  for (const Vec2 uv : mesh_plant(grown_skeleton("axiom: !(0.05)F(1)F(1)\n"), options).bark.uvs)
     if (uv.y == 1) least = std::min(least, uv.x), most = std::max(most, uv.x);
   EXPECT_EQ(most - least, 1);
 }
@@ -400,16 +402,16 @@ TEST(Leaves, HaveTheAreaOfTheirPolygons) {
 }
 
 TEST(Leaves, OfPolygonsAndInstancesAreMeshed) {
-  const PlantMesh mesh = meshed(figure("1_25"), 0.1);
+  const PlantMesh mesh = meshed(figure_skeleton("1_25"), 0.1);
   EXPECT_FALSE(mesh.leaf.triangles.empty());
   expect_sound(mesh.leaf);
-  const Skeleton with_cards = skeleton_of("axiom: F(1)~L(2)\n");
+  const Skeleton with_cards = grown_skeleton("axiom: F(1)~L(2)\n");
   EXPECT_EQ(meshed(with_cards, 0.001).leaf.triangles.size(), 2U);
   EXPECT_EQ(meshed(with_cards, 3).leaf.triangles.size(), 0U);
 }
 
 TEST(Leaves, HaveTheSurfaceOfTheirName) {
-  const Skeleton plant = skeleton_of("axiom: F(1)~L(2)\n");
+  const Skeleton plant = grown_skeleton("axiom: F(1)~L(2)\n");
   std::vector<LeafSurface> surfaces(plant.instances[0].kind + 1);
   surfaces.back() = {{{0, 0, 0}, {-1, 1, 0}, {1, 1, 0}}, {{0, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}}};
   TubeOptions options;
@@ -422,7 +424,7 @@ TEST(Leaves, HaveTheSurfaceOfTheirName) {
 TEST(Leaves, AreFiniteWhateverThePolygon) {
   std::size_t triangles = 0;
   for (const char* text : {"{.F.F.F.}", "{...}", "{.f(1).f(1).}", "{.F+F.+F.F-F.}", "{.f+(120)f.+(120)f.f.}"}) {
-    const PlantMesh mesh = meshed(skeleton_of(std::string("axiom: ") + text + "\n"), 0);
+    const PlantMesh mesh = meshed(grown_skeleton(std::string("axiom: ") + text + "\n"), 0);
     expect_sound(mesh.leaf);
     triangles += mesh.leaf.triangles.size();
   }

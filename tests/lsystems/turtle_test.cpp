@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRoot = 0.70710678118654752440;
 
-Skeleton skeleton_of(const std::string& text, int steps = 0) {
+Skeleton skeleton_after(const std::string& text, int steps = 0) {
   DeriveOptions options;
   options.steps = steps;
   return grow(system_of(text), options).skeleton;
@@ -22,7 +22,7 @@ void expect_at(Vec3 found, Vec3 expected) {
   EXPECT_LT(length(found - expected), 1e-12) << found.x << " " << found.y << " " << found.z;
 }
 
-Vec3 end_of(const std::string& axiom) { return skeleton_of("axiom: " + axiom).segments.back().end().at; }
+Vec3 end_of(const std::string& axiom) { return skeleton_after("axiom: " + axiom).segments.back().end().at; }
 
 TEST(Turtle, GoesUpAndTurnsAboutItself) {
   // heading is z, left is -x (west), up is -y (south)
@@ -39,27 +39,27 @@ TEST(Turtle, GoesUpAndTurnsAboutItself) {
 }
 
 TEST(Turtle, TakesDefaultsFromTheFile) {
-  expect_at(skeleton_of("angle: 90\nstep: 3\naxiom: f+F").segments[0].end().at, {-3, 0, 3});
-  EXPECT_EQ(skeleton_of("width: 4\nwidth unit: 0.1\naxiom: F").segments[0].end_radius, 0.2);
+  expect_at(skeleton_after("angle: 90\nstep: 3\naxiom: f+F").segments[0].end().at, {-3, 0, 3});
+  EXPECT_EQ(skeleton_after("width: 4\nwidth unit: 0.1\naxiom: F").segments[0].end_radius, 0.2);
 }
 
 TEST(Turtle, LevelsItsLeft) {
-  const Skeleton skeleton = skeleton_of("axiom: &(40)/(77)$F");
+  const Skeleton skeleton = skeleton_after("axiom: &(40)/(77)$F");
   EXPECT_LT(std::abs(skeleton.segments[0].start.left.z), 1e-15);
   EXPECT_GT(skeleton.segments[0].start.up.z, 0);
   // a vertical heading has no horizontal left
-  expect_at(skeleton_of("axiom: /(90)$F").segments[0].start.left, {0, -1, 0});
+  expect_at(skeleton_after("axiom: /(90)$F").segments[0].start.left, {0, -1, 0});
 }
 
 TEST(Turtle, GoesBackAtTheEndOfABranch) {
-  const Skeleton skeleton = skeleton_of("axiom: F[+(90)F[F]]F");
+  const Skeleton skeleton = skeleton_after("axiom: F[+(90)F[F]]F");
   ASSERT_EQ(skeleton.segments.size(), 4u);
   expect_at(skeleton.segments[3].start.at, {0, 0, 1});
   expect_at(skeleton.segments[2].start.at, {-1, 0, 1});
 }
 
 TEST(Turtle, SetsParentsAndOrders) {
-  const Skeleton skeleton = skeleton_of("axiom: FF[[+FF][-F]]F[[[F]]]");
+  const Skeleton skeleton = skeleton_after("axiom: FF[[+FF][-F]]F[[[F]]]");
   std::vector<std::int32_t> parents, orders;
   for (const Segment& segment : skeleton.segments) parents.push_back(segment.parent), orders.push_back(segment.order);
   EXPECT_EQ(parents, (std::vector<std::int32_t>{-1, 0, 1, 2, 1, 1, 5}));
@@ -67,7 +67,7 @@ TEST(Turtle, SetsParentsAndOrders) {
 }
 
 TEST(Turtle, TapersAlongAnAxisAndNotIntoABranch) {
-  const Skeleton skeleton = skeleton_of("axiom: !(4)F[!(1)F]!(2)F!FfF!(8)F");
+  const Skeleton skeleton = skeleton_after("axiom: !(4)F[!(1)F]!(2)F!FfF!(8)F");
   const auto& s = skeleton.segments;
   EXPECT_EQ(s[0].start_radius, 2);
   EXPECT_EQ(s[1].start_radius, 0.5);
@@ -79,20 +79,20 @@ TEST(Turtle, TapersAlongAnAxisAndNotIntoABranch) {
 }
 
 TEST(Turtle, CountsColours) {
-  const Skeleton skeleton = skeleton_of("axiom: F'F;F,F'(7)F");
+  const Skeleton skeleton = skeleton_after("axiom: F'F;F,F'(7)F");
   std::vector<std::int32_t> colours;
   for (const Segment& segment : skeleton.segments) colours.push_back(segment.colour);
   EXPECT_EQ(colours, (std::vector<std::int32_t>{0, 1, 2, 1, 7}));
 }
 
 TEST(Turtle, CutsTheRestOfABranch) {
-  EXPECT_EQ(skeleton_of("axiom: F[F%F[F]F]F").segments.size(), 3u);
-  EXPECT_EQ(skeleton_of("axiom: F%F[F]F").segments.size(), 1u);
+  EXPECT_EQ(skeleton_after("axiom: F[F%F[F]F]F").segments.size(), 3u);
+  EXPECT_EQ(skeleton_after("axiom: F%F[F]F").segments.size(), 1u);
 }
 
 TEST(Turtle, MakesPolygonsThatNest) {
   // f and F add vertices, G does not; nothing is drawn inside
-  const Skeleton skeleton = skeleton_of("angle: 90\naxiom: F{.f+F+{.f.f+f}f}G");
+  const Skeleton skeleton = skeleton_after("angle: 90\naxiom: F{.f+F+{.f.f+f}f}G");
   EXPECT_EQ(skeleton.segments.size(), 2u);
   ASSERT_EQ(skeleton.polygons.size(), 2u);
   EXPECT_EQ(skeleton.polygons[0].count, 5u);
@@ -103,7 +103,7 @@ TEST(Turtle, MakesPolygonsThatNest) {
 }
 
 TEST(Turtle, KeepsAPolygonOpenAcrossBranches) {
-  const Skeleton skeleton = skeleton_of("angle: 60\naxiom: {.G[-f][+G.]G.}");
+  const Skeleton skeleton = skeleton_after("angle: 60\naxiom: {.G[-f][+G.]G.}");
   ASSERT_EQ(skeleton.polygons.size(), 1u);
   EXPECT_EQ(skeleton.polygons[0].count, 4u);
   EXPECT_TRUE(skeleton.segments.empty());
@@ -111,7 +111,7 @@ TEST(Turtle, KeepsAPolygonOpenAcrossBranches) {
 
 TEST(Turtle, PlacesInstances) {
   const std::string text = "module leaf\naxiom: F[&(90)~leaf(0.3)]@O(2)~L";
-  const Skeleton skeleton = skeleton_of(text);
+  const Skeleton skeleton = skeleton_after(text);
   const LSystem system = system_of(text);
   ASSERT_EQ(skeleton.instances.size(), 3u);
   EXPECT_EQ(system.kinds[skeleton.instances[0].kind].name, "~leaf");
@@ -124,24 +124,24 @@ TEST(Turtle, PlacesInstances) {
 
 TEST(Tropism, TurnsTowardsIt) {
   // 0.3 radians of a heading perpendicular to the tropism
-  const Skeleton down = skeleton_of("tropism: 0,0,-1\nelasticity: 0.3\naxiom: -(90)FF");
+  const Skeleton down = skeleton_after("tropism: 0,0,-1\nelasticity: 0.3\naxiom: -(90)FF");
   const double degrees = 0.3 * 57.29577951308232;
   expect_at(down.segments[1].start.heading, {cosine(degrees), 0, -sine(degrees)});
   // a parallel heading does not turn
-  expect_at(skeleton_of("tropism: 0,0,-1\nelasticity: 0.3\naxiom: FF").segments[1].end().at, {0, 0, 2});
+  expect_at(skeleton_after("tropism: 0,0,-1\nelasticity: 0.3\naxiom: FF").segments[1].end().at, {0, 0, 2});
   // @T sets the tropism of a branch
-  expect_at(skeleton_of("axiom: -(90)[@T(0,0,1,0.3)FF]FF").segments[1].start.heading,
+  expect_at(skeleton_after("axiom: -(90)[@T(0,0,1,0.3)FF]FF").segments[1].start.heading,
             {cosine(degrees), 0, sine(degrees)});
 }
 
 TEST(Tropism, NeverTurnsFurtherThanHalfATurn) {
-  const Skeleton skeleton = skeleton_of("tropism: 0,0,-1\nelasticity: 1000\naxiom: -(90)FF");
+  const Skeleton skeleton = skeleton_after("tropism: 0,0,-1\nelasticity: 1000\naxiom: -(90)FF");
   EXPECT_LT(std::abs(length(skeleton.segments[1].start.heading) - 1), 1e-12);
 }
 
 TEST(Frames, StayOrthonormal) {
   // a long string with all rotations and tropism
-  const Skeleton skeleton = skeleton_of(
+  const Skeleton skeleton = skeleton_after(
       "tropism: 0.3,0.1,-1\nelasticity: 0.1\nangle: 17.3\naxiom: A\nA -> F+F&F/F-(33)F^(71)F\\(5)F|F$FA", 2000);
   ASSERT_GT(skeleton.segments.size(), 17'000u);
   double worst = 0;
@@ -154,12 +154,12 @@ TEST(Frames, StayOrthonormal) {
 }
 
 TEST(Height, ScalesTheWholePlant) {
-  const Skeleton skeleton = skeleton_of("height: 12\naxiom: !(1)F(2)[+(90)F(2)]F(2){.f(1).+(90)f(1)}~L(1)");
+  const Skeleton skeleton = skeleton_after("height: 12\naxiom: !(1)F(2)[+(90)F(2)]F(2){.f(1).+(90)f(1)}~L(1)");
   EXPECT_DOUBLE_EQ(skeleton.segments[2].end().at.z, 9.6);
   EXPECT_DOUBLE_EQ(skeleton.segments[0].end_radius, 1.2);
   EXPECT_DOUBLE_EQ(skeleton.instances[0].size, 2.4);
   EXPECT_EQ(skeleton.vertices[1].z, 12);
-  expect_at(skeleton_of("height: 12\naxiom: -(90)F").segments[0].end().at, {1, 0, 0});
+  expect_at(skeleton_after("height: 12\naxiom: -(90)F").segments[0].end().at, {1, 0, 0});
 }
 
 TEST(Queries, AreAnsweredAfterEachStep) {
@@ -197,7 +197,7 @@ TEST(TurtleWarnings, AreCountedOnceEach) {
                        "x.lsys: a polygon without '}' is skipped",
                    }));
   EXPECT_TRUE(skeleton.polygons.empty());
-  EXPECT_EQ(skeleton_of("axiom: {.f.}{f}").warnings.size(), 1u);
+  EXPECT_EQ(skeleton_after("axiom: {.f.}{f}").warnings.size(), 1u);
 }
 
 TEST(TurtleWarnings, UndefinedValuesAreSkipped) {
@@ -213,7 +213,7 @@ TEST(TurtleWarnings, UndefinedValuesAreSkipped) {
 TEST(TurtleWarnings, DeepBranchesAreSkipped) {
   std::string text = "axiom: ";
   for (int i = 0; i < 12'000; ++i) text += "[F";
-  const Skeleton skeleton = skeleton_of(text + std::string(12'000, ']') + "F");
+  const Skeleton skeleton = skeleton_after(text + std::string(12'000, ']') + "F");
   EXPECT_EQ(skeleton.segments.size(), 10'001u);
   EXPECT_EQ(skeleton.segments.back().order, 0);
   EXPECT_EQ(skeleton.warnings.at(0).message, "branches nest too deeply: one is skipped");

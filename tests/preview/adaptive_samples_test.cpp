@@ -61,7 +61,7 @@ Halves means_of(const Image& image) {
 }
 
 // Student's t of the means of two lists (Welch 1947).
-double t_of(const std::vector<double>& a, const std::vector<double>& b) {
+double welch_t_of(const std::vector<double>& a, const std::vector<double>& b) {
   const auto moments = [](const std::vector<double>& v) {
     double mean = 0, squares = 0;
     for (const double x : v) mean += x / static_cast<double>(v.size());
@@ -95,8 +95,8 @@ TEST(AdaptiveSampling, HasNoBias) {
   }
   EXPECT_TRUE(adapts);
   // 99.9 % of Student's t with some 100 degrees of freedom, two-sided
-  EXPECT_LT(std::abs(t_of(fixed_left, adapted_left)), 3.4);
-  EXPECT_LT(std::abs(t_of(fixed_right, adapted_right)), 3.4);
+  EXPECT_LT(std::abs(welch_t_of(fixed_left, adapted_left)), 3.4);
+  EXPECT_LT(std::abs(welch_t_of(fixed_right, adapted_right)), 3.4);
 }
 
 TEST(AdaptiveSampling, AnyNumberOfThreadsIsTheSamePicture) {

@@ -11,8 +11,6 @@
 namespace citykiln::preview {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 SurfacePoint surface(double albedo, float roughness, float metallic, Vec3 normal = {0, 0, 1}) {
   SurfacePoint hit;
   hit.geometric_normal = hit.shading_normal = unit(normal);
@@ -22,8 +20,9 @@ SurfacePoint surface(double albedo, float roughness, float metallic, Vec3 normal
 }
 
 Vec3 at_angle(double degrees, double turn = 0.1) {
-  const double a = degrees * kPi / 180;
-  return {std::sin(a) * std::cos(2 * kPi * turn), std::sin(a) * std::sin(2 * kPi * turn), std::cos(a)};
+  const double a = degrees * std::numbers::pi / 180;
+  return {std::sin(a) * std::cos(2 * std::numbers::pi * turn), std::sin(a) * std::sin(2 * std::numbers::pi * turn),
+          std::cos(a)};
 }
 
 // The light towards the eye under even light of 1, by the sampled directions.
@@ -77,7 +76,7 @@ double chi_squared(const Bsdf& bsdf, int samples, int& cells) {
   constexpr int kRows = 20, kColumns = 20, kFine = 24;
   std::vector<double> expected(kRows * kColumns), found(kRows * kColumns);
   const auto cell_of = [&](Vec3 d) {
-    double turn = std::atan2(d.y, d.x) / (2 * kPi);
+    double turn = std::atan2(d.y, d.x) / (2 * std::numbers::pi);
     if (turn < 0) turn += 1;
     const int row = std::clamp(static_cast<int>((d.z + 1) / 2 * kRows), 0, kRows - 1);
     return row * kColumns + std::min(static_cast<int>(turn * kColumns), kColumns - 1);
@@ -85,9 +84,10 @@ double chi_squared(const Bsdf& bsdf, int samples, int& cells) {
   for (int row = 0; row < kRows * kFine; ++row)
     for (int column = 0; column < kColumns * kFine; ++column) {
       const double z = -1 + 2 * (row + 0.5) / (kRows * kFine), r = std::sqrt(1 - z * z);
-      const double turn = 2 * kPi * (column + 0.5) / (kColumns * kFine);
+      const double turn = 2 * std::numbers::pi * (column + 0.5) / (kColumns * kFine);
       const Vec3 d{r * std::cos(turn), r * std::sin(turn), z};
-      expected[cell_of(d)] += bsdf.scattering(d).pdf * 4 * kPi / (kRows * kFine * kColumns * kFine) * samples;
+      expected[cell_of(d)] +=
+          bsdf.scattering(d).pdf * 4 * std::numbers::pi / (kRows * kFine * kColumns * kFine) * samples;
     }
   const PixelSamples pixel(3, 5, 9, {0, 0});
   for (int i = 0; i < samples; ++i) {

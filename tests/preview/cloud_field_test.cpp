@@ -13,7 +13,7 @@
 namespace citykiln::preview {
 namespace {
 
-constexpr sky::CloudLayer kLayer = {sky::CloudKind::kCumulus, 0.4, 1500, 2300, {3, 4}, 7};
+constexpr sky::CloudLayer kSampledLayer = {sky::CloudKind::kCumulus, 0.4, 1500, 2300, {3, 4}, 7};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Numbers of a sequence of its own.
@@ -24,7 +24,7 @@ struct Random {
 };
 
 TEST(CloudField, ASphereLetsPassWhatItsChordDoes) {
-  const CloudField field(kLayer, {{{0, 0, 400}, 60}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
+  const CloudField field(kSampledLayer, {{{0, 0, 400}, 60}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
   const double extinction = sky::extinction_per_m(sky::CloudKind::kCumulus);
   const CloudPath through = field.along({-1000, 0, 1900}, {1, 0, 0}, kInfinity);
   EXPECT_NEAR(through.passed, std::exp(-120 * extinction), 1e-9);
@@ -36,7 +36,7 @@ TEST(CloudField, ASphereLetsPassWhatItsChordDoes) {
 
 // Paths through a homogeneous sphere, too.
 TEST(CloudField, PathsPassASphereAsOftenAsItsChordLets) {
-  const CloudField field(kLayer, {{{0, 0, 400}, 30}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
+  const CloudField field(kSampledLayer, {{{0, 0, 400}, 30}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
   Random random{{5, StableId{1}, "path"}};
   int passed = 0;
   constexpr int kPaths = 20000;
@@ -47,7 +47,7 @@ TEST(CloudField, PathsPassASphereAsOftenAsItsChordLets) {
 }
 
 TEST(CloudField, SoftEdgesDimAsTheyThin) {
-  const CloudField field(kLayer, {{{0, 0, 400}, 60}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSoft);
+  const CloudField field(kSampledLayer, {{{0, 0, 400}, 60}}, {.sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSoft);
   double before = field.along({-1000, 0, 1900}, {1, 0, 0}, kInfinity).passed;
   EXPECT_LT(before, 0.05);
   for (int y = 5; y <= 60; y += 5) {
@@ -60,10 +60,10 @@ TEST(CloudField, SoftEdgesDimAsTheyThin) {
 }
 
 TEST(CloudField, ThrowsAShadowAwayFromTheSun) {
-  const CloudField field(kLayer, {{{0, 0, 400}, 100}},
+  const CloudField field(kSampledLayer, {{{0, 0, 400}, 100}},
                          {.to_sun = unit(Vec3{1, 0, 1}), .sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
   // the sphere's middle is 1,900 m up
-  const sky::LayerFrame frame = sky::frame_of(kLayer);
+  const sky::LayerFrame frame = sky::frame_of(kSampledLayer);
   const Vec3 middle = frame.out_of({0, 0, 400});
   EXPECT_LT(field.sun_passed(middle - unit(Vec3{1, 0, 1}) * 2000), 0.05);
   EXPECT_EQ(field.sun_passed(middle - Vec3{0, 0, 1900}), 1);
@@ -73,7 +73,7 @@ TEST(CloudField, ThrowsAShadowAwayFromTheSun) {
 // Droplets absorb nothing: a cloud under even light cannot be seen.
 TEST(CloudField, PathsInEvenLightAreAsBrightAsTheLight) {
   const CloudLight light{.sun = {}, .sky = {1, 1, 1}, .ground = {1, 1, 1}};
-  const CloudField field(kLayer, {{{0, 0, 400}, 150}, {{120, 40, 350}, 120}}, light, CloudEdges::kSoft);
+  const CloudField field(kSampledLayer, {{{0, 0, 400}, 150}, {{120, 40, 350}, 120}}, light, CloudEdges::kSoft);
   double sum = 0;
   constexpr int kPaths = 4000;
   for (std::uint32_t i = 0; i < kPaths; ++i) {
@@ -92,9 +92,9 @@ struct Ratios {
 };
 
 void compare(const sky::Cloud& cloud, const CloudLight& light, Ratios& ratios) {
-  const sky::CloudParticles particles = sky::generate_cloud(kLayer, cloud, 60);
-  const CloudField field(kLayer, particles.spheres, light, CloudEdges::kSoft);
-  const Vec3 middle = sky::frame_of(kLayer).out_of(at_height(cloud.centre, cloud.height_m * 0.4));
+  const sky::CloudParticles particles = sky::generate_cloud(kSampledLayer, cloud, 60);
+  const CloudField field(kSampledLayer, particles.spheres, light, CloudEdges::kSoft);
+  const Vec3 middle = sky::frame_of(kSampledLayer).out_of(at_height(cloud.centre, cloud.height_m * 0.4));
   for (const Vec3 side : {Vec3{1, 0, -0.3}, Vec3{0, 1, -0.3}, Vec3{-1, 0, -0.3}, Vec3{0, -1, -0.3}}) {
     double fast = 0, exact = 0;
     for (std::uint32_t i = 0; i < 600; ++i) {
@@ -109,7 +109,7 @@ void compare(const sky::Cloud& cloud, const CloudLight& light, Ratios& ratios) {
 }
 
 TEST(CloudField, IsAboutAsBrightAsPathsThroughTheCloud) {
-  const std::vector<sky::Cloud> clouds = sky::clouds_in(kLayer, {{-9000, -9000}, {9000, 9000}});
+  const std::vector<sky::Cloud> clouds = sky::clouds_in(kSampledLayer, {{-9000, -9000}, {9000, 9000}});
   ASSERT_GT(clouds.size(), 3U);
   Ratios ratios;
   for (std::size_t c = 0; c < 3; ++c)

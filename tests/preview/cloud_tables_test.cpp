@@ -12,18 +12,18 @@
 namespace citykiln::preview {
 namespace {
 
-constexpr sky::CloudLayer kLayer = {sky::CloudKind::kCumulus, 0.5, 1500, 2300, {3, 4}, 7};
+constexpr sky::CloudLayer kTabledLayer = {sky::CloudKind::kCumulus, 0.5, 1500, 2300, {3, 4}, 7};
 const CloudLight kLight{
     .to_sun = unit(Vec3{1, 0, 1}), .sun = {3, 3, 3}, .sky = {0.2, 0.2, 0.2}, .ground = {0.1, 0.1, 0.1}};
 constexpr Vec3 kEye{0, 0, 100};
 
-const CloudField& field() {
-  static const CloudField made(std::span(&kLayer, 1), kLight, kEye, 0.02, 2);
+const CloudField& cumulus_field() {
+  static const CloudField made(std::span(&kTabledLayer, 1), kLight, kEye, 0.02, 2);
   return made;
 }
 
 TEST(CloudShadow, IsThatOfRays) {
-  const CloudShadow shadow(field(), kLight.to_sun, {}, 2);
+  const CloudShadow shadow(cumulus_field(), kLight.to_sun, {}, 2);
   const Draw draw(3, StableId{1}, "places");
   double error = 0, mean = 0;
   constexpr std::uint32_t kPlaces = 2000;
@@ -32,7 +32,7 @@ TEST(CloudShadow, IsThatOfRays) {
                   draw.between(0, 1400, 3 * i + 2)};
     const auto passed = shadow.passed(at);
     ASSERT_TRUE(passed);
-    error += std::abs(*passed - field().sun_passed(at)) / kPlaces, mean += *passed / kPlaces;
+    error += std::abs(*passed - cumulus_field().sun_passed(at)) / kPlaces, mean += *passed / kPlaces;
   }
   EXPECT_GT(mean, 0.2);
   EXPECT_LT(mean, 0.8);
@@ -43,7 +43,7 @@ TEST(CloudShadow, IsThatOfRays) {
 
 TEST(CloudDome, HasTheLightOfRaysOnTheAverage) {
   const sky::SkyModel model = sky::generate(sky::Sky{.time = "", .to_sun = kLight.to_sun}, 0);
-  const CloudDome dome(field(), model, kEye, 2);
+  const CloudDome dome(cumulus_field(), model, kEye, 2);
   const Draw draw(3, StableId{1}, "rays");
   double ours = 0, exact = 0, passed = 0, exactly_passed = 0;
   constexpr std::uint32_t kRays = 3000;
@@ -53,7 +53,7 @@ TEST(CloudDome, HasTheLightOfRaysOnTheAverage) {
     const Vec3 along = at_height(on_circle(draw.unit(4 * i + 3)) * std::sqrt(1 - z * z), z);
     const auto veil = dome.along(from, along);
     ASSERT_TRUE(veil);
-    const CloudPath path = field().along(from, along, std::numeric_limits<double>::infinity());
+    const CloudPath path = cumulus_field().along(from, along, std::numeric_limits<double>::infinity());
     const CloudVeil ray = path.passed < 1 ? veil_of(path, sky::air(model, along, path.distance_m)) : CloudVeil{};
     ours += veil->added[1], exact += ray.added[1], passed += veil->passed, exactly_passed += ray.passed;
   }

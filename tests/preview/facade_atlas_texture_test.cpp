@@ -14,11 +14,11 @@ namespace {
 using materials::Material;
 using materials::TextureImage;
 
-constexpr double kTexel_m = 0.5;
+constexpr double kAtlasTexel_m = 0.5;
 
 // Black and rough on the left, white, smooth and half metal on the right.
 impostor::Atlas halves() {
-  impostor::Atlas atlas{{kTexel_m, 64, 64, {}}, {kTexel_m, 64, 64, {}}, {}, {}};
+  impostor::Atlas atlas{{kAtlasTexel_m, 64, 64, {}}, {kAtlasTexel_m, 64, 64, {}}, {}, {}};
   for (int i = 0; i < 64 * 64; ++i) {
     const bool is_left = i % 64 < 32;
     atlas.colour.texels.push_back(is_left ? TextureImage::Texel{} : TextureImage::Texel{255, 255, 255});
@@ -62,7 +62,7 @@ TEST(FacadeAtlasTexture, SaysColourRoughnessAndMetalness) {
 TEST(FacadeAtlasTexture, SaysWhichWayItLeans) {
   bake::BakedTile tile = textured_faces(1);
   EXPECT_NEAR(seen_at(tile, {8, 16}, 0).shading_normal.z, 1, 1e-6);
-  tile.facade_atlas.normal = {kTexel_m, 64, 64, std::vector<TextureImage::Texel>(64 * 64, {37, 128, 218})};
+  tile.facade_atlas.normal = {kAtlasTexel_m, 64, 64, std::vector<TextureImage::Texel>(64 * 64, {37, 128, 218})};
   const Vec3 normal = seen_at(tile, {8, 16}, 0).shading_normal;
   EXPECT_NEAR(normal.x, -std::sqrt(0.5), 0.005);
   EXPECT_NEAR(normal.y, 0, 0.005);
@@ -72,7 +72,7 @@ TEST(FacadeAtlasTexture, SaysWhichWayItLeans) {
 TEST(FacadeAtlasTexture, FlatPartsOfNormalMapsAreFlat) {
   bake::BakedTile tile = textured_faces(1);
   const Vec3 without = seen_at(tile, {8, 16}, 0).shading_normal;
-  tile.facade_atlas.normal = {kTexel_m, 64, 64, std::vector<TextureImage::Texel>(64 * 64, {128, 128, 255})};
+  tile.facade_atlas.normal = {kAtlasTexel_m, 64, 64, std::vector<TextureImage::Texel>(64 * 64, {128, 128, 255})};
   EXPECT_EQ(seen_at(tile, {8, 16}, 0).shading_normal, without);
 }
 

@@ -9,9 +9,9 @@
 namespace citykiln::preview {
 namespace {
 
-constexpr double kTexel_m = 0.5;
+constexpr double kRectangleTexel_m = 0.5;
 
-const materials::TextureImage kImage{kTexel_m, 64, 32, {}};
+const materials::TextureImage kImage{kRectangleTexel_m, 64, 32, {}};
 
 // A face whose picture begins at a texel.
 void add_face(bake::Primitive& faces, float width_m, float height_m, std::array<float, 2> first_texel) {

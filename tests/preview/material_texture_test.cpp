@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "preview/scene/world.h"
+#include "tests/preview/near_colours.h"
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {
@@ -13,10 +14,6 @@ namespace {
 using materials::Material;
 using materials::Texture;
 using Colour = std::array<double, 3>;
-
-void expect_near(const Colour& a, const Colour& b, double near) {
-  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], near);
-}
 
 TEST(MaterialTexture, RepeatsBothWays) {
   const Texture grass = materials::texture_of(Material::kGrass, 0.05, 1);
@@ -63,7 +60,7 @@ TEST(MaterialTexture, NormalsAreUnitVectorsAndUprightFromAfar) {
 }
 
 // A field of 32 m whose rows run along y, its texture turned so that u is y.
-bake::BakedTile field(Material material) {
+bake::BakedTile field_of_rows(Material material) {
   bake::BakedTile tile;
   tile.features = {OsmId{}};
   tile.primitives = {floor({0, 0, 0}, {32, 32, 0}, material)};
@@ -81,7 +78,7 @@ Hit seen_from_above(const bake::BakedTile& tile, double x, double y) {
 }
 
 TEST(WorldTextures, ColourWhatHasPlacesOnThem) {
-  const bake::BakedTile tile = field(Material::kFarmland);
+  const bake::BakedTile tile = field_of_rows(Material::kFarmland);
   const MaterialTexture surface(tile.textures[0]);
   for (const double x : {3.1, 9.7, 30.2}) {
     const Hit hit = seen_from_above(tile, x, 2 * x / 3);
@@ -91,7 +88,7 @@ TEST(WorldTextures, ColourWhatHasPlacesOnThem) {
 
 // u is north and v east: a slope that the texture gives along u leans north, one against v leans west.
 TEST(WorldTextures, TurnTheirNormalsAsTheyLie) {
-  const bake::BakedTile tile = field(Material::kFarmland);
+  const bake::BakedTile tile = field_of_rows(Material::kFarmland);
   const MaterialTexture surface(tile.textures[0]);
   for (const double x : {3.1, 9.7, 30.2}) {
     const Hit hit = seen_from_above(tile, x, 2 * x / 3);
@@ -103,7 +100,7 @@ TEST(WorldTextures, TurnTheirNormalsAsTheyLie) {
 }
 
 TEST(WorldTextures, LeaveWhatHasNoPlacesAlone) {
-  bake::BakedTile tile = field(Material::kFarmland);
+  bake::BakedTile tile = field_of_rows(Material::kFarmland);
   tile.primitives[0].uvs.clear();
   const auto base = values_of(Material::kFarmland).base_colour;
   expect_near(seen_from_above(tile, 5, 5).albedo, {base[0], base[1], base[2]}, 1e-6);

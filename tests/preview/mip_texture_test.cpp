@@ -8,6 +8,7 @@
 
 #include "compiler/materials/material.h"
 #include "preview/scene/world.h"
+#include "tests/preview/near_colours.h"
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {
@@ -17,11 +18,11 @@ using materials::Material;
 using materials::TextureImage;
 using Colour = std::array<double, 3>;
 
-constexpr double kTexel_m = 0.25;
+constexpr double kMipTexel_m = 0.25;
 
 TextureImage speckled(std::uint32_t columns, std::uint32_t rows) {
   std::mt19937 dice(columns + rows);
-  TextureImage sheet{kTexel_m, columns, rows, {}};
+  TextureImage sheet{kMipTexel_m, columns, rows, {}};
   const auto byte = [&] { return static_cast<std::uint8_t>(dice()); };
   for (std::uint32_t i = 0; i < columns * rows; ++i) sheet.texels.push_back({byte(), byte(), byte()});
   return sheet;
@@ -32,17 +33,15 @@ Colour linear(const TextureImage::Texel& texel) {
           materials::linear_of_srgb(texel[2])};
 }
 
-Colour mean_of(const TextureImage& sheet) {
+Colour mean_colour_of(const TextureImage& sheet) {
   Colour sum{};
   for (const TextureImage::Texel& texel : sheet.texels)
     for (int c = 0; c < 3; ++c) sum[c] += linear(texel)[c] / static_cast<double>(sheet.texels.size());
   return sum;
 }
 
-Vec2 middle(std::uint32_t column, std::uint32_t row) { return {(column + 0.5) * kTexel_m, (row + 0.5) * kTexel_m}; }
-
-void expect_near(const Colour& a, const Colour& b, double near = 1e-6) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], near);
+Vec2 middle(std::uint32_t column, std::uint32_t row) {
+  return {(column + 0.5) * kMipTexel_m, (row + 0.5) * kMipTexel_m};
 }
 
 TEST(MipTexture, ShowsEachTexelInItsMiddle) {
@@ -57,17 +56,17 @@ TEST(MipTexture, IsLinearBetweenMiddles) {
   const TextureImage sheet = speckled(7, 5);
   const MipTexture texture(sheet);
   const Colour left = linear(sheet.texels[2 * 7 + 3]), right = linear(sheet.texels[2 * 7 + 4]);
-  const Colour between = texture.mean({middle(3, 2) + Vec2{kTexel_m / 4, 0}, {}, 0});
+  const Colour between = texture.mean({middle(3, 2) + Vec2{kMipTexel_m / 4, 0}, {}, 0});
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(between[c], 0.75 * left[c] + 0.25 * right[c], 1e-6);
 }
 
 TEST(MipTexture, EndsAcrossAndRepeatsAlong) {
   const TextureImage sheet = speckled(7, 5);
   const MipTexture texture(sheet);
-  const double period_m = 5 * kTexel_m;
+  const double period_m = 5 * kMipTexel_m;
   for (const double across_m : {0.0, 0.4}) {
     expect_near(texture.mean({{-3, 0.3}, {}, across_m}), texture.mean({{0, 0.3}, {}, across_m}));
-    expect_near(texture.mean({{50, 0.3}, {}, across_m}), texture.mean({{7 * kTexel_m, 0.3}, {}, across_m}));
+    expect_near(texture.mean({{50, 0.3}, {}, across_m}), texture.mean({{7 * kMipTexel_m, 0.3}, {}, across_m}));
     for (const double turns : {-2.0, -1.0, 1.0, 4000.0})
       expect_near(texture.mean({{0.6, 0.3 + turns * period_m}, {}, across_m}),
                   texture.mean({{0.6, 0.3}, {}, across_m}));
@@ -84,23 +83,23 @@ TEST(MipTexture, AWidePatchIsTheMeanOfTheWhole) {
   for (const auto& [columns, rows] : sizes) {
     const TextureImage sheet = speckled(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows));
     const MipTexture texture(sheet);
-    expect_near(texture.mean({{0.3, 0.7}, {}, 1e4}), mean_of(sheet), 1e-5);
+    expect_near(texture.mean({{0.3, 0.7}, {}, 1e4}), mean_colour_of(sheet), 1e-5);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    expect_near(texture.mean({{nan, 0.7}, {}, 0}), mean_of(sheet), 1e-5);
-    expect_near(texture.mean({{0, 0.7}, {nan, 0}, 0}), mean_of(sheet), 1e-5);
-    expect_near(texture.mean({{0, 0.7}, {}, nan}), mean_of(sheet), 1e-5);
+    expect_near(texture.mean({{nan, 0.7}, {}, 0}), mean_colour_of(sheet), 1e-5);
+    expect_near(texture.mean({{0, 0.7}, {nan, 0}, 0}), mean_colour_of(sheet), 1e-5);
+    expect_near(texture.mean({{0, 0.7}, {}, nan}), mean_colour_of(sheet), 1e-5);
   }
 }
 
 // White left half: a footprint drawn out along v keeps the edge, one drawn out along u mixes it.
 TEST(MipTexture, ALongPatchMixesAlongItself) {
-  TextureImage sheet{kTexel_m, 64, 64, {}};
+  TextureImage sheet{kMipTexel_m, 64, 64, {}};
   for (int i = 0; i < 64 * 64; ++i)
     sheet.texels.push_back(i % 64 < 32 ? TextureImage::Texel{255, 255, 255} : TextureImage::Texel{});
   const MipTexture texture(sheet);
-  const Vec2 white{31 * kTexel_m, 3};
-  EXPECT_NEAR(texture.mean({white, {0, 2}, kTexel_m})[0], 1, 1e-6);
-  EXPECT_NEAR(texture.mean({white, {2, 0}, kTexel_m})[0], 0.56, 0.05);
+  const Vec2 white{31 * kMipTexel_m, 3};
+  EXPECT_NEAR(texture.mean({white, {0, 2}, kMipTexel_m})[0], 1, 1e-6);
+  EXPECT_NEAR(texture.mean({white, {2, 0}, kMipTexel_m})[0], 0.56, 0.05);
 }
 
 // Random pictures of 6 by 4 texels at odd places of a sheet, as on atlases: its size and what is around do not matter.
@@ -115,13 +114,13 @@ TEST(MipTexture, APartLooksTheSameAmongOtherNeighbours) {
   const MipTexture here(small, TexelMeaning::kColours, WrapMode::kClamp, 2),
       there(large, TexelMeaning::kColours, WrapMode::kClamp, 2);
   const TexelRectangle part{1, 1, 6, 4}, moved{kRight + 1, kDown + 1, kRight + 6, kDown + 4};
-  const Vec2 by{kRight * kTexel_m, kDown * kTexel_m};
+  const Vec2 by{kRight * kMipTexel_m, kDown * kMipTexel_m};
   for (const double x_px : {-20.0, 1.0, 3.3, 7.0, 30.0})
     for (const double y_px : {-9.0, 1.0, 2.8, 5.0, 12.0})
       for (const Vec2 along : {Vec2{}, Vec2{3, 0.4}, Vec2{-0.1, 0.6}})
-        for (const double across_m : {0.0, 1.3 * kTexel_m, 9 * kTexel_m})
+        for (const double across_m : {0.0, 1.3 * kMipTexel_m, 9 * kMipTexel_m})
           for (const bool is_rough : {false, true}) {
-            const Vec2 at{x_px * kTexel_m, y_px * kTexel_m};
+            const Vec2 at{x_px * kMipTexel_m, y_px * kMipTexel_m};
             expect_near(there.mean({at + by, along, across_m, is_rough}, moved),
                         here.mean({at, along, across_m, is_rough}, part), 1e-9);
           }
@@ -142,7 +141,7 @@ bake::Primitive marked_road() {
 
 // Squares of 2 m in four rows and four columns, no two alike.
 TextureImage squares() {
-  TextureImage sheet{kTexel_m, 32, 32, {}};
+  TextureImage sheet{kMipTexel_m, 32, 32, {}};
   for (std::uint32_t i = 0; i < 32 * 32; ++i)
     sheet.texels.push_back({static_cast<std::uint8_t>(i % 32 / 8 * 80), static_cast<std::uint8_t>(i / 32 / 8 * 80), 9});
   return sheet;
@@ -187,14 +186,14 @@ TEST(MarkingAtlasOnTheGround, FarAwayItIsItsMean) {
     const auto hit = world.first_hit(eye, unit(road - eye), eye.z == 30 ? 0.002 : 0.01);
     ASSERT_TRUE(hit);
     // across a flat view some of what lies across stays
-    EXPECT_NEAR(hit->albedo[1], mean_of(ground.marking_atlas)[1], 0.03);
+    EXPECT_NEAR(hit->albedo[1], mean_colour_of(ground.marking_atlas)[1], 0.03);
   }
 }
 
 // Columns of colour along v, seen flat along v: they stay apart, though a pixel covers many metres of road.
 TEST(MarkingAtlasOnTheGround, SeenFlatItStaysSharpAcross) {
   bake::BakedTile ground = tile({0, 0, 0}, {marked_road()});
-  ground.marking_atlas = TextureImage{kTexel_m, 32, 4, {}};
+  ground.marking_atlas = TextureImage{kMipTexel_m, 32, 4, {}};
   for (int i = 0; i < 32 * 4; ++i)
     ground.marking_atlas.texels.push_back(i % 32 < 8 ? TextureImage::Texel{255, 255, 255} : TextureImage::Texel{});
   const std::vector tiles = {ground};

@@ -15,8 +15,6 @@ namespace {
 
 using materials::Material;
 
-constexpr double kPi = std::numbers::pi;
-
 // White of radiance `sky_radiance` from everywhere above, and a sun.
 sky::SkyModel even_sky(double sky_radiance, Vec3 to_sun = {0, 0, 1}, double sun_radiance = 0) {
   sky::SkyModel model;
@@ -69,7 +67,7 @@ Rgb reflectance_of(Material material, double cosine = 0) {
 bake::Primitive bowl(Vec3 centre, double radius, Material material) {
   constexpr int kAround = 96, kDown = 32;
   const auto at = [&](int i, int j) {
-    const double turn = 2 * kPi * i / kAround, down = kPi / 2 * j / kDown;
+    const double turn = 2 * std::numbers::pi * i / kAround, down = std::numbers::pi / 2 * j / kDown;
     return centre + Vec3{std::cos(turn) * std::cos(down), std::sin(turn) * std::cos(down), -std::sin(down)} * radius;
   };
   bake::Primitive primitive{material, {}, {}, {}, {}, {}};
@@ -117,15 +115,15 @@ TEST(Trace, ABowlShinesAsItsBouncesAddUp) {
 // sun's radiance · solid angle · cosine / π · albedo, and the sky's albedo share on top.
 TEST(Trace, SunlitGroundHasItsIrradiance) {
   for (const double elevation_deg : {12.0, 45.0, 80.0}) {
-    const double e = elevation_deg * kPi / 180;
+    const double e = elevation_deg * std::numbers::pi / 180;
     const sky::SkyModel model = even_sky(0.5, {std::cos(e) * 0.6, std::cos(e) * 0.8, std::sin(e)}, 30000);
     const Lights lights(model);
-    const double solid_angle = 2 * kPi * (1 - std::cos(0.004652));
+    const double solid_angle = 2 * std::numbers::pi * (1 - std::cos(0.004652));
     EXPECT_NEAR(lights.sun_solid_angle(), solid_angle, 1e-12);
     const std::vector tiles = {tile({0, 0, 0}, {floor({-9, -9, 0}, {9, 9, 0}, Material::kConcrete)})};
     const Rgb light = seen(tiles, lights, {0, -1, 2}, {0.3, 0.4, 0}, 1024, 3);
     for (int c = 0; c < 3; ++c) {
-      const double falling = 30000 * solid_angle * std::sin(e) / kPi + lights.falling({}, {0, 0, 1})[c];
+      const double falling = 30000 * solid_angle * std::sin(e) / std::numbers::pi + lights.falling({}, {0, 0, 1})[c];
       // its coat adds up to a tenth
       const double wanted = albedo_of(Material::kConcrete)[c] * falling;
       EXPECT_GT(light[c], 0.98 * wanted) << elevation_deg;
@@ -136,7 +134,7 @@ TEST(Trace, SunlitGroundHasItsIrradiance) {
 
 // A house 10 m high throws a shadow of 10 m · cot(elevation), away from the sun.
 TEST(Trace, AShadowLiesWhereTheSunSays) {
-  const double e = 35 * kPi / 180, reach = 10 / std::tan(e);
+  const double e = 35 * std::numbers::pi / 180, reach = 10 / std::tan(e);
   const Vec2 towards{0.6, 0.8};
   const Lights lights(even_sky(0.05, {towards.x * std::cos(e), towards.y * std::cos(e), std::sin(e)}, 30000));
   // far from the plane's origin, where single precision is coarse

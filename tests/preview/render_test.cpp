@@ -15,7 +15,7 @@ using materials::Material;
 
 const sky::Sky kAfternoon{"", unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
 
-Options small(int width, int height, int samples) {
+Options options_of_size(int width, int height, int samples) {
   Options options;
   options.width = width, options.height = height, options.samples = samples;
   return options;
@@ -33,7 +33,7 @@ Camera over_the_lake(Vec3 origin) { return {origin + Vec3{30, 55, 14}, origin + 
 
 TEST(Render, AnyNumberOfThreadsIsTheSamePicture) {
   const std::vector tiles = {place_by_a_lake({1024, 2048, 10})};
-  Options options = small(75, 50, 4);
+  Options options = options_of_size(75, 50, 4);
   options.threads = 1;
   const Image one = render(tiles, kAfternoon, over_the_lake({1024, 2048, 10}), options);
   ASSERT_EQ(one.rgb.size(), 75u * 50 * 3);
@@ -47,7 +47,7 @@ TEST(Render, AnyNumberOfThreadsIsTheSamePicture) {
 
 TEST(Render, AnotherSeedIsAnotherGrainOfTheSamePicture) {
   const std::vector tiles = {place_by_a_lake({0, 0, 0})};
-  Options options = small(40, 30, 16);
+  Options options = options_of_size(40, 30, 16);
   const Image one = render(tiles, kAfternoon, over_the_lake({0, 0, 0}), options);
   options.seed = 1;
   const Image other = render(tiles, kAfternoon, over_the_lake({0, 0, 0}), options);
@@ -61,14 +61,14 @@ TEST(Render, AnotherSeedIsAnotherGrainOfTheSamePicture) {
 TEST(Render, WhatShinesIsSeenByNight) {
   const std::vector tiles = {tile({}, {floor({-60, -60, 0}, {60, 60, 0}, Material::kOfficeCeiling)})};
   const sky::Sky night{"", unit(Vec3{0, -0.9, -0.4}), 2.6};
-  const Image image = render(tiles, night, {{0, 0, 10}, {0, 1, 0}, 30}, small(8, 8, 4));
+  const Image image = render(tiles, night, {{0, 0, 10}, {0, 1, 0}, 30}, options_of_size(8, 8, 4));
   ASSERT_FALSE(image.rgb.empty());
   for (std::size_t i = 0; i < image.rgb.size(); i += 3) EXPECT_NEAR(image.rgb[i], 100.0 / 6250, 1e-4);
 }
 
 TEST(Render, ExposureMultiplies) {
   const std::vector tiles = {place_by_a_lake({0, 0, 0})};
-  Options options = small(16, 9, 2);
+  Options options = options_of_size(16, 9, 2);
   const Image one = render(tiles, kAfternoon, over_the_lake({0, 0, 0}), options);
   options.exposure = 2;
   const Image bright = render(tiles, kAfternoon, over_the_lake({0, 0, 0}), options);
@@ -80,7 +80,7 @@ TEST(Render, ExposureMultiplies) {
 TEST(Render, RowsStartAtTheTopLeft) {
   const std::vector tiles = {tile({0, 0, 0}, {floor({-900, -900, 0}, {900, 900, 0}, Material::kBrick),
                                               box({-30, 40, 0}, {-10, 60, 3}, Material::kPaint)})};
-  const Image image = render(tiles, kAfternoon, {{0, 0, 8}, {0, 50, 5}, 45}, small(40, 30, 8));
+  const Image image = render(tiles, kAfternoon, {{0, 0, 8}, {0, 50, 5}, 45}, options_of_size(40, 30, 8));
   const auto at = [&](int x, int y) { return &image.rgb[static_cast<std::size_t>((y * 40 + x) * 3)]; };
   EXPECT_GT(at(20, 1)[2], at(20, 1)[0]);          // sky: blue
   EXPECT_GT(at(20, 28)[0], 1.5 * at(20, 28)[2]);  // ground: red
@@ -114,7 +114,7 @@ TEST(Render, NoSkyShinesThroughASeam) {
   const std::vector tiles = {side(0), side(1024)};
   // white void, black ground: a ray through would be bright
   for (const Vec3 eye : {Vec3{1024, 500, 40}, Vec3{1024, -200, 80}, Vec3{1000, 512, 900}}) {
-    const Image image = render(tiles, kAfternoon, {at + eye, at + Vec3{1024, 400, 0}, 4}, small(96, 96, 16));
+    const Image image = render(tiles, kAfternoon, {at + eye, at + Vec3{1024, 400, 0}, 4}, options_of_size(96, 96, 16));
     const auto brightest = *std::max_element(image.rgb.begin(), image.rgb.end());
     const auto darkest = *std::min_element(image.rgb.begin(), image.rgb.end());
     EXPECT_LT(brightest, 0.6) << eye.z;
@@ -154,8 +154,8 @@ TEST(Render, CopiesLookLikeTheMeshWrittenOut) {
   }
   copies.instanced.push_back(instanced);
   const Camera camera{at + Vec3{24, -30, 18}, at + Vec3{0, 0, 1}, 50};
-  const Image a = render(std::vector{copies}, kAfternoon, camera, small(96, 64, 16));
-  const Image b = render(std::vector{written}, kAfternoon, camera, small(96, 64, 16));
+  const Image a = render(std::vector{copies}, kAfternoon, camera, options_of_size(96, 64, 16));
+  const Image b = render(std::vector{written}, kAfternoon, camera, options_of_size(96, 64, 16));
   // edges may fall to either side of a ray: a sample here or there
   std::size_t differing = 0;
   double difference = 0, sum = 0;
@@ -180,15 +180,15 @@ TEST(Render, CopiesInAnotherTileStandAboutItsOrigin) {
   const std::vector apart = {with_hut({0, 0, 0}, {4, 0, 0}), with_hut({1024, 0, 0}, {-1014, 0, 0})};
   const std::vector together = {with_hut({0, 0, 0}, {4, 0, 0}), with_hut({0, 0, 0}, {10, 0, 0})};
   const Camera camera{{7, -30, 6}, {7, 0, 1}, 30};
-  EXPECT_EQ(render(apart, kAfternoon, camera, small(48, 32, 4)).rgb,
-            render(together, kAfternoon, camera, small(48, 32, 4)).rgb);
+  EXPECT_EQ(render(apart, kAfternoon, camera, options_of_size(48, 32, 4)).rgb,
+            render(together, kAfternoon, camera, options_of_size(48, 32, 4)).rgb);
 }
 
 TEST(Render, NothingIsSkyAndAPictureWithoutPixelsIsEmpty) {
-  const Image image = render({}, kAfternoon, {{0, 0, 10}, {0, 50, 10}, 45}, small(16, 9, 1));
+  const Image image = render({}, kAfternoon, {{0, 0, 10}, {0, 50, 10}, 45}, options_of_size(16, 9, 1));
   for (const float v : image.rgb) EXPECT_TRUE(std::isfinite(v) && v > 0);
-  EXPECT_TRUE(render({}, kAfternoon, {}, small(0, 9, 1)).rgb.empty());
-  EXPECT_TRUE(render({}, kAfternoon, {}, small(16, -1, 1)).rgb.empty());
+  EXPECT_TRUE(render({}, kAfternoon, {}, options_of_size(0, 9, 1)).rgb.empty());
+  EXPECT_TRUE(render({}, kAfternoon, {}, options_of_size(16, -1, 1)).rgb.empty());
 }
 
 }  // namespace

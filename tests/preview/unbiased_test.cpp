@@ -29,14 +29,14 @@ bake::BakedTile street() {
 
 const Camera kCamera{{14, 22, 6}, {-2, -3, 2}, 50};
 
-double mean_of(const Image& image) {
+double mean_of_image(const Image& image) {
   double sum = 0;
   for (const float v : image.rgb) sum += v;
   return sum / static_cast<double>(image.rgb.size());
 }
 
 // Student's t of the difference of two estimates, seed by seed.
-double t_of(const std::function<double(std::uint64_t)>& one, const std::function<double(std::uint64_t)>& other) {
+double paired_t_of(const std::function<double(std::uint64_t)>& one, const std::function<double(std::uint64_t)>& other) {
   double sum = 0, squares = 0;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const double difference = one(seed) - other(seed + 1000);
@@ -57,11 +57,11 @@ struct Made {
   double mean(const Options& options, std::uint64_t seed) const {
     Options own = options;
     own.seed = seed;
-    return mean_of(render(world, lights, local, kCamera, own));
+    return mean_of_image(render(world, lights, local, kCamera, own));
   }
 };
 
-Options small() {
+Options options_without_roulette() {
   Options options;
   options.width = 24, options.height = 16, options.samples = 16, options.bounces = 4, options.has_caustics = true;
   options.roulette = 0;
@@ -71,20 +71,20 @@ Options small() {
 TEST(Unbiased, RouletteEndsPathsWithoutLosingLight) {
   for (const Vec3 to_sun : {Vec3{-0.5, 0.6, 0.6}, Vec3{0, -0.9, -0.4}}) {
     const Made made(to_sun);
-    Options roulette = small();
+    Options roulette = options_without_roulette();
     roulette.roulette = 0.8;
-    const double t = t_of([&](std::uint64_t seed) { return made.mean(roulette, seed); },
-                          [&](std::uint64_t seed) { return made.mean(small(), seed); });
+    const double t = paired_t_of([&](std::uint64_t seed) { return made.mean(roulette, seed); },
+                                 [&](std::uint64_t seed) { return made.mean(options_without_roulette(), seed); });
     EXPECT_LT(std::abs(t), kLimit) << to_sun.z;
   }
 }
 
 TEST(Unbiased, AdaptiveSamplesFindTheSameLight) {
   const Made made({-0.5, 0.6, 0.6});
-  Options adaptive = small();
+  Options adaptive = options_without_roulette();
   adaptive.samples = 64, adaptive.noise = 0.1;
-  const double t = t_of([&](std::uint64_t seed) { return made.mean(adaptive, seed); },
-                        [&](std::uint64_t seed) { return made.mean(small(), seed); });
+  const double t = paired_t_of([&](std::uint64_t seed) { return made.mean(adaptive, seed); },
+                               [&](std::uint64_t seed) { return made.mean(options_without_roulette(), seed); });
   EXPECT_LT(std::abs(t), kLimit);
 }
 
@@ -113,7 +113,7 @@ TEST(Unbiased, SampledEmittersAreAsBrightAsThoseFoundByChance) {
   const auto direct = [&](std::uint64_t seed) { return light_at(0, seed); };
   const auto combined = [&](std::uint64_t seed) { return light_at(1, seed); };
   EXPECT_GT(direct(0), 0);
-  EXPECT_LT(std::abs(t_of(direct, combined)), kLimit);
+  EXPECT_LT(std::abs(paired_t_of(direct, combined)), kLimit);
 }
 
 // Candela over the square of the distance, times cosine and reflectance.

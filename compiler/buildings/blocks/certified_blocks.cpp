@@ -22,13 +22,13 @@ void add(std::vector<Corners>& all, const Mesh& mesh) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-std::vector<Corners> shape_of(const GeneratedBuilding& building) {
+std::vector<Corners> shape_triangles(const GeneratedBuilding& building) {
   std::vector<Corners> all;
   for (const materials::MaterialMesh& part : building.meshes) add(all, part.mesh);
   return all;
 }
 
-std::vector<Corners> shape_of(const Block& block) {
+std::vector<Corners> shape_triangles(const Block& block) {
   std::vector<Corners> all;
   add(all, block.roof), add(all, block.walls);
   return all;
@@ -51,7 +51,8 @@ struct Shapes {
  private:
   std::vector<Corners> joined(const BlockSources& sources) {
     std::vector<Corners> together;
-    for (const GeneratedBuilding& shape : sources.shapes) append(together, of_building.emplace_back(shape_of(shape)));
+    for (const GeneratedBuilding& shape : sources.shapes)
+      append(together, of_building.emplace_back(shape_triangles(shape)));
     return together;
   }
 };
@@ -62,19 +63,19 @@ double bound_m(const Block& block, const Shapes& shapes, const TriangleTree& lev
     options.least_m = std::max(options.least_m, distance_bound_m(shapes.of_building[i], level, options));
     if (options.least_m > options.most_m) return options.least_m;
   }
-  return distance_bound_m(shape_of(block), shapes.all, options);
+  return distance_bound_m(shape_triangles(block), shapes.all, options);
 }
 
 TriangleTree level_of(const std::vector<Block>& blocks, std::span<const BlockRole> roles, const Shapes& shapes,
                       std::span<const Corners> ground) {
   std::vector<Corners> level(ground.begin(), ground.end());
-  for (const Block& block : blocks) append(level, shape_of(block));
+  for (const Block& block : blocks) append(level, shape_triangles(block));
   for (std::size_t i = 0; i < roles.size(); ++i)
     if (roles[i] == BlockRole::kAbsent) append(level, shapes.of_building[i]);
   return TriangleTree(std::move(level));
 }
 
-BlockRole next(BlockRole role) { return role == BlockRole::kMerged ? BlockRole::kAlone : BlockRole::kAbsent; }
+BlockRole next_role(BlockRole role) { return role == BlockRole::kMerged ? BlockRole::kAlone : BlockRole::kAbsent; }
 
 }  // namespace
 
@@ -95,7 +96,7 @@ CertifiedBlocks certified_blocks(const BlockSources& sources, double tolerance_m
       result.error_m = std::max(result.error_m, away_m + shapes.error_m);
       if (away_m <= options.most_m) continue;
       are_all_near = false;
-      for (const std::uint32_t i : block.members) roles[i] = next(roles[i]);
+      for (const std::uint32_t i : block.members) roles[i] = next_role(roles[i]);
     }
     if (!are_all_near) continue;
     for (std::uint32_t i = 0; i < roles.size(); ++i)

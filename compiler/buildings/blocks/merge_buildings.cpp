@@ -39,7 +39,7 @@ struct Rings {
   std::vector<GridPoint> points;
 };
 
-void add_ring(Rings& rings, const Ring& ring, std::uint32_t owner, double apart_m) {
+void add_block_ring(Rings& rings, const Ring& ring, std::uint32_t owner, double apart_m) {
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     rings.segments.push_back({grid_point(ring[j]), grid_point(ring[i]), owner, 1});
     const double steps = std::ceil(distance(ring[j], ring[i]) / apart_m);
@@ -48,11 +48,11 @@ void add_ring(Rings& rings, const Ring& ring, std::uint32_t owner, double apart_
   }
 }
 
-Rings rings_of(std::span<const Building> buildings, std::span<const BlockRole> roles, double apart_m) {
+Rings block_rings_of(std::span<const Building> buildings, std::span<const BlockRole> roles, double apart_m) {
   Rings rings;
   for (std::uint32_t i = 0; i < buildings.size(); ++i)
     if (roles[i] != BlockRole::kAbsent)
-      for (const Ring* ring : citykiln::rings_of(buildings[i].footprint)) add_ring(rings, *ring, i, apart_m);
+      for (const Ring* ring : rings_of(buildings[i].footprint)) add_block_ring(rings, *ring, i, apart_m);
   return rings;
 }
 
@@ -91,7 +91,7 @@ std::vector<std::uint32_t> highest_first(std::span<const Building> buildings) {
 }
 
 Plan plan_of(std::span<const Building> buildings, std::span<const BlockRole> roles, const Box2& cell, double apart_m) {
-  const Rings rings = rings_of(buildings, roles, apart_m);
+  const Rings rings = block_rings_of(buildings, roles, apart_m);
   const Arrangement arrangement = arrange(rings.segments, rings.points, cell);
   Plan plan{triangulated(arrangement), {}, {}};
   plan.owner = ground::label_faces(plan.net, arrangement, {outer_face(plan.net), {}}, highest_first(buildings));

@@ -36,6 +36,12 @@ inline std::pair<GridPoint, GridPoint> edge_of(const Delaunay& net, std::uint32_
   return {net.vertices()[v[(i + 1) % 3]], net.vertices()[v[(i + 2) % 3]]};
 }
 
+/// Returns whether a point of the cell lies on the cell's border.
+inline bool is_on_border(GridPoint p, const Box2& cell) {
+  const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
+  return p.x == min.x || p.x == max.x || p.y == min.y || p.y == max.y;
+}
+
 /// A piece of the cell's border along which a ring runs, mostly for some grid steps where snapping has bent the ring
 /// onto it. The neighbouring cell may have another polygon there.
 struct CellBorderPiece {

@@ -15,7 +15,7 @@ std::size_t band_at(const BandedRings& rings, double y) {
   return static_cast<std::size_t>(std::clamp(band, 0.0, static_cast<double>(rings.bands.size() - 1)));
 }
 
-void add_edge(BandedRings& rings, Vec2 a, Vec2 b) {
+void add_ring_edge(BandedRings& rings, Vec2 a, Vec2 b) {
   const std::size_t last = band_at(rings, std::max(a.y, b.y));
   for (std::size_t i = band_at(rings, std::min(a.y, b.y)); i <= last; ++i) rings.bands[i].push_back({a, b});
 }
@@ -30,7 +30,7 @@ BandedRings band_rings(const LandCoverPolygon& surface) {
   rings.band_m = std::max(rings.box.height() / count, kBand_m);
   rings.bands.resize(static_cast<std::size_t>(count));
   for (const Ring& ring : surface.rings)
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) add_edge(rings, ring[j], ring[i]);
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) add_ring_edge(rings, ring[j], ring[i]);
   return rings;
 }
 

@@ -65,7 +65,7 @@ void cross_edge(Inside& inside, const Arrangement& arrangement, const Frame& fra
 }
 
 // Returns the step over edge i of a face.
-Frame beyond(const Delaunay& triangulation, const EdgesByEnd& edges, std::uint32_t from, int i) {
+Frame step_over(const Delaunay& triangulation, const EdgesByEnd& edges, std::uint32_t from, int i) {
   const DelaunayFace& face = triangulation.faces()[from];
   Frame frame{face.neighbours[i]};
   if (!face.is_constrained[i]) return frame;
@@ -103,7 +103,7 @@ std::vector<std::uint32_t> label_faces(const Delaunay& triangulation, const Arra
     }
     const int i = here.next++;
     const std::uint32_t neighbour = triangulation.faces()[here.face].neighbours[i];
-    if (neighbour != kNoFace && !seen[neighbour]) enter(beyond(triangulation, edges, here.face, i));
+    if (neighbour != kNoFace && !seen[neighbour]) enter(step_over(triangulation, edges, here.face, i));
   }
   return top;
 }

@@ -127,7 +127,7 @@ void find_in_buckets(const LandCoverIndex& map, std::uint32_t number, std::vecto
     }
 }
 
-std::span<const LandCoverIndex::Edge> edges_of(const LandCoverIndex& map, const BucketEntry& entry) {
+std::span<const LandCoverIndex::Edge> edges_of_entry(const LandCoverIndex& map, const BucketEntry& entry) {
   return std::span(map.edges).subspan(entry.first_edge, entry.edge_count);
 }
 
@@ -135,7 +135,7 @@ std::span<const LandCoverIndex::Edge> edges_of(const LandCoverIndex& map, const 
 // east to p.
 bool covers_point(const LandCoverIndex& map, const BucketEntry& entry, Vec2 corner, Vec2 p) {
   int winding = entry.winding;
-  for (const auto& [a, b] : edges_of(map, entry)) {
+  for (const auto& [a, b] : edges_of_entry(map, entry)) {
     if ((a.x <= corner.x) != (b.x <= corner.x)) {
       const double y = a.y + (b.y - a.y) * ((corner.x - a.x) / (b.x - a.x));
       if (y > corner.y && y <= p.y) winding += a.x <= corner.x ? 1 : -1;
@@ -166,7 +166,7 @@ double squared_distance(const LandCoverIndex& map, int column, int row, Vec2 p) 
 double squared_distance(const LandCoverIndex& map, const BucketEntry& entry, Vec2 p, double nearest) {
   // most edges are farther than one found before
   if (squared_distance(entry.edges, p) >= nearest) return nearest;
-  for (const auto& [a, b] : edges_of(map, entry)) {
+  for (const auto& [a, b] : edges_of_entry(map, entry)) {
     const Box2 box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
     if (squared_distance(box, p) >= nearest) continue;
     const Vec2 along = b - a;
@@ -178,7 +178,7 @@ double squared_distance(const LandCoverIndex& map, const BucketEntry& entry, Vec
 }
 
 // Stores the entries sorted by bucket, and their edges in the same order, so that a query reads memory in a row.
-void take(LandCoverIndex& map, std::span<const Found> found, std::span<const LandCoverIndex::Edge> edges) {
+void store_entries(LandCoverIndex& map, std::span<const Found> found, std::span<const LandCoverIndex::Edge> edges) {
   map.bucket_starts.assign(map.size() + 1, 0);
   map.edges.reserve(edges.size());
   for (const Found& f : found) {
@@ -230,7 +230,7 @@ LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, cons
   std::vector<LandCoverIndex::Edge> edges;
   for (const std::uint32_t i : order) find_in_buckets(map, i, edges, found);
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.bucket < b.bucket; });
-  take(map, found, edges);
+  store_entries(map, found, edges);
   map.is_far = far_buckets(map);
   return map;
 }

@@ -16,7 +16,9 @@
 namespace citykiln::ground {
 namespace {
 
-double area_m2(std::int64_t twice_steps) { return static_cast<double>(twice_steps) / 2 * kQuantum_m * kQuantum_m; }
+double area_of_steps_m2(std::int64_t twice_steps) {
+  return static_cast<double>(twice_steps) / 2 * kQuantum_m * kQuantum_m;
+}
 
 // Regions while some are merged into others.
 struct MergingRegions {
@@ -25,7 +27,7 @@ struct MergingRegions {
   std::vector<Region> regions;
 };
 
-Delaunay triangulated(std::span<const Border> borders) {
+Delaunay triangulate_borders(std::span<const Border> borders) {
   const std::vector<GridPoint> vertices = ends_of(borders);
   const auto number = [&](GridPoint p) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, p) - vertices.begin());
@@ -66,7 +68,7 @@ Region region_from(Regions& all, std::span<const Border> borders, std::uint32_t 
       open.push_back(beyond);
     }
   }
-  region.own_m2 = area_m2(region.twice_area);
+  region.own_m2 = area_of_steps_m2(region.twice_area);
   return region;
 }
 
@@ -185,7 +187,8 @@ double region_bound_m(const MergingRegions& all, std::uint32_t region, double en
   const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
   for (const BorderEnd& piece : border) perimeter_m += distance(place(piece.vertex), place(piece.other)) / 2;
   // a band along the border covers at most its width times its length
-  if (area_m2(all.regions[region].twice_area) > perimeter_m * enough_m) return std::numeric_limits<double>::infinity();
+  if (area_of_steps_m2(all.regions[region].twice_area) > perimeter_m * enough_m)
+    return std::numeric_limits<double>::infinity();
   double reach_m = 0;
   for (const std::uint32_t f : all.regions[region].faces) {
     reach_m = std::max(reach_m, face_bound_m(all, border, region, f, enough_m));
@@ -263,7 +266,7 @@ std::vector<Border> borders_left(const MergingRegions& all) {
 Regions regions_between(std::span<const Border> borders) {
   std::vector<Border> sorted(borders.begin(), borders.end());
   std::ranges::sort(sorted, is_before);
-  Regions all{triangulated(sorted), {}, {}};
+  Regions all{triangulate_borders(sorted), {}, {}};
   all.of_face.assign(all.net.faces().size(), kNoFace);
   for (std::uint32_t f = 0; f < all.of_face.size(); ++f)
     if (all.of_face[f] == kNoFace) all.regions.push_back(region_from(all, sorted, f));

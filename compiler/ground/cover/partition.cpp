@@ -31,7 +31,7 @@ std::vector<WindingStep> windings_at(const NearbyCover& layers, Vec2 p) {
   return windings;
 }
 
-Delaunay triangulated(const Arrangement& arrangement) {
+Delaunay triangulate_arrangement(const Arrangement& arrangement) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const ArrangedEdge& e : arrangement.edges) edges.emplace_back(e.a, e.b);
   return Delaunay(arrangement.vertices, edges);
@@ -90,11 +90,6 @@ bool is_near(std::span<const GridPoint> joints, GridPoint p) {
   });
 }
 
-bool is_on_border(GridPoint p, const Box2& cell) {
-  const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
-  return p.x == min.x || p.x == max.x || p.y == min.y || p.y == max.y;
-}
-
 // Returns whether the segment's box touches the border or comes within kNearSteps of it.
 bool comes_near_border(GridPoint a, GridPoint b, const Box2& cell) {
   const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
@@ -110,7 +105,7 @@ bool is_on_rim(GridPoint a, GridPoint b, const Box2& cell) {
 }
 
 // Returns a strip beyond the cell's border, a metre wide, that reaches past both ends of an edge there.
-Box2 beyond(GridPoint a, GridPoint b, const Box2& cell) {
+Box2 strip_beyond(GridPoint a, GridPoint b, const Box2& cell) {
   const Vec2 low = plane_point(a), high = plane_point(b);
   const Vec2 min{std::floor(low.x) - 1, std::floor(low.y) - 1}, max{std::ceil(high.x) + 1, std::ceil(high.y) + 1};
   if (low.x == high.x)
@@ -157,7 +152,7 @@ Partition partition_all_rings(const NearbyCover& layers, std::span<const std::pa
   const auto line_owner = static_cast<std::uint32_t>(layers.order.size());
   for (const auto& [a, b] : lines) segments.push_back({a, b, line_owner, 1});
   Arrangement arrangement = arrange(segments, points, cell);
-  Delaunay triangulation = triangulated(arrangement);
+  Delaunay triangulation = triangulate_arrangement(arrangement);
   const LabelledFace known = known_face(triangulation, layers);
   std::vector<std::uint32_t> top = label_faces(triangulation, arrangement, known, ranks_of(line_owner + 1));
   for (std::uint32_t& owner : top) owner = owner >= line_owner ? kNoLandCover : layers.order[owner];
@@ -193,7 +188,7 @@ std::vector<CellBorderPiece> cell_border_pieces(const NearbyCover& layers,
     // lines have the last owner
     const auto is_of_ring = [&](const WindingStep& step) { return step.owner < layers.order.size(); };
     if (!is_on_rim(a, b, cell) || std::ranges::none_of(steps, is_of_ring)) continue;
-    const Partition strip = partition_all_rings(layers, lines, places, beyond(a, b, cell));
+    const Partition strip = partition_all_rings(layers, lines, places, strip_beyond(a, b, cell));
     const std::uint32_t face = outer_face(
         strip.triangulation, [&](GridPoint p, GridPoint q) { return std::minmax(p, q) == std::minmax(a, b); });
     if (face != kNoFace) pieces.push_back({a, b, strip.face_cover[face]});
@@ -245,7 +240,7 @@ std::optional<Partition> partition_of_borders(std::span<const Border> borders, s
   std::optional<Arrangement> arrangement =
       rounding == Rounding::kNone ? arrange_exactly(segments, points, cell) : arrange_inside(segments, points, cell);
   if (!arrangement) return std::nullopt;
-  Delaunay triangulation = triangulated(*arrangement);
+  Delaunay triangulation = triangulate_arrangement(*arrangement);
   const GridPoint corner = grid_point(cell.min);
   const std::uint32_t corner_face =
       outer_face(triangulation, [&](GridPoint from, GridPoint to) { return from == corner && to.y == corner.y; });

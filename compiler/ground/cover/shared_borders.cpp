@@ -19,7 +19,8 @@ struct OwnedEdge {
   auto operator<=>(const OwnedEdge&) const = default;
 };
 
-std::vector<OwnedEdge> edges_of(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members) {
+std::vector<OwnedEdge> owned_edges_of(std::span<const LandCoverPolygon> surfaces,
+                                      std::span<const std::uint32_t> members) {
   std::vector<OwnedEdge> edges;
   for (std::uint32_t m = 0; m < members.size(); ++m)
     for (const Ring& ring : surfaces[members[m]].rings)
@@ -62,7 +63,7 @@ void add_pairs_by_overlap(std::span<const LandCoverPolygon> surfaces, std::span<
 }  // namespace
 
 std::vector<Edge> edges_between(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members) {
-  const std::vector<OwnedEdge> edges = edges_of(surfaces, members);
+  const std::vector<OwnedEdge> edges = owned_edges_of(surfaces, members);
   std::vector<Edge> between;
   for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
     bool up = false, down = false;
@@ -75,7 +76,7 @@ std::vector<Edge> edges_between(std::span<const LandCoverPolygon> surfaces, std:
 
 std::vector<Pair> shared_borders(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members) {
   std::vector<Pair> pairs;
-  add_pairs_by_edge(edges_of(surfaces, members), pairs);
+  add_pairs_by_edge(owned_edges_of(surfaces, members), pairs);
   add_pairs_by_overlap(surfaces, members, pairs);
   sort_unique(pairs);
   return pairs;

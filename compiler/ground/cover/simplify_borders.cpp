@@ -80,7 +80,7 @@ struct Run {
 };
 
 // A blocked vertex and the number of its look then.
-struct Waiting {
+struct BlockedVertex {
   std::uint32_t vertex, look;
 };
 
@@ -91,8 +91,8 @@ struct Net {
   std::vector<Run> runs;
   std::vector<std::uint32_t> starts, incident;  // per vertex the runs that end there
   std::vector<bool> may_go, is_gone;
-  std::vector<std::uint32_t> looks;               // how often each vertex was looked at; earlier looks are stale
-  std::vector<std::vector<Waiting>> waiting_for;  // per vertex those that it blocks
+  std::vector<std::uint32_t> looks;                     // how often each vertex was looked at; earlier looks are stale
+  std::vector<std::vector<BlockedVertex>> waiting_for;  // per vertex those that it blocks
   PointBuckets buckets;
   double tolerance = 0;  // grid steps
 
@@ -102,12 +102,12 @@ struct Net {
 };
 
 // A vertex that may be removed, and the error that its removal would make.
-struct Candidate {
+struct VertexRemoval {
   double error;
   std::uint32_t vertex, look;
-  bool operator<(const Candidate& o) const { return std::tie(error, vertex) > std::tie(o.error, o.vertex); }
+  bool operator<(const VertexRemoval& o) const { return std::tie(error, vertex) > std::tie(o.error, o.vertex); }
 };
-using Queue = std::priority_queue<Candidate>;
+using Queue = std::priority_queue<VertexRemoval>;
 
 void link_runs(Net& net) {
   net.starts.assign(net.vertices.size() + 1, 0);
@@ -250,7 +250,7 @@ SimplifiedBorders simplify_borders(std::span<const Border> borders, double toler
   Queue queue;
   for (std::uint32_t v = 0; v < net.vertices.size(); ++v) look_at(net, queue, v);
   while (!queue.empty()) {
-    const Candidate least = queue.top();
+    const VertexRemoval least = queue.top();
     queue.pop();
     const std::uint32_t v = least.vertex;
     if (net.is_gone[v] || net.looks[v] != least.look) continue;
@@ -260,7 +260,7 @@ SimplifiedBorders simplify_borders(std::span<const Border> borders, double toler
     leave_out(net, v, least.error);
     look_at(net, queue, a);
     look_at(net, queue, b);
-    for (const Waiting& waiting : net.waiting_for[v])
+    for (const BlockedVertex& waiting : net.waiting_for[v])
       if (net.looks[waiting.vertex] == waiting.look) look_at(net, queue, waiting.vertex);
   }
   return borders_of(net);

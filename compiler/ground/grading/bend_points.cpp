@@ -58,21 +58,21 @@ bool crosses_cells(Vec2 a, Vec2 b) {
 }
 
 // A place on a line.
-struct Station {
+struct LinePlace {
   Vec2 at;
   Heights grading;
 };
 
 // Adds points by halving the line where its middle is off.
-void add_bends(GradedHeights& heights, const SplitLimits& limits, const Station& a, const Station& b,
-               std::vector<Vec2>& bends) {
+void add_bends_between(GradedHeights& heights, const SplitLimits& limits, const LinePlace& a, const LinePlace& b,
+                       std::vector<Vec2>& bends) {
   if (distance(a.at, b.at) < limits.shortest_m) return;
   const Vec2 p = snapped((a.at + b.at) * 0.5);
-  const Station middle{p, grading_at(heights, p)};
+  const LinePlace middle{p, grading_at(heights, p)};
   if (error_m(a.grading, b.grading, middle.grading, 0.5) <= limits.error_m) return;
-  add_bends(heights, limits, a, middle, bends);
+  add_bends_between(heights, limits, a, middle, bends);
   bends.push_back(middle.at);
-  add_bends(heights, limits, middle, b, bends);
+  add_bends_between(heights, limits, middle, b, bends);
 }
 
 // The joints between pieces, each sampled at most once.
@@ -108,7 +108,7 @@ PieceBends bends_of_piece(Joints& joints, int i) {
   const Vec2 a = pieces.joint(i), b = pieces.joint(i + 1);
   if (pieces.count > 1) bends_here.first = bends_here.last = crosses_cells(a, b);
   if (!has_grading(joints.heights.graded(), pieces.box(i))) return bends_here;
-  add_bends(joints.heights, joints.limits, {a, joints.at(i)}, {b, joints.at(i + 1)}, bends_here.between);
+  add_bends_between(joints.heights, joints.limits, {a, joints.at(i)}, {b, joints.at(i + 1)}, bends_here.between);
   bends_here.first |= !bends_here.between.empty() || joints.is_bent(i);
   bends_here.last |= !bends_here.between.empty() || joints.is_bent(i + 1);
   return bends_here;

@@ -17,7 +17,7 @@ namespace {
 constexpr double kCorner_m = 12;
 
 // Buckets of the index that says where there is water near.
-constexpr double kBucket_m = 64;
+constexpr double kShoreBucket_m = 64;
 
 // Buckets of the distance indices: about as wide as the distances asked for.
 constexpr double kNearBucket_m = 12;
@@ -39,12 +39,12 @@ struct Bounds {
 
 // The land at a distance from an edge may differ from it by this much: the slope, or steeper where that would not meet
 // the terrain within kGrading_m.
-double rise_m(double slope, double away_m, double to_terrain_m) {
+double bank_rise_m(double slope, double away_m, double to_terrain_m) {
   return std::max(slope * away_m, std::abs(to_terrain_m) * (away_m / kGrading_m));
 }
 
 // A bank is raised to carry what lies above, but stands no steeper than a wall over what lies below.
-double within(const Bounds& bounds, double terrain_m) {
+double within_bounds(const Bounds& bounds, double terrain_m) {
   return std::min(std::max(std::min(terrain_m, bounds.most_m), bounds.least_m), bounds.wall_m);
 }
 
@@ -59,10 +59,10 @@ double corner_m(const GradedTerrain& graded, std::span<const RoadInfluence> infl
 
 // Keeps the land between the slopes that start at a height, `away_m` away.
 void bound_by_slopes(Bounds& bounds, double z_m, double away_m, double terrain_m) {
-  const double earth_m = rise_m(kEarthSlope, away_m, terrain_m - z_m);
+  const double earth_m = bank_rise_m(kEarthSlope, away_m, terrain_m - z_m);
   bounds.least_m = std::max(bounds.least_m, z_m - earth_m);
   bounds.most_m = std::min(bounds.most_m, z_m + earth_m);
-  bounds.wall_m = std::min(bounds.wall_m, z_m + rise_m(kWallSlope, away_m, terrain_m - z_m));
+  bounds.wall_m = std::min(bounds.wall_m, z_m + bank_rise_m(kWallSlope, away_m, terrain_m - z_m));
 }
 
 // The land over a bore is not cut down to the road that leads into it.
@@ -87,13 +87,13 @@ void bound_by_roads(Bounds& bounds, std::span<const RoadInfluence> influences, d
 }
 
 // 1 up to kGrading_m / 2, then falls linearly to 0 at kGrading_m.
-double share_of(double away_m) { return std::min(1.0, (kGrading_m - away_m) / (kGrading_m / 2)); }
+double grading_share(double away_m) { return std::min(1.0, (kGrading_m - away_m) / (kGrading_m / 2)); }
 
 // The weight of roads against the land at a place.
 double road_share(std::span<const RoadInfluence> influences) {
   double nearest_m = kGrading_m;
   for (const RoadInfluence& s : influences) nearest_m = std::min(nearest_m, s.beyond_m);
-  return share_of(nearest_m);
+  return grading_share(nearest_m);
 }
 
 // The height of the nearest water and the distance to its shore.
@@ -174,7 +174,7 @@ GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts
   graded.paved = paved_of(parts.surfaces), graded.wet = wet_of(parts);
   graded.paved_index = index_land_cover(graded.paved, influenced, kNearBucket_m);
   graded.wet_index = index_land_cover(graded.wet, influenced, kNearBucket_m);
-  graded.shores = grid_of(reaches_of(graded.wet), kBucket_m);
+  graded.shores = grid_of(reaches_of(graded.wet), kShoreBucket_m);
   return graded;
 }
 
@@ -188,9 +188,9 @@ HeightSample sample_heights(const GradedTerrain& graded, Vec2 p) {
     return {{terrain_m, terrain_m, terrain_m, terrain_m}, terrain_m};
   const RoadHeight road = influences.empty() ? RoadHeight{terrain_m, 0} : blend(influences);
   const Bounds bounds = bounds_at(graded, influences, road, water, p, terrain_m);
-  const double land_m = within(bounds, terrain_m);
+  const double land_m = within_bounds(bounds, terrain_m);
   const double share = road_share(influences), road_m = land_m + (road.z_m - land_m) * share;
-  const double water_m = water ? land_m + (water->z_m - land_m) * share_of(water->shore_m) : land_m;
+  const double water_m = water ? land_m + (water->z_m - land_m) * grading_share(water->shore_m) : land_m;
   return {{land_m, road_m, road_m - road.kerb_m * share, water_m}, terrain_m};
 }
 

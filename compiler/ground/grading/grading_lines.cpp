@@ -103,12 +103,12 @@ Vec2 on_axis(const GradedSegment& s, double at_m) {
 }
 
 // Where a line across the road leaves it; `out` is a step of one metre.
-struct Edge {
+struct RoadEdge {
   Vec2 at, out;
   double z_m = 0;
 };
 
-std::array<Edge, 2> edges_at(const GradedTerrain& graded, const GradedSegment& s, double at_m) {
+std::array<RoadEdge, 2> edges_at(const GradedTerrain& graded, const GradedSegment& s, double at_m) {
   const Vec2 left = left_of(unit(s.to - s.from));
   const Vec2 axis = on_axis(s, at_m);
   const Knot knot = knot_at(graded.roads.profiles[s.road], at_m);
@@ -119,7 +119,7 @@ std::array<Edge, 2> edges_at(const GradedTerrain& graded, const GradedSegment& s
 // Returns the feet of both banks.
 std::array<Vec2, 2> feet_at(const GradedTerrain& graded, const GradedSegment& s, double at_m) {
   std::array<Vec2, 2> feet;
-  const std::array<Edge, 2> edges = edges_at(graded, s, at_m);
+  const std::array<RoadEdge, 2> edges = edges_at(graded, s, at_m);
   for (std::size_t side = 0; side < 2; ++side) {
     const auto& [at, out, z_m] = edges[side];
     feet[side] = at + out * foot_m(graded.terrain, at, out, z_m);
@@ -128,7 +128,7 @@ std::array<Vec2, 2> feet_at(const GradedTerrain& graded, const GradedSegment& s,
 }
 
 // Returns whether a road lower than the edge by kMinWall_m is within kWallFoot_m.
-bool has_wall(const GradedTerrain& graded, const Edge& edge) {
+bool has_wall(const GradedTerrain& graded, const RoadEdge& edge) {
   std::array<std::byte, 4096> room;
   std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
   const Vec2 foot = edge.at + edge.out * kWallFoot_m;
@@ -141,7 +141,7 @@ bool has_wall(const GradedTerrain& graded, const Edge& edge) {
 // Adds the top and the foot of walls towards lower roads.
 void add_wall_lines(const GradedTerrain& graded, const GradedSegment& s, double from_m, double to_m,
                     std::vector<Line>& lines) {
-  const std::array<Edge, 2> from = edges_at(graded, s, from_m), to = edges_at(graded, s, to_m);
+  const std::array<RoadEdge, 2> from = edges_at(graded, s, from_m), to = edges_at(graded, s, to_m);
   for (std::size_t side = 0; side < 2; ++side) {
     if (!has_wall(graded, from[side]) && !has_wall(graded, to[side])) continue;
     for (const double away_m : {kWallTop_m, kWallFoot_m})

@@ -9,22 +9,22 @@ namespace citykiln::ground {
 namespace {
 
 // About the influence radius of a road of two lanes: few segments per bucket.
-constexpr double kBucket_m = 32;
+constexpr double kRoadBucket_m = 32;
 // Buckets of the index that each sample looks into: small for tiles, which are sampled densely.
 double near_bucket_m(const Box2& box) {
   constexpr double kTile_m = 4096, kNearBucket_m = 8;
-  return std::max(box.width(), box.height()) <= kTile_m ? kNearBucket_m : kBucket_m;
+  return std::max(box.width(), box.height()) <= kTile_m ? kNearBucket_m : kRoadBucket_m;
 }
 
-// Roads whose heights differ by less than kAlike_m are blended; from kApart_m on the higher one keeps its height to its
-// edge.
-constexpr double kAlike_m = 0.0625, kApart_m = 0.5;
+// Roads whose heights differ by less than kAlike_m are blended; from kParted_m on the higher one keeps its height to
+// its edge.
+constexpr double kAlike_m = 0.0625, kParted_m = 0.5;
 
 // Beyond all edges the weight falls with the cube of the distance, so the nearest road dominates; on a road this term
 // is negligible.
 constexpr double kFarWeight = 0.002, kNearest_m = 0.25;
 
-bool is_graded(const roads::Road& road, double kerb_m) { return !road.profile.empty() || kerb_m > 0; }
+bool has_graded_height(const roads::Road& road, double kerb_m) { return !road.profile.empty() || kerb_m > 0; }
 
 double kerb_of(const roads::Road& road) {
   return roads::raised_left_m(road) > 0 || roads::raised_right_m(road) > 0 ? kKerbRise_m : 0;
@@ -47,16 +47,16 @@ void add_segments(const roads::Road& road, double kerb_m, RoadInfluenceIndex& fi
   field.profiles.push_back(road.profile);
 }
 
-double reach_m(const GradedSegment& s) { return std::max(s.left_m, s.right_m) + kGrading_m; }
+double segment_reach_m(const GradedSegment& s) { return std::max(s.left_m, s.right_m) + kGrading_m; }
 
-Box2 reach_of(const GradedSegment& s) { return box_of(std::array{s.from, s.to}).widened(reach_m(s)); }
+Box2 reach_of(const GradedSegment& s) { return box_of(std::array{s.from, s.to}).widened(segment_reach_m(s)); }
 
 // Returns false only where no place of the box is within the segment's influence.
 bool may_reach(const GradedSegment& s, const Box2& box) {
   const Vec2 along = s.to - s.from, centre = box.centre();
   const double t = std::clamp(dot(centre - s.from, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
   constexpr double kSlack_m = 0x1p-10;
-  return distance(centre, s.from + along * t) <= reach_m(s) + distance(centre, box.max) + kSlack_m;
+  return distance(centre, s.from + along * t) <= segment_reach_m(s) + distance(centre, box.max) + kSlack_m;
 }
 
 SegmentLine line_of(const GradedSegment& s, const Profile& profile) {
@@ -118,8 +118,8 @@ void fill(RoadInfluence& influence, const RoadInfluenceIndex& field, const Segme
   influence.z_m = knot.z_m + knot.tilt * std::clamp(batch.aside_m[i], -s.right_m, s.left_m);
 }
 
-void take(std::pmr::vector<RoadInfluence>& influences, const RoadInfluenceIndex& field, SegmentBatch& batch, Vec2 p,
-          double terrain_m) {
+void take_batch(std::pmr::vector<RoadInfluence>& influences, const RoadInfluenceIndex& field, SegmentBatch& batch,
+                Vec2 p, double terrain_m) {
   batch.compute(p);
   for (std::size_t i = 0; i < batch.count; ++i)
     if (batch.beyond_m[i] < kGrading_m) fill(influences.emplace_back(), field, batch, i, terrain_m);
@@ -161,7 +161,7 @@ double share_where_parted(std::span<const RoadInfluence> influences, const RoadI
   if (left == 0) return kFarWeight;
   for (const RoadInfluence& other : influences)
     if (other.beyond_m < kWallFoot_m)
-      left *= 1 - inside(other) * share_between(kAlike_m, kApart_m, other.z_m - own.z_m);
+      left *= 1 - inside(other) * share_between(kAlike_m, kParted_m, other.z_m - own.z_m);
   return left + kFarWeight;
 }
 
@@ -171,13 +171,13 @@ RoadInfluenceIndex index_road_influence(std::span<const roads::Road> roads, bool
   RoadInfluenceIndex field;
   for (const roads::Road& road : roads) {
     const double kerb_m = has_kerbs ? kerb_of(road) : 0;
-    if (is_graded(road, kerb_m)) add_segments(road, kerb_m, field);
+    if (has_graded_height(road, kerb_m)) add_segments(road, kerb_m, field);
   }
   for (const GradedSegment& s : field.segments) {
     field.lines.push_back(line_of(s, field.profiles[s.road]));
     field.reaches.push_back(reach_of(s));
   }
-  field.grid = grid_of(field.reaches, kBucket_m);
+  field.grid = grid_of(field.reaches, kRoadBucket_m);
   field.near = grid_of(field.reaches, near_bucket_m(field.grid.box),
                        [&](std::uint32_t i, const Box2& bucket) { return may_reach(field.segments[i], bucket); });
   return field;
@@ -200,16 +200,16 @@ std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& fie
   for (const std::uint32_t i : near) {
     if (!field.reaches[i].contains(p)) continue;
     batch.add(field, i);
-    if (batch.count == SegmentBatch::kMost) take(influences, field, batch, p, terrain_m);
+    if (batch.count == SegmentBatch::kMost) take_batch(influences, field, batch, p, terrain_m);
   }
-  take(influences, field, batch, p, terrain_m);
+  take_batch(influences, field, batch, p, terrain_m);
   return influences;
 }
 
 RoadHeight blend(std::span<const RoadInfluence> influences) {
   assert(!influences.empty());
   const RoadHeight all = mean_of(influences, [](const RoadInfluence&) { return 1.0; });
-  const double parted = share_between(kAlike_m, kApart_m, spread_m(influences, all.z_m));
+  const double parted = share_between(kAlike_m, kParted_m, spread_m(influences, all.z_m));
   if (parted == 0) return all;
   return mean_of(influences,
                  [&](const RoadInfluence& s) { return 1 + (share_where_parted(influences, s) - 1) * parted; });

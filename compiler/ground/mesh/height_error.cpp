@@ -10,22 +10,18 @@ namespace citykiln::ground {
 namespace {
 
 // The whole steps strictly between two values, counted from `start`.
-struct Lines {
+struct StepRange {
   int first, last;
 };
-Lines lines_between(double low, double high, double start, double step) {
+StepRange steps_between(double low, double high, double start, double step) {
   return {static_cast<int>(std::floor((low - start) / step)) + 1,
           static_cast<int>(std::ceil((high - start) / step)) - 1};
-}
-
-void consider(WorstPoint& worst, double error_m, Vec2 at) {
-  if (error_m > worst.error_m) worst = {error_m, at};
 }
 
 // A family of parallel lines on which a linear function has the values start + k · step.
 struct Family {
   double start, step;
-  Lines inside;
+  StepRange inside;
 };
 
 // Evaluates crossings with one family; value_a and value_b are the function's at the ends.
@@ -33,7 +29,7 @@ void consider_crossings(WorstPoint& worst, const map::Heightfield& field, Vec3 a
                         double value_b, const Family& family) {
   if (value_a == value_b) return;
   const auto [start, step, inside] = family;
-  const Lines lines = lines_between(std::min(value_a, value_b), std::max(value_a, value_b), start, step);
+  const StepRange lines = steps_between(std::min(value_a, value_b), std::max(value_a, value_b), start, step);
   for (int k = std::max(lines.first, inside.first); k <= std::min(lines.last, inside.last); ++k) {
     const double t = (start + k * step - value_a) / (value_b - value_a);
     const Vec3 p = a + (b - a) * t;
@@ -86,8 +82,8 @@ WorstPoint worst_inside(const map::Heightfield& field, const std::array<Vec3, 3>
   WorstPoint worst;
   const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
   const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-  const Lines columns = lines_between(low_x, high_x, field.min.x, field.step_m.x);
-  const Lines rows = lines_between(low_y, high_y, field.min.y, field.step_m.y);
+  const StepRange columns = steps_between(low_x, high_x, field.min.x, field.step_m.x);
+  const StepRange rows = steps_between(low_y, high_y, field.min.y, field.step_m.y);
   const Vec2 u = in_plan(corners[1] - corners[0]), v = in_plan(corners[2] - corners[0]);
   const double area = cross(u, v);
   for (int j = std::max(rows.first, 0); j <= std::min(rows.last, field.rows - 1); ++j)

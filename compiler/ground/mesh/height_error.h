@@ -14,6 +14,11 @@ struct WorstPoint {
   Vec2 at;
 };
 
+/// Replaces the worst point by `at` if the error there is larger.
+inline void consider(WorstPoint& worst, double error_m, Vec2 at) {
+  if (error_m > worst.error_m) worst = {error_m, at};
+}
+
 /// Returns the largest error along an edge from a to b, without its ends. O(grid lines crossed).
 WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 

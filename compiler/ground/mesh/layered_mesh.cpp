@@ -14,10 +14,10 @@ constexpr double kHighestKerb_m = 0.3;
 // shorter than this gets a wall of full height: an opening there would be a gap between tiles.
 constexpr double kShortestMouth_m = 0.1;
 
-constexpr std::uint32_t kNoVertex = 0xffffffffu;
+constexpr std::uint32_t kNoNumber = 0xffffffffu;
 using VertexByLayer = std::array<std::uint32_t, static_cast<std::size_t>(HeightLayer::kCount)>;
 
-struct Builder {
+struct LayeredMeshBuilder {
   const Refined& refined;
   GradedNormals& normals;
   std::span<const FaceHeight> surfaces;
@@ -44,10 +44,10 @@ struct Builder {
     std::uint32_t& number = numbers[v][static_cast<std::size_t>(height.layer)];
     const Vec3 p = place(v, height);
     // two waters may meet with a level each
-    if (number != kNoVertex && ground.mesh.positions[number] == p) return number;
+    if (number != kNoNumber && ground.mesh.positions[number] == p) return number;
     const Vec3 up = normal(v, height);
     for (const std::uint32_t other : numbers[v])
-      if (other != kNoVertex && ground.mesh.positions[other] == p && ground.mesh.normals[other] == up)
+      if (other != kNoNumber && ground.mesh.positions[other] == p && ground.mesh.normals[other] == up)
         return number = other;
     return number = add_vertex(p, up);
   }
@@ -160,8 +160,8 @@ GroundMesh layered_mesh(const Refined& refined, GradedNormals& normals, std::spa
                         std::span<const CellBorderPiece> cell_border) {
   assert(refined.heights.size() == refined.triangulation.vertices().size());
   VertexByLayer none;
-  none.fill(kNoVertex);
-  Builder builder{refined, normals, surfaces, cell_border};
+  none.fill(kNoNumber);
+  LayeredMeshBuilder builder{refined, normals, surfaces, cell_border};
   builder.numbers.assign(refined.triangulation.vertices().size(), none);
   const auto faces = static_cast<std::uint32_t>(refined.triangulation.faces().size());
   for (std::uint32_t f = 0; f < faces; ++f) builder.add_face(f);

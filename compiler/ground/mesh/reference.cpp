@@ -63,14 +63,14 @@ double share_along(FinePoint a, FinePoint b, FinePoint p) {
               : static_cast<double>(p.y - a.y) / static_cast<double>(b.y - a.y);
 }
 
-double between(double from, double to, double share) { return from + (to - from) * share; }
+double value_between(double from, double to, double share) { return from + (to - from) * share; }
 
 double height_on_edge(const Reference& reference, std::uint32_t u, std::uint32_t v, FinePoint p, HeightLayer layer) {
   const auto& vertices = reference.triangulation.vertices();
   // from the lower end, so that both directions give the same bits
   if (vertices[v] < vertices[u]) std::swap(u, v);
   const double share = share_along(fine_point(vertices[u]), fine_point(vertices[v]), p);
-  return between(height_of(reference, u, layer), height_of(reference, v, layer), share);
+  return value_between(height_of(reference, u, layer), height_of(reference, v, layer), share);
 }
 
 double height_inside(const Reference& reference, const DelaunayFace& face, FinePoint p, HeightLayer layer) {
@@ -86,10 +86,6 @@ double height_inside(const Reference& reference, const DelaunayFace& face, FineP
          t * (height_of(reference, face.vertices[2], layer) - z);
 }
 
-void consider(WorstPoint& worst, double error_m, Vec2 at) {
-  if (error_m > worst.error_m) worst = {error_m, at};
-}
-
 // An edge of a mesh with its ends on the grid.
 struct MeshEdge {
   Vec3 a, b;
@@ -100,7 +96,8 @@ void consider_vertex(WorstPoint& worst, const Reference& reference, const MeshEd
                      HeightLayer layer) {
   const GridPoint place = reference.triangulation.vertices()[v];
   const double share = share_along(fine_point(edge.from), fine_point(edge.to), fine_point(place));
-  consider(worst, std::abs(between(edge.a.z, edge.b.z, share) - height_of(reference, v, layer)), plane_point(place));
+  consider(worst, std::abs(value_between(edge.a.z, edge.b.z, share) - height_of(reference, v, layer)),
+           plane_point(place));
 }
 
 void consider_crossing(WorstPoint& worst, const Reference& reference, const MeshEdge& edge, WalkStep met,
@@ -111,12 +108,12 @@ void consider_crossing(WorstPoint& worst, const Reference& reference, const Mesh
   const std::int64_t from_p = turn(edge.from, edge.to, p), from_q = turn(edge.from, edge.to, q);
   const double along_edge = static_cast<double>(from_a) / static_cast<double>(from_a - from_b);
   const double along_met = static_cast<double>(from_p) / static_cast<double>(from_p - from_q);
-  const double z = between(height_of(reference, met.p, layer), height_of(reference, met.q, layer), along_met);
-  consider(worst, std::abs(between(edge.a.z, edge.b.z, along_edge) - z),
+  const double z = value_between(height_of(reference, met.p, layer), height_of(reference, met.q, layer), along_met);
+  consider(worst, std::abs(value_between(edge.a.z, edge.b.z, along_edge) - z),
            in_plan(edge.a + (edge.b - edge.a) * along_edge));
 }
 
-bool is_on_border(const Box2& cell, Vec3 a, Vec3 b) {
+bool lies_along_border(const Box2& cell, Vec3 a, Vec3 b) {
   return (a.x == b.x && (a.x == cell.min.x || a.x == cell.max.x)) ||
          (a.y == b.y && (a.y == cell.min.y || a.y == cell.max.y));
 }
@@ -147,7 +144,7 @@ double height_in_face(const Reference& reference, const DelaunayFace& face, InFa
 using Areas = std::array<std::int64_t, 3>;
 
 // A triangle in plan with the plane through its corners.
-struct Plane {
+struct TrianglePlane {
   std::array<GridPoint, 3> corners;
   std::array<Vec3, 3> heights;
 
@@ -235,13 +232,13 @@ WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, Heigh
 }
 
 WorstPoint worst_on_shared_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer) {
-  const bool is_of_terrain = reference.terrain != nullptr && is_on_border(reference.cell, a.at, b.at);
+  const bool is_of_terrain = reference.terrain != nullptr && lies_along_border(reference.cell, a.at, b.at);
   return is_of_terrain ? worst_on_straight_edge(*reference.terrain, a.at, b.at) : worst_on_edge(reference, a, b, layer);
 }
 
 WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& corners, HeightLayer layer) {
   if (reference.terrain != nullptr) return worst_inside(*reference.terrain, corners);
-  Plane plane{{}, corners};
+  TrianglePlane plane{{}, corners};
   for (int i = 0; i < 3; ++i) plane.corners[i] = grid_point(in_plan(corners[i]));
   const auto& vertices = reference.triangulation.vertices();
   WorstPoint worst;

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "compiler/contract/erase_repeated.h"
+#include "compiler/ground/cover/border.h"
 
 namespace citykiln::ground {
 namespace {
@@ -27,11 +28,6 @@ bool overlap(const Corners& one, const Corners& other) {
   return !is_separated(one, other) && !is_separated(other, one);
 }
 
-bool is_on_border(GridPoint p, const Box2& cell) {
-  const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
-  return p.x == min.x || p.x == max.x || p.y == min.y || p.y == max.y;
-}
-
 // Returns where an edge towards `other` starts: at its end, or before it on a border that must get no vertex there.
 GridPoint start_of(GridPoint end, GridPoint other, const Box2& cell, std::span<const GridPoint> kept) {
   if (!is_on_border(end, cell) || std::ranges::binary_search(kept, end)) return end;
@@ -41,7 +37,8 @@ GridPoint start_of(GridPoint end, GridPoint other, const Box2& cell, std::span<c
 
 // Adds an edge, shortened where it may not reach the border; left out if nothing remains, or if the grid moves the
 // shortened end back onto the border.
-void add_edge(GridPoint a, GridPoint b, const Box2& cell, std::span<const GridPoint> kept, std::vector<Line>& edges) {
+void add_shortened_edge(GridPoint a, GridPoint b, const Box2& cell, std::span<const GridPoint> kept,
+                        std::vector<Line>& edges) {
   const GridPoint from = start_of(a, b, cell, kept), to = start_of(b, a, cell, kept);
   const bool is_long = distance(plane_point(a), plane_point(b)) > 3 * kFromBorder_m;
   const auto is_good = [&](GridPoint end, GridPoint start) {
@@ -63,7 +60,7 @@ std::vector<Line> edges_about(const Reference& reference, std::span<const Corner
     if (std::ranges::none_of(triangles, [&](const Corners& triangle) { return overlap(corners, triangle); })) continue;
     for (int i = 0; i < 3; ++i)
       if (face.neighbours[i] != kNoFace)
-        add_edge(corners[(i + 1) % 3], corners[(i + 2) % 3], reference.cell, kept, edges);
+        add_shortened_edge(corners[(i + 1) % 3], corners[(i + 2) % 3], reference.cell, kept, edges);
   }
   sort_unique(edges);
   return edges;

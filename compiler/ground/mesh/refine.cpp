@@ -231,22 +231,22 @@ struct Growing {
   }
 };
 
-struct Waiting {
+struct UnsettledFace {
   double error_m;
   std::uint32_t face;
-  bool operator<(const Waiting& o) const { return std::tie(error_m, face) < std::tie(o.error_m, o.face); }
+  bool operator<(const UnsettledFace& o) const { return std::tie(error_m, face) < std::tie(o.error_m, o.face); }
 };
 
 // Handles the worst face first, until none is off by more than the tolerance or nothing helps.
 void grow(Growing& growing, double tolerance_m) {
-  std::priority_queue<Waiting> waiting;
+  std::priority_queue<UnsettledFace> waiting;
   const auto measure = [&](std::uint32_t f) {
     growing.measure(f);
     if (growing.errors[f].reducible.error_m > tolerance_m) waiting.push({growing.errors[f].reducible.error_m, f});
   };
   for (std::uint32_t f = 0; f < growing.errors.size(); ++f) measure(f);
   while (!waiting.empty()) {
-    const Waiting worst = waiting.top();
+    const UnsettledFace worst = waiting.top();
     waiting.pop();
     // stale: measured again since
     if (growing.errors[worst.face].reducible.error_m != worst.error_m) continue;

@@ -17,7 +17,7 @@ struct Point {
   std::uint32_t face;  // of the reference
 };
 
-Point point_at(const Reference& reference, GridPoint at) {
+Point reference_point_at(const Reference& reference, GridPoint at) {
   const Place place = place_at(reference, plane_point(at));
   return {at, snapped_heights(reference, place), place.face};
 }
@@ -67,7 +67,7 @@ void split_edge(const Reference& reference, const Point& a, const Point& b, cons
                 std::vector<GridPoint>& points) {
   const WorstPoint worst = worst_of(reference, a, b, following.layers);
   if (worst.error_m <= following.tolerance_m) return;
-  const Point middle = point_at(reference, following.range.nearest(worst.at));
+  const Point middle = reference_point_at(reference, following.range.nearest(worst.at));
   if (middle.at == a.at || middle.at == b.at) return;
   points.push_back(middle.at);
   split_edge(reference, a, middle, following, points);
@@ -77,7 +77,8 @@ void split_edge(const Reference& reference, const Point& a, const Point& b, cons
 // Returns the border's points from the lower end to the upper.
 std::vector<GridPoint> path_of(const Reference& reference, const Border& border, const Following& following) {
   std::vector<GridPoint> path = {border.a, border.b};
-  split_edge(reference, point_at(reference, border.a), point_at(reference, border.b), following, path);
+  split_edge(reference, reference_point_at(reference, border.a), reference_point_at(reference, border.b), following,
+             path);
   const auto along = [&](GridPoint p) {
     return (p.x - border.a.x) * (border.b.x - border.a.x) + (p.y - border.a.y) * (border.b.y - border.a.y);
   };

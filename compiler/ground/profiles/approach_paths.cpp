@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <span>
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/ramp_shape.h"
 
 namespace citykiln::ground {
 namespace {
 
 using map::Track;
-
-constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
 bool may_merge(const Track& track) {
   return track.passage == map::Passage::kGround && !is_graded(track.surface) &&

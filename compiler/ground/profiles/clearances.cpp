@@ -14,8 +14,6 @@ namespace {
 
 using map::Passage;
 
-/// Smaller shortfalls are ignored.
-constexpr double kMinShortfall_m = 0.01;
 /// A crossing that was cleared and lost up to this to a neighbour is cleared once more.
 constexpr double kMaxSecondLift_m = 2;
 
@@ -24,7 +22,7 @@ constexpr double kMaxSecondLift_m = 2;
 enum class Mover { kTunnels, kBridges, kTunnelsUnderBridges, kPaths };
 
 // A place of a way that must rise.
-struct Push {
+struct RampPush {
   std::uint32_t way = 0;
   double at_m = 0, shortfall_m = 0, half_width_m = 0;
 };
@@ -49,8 +47,8 @@ struct Clearer {
   std::vector<double> floors();
   std::vector<double> covers(const map::Heightfield& heights) const;
   void sink(std::span<const double> floor_m, std::span<const double> cover_m);
-  void push_up(std::span<const Push> pushes, std::span<const double> cap_m);
-  void push_down(const std::vector<Push>& pushes);
+  void push_up(std::span<const RampPush> pushes, std::span<const double> cap_m);
+  void push_down(const std::vector<RampPush>& pushes);
   std::vector<int> storeys(Mover mover) const;
   bool moves(const Crossing& c, Mover mover) const;
   void make_room(Mover mover);
@@ -123,9 +121,9 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
 
 // Raises everything connected to the places by ramps, for a path nothing but paths. On a slope a ramp is as steep as
 // allowed, or, where it has risen less than the slope, falls towards it at half its grade, so that it ends.
-void Clearer::push_up(std::span<const Push> pushes, std::span<const double> cap_m) {
+void Clearer::push_up(std::span<const RampPush> pushes, std::span<const double> cap_m) {
   std::vector<double> up_m(z_m.size(), -kFar_m);
-  for (const Push& push : pushes) {
+  for (const RampPush& push : pushes) {
     const GraphWay& way = graph.ways[push.way];
     const double top_m = height_along(graph, way, z_m, push.at_m) + push.shortfall_m;
     const double rise_m = top_m - height_along(graph, way, start_m, push.at_m);
@@ -148,9 +146,9 @@ void Clearer::push_up(std::span<const Push> pushes, std::span<const double> cap_
     if (up_m[n] > z_m[n] - kFoot_m) z_m[n] = std::min(soft_max(z_m[n], up_m[n]), std::max(z_m[n], cap_m[n]));
 }
 
-void Clearer::push_down(const std::vector<Push>& pushes) {
-  std::vector<Push> of_access, of_others;
-  for (const Push& push : pushes)
+void Clearer::push_down(const std::vector<RampPush>& pushes) {
+  std::vector<RampPush> of_access, of_others;
+  for (const RampPush& push : pushes)
     (is_access_road(graph.ways[push.way].track->surface) ? of_access : of_others).push_back(push);
   turn_over();
   push_up(of_others, lowering.of_others);
@@ -195,7 +193,7 @@ void Clearer::make_room(Mover mover) {
   const bool lifts = mover == Mover::kBridges;
   for (int round = 1; round <= kLiftRounds + 1; ++round) {
     const bool is_last = round > kLiftRounds;
-    std::vector<Push> pushes;
+    std::vector<RampPush> pushes;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       const Crossing& c = crossings[i];
       if (storey[i] == 0 || (!is_last && storey[i] != round)) continue;
@@ -203,8 +201,8 @@ void Clearer::make_room(Mover mover) {
           mover == Mover::kPaths ? kMaxPathLowering_m : kMaxLift_m + (storey[i] - 1) * kClearanceOverRail_m;
       const double shortfall_m = std::min(clearance_shortfall_m(graph, c, z_m), most_m);
       if (shortfall_m <= kMinShortfall_m || (is_last && shortfall_m > kMaxSecondLift_m)) continue;
-      pushes.push_back(lifts ? Push{c.upper, c.upper_at_m, shortfall_m, c.half_width_m}
-                             : Push{c.lower, c.lower_at_m, shortfall_m, c.half_width_m});
+      pushes.push_back(lifts ? RampPush{c.upper, c.upper_at_m, shortfall_m, c.half_width_m}
+                             : RampPush{c.lower, c.lower_at_m, shortfall_m, c.half_width_m});
     }
     if (pushes.empty()) continue;
     lifts ? push_up(pushes, raising_cap_m) : push_down(pushes);

@@ -32,14 +32,14 @@ double half_width_m(const Track& track) {
   return std::min(std::max(left_m, width_m - left_m), kWidest_m);
 }
 
-int layer_of(const Track& track) {
+int map_layer_of(const Track& track) {
   if (track.layer != 0 || track.passage == Passage::kGround) return track.layer;
   return track.passage == Passage::kBridge ? 1 : -1;
 }
 
 std::pair<int, int> rank_of(const Track& track) {
   if (track.passage == Passage::kGround) return {1, 0};
-  return {track.passage == Passage::kBridge ? 2 : 0, layer_of(track)};
+  return {track.passage == Passage::kBridge ? 2 : 0, map_layer_of(track)};
 }
 
 bool is_corridor(const Track& track) {
@@ -53,7 +53,7 @@ struct Segment {
   std::uint32_t way = kNone, path = kNone, stream = kNone;
 };
 
-constexpr double kBucket_m = 32;
+constexpr double kCrossingBucket_m = 32;
 
 // Boxes about lines off the ground: the rest of the map has no crossings.
 BoxGrid grid_of_off_ground(const ProfileGraph& graph) {
@@ -61,7 +61,7 @@ BoxGrid grid_of_off_ground(const ProfileGraph& graph) {
   for (const GraphWay& way : graph.ways)
     for (std::size_t i = 0; way.road == kNone && i + 1 < way.track->axis.size(); ++i)
       boxes.push_back(box_of(std::span(way.track->axis).subspan(i, 2)).widened(2 * kWidest_m));
-  return grid_of(boxes, kBucket_m);
+  return grid_of(boxes, kCrossingBucket_m);
 }
 
 // Returns the shares along ab and cd at which they cross, if they do.
@@ -130,7 +130,7 @@ struct Finder {
     }
     for (std::uint32_t i = 0; i < below.streams.size(); ++i)
       add_line(below.streams[i].axis, [&](Segment& s) { s.stream = i; });
-    grid = grid_of(boxes, kBucket_m);
+    grid = grid_of(boxes, kCrossingBucket_m);
   }
 
   double joining_m(const Leg& leg) const {
@@ -373,7 +373,7 @@ struct Finder {
 
 bool layers_contradict(const Track& upper, const Track& lower) {
   if (upper.passage == lower.passage && (upper.layer == 0 || lower.layer == 0)) return true;
-  return layer_of(upper) <= layer_of(lower);
+  return map_layer_of(upper) <= map_layer_of(lower);
 }
 
 double wanted_clearance_m(map::LandCoverClass upper, map::LandCoverClass lower) {

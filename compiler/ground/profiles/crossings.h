@@ -23,6 +23,8 @@ inline constexpr double kClearanceOverWater_m = 2, kRiver_m = 8, kClearanceOverD
 
 /// A smaller shortfall is ignored: the deck may be thinner by that.
 inline constexpr double kShortfallMargin_m = 0.25;
+/// Nothing moves for a shortfall up to this: it is rounding.
+inline constexpr double kMinShortfall_m = 0.01;
 
 /// Returns the clearance from surface to surface where one line passes over another, or over water of a width.
 double wanted_clearance_m(map::LandCoverClass upper, map::LandCoverClass lower);

@@ -16,8 +16,6 @@ namespace {
 
 using map::Passage;
 
-/// Smaller shortfalls are ignored.
-constexpr double kMinShortfall_m = 0.01;
 /// A ramp loses at least this against the heights given, where these are steeper than any ramp: so it ends.
 constexpr double kLeastFade = 0.01;
 
@@ -25,7 +23,7 @@ constexpr double kLeastFade = 0.01;
 enum class Upper { kBridges, kAll };
 
 // A place of a way that should rise, or fall.
-struct Push {
+struct UnitPush {
   std::uint32_t way = 0;
   double at_m = 0, by_m = 0;
 };
@@ -55,10 +53,10 @@ struct Enforcer {
   double move_m(const Crossing& c, std::uint32_t way, double at_m, int up) const;
   double cost_m(const Leg& leg, std::uint32_t from) const;
   void reach(std::uint32_t unit, double cost_there_m);
-  void spread(const Push& push, std::vector<double>& up_m);
+  void spread(const UnitPush& push, std::vector<double>& up_m);
   double room_m(std::uint32_t unit, std::span<const double> cap_m) const;
   void hold_back(std::span<const double> cap_m, std::vector<double>& by_m);
-  bool push_up(std::span<const Push> pushes, std::span<const double> cap_m);
+  bool push_up(std::span<const UnitPush> pushes, std::span<const double> cap_m);
   bool raise(Upper upper);
   bool lower();
 };
@@ -97,7 +95,7 @@ double Enforcer::cost_m(const Leg& leg, std::uint32_t from) const {
 
 // Spreads a push from its place outwards (Dijkstra 1959 on units), each unit keeping the greatest; that of a path not
 // to graded lines. One by which its place moves already needs no walk.
-void Enforcer::spread(const Push& push, std::vector<double>& up_m) {
+void Enforcer::spread(const UnitPush& push, std::vector<double>& up_m) {
   const auto starts = starts_about(graph, push.way, push.at_m);
   if (std::ranges::all_of(starts, [&](const auto& start) { return up_m[units.of[start.second]] >= push.by_m; })) return;
   const bool is_path = !is_graded(graph.ways[push.way].track->surface);
@@ -160,10 +158,10 @@ void Enforcer::hold_back(std::span<const double> cap_m, std::vector<double>& by_
 }
 
 // Moves units up by what they are pushed, below the caps of pinned nodes; returns whether any moved.
-bool Enforcer::push_up(std::span<const Push> pushes, std::span<const double> cap_m) {
+bool Enforcer::push_up(std::span<const UnitPush> pushes, std::span<const double> cap_m) {
   if (pushes.empty()) return false;
   std::vector<double> up_m(units.count(), -kFar_m);
-  for (const Push& push : pushes) spread(push, up_m);
+  for (const UnitPush& push : pushes) spread(push, up_m);
   for (double& by_m : up_m) by_m = by_m > -kFoot_m ? soft_max(0, by_m) : 0;
   hold_back(cap_m, up_m);
   bool has_moved = false;
@@ -176,7 +174,7 @@ bool Enforcer::push_up(std::span<const Push> pushes, std::span<const double> cap
 }
 
 bool Enforcer::raise(Upper upper) {
-  std::vector<Push> pushes;
+  std::vector<UnitPush> pushes;
   for (const Crossing& c : crossings) {
     if (!rises(c, upper)) continue;
     const double by_m = move_m(c, c.upper, c.upper_at_m, 1);
@@ -186,7 +184,7 @@ bool Enforcer::raise(Upper upper) {
 }
 
 bool Enforcer::lower() {
-  std::vector<Push> of_access, of_others;
+  std::vector<UnitPush> of_access, of_others;
   for (const Crossing& c : crossings) {
     if (!falls(c)) continue;
     const double by_m = move_m(c, c.lower, c.lower_at_m, -1);

@@ -9,7 +9,7 @@
 namespace citykiln::ground {
 namespace {
 
-struct Plane {
+struct FittedPlane {
   Vec2 centre, gradient;
   double z_m = 0;
   double height_m(Vec2 at) const { return z_m + dot(gradient, at - centre); }
@@ -28,9 +28,9 @@ double weight_of(const ProfileGraph& graph, std::uint32_t node) {
 
 // Weighted least squares about the centroid, with a regularisation of 1 m² per unit of weight: across a single line the
 // plane is level.
-Plane plane_of(const ProfileGraph& graph, std::span<const std::uint32_t> nodes, std::span<const double> z_m) {
+FittedPlane plane_of(const ProfileGraph& graph, std::span<const std::uint32_t> nodes, std::span<const double> z_m) {
   double sum = 0;
-  Plane plane;
+  FittedPlane plane;
   for (const std::uint32_t n : nodes) {
     const double w = weight_of(graph, n);
     sum += w, plane.centre = plane.centre + graph.nodes[n].at * w, plane.z_m += w * z_m[n];
@@ -96,7 +96,7 @@ JunctionPlanes fit_junction_planes(const ProfileGraph& graph, std::span<const do
   for (const std::vector<std::uint32_t>& nodes : nodes_by_junction(graph)) {
     const auto is_level = [&](std::uint32_t n) { return z_m[n] == z_m[nodes.front()]; };
     if (std::ranges::all_of(nodes, is_level)) continue;
-    const Plane plane = plane_of(graph, nodes, z_m);
+    const FittedPlane plane = plane_of(graph, nodes, z_m);
     for (const std::uint32_t n : nodes) {
       planes.z_m[n] = plane.height_m(graph.nodes[n].at);
       planes.gradient[n] = plane.gradient;

@@ -51,8 +51,8 @@ std::vector<Decided> decided_heights(const ProfileGraph& paths, const ProfileGra
 
 // Returns heights by node: of the graded land; of lines with a profile where a node is shared; off the ground of the
 // line between.
-std::vector<double> heights_of(const ProfileGraph& paths, const ProfileGraph& all, const Profiles& profiles,
-                               const GradedTerrain& graded) {
+std::vector<double> node_heights_of(const ProfileGraph& paths, const ProfileGraph& all, const Profiles& profiles,
+                                    const GradedTerrain& graded) {
   std::vector<double> z_m;
   z_m.reserve(paths.nodes.size());
   for (const GraphNode& node : paths.nodes) z_m.push_back(land_m(graded, node.at));
@@ -167,7 +167,7 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
                                                                .bores = spans.bores});
   const BelowBridges below{terrain.streams, terrain.waters, [&](Vec2 p) { return land_m(graded, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
-  const std::vector<double> lines_m = heights_of(paths, all, profiles, graded);
+  const std::vector<double> lines_m = node_heights_of(paths, all, profiles, graded);
   const std::vector<double> cleared_m = clear_crossings(paths, crossings, &terrain.heights, lines_m);
   std::vector<double> z_m = enforce_clearances(paths, crossings, lines_m, limit_grades(paths, cleared_m));
   const std::vector<bool> is_below = pass_below(paths, crossings);

@@ -15,7 +15,7 @@ using map::Passage;
 using map::Track;
 
 // A vertex of a way at a place. Ways on the ground come first: ways off it join them at common map nodes.
-struct Passing {
+struct WayVertex {
   Vec2 at;
   std::int64_t node_id;
   std::uint32_t way, vertex;
@@ -35,7 +35,7 @@ struct Draft {
   std::vector<Stop> stops;
 };
 
-struct Builder {
+struct GraphBuilder {
   const map::Features& features;
   std::span<const roads::Road> roads;
   Lines lines;
@@ -48,12 +48,12 @@ struct Builder {
   bool is_member(std::size_t t) const;
 
   void add_ways();
-  std::vector<Passing> passings() const;
+  std::vector<WayVertex> way_vertices() const;
   void join_places();
-  bool is_end(const Passing& p) const;
-  bool is_loose_end(const Passing& p, std::span<const Passing> here) const;
-  std::vector<std::vector<Passing>> nodes_at(std::span<const Passing> here) const;
-  void join_place(std::span<const Passing> here);
+  bool is_end(const WayVertex& p) const;
+  bool is_loose_end(const WayVertex& p, std::span<const WayVertex> here) const;
+  std::vector<std::vector<WayVertex>> nodes_at(std::span<const WayVertex> here) const;
+  void join_place(std::span<const WayVertex> here);
   void stop_at_junctions(std::span<const roads::Junction> junctions);
   void stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::span<const Vec2> places, std::uint32_t junction);
   void put_stations();
@@ -64,14 +64,14 @@ struct Builder {
   void pin_free_ends();
 };
 
-bool Builder::is_member(std::size_t t) const {
+bool GraphBuilder::is_member(std::size_t t) const {
   const Track& track = features.tracks[t];
   const bool is_path = is_approach[t] || (leaves_ground(track) && !is_graded(track.surface));
   const bool is_line = leaves_ground(track) || is_graded(track.surface);
   return lines == Lines::kAll ? is_path || is_line : lines == Lines::kPaths ? is_path : is_line;
 }
 
-void Builder::add_ways() {
+void GraphBuilder::add_ways() {
   way_of_road.assign(roads.size(), kNone);
   std::vector<std::pair<ObjectId, std::uint32_t>> road_ids;
   for (std::uint32_t r = 0; r < roads.size(); ++r) road_ids.emplace_back(roads[r].id, r);
@@ -105,38 +105,41 @@ void Builder::add_ways() {
   }
 }
 
-std::vector<Passing> Builder::passings() const {
-  std::vector<Passing> passings;
+std::vector<WayVertex> GraphBuilder::way_vertices() const {
+  std::vector<WayVertex> way_vertices;
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     const Track& track = *graph.ways[w].track;
     for (std::uint32_t v = 0; v < track.axis.size(); ++v)
-      passings.push_back({track.axis[v], track.node_ids[v], w, v, leaves_ground(track)});
+      way_vertices.push_back({track.axis[v], track.node_ids[v], w, v, leaves_ground(track)});
   }
-  std::ranges::sort(passings, {},
-                    [](const Passing& p) { return std::tuple(p.at.x, p.at.y, p.is_off, p.node_id, p.way, p.vertex); });
-  return passings;
+  std::ranges::sort(way_vertices, {}, [](const WayVertex& p) {
+    return std::tuple(p.at.x, p.at.y, p.is_off, p.node_id, p.way, p.vertex);
+  });
+  return way_vertices;
 }
 
-bool Builder::is_end(const Passing& p) const { return p.vertex == 0 || p.vertex + 1 == drafts[p.way].along.size(); }
+bool GraphBuilder::is_end(const WayVertex& p) const {
+  return p.vertex == 0 || p.vertex + 1 == drafts[p.way].along.size();
+}
 
 // Returns whether a way off the ground ends here at a map node that no other way has.
-bool Builder::is_loose_end(const Passing& p, std::span<const Passing> here) const {
-  return p.is_off && is_end(p) && std::ranges::count(here, p.node_id, &Passing::node_id) == 1;
+bool GraphBuilder::is_loose_end(const WayVertex& p, std::span<const WayVertex> here) const {
+  return p.is_off && is_end(p) && std::ranges::count(here, p.node_id, &WayVertex::node_id) == 1;
 }
 
 // Returns the vertices at one place by node: first those on the ground and those off it that share a map node with
 // them, then those of each other map node. Loose ends join the ground where a way on it ends too, else each other: a
 // map may have two nodes where ways meet.
-std::vector<std::vector<Passing>> Builder::nodes_at(std::span<const Passing> here) const {
-  std::vector<std::vector<Passing>> nodes(1);
-  const auto first_off = std::ranges::find(here, true, &Passing::is_off);
-  const std::span<const Passing> ground(here.begin(), first_off);
+std::vector<std::vector<WayVertex>> GraphBuilder::nodes_at(std::span<const WayVertex> here) const {
+  std::vector<std::vector<WayVertex>> nodes(1);
+  const auto first_off = std::ranges::find(here, true, &WayVertex::is_off);
+  const std::span<const WayVertex> ground(here.begin(), first_off);
   nodes.front().assign(ground.begin(), ground.end());
-  const bool ends_on_ground = std::ranges::any_of(ground, [&](const Passing& g) { return is_end(g); });
-  std::vector<Passing> loose;
-  for (const Passing& p : here.subspan(ground.size())) {
+  const bool ends_on_ground = std::ranges::any_of(ground, [&](const WayVertex& g) { return is_end(g); });
+  std::vector<WayVertex> loose;
+  for (const WayVertex& p : here.subspan(ground.size())) {
     const bool is_loose = is_loose_end(p, here);
-    if (std::ranges::count(ground, p.node_id, &Passing::node_id) > 0 || (is_loose && ends_on_ground))
+    if (std::ranges::count(ground, p.node_id, &WayVertex::node_id) > 0 || (is_loose && ends_on_ground))
       nodes.front().push_back(p);
     else if (is_loose)
       loose.push_back(p);
@@ -149,21 +152,21 @@ std::vector<std::vector<Passing>> Builder::nodes_at(std::span<const Passing> her
   return nodes;
 }
 
-void Builder::join_place(std::span<const Passing> here) {
-  const auto is_stop = [&](const Passing& p) { return is_end(p) || std::ranges::binary_search(foreign, p.node_id); };
-  const auto is_in_junction = [&](const Passing& p) { return drafts[p.way].junction[p.vertex] != kNone; };
-  for (const std::vector<Passing>& members : nodes_at(here)) {
+void GraphBuilder::join_place(std::span<const WayVertex> here) {
+  const auto is_stop = [&](const WayVertex& p) { return is_end(p) || std::ranges::binary_search(foreign, p.node_id); };
+  const auto is_in_junction = [&](const WayVertex& p) { return drafts[p.way].junction[p.vertex] != kNone; };
+  for (const std::vector<WayVertex>& members : nodes_at(here)) {
     const bool matters =
         members.size() > 1 || std::ranges::any_of(members, is_stop) || std::ranges::any_of(members, is_in_junction);
     if (members.empty() || !matters) continue;
     const auto node = static_cast<std::uint32_t>(graph.nodes.size());
     graph.nodes.push_back({.at = members.front().at, .is_on_ground = !members.front().is_off});
-    for (const Passing& p : members) drafts[p.way].node_at[p.vertex] = node;
+    for (const WayVertex& p : members) drafts[p.way].node_at[p.vertex] = node;
   }
 }
 
-void Builder::join_places() {
-  const std::vector<Passing> all = passings();
+void GraphBuilder::join_places() {
+  const std::vector<WayVertex> all = way_vertices();
   for (std::size_t i = 0; i < all.size();) {
     std::size_t j = i;
     while (j < all.size() && all[j].at == all[i].at) ++j;
@@ -174,8 +177,8 @@ void Builder::join_places() {
 
 // Adds the stations of an arm that belong to its junction: up to its cut, or, on a link inside the junction, to the
 // place at its other end.
-void Builder::stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::span<const Vec2> places,
-                          std::uint32_t junction) {
+void GraphBuilder::stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::span<const Vec2> places,
+                               std::uint32_t junction) {
   const std::uint32_t w = way_of_road[arm.road];
   if (w == kNone) return;
   Draft& draft = drafts[w];
@@ -195,7 +198,7 @@ void Builder::stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::spa
   if (eased_m > 0 && eased_m < end_m) draft.stops.push_back({eased_m, kNone, kNone});
 }
 
-void Builder::stop_at_junctions(std::span<const roads::Junction> junctions) {
+void GraphBuilder::stop_at_junctions(std::span<const roads::Junction> junctions) {
   const std::vector<std::vector<roads::Arm>> arms = roads::arms_of(junctions, roads);
   for (std::uint32_t j = 0; j < junctions.size(); ++j)
     for (std::size_t a = 0; a < arms[j].size(); ++a)
@@ -221,14 +224,14 @@ std::vector<Stop> apart(std::vector<Stop> stops) {
   return kept;
 }
 
-Vec2 point_at(const Polyline& axis, std::span<const double> along, double at_m) {
+Vec2 point_along(const Polyline& axis, std::span<const double> along, double at_m) {
   const auto after = std::ranges::upper_bound(along, at_m);
   if (after == along.end()) return axis.back();
   const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - along.begin(), 1));
   return axis[i - 1] + (axis[i] - axis[i - 1]) * ((at_m - along[i - 1]) / (along[i] - along[i - 1]));
 }
 
-void Builder::put_stations() {
+void GraphBuilder::put_stations() {
   const double station_m = lines == Lines::kPaths ? kPathStation_m : kStation_m;
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     GraphWay& way = graph.ways[w];
@@ -241,7 +244,7 @@ void Builder::put_stations() {
     way.first = static_cast<std::uint32_t>(graph.stations.size());
     const auto put = [&](double at_m, std::uint32_t junction) {
       graph.stations.push_back({at_m, static_cast<std::uint32_t>(graph.nodes.size())});
-      const Vec2 at = point_at(way.track->axis, draft.along, at_m);
+      const Vec2 at = point_along(way.track->axis, draft.along, at_m);
       graph.nodes.push_back({.at = at, .is_on_ground = way.road != kNone, .junction = junction});
     };
     for (std::size_t s = 0; s < stops.size(); ++s) {
@@ -262,7 +265,7 @@ void Builder::put_stations() {
   }
 }
 
-void Builder::link() {
+void GraphBuilder::link() {
   const auto each = [&](auto visit) {
     for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
       const std::span<const Station> stations = graph.stations_of(graph.ways[w]);
@@ -287,13 +290,13 @@ void Builder::link() {
 }
 
 // Returns whether a bridge or tunnel continues through the node; then steps that lead to it do not pin it.
-bool Builder::goes_on(std::uint32_t node) const {
+bool GraphBuilder::goes_on(std::uint32_t node) const {
   return std::ranges::count_if(graph.legs_of(node), [&](const Leg& leg) { return graph.ways[leg.way].road == kNone; }) >
          1;
 }
 
 // The end of a tunnel may fall where it meets approach paths alone, such as the steps of an underpass.
-void Builder::pin_to_path(std::uint32_t at, bool is_approach_path) {
+void GraphBuilder::pin_to_path(std::uint32_t at, bool is_approach_path) {
   GraphNode& node = graph.nodes[at];
   if (node.is_on_ground || goes_on(at)) return;
   const auto is_tunnel = [&](const Leg& leg) { return graph.ways[leg.way].track->passage == Passage::kTunnel; };
@@ -303,7 +306,7 @@ void Builder::pin_to_path(std::uint32_t at, bool is_approach_path) {
 }
 
 // Pins nodes where a bridge or tunnel meets a path that follows the ground, and free ends of bridges.
-void Builder::pin() {
+void GraphBuilder::pin() {
   std::vector<std::pair<std::int64_t, std::uint32_t>> off;
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     for (std::size_t v = 0; v < drafts[w].along.size(); ++v) {
@@ -326,7 +329,7 @@ void Builder::pin() {
   pin_free_ends();
 }
 
-void Builder::pin_free_ends() {
+void GraphBuilder::pin_free_ends() {
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     const GraphWay& way = graph.ways[w];
     if (way.track->passage != Passage::kBridge) continue;
@@ -343,7 +346,7 @@ bool leaves_ground(const Track& track) { return track.passage != Passage::kGroun
 
 ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
                       std::span<const roads::Junction> junctions, Lines lines) {
-  Builder builder{features, roads, lines, approach_paths(features), {}, {}, {}, {}};
+  GraphBuilder builder{features, roads, lines, approach_paths(features), {}, {}, {}, {}};
   builder.graph.lines = lines;
   builder.add_ways();
   builder.stop_at_junctions(junctions);

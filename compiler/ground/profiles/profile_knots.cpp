@@ -9,9 +9,9 @@
 namespace citykiln::ground {
 namespace {
 
-constexpr double kAlong_m = 0.125;
+constexpr double kKnotStep_m = 0.125;
 
-struct Candidate {
+struct KnotCandidate {
   Knot knot;
   bool is_kept = false;
 };
@@ -54,18 +54,18 @@ struct Placed {
 
 // Of two stations rounded to one place one gets a knot: the way's end. But an end that meets nothing leaves its knot to
 // a junction beside it: rounding of two knots so close would tilt the piece between them.
-std::vector<Placed> places_of(const ProfileGraph& graph, std::span<const Station> stations) {
+std::vector<Placed> knot_places_of(const ProfileGraph& graph, std::span<const Station> stations) {
   const auto is_free_end = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() == 1; };
   const auto is_meeting = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() > 2; };
   std::vector<Placed> places;
   for (std::size_t s = 0; s < stations.size(); ++s) {
     const bool is_last = s + 1 == stations.size(), is_second = places.size() == 1;
     const double at_m =
-        is_last ? std::floor(stations[s].at_m / kAlong_m) * kAlong_m : snapped_to(kAlong_m, stations[s].at_m);
+        is_last ? std::floor(stations[s].at_m / kKnotStep_m) * kKnotStep_m : snapped_to(kKnotStep_m, stations[s].at_m);
     const double gap_m = places.empty() ? at_m + 1 : at_m - places.back().at_m;
-    if (is_last && !is_second && gap_m <= kAlong_m && is_free_end(s) && is_meeting(places.back().station))
+    if (is_last && !is_second && gap_m <= kKnotStep_m && is_free_end(s) && is_meeting(places.back().station))
       places.back().at_m = at_m;
-    else if (!is_last && is_second && gap_m <= kAlong_m && is_free_end(0) && is_meeting(s))
+    else if (!is_last && is_second && gap_m <= kKnotStep_m && is_free_end(0) && is_meeting(s))
       places.back().station = s;
     else if (is_last && !is_second && gap_m <= 0)
       places.back() = {s, at_m};
@@ -75,11 +75,11 @@ std::vector<Placed> places_of(const ProfileGraph& graph, std::span<const Station
   return places;
 }
 
-std::vector<Candidate> candidates_of(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes) {
-  std::vector<Candidate> candidates;
+std::vector<KnotCandidate> candidates_of(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes) {
+  std::vector<KnotCandidate> candidates;
   Directions directions(way.track->axis);
   const std::span<const Station> stations = graph.stations_of(way);
-  const std::vector<Placed> places = places_of(graph, stations);
+  const std::vector<Placed> places = knot_places_of(graph, stations);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto [s, at_m] = places[i];
     const bool is_last = i + 1 == places.size();
@@ -102,7 +102,7 @@ double miss_m(const Knot& a, const Knot& b, const Knot& k) {
   return std::max(std::abs(k.z_m - z), std::abs(k.tilt - tilt) * kTiltArm_m);
 }
 
-void keep_bends(std::vector<Candidate>& candidates, std::size_t first, std::size_t last) {
+void keep_bends(std::vector<KnotCandidate>& candidates, std::size_t first, std::size_t last) {
   double worst_m = kKnotError_m;
   std::size_t at = first;
   for (std::size_t i = first + 1; i < last; ++i) {
@@ -119,14 +119,14 @@ void keep_bends(std::vector<Candidate>& candidates, std::size_t first, std::size
 
 Profile knots_of(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes) {
   assert(planes.z_m.size() == graph.nodes.size() && planes.gradient.size() == graph.nodes.size());
-  std::vector<Candidate> candidates = candidates_of(graph, way, planes);
+  std::vector<KnotCandidate> candidates = candidates_of(graph, way, planes);
   for (std::size_t first = 0, i = 1; i < candidates.size(); ++i) {
     if (!candidates[i].is_kept) continue;
     keep_bends(candidates, first, i);
     first = i;
   }
   Profile profile;
-  for (const Candidate& c : candidates)
+  for (const KnotCandidate& c : candidates)
     if (c.is_kept) profile.push_back(c.knot);
   return profile;
 }

@@ -17,11 +17,11 @@ namespace {
 /// Share of the terrain's step below which there is only noise and the triangles of the grid.
 constexpr double kStepShare = 0.75;
 /// Rounds of reweighting.
-constexpr int kRounds = 2;
+constexpr int kReweightingRounds = 2;
 constexpr double kOffGround = 0.05, kPinned = 1e4;
 
 // The bending of a line that continues through a node: cost (a z_from + b z_node + c z_to)².
-struct Bend {
+struct NodeBend {
   std::uint32_t from = 0, node = 0, to = 0;
   double a = 0, b = 0, c = 0;
 };
@@ -32,7 +32,7 @@ double smooth_m_of(const ProfileGraph& graph, const Leg& leg, double least_m) {
   return std::max(grade_rule_of(way.track->surface).smooth_m, way.road == kNone ? 0 : least_m);
 }
 
-Bend bend_of(const ProfileGraph& graph, std::uint32_t node, const Leg& from, const Leg& to, double least_m) {
+NodeBend node_bend_of(const ProfileGraph& graph, std::uint32_t node, const Leg& from, const Leg& to, double least_m) {
   // shorter legs would have weights beyond rounding
   constexpr double kShortest_m = 0.5;
   const double h1 = std::max(from.length_m, kShortest_m), h2 = std::max(to.length_m, kShortest_m);
@@ -57,13 +57,13 @@ std::uint32_t goes_on_in(const ProfileGraph& graph, std::uint32_t node, std::uin
   return best;
 }
 
-void add_bends(const ProfileGraph& graph, std::uint32_t node, double least_m, std::vector<Bend>& bends) {
+void add_bends_at_node(const ProfileGraph& graph, std::uint32_t node, double least_m, std::vector<NodeBend>& bends) {
   const std::span<const Leg> legs = graph.legs_of(node);
   for (std::uint32_t leg = 0; legs.size() > 1 && leg < legs.size(); ++leg) {
     const std::uint32_t other = goes_on_in(graph, node, leg);
     // a pair that chooses each other is added once
     if (other == kNone || (other < leg && goes_on_in(graph, node, other) == leg)) continue;
-    if (legs[leg].to != legs[other].to) bends.push_back(bend_of(graph, node, legs[leg], legs[other], least_m));
+    if (legs[leg].to != legs[other].to) bends.push_back(node_bend_of(graph, node, legs[leg], legs[other], least_m));
   }
 }
 
@@ -110,17 +110,19 @@ struct Bins {
 };
 
 // The weight of a window at a place: 1 inside, 0 outside, linear across its borders.
-double share_along(int square, double v) {
+double window_share_along(int square, double v) {
   const double inside_m = std::min(v - square * kWindow_m, (square + 1) * kWindow_m - v);
   return std::clamp((inside_m + kWindowBlend_m) / (2 * kWindowBlend_m), 0.0, 1.0);
 }
-double share_of(Cell square, Vec2 at) { return share_along(square.x, at.x) * share_along(square.y, at.y); }
+double window_share(Cell square, Vec2 at) {
+  return window_share_along(square.x, at.x) * window_share_along(square.y, at.y);
+}
 
 struct Smoother {
   const ProfileGraph& graph;
   std::span<const double> data_m;
   double least_m;                              // smoothing length on the ground
-  std::vector<Bend> bends = {};                // by node
+  std::vector<NodeBend> bends = {};            // by node
   std::vector<std::uint32_t> first_bend = {};  // of each node, and the end
   std::vector<double> run_m = {};              // length of line that each node stands for
   std::vector<std::uint32_t> local = {};       // number within the current window, kNone outside
@@ -134,7 +136,7 @@ struct Smoother {
 void Smoother::prepare() {
   for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
     first_bend.push_back(static_cast<std::uint32_t>(bends.size()));
-    add_bends(graph, n, least_m, bends);
+    add_bends_at_node(graph, n, least_m, bends);
     double sum_m = 0;
     for (const Leg& leg : graph.legs_of(n)) sum_m += leg.length_m / 2;
     run_m.push_back(std::max(sum_m, 0.5));
@@ -166,7 +168,7 @@ void Smoother::solve(Cell square, std::span<const std::uint32_t> nodes) {
     for (const std::uint32_t node : nodes) {
       add(local[node], local[node], 0);
       for (std::uint32_t b = first_bend[node]; b < first_bend[node + 1]; ++b) {
-        const Bend& bend = bends[b];
+        const NodeBend& bend = bends[b];
         const std::uint32_t i = local[bend.from], j = local[bend.node], k = local[bend.to];
         if (i == kNone || k == kNone) continue;
         add(i, i, bend.a * bend.a), add(j, j, bend.b * bend.b), add(k, k, bend.c * bend.c);
@@ -183,7 +185,7 @@ void Smoother::solve(Cell square, std::span<const std::uint32_t> nodes) {
       data[i] = data_m[nodes[static_cast<std::size_t>(i)]] - level_m;
     }
     Eigen::VectorXd doubted = weight;
-    for (int round = 0; round <= kRounds; ++round) {
+    for (int round = 0; round <= kReweightingRounds; ++round) {
       for (Eigen::Index i = 0; i < count; ++i) stiff.coeffRef(i, i) = bending[i] + doubted[i];
       solver.factorize(stiff);
       z = solver.solve(doubted.cwiseProduct(data));
@@ -195,7 +197,7 @@ void Smoother::solve(Cell square, std::span<const std::uint32_t> nodes) {
     for (const std::uint32_t node : nodes) local[node] = kNone;
   }
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-    const double part = share_of(square, graph.nodes[nodes[i]].at);
+    const double part = window_share(square, graph.nodes[nodes[i]].at);
     weighted_m[nodes[i]] += part * (z[i] + level_m);
     share[nodes[i]] += part;
   }

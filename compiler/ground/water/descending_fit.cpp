@@ -8,7 +8,7 @@ namespace citykiln::ground {
 namespace {
 
 // A height at which the slope of a cost function grows, and by how much.
-struct Bend {
+struct CostBend {
   double height_m;
   std::int64_t by;
 };
@@ -17,14 +17,14 @@ struct Bend {
 // minimum, since nodes upstream may lie higher. Stored as a heap of its bends, the lowest first.
 class UpstreamCost {
  public:
-  void add(Bend bend) {
+  void add(CostBend bend) {
     bends_.push_back(bend);
     std::push_heap(bends_.begin(), bends_.end(), is_higher);
   }
 
   void add(UpstreamCost&& other) {
     if (bends_.size() < other.bends_.size()) bends_.swap(other.bends_);
-    for (const Bend bend : other.bends_) add(bend);
+    for (const CostBend bend : other.bends_) add(bend);
     other.bends_ = {};
   }
 
@@ -46,8 +46,8 @@ class UpstreamCost {
   }
 
  private:
-  static bool is_higher(const Bend& a, const Bend& b) { return a.height_m > b.height_m; }
-  std::vector<Bend> bends_;
+  static bool is_higher(const CostBend& a, const CostBend& b) { return a.height_m > b.height_m; }
+  std::vector<CostBend> bends_;
 };
 
 // Returns each node's lowest best height if nothing downstream limited it. Upstream nodes have higher numbers, so going

@@ -11,7 +11,7 @@ namespace citykiln::ground {
 namespace {
 
 // Axes and banks are sampled at this distance.
-constexpr double kApart_m = 32;
+constexpr double kAreaSample_m = 32;
 
 struct AxisPlace {
   Vec2 at;
@@ -19,14 +19,14 @@ struct AxisPlace {
   auto operator<=>(const AxisPlace&) const = default;
 };
 
-// Visits points from a to b at most kApart_m apart, without b.
+// Visits points from a to b at most kAreaSample_m apart, without b.
 template <typename Visit>
 void walk(Vec2 a, Vec2 b, Visit visit) {
-  const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kApart_m)));
+  const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kAreaSample_m)));
   for (int i = 0; i < n; ++i) visit(a + (b - a) * (static_cast<double>(i) / n));
 }
 
-std::vector<AxisPlace> places_of(std::span<const roads::Strip> streams, std::uint32_t s) {
+std::vector<AxisPlace> axis_places_of(std::span<const roads::Strip> streams, std::uint32_t s) {
   std::vector<AxisPlace> places;
   const Polyline& axis = streams[s].axis;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i)
@@ -60,7 +60,7 @@ void add_axes(RiverGroup& group, std::span<const roads::Strip> streams, std::spa
   for (std::uint32_t s = 0; s < streams.size(); ++s) {
     const auto is_near = [&](const BandedRings& rings) { return rings.box.touches(boxes[s]); };
     if (std::ranges::none_of(group.rings, is_near)) continue;
-    const std::vector<AxisPlace> places = places_of(streams, s);
+    const std::vector<AxisPlace> places = axis_places_of(streams, s);
     const bool runs_through = std::ranges::any_of(places, [&](const AxisPlace& place) {
       return std::ranges::any_of(group.rings, [&](const BandedRings& rings) { return is_inside(rings, place.at); });
     });
@@ -107,7 +107,7 @@ std::vector<Nearest> farthest_banks(const LandCoverPolygon& surface, const River
 }
 
 double reach_for(double distance_m) {
-  return std::ceil((distance_m + kApart_m / 2) * 1.25 / kInfluenceStep_m) * kInfluenceStep_m;
+  return std::ceil((distance_m + kAreaSample_m / 2) * 1.25 / kInfluenceStep_m) * kInfluenceStep_m;
 }
 
 void set_reaches(std::span<const LandCoverPolygon> surfaces, const RiverGroup& group, const Box2& box,

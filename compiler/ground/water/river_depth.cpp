@@ -10,13 +10,14 @@ namespace citykiln::ground {
 namespace {
 
 // A place with its height above the terrain; none where nothing is known or the water stands.
-struct Place {
+struct DepthSample {
   double at_m;
   std::optional<double> above_m;
 };
 
-std::vector<Place> places_of(const RiverNetwork& network, const RiverLine& line, const RiverHeights& heights) {
-  std::vector<Place> places;
+std::vector<DepthSample> depth_samples_of(const RiverNetwork& network, const RiverLine& line,
+                                          const RiverHeights& heights) {
+  std::vector<DepthSample> places;
   for (const RiverStation& stop : line.stops) {
     const RiverNode& node = network.nodes[stop.node];
     const bool is_compared = !network.is_water(stop.node) && node.is_known();
@@ -37,7 +38,7 @@ double max_depth_m(double width_m) {
 double sustained_depth_m(const RiverNetwork& network, const RiverLine& line, const RiverHeights& heights,
                          double run_m) {
   assert(run_m >= 0);
-  const std::vector<Place> places = places_of(network, line, heights);
+  const std::vector<DepthSample> places = depth_samples_of(network, line, heights);
   double deepest_m = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     double least_m = INFINITY;

@@ -16,7 +16,7 @@ namespace citykiln::ground {
 namespace {
 
 // Rounds of smoothing: stations are half a grid step apart, so about four grid steps are smoothed over.
-constexpr int kRounds = 32;
+constexpr int kSmoothingRounds = 32;
 
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
 
@@ -98,7 +98,7 @@ std::vector<double> smoothed(const ContractedNetwork& contracted, std::vector<do
     lowest[i] -= kMaxSmoothing_m;
     highest[i] = std::max(highest[i], heights[i]);
   }
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSmoothingRounds; ++round) {
     for (std::size_t i = 0; i < heights.size(); ++i) {
       // springs and ends stay, else repeated rounds would make the river level
       if (contracted.stays[i] || upstream[i].empty() || downstream[i].empty()) continue;

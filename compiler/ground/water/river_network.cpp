@@ -13,7 +13,7 @@
 namespace citykiln::ground {
 namespace {
 
-constexpr double kAlong_m = 0.125;
+constexpr double kRiverStep_m = 0.125;
 // Finer terrain shows the stones of the bed.
 constexpr double kClosestStops_m = 8;
 // Sampling distance: finds ditches between two ponds and causeways of this width.
@@ -37,7 +37,7 @@ struct Axis {
   double length_m() const { return along.back(); }
 };
 
-Vec2 point_at(const Axis& axis, double at_m) {
+Vec2 point_on_axis(const Axis& axis, double at_m) {
   const auto after = std::upper_bound(axis.along.begin(), axis.along.end(), at_m);
   const std::size_t i =
       std::clamp<std::size_t>(static_cast<std::size_t>(after - axis.along.begin()), 1, axis.along.size() - 1);
@@ -83,9 +83,9 @@ StandingCover cover_of(std::span<const LandCoverPolygon> surfaces, const Standin
 // Bisects between two places, of which one is in the water, to find the shore within 1/8 m.
 double shore_between(const Axis& axis, const StandingCover& cover, std::span<const std::uint32_t> near, double dry_m,
                      double wet_m, std::uint32_t water) {
-  while (std::abs(wet_m - dry_m) > kAlong_m / 2) {
+  while (std::abs(wet_m - dry_m) > kRiverStep_m / 2) {
     const double middle_m = (dry_m + wet_m) / 2;
-    (cover.water_at(point_at(axis, middle_m), near) == water ? wet_m : dry_m) = middle_m;
+    (cover.water_at(point_on_axis(axis, middle_m), near) == water ? wet_m : dry_m) = middle_m;
   }
   return wet_m;
 }
@@ -111,7 +111,7 @@ std::vector<Wet> find_wets(const Axis& axis, const StandingCover& cover) {
   double before_m = 0;
   std::uint32_t before = kNoWater;
   for (const double at_m : places_to_look(axis)) {
-    const std::uint32_t here = cover.water_at(point_at(axis, at_m), near);
+    const std::uint32_t here = cover.water_at(point_on_axis(axis, at_m), near);
     if (here != before && before != kNoWater)
       wets.back().to_m = shore_between(axis, cover, near, at_m, before_m, before);
     if (here != before && here != kNoWater)
@@ -125,8 +125,8 @@ std::vector<Wet> find_wets(const Axis& axis, const StandingCover& cover) {
 std::vector<Wet> widened(const std::vector<Wet>& wets, double length_m) {
   std::vector<Wet> wide;
   for (const Wet& wet : wets) {
-    const double from_m = std::floor(wet.from_m / kAlong_m) * kAlong_m;
-    const double to_m = std::min(std::ceil(wet.to_m / kAlong_m) * kAlong_m, length_m);
+    const double from_m = std::floor(wet.from_m / kRiverStep_m) * kRiverStep_m;
+    const double to_m = std::min(std::ceil(wet.to_m / kRiverStep_m) * kRiverStep_m, length_m);
     if (!wide.empty() && wide.back().water == wet.water && from_m <= wide.back().to_m)
       wide.back().to_m = to_m;
     else if (wide.empty() || wide.back().to_m <= to_m)
@@ -247,14 +247,14 @@ class NetworkMaker {
     const int n = axis.is_covered ? 1 : static_cast<int>(std::ceil(long_m / spacing_m));
     const auto length_mm = static_cast<std::int64_t>(long_m / n * 1000);
     for (int i = 1; i < n; ++i) {
-      const double at_m = snapped_to(kAlong_m, last.at_m + long_m * i / n);
-      const Vec2 p = point_at(axis, at_m);
+      const double at_m = snapped_to(kRiverStep_m, last.at_m + long_m * i / n);
+      const Vec2 p = point_on_axis(axis, at_m);
       stops.push_back({at_m, add_node(p), false});
       weigh(stops.back().node, p, length_mm);
     }
     if (axis.is_covered) return;
-    weigh(last.node, point_at(axis, last.at_m), length_mm / 2);
-    weigh(next.node, point_at(axis, next.at_m), length_mm / 2);
+    weigh(last.node, point_on_axis(axis, last.at_m), length_mm / 2);
+    weigh(next.node, point_on_axis(axis, next.at_m), length_mm / 2);
   }
 
   void weigh(std::uint32_t node, Vec2 p, std::int64_t length_mm) {

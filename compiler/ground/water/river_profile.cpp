@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kKnot_m = 0.125;
 
-struct Place {
+struct RiverKnot {
   Knot knot;
   bool is_kept;
 };
@@ -17,8 +17,8 @@ struct Place {
 double rounded_down(double height_m) { return std::floor(height_m / kProfileQuantum_m) * kProfileQuantum_m; }
 
 // rounding down keeps descending heights descending
-std::vector<Place> places_of(const RiverLine& line, const RiverHeights& heights) {
-  std::vector<Place> places;
+std::vector<RiverKnot> river_knots_of(const RiverLine& line, const RiverHeights& heights) {
+  std::vector<RiverKnot> places;
   const auto add = [&](double at_m, double z_m, bool is_pinned) {
     if (places.empty() || places.back().knot.at_m < at_m) places.push_back({{at_m, z_m, 0}, is_pinned});
   };
@@ -36,7 +36,7 @@ double off_m(const Knot& a, const Knot& b, const Knot& between) {
 }
 
 // Douglas and Peucker (1973): keeps the worst place between two kept ones until none is off by the tolerance.
-void keep_worst(std::vector<Place>& places, std::size_t first, std::size_t last) {
+void keep_worst(std::vector<RiverKnot>& places, std::size_t first, std::size_t last) {
   std::vector<std::pair<std::size_t, std::size_t>> spans = {{first, last}};
   while (!spans.empty()) {
     const auto [from, to] = spans.back();
@@ -58,7 +58,7 @@ void keep_worst(std::vector<Place>& places, std::size_t first, std::size_t last)
 
 Profile profile_of(const RiverLine& line, const RiverHeights& heights) {
   assert(!line.stops.empty());
-  std::vector<Place> places = places_of(line, heights);
+  std::vector<RiverKnot> places = river_knots_of(line, heights);
   places.front().is_kept = places.back().is_kept = true;
   std::size_t last_kept = 0;
   for (std::size_t i = 1; i < places.size(); ++i) {
@@ -68,7 +68,7 @@ Profile profile_of(const RiverLine& line, const RiverHeights& heights) {
     keep_worst(places, from, i);
   }
   Profile profile;
-  for (const Place& place : places) {
+  for (const RiverKnot& place : places) {
     // of three level knots the middle one is redundant
     const std::size_t n = profile.size();
     const bool is_level = n > 1 && profile[n - 2].z_m == profile[n - 1].z_m && profile[n - 1].z_m == place.knot.z_m;

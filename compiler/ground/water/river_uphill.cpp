@@ -47,7 +47,7 @@ double mean_m(auto first, auto last) {
   return sum / static_cast<double>(last - first);
 }
 
-double rise_m(const std::vector<double>& lands) {
+double land_rise_m(const std::vector<double>& lands) {
   const auto third = static_cast<std::ptrdiff_t>(lands.size() + 2) / 3;
   return mean_m(lands.end() - third, lands.end()) - mean_m(lands.begin(), lands.begin() + third);
 }
@@ -69,7 +69,7 @@ std::vector<double> uphill_rise_m(const RiverNetwork& network, const std::vector
   for (std::size_t l = 0; l < stream_count; ++l) {
     std::vector<double> lands = lands_along(network, network.lines[l]);
     if (lands.size() < 2) continue;
-    const double rise = rise_m(lands);
+    const double rise = land_rise_m(lands);
     if (rise < clear_rise_m(network, degrees, seas, network.lines[l])) continue;
     const double as_mapped = fill_m(lands);
     std::reverse(lands.begin(), lands.end());

@@ -8,7 +8,7 @@
 namespace citykiln::ground {
 namespace {
 
-constexpr double kBucket_m = 32;
+constexpr double kWaterBucket_m = 32;
 // Places nearer than this are on the shore; less than the grid that its vertices are snapped to.
 constexpr double kOn_m = 0x1p-9;
 
@@ -47,7 +47,7 @@ void add_shores(WaterIndex& index, const LandCoverPolygon& surface) {
 }
 
 // Returns the box that a piece influences, within the box of the index.
-Box2 within(const Box2& box, Vec2 a, Vec2 b, double reach_m) {
+Box2 influenced_box(const Box2& box, Vec2 a, Vec2 b, double reach_m) {
   const Box2 near = box_of(std::array{a, b}).widened(reach_m);
   return {{std::max(near.min.x, box.min.x), std::max(near.min.y, box.min.y)},
           {std::min(near.max.x, box.max.x), std::min(near.max.y, box.max.y)}};
@@ -56,11 +56,11 @@ Box2 within(const Box2& box, Vec2 a, Vec2 b, double reach_m) {
 // Drops pieces that influence nothing in the box and indexes the rest.
 template <typename Part, typename Reach>
 BoxGrid index_near(std::vector<Part>& parts, const Box2& box, Reach reach_m) {
-  const auto near = [&](const Part& part) { return within(box, part.a, part.b, reach_m(part)); };
+  const auto near = [&](const Part& part) { return influenced_box(box, part.a, part.b, reach_m(part)); };
   std::erase_if(parts, [&](const Part& part) { return near(part).is_empty(); });
   std::vector<Box2> boxes;
   for (const Part& part : parts) boxes.push_back(near(part));
-  return grid_of(boxes, kBucket_m);
+  return grid_of(boxes, kWaterBucket_m);
 }
 
 struct NearShore {

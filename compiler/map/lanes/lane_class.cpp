@@ -10,18 +10,18 @@
 namespace citykiln::map {
 namespace {
 
-struct KindRow {
+struct LaneClassRow {
   std::string_view key, value;
   LaneKind kind;
 };
-constexpr KindRow kKinds[] = {
+constexpr LaneClassRow kKinds[] = {
 #define LANE_CLASS(key, value, kind) {key, value, LaneKind::kind},
 #include "compiler/map/lanes/lane_rules.inc"
 #undef LANE_CLASS
 };
 
 LaneKind kind_of(const TrackRow& track) {
-  for (const KindRow& row : kKinds)
+  for (const LaneClassRow& row : kKinds)
     if (row.key == track.key && row.value == track.value) return row.kind;
   return LaneKind::kDriving;
 }

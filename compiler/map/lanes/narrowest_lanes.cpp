@@ -15,11 +15,11 @@ constexpr ClassRow kDrivingLanes[] = {
 #undef NARROWEST
 };
 
-struct KindRow {
+struct NarrowestRow {
   LaneKind kind;
   double metres;
 };
-constexpr KindRow kOtherLanes[] = {
+constexpr NarrowestRow kOtherLanes[] = {
 #define NARROWEST_KIND(kind, metres) {LaneKind::kind, metres},
 #include "compiler/map/lanes/lane_rules.inc"
 #undef NARROWEST_KIND
@@ -30,7 +30,7 @@ constexpr double kVehicle_m = 2.5;
 }  // namespace
 
 double narrowest_m(const Lane& lane, LandCoverClass surface) {
-  const auto* other = std::ranges::find(kOtherLanes, lane.kind, &KindRow::kind);
+  const auto* other = std::ranges::find(kOtherLanes, lane.kind, &NarrowestRow::kind);
   if (other != std::end(kOtherLanes)) return other->metres;
   const auto* row = std::ranges::find(kDrivingLanes, surface, &ClassRow::surface);
   const double least_m = row != std::end(kDrivingLanes) ? row->metres : kVehicle_m;

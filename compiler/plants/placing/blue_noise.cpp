@@ -17,7 +17,7 @@ constexpr double kCandidates = 2.5;
 
 // Samples per spacing² of ground, and their increase per tree a hectare, as the lattice itself keeps dense candidates
 // apart. Measured (blue_noise_test.cpp).
-constexpr double kSamples = 0.4925, kMoreSamples = 6.5e-5;
+constexpr double kBlueNoiseSamples = 0.4925, kMoreSamples = 6.5e-5;
 
 // Cells along a side of a block, which LeastSpacing can skip as a whole.
 constexpr int kBlock = 16;
@@ -57,7 +57,7 @@ double chance_of(double spacing_m, double normal_z) {
   return kCandidates * kLattice_m * kLattice_m / (spacing_m * spacing_m * normal_z);
 }
 
-StableId id_of(std::int64_t column, std::int64_t row) {
+StableId id_of_cell(std::int64_t column, std::int64_t row) {
   const auto number = static_cast<std::uint64_t>(column) << 32 ^ (static_cast<std::uint64_t>(row) & 0xffffffffu);
   return stable_id(StableId{number}, "site", 0);
 }
@@ -82,7 +82,8 @@ void find_candidates(std::uint64_t seed, const Cells& cells, const Box2& influen
       const SampleDensity density = density_at(draws.at);
       if (density.spacing_m <= 0 || density.normal_z < kLeastNormal_z) continue;
       if (draws.keep >= chance_of(density.spacing_m, density.normal_z)) continue;
-      candidates.push_back({{draws.at, id_of(column, row), density}, draws.priority, static_cast<float>(draws.share)});
+      candidates.push_back(
+          {{draws.at, id_of_cell(column, row), density}, draws.priority, static_cast<float>(draws.share)});
     }
 }
 
@@ -196,7 +197,7 @@ std::vector<State> decide_all(std::span<const Candidate> candidates, const Rival
 SampleDensity density_for(double trees_per_ha) {
   constexpr double kHectare_m2 = 10000;
   const double wanted = std::clamp(trees_per_ha, kLeastTreesPerHa, kMostTreesPerHa);
-  const double spacing_m = std::sqrt((kSamples + kMoreSamples * wanted) * kHectare_m2 / wanted);
+  const double spacing_m = std::sqrt((kBlueNoiseSamples + kMoreSamples * wanted) * kHectare_m2 / wanted);
   if (spacing_m <= kWidest_m) return {spacing_m};
   return {kWidest_m, (kWidest_m / spacing_m) * (kWidest_m / spacing_m)};
 }

@@ -14,7 +14,7 @@ constexpr double kLowClearance_m = 0.25, kLow_m = 2;
 // Jitter of a plant's place as a share of the spacings: planted in rows, or sown.
 constexpr double kPlantedJitter = 0.1, kSownJitter = 0.95;
 
-constexpr double kHeightSpread = 0.15;
+constexpr double kPlantingHeightSpread = 0.15;
 
 // Spacing of the samples that estimate a tile's field areas.
 constexpr double kAreaSample_m = 16;
@@ -54,7 +54,7 @@ struct RowGrid {
   double row(Vec2 p) const { return dot(p, across) / dot(across, across); }
 };
 
-RowGrid grid_of(const Planting& planting) {
+RowGrid row_grid_of(const Planting& planting) {
   const Vec2 along = row_direction(planting.heading);
   return {along * planting.plant_spacing_m, left_of(along) * planting.row_spacing_m};
 }
@@ -75,7 +75,7 @@ Range range_over(const Box2& box, Of of) {
 // Calls visit(plane place, draws) for a share of the plants of the grid that are in a box.
 template <typename Visit>
 void for_each_plant(const Planting& planting, const Box2& box, double share, std::uint64_t seed, Visit visit) {
-  const RowGrid grid = grid_of(planting);
+  const RowGrid grid = row_grid_of(planting);
   const Range plants = range_over(box, [&](Vec2 p) { return grid.plant(p); });
   const Range rows = range_over(box, [&](Vec2 p) { return grid.row(p); });
   const bool is_sown =
@@ -103,7 +103,8 @@ void place_planting(PlacedPlants& placed, const Planting& planting, const Obstac
   for_each_plant(planting, here, share, context.seed, [&](Vec2 at, const Draw& draw) {
     if (ground::land_cover_at(context.surfaces, at) != surface || is_near_obstacle(trees, at)) return;
     if (clearance_m(context.surfaces, at, kLeastObstaclePriority, clear_m) < clear_m) return;
-    const double height_m = planting.height_m * draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDraw);
+    const double height_m =
+        planting.height_m * draw.between(1 - kPlantingHeightSpread, 1 + kPlantingHeightSpread, kHeightDraw);
     const bool is_mix = !is_single_species(planting.species_mix);
     const Species species =
         is_mix ? draw_species(planting.species_mix, habitat_of(context, at), context.seed, draw.unit(kSpeciesDraw))

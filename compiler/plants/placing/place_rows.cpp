@@ -9,7 +9,7 @@ namespace citykiln::plants {
 namespace {
 
 // Heights differ little, as the trees of a row have one age.
-constexpr double kSpread = 0.08;
+constexpr double kRowHeightSpread = 0.08;
 
 // Spacing in crown widths, so that crowns touch.
 constexpr double kCrownSpacing = 0.95, kLeastSpacing_m = 2, kMostSpacing_m = 14;
@@ -59,7 +59,7 @@ void place_row(PlacedPlants& placed, const TreeRow& row, const ObstacleIndex& ma
     });
     if (is_mapped) return;
     const Draw draw(context.seed, stable_id(stable_id(row.id), "tree", number), "tree");
-    const double height_m = mean_m * draw.between(1 - kSpread, 1 + kSpread, kHeightDraw);
+    const double height_m = mean_m * draw.between(1 - kRowHeightSpread, 1 + kRowHeightSpread, kHeightDraw);
     trees.push_back({at, crown_clearance_m(species, height_m)});
     if (is_in_half_open(context.box, at)) place_plant(placed, context, species, at, height_m, draw, row.id.osm);
   });

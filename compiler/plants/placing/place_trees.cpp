@@ -7,18 +7,18 @@
 namespace citykiln::plants {
 namespace {
 
-constexpr double kSpread = 0.25;
+constexpr double kTreeHeightSpread = 0.25;
 
-struct GrownPlant {
+struct TreeGrowth {
   Species species;
   double height_m;
 };
 
-GrownPlant grown(const Tree& tree, const PlacingContext& context, const Draw& draw) {
+TreeGrowth grown(const Tree& tree, const PlacingContext& context, const Draw& draw) {
   const Habitat habitat = habitat_of(context, tree.at);
   const Species species = draw_species(tree.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
   if (tree.height_m > 0) return {species, tree.height_m};
-  const double spread = draw.between(1 - kSpread, 1 + kSpread, kHeightDraw);
+  const double spread = draw.between(1 - kTreeHeightSpread, 1 + kTreeHeightSpread, kHeightDraw);
   return {species, default_height_m(species) * height_factor(habitat) * spread};
 }
 
@@ -48,7 +48,7 @@ std::optional<Vec2> beside_blocked(const ground::LandCoverIndex& map, Vec2 p) {
 }
 
 // The place of a tree, or none where it is dropped; the same for all tiles.
-std::optional<Vec2> place_of(const ground::LandCoverIndex& map, Vec2 p) {
+std::optional<Vec2> place_of_tree(const ground::LandCoverIndex& map, Vec2 p) {
   if (!map.box.contains(p)) return std::nullopt;
   return is_blocked_ground(map, p) ? beside_blocked(map, p) : p;
 }
@@ -63,7 +63,7 @@ std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> tr
   std::vector<Obstacle> obstacles;
   Account account;
   for (const Tree& tree : trees) {
-    const std::optional<Vec2> at = place_of(context.surfaces, tree.at);
+    const std::optional<Vec2> at = place_of_tree(context.surfaces, tree.at);
     // a moved tree belongs to the tile of its new place
     const bool is_here = is_in_half_open(context.box, at.value_or(tree.at));
     if (is_here) ++account.in;

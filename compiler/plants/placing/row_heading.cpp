@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeastSlope = 0.03;
 
 // Slope samples along each side of the bounding box.
-constexpr int kSamples = 16;
+constexpr int kSlopeSamples = 16;
 
 int winding_of(const ground::LandCoverPolygon& surface, Vec2 p) {
   int winding = 0;
@@ -26,9 +26,9 @@ Vec2 mean_slope(const ground::LandCoverPolygon& surface, const map::Heightfield&
     for (const Vec2 p : ring) box.grow(p);
   Vec2 sum;
   int count = 0;
-  for (int i = 0; i < kSamples * kSamples; ++i) {
-    const Vec2 p = {box.min.x + box.width() * (i % kSamples + 0.5) / kSamples,
-                    box.min.y + box.height() * (i / kSamples + 0.5) / kSamples};
+  for (int i = 0; i < kSlopeSamples * kSlopeSamples; ++i) {
+    const Vec2 p = {box.min.x + box.width() * (i % kSlopeSamples + 0.5) / kSlopeSamples,
+                    box.min.y + box.height() * (i / kSlopeSamples + 0.5) / kSlopeSamples};
     if (winding_of(surface, p) <= 0) continue;
     const Vec3 normal = map::normal_at(terrain, p);
     sum = sum + in_plan(normal) * (1 / normal.z), ++count;

@@ -10,7 +10,7 @@ namespace citykiln::plants {
 namespace {
 
 // Spread of heights in one wood as a share of their mean.
-constexpr double kHeightSpread = 0.3;
+constexpr double kWoodHeightSpread = 0.3;
 
 // Wood::height_m is that of a species with this default height; other species scale with theirs.
 constexpr double kTall_m = 22;
@@ -65,7 +65,7 @@ SampleDensity density_at(const WoodMap& woods, Vec2 p) {
 
 double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const Draw& draw) {
   return wood.height_m * std::min(values_of(species).height_m / kTall_m, 1.4) * height_factor(habitat) *
-         draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDraw);
+         draw.between(1 - kWoodHeightSpread, 1 + kWoodHeightSpread, kHeightDraw);
 }
 
 CorridorIndex index_corridors(std::span<const PowerLineCorridor> corridors, const Box2& box) {

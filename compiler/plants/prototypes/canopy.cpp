@@ -92,29 +92,29 @@ int raised_corners(const Lattice& lattice, int column, int row) {
 }
 
 // Height of a raised vertex above the ground.
-double height_m_of(const CrownAverage& mix) { return mix.height_m * std::lerp(kLowest, kHighest, mix.chance); }
+double canopy_height_m(const CrownAverage& mix) { return mix.height_m * std::lerp(kLowest, kHighest, mix.chance); }
 
 // From the slopes of terrain and crowns.
 Vec3 normal_of(const Lattice& lattice, int column, int row) {
   const Vec3 land = normal_at(lattice.woods.context.ground.terrain, lattice.at(column, row));
-  const double own_m = height_m_of(lattice.mix(column, row));
+  const double own_m = canopy_height_m(lattice.mix(column, row));
   const auto height_m = [&](int c, int r) {
     const CrownAverage& mix = lattice.mix(c, r);
-    return mix.wood == ground::kNoLandCover ? own_m : height_m_of(mix);
+    return mix.wood == ground::kNoLandCover ? own_m : canopy_height_m(mix);
   };
   constexpr double kAcross = 1 / (2 * kCanopyCell_m);
   return unit(Vec3{land.x / land.z - (height_m(column + 1, row) - height_m(column - 1, row)) * kAcross,
                    land.y / land.z - (height_m(column, row + 1) - height_m(column, row - 1)) * kAcross, 1});
 }
 
-Vec3 place_of(const Lattice& lattice, int column, int row) {
+Vec3 place_of_vertex(const Lattice& lattice, int column, int row) {
   const Vec2 p = lattice.at(column, row);
   const double land = land_m(lattice.woods.context.ground, p);
   const bool is_up = is_raised(lattice, column, row);
-  return snapped(at_height(p, is_up ? land + height_m_of(lattice.mix(column, row)) : land - kRimDepth_m));
+  return snapped(at_height(p, is_up ? land + canopy_height_m(lattice.mix(column, row)) : land - kRimDepth_m));
 }
 
-materials::Tint tint_of(const CrownAverage& mix) {
+materials::Tint canopy_tint(const CrownAverage& mix) {
   const auto& base = values_of(Material::kBroadLeaf).base_colour;
   materials::Tint tint = materials::kNoTint;
   for (std::size_t c = 0; c < 3; ++c)
@@ -132,9 +132,9 @@ struct Part {
     const auto next = static_cast<std::uint32_t>(dressed.mesh.positions.size());
     const auto [at, is_new] = vertices.try_emplace(lattice.corner(column, row), next);
     if (!is_new) return at->second;
-    dressed.mesh.positions.push_back(place_of(lattice, column, row));
+    dressed.mesh.positions.push_back(place_of_vertex(lattice, column, row));
     dressed.mesh.normals.push_back(normal_of(lattice, column, row));
-    dressed.tints.push_back(tint_of(lattice.mix(column, row)));
+    dressed.tints.push_back(canopy_tint(lattice.mix(column, row)));
     return next;
   }
 };
@@ -208,7 +208,7 @@ Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorrido
       canopy.is_whole.push_back(raised_corners(lattice, column, row) == 4);
   for (int row = 0; row <= lattice.rows; ++row)
     for (int column = 0; column <= lattice.columns; ++column)
-      canopy.tops_m.push_back(is_raised(lattice, column, row) ? place_of(lattice, column, row).z : 0);
+      canopy.tops_m.push_back(is_raised(lattice, column, row) ? place_of_vertex(lattice, column, row).z : 0);
   return canopy;
 }
 

@@ -75,7 +75,7 @@ Colour ground_of(const WoodMap& woods, const Wood& wood) {
   return {base[0], base[1], base[2]};
 }
 
-StableId id_of(Vec2 p) {
+StableId id_of_place(Vec2 p) {
   const auto whole = [](double v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v))); };
   return stable_id(StableId{whole(p.x) << 32 ^ (whole(p.y) & 0xffffffffu)}, "canopy", 0);
 }
@@ -91,11 +91,11 @@ CrownAverage crown_average_at(const WoodMap& woods, Vec2 p, Month month) {
   const map::Heightfield& terrain = context.ground.terrain;
   const Habitat habitat = habitat_at(context.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p), false);
   const Colour ground = ground_of(woods, wood);
-  const Draw draw(context.seed, id_of(p), "canopy");
+  const Draw draw(context.seed, id_of_place(p), "canopy");
   mix.chance = draw.unit(0);
   for (std::uint32_t i = 0; i < kTrees; ++i)
-    add_tree(mix, wood, habitat, context.seed, Draw(context.seed, stable_id(id_of(p), "tree", i), "canopy"), month,
-             ground);
+    add_tree(mix, wood, habitat, context.seed, Draw(context.seed, stable_id(id_of_place(p), "tree", i), "canopy"),
+             month, ground);
   const double light = draw.between(kDarkest, kLightest, 1);
   for (double& c : mix.colour) c *= light;
   return mix;

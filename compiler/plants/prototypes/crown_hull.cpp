@@ -9,17 +9,17 @@
 namespace citykiln::plants {
 namespace {
 
-constexpr int kSides = 3, kBands = 2, kPieces = 8;
+constexpr int kSides = 3, kBands = 2, kHullPieces = 8;
 // Share of a band's leaves within its ring, so that single twigs do not widen it.
 constexpr double kWithin = 0.7;
 // Circumradius of a triangle whose mean width is that of a circle of radius 1 (Cauchy: the mean width is girth / π).
 constexpr double kCircumradius = 1.2092;
 
-struct Ring {
+struct HullRing {
   double height = 0, radius = 0;
 };
 
-double radius_of(std::vector<double>& radii) {
+double ring_radius(std::vector<double>& radii) {
   if (radii.empty()) return 0;
   const auto at = static_cast<std::size_t>(kWithin * static_cast<double>(radii.size() - 1));
   std::ranges::nth_element(radii, radii.begin() + static_cast<std::ptrdiff_t>(at));
@@ -27,7 +27,7 @@ double radius_of(std::vector<double>& radii) {
 }
 
 // Rings in the middle of equal bands from the lowest to the highest leaf.
-std::vector<Ring> rings_of(const Foliage& foliage) {
+std::vector<HullRing> hull_rings_of(const Foliage& foliage) {
   const auto [low, high] = std::ranges::minmax(foliage.cards, {}, [](const Card& c) { return c.centre().z; });
   const double foot = low.centre().z, top = high.centre().z;
   std::array<std::vector<double>, kBands> radii;
@@ -36,13 +36,13 @@ std::vector<Ring> rings_of(const Foliage& foliage) {
     radii[static_cast<std::size_t>(std::clamp(static_cast<int>(share * kBands), 0, kBands - 1))].push_back(
         length(in_plan(card.centre())));
   }
-  std::vector<Ring> rings;
+  std::vector<HullRing> rings;
   for (int b = 0; b < kBands; ++b)
-    rings.push_back({foot + (top - foot) * (b + 0.5) / kBands, radius_of(radii[static_cast<std::size_t>(b)])});
+    rings.push_back({foot + (top - foot) * (b + 0.5) / kBands, ring_radius(radii[static_cast<std::size_t>(b)])});
   return rings;
 }
 
-Mesh body_of(const std::vector<Ring>& rings, double foot, double top) {
+Mesh body_of(const std::vector<HullRing>& rings, double foot, double top) {
   Mesh mesh;
   const auto n = static_cast<std::uint32_t>(kSides);
   const auto push = [&](Vec3 at) { mesh.positions.push_back(at); };
@@ -67,14 +67,14 @@ Mesh body_of(const std::vector<Ring>& rings, double foot, double top) {
   return mesh;
 }
 
-// Sample points on a mesh: a grid of kPieces steps on each triangle.
+// Sample points on a mesh: a grid of kHullPieces steps on each triangle.
 std::vector<Vec3> places_on(const Mesh& mesh) {
   std::vector<Vec3> places;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 corner = mesh.positions[a], u = mesh.positions[b] - corner, v = mesh.positions[c] - corner;
-    for (int i = 0; i <= kPieces; ++i)
-      for (int j = 0; i + j <= kPieces; ++j)
-        places.push_back(corner + u * (i / double{kPieces}) + v * (j / double{kPieces}));
+    for (int i = 0; i <= kHullPieces; ++i)
+      for (int j = 0; i + j <= kHullPieces; ++j)
+        places.push_back(corner + u * (i / double{kHullPieces}) + v * (j / double{kHullPieces}));
   }
   return places;
 }
@@ -110,7 +110,7 @@ double longest_side_m(const Mesh& mesh) {
 
 // Bound of the Hausdorff distance between hull and cards, at least `least_m`: from card corners to samples of the hull,
 // and back. No point of the hull is farther from its nearest sample than a piece's side / √3.
-double error_m_of(const Mesh& mesh, const Foliage& foliage, double least_m) {
+double hull_error_m(const Mesh& mesh, const Foliage& foliage, double least_m) {
   const std::vector<Vec3> places = places_on(mesh);
   const std::vector<Card>& cards = foliage.cards;
   double there = least_m;
@@ -118,7 +118,7 @@ double error_m_of(const Mesh& mesh, const Foliage& foliage, double least_m) {
   for (const Card& card : cards)
     for (const Vec3 corner : corners_of(card))
       there = std::max(there, place.beyond(there, [&](std::size_t i) { return length(places[i] - corner); }));
-  const double piece_m = longest_side_m(mesh) / kPieces / std::sqrt(3.0);
+  const double piece_m = longest_side_m(mesh) / kHullPieces / std::sqrt(3.0);
   double back = std::max(0.0, there - piece_m);
   Nearest card{cards.size()};
   for (const Vec3 p : places)
@@ -127,7 +127,7 @@ double error_m_of(const Mesh& mesh, const Foliage& foliage, double least_m) {
 }
 
 // The 2nd and 98th percentile of card centres on an axis.
-std::array<double, 2> bounds_of(const Foliage& foliage, double Vec3::*axis) {
+std::array<double, 2> percentiles_of(const Foliage& foliage, double Vec3::*axis) {
   std::vector<double> places;
   for (const Card& card : foliage.cards) places.push_back(card.centre().*axis);
   std::ranges::sort(places);
@@ -143,15 +143,17 @@ CrownHull crown_hull(const Foliage& foliage) {
   const auto [low, high] = std::ranges::minmax(foliage.cards, {}, [](const Card& c) { return c.centre().z; });
   const double foot = low.centre().z, top = high.centre().z;
   // its foot is near the ground, so that the trunk's foot is within the error
-  hull.mesh = body_of(rings_of(foliage), std::min(foot - 0.1 * (top - foot), 0.25 * top), top + 0.02 * (top - foot));
-  hull.error_m = error_m_of(hull.mesh, foliage, length(hull.mesh.positions.front()));
+  hull.mesh =
+      body_of(hull_rings_of(foliage), std::min(foot - 0.1 * (top - foot), 0.25 * top), top + 0.02 * (top - foot));
+  hull.error_m = hull_error_m(hull.mesh, foliage, length(hull.mesh.positions.front()));
   return hull;
 }
 
 CrownHull crown_box(const Foliage& foliage) {
   CrownHull hull;
   if (foliage.cards.empty()) return hull;
-  std::array bounds = {bounds_of(foliage, &Vec3::x), bounds_of(foliage, &Vec3::y), bounds_of(foliage, &Vec3::z)};
+  std::array bounds = {percentiles_of(foliage, &Vec3::x), percentiles_of(foliage, &Vec3::y),
+                       percentiles_of(foliage, &Vec3::z)};
   bounds[2][0] = 0;
   const auto at = [&](std::size_t axis, int end) { return bounds[axis][static_cast<std::size_t>(end)]; };
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -168,7 +170,7 @@ CrownHull crown_box(const Foliage& foliage) {
       hull.mesh.triangles.push_back({first, first + 1, first + 2});
       hull.mesh.triangles.push_back({first, first + 2, first + 3});
     }
-  hull.error_m = error_m_of(hull.mesh, foliage, 0);
+  hull.error_m = hull_error_m(hull.mesh, foliage, 0);
   return hull;
 }
 

@@ -18,7 +18,7 @@ constexpr double kCrownWeight = 0.6;
 constexpr double kCentreHeight = 0.4;
 
 // The shade of a turtle colour: 0, 1, or 2 and more.
-Tint shaded(Tint tint, std::int32_t colour) {
+Tint shaded_by_colour(Tint tint, std::int32_t colour) {
   constexpr std::array kShares = {0.84, 0.92, 1.0};
   const double share = kShares[static_cast<std::size_t>(std::clamp(colour, 0, 2))];
   for (std::size_t c = 0; c < 3; ++c) tint[c] = static_cast<std::uint8_t>(tint[c] * share + 0.5);
@@ -33,7 +33,7 @@ std::uint8_t spray_number(Foliage& foliage, const std::string& name) {
 }
 
 // The kind's name without ~.
-std::string name_of(const lsystems::ModuleKind& kind) { return kind.name.substr(kind.name.find_first_not_of('~')); }
+std::string kind_name(const lsystems::ModuleKind& kind) { return kind.name.substr(kind.name.find_first_not_of('~')); }
 
 Card card_of(const Instance& instance, double width, Tint tint, std::uint8_t spray) {
   const lsystems::TurtleFrame& f = instance.frame;
@@ -42,7 +42,7 @@ Card card_of(const Instance& instance, double width, Tint tint, std::uint8_t spr
           .across = across,
           .along = along,
           .normal = f.up,
-          .tint = shaded(tint, instance.colour),
+          .tint = shaded_by_colour(tint, instance.colour),
           .spray = spray};
 }
 
@@ -78,7 +78,7 @@ Card card_of(const FlatPolygon& polygon, std::span<const Vec3> corners, Tint tin
       const double off = farthest_corner_m(card, corners);
       if (area_of(card) > 0 && off < least) best = card, least = off;
     }
-  best.tint = shaded(tint, polygon.colour), best.spray = spray;
+  best.tint = shaded_by_colour(tint, polygon.colour), best.spray = spray;
   return best;
 }
 
@@ -127,7 +127,7 @@ std::array<Vec3, 4> corners_of(const Card& card) {
 Foliage foliage_of(const lsystems::LSystem& system, const lsystems::Skeleton& skeleton, Tint tint) {
   Foliage foliage;
   for (const Instance& instance : skeleton.instances) {
-    const std::string name = name_of(system.kinds[instance.kind]);
+    const std::string name = kind_name(system.kinds[instance.kind]);
     foliage.cards.push_back(card_of(instance, width_of_spray(name), tint, spray_number(foliage, name)));
   }
   for (const FlatPolygon& polygon : skeleton.polygons)

@@ -18,7 +18,7 @@ namespace {
 // Width of a cell's card, in widths of the cell.
 constexpr double kCardWidth = 1.15;
 // Pieces of a card each way that bound its distance to others.
-constexpr int kPieces = 4;
+constexpr int kCardPieces = 4;
 
 // A range of the sorted cards, and the card that replaces it.
 struct Cell {
@@ -139,14 +139,14 @@ struct Indices {
 
 // The larger of `known` and of the distance between a cell's cards and the new ones, both ways; from pieces of the new
 // card, without those at its corners, which show no leaves.
-double error_m_of(const Cell& cell, const std::vector<Card>& cards, const Indices& indices, double known) {
+double cluster_error_m(const Cell& cell, const std::vector<Card>& cards, const Indices& indices, double known) {
   if (cell.count == 1) return known;
   const std::span<const Card> own = cards_of(cell, cards);
   for (const Card& card : own) known = std::max(known, nearest_m(card, std::span(&cell.card, 1), indices.made, known));
-  const Vec3 a = cell.card.across * (1.0 / kPieces), b = cell.card.along * (1.0 / kPieces);
-  const auto is_end = [](int i) { return i == 0 || i + 1 == kPieces; };
-  for (int i = 0; i < kPieces; ++i)
-    for (int j = 0; j < kPieces; ++j) {
+  const Vec3 a = cell.card.across * (1.0 / kCardPieces), b = cell.card.along * (1.0 / kCardPieces);
+  const auto is_end = [](int i) { return i == 0 || i + 1 == kCardPieces; };
+  for (int i = 0; i < kCardPieces; ++i)
+    for (int j = 0; j < kCardPieces; ++j) {
       if (is_end(i) && is_end(j)) continue;
       const Card piece{.corner = cell.card.corner + a * i + b * j, .across = a, .along = b, .normal = {}};
       known = std::max(known, nearest_m(piece, own, indices.given, known));
@@ -167,7 +167,7 @@ std::optional<double> refine(Clustering& state) {
   double error_m = 0;
   std::vector<std::size_t> wrong;
   for (std::size_t i = 0; i < state.cells.size(); ++i) {
-    const double here_m = error_m_of(state.cells[i], state.cards, indices, error_m);
+    const double here_m = cluster_error_m(state.cells[i], state.cards, indices, error_m);
     if (here_m > state.width_m)
       wrong.push_back(i);
     else

@@ -27,7 +27,7 @@ void scale(PrototypeMesh& plant, double by) {
   plant.error_per_m *= by;
 }
 
-materials::Tint shaded(materials::Tint tint, double share) {
+materials::Tint darkened(materials::Tint tint, double share) {
   for (std::size_t c = 0; c < 3; ++c) tint[c] = static_cast<std::uint8_t>(tint[c] * share + 0.5);
   return tint;
 }
@@ -48,7 +48,7 @@ MaterialMesh bark_of(const GrownPlant& grown, Material material, double toleranc
   return {std::move(stems.mesh), material, grown.appearance.bark, {}, std::move(stems.uvs)};
 }
 
-void add_card(MaterialMesh& leaves, const Card& card, const LeafPlace& part) {
+void add_leaf_card(MaterialMesh& leaves, const Card& card, const LeafPlace& part) {
   Mesh& mesh = leaves.mesh;
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const auto corners = corners_of(card);
@@ -69,7 +69,7 @@ MaterialMesh leaves_of(const std::vector<Card>& cards, const GrownPlant& grown, 
   for (const Card& card : cards) {
     const auto [place, is_new] = places.try_emplace({card.spray, card.is_clump});
     if (is_new) place->second = place_of(atlas, grown.foliage.sprays[card.spray], card.is_clump, grown.appearance);
-    add_card(leaves, card, place->second);
+    add_leaf_card(leaves, card, place->second);
   }
   return leaves;
 }
@@ -104,7 +104,7 @@ PrototypeMesh hull_mesh(const GrownPlant& grown, Species species) {
   const double shade = is_hedge(species) ? kBoxShade : std::lerp(kTwigsHullShade, kHullShade, appearance.leaf_share);
   CrownHull hull = is_hedge(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);
   PrototypeMesh plant{{}, false, hull.error_m};
-  plant.meshes.push_back({std::move(hull.mesh), appearance.leaf_material, shaded(appearance.leaf, shade), {}});
+  plant.meshes.push_back({std::move(hull.mesh), appearance.leaf_material, darkened(appearance.leaf, shade), {}});
   return plant;
 }
 

@@ -102,7 +102,7 @@ void add_disc(Shaded& shaded) {
                  Vec2{0, 0.5} + direction_of((i + 1) / double{kSides}) * 0.5, 0);
 }
 
-void add_card(Shaded& shaded) {
+void add_unit_card(Shaded& shaded) {
   add_triangle(shaded.by_shade[2], {-0.5, 0}, {0.5, 0}, {0.5, 1}, 0);
   add_triangle(shaded.by_shade[2], {-0.5, 0}, {0.5, 1}, {-0.5, 1}, 0);
 }
@@ -123,7 +123,7 @@ impostor::Picture picture_of_spray(std::string_view name, materials::Material ma
   const Spray* spray = spray_called(name);
   if (spray != nullptr && is_clump) add_clump(shaded, *spray, leaf_share);
   if (spray != nullptr && !is_clump) add_leaves(shaded, *spray, leaf_share, {}, Draw(1, StableId{}, "spray"));
-  if (spray == nullptr) name.empty() ? add_card(shaded) : add_disc(shaded);
+  if (spray == nullptr) name.empty() ? add_unit_card(shaded) : add_disc(shaded);
   std::vector<MaterialMesh> meshes;
   for (std::size_t s = 0; s < kShades.size(); ++s)
     meshes.push_back({std::move(shaded.by_shade[s]), material, {kShades[s], kShades[s], kShades[s], 255}, {}});

@@ -21,11 +21,11 @@ constexpr double kThin = 2.5;
 // the mean width is girth / π); and the depth of its sides inside the stem.
 constexpr double kPrismRadius = 1.2092, kPrismOff = 1 - kPrismRadius / 2;
 
-double radius_of(const Segment& segment) { return std::max(segment.start_radius, segment.end_radius); }
+double segment_radius(const Segment& segment) { return std::max(segment.start_radius, segment.end_radius); }
 
 double thickest_m(const Skeleton& skeleton) {
   double thickest = 0;
-  for (const Segment& segment : skeleton.segments) thickest = std::max(thickest, 2 * radius_of(segment));
+  for (const Segment& segment : skeleton.segments) thickest = std::max(thickest, 2 * segment_radius(segment));
   return thickest;
 }
 
@@ -34,7 +34,7 @@ std::vector<bool> thicker_than(const Skeleton& skeleton, double radius_m) {
   const std::vector<Segment>& all = skeleton.segments;
   std::vector<bool> stays(all.size());
   for (std::size_t i = all.size(); i-- > 0;) {
-    if (radius_of(all[i]) > radius_m) stays[i] = true;
+    if (segment_radius(all[i]) > radius_m) stays[i] = true;
     if (stays[i] && all[i].parent != lsystems::kNoParent) stays[static_cast<std::size_t>(all[i].parent)] = true;
   }
   return stays;
@@ -164,7 +164,7 @@ StemMesh mesh_stems(const Skeleton& skeleton, double tolerance_m, double bark_m)
   for (const Run& run : straight_runs(skeleton, thin, tolerance_m)) {
     add_prism(stems.mesh, run.stem, turns);
     if (bark_m > 0) add_prism_uvs(stems.uvs, run.stem, along[run.first], bark_m);
-    stems.error_m = std::max(stems.error_m, run.error_m + kPrismOff * radius_of(run.stem));
+    stems.error_m = std::max(stems.error_m, run.error_m + kPrismOff * segment_radius(run.stem));
   }
   return stems;
 }

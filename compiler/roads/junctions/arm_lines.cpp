@@ -17,7 +17,7 @@ constexpr double kParallelSine = 0x1p-5;
 constexpr double kStraightCosine = -0.94;
 
 // 0 for bearings from east up to west exclusive, counter-clockwise; 1 for the rest.
-int half_turn(Vec2 v) { return v.y > 0 || (v.y == 0 && v.x > 0) ? 0 : 1; }
+int half_turn_of_bearing(Vec2 v) { return v.y > 0 || (v.y == 0 && v.x > 0) ? 0 : 1; }
 
 }  // namespace
 
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec
   const auto bearing = [&](std::uint32_t i) { return snapped(lines[i].from + lines[i].along * kLookAhead_m - centre); };
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const Vec2 u = bearing(a), v = bearing(b);
-    if (half_turn(u) != half_turn(v)) return half_turn(u) < half_turn(v);
+    if (half_turn_of_bearing(u) != half_turn_of_bearing(v)) return half_turn_of_bearing(u) < half_turn_of_bearing(v);
     const double turn = cross(u, v);
     return turn != 0 ? turn > 0 : a < b;
   });

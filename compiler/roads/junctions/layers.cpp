@@ -26,20 +26,20 @@ int own_layer(const map::Track& track) {
 }
 
 // A node of a track.
-struct Passing {
+struct TrackNode {
   map::Passage passage;
   std::int64_t node_id;
   std::uint32_t track;
-  auto operator<=>(const Passing&) const = default;
-  bool meets(const Passing& other) const { return passage == other.passage && node_id == other.node_id; }
+  auto operator<=>(const TrackNode&) const = default;
+  bool meets(const TrackNode& other) const { return passage == other.passage && node_id == other.node_id; }
 };
 
-std::vector<Passing> passings_of(const Tracks& tracks) {
-  std::vector<Passing> passings;
+std::vector<TrackNode> track_nodes_of(const Tracks& tracks) {
+  std::vector<TrackNode> track_nodes;
   for (std::uint32_t t = 0; t < tracks.size(); ++t)
-    for (const std::int64_t node_id : tracks[t]->node_ids) passings.push_back({tracks[t]->passage, node_id, t});
-  std::ranges::sort(passings);
-  return passings;
+    for (const std::int64_t node_id : tracks[t]->node_ids) track_nodes.push_back({tracks[t]->passage, node_id, t});
+  std::ranges::sort(track_nodes);
+  return track_nodes;
 }
 
 // Disjoint sets (union-find), each represented by its first member.
@@ -62,9 +62,9 @@ struct Sets {
 // The layer of each track: the minimum over all tracks that shared nodes connect it to.
 std::vector<int> layers_of(const Tracks& tracks) {
   Sets sets(tracks.size());
-  const std::vector<Passing> passings = passings_of(tracks);
-  for (std::size_t i = 1; i < passings.size(); ++i)
-    if (passings[i].meets(passings[i - 1])) sets.join(passings[i].track, passings[i - 1].track);
+  const std::vector<TrackNode> track_nodes = track_nodes_of(tracks);
+  for (std::size_t i = 1; i < track_nodes.size(); ++i)
+    if (track_nodes[i].meets(track_nodes[i - 1])) sets.join(track_nodes[i].track, track_nodes[i - 1].track);
 
   std::vector<int> lowest, layers;
   for (const map::Track* track : tracks) lowest.push_back(own_layer(*track));

@@ -142,11 +142,11 @@ void want_disks(std::span<const Road> roads, std::span<const Node> nodes, Draft&
   }
 }
 
-bool is_taper(Family family, const Draft& draft) {
+bool is_taper_draft(Family family, const Draft& draft) {
   const auto is_whole = [](const Cut& cut) { return cut.length_m == kWholeLink_m; };
   const auto is_round = [](const Cut& cut) { return cut.length_m > 0; };
-  return draft.nodes.size() == 1 && roads::is_taper(family, draft.lines) &&
-         std::ranges::none_of(draft.cuts, is_whole) && std::ranges::none_of(draft.cuts, is_round);
+  return draft.nodes.size() == 1 && is_taper(family, draft.lines) && std::ranges::none_of(draft.cuts, is_whole) &&
+         std::ranges::none_of(draft.cuts, is_round);
 }
 
 // A taper uses at most half a link and leaves the rest to the other end.
@@ -217,7 +217,7 @@ std::vector<Draft> drafts_of(std::span<const Road> roads, std::span<const Node> 
     keep_links_inside(group, draft);
     find_order(draft);
     want_disks(roads, nodes, draft);
-    if (is_taper(nodes[n].family, draft)) {
+    if (is_taper_draft(nodes[n].family, draft)) {
       want_taper(draft);
     } else {
       find_corners(roads, draft);

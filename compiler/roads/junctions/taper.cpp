@@ -9,7 +9,7 @@ namespace citykiln::roads {
 namespace {
 
 // The width of the taper at a point of an axis.
-struct Station {
+struct TaperStation {
   Vec2 at;
   double left_m, right_m;  // seen along the direction from the first arm to the other
 };
@@ -24,9 +24,9 @@ Excess excess_of(const ArmPath& arm, const ArmPath& other) {
 }
 
 // The stations from the node to the cut, with widths as seen along the arm.
-std::vector<Station> stations_of(const ArmPath& arm, double cut_m, const ArmPath& other) {
+std::vector<TaperStation> taper_stations_of(const ArmPath& arm, double cut_m, const ArmPath& other) {
   const Excess excess = excess_of(arm, other);
-  std::vector<Station> stations;
+  std::vector<TaperStation> stations;
   double along_m = 0;
   for (std::size_t i = 0; i < arm.axis.size(); ++i) {
     Vec2 at = arm.axis[i];
@@ -42,7 +42,7 @@ std::vector<Station> stations_of(const ArmPath& arm, double cut_m, const ArmPath
 }
 
 // The mitre at a station: the offset vector for one metre to the left.
-std::optional<Vec2> across(const std::vector<Station>& stations, std::size_t i) {
+std::optional<Vec2> across(const std::vector<TaperStation>& stations, std::size_t i) {
   constexpr double kSharpestCosine = 0.5;
   const std::size_t last = stations.size() - 1;
   const Vec2 before = unit(stations[std::max<std::size_t>(i, 1)].at - stations[std::max<std::size_t>(i, 1) - 1].at);
@@ -68,10 +68,10 @@ double taper_length_m(const ArmPath& arm, const ArmPath& other) {
 std::optional<Ring> taper_ring(const ArmPath& arm, double cut_m, const ArmPath& other, double other_cut_m) {
   assert(arm.axis.size() >= 2 && other.axis.size() >= 2);
   if (cut_m <= 0 || other_cut_m <= 0) return std::nullopt;
-  std::vector<Station> stations = stations_of(arm, cut_m, other);
+  std::vector<TaperStation> stations = taper_stations_of(arm, cut_m, other);
   std::ranges::reverse(stations);
-  for (Station& s : stations) std::swap(s.left_m, s.right_m);
-  const std::vector<Station> onward = stations_of(other, other_cut_m, arm);
+  for (TaperStation& s : stations) std::swap(s.left_m, s.right_m);
+  const std::vector<TaperStation> onward = taper_stations_of(other, other_cut_m, arm);
   stations.insert(stations.end(), onward.begin() + 1, onward.end());
   Ring left, ring;
   for (std::size_t i = 0; i < stations.size(); ++i) {

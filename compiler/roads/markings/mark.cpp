@@ -10,7 +10,7 @@ namespace citykiln::roads {
 namespace {
 
 // The mitre of two segments: the vector from their common point to the left outline.
-Vec2 mitre(Vec2 before, Vec2 after, double half_width) {
+Vec2 mitre_offset(Vec2 before, Vec2 after, double half_width) {
   const Vec2 left_before = left_of(unit(before)), left_after = left_of(unit(after));
   const Vec2 middle = unit(left_before + left_after);
   return middle * (half_width / dot(middle, left_after));
@@ -52,7 +52,7 @@ Ring stroke(std::span<const Vec2> line, double width) {
   const auto offset = [&](std::size_t i) {
     const Vec2 after = i < last ? line[i + 1] - line[i] : is_closed ? line[1] - line[0] : line[i] - line[i - 1];
     const Vec2 before = i > 0 ? line[i] - line[i - 1] : is_closed ? line[last] - line[last - 1] : after;
-    return mitre(before, after, width / 2);
+    return mitre_offset(before, after, width / 2);
   };
   Ring ring;
   for (std::size_t i = 0; i <= last; ++i) ring.push_back(line[i] - offset(i));

@@ -49,7 +49,7 @@ Rules rules_of(const MarkingLayout& layout) {
   return rules;
 }
 
-bool is_any(LaneKind kind, const Lane& a, const Lane& b) { return a.kind == kind || b.kind == kind; }
+bool is_either(LaneKind kind, const Lane& a, const Lane& b) { return a.kind == kind || b.kind == kind; }
 
 bool merges(const Lane& a, const Lane& b) { return ((a.turns | b.turns) & kMerging) != 0; }
 
@@ -69,7 +69,7 @@ Line cycle_line(const Lane& a, const Lane& b, const Rules& rules) {
 
 Line same_way_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   const LineMeasures& measures = rules.measures;
-  if (a.kind != b.kind && is_any(LaneKind::kBus, a, b)) return {measures.broad_m, kSolid};
+  if (a.kind != b.kind && is_either(LaneKind::kBus, a, b)) return {measures.broad_m, kSolid};
   const bool is_motorway = layout.surface == map::LandCoverClass::kMotorwayRoad;
   if (merges(a, b) || (is_motorway && leaves(a, b))) return {measures.broad_m, measures.broad_broken};
   const bool is_sorted = rules.is_sorted && a.way == LaneDirection::kForward;
@@ -93,13 +93,13 @@ Line shoulder_line(const Lane& a, const Lane& b, const MarkingLayout& layout, co
   return {is_broad ? rules.measures.broad_m : rules.measures.narrow_m, kSolid};
 }
 
-Line line_between(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
+Line lane_line_between(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   for (const LaneKind bare :
        {LaneKind::kSidewalk, LaneKind::kFoot, LaneKind::kRail, LaneKind::kParking, LaneKind::kVerge})
-    if (is_any(bare, a, b)) return {};
-  if (is_any(LaneKind::kBuffer, a, b)) return a.kind == b.kind ? Line{} : Line{rules.measures.narrow_m, kSolid};
-  if (is_any(LaneKind::kShoulder, a, b)) return shoulder_line(a, b, layout, rules);
-  if (is_any(LaneKind::kCycle, a, b)) return cycle_line(a, b, rules);
+    if (is_either(bare, a, b)) return {};
+  if (is_either(LaneKind::kBuffer, a, b)) return a.kind == b.kind ? Line{} : Line{rules.measures.narrow_m, kSolid};
+  if (is_either(LaneKind::kShoulder, a, b)) return shoulder_line(a, b, layout, rules);
+  if (is_either(LaneKind::kCycle, a, b)) return cycle_line(a, b, rules);
   return driven_line(a, b, layout, rules);
 }
 
@@ -140,7 +140,7 @@ void add_lane_lines(const MarkingLayout& layout, Marks& marks) {
   const std::vector<double> sides_m = lane_sides_m(layout);
   add_edge_lines(layout, rules.measures, marks);
   for (std::size_t i = 0; i + 1 < layout.lanes.size(); ++i)
-    add(line_between(layout.lanes[i], layout.lanes[i + 1], layout, rules), sides_m[i + 1], marks);
+    add(lane_line_between(layout.lanes[i], layout.lanes[i + 1], layout, rules), sides_m[i + 1], marks);
   add_track_centres(layout, rules.measures.narrow_m, marks);
 }
 

@@ -116,7 +116,7 @@ std::uint32_t stretch_at(std::span<const RoadStretch> stretches, double along_m)
   return after == stretches.begin() ? 0 : static_cast<std::uint32_t>(after - stretches.begin()) - 1;
 }
 
-CrossLine line_between(const Slicer& slicer, std::size_t segment, double along_m) {
+CrossLine cross_line_between(const Slicer& slicer, std::size_t segment, double along_m) {
   const Vec2 a = slicer.road.axis[segment], b = slicer.road.axis[segment + 1];
   const double share = (along_m - slicer.along[segment]) / (slicer.along[segment + 1] - slicer.along[segment]);
   return {a + (b - a) * share, left_of(slicer.direction(segment)), along_m};
@@ -131,7 +131,8 @@ void slice_segment(const Slicer& slicer, std::span<const RoadStretch> stretches,
         {.along = slicer.direction(segment), .start = start, .end = end, .stretch = stretch_at(stretches, middle)});
     start = end;
   };
-  for (const double along_m : lines_within(slicer, stretches, segment)) push(line_between(slicer, segment, along_m));
+  for (const double along_m : lines_within(slicer, stretches, segment))
+    push(cross_line_between(slicer, segment, along_m));
   push(slicer.line_at(segment + 1, segment));
 }
 

@@ -15,70 +15,71 @@ constexpr double kLargestPaved_m2 = 80;
 constexpr std::size_t kMostSides = 96;
 
 // A directed segment of an axis: a half-edge of the street network.
-struct Side {
+struct HalfEdge {
   Vec2 from, to;
   std::uint32_t road;
-  auto operator<=>(const Side&) const = default;
+  auto operator<=>(const HalfEdge&) const = default;
 };
 
-std::vector<Side> sides_of(std::span<const Road> roads) {
-  std::vector<Side> sides;
+std::vector<HalfEdge> half_edges_of(std::span<const Road> roads) {
+  std::vector<HalfEdge> half_edges;
   for (std::uint32_t r = 0; r < roads.size(); ++r) {
     if (!is_through_street(roads[r])) continue;
     const Polyline& axis = roads[r].axis;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-      sides.push_back({axis[i], axis[i + 1], r});
-      sides.push_back({axis[i + 1], axis[i], r});
+      half_edges.push_back({axis[i], axis[i + 1], r});
+      half_edges.push_back({axis[i + 1], axis[i], r});
     }
   }
-  std::ranges::sort(sides);
-  return sides;
+  std::ranges::sort(half_edges);
+  return half_edges;
 }
 
 // 0: less than half a turn clockwise of `back`; 1: opposite; 2: more than half a turn; 3: `back` itself.
-int half_turn(Vec2 back, Vec2 v) {
+int turn_from(Vec2 back, Vec2 v) {
   const double turn = cross(back, v);
   if (turn == 0) return dot(back, v) < 0 ? 1 : 3;
   return turn < 0 ? 0 : 2;
 }
 
-// The next half-edge of the face to the left: the first one clockwise of where `side` comes from.
-const Side* next_side(std::span<const Side> sides, const Side& side) {
-  const Vec2 back = side.from - side.to;
-  const Side* best = nullptr;
-  const auto comes_first = [&](const Side& a, const Side& b) {
+// The next half-edge of the face to the left: the first one clockwise of where `half_edge` comes from.
+const HalfEdge* next_half_edge(std::span<const HalfEdge> half_edges, const HalfEdge& half_edge) {
+  const Vec2 back = half_edge.from - half_edge.to;
+  const HalfEdge* best = nullptr;
+  const auto comes_first = [&](const HalfEdge& a, const HalfEdge& b) {
     const Vec2 u = a.to - a.from, v = b.to - b.from;
-    if (half_turn(back, u) != half_turn(back, v)) return half_turn(back, u) < half_turn(back, v);
+    if (turn_from(back, u) != turn_from(back, v)) return turn_from(back, u) < turn_from(back, v);
     return cross(u, v) < 0;
   };
-  for (auto s = std::ranges::lower_bound(sides, side.to, {}, &Side::from); s != sides.end() && s->from == side.to; ++s)
+  for (auto s = std::ranges::lower_bound(half_edges, half_edge.to, {}, &HalfEdge::from);
+       s != half_edges.end() && s->from == half_edge.to; ++s)
     if (!best || comes_first(*s, *best)) best = &*s;
   return best;
 }
 
 // The face to the left of `first`, if `first` is its lowest half-edge and the face is small; else empty.
-std::vector<const Side*> face_from(std::span<const Side> sides, const Side& first) {
-  std::vector<const Side*> face;
+std::vector<const HalfEdge*> face_from(std::span<const HalfEdge> half_edges, const HalfEdge& first) {
+  std::vector<const HalfEdge*> face;
   Box2 box;
-  for (const Side* side = &first; side != nullptr; side = next_side(sides, *side)) {
-    if (side == &first && !face.empty()) return face;
-    face.push_back(side);
-    box.grow(side->from);
-    if (*side < first || face.size() > kMostSides) break;
+  for (const HalfEdge* half_edge = &first; half_edge != nullptr; half_edge = next_half_edge(half_edges, *half_edge)) {
+    if (half_edge == &first && !face.empty()) return face;
+    face.push_back(half_edge);
+    box.grow(half_edge->from);
+    if (*half_edge < first || face.size() > kMostSides) break;
     if (std::max(box.width(), box.height()) > kWidestIsland_m) break;
   }
   return {};
 }
 
 // The island that fills a face, or nothing where the face is too large or crosses itself.
-std::vector<TrafficIsland> island_in(std::span<const Road> roads, const std::vector<const Side*>& face) {
+std::vector<TrafficIsland> island_in(std::span<const Road> roads, const std::vector<const HalfEdge*>& face) {
   Ring ring;
   bool is_roundabout = true;
   ObjectId id = face.empty() ? ObjectId{} : roads[face.front()->road].id;
-  for (const Side* side : face) {
-    ring.push_back(side->from);
-    is_roundabout = is_roundabout && roads[side->road].is_roundabout;
-    id = std::min(id, roads[side->road].id);
+  for (const HalfEdge* half_edge : face) {
+    ring.push_back(half_edge->from);
+    is_roundabout = is_roundabout && roads[half_edge->road].is_roundabout;
+    id = std::min(id, roads[half_edge->road].id);
   }
   const double area = ring.size() < 3 ? 0 : signed_area_m2(ring);
   if (area <= 0 || (!is_roundabout && area > kLargest_m2) || !is_simple(ring)) return {};
@@ -89,10 +90,11 @@ std::vector<TrafficIsland> island_in(std::span<const Road> roads, const std::vec
 }  // namespace
 
 std::vector<TrafficIsland> islands_of(std::span<const Road> roads) {
-  const std::vector<Side> sides = sides_of(roads);
+  const std::vector<HalfEdge> half_edges = half_edges_of(roads);
   std::vector<TrafficIsland> islands;
-  for (const Side& side : sides)
-    for (TrafficIsland& island : island_in(roads, face_from(sides, side))) islands.push_back(std::move(island));
+  for (const HalfEdge& half_edge : half_edges)
+    for (TrafficIsland& island : island_in(roads, face_from(half_edges, half_edge)))
+      islands.push_back(std::move(island));
   std::ranges::sort(islands, {}, [](const TrafficIsland& i) { return std::tie(i.id, i.surface, i.ring); });
   return islands;
 }

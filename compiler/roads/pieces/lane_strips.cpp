@@ -10,7 +10,7 @@ using map::LandCoverClass;
 using map::LaneKind;
 
 // Raised buffers become pavement: no tag says whether they are planted, and crossings lead over them.
-LandCoverClass surface_of(const Road& road, const map::Lane& lane) {
+LandCoverClass lane_surface_of(const Road& road, const map::Lane& lane) {
   if (lane.kind == LaneKind::kParking) return LandCoverClass::kParkingLane;
   if (!lane.is_raised) return road.surface;
   if (lane.kind == LaneKind::kCycle) return LandCoverClass::kCycleTrack;
@@ -22,7 +22,7 @@ std::vector<LaneStrip> runs_of(const Road& road) {
   std::vector<LaneStrip> strips;
   double edge_m = left_m(road) + raised_left_m(road);
   for (const map::Lane& lane : road.section.lanes) {
-    const LandCoverClass surface = surface_of(road, lane);
+    const LandCoverClass surface = lane_surface_of(road, lane);
     const bool goes_on =
         !strips.empty() && strips.back().surface == surface && strips.back().lanes.back().is_raised == lane.is_raised;
     if (!goes_on) strips.push_back({.surface = surface, .lanes = {}, .left_m = edge_m, .right_m = edge_m});
@@ -59,13 +59,15 @@ std::vector<LaneStrip> with_kerbs(std::vector<LaneStrip> runs) {
   return strips;
 }
 
-double width_m(const LaneStrip& strip) { return strip.left_m - strip.right_m; }
+double strip_width_m(const LaneStrip& strip) { return strip.left_m - strip.right_m; }
 
 // The index of the widest strip with the road's own class, which absorbs its narrow neighbours last.
 std::size_t middle_of(const Road& road, const std::vector<LaneStrip>& strips) {
   std::size_t middle = 0;
   for (std::size_t i = 0; i < strips.size(); ++i) {
-    const auto rank = [&](std::size_t k) { return std::pair(strips[k].surface == road.surface, width_m(strips[k])); };
+    const auto rank = [&](std::size_t k) {
+      return std::pair(strips[k].surface == road.surface, strip_width_m(strips[k]));
+    };
     if (rank(i) > rank(middle)) middle = i;
   }
   return middle;
@@ -74,7 +76,7 @@ std::size_t middle_of(const Road& road, const std::vector<LaneStrip>& strips) {
 // Merges strips narrower than the tolerance into their neighbour towards the middle.
 std::vector<LaneStrip> yielded(const Road& road, std::vector<LaneStrip> strips, double tolerance_m) {
   for (std::size_t middle = middle_of(road, strips), i = 0; i < strips.size();) {
-    if (i == middle || width_m(strips[i]) >= tolerance_m) {
+    if (i == middle || strip_width_m(strips[i]) >= tolerance_m) {
       ++i;
       continue;
     }
@@ -92,7 +94,7 @@ std::vector<LaneStrip> yielded(const Road& road, std::vector<LaneStrip> strips, 
 std::vector<LaneStrip> strips_of(const Road& road, double tolerance_m) {
   assert(tolerance_m >= 0);
   std::vector<LaneStrip> strips = yielded(road, with_kerbs(runs_of(road)), tolerance_m);
-  std::erase_if(strips, [](const LaneStrip& s) { return width_m(s) <= 0; });
+  std::erase_if(strips, [](const LaneStrip& s) { return strip_width_m(s) <= 0; });
   return strips;
 }
 

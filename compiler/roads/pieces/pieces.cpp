@@ -39,7 +39,7 @@ bool is_crossing(StretchKind stretch) { return stretch == StretchKind::kZebra ||
 
 // The class of a strip within a stretch: crossings cover all lanes between the kerbs, and verges in front of them
 // become pavement.
-LandCoverClass surface_of(const Road& road, const LaneStrip& strip, StretchKind stretch) {
+LandCoverClass strip_surface_of(const Road& road, const LaneStrip& strip, StretchKind stretch) {
   if (stretch == StretchKind::kLevelCrossing) return LandCoverClass::kLevelCrossing;
   if (is_crossing(stretch) && strip.surface == LandCoverClass::kVerge) return LandCoverClass::kPavement;
   return is_crossing(stretch) && strip.surface == road.surface ? LandCoverClass::kCrossing : strip.surface;
@@ -101,7 +101,7 @@ struct PieceBuilder {
                            .width_m = whole.left_m - whole.right_m,
                            .start = end_of(slice, slice.start, start, run.zero_m),
                            .end = end_of(slice, slice.end, end, run.zero_m)};
-    made.pieces.push_back({.surface = surface_of(road, whole, run.stretch),
+    made.pieces.push_back({.surface = strip_surface_of(road, whole, run.stretch),
                            .ring = std::move(ring),
                            .frame = frame,
                            .layout = layouts[number],

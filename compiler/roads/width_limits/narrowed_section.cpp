@@ -90,11 +90,6 @@ void add_bends(std::span<const WidthLimit> width_limits, const Side& side, doubl
   }
 }
 
-bool is_soft(map::LaneKind kind) {
-  using map::LaneKind;
-  return kind == LaneKind::kParking || kind == LaneKind::kShoulder || kind == LaneKind::kBuffer;
-}
-
 // Narrows a lane by up to what is asked and subtracts that from the request.
 void take(double& width_m, double& asked_m) {
   const double taken = std::min(width_m, asked_m);
@@ -122,6 +117,11 @@ void narrow_carriageway(std::span<const map::Lane* const> lanes, std::span<doubl
 }
 
 }  // namespace
+
+bool is_soft(map::LaneKind kind) {
+  using map::LaneKind;
+  return kind == LaneKind::kParking || kind == LaneKind::kShoulder || kind == LaneKind::kBuffer;
+}
 
 double min_half_width_m(const Road& road) {
   const double least_m = std::ranges::all_of(road.section.lanes, is_walked_or_cycled) ? kMinPath_m : kMinCarriageway_m;

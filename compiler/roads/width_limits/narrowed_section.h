@@ -28,6 +28,9 @@ inline constexpr double kMinCarriageway_m = 2.5;
 /// The width a path keeps: one person with a pram.
 inline constexpr double kMinPath_m = 1;
 
+/// Returns whether lanes of a kind narrow before the others of the carriageway: parking, shoulders and buffers.
+bool is_soft(map::LaneKind kind);
+
 /// The minimum distance from the carriageway's middle to either kerb.
 double min_half_width_m(const Road& road);
 

@@ -17,7 +17,7 @@ constexpr double kOzoneMiddle_m = 25000, kOzoneHalfWidth_m = 15000;
 // Share of extinction by aerosols that is absorption (Bruneton, Neyret 2008).
 constexpr double kAbsorbed = 0.1;
 constexpr double kVisibleContrast_log = 3.912;  // -ln 0.02
-constexpr double kLowest_m = 500, kHighest_m = 8000;
+constexpr double kLowestAerosols_m = 500, kHighestAerosols_m = 8000;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ Air air_of(const Sky& sky) {
   const double aerosols_per_m = std::max(1e-7, kVisibleContrast_log / (sky.visibility_km * 1000) - molecules_per_m);
   const double height_m = aerosols_depth(550, sky.turbidity) / aerosols_per_m;
   return {.aerosols_550_per_m = aerosols_per_m,
-          .aerosols_height_m = std::clamp(height_m, kLowest_m, kHighest_m),
+          .aerosols_height_m = std::clamp(height_m, kLowestAerosols_m, kHighestAerosols_m),
           .ground_albedo = sky.ground_albedo};
 }
 

@@ -6,7 +6,7 @@
 namespace citykiln::sky {
 namespace {
 
-constexpr int kHeights = 64, kDirections = 96, kSteps = 64;
+constexpr int kColumnHeights = 64, kColumnDirections = 96, kColumnSteps = 64;
 
 Columns integral(const Air& air, double height_m, double cos_zenith) {
   const double r = kEarth_m + height_m;
@@ -15,8 +15,8 @@ Columns integral(const Air& air, double height_m, double cos_zenith) {
       -r * cos_zenith +
       std::sqrt(std::max(0.0, r * r * (cos_zenith * cos_zenith - 1) + (kEarth_m + kTop_m) * (kEarth_m + kTop_m)));
   double sums[3] = {};
-  for (int i = 0; i < kSteps; ++i) {
-    const double from = static_cast<double>(i) / kSteps, to = static_cast<double>(i + 1) / kSteps;
+  for (int i = 0; i < kColumnSteps; ++i) {
+    const double from = static_cast<double>(i) / kColumnSteps, to = static_cast<double>(i + 1) / kColumnSteps;
     const double from_m = from * from * end_m, step_m = to * to * end_m - from_m, at_m = from_m + step_m / 2;
     const double there_m = std::sqrt(r * r + at_m * at_m + 2 * r * at_m * cos_zenith) - kEarth_m;
     const Densities density = densities_at(air, there_m);
@@ -25,9 +25,10 @@ Columns integral(const Air& air, double height_m, double cos_zenith) {
   return {static_cast<float>(sums[0]), static_cast<float>(sums[1]), static_cast<float>(sums[2])};
 }
 
-float mixed(float a, float b, float share) { return a + (b - a) * share; }
-Columns mixed(const Columns& a, const Columns& b, float share) {
-  return {mixed(a.molecules, b.molecules, share), mixed(a.aerosols, b.aerosols, share), mixed(a.ozone, b.ozone, share)};
+float mixed_amount(float a, float b, float share) { return a + (b - a) * share; }
+Columns mixed_columns(const Columns& a, const Columns& b, float share) {
+  return {mixed_amount(a.molecules, b.molecules, share), mixed_amount(a.aerosols, b.aerosols, share),
+          mixed_amount(a.ozone, b.ozone, share)};
 }
 
 }  // namespace
@@ -52,11 +53,11 @@ double way_m(double height_m, double cos_zenith) {
 }
 
 ColumnTable::ColumnTable(const Air& air) {
-  for (int i = 0; i < kHeights; ++i) {
-    const double root = static_cast<double>(i) / (kHeights - 1), height_m = root * root * kTop_m;
+  for (int i = 0; i < kColumnHeights; ++i) {
+    const double root = static_cast<double>(i) / (kColumnHeights - 1), height_m = root * root * kTop_m;
     const double horizon = horizon_cosine(height_m);
-    for (int j = 0; j < kDirections; ++j) {
-      const double up = static_cast<double>(j) / (kDirections - 1);
+    for (int j = 0; j < kColumnDirections; ++j) {
+      const double up = static_cast<double>(j) / (kColumnDirections - 1);
       cells_.push_back(integral(air, height_m, horizon + up * up * (1 - horizon)));
     }
   }
@@ -64,13 +65,15 @@ ColumnTable::ColumnTable(const Air& air) {
 
 Columns ColumnTable::at(double height_m, double cos_zenith) const {
   const double horizon = horizon_cosine(height_m);
-  const double up = std::sqrt(std::clamp((cos_zenith - horizon) / (1 - horizon), 0.0, 1.0)) * (kDirections - 1);
-  const double high = std::sqrt(std::clamp(height_m / kTop_m, 0.0, 1.0)) * (kHeights - 1);
-  const int i = std::min(static_cast<int>(high), kHeights - 2), j = std::min(static_cast<int>(up), kDirections - 2);
-  const Columns* cell = &cells_[static_cast<std::size_t>(i) * kDirections + j];
+  const double up = std::sqrt(std::clamp((cos_zenith - horizon) / (1 - horizon), 0.0, 1.0)) * (kColumnDirections - 1);
+  const double high = std::sqrt(std::clamp(height_m / kTop_m, 0.0, 1.0)) * (kColumnHeights - 1);
+  const int i = std::min(static_cast<int>(high), kColumnHeights - 2),
+            j = std::min(static_cast<int>(up), kColumnDirections - 2);
+  const Columns* cell = &cells_[static_cast<std::size_t>(i) * kColumnDirections + j];
   const auto across = static_cast<float>(up - j);
-  return mixed(mixed(cell[0], cell[1], across), mixed(cell[kDirections], cell[kDirections + 1], across),
-               static_cast<float>(high - i));
+  return mixed_columns(mixed_columns(cell[0], cell[1], across),
+                       mixed_columns(cell[kColumnDirections], cell[kColumnDirections + 1], across),
+                       static_cast<float>(high - i));
 }
 
 }  // namespace citykiln::sky

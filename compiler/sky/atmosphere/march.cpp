@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "compiler/geometry/trig.h"
 
 namespace citykiln::sky {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // (1 - e^-x) / x, with the series where the difference would lose its digits.
 float mean_share(float x, float share) { return x < 0.01f ? 1 - x * (0.5f - x * (1.0f / 6)) : (1 - share) / x; }

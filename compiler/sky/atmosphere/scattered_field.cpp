@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "compiler/geometry/trig.h"
 #include "compiler/sky/atmosphere/march.h"
 
 namespace citykiln::sky {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Nodes: heights, finer near the ground, and zenith angles within 12 degrees. These are a degree apart for low sources,
 // since twilight falls by half in a degree.
-constexpr int kHeights = 16;
-constexpr double kHighest_m = 75000, kReach_rad = 12 * kPi / 180;
+constexpr int kNodeHeights = 16;
+constexpr double kHighestNode_m = 75000, kReach_rad = 12 * kPi / 180;
 int angles_for(double source_angle_rad) {
   const double above_deg = 90 - source_angle_rad * 180 / kPi;
   return above_deg < 12 ? 25 : above_deg < 30 ? 13 : 7;
@@ -29,11 +27,11 @@ constexpr int kAzimuths = 6;
 
 // The first sweep gathers light scattered once, each of the others adds at least one order.
 constexpr int kSweeps = 5;
-constexpr int kSteps = 16;
+constexpr int kFieldSteps = 16;
 
 double height_m(int row) {
-  const double root = static_cast<double>(row) / (kHeights - 1);
-  return root * root * kHighest_m;
+  const double root = static_cast<double>(row) / (kNodeHeights - 1);
+  return root * root * kHighestNode_m;
 }
 
 struct Direction {
@@ -65,7 +63,7 @@ Bands ground_light(const LitAir& lit, const ScatteredField& field, const AirRay&
 
 // Light along a ray that was scattered once, or by the ground.
 Bands gather_once(const LitAir& lit, const AirRay& ray) {
-  const MarchedLight marched = march_out(lit, {}, ray, kSteps);
+  const MarchedLight marched = march_out(lit, {}, ray, kFieldSteps);
   const double cosine = dot(ray.direction, ray.to_source);
   const auto molecules = static_cast<float>(molecules_phase(cosine));
   const auto aerosols = static_cast<float>(aerosols_phase(cosine));
@@ -76,7 +74,7 @@ Bands gather_once(const LitAir& lit, const AirRay& ray) {
 
 // Light along a ray that was scattered more often, and from the ground behind the air.
 Bands gather_more(const LitAir& lit, const ScatteredField& field, const AirRay& ray) {
-  const MarchedLight marched = march_out(lit, {.has_direct = false, .field = &field}, ray, kSteps);
+  const MarchedLight marched = march_out(lit, {.has_direct = false, .field = &field}, ray, kFieldSteps);
   Bands sum = marched.more;
   if (ray.direction.z >= horizon_cosine(ray.height_m)) return sum;
   const Bands ground = ground_light(lit, field, ray);
@@ -118,7 +116,7 @@ ScatteredField::ScatteredField(const LitAir& lit, double source_angle_rad)
     : angles_(angles_for(source_angle_rad)),
       step_rad_(2 * kReach_rad / (angles_ - 1)),
       first_rad_(source_angle_rad - kReach_rad),
-      cells_(static_cast<std::size_t>(kHeights) * angles_),
+      cells_(static_cast<std::size_t>(kNodeHeights) * angles_),
       ground_(angles_) {
   std::vector<Bands> once;
   for (int i = 0; i < kSweeps; ++i) sweep(lit, once);
@@ -132,7 +130,7 @@ void ScatteredField::sweep(const LitAir& lit, std::vector<Bands>& once) {
   const bool is_first = once.empty();
   std::size_t next = 0;
   for (int column = 0; column < angles_; ++column)
-    for (int row = 0; row < kHeights; ++row) {
+    for (int row = 0; row < kNodeHeights; ++row) {
       const double angle = angle_rad(column);
       Moments moments{};
       Bands ground{};
@@ -162,8 +160,8 @@ int ScatteredField::column_of(double source_cosine, float& share) const {
 Moments ScatteredField::at(double at_m, double source_cosine) const {
   float across;
   const int column = column_of(source_cosine, across);
-  const double high = std::sqrt(std::clamp(at_m / kHighest_m, 0.0, 1.0)) * (kHeights - 1);
-  const int row = std::min(static_cast<int>(high), kHeights - 2);
+  const double high = std::sqrt(std::clamp(at_m / kHighestNode_m, 0.0, 1.0)) * (kNodeHeights - 1);
+  const int row = std::min(static_cast<int>(high), kNodeHeights - 2);
   const auto up = static_cast<float>(high - row);
   const Moments* low = &cells_[static_cast<std::size_t>(row) * angles_ + column];
   Moments mixed;

@@ -5,16 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "compiler/geometry/trig.h"
 
 namespace citykiln::sky {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-constexpr int kRows = 72, kColumns = 40, kSteps = 40;
+constexpr int kSkyRows = 72, kSkyColumns = 40, kSkySteps = 40;
 constexpr int kAirRows = 61, kAirColumns = 17, kDistances = 24;
-constexpr double kFarthest_m = 200000;
+constexpr double kFarthestAir_m = 200000;
 
 Vec3 along(double angle_rad, double azimuth_rad) {
   return {std::cos(angle_rad) * std::cos(azimuth_rad), std::cos(angle_rad) * std::sin(azimuth_rad),
@@ -23,7 +22,7 @@ Vec3 along(double angle_rad, double azimuth_rad) {
 
 double distance_m(int slice) {
   const double root = static_cast<double>(slice) / (kDistances - 1);
-  return root * root * kFarthest_m;
+  return root * root * kFarthestAir_m;
 }
 
 // Heights of rows of air: finer near 0.
@@ -36,7 +35,7 @@ double air_row(double angle_rad) {
   return (std::copysign(side, angle_rad) + 1) / 2 * (kAirRows - 1);
 }
 
-Vec3 frame_of(Vec3 to_source) { return {std::sqrt(std::max(0.0, 1 - to_source.z * to_source.z)), 0, to_source.z}; }
+Vec3 in_xz_plane(Vec3 to_source) { return {std::sqrt(std::max(0.0, 1 - to_source.z * to_source.z)), 0, to_source.z}; }
 
 std::array<float, 3> narrowed(const Rgb& light, double scale) {
   std::array<float, 3> narrow;
@@ -45,7 +44,7 @@ std::array<float, 3> narrowed(const Rgb& light, double scale) {
 }
 
 template <typename Table>
-auto mixed(const Table& a, const Table& b, float share) {
+auto mixed_tables(const Table& a, const Table& b, float share) {
   Table sum;
   for (std::size_t c = 0; c < a.size(); ++c) sum[c] = a[c] + (b[c] - a[c]) * share;
   return sum;
@@ -80,21 +79,21 @@ SkyDome::SkyDome(const LitAir& lit, Vec3 to_source, double eye_height_m, double 
 }
 
 void SkyDome::fill_sky(const LitAir& lit, const ScatteredField& field) {
-  const Vec3 to_source = frame_of(to_source_);
-  for (int row = 0; row < kRows; ++row) {
-    const double root = static_cast<double>(row) / (kRows - 1);
+  const Vec3 to_source = in_xz_plane(to_source_);
+  for (int row = 0; row < kSkyRows; ++row) {
+    const double root = static_cast<double>(row) / (kSkyRows - 1);
     // the lowest row is just above the horizon, whatever rounding does
     const double angle = horizon_rad_ + std::max(1e-6, root * root * (kPi / 2 - horizon_rad_));
-    for (int column = 0; column < kColumns; ++column) {
-      const Vec3 direction = along(angle, kPi * column / (kColumns - 1));
-      const MarchedLight light = march_out(lit, {.field = &field}, {eye_height_m_, direction, to_source}, kSteps);
+    for (int column = 0; column < kSkyColumns; ++column) {
+      const Vec3 direction = along(angle, kPi * column / (kSkyColumns - 1));
+      const MarchedLight light = march_out(lit, {.field = &field}, {eye_height_m_, direction, to_source}, kSkySteps);
       sky_.push_back(light_of(light, dot(direction, to_source), irradiance_));
     }
   }
 }
 
 void SkyDome::fill_air(const LitAir& lit, const ScatteredField& field) {
-  const Vec3 to_source = frame_of(to_source_);
+  const Vec3 to_source = in_xz_plane(to_source_);
   const Rgb white = rgb_of(filled(1));
   for (int row = 0; row < kAirRows; ++row)
     for (int column = 0; column < kAirColumns; ++column) {
@@ -136,21 +135,22 @@ Rgb SkyDome::with_phase(const Light& light, Vec3 direction) const {
 
 Rgb SkyDome::radiance(Vec3 direction) const {
   const double angle = std::asin(std::clamp(direction.z, -1.0, 1.0)) - horizon_rad_;
-  const double up = std::sqrt(std::clamp(angle / (kPi / 2 - horizon_rad_), 0.0, 1.0)) * (kRows - 1);
-  const int row = std::min(static_cast<int>(up), kRows - 2);
-  const Cell across = azimuth_cell(direction, kColumns);
+  const double up = std::sqrt(std::clamp(angle / (kPi / 2 - horizon_rad_), 0.0, 1.0)) * (kSkyRows - 1);
+  const int row = std::min(static_cast<int>(up), kSkyRows - 2);
+  const Cell across = azimuth_cell(direction, kSkyColumns);
   const auto u = static_cast<float>(across.share), v = static_cast<float>(up - row);
-  const Light* low = &sky_[static_cast<std::size_t>(row) * kColumns + across.index];
-  const Light* high = low + kColumns;
+  const Light* low = &sky_[static_cast<std::size_t>(row) * kSkyColumns + across.index];
+  const Light* high = low + kSkyColumns;
   return with_phase(
-      {mixed(mixed(low[0].smooth, low[1].smooth, u), mixed(high[0].smooth, high[1].smooth, u), v),
-       mixed(mixed(low[0].aerosols, low[1].aerosols, u), mixed(high[0].aerosols, high[1].aerosols, u), v)},
+      {mixed_tables(mixed_tables(low[0].smooth, low[1].smooth, u), mixed_tables(high[0].smooth, high[1].smooth, u), v),
+       mixed_tables(mixed_tables(low[0].aerosols, low[1].aerosols, u),
+                    mixed_tables(high[0].aerosols, high[1].aerosols, u), v)},
       direction);
 }
 
 AirPath SkyDome::air(Vec3 direction, double distance_m) const {
-  const double way = std::clamp(distance_m, 0.0, kFarthest_m);
-  const double along = std::sqrt(way / kFarthest_m) * (kDistances - 1);
+  const double way = std::clamp(distance_m, 0.0, kFarthestAir_m);
+  const double along = std::sqrt(way / kFarthestAir_m) * (kDistances - 1);
   const int slice = std::min(static_cast<int>(along), kDistances - 2);
   const double high = air_row(std::asin(std::clamp(direction.z, -1.0, 1.0)));
   const int row = std::min(static_cast<int>(high), kAirRows - 2);
@@ -161,14 +161,15 @@ AirPath SkyDome::air(Vec3 direction, double distance_m) const {
   const auto mix = [&](auto member) {
     const auto line = [&](int at_row, int column) {
       const Light* cell = &air_[(static_cast<std::size_t>(at_row) * kAirColumns + column) * kDistances + slice];
-      return mixed(cell[0].*member, cell[1].*member, w);
+      return mixed_tables(cell[0].*member, cell[1].*member, w);
     };
-    return mixed(mixed(line(row, across.index), line(row, across.index + 1), u),
-                 mixed(line(row + 1, across.index), line(row + 1, across.index + 1), u), v);
+    return mixed_tables(mixed_tables(line(row, across.index), line(row, across.index + 1), u),
+                        mixed_tables(line(row + 1, across.index), line(row + 1, across.index + 1), u), v);
   };
   light.smooth = mix(&Light::smooth), light.aerosols = mix(&Light::aerosols);
   const std::array<float, 3>* depths = &depth_[static_cast<std::size_t>(row) * kDistances + slice];
-  const auto depth = mixed(mixed(depths[0], depths[1], w), mixed(depths[kDistances], depths[kDistances + 1], w), v);
+  const auto depth = mixed_tables(mixed_tables(depths[0], depths[1], w),
+                                  mixed_tables(depths[kDistances], depths[kDistances + 1], w), v);
   AirPath path{.added = with_phase(light, direction)};
   for (int c = 0; c < 3; ++c) {
     path.passed[c] = std::exp(-depth[c] * way);

@@ -4,24 +4,24 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <tuple>
+
+#include "compiler/geometry/trig.h"
 
 namespace citykiln::sky {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 // Sides of cells: the least up to the first distance, then twice as long with each doubling of the distance.
 constexpr double kLeastCell_m = 250, kFine_m = 4000;
 constexpr double kAllOverLamps = 3, kDirect = 0.15, kReflected = 0.15 * (1 - kDirect);
 // Normalises an intensity by the fourth power of the zenith angle (Garstang 1986).
 constexpr double kFourth = 0.554;
 
-constexpr int kRows = 12, kColumns = 16, kSteps = 24;
-constexpr double kFarthest_m = 60000;
+constexpr int kGlowRows = 12, kGlowColumns = 16, kGlowSteps = 24;
+constexpr double kFarthestGlow_m = 60000;
 
 // Rows are nearer to each other at the horizon.
-double row_rad(int row) { return kPi / 2 * std::pow(static_cast<double>(row) / (kRows - 1), 1.5); }
+double row_rad(int row) { return kPi / 2 * std::pow(static_cast<double>(row) / (kGlowRows - 1), 1.5); }
 
 struct Cell {
   Vec2 at;
@@ -131,8 +131,8 @@ void add_scattered(const Town& town, const Cell& cell, Vec3 place, Vec3 to_eye, 
 
 Rgb glow_along(const Town& town, double eye_m, Vec3 direction) {
   Bands light{};
-  for (int i = 0; i < kSteps; ++i) {
-    const auto way_at = [](double step) { return kFarthest_m * std::pow(step / kSteps, 3); };
+  for (int i = 0; i < kGlowSteps; ++i) {
+    const auto way_at = [](double step) { return kFarthestGlow_m * std::pow(step / kGlowSteps, 3); };
     const double from_m = way_at(i), to_m = way_at(i + 1), way_m = (from_m + to_m) / 2;
     const Vec3 place = Vec3{0, 0, eye_m} + direction * way_m;
     Bands scattered{};
@@ -147,7 +147,7 @@ Rgb glow_along(const Town& town, double eye_m, Vec3 direction) {
   return colour;
 }
 
-Vec3 direction_of(double height_rad, double azimuth_rad) {
+Vec3 sky_direction(double height_rad, double azimuth_rad) {
   return {std::cos(height_rad) * std::cos(azimuth_rad), std::cos(height_rad) * std::sin(azimuth_rad),
           std::sin(height_rad)};
 }
@@ -155,18 +155,18 @@ Vec3 direction_of(double height_rad, double azimuth_rad) {
 }  // namespace
 
 TownGlow::TownGlow(const Air& air, std::span<const GroundLight> lights, double eye_height_m)
-    : cells_(kRows * kColumns) {
+    : cells_(kGlowRows * kGlowColumns) {
   const Town town{air, band_coefficients(air), Above(air), spectrum_of(lights), cells_of(lights)};
   const double eye_m = std::max(2.0, eye_height_m);
   double last_sine = 0;
-  for (int row = 0; row < kRows; ++row) {
+  for (int row = 0; row < kGlowRows; ++row) {
     // the band of the sky that is nearest to this row, through level ground: the difference of its squared sines
-    const double next_sine = row + 1 < kRows ? std::sin((row_rad(row) + row_rad(row + 1)) / 2) : 1;
-    const double band_sr = kPi * (next_sine * next_sine - last_sine * last_sine) / kColumns;
+    const double next_sine = row + 1 < kGlowRows ? std::sin((row_rad(row) + row_rad(row + 1)) / 2) : 1;
+    const double band_sr = kPi * (next_sine * next_sine - last_sine * last_sine) / kGlowColumns;
     last_sine = next_sine;
-    for (int column = 0; column < kColumns; ++column) {
-      Rgb& cell = cells_[static_cast<std::size_t>(row * kColumns + column)];
-      cell = glow_along(town, eye_m, direction_of(row_rad(row), 2 * kPi * column / kColumns));
+    for (int column = 0; column < kGlowColumns; ++column) {
+      Rgb& cell = cells_[static_cast<std::size_t>(row * kGlowColumns + column)];
+      cell = glow_along(town, eye_m, sky_direction(row_rad(row), 2 * kPi * column / kGlowColumns));
       for (int c = 0; c < 3; ++c) ground_[c] += cell[c] * band_sr;
     }
   }
@@ -174,14 +174,14 @@ TownGlow::TownGlow(const Air& air, std::span<const GroundLight> lights, double e
 
 Rgb TownGlow::radiance(Vec3 direction) const {
   const double height_rad = std::asin(std::clamp(direction.z, 0.0, 1.0));
-  const double row = (kRows - 1) * std::pow(height_rad / (kPi / 2), 1 / 1.5);
+  const double row = (kGlowRows - 1) * std::pow(height_rad / (kPi / 2), 1 / 1.5);
   const double turn = std::atan2(direction.y, direction.x) / (2 * kPi),
-               column = (turn < 0 ? turn + 1 : turn) * kColumns;
-  const int r = std::clamp(static_cast<int>(row), 0, kRows - 2), c = static_cast<int>(column);
+               column = (turn < 0 ? turn + 1 : turn) * kGlowColumns;
+  const int r = std::clamp(static_cast<int>(row), 0, kGlowRows - 2), c = static_cast<int>(column);
   const double up = std::clamp(row - r, 0.0, 1.0), on = column - c;
   Rgb sum{};
   const auto add = [&](int of_row, int of_column, double share) {
-    const Rgb& cell = cells_[static_cast<std::size_t>(of_row * kColumns + of_column % kColumns)];
+    const Rgb& cell = cells_[static_cast<std::size_t>(of_row * kGlowColumns + of_column % kGlowColumns)];
     for (int i = 0; i < 3; ++i) sum[i] += cell[i] * share;
   };
   add(r, c, (1 - up) * (1 - on)), add(r, c + 1, (1 - up) * on);

@@ -31,7 +31,7 @@ struct Lattice {
 int cell_of(double m, double cell_m) { return static_cast<int>(std::floor(m / cell_m)); }
 
 // A sphere changes the nodes within its radius and two cells.
-void add_sphere(Lattice& lattice, const CloudParticle& sphere) {
+void add_sphere_to_lattice(Lattice& lattice, const CloudParticle& sphere) {
   const double reach_m = sphere.radius_m + 2 * lattice.cell_m;
   const std::array centre = {sphere.centre.x, sphere.centre.y, sphere.centre.z};
   Index3 first, last;
@@ -67,7 +67,7 @@ Lattice lattice_of(const LayerParticles& particles, const std::vector<std::uint3
                   .size = {wide, wide, cell_of(top_m, cell_m) + 2 * kAround + 2},
                   .distance = {}};
   lattice.distance.assign(static_cast<std::size_t>(wide) * wide * lattice.size[2], 2 * cell_m);
-  for (const std::uint32_t i : spheres) add_sphere(lattice, particles.spheres[i]);
+  for (const std::uint32_t i : spheres) add_sphere_to_lattice(lattice, particles.spheres[i]);
   cut_at_base(lattice);
   return lattice;
 }

@@ -41,7 +41,7 @@ void add_to_block(Distances& distances, const Grid& grid, std::array<int, 3> low
 
 int block_of(int voxel) { return voxel >= 0 ? voxel / kVoxelBlock : -((kVoxelBlock - 1 - voxel) / kVoxelBlock); }
 
-void add_sphere(Blocks& blocks, const Grid& grid, const LayerFrame& frame, const CloudParticle& sphere) {
+void add_sphere_to_blocks(Blocks& blocks, const Grid& grid, const LayerFrame& frame, const CloudParticle& sphere) {
   const auto [low_corner, high_corner] = box_of(sphere, frame);
   const Vec3 edge = {grid.voxel_m, grid.voxel_m, grid.voxel_m};
   const auto first = grid.index(low_corner - edge), last = grid.index(high_corner + edge);
@@ -57,7 +57,7 @@ void add_sphere(Blocks& blocks, const Grid& grid, const LayerFrame& frame, const
 
 void add_layer(const LayerParticles& layer, const Grid& grid, std::map<std::array<int, 3>, std::vector<float>>& sums) {
   Blocks blocks;
-  for (const CloudParticle& sphere : layer.spheres) add_sphere(blocks, grid, layer.frame, sphere);
+  for (const CloudParticle& sphere : layer.spheres) add_sphere_to_blocks(blocks, grid, layer.frame, sphere);
   // the surface is as soft as half a voxel, or a voxel is where the layer is thin
   const double soft_m = grid.voxel_m / shortest(layer.frame);
   const double extinction = extinction_per_m(layer.layer.kind);

@@ -6,11 +6,10 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/mathematics.h"
+#include "compiler/geometry/trig.h"
 
 namespace citykiln::sky {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // How clouds of a kind are shaped. `spacing` is in heights of the layer's frame.
 struct KindShape {

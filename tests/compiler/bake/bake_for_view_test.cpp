@@ -8,25 +8,25 @@
 namespace citykiln::bake {
 namespace {
 
-constexpr double kTile_m = 1024, kGround_m = 30;
+constexpr double kLevelTile_m = 1024, kLevelGround_m = 30;
 
 buildings::Building house(std::int64_t id, Vec2 at, double height_m) {
   buildings::Building house;
   house.id = {{OsmType::kWay, id}, 0};
   house.footprint.outer = {at, at + Vec2{10, 0}, at + Vec2{10, 10}, at + Vec2{0, 10}};
-  house.bottom_m = kGround_m, house.top_m = kGround_m + height_m;
+  house.bottom_m = kLevelGround_m, house.top_m = kLevelGround_m + height_m;
   house.wall = house.roof = materials::Material::kConcrete;
   return house;
 }
 
 // Flat land with rows of houses, some of them low.
-scene::Scene made_scene() {
+scene::Scene scene_of_house_rows() {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {kTile_m, kTile_m}};
-  scene.header.tile_m = kTile_m;
+  scene.header.region = {{0, 0}, {kLevelTile_m, kLevelTile_m}};
+  scene.header.tile_m = kLevelTile_m;
   scene::Chunk& chunk = scene.chunks.emplace_back();
   chunk.heights = {{-64, -64}, {64, 64}, 19, 19, {}, 0};
-  chunk.heights.heights.assign(19 * 19, static_cast<std::int32_t>(kGround_m / map::kHeightQuantum_m));
+  chunk.heights.heights.assign(19 * 19, static_cast<std::int32_t>(kLevelGround_m / map::kHeightQuantum_m));
   for (std::int64_t i = 0; i < 100; ++i)
     chunk.buildings.push_back(
         house(i + 1, {20.0 + 100 * static_cast<double>(i / 10), 20.0 + 100 * static_cast<double>(i % 10)},
@@ -35,13 +35,13 @@ scene::Scene made_scene() {
 }
 
 View near_the_corner() {
-  View view{{5, 5, kGround_m + 20}, 900};
+  View view{{5, 5, kLevelGround_m + 20}, 900};
   view.pixel_error = 1.5;
   return view;
 }
 
 struct Baked {
-  scene::Scene scene = made_scene();
+  scene::Scene scene = scene_of_house_rows();
   ViewLevels levels = levels_for(scene, near_the_corner());
   std::vector<BakedTile> parts = bake(scene.header, scene.chunks[0], levels, 1);
 };
@@ -68,7 +68,7 @@ TEST(BakeForView, PartsTogetherAreTheTileOnce) {
         // footprints are ground as well
         (part.features[f] == OsmId{} ? ground_m2 : roofs_m2[part.features[f]]) += here_m2;
       }
-  EXPECT_DOUBLE_EQ(ground_m2, kTile_m * kTile_m - 100 * 100);
+  EXPECT_DOUBLE_EQ(ground_m2, kLevelTile_m * kLevelTile_m - 100 * 100);
   EXPECT_EQ(roofs_m2.size(), 100u);
   for (const auto& [id, area] : roofs_m2) {
     const bool is_high = (id.id - 1) % 3 != 0;

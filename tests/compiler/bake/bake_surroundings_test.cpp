@@ -17,7 +17,7 @@ using materials::Material;
 
 const Box2 kRegion{{-128, -128}, {128, 128}};
 
-ground::LandCoverPolygon area(std::int64_t id, LandCoverClass cover, const Box2& box) {
+ground::LandCoverPolygon land_cover_on(std::int64_t id, LandCoverClass cover, const Box2& box) {
   return {.id = {{OsmType::kWay, id}, 0},
           .surface = cover,
           .area_m2 = 100,
@@ -45,8 +45,8 @@ scene::Scene slope() {
   chunk.heights = {.min = {-64, -64}, .step_m = {64, 64}, .columns = 7, .rows = 7, .heights = {}};
   for (int j = 0; j < 7; ++j)
     for (int i = 0; i < 7; ++i) chunk.heights.heights.push_back((1000 + (i - 1) * 6) * 64);
-  chunk.surfaces = {area(1, LandCoverClass::kForest, {{-10, -10}, {128, 266}}),
-                    area(2, LandCoverClass::kMeadow, {{128, -10}, {266, 266}})};
+  chunk.surfaces = {land_cover_on(1, LandCoverClass::kForest, {{-10, -10}, {128, 266}}),
+                    land_cover_on(2, LandCoverClass::kMeadow, {{128, -10}, {266, 266}})};
   scene.chunks = {chunk};
   return scene;
 }

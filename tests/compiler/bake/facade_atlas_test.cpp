@@ -9,13 +9,13 @@
 namespace citykiln::bake {
 namespace {
 
-constexpr double kTile_m = 256, kGround_m = 30;
+constexpr double kAtlasTile_m = 256, kAtlasGround_m = 30;
 
 buildings::Building block(std::int64_t id, Vec2 at) {
   buildings::Building house;
   house.id = {{OsmType::kWay, id}, 0};
   house.footprint.outer = {at, at + Vec2{30, 0}, at + Vec2{30, 12}, at + Vec2{0, 12}};
-  house.bottom_m = house.floor_m = kGround_m, house.top_m = kGround_m + 18;
+  house.bottom_m = house.floor_m = kAtlasGround_m, house.top_m = kAtlasGround_m + 18;
   house.levels = 6;
   house.wall = house.roof = materials::Material::kConcrete;
   house.style = buildings::Style::kPanelBlock;
@@ -24,13 +24,13 @@ buildings::Building block(std::int64_t id, Vec2 at) {
 
 scene::Scene with_blocks(std::int64_t count) {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {kTile_m, kTile_m}};
-  scene.header.tile_m = kTile_m;
+  scene.header.region = {{0, 0}, {kAtlasTile_m, kAtlasTile_m}};
+  scene.header.tile_m = kAtlasTile_m;
   const auto rules = buildings::shipped_rules();
   scene.header.rules.assign(rules.begin(), rules.end());
   scene::Chunk& chunk = scene.chunks.emplace_back();
   chunk.heights = {{-64, -64}, {64, 64}, 7, 7, {}, 0};
-  chunk.heights.heights.assign(7 * 7, static_cast<std::int32_t>(kGround_m / map::kHeightQuantum_m));
+  chunk.heights.heights.assign(7 * 7, static_cast<std::int32_t>(kAtlasGround_m / map::kHeightQuantum_m));
   for (std::int64_t i = 0; i < count; ++i)
     chunk.buildings.push_back(block(i + 1, {20.0, 20.0 + 30 * static_cast<double>(i)}));
   return scene;

@@ -7,7 +7,7 @@
 namespace citykiln::bake {
 namespace {
 
-Primitive primitive_of(Layer layer, materials::Material material) {
+Primitive primitive_with(Layer layer, materials::Material material) {
   Primitive p{.material = material, .positions = {}, .normals = {}, .colours = {}, .features = {}, .triangles = {}};
   p.layer = layer;
   return p;
@@ -25,8 +25,8 @@ void add_square(Primitive& p, float x, float y, float side, std::uint8_t grey) {
 
 // 40 × 20 squares of 4 m: meadow, a road of one square's width along y = 8, and a paved square 40 m wide.
 BakedTile crossing() {
-  Primitive meadow = primitive_of(Layer::kGround, materials::Material::kGrass);
-  Primitive road = primitive_of(Layer::kRoads, materials::Material::kAsphalt);
+  Primitive meadow = primitive_with(Layer::kGround, materials::Material::kGrass);
+  Primitive road = primitive_with(Layer::kRoads, materials::Material::kAsphalt);
   for (int column = 0; column < 40; ++column)
     for (int row = 0; row < 20; ++row) {
       const bool is_paved = row == 2 || (column >= 20 && column < 30 && row >= 6 && row < 16);

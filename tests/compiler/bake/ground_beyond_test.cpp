@@ -9,7 +9,7 @@
 namespace citykiln::bake {
 namespace {
 
-scene::Header header_of(Box2 region) {
+scene::Header header_of_region(Box2 region) {
   scene::Header header;
   header.region = region, header.tile_m = 1024;
   return header;
@@ -40,7 +40,7 @@ scene::Chunk chunk_of(scene::TileKey tile, const std::vector<Box2>& footprints) 
   return chunk;
 }
 
-double area(const Box2& box) { return box.width() * box.height(); }
+double box_area_m2(const Box2& box) { return box.width() * box.height(); }
 
 // The sides of boxes on the line x = 0, from south to north.
 std::vector<std::pair<double, double>> sides_on_line(const std::vector<Box2>& boxes) {
@@ -51,10 +51,10 @@ std::vector<std::pair<double, double>> sides_on_line(const std::vector<Box2>& bo
   return sides;
 }
 
-Box2 turned(const Box2& box) { return {{box.min.y, box.min.x}, {box.max.y, box.max.x}}; }
+Box2 with_swapped_axes(const Box2& box) { return {{box.min.y, box.min.x}, {box.max.y, box.max.x}}; }
 
-std::vector<Box2> turned(std::vector<Box2> boxes) {
-  for (Box2& box : boxes) box = turned(box);
+std::vector<Box2> with_swapped_axes(std::vector<Box2> boxes) {
+  for (Box2& box : boxes) box = with_swapped_axes(box);
   return boxes;
 }
 
@@ -64,21 +64,23 @@ TEST(GroundBeyond, OfTwoTilesMeetsOnTheLineBetweenThem) {
   std::size_t met = 0;
   for (int round = 0; round < 300; ++round) {
     const std::vector<Box2> all = footprints(dice);
-    const auto west = sides_on_line(ground_beyond(header_of(region), chunk_of({-1, -1}, all))),
-               east = sides_on_line(ground_beyond(header_of(region), chunk_of({0, -1}, all)));
+    const auto west = sides_on_line(ground_beyond(header_of_region(region), chunk_of({-1, -1}, all))),
+               east = sides_on_line(ground_beyond(header_of_region(region), chunk_of({0, -1}, all)));
     EXPECT_EQ(west, east);
     met += west.size();
     // the same with x and y exchanged
-    const scene::Header sideways = header_of(turned(region));
-    EXPECT_EQ(sides_on_line(turned(ground_beyond(sideways, chunk_of({-1, -1}, turned(all))))), west);
-    EXPECT_EQ(sides_on_line(turned(ground_beyond(sideways, chunk_of({-1, 0}, turned(all))))), west);
+    const scene::Header sideways = header_of_region(with_swapped_axes(region));
+    EXPECT_EQ(sides_on_line(with_swapped_axes(ground_beyond(sideways, chunk_of({-1, -1}, with_swapped_axes(all))))),
+              west);
+    EXPECT_EQ(sides_on_line(with_swapped_axes(ground_beyond(sideways, chunk_of({-1, 0}, with_swapped_axes(all))))),
+              west);
   }
   EXPECT_GT(met, 100u);
 }
 
 TEST(GroundBeyond, HoldsWhatStandsOutsideInBoxesThatDoNotOverlap) {
   std::mt19937 dice(6);
-  const scene::Header header = header_of({{-1024, -512}, {1024, 1024}});
+  const scene::Header header = header_of_region({{-1024, -512}, {1024, 1024}});
   std::size_t corners = 0;
   for (int round = 0; round < 100; ++round) {
     const std::vector<Box2> all = footprints(dice), boxes = ground_beyond(header, chunk_of({0, -1}, all));
@@ -89,7 +91,7 @@ TEST(GroundBeyond, HoldsWhatStandsOutsideInBoxesThatDoNotOverlap) {
         ++corners;
       }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      EXPECT_GT(area(boxes[i]), 0);
+      EXPECT_GT(box_area_m2(boxes[i]), 0);
       EXPECT_LE(boxes[i].max.y, -512);
       for (std::size_t j = 0; j < i; ++j)
         EXPECT_FALSE(boxes[i].min.x < boxes[j].max.x && boxes[j].min.x < boxes[i].max.x &&
@@ -100,7 +102,7 @@ TEST(GroundBeyond, HoldsWhatStandsOutsideInBoxesThatDoNotOverlap) {
 }
 
 TEST(GroundBeyond, IsEmptyWhereBuildingsStandInside) {
-  const scene::Header header = header_of({{-1024, -512}, {1024, 1024}});
+  const scene::Header header = header_of_region({{-1024, -512}, {1024, 1024}});
   EXPECT_TRUE(ground_beyond(header, chunk_of({0, -1}, {{{5, -511.5}, {20, -490}}})).empty());
 }
 

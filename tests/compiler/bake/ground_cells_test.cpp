@@ -8,9 +8,9 @@ namespace {
 using ground::LandCoverPolygon;
 using map::LandCoverClass;
 
-constexpr Box2 kTile{{0, 0}, {256, 128}};
+constexpr Box2 kTileOfTwoCells{{0, 0}, {256, 128}};
 
-map::Heightfield hills() {
+map::Heightfield rough_terrain() {
   map::Heightfield field{{-64, -64}, {32, 32}, 13, 9, {}, 0};
   for (int i = 0; i < 13 * 9; ++i) field.heights.push_back((i * 7919) % 640);
   return field;
@@ -25,18 +25,21 @@ ground::GradedTerrain graded_terrain(bool has_kerbs) {
                    {map::LaneKind::kDriving, map::LaneDirection::kBoth, 6}},
                   5};
   road.profile = {{0, 8, 0}, {100, 3, 0}, {340, 6, 0}};
-  return ground::grade_terrain(hills(), {std::vector{road}, {}, {}, kTile.widened(ground::kGrading_m), has_kerbs});
+  return ground::grade_terrain(rough_terrain(),
+                               {std::vector{road}, {}, {}, kTileOfTwoCells.widened(ground::kGrading_m), has_kerbs});
 }
 
-LandCoverPolygon area(std::int64_t id, LandCoverClass surface, Ring ring) {
+LandCoverPolygon land_cover_in(std::int64_t id, LandCoverClass surface, Ring ring) {
   return {{{OsmType::kWay, id}, 0}, surface, 5000, {std::move(ring)}};
 }
 
 std::vector<LandCoverPolygon> surfaces(bool has_strip) {
-  std::vector<LandCoverPolygon> all = {area(1, LandCoverClass::kMeadow, {{10, 10}, {120, 12}, {110, 100}, {12, 90}}),
-                                       area(2, LandCoverClass::kForest, {{140, -20}, {250, 20}, {200, 150}})};
+  std::vector<LandCoverPolygon> all = {
+      land_cover_in(1, LandCoverClass::kMeadow, {{10, 10}, {120, 12}, {110, 100}, {12, 90}}),
+      land_cover_in(2, LandCoverClass::kForest, {{140, -20}, {250, 20}, {200, 150}})};
   // in the western cell alone
-  if (has_strip) all.push_back(area(3, LandCoverClass::kResidentialRoad, {{-9, 20}, {60, 40}, {60, 46}, {-9, 26}}));
+  if (has_strip)
+    all.push_back(land_cover_in(3, LandCoverClass::kResidentialRoad, {{-9, 20}, {60, 40}, {60, 46}, {-9, 26}}));
   return all;
 }
 
@@ -55,11 +58,12 @@ TEST(GroundOfALadder, IsThatOfItsLevels) {
   const std::vector<GroundLevel> levels = {{fine, with, 0.02}, {coarse, without, 0.5},  {fine, without, 0.1},
                                            {fine, with, 0.1},  {coarse, without, 12.5}, {coarse, with, 2.5}};
   std::vector<Report> reports(levels.size());
-  const auto grounds = generate_cells(levels, kTile, 2, reports);
+  const auto grounds = generate_cells(levels, kTileOfTwoCells, 2, reports);
   ASSERT_EQ(grounds.size(), levels.size());
   for (std::size_t i = 0; i < levels.size(); ++i) {
     Report report;
-    const auto alone = generate_cells(levels[i].graded, levels[i].surfaces, kTile, levels[i].tolerance_m, 1, report);
+    const auto alone =
+        generate_cells(levels[i].graded, levels[i].surfaces, kTileOfTwoCells, levels[i].tolerance_m, 1, report);
     ASSERT_EQ(grounds[i].size(), alone.size());
     for (std::size_t c = 0; c < alone.size(); ++c) expect_equal(grounds[i][c], alone[c]);
     EXPECT_EQ(reports[i].diagnoses().size(), report.diagnoses().size());
@@ -73,7 +77,7 @@ TEST(GroundOfALadder, NamesTheSurfacesOfEachLevel) {
   const std::vector<LandCoverPolygon> turned(some.rbegin(), some.rend());
   const std::vector<GroundLevel> levels = {{graded, some, 0.5}, {graded, turned, 0.5}};
   std::vector<Report> reports(levels.size());
-  const auto grounds = generate_cells(levels, kTile, 1, reports);
+  const auto grounds = generate_cells(levels, kTileOfTwoCells, 1, reports);
   ASSERT_FALSE(grounds[0].empty());
   for (std::size_t c = 0; c < grounds[0].size(); ++c) {
     ASSERT_EQ(grounds[0][c].face_cover.size(), grounds[1][c].face_cover.size());

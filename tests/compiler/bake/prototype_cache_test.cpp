@@ -10,7 +10,7 @@ namespace {
 
 using plants::Species;
 
-scene::Header header_of(std::vector<plants::SpeciesText> texts) {
+scene::Header header_with_species(std::vector<plants::SpeciesText> texts) {
   scene::Header header;
   header.region = {{0, 0}, {128, 128}}, header.tile_m = 128, header.species = std::move(texts);
   return header;
@@ -27,7 +27,7 @@ scene::Chunk planted(int trees) {
 }
 
 TEST(PrototypeCache, MakesAPrototypeOnceForAllThreads) {
-  const PrototypeCache prototypes(header_of({}));
+  const PrototypeCache prototypes(header_with_species({}));
   const auto shapes = for_each_slot<const BakedPrototype*>(16, 4, [&](std::size_t i) {
     return &prototypes.prototype({Species::kBush, static_cast<std::uint8_t>(i % 2)}, 5, 0.1);
   });
@@ -38,18 +38,18 @@ TEST(PrototypeCache, MakesAPrototypeOnceForAllThreads) {
 
 TEST(PrototypeCache, GrowsFromTheHeadersTextsAndElseFromThoseShipped) {
   const auto shipped = plants::shipped_species();
-  const PrototypeCache own(header_of({shipped.begin(), shipped.end()})), none(header_of({}));
+  const PrototypeCache own(header_with_species({shipped.begin(), shipped.end()})), none(header_with_species({}));
   EXPECT_EQ(own.prototype({Species::kOak, 1}, 28, 0.5).primitives,
             none.prototype({Species::kOak, 1}, 28, 0.5).primitives);
-  const PrototypeCache other(
-      header_of({{"oak", "module oak_leaf\nn: 1\naxiom: F(5)[+(40)F(3)~oak_leaf(2)]-(30)F(3)~oak_leaf(2)\n"}}));
+  const PrototypeCache other(header_with_species(
+      {{"oak", "module oak_leaf\nn: 1\naxiom: F(5)[+(40)F(3)~oak_leaf(2)]-(30)F(3)~oak_leaf(2)\n"}}));
   EXPECT_NE(other.prototype({Species::kOak, 1}, 28, 0.5).primitives,
             none.prototype({Species::kOak, 1}, 28, 0.5).primitives);
   EXPECT_FALSE(other.prototype({Species::kOak, 1}, 28, 0.5).primitives.empty());
 }
 
 TEST(PrototypeCache, GivesATileTheSameTreesSharedOrNot) {
-  const scene::Header header = header_of({});
+  const scene::Header header = header_with_species({});
   const scene::Chunk chunk = planted(20);
   const double ladder_m[] = {0.1, 2.5, 12.5};
   Report report;
@@ -60,12 +60,12 @@ TEST(PrototypeCache, GivesATileTheSameTreesSharedOrNot) {
 }
 
 TEST(PrototypeCache, GrowsInTheMonthOfTheHeadersSky) {
-  scene::Header winter = header_of({});
+  scene::Header winter = header_with_species({});
   winter.origin = {13, 52}, winter.sky.time = "2026-01-15T12:00";
   EXPECT_NE(PrototypeCache(winter).prototype({Species::kOak, 0}, 28, 12.5).primitives,
-            PrototypeCache(header_of({})).prototype({Species::kOak, 0}, 28, 12.5).primitives);
+            PrototypeCache(header_with_species({})).prototype({Species::kOak, 0}, 28, 12.5).primitives);
   EXPECT_EQ(PrototypeCache(winter).prototype({Species::kFir, 0}, 40, 12.5).primitives,
-            PrototypeCache(header_of({})).prototype({Species::kFir, 0}, 40, 12.5).primitives);
+            PrototypeCache(header_with_species({})).prototype({Species::kFir, 0}, 40, 12.5).primitives);
 }
 
 // Each tree stands once, in its place and with its height.
@@ -73,7 +73,7 @@ TEST(PrototypeCache, LosesNoTreeWhereVariantsAreFewer) {
   const scene::Chunk chunk = planted(20);
   Report report;
   for (const double tolerance_m : {0.02, 0.5, 2.0, 11.0}) {
-    const BakedTile tile = bake(header_of({}), chunk, tolerance_m, 1, report);
+    const BakedTile tile = bake(header_with_species({}), chunk, tolerance_m, 1, report);
     std::vector<float> places;
     for (const InstancedMesh& trees : tile.instanced)
       for (std::size_t i = 0; i < trees.scales.size(); ++i) {

@@ -7,9 +7,9 @@
 namespace citykiln::bake {
 namespace {
 
-constexpr double kTile_m = 64;
+constexpr double kFlatTile_m = 64;
 
-void add_triangle(Primitive& p, Float3 a, Float3 b, Float3 c, std::uint32_t feature) {
+void add_feature_triangle(Primitive& p, Float3 a, Float3 b, Float3 c, std::uint32_t feature) {
   const auto first = static_cast<std::uint32_t>(p.positions.size());
   for (const Float3& at : {a, b, c}) {
     p.positions.push_back(at), p.normals.push_back({0, 0, 1});
@@ -18,11 +18,11 @@ void add_triangle(Primitive& p, Float3 a, Float3 b, Float3 c, std::uint32_t feat
   p.triangles.push_back({first, first + 1, first + 2});
 }
 
-void add_quad(Primitive& p, Float3 a, Float3 b, Float3 c, Float3 d, std::uint32_t feature) {
-  add_triangle(p, a, b, c, feature), add_triangle(p, a, c, d, feature);
+void add_feature_quad(Primitive& p, Float3 a, Float3 b, Float3 c, Float3 d, std::uint32_t feature) {
+  add_feature_triangle(p, a, b, c, feature), add_feature_triangle(p, a, c, d, feature);
 }
 
-Primitive primitive_of(Layer layer) {
+Primitive primitive_on(Layer layer) {
   Primitive p{.material = {}, .positions = {}, .normals = {}, .colours = {}, .features = {}, .triangles = {}};
   p.layer = layer;
   return p;
@@ -30,11 +30,13 @@ Primitive primitive_of(Layer layer) {
 
 // Two tiles from (0, 0) to (128, 64): flat ground in steps of 4 m with skirts on all sides of both.
 BakedTile two_tiles() {
-  Primitive ground = primitive_of(Layer::kGround);
+  Primitive ground = primitive_on(Layer::kGround);
   const auto at = [](int x, int y) { return Float3{static_cast<float>(x), static_cast<float>(y), 0}; };
   for (int x = 0; x < 128; x += 4)
-    for (int y = 0; y < 64; y += 4) add_quad(ground, at(x, y), at(x + 4, y), at(x + 4, y + 4), at(x, y + 4), 1);
-  const auto skirt = [&](Float3 a, Float3 b) { add_quad(ground, a, {a[0], a[1], -30}, {b[0], b[1], -30}, b, 1); };
+    for (int y = 0; y < 64; y += 4) add_feature_quad(ground, at(x, y), at(x + 4, y), at(x + 4, y + 4), at(x, y + 4), 1);
+  const auto skirt = [&](Float3 a, Float3 b) {
+    add_feature_quad(ground, a, {a[0], a[1], -30}, {b[0], b[1], -30}, b, 1);
+  };
   for (int y = 0; y < 64; y += 4)
     for (const int x : {0, 64, 64, 128}) skirt(at(x, y), at(x, y + 4));
   return {.tile = {0, 0},
@@ -55,7 +57,7 @@ std::size_t skirts_at(const BakedTile& tile, float x) {
 TEST(SimplifyTile, RemovesSkirtsBetweenTilesOnly) {
   BakedTile tile = two_tiles();
   EXPECT_EQ(skirts_at(tile, 64), 64u);
-  remove_inner_skirts(tile, {{0, 0}, {1, 0}}, kTile_m);
+  remove_inner_skirts(tile, {{0, 0}, {1, 0}}, kFlatTile_m);
   EXPECT_EQ(skirts_at(tile, 64), 0u);
   EXPECT_EQ(skirts_at(tile, 0), 32u);
   EXPECT_EQ(skirts_at(tile, 128), 32u);
@@ -63,13 +65,13 @@ TEST(SimplifyTile, RemovesSkirtsBetweenTilesOnly) {
 
 TEST(SimplifyTile, KeepsSkirtsBesideATileThatIsNotThere) {
   BakedTile tile = two_tiles();
-  remove_inner_skirts(tile, {{0, 0}}, kTile_m);
+  remove_inner_skirts(tile, {{0, 0}}, kFlatTile_m);
   EXPECT_EQ(skirts_at(tile, 64), 64u);
 }
 
 TEST(SimplifyTile, LeavesFewTrianglesOfFlatGroundAndAllOnTheBorder) {
   BakedTile tile = two_tiles();
-  remove_inner_skirts(tile, {{0, 0}, {1, 0}}, kTile_m);
+  remove_inner_skirts(tile, {{0, 0}, {1, 0}}, kFlatTile_m);
   simplify_terrain(tile, {{0, 0}, {128, 64}}, 0.5);
   const Primitive& ground = tile.primitives.front();
   EXPECT_LT(ground.triangles.size(), 300u);
@@ -83,14 +85,14 @@ TEST(SimplifyTile, LeavesFewTrianglesOfFlatGroundAndAllOnTheBorder) {
 void add_box(Primitive& p, float x, float y, float side, float height, std::uint32_t feature) {
   const Float3 a{x, y, height}, b{x + side, y, height}, c{x + side, y + side, height}, d{x, y + side, height};
   const auto low = [](Float3 at) { return Float3{at[0], at[1], 0}; };
-  add_quad(p, a, b, c, d, feature);
-  add_quad(p, low(a), low(b), b, a, feature), add_quad(p, low(b), low(c), c, b, feature);
-  add_quad(p, low(c), low(d), d, c, feature), add_quad(p, low(d), low(a), a, d, feature);
+  add_feature_quad(p, a, b, c, d, feature);
+  add_feature_quad(p, low(a), low(b), b, a, feature), add_feature_quad(p, low(b), low(c), c, b, feature);
+  add_feature_quad(p, low(c), low(d), d, c, feature), add_feature_quad(p, low(d), low(a), a, d, feature);
 }
 
 TEST(SimplifyTile, DropsWhatIsNearTheTerrainAndKeepsTowers) {
   BakedTile tile = two_tiles();
-  Primitive buildings = primitive_of(Layer::kBuildings);
+  Primitive buildings = primitive_on(Layer::kBuildings);
   add_box(buildings, 10, 10, 8, 12, 2), add_box(buildings, 40, 10, 8, 90, 2);
   tile.primitives.push_back(buildings);
   drop_near_terrain(tile, 20);

@@ -7,7 +7,7 @@
 namespace citykiln::bake {
 namespace {
 
-constexpr Box2 kTile{{0, 0}, {128, 128}};
+constexpr Box2 kSkirtTile{{0, 0}, {128, 128}};
 
 // Two faces that fill the western half of the tile, and a kerb on its border.
 materials::MaterialMesh half_tile() {
@@ -22,7 +22,7 @@ materials::MaterialMesh half_tile() {
 
 TEST(Skirt, HangsBelowEveryEdgeInTheBorderAndNoOther) {
   materials::MaterialMesh surface = half_tile();
-  add_skirt(surface, kTile, 0.6);
+  add_skirt(surface, kSkirtTile, 0.6);
   // south, west, north
   ASSERT_EQ(surface.mesh.triangles.size(), 3u + 3 * 2);
   EXPECT_EQ(surface.tints.size(), surface.mesh.positions.size());
@@ -32,7 +32,7 @@ TEST(Skirt, HangsBelowEveryEdgeInTheBorderAndNoOther) {
 
 TEST(Skirt, LooksOutwards) {
   materials::MaterialMesh surface = half_tile();
-  add_skirt(surface, kTile, 0.6);
+  add_skirt(surface, kSkirtTile, 0.6);
   ASSERT_GT(surface.mesh.triangles.size(), 3u);
   for (std::size_t f = 3; f < surface.mesh.triangles.size(); ++f) {
     const Triangle& t = surface.mesh.triangles[f];
@@ -48,7 +48,7 @@ TEST(Skirt, LooksOutwards) {
 TEST(Skirt, IsAsDeepAsTheGapToACoarserNeighbour) {
   for (const double tolerance_m : {0.02, 0.1, 0.5, 2.5}) {
     materials::MaterialMesh surface = half_tile();
-    add_skirt(surface, kTile, kSkirtDepthTolerances * tolerance_m);
+    add_skirt(surface, kSkirtTile, kSkirtDepthTolerances * tolerance_m);
     const auto lowest = std::ranges::min_element(surface.mesh.positions, {}, &Vec3::z);
     EXPECT_GE(5 - lowest->z, tolerance_m + 5 * tolerance_m - 0x1p-10);
   }

@@ -12,9 +12,9 @@
 namespace citykiln::bake {
 namespace {
 
-constexpr double kTile_m = 512;
+constexpr double kHillyTile_m = 512;
 
-map::Heightfield hills() {
+map::Heightfield random_hills() {
   map::Heightfield field{{-64, -64}, {16, 16}, 73, 73, {}, 0};
   const Draw draw(1, StableId{2}, "hills");
   for (std::uint32_t i = 0; i < 73 * 73; ++i)
@@ -23,13 +23,13 @@ map::Heightfield hills() {
 }
 
 // Two by two tiles of four by four cells.
-scene::Scene made_scene() {
+scene::Scene scene_of_four_tiles() {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {2 * kTile_m, 2 * kTile_m}};
-  scene.header.tile_m = kTile_m;
+  scene.header.region = {{0, 0}, {2 * kHillyTile_m, 2 * kHillyTile_m}};
+  scene.header.tile_m = kHillyTile_m;
   for (const scene::TileKey tile : scene::tiles_of(scene.header)) {
     scene.chunks.emplace_back().tile = tile;
-    scene.chunks.back().heights = hills();
+    scene.chunks.back().heights = random_hills();
   }
   return scene;
 }
@@ -68,7 +68,7 @@ TEST(ViewLevels, AnErrorIsNoLongerThanThePixelsAskedFor) {
 }
 
 TEST(ViewLevels, EachObjectIsInOnePart) {
-  const scene::Scene scene = made_scene();
+  const scene::Scene scene = scene_of_four_tiles();
   const ViewLevels levels = levels_for(scene, made_view(1));
   const std::vector<int> of_tile = levels_of_parts(levels, scene.header, scene.chunks[0]);
   const Draw draw(5, StableId{6}, "bounds");
@@ -82,7 +82,7 @@ TEST(ViewLevels, EachObjectIsInOnePart) {
 
 TEST(ViewLevels, BothCellsOfASideHaveOneToleranceThere) {
   for (const double pixel_error : {0.25, 1.0, 8.0}) {
-    const scene::Scene scene = made_scene();
+    const scene::Scene scene = scene_of_four_tiles();
     const std::vector<ViewCell> cells = all_cells(scene, levels_for(scene, made_view(pixel_error)));
     int sides = 0;
     for (const ViewCell& a : cells)
@@ -102,7 +102,7 @@ TEST(ViewLevels, BothCellsOfASideHaveOneToleranceThere) {
 }
 
 TEST(ViewLevels, ZonesHoldEveryCellOnce) {
-  const scene::Scene scene = made_scene();
+  const scene::Scene scene = scene_of_four_tiles();
   const ViewLevels levels = levels_for(scene, made_view(1));
   ASSERT_FALSE(scene.chunks.empty());
   for (const scene::Chunk& chunk : scene.chunks) {

@@ -11,6 +11,7 @@
 #include "compiler/geometry/snap.h"
 #include "tests/compiler/buildings/nearest_triangle.h"
 #include "tests/compiler/buildings/real_buildings.h"
+#include "tests/test_files.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -24,7 +25,7 @@ constexpr const char* kExtracts[] = {"helsinki/Helsinki.osm.pbf",
                                      "berlin/berlin-reinickendorf-2026.osm.pbf"};
 
 // Always measured: villas whose chimneys had no room on roof planes without eaves.
-constexpr std::int64_t kHard[] = {572938068, 126977943};
+constexpr std::int64_t kHouseIds[] = {572938068, 126977943};
 
 // Largest spacing of samples.
 constexpr double kApart_m = 2;
@@ -85,7 +86,7 @@ struct Row {
 };
 
 // Without party walls, which only coarse levels contain.
-Building alone(Building building) {
+Building with_party_walls_shown(Building building) {
   for (PartyWall& wall : building.party_walls) wall.is_hidden = false;
   return building;
 }
@@ -119,13 +120,14 @@ TEST(CertifiedErrorReal, IsNeverLessThanWhatIsMeasured) {
   std::size_t measured = 0;
   const std::size_t from_each = std::max<std::size_t>(1, buildings_asked_for() / std::size(kExtracts));
   for (const char* extract : kExtracts) {
-    if (!std::filesystem::exists(data_file(extract))) GTEST_SKIP() << "absent: " << extract;
+    if (!std::filesystem::exists(real_data(extract))) GTEST_SKIP() << "absent: " << extract;
     const std::vector<Building> buildings = buildings_in(extract);
     const Rulebook rulebook = parse_rulebook(shipped_rules());
     for (std::size_t i = 0; i < from_each && i < buildings.size(); ++i, ++measured)
-      measure(alone(buildings[i * buildings.size() / from_each]), rulebook, rows);
+      measure(with_party_walls_shown(buildings[i * buildings.size() / from_each]), rulebook, rows);
     for (const Building& building : buildings)
-      if (std::ranges::count(kHard, building.id.osm.id) > 0) measure(alone(building), rulebook, rows), ++measured;
+      if (std::ranges::count(kHouseIds, building.id.osm.id) > 0)
+        measure(with_party_walls_shown(building), rulebook, rows), ++measured;
   }
   std::printf("%zu buildings\n", measured);
   for (std::size_t k = 0; k < rows.size(); ++k)

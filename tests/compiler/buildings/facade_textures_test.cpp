@@ -14,7 +14,7 @@ namespace {
 using materials::Material;
 using materials::MaterialMesh;
 
-Building house(Style style, double width_m, double height_m) {
+Building building_of_style(Style style, double width_m, double height_m) {
   Building b;
   b.id = {{OsmType::kWay, 7}, 0};
   b.footprint = {{{0, 0}, {width_m, 0}, {width_m, 14}, {0, 14}}, {}};
@@ -81,7 +81,7 @@ TEST(FacadeTextures, AreRenderedWithALimitedNumberOfTexels) {
 
 TEST(FacadeTextures, ShowWindows) {
   for (const Style style : {Style::kPanelBlock, Style::kOldTownHouse, Style::kOfficeSlab}) {
-    const GeneratedBuilding block = expanded(house(style, 30, 18), 0.5);
+    const GeneratedBuilding block = expanded(building_of_style(style, 30, 18), 0.5);
     std::size_t with_windows = 0;
     for (const TexturedFace& face : block.textured_faces) {
       const auto& texels = face.picture.texels;
@@ -93,7 +93,7 @@ TEST(FacadeTextures, ShowWindows) {
 
 TEST(FacadeTextures, AreAsBrightAsTheGeometryTheyReplace) {
   // reveals, and what stands on the roof, are walls too where they are geometry: light ones
-  const Building block = house(Style::kOfficeSlab, 30, 18);
+  const Building block = building_of_style(Style::kOfficeSlab, 30, 18);
   const Shown fine = shown_by(expanded(block, 0.25));
   for (const double tolerance_m : {0.5, 2.5, 12.5}) {
     const Shown coarse = shown_by(expanded(block, tolerance_m));
@@ -104,7 +104,7 @@ TEST(FacadeTextures, AreAsBrightAsTheGeometryTheyReplace) {
 
 // A style of which about one in two buildings has balconies.
 Building with_iron_balconies() {
-  Building block = house(Style::kCourtyardBlock, 30, 21);
+  Building block = building_of_style(Style::kCourtyardBlock, 30, 21);
   block.facade_edges.resize(4);
   block.facade_edges[0].faces_street = true;
   return block;
@@ -149,7 +149,7 @@ TEST(FacadeTextures, HaveSlopesWhereGeometryIsOmitted) {
           face.picture.texels, [](const impostor::Texel& t) { return t.slope != std::array<std::int16_t, 2>{}; }));
     return texels;
   };
-  const Building old = house(Style::kOldTownHouse, 17.3, 16);
+  const Building old = building_of_style(Style::kOldTownHouse, 17.3, 16);
   EXPECT_GT(leaning(expanded(old, 0.5)), 200u);
   EXPECT_EQ(leaning(expanded(old, 2.5)), 0u);
 }
@@ -157,7 +157,8 @@ TEST(FacadeTextures, HaveSlopesWhereGeometryIsOmitted) {
 TEST(FacadeTextures, HaveCoordinatesInsideThePicture) {
   std::size_t faces = 0;
   for (const double tolerance_m : {0.5, 2.5, 12.5})
-    for (const TexturedFace& face : expanded(house(Style::kOldTownHouse, 17.3, 16), tolerance_m).textured_faces) {
+    for (const TexturedFace& face :
+         expanded(building_of_style(Style::kOldTownHouse, 17.3, 16), tolerance_m).textured_faces) {
       ++faces;
       EXPECT_EQ(face.mesh.colour_source, materials::ColourSource::kByAtlas);
       ASSERT_EQ(face.mesh.uvs.size(), face.mesh.mesh.positions.size());
@@ -170,21 +171,22 @@ TEST(FacadeTextures, HaveCoordinatesInsideThePicture) {
 }
 
 TEST(FacadeTextures, HaveNoGaps) {
-  const GeneratedBuilding villa = expanded(house(Style::kVilla, 12, 7), 0.5);
+  const GeneratedBuilding villa = expanded(building_of_style(Style::kVilla, 12, 7), 0.5);
   ASSERT_FALSE(villa.textured_faces.empty());
   for (const TexturedFace& face : villa.textured_faces)
     for (const impostor::Texel& texel : face.picture.texels) EXPECT_GT(texel.shown, 0);
 }
 
 TEST(FacadeTextures, HaveAtLeastTheLeastTexels) {
-  for (const TexturedFace& face : expanded(house(Style::kPanelBlock, 40, 18), 12.5).textured_faces)
+  for (const TexturedFace& face : expanded(building_of_style(Style::kPanelBlock, 40, 18), 12.5).textured_faces)
     EXPECT_GE(face.picture.texels.size(), kMinTexels);
-  EXPECT_TRUE(expanded(house(Style::kRowHouse, 8, 7), 2.5).textured_faces.empty() ||
-              expanded(house(Style::kRowHouse, 8, 7), 2.5).textured_faces.front().picture.texels.size() >= kMinTexels);
+  EXPECT_TRUE(expanded(building_of_style(Style::kRowHouse, 8, 7), 2.5).textured_faces.empty() ||
+              expanded(building_of_style(Style::kRowHouse, 8, 7), 2.5).textured_faces.front().picture.texels.size() >=
+                  kMinTexels);
 }
 
 TEST(FacadeTextures, NeedFewTriangles) {
-  const GeneratedBuilding block = expanded(house(Style::kPanelBlock, 45, 18), 2.5);
+  const GeneratedBuilding block = expanded(building_of_style(Style::kPanelBlock, 45, 18), 2.5);
   std::size_t triangles = 0;
   for (const MaterialMesh& mesh : block.meshes) triangles += mesh.mesh.triangles.size();
   for (const TexturedFace& face : block.textured_faces) triangles += face.mesh.mesh.triangles.size();
@@ -195,7 +197,7 @@ TEST(FacadeTextures, NeedFewTriangles) {
 bool are_same(const Mesh& a, const Mesh& b) { return a.positions == b.positions && a.triangles == b.triangles; }
 
 TEST(FacadeTextures, AreTheSameForLevelsTogetherAndAlone) {
-  const Building block = house(Style::kCourtyardBlock, 24, 19);
+  const Building block = building_of_style(Style::kCourtyardBlock, 24, 19);
   const double ladder_m[] = {0.1, 0.5, 2.5, 12.5};
   std::vector<Report> reports(std::size(ladder_m));
   const std::vector<GeneratedBuilding> together = generate(block, rulebook(), {1}, ladder_m, reports);
@@ -215,7 +217,7 @@ TEST(FacadeTextures, AreTheSameForLevelsTogetherAndAlone) {
 }
 
 TEST(FacadeTextures, AreNotMadeWithoutRules) {
-  EXPECT_TRUE(expanded(house(Style::kPlain, 30, 18), 2.5).textured_faces.empty());
+  EXPECT_TRUE(expanded(building_of_style(Style::kPlain, 30, 18), 2.5).textured_faces.empty());
 }
 
 // ---- at night
@@ -237,7 +239,7 @@ double emission_on(const TexturedFace& face, const Triangle& t, double texel_m) 
   return sum / count;
 }
 
-double area_m2(const Mesh& mesh, const Triangle& t) {
+double triangle_area_m2(const Mesh& mesh, const Triangle& t) {
   return length(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]])) / 2;
 }
 
@@ -245,10 +247,10 @@ double area_m2(const Mesh& mesh, const Triangle& t) {
 double light_of(const GeneratedBuilding& house, double texel_m) {
   double sum = 0;
   for (const MaterialMesh& part : house.meshes)
-    for (const Triangle& t : part.mesh.triangles) sum += area_m2(part.mesh, t) * emission_of(part.material)[0];
+    for (const Triangle& t : part.mesh.triangles) sum += triangle_area_m2(part.mesh, t) * emission_of(part.material)[0];
   for (const TexturedFace& face : house.textured_faces)
     for (const Triangle& t : face.mesh.mesh.triangles)
-      sum += area_m2(face.mesh.mesh, t) * emission_on(face, t, texel_m);
+      sum += triangle_area_m2(face.mesh.mesh, t) * emission_on(face, t, texel_m);
   return sum;
 }
 
@@ -262,13 +264,13 @@ GeneratedBuilding by_night(const Building& building, double tolerance_m) {
 
 TEST(LitWindows, EmitLightAtNightAlone) {
   for (int style = 0; style < static_cast<int>(Style::kCount); ++style)
-    EXPECT_EQ(light_of(expanded(house(static_cast<Style>(style), 30, 18), 0.1), 0.1), 0) << style;
+    EXPECT_EQ(light_of(expanded(building_of_style(static_cast<Style>(style), 30, 18), 0.1), 0.1), 0) << style;
   for (const Style style : {Style::kPanelBlock, Style::kCourtyardBlock, Style::kOfficeSlab, Style::kGlassTower})
-    EXPECT_GT(light_of(by_night(house(style, 30, 18), 0.1), 0.1), 1) << static_cast<int>(style);
+    EXPECT_GT(light_of(by_night(building_of_style(style, 30, 18), 0.1), 0.1), 1) << static_cast<int>(style);
 }
 
 TEST(LitWindows, AreTheShareOfTheHour) {
-  const Building block = house(Style::kPanelBlock, 60, 30);
+  const Building block = building_of_style(Style::kPanelBlock, 60, 30);
   const auto glass_m2 = [](const GeneratedBuilding& house) {
     double sum = 0;
     for (const MaterialMesh& mesh : house.meshes)
@@ -303,7 +305,8 @@ TEST(LitWindows, EmitTheSameLightOnEveryLevel) {
   for (const Style style : {Style::kOldTownHouse, Style::kCourtyardBlock, Style::kRowHouse, Style::kVilla,
                             Style::kPanelBlock, Style::kOfficeSlab, Style::kGlassTower}) {
     for (const double width_m : {21.0, 44.0}) {
-      const Building block = house(style, width_m, style == Style::kRowHouse || style == Style::kVilla ? 6.5 : 30);
+      const Building block =
+          building_of_style(style, width_m, style == Style::kRowHouse || style == Style::kVilla ? 6.5 : 30);
       const double fine = light_through_walls(block);
       EXPECT_GT(fine, 1) << rule_file_of(style);
       for (const double tolerance_m : {0.5, 2.5, 12.5}) {

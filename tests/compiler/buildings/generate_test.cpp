@@ -7,6 +7,7 @@
 
 #include "compiler/buildings/building_materials.h"
 #include "grammars/language/read_rules.h"
+#include "tests/compiler/mesh_volume.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -46,16 +47,6 @@ std::map<std::pair<Vec3, Vec3>, int> open_edges(const GeneratedBuilding& expande
   return edges;
 }
 
-double volume_m3(const GeneratedBuilding& expanded) {
-  double six = 0;
-  for (const auto& part : expanded.meshes)
-    for (const auto& [a, b, c] : part.mesh.triangles) {
-      const auto& p = part.mesh.positions;
-      six += dot(p[a], cross(p[b], p[c]));
-    }
-  return six / 6;
-}
-
 TEST(Generate, ClosesLiftedBuildings) { EXPECT_TRUE(open_edges(bare(with_court(false), 0.02)).empty()); }
 
 TEST(Generate, IsOpenOnlyUnderTheGround) {
@@ -69,7 +60,7 @@ TEST(Generate, IsOpenOnlyUnderTheGround) {
 
 TEST(Generate, HasTheVolumeOfAreaTimesHeight) {
   const Building b = with_court(false);
-  EXPECT_NEAR(volume_m3(bare(b, 0.02)), area_m2(b.footprint) * 15, 1e-6);
+  EXPECT_NEAR(volume_m3(bare(b, 0.02).meshes), area_m2(b.footprint) * 15, 1e-6);
 }
 
 TEST(Generate, DropsWhatIsLowerThanTheTolerance) {
@@ -97,7 +88,7 @@ TEST(Generate, IsTotalOnCrossingFootprints) {
   b.footprint = {{{0, 0}, {10, 10}, {10, 0}, {0, 14}}, {}};
   const GeneratedBuilding e = bare(b, 0.02);
   EXPECT_TRUE(open_edges(e).empty());
-  EXPECT_GT(volume_m3(e), 40 * 15);
+  EXPECT_GT(volume_m3(e.meshes), 40 * 15);
 }
 
 TEST(WallTint, DependsOnSeedAndIdAlone) {

@@ -11,7 +11,7 @@ using grammars::Face;
 using grammars::FaceTag;
 
 // 12 m by 9 m, two storeys of 3 m and a gabled roof of 3 m, 2 m of foundation.
-Building house() {
+Building gabled_house() {
   Building b;
   b.id = {{OsmType::kWay, 7}, 0};
   b.footprint.outer = {{0, 0}, {12, 0}, {12, 9}, {0, 9}};
@@ -42,7 +42,7 @@ Vec3 sum_of(const std::vector<Face>& faces) {
 }
 
 TEST(MassModel, HasWallsFromFloorToEaves) {
-  const MassModel mass = made(house());
+  const MassModel mass = made(gabled_house());
   ASSERT_EQ(mass.walls.size(), 4u);
   EXPECT_EQ(area_of(mass.walls, FaceTag::kSide), 2 * (12 + 9) * 6);
   EXPECT_EQ(area_of(mass.foundation, FaceTag::kSide), 2 * (12 + 9) * 2);
@@ -50,7 +50,7 @@ TEST(MassModel, HasWallsFromFloorToEaves) {
 
 TEST(MassModel, ClosesButForItsFloor) {
   for (const roofs::Form form : {roofs::Form::kFlat, roofs::Form::kGabled, roofs::Form::kHipped, roofs::Form::kDome}) {
-    Building b = house();
+    Building b = gabled_house();
     b.roof_shape.form = form;
     if (form == roofs::Form::kFlat) b.roof_shape = {}, b.top_m = 106;
     const Vec3 open = sum_of(shape_of(b, made(b)).faces);
@@ -61,7 +61,7 @@ TEST(MassModel, ClosesButForItsFloor) {
 }
 
 TEST(MassModel, HasWallsInTheOrderOfTheFootprintForEveryRoof) {
-  Building b = house();
+  Building b = gabled_house();
   b.footprint = {{{9, 0}, {12, 0}, {12, 9}, {0, 9}, {0, 4}, {9, 4}}, {{{10, 5}, {10, 6}, {11, 6}, {11, 5}}}};
   b.facade_edges.resize(6);
   std::vector<Vec2> corners = b.footprint.outer;
@@ -76,13 +76,13 @@ TEST(MassModel, HasWallsInTheOrderOfTheFootprintForEveryRoof) {
 }
 
 TEST(MassModel, DistinguishesGablesFromWalls) {
-  const grammars::Shape shape = shape_of(house(), made(house()));
+  const grammars::Shape shape = shape_of(gabled_house(), made(gabled_house()));
   EXPECT_NEAR(area_of(shape.faces, FaceTag::kVertical), 2 * 9 * 3 / 2.0, 1e-6);
   EXPECT_GT(area_of(shape.faces, FaceTag::kTop), 108);
 }
 
 TEST(MassModel, OmitsHiddenPartyWalls) {
-  Building b = house();
+  Building b = gabled_house();
   b.party_walls = {{1, 0, 9, 130, true, false}};
   EXPECT_EQ(area_of(made(b).walls, FaceTag::kSide), (12 + 9 + 12) * 6);
   EXPECT_EQ(area_of(made(b).walls, FaceTag::kInside), 0);
@@ -91,7 +91,7 @@ TEST(MassModel, OmitsHiddenPartyWalls) {
 }
 
 TEST(MassModel, HasBlindWallsAboveAndBesideNeighbours) {
-  Building b = house();
+  Building b = gabled_house();
   b.party_walls = {{1, 0, 9, 104, true, false}, {3, 3, 9, 130, false, false}};
   const MassModel mass = made(b);
   EXPECT_EQ(area_of(mass.walls, FaceTag::kInside), 9 * 2 + 6 * 6);
@@ -99,13 +99,13 @@ TEST(MassModel, HasBlindWallsAboveAndBesideNeighbours) {
 }
 
 TEST(MassModel, HasWindowsAboveOtherPartsOfItsBuilding) {
-  Building b = house();
+  Building b = gabled_house();
   b.party_walls = {{1, 0, 9, 104, true, true}};
   EXPECT_EQ(area_of(made(b).walls, FaceTag::kSide), (12 + 9 + 12) * 6 + 9 * 2);
 }
 
 TEST(MassModel, StandsOnBuriedStoreys) {
-  Building b = house();
+  Building b = gabled_house();
   b.facade_edges[2].buried_storeys = 1;
   b.facade_edges[0].faces_street = true;
   const MassModel mass = made(b);
@@ -115,7 +115,7 @@ TEST(MassModel, StandsOnBuriedStoreys) {
 }
 
 TEST(MassModel, HasAnUndersideIfLifted) {
-  Building b = house();
+  Building b = gabled_house();
   b.stands_on_ground = false, b.bottom_m = b.floor_m = 100;
   const MassModel mass = made(b);
   EXPECT_EQ(area_of(mass.foundation, FaceTag::kBottom), 108);
@@ -125,14 +125,14 @@ TEST(MassModel, HasAnUndersideIfLifted) {
 }
 
 TEST(MassModel, MayBeOnlyARoof) {
-  Building b = house();
+  Building b = gabled_house();
   b.stands_on_ground = false, b.bottom_m = b.floor_m = 106;
   EXPECT_TRUE(made(b).walls.empty());
   EXPECT_FALSE(made(b).roof.triangles.empty());
 }
 
 TEST(MassModel, IsTotalOnAnyRing) {
-  Building b = house();
+  Building b = gabled_house();
   b.party_walls = {{1, 0, 9, 104, true, false}};
   for (const Ring& ring : {Ring{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, Ring{{0, 0}, {5, 0}, {10, 0}},
                            Ring{{0, 0}, {0, 9}, {12, 9}, {12, 0}}, Ring{{0, 0}, {12, 0}, {12, 9}, {12, 0}}}) {
@@ -143,7 +143,7 @@ TEST(MassModel, IsTotalOnAnyRing) {
 
 // Strips of some centimetres above a neighbour's eaves, or beside it, are no faces of their own.
 TEST(MassModel, HasNoNarrowStripsAroundPartyWalls) {
-  Building b = house();
+  Building b = gabled_house();
   b.party_walls = {{1, 0.125, 8.875, 105.875, true, false}};
   const MassModel mass = made(b);
   EXPECT_EQ(mass.walls.size(), 3u);
@@ -152,7 +152,7 @@ TEST(MassModel, HasNoNarrowStripsAroundPartyWalls) {
 
 // The longest wall that faces a street, even if others are longer.
 TEST(MassModel, HasItsScopeAlongTheStreet) {
-  Building b = house();
+  Building b = gabled_house();
   b.facade_edges[1].faces_street = true;
   EXPECT_EQ(shape_of(b, made(b)).scope.axis[0], (Vec3{0, 1, 0}));
   b.facade_edges[1].faces_street = false;
@@ -160,7 +160,7 @@ TEST(MassModel, HasItsScopeAlongTheStreet) {
 }
 
 TEST(MassModel, IsBuriedToItsEavesAtMost) {
-  Building b = house();
+  Building b = gabled_house();
   for (FacadeEdge& front : b.facade_edges) front.buried_storeys = 3;
   const MassModel mass = made(b);
   EXPECT_TRUE(mass.walls.empty());

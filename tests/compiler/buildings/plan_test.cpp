@@ -21,7 +21,7 @@ map::Heightfield slope() {
   return field;
 }
 
-map::Footprint block(std::int64_t id, double x, double y, double size, double height_m) {
+map::Footprint square_block(std::int64_t id, double x, double y, double size, double height_m) {
   map::Footprint f;
   f.id = {{OsmType::kWay, id}, 0};
   f.polygon.outer = {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
@@ -40,8 +40,8 @@ map::Features features_of(std::vector<map::Footprint> footprints) {
 TEST(Plan, ABuildingBelongsToTheRegionByItsCentroid) {
   Report report;
   // mostly inside, mostly outside; a part that lies outside, of the first outline
-  map::Footprint inside = block(1, 90, 0, 60, 12), outside = block(2, 120, 80, 40, 12),
-                 part = block(3, 130, 10, 10, 30);
+  map::Footprint inside = square_block(1, 90, 0, 60, 12), outside = square_block(2, 120, 80, 40, 12),
+                 part = square_block(3, 130, 10, 10, 30);
   part.is_part = true;
   const auto b = plan(features_of({inside, outside, part}), ground::GradedTerrain(slope()), report);
   ASSERT_EQ(b.size(), 2u);
@@ -53,7 +53,7 @@ TEST(Plan, ABuildingBelongsToTheRegionByItsCentroid) {
 
 TEST(Plan, CountsHeightsFromTheLowestCorner) {
   Report report;
-  const auto b = plan(features_of({block(1, 0, 0, 8, 12)}), ground::GradedTerrain(slope()), report);
+  const auto b = plan(features_of({square_block(1, 0, 0, 8, 12)}), ground::GradedTerrain(slope()), report);
   ASSERT_EQ(b.size(), 1u);
   EXPECT_EQ(b[0].top_m, 112);
   EXPECT_LT(b[0].bottom_m, 100);
@@ -62,7 +62,7 @@ TEST(Plan, CountsHeightsFromTheLowestCorner) {
 
 TEST(Plan, ExtendsUnsupportedBuildingsToTheGround) {
   Report report;
-  map::Footprint hovering = block(1, 0, 0, 20, 18);
+  map::Footprint hovering = square_block(1, 0, 0, 20, 18);
   hovering.min_height_m = 9;
   const auto b = plan(features_of({hovering}), ground::GradedTerrain(slope()), report);
   ASSERT_EQ(b.size(), 1u);
@@ -72,7 +72,8 @@ TEST(Plan, ExtendsUnsupportedBuildingsToTheGround) {
 
 TEST(Plan, CountsPartsFromTheirOutlinesLowestCorner) {
   Report report;
-  map::Footprint outline = block(1, 0, 0, 40, 12), part = block(2, 30, 0, 10, 30), far = block(3, 60, 0, 10, 30);
+  map::Footprint outline = square_block(1, 0, 0, 40, 12), part = square_block(2, 30, 0, 10, 30),
+                 far = square_block(3, 60, 0, 10, 30);
   outline.has_parts = true;
   part.is_part = far.is_part = true;
   const auto b = plan(features_of({outline, part, far}), ground::GradedTerrain(slope()), report);
@@ -86,26 +87,26 @@ TEST(Plan, CountsPartsFromTheirOutlinesLowestCorner) {
 
 TEST(Plan, BelongsToTheSmallestOutlineAround) {
   Report report;
-  map::Footprint part = block(9, 42, 2, 4, 20);
+  map::Footprint part = square_block(9, 42, 2, 4, 20);
   part.is_part = true;
-  const auto b =
-      plan(features_of({block(1, 0, 0, 60, 5), block(2, 40, 0, 10, 5), part}), ground::GradedTerrain(slope()), report);
+  const auto b = plan(features_of({square_block(1, 0, 0, 60, 5), square_block(2, 40, 0, 10, 5), part}),
+                      ground::GradedTerrain(slope()), report);
   EXPECT_EQ(b[2].top_m, 130);
 }
 
 TEST(Plan, LiftsPartsByTheirMinHeight) {
   Report report;
-  map::Footprint part = block(2, 0, 0, 10, 30);
+  map::Footprint part = square_block(2, 0, 0, 10, 30);
   part.is_part = true;
   part.min_height_m = 12;
-  const auto b = plan(features_of({block(1, 0, 0, 10, 12), part}), ground::GradedTerrain(slope()), report);
+  const auto b = plan(features_of({square_block(1, 0, 0, 10, 12), part}), ground::GradedTerrain(slope()), report);
   EXPECT_FALSE(b[1].stands_on_ground);
   EXPECT_EQ(b[1].bottom_m, 112);
 }
 
 TEST(Plan, RaisesWhatTheSlopeWouldBury) {
   Report report;
-  const auto b = plan(features_of({block(1, 0, 0, 40, 5)}), ground::GradedTerrain(slope()), report);
+  const auto b = plan(features_of({square_block(1, 0, 0, 40, 5)}), ground::GradedTerrain(slope()), report);
   EXPECT_EQ(b[0].top_m, 112);
   ASSERT_EQ(report.diagnoses().size(), 1u);
   EXPECT_EQ(report.diagnoses()[0].code, Code::kHeightRaised);
@@ -114,7 +115,7 @@ TEST(Plan, RaisesWhatTheSlopeWouldBury) {
 
 // A block of storeys of 3 m, without height=*.
 map::Footprint storeys(std::int64_t id, double x, double y, double size, double levels) {
-  map::Footprint f = block(id, x, y, size, levels * 3);
+  map::Footprint f = square_block(id, x, y, size, levels * 3);
   f.levels = levels, f.has_roof_in_height = false;
   return f;
 }
@@ -155,7 +156,7 @@ TEST(Plan, CountsStoreysFromTheUpperSideWithoutAStreetAndGoesOnBelow) {
 
 TEST(Plan, MeasuresAllPartsOfAnOutlineFromOneHeight) {
   Report report;
-  map::Footprint outline = storeys(1, 0, 0, 20, 5), low = block(2, 0, 0, 10, 9), high = storeys(3, 0, 0, 10, 5);
+  map::Footprint outline = storeys(1, 0, 0, 20, 5), low = square_block(2, 0, 0, 10, 9), high = storeys(3, 0, 0, 10, 5);
   outline.has_parts = true;
   low.is_part = high.is_part = true;
   high.min_height_m = 9;
@@ -176,7 +177,7 @@ TEST(Plan, StoreysBelowTheEntranceDoNotMakeABlockOfAVilla) {
 
 TEST(Plan, IgnoresAMinHeightAboveTheHeight) {
   Report report;
-  map::Footprint f = block(1, 0, 0, 8, 12);
+  map::Footprint f = square_block(1, 0, 0, 8, 12);
   f.min_height_m = 15;
   const auto b = plan(features_of({f}), ground::GradedTerrain(slope()), report);
   EXPECT_TRUE(b[0].stands_on_ground);
@@ -187,7 +188,7 @@ TEST(Plan, IgnoresAMinHeightAboveTheHeight) {
 TEST(Plan, DoesNotDependOnTheOrderOfFootprints) {
   std::vector<map::Footprint> footprints;
   for (int i = 0; i < 40; ++i) {
-    footprints.push_back(block(i + 1, (i % 8) * 10 - 40, (i / 8) * 10 - 40, 9.3, 4 + i));
+    footprints.push_back(square_block(i + 1, (i % 8) * 10 - 40, (i / 8) * 10 - 40, 9.3, 4 + i));
     footprints.back().is_part = i % 3 == 0;
   }
   Report one, two;
@@ -198,7 +199,7 @@ TEST(Plan, DoesNotDependOnTheOrderOfFootprints) {
 
 TEST(Plan, PutsHeightsOnTheGrid) {
   Report report;
-  const auto b = plan(features_of({block(1, 0.3, 0.7, 8, 12.34567)}), ground::GradedTerrain(slope()), report);
+  const auto b = plan(features_of({square_block(1, 0.3, 0.7, 8, 12.34567)}), ground::GradedTerrain(slope()), report);
   ASSERT_EQ(b.size(), 1u);
   EXPECT_EQ(b[0].top_m, snapped(b[0].top_m));
   EXPECT_EQ(b[0].bottom_m, snapped(b[0].bottom_m));
@@ -206,7 +207,7 @@ TEST(Plan, PutsHeightsOnTheGrid) {
 
 TEST(Plan, DropsWhatHasNoRing) {
   Report report;
-  map::Footprint f = block(1, 0, 0, 8, 12);
+  map::Footprint f = square_block(1, 0, 0, 8, 12);
   f.polygon.outer.resize(2);
   EXPECT_TRUE(plan(features_of({f}), ground::GradedTerrain(slope()), report).empty());
   EXPECT_TRUE(report.balances());
@@ -214,8 +215,8 @@ TEST(Plan, DropsWhatHasNoRing) {
 
 TEST(BuildingMaterials, DependOnClassAndSize) {
   Report report;
-  map::Footprint church = block(1, 0, 0, 20, 18), tower = block(2, 30, 0, 30, 90), hall = block(3, 0, 30, 40, 9),
-                 house = block(4, 0, 60, 9, 7);
+  map::Footprint church = square_block(1, 0, 0, 20, 18), tower = square_block(2, 30, 0, 30, 90),
+                 hall = square_block(3, 0, 30, 40, 9), house = square_block(4, 0, 60, 9, 7);
   church.building_class = static_cast<std::uint8_t>(map::BuildingClass::kChurch);
   tower.building_class = static_cast<std::uint8_t>(map::BuildingClass::kOffice);
   hall.building_class = static_cast<std::uint8_t>(map::BuildingClass::kHall);
@@ -230,7 +231,7 @@ TEST(BuildingMaterials, DependOnClassAndSize) {
 
 TEST(BuildingMaterials, AreLighterForBrightColours) {
   Report report;
-  map::Footprint f = block(1, 0, 0, 9, 7), glass = block(2, 20, 0, 9, 7);
+  map::Footprint f = square_block(1, 0, 0, 9, 7), glass = square_block(2, 20, 0, 9, 7);
   f.wall_material = Material::kBrick;
   f.wall_colour = map::Srgb{250, 245, 230};
   glass.wall_material = Material::kGlassFacade;

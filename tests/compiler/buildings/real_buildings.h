@@ -1,22 +1,20 @@
 // The buildings of real extracts, planned on level ground.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "compiler/buildings/plan.h"
 #include "compiler/map/locate.h"
 #include "compiler/source/read_osm.h"
+#include "tests/test_files.h"
 
 namespace citykiln::buildings {
-
-inline std::filesystem::path data_file(const std::string& name) { return std::filesystem::path(CITYKILN_DATA) / name; }
 
 /// None where the file cannot be read.
 inline std::vector<Building> buildings_in(const std::string& name) {
   Report report;
-  const auto osm = source::read_osm(data_file(name).string(), 2, report);
+  const auto osm = source::read_osm(real_data(name), 2, report);
   if (!osm) return {};
   const source::LonLatBox box = map::choose_box(*osm, {});
   const map::Plane plane(map::default_origin(box));

@@ -77,16 +77,16 @@ std::size_t triangles_of(const Derivation& derivation) {
   return sum;
 }
 
-Polygon rectangle(double w, double d) { return {{{0, 0}, {w, 0}, {w, d}, {0, d}}, {}}; }
+Polygon rectangle_outline(double w, double d) { return {{{0, 0}, {w, 0}, {w, d}, {0, d}}, {}}; }
 
 const Polygon kPlans[] = {
-    rectangle(12, 10),
+    rectangle_outline(12, 10),
     {{{0, 0}, {14, 0}, {14, 6}, {6, 6}, {6, 12}, {0, 12}}, {}},
     {{{0, 0}, {30, 0}, {30, 26}, {0, 26}}, {{{9, 9}, {9, 17}, {21, 17}, {21, 9}}}},
-    rectangle(0.5, 9),
-    rectangle(0.5, 0.5),
+    rectangle_outline(0.5, 9),
+    rectangle_outline(0.5, 0.5),
     {{{0, 0}, {9, 1}, {4, 7}}, {}},
-    rectangle(60, 40),
+    rectangle_outline(60, 40),
 };
 
 // From smaller than a building to a district.

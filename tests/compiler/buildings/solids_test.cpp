@@ -8,6 +8,7 @@
 #include "tests/compiler/buildings/real_buildings.h"
 #include "tests/compiler/buildings/val3dity_rules.h"
 #include "tests/grammars/roofs/footprints.h"
+#include "tests/test_files.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -16,7 +17,7 @@ using grammars::Face;
 using val3dity::Codes;
 
 // Without party walls and buried storeys, with a floor.
-Building alone(Building building) {
+Building detached(Building building) {
   building.party_walls.clear();
   building.facade_edges.clear();
   building.stands_on_ground = false;
@@ -156,7 +157,7 @@ TEST(Solid, KeepsVal3ditysRulesOnMadeFootprints) {
 
 // ---- real footprints that once made invalid solids
 
-struct Hard {
+struct HardBuilding {
   const char* osm;
   double rise_m, overhang_m;
   Polygon footprint;
@@ -164,7 +165,7 @@ struct Hard {
 
 // w138590242: slivers between roof planes. r1946699: a hole's vertex within a grid step of a wall. w141220771: snapping
 // moves a spike across the wall beside it.
-const Hard kHard[] = {
+const HardBuilding kHardBuildings[] = {
     {"w138590242",
      2.3798828125,
      0.375,
@@ -220,7 +221,7 @@ const Hard kHard[] = {
 };
 
 TEST(Solid, KeepsVal3ditysRulesOnHardFootprints) {
-  for (const Hard& hard : kHard)
+  for (const HardBuilding& hard : kHardBuildings)
     for (const double tolerance_m : {kFinest_m, kCoarser_m}) {
       Building building;
       building.footprint = hard.footprint;
@@ -241,9 +242,9 @@ struct Tally {
   std::map<int, std::size_t> by_code;
 };
 
-void add(const Building& planned, double tolerance_m, Tally& tally) {
+void add_solids_of(const Building& planned, double tolerance_m, Tally& tally) {
   Report report;
-  const Building building = alone(planned);
+  const Building building = detached(planned);
   const std::vector<Face> faces = solid_of(building, tolerance_m, report);
   tally.fallbacks += report.counts()[Code::kRoofFallback];
   // diagnosed: footprints without area have no solid
@@ -269,12 +270,12 @@ std::size_t every_nth(std::size_t sampled) {
 }
 
 void expect_valid(const std::string& file, std::size_t sampled) {
-  if (!std::filesystem::exists(data_file(file))) GTEST_SKIP() << "absent: " << file;
+  if (!std::filesystem::exists(real_data(file))) GTEST_SKIP() << "absent: " << file;
   const std::size_t every = every_nth(sampled);
   const std::vector<Building> buildings = buildings_in(file);
   for (const double tolerance_m : {kFinest_m, kCoarser_m}) {
     Tally tally;
-    for (std::size_t i = 0; i < buildings.size(); i += every) add(buildings[i], tolerance_m, tally);
+    for (std::size_t i = 0; i < buildings.size(); i += every) add_solids_of(buildings[i], tolerance_m, tally);
     std::printf("%s at %g m: %zu solids, %zu valid; %zu on footprints that touch themselves; %zu flat instead;",
                 file.c_str(), tolerance_m, tally.solids, tally.valid, tally.touching, tally.fallbacks);
     for (const auto& [code, count] : tally.by_code) std::printf(" %d: %zu", code, count);

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <span>
 #include <string>
 
 #include "compiler/materials/texture.h"
 #include "grammars/language/read_rules.h"
+#include "tests/compiler/mesh_volume.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -30,16 +30,6 @@ double area_m2_of(const MaterialMesh& part) {
   const auto& p = part.mesh.positions;
   for (const auto& [a, b, c] : part.mesh.triangles) sum_m2 += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
   return sum_m2;
-}
-
-double volume_m3(std::span<const MaterialMesh> meshes) {
-  double six = 0;
-  for (const MaterialMesh& part : meshes)
-    for (const auto& [a, b, c] : part.mesh.triangles) {
-      const auto& p = part.mesh.positions;
-      six += dot(p[a], cross(p[b], p[c]));
-    }
-  return six / 6;
 }
 
 grammars::Appearance look_of(const char* name, double red, double green, double blue) {

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "tests/scratch_folder.h"
+#include "tests/test_files.h"
 
 namespace citykiln::charts {
 namespace {
@@ -63,7 +64,7 @@ TEST(ChartOfJunctions, AsksForMaps) {
 
 TEST(ChartOfRoofs, HasFailuresAndTimeOfEveryMethod) {
   ChartRequest request;
-  request.maps = {CITYKILN_SOURCE "/tests/golden/crossing/map.osm"};
+  request.maps = {source_file("tests/golden/crossing/map.osm")};
   const Result<std::vector<Chart>> charts = chart_roof(request);
   ASSERT_TRUE(charts) << to_string(charts.error());
   ASSERT_EQ(charts->size(), 2u);
@@ -82,7 +83,7 @@ TEST(ChartOfFacades, AsksForHouses) {
 
 TEST(ChartOfJunctions, NeverFindsSnapRoundingInvalid) {
   ChartRequest request;
-  request.maps = {CITYKILN_SOURCE "/tests/golden/crossing/map.osm"};
+  request.maps = {source_file("tests/golden/crossing/map.osm")};
   const Result<std::vector<Chart>> charts = chart_junctions(request);
   ASSERT_TRUE(charts) << to_string(charts.error());
   for (const auto& [grid_m, share] : charts->front().series.back().points) EXPECT_EQ(share, 0) << grid_m;
@@ -94,7 +95,7 @@ TEST(ChartOfRoads, AsksForMaps) {
 
 TEST(ChartOfRoads, MeasuresNestedPartsUpToAllRoads) {
   ChartRequest request;
-  request.maps = {CITYKILN_SOURCE "/tests/golden/crossing/map.osm"};
+  request.maps = {source_file("tests/golden/crossing/map.osm")};
   const Result<std::vector<Chart>> charts = chart_roads(request);
   ASSERT_TRUE(charts) << to_string(charts.error());
   for (const Chart& chart : *charts) {

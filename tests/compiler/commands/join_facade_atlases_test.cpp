@@ -23,7 +23,7 @@ Atlas made_atlas(std::uint64_t seed, double texel_m, std::uint32_t columns, std:
   return atlas;
 }
 
-JoinedFacadeAtlases joined(const std::vector<Atlas>& atlases) {
+JoinedFacadeAtlases joined_facades(const std::vector<Atlas>& atlases) {
   std::vector<const Atlas*> pointers;
   for (const Atlas& atlas : atlases) pointers.push_back(&atlas);
   return join_facade_atlases(pointers);
@@ -37,7 +37,7 @@ TextureImage::Texel at(const TextureImage& sheet, Vec2 uv) {
 }
 
 void expect_all_there(const std::vector<Atlas>& atlases) {
-  const JoinedFacadeAtlases all = joined(atlases);
+  const JoinedFacadeAtlases all = joined_facades(atlases);
   ASSERT_EQ(all.places.size(), atlases.size());
   for (std::size_t i = 0; i < atlases.size(); ++i)
     for (std::size_t t = 0; t < atlases[i].colour.texels.size(); ++t) {
@@ -71,7 +71,7 @@ TEST(JoinFacadeAtlases, HalvesWhatExceedsTheImageLimits) {
                             std::vector<TextureImage::Texel>(4096 * 4096, TextureImage::Texel{60, 60, 60})};
     atlases.push_back({grey, grey, {}, {}});
   }
-  const JoinedFacadeAtlases all = joined(atlases);
+  const JoinedFacadeAtlases all = joined_facades(atlases);
   EXPECT_LE(all.atlas.colour.texels.size(), materials::kMaxImageTexels);
   EXPECT_EQ(all.atlas.colour.texel_m, 1);
   // a place is as many metres from the atlas's corner as it was
@@ -79,7 +79,7 @@ TEST(JoinFacadeAtlases, HalvesWhatExceedsTheImageLimits) {
   EXPECT_EQ(at(all.atlas.colour, all.places[4].at_m + Vec2{2047, 2047}), (TextureImage::Texel{60, 60, 60}));
 }
 
-TEST(JoinFacadeAtlases, IsEmptyForNoAtlases) { EXPECT_EQ(joined({Atlas{}, Atlas{}}).atlas, Atlas{}); }
+TEST(JoinFacadeAtlases, IsEmptyForNoAtlases) { EXPECT_EQ(joined_facades({Atlas{}, Atlas{}}).atlas, Atlas{}); }
 
 }  // namespace
 }  // namespace citykiln::commands

@@ -21,7 +21,7 @@ TextureImage made(std::uint32_t columns, std::uint32_t rows, std::uint32_t seed,
   return sheet;
 }
 
-Result<JoinedMarkingAtlases> joined(const std::vector<TextureImage>& sheets) {
+Result<JoinedMarkingAtlases> joined_markings(const std::vector<TextureImage>& sheets) {
   std::vector<const TextureImage*> pointers;
   for (const TextureImage& sheet : sheets) pointers.push_back(&sheet);
   return join_marking_atlases(pointers);
@@ -35,7 +35,7 @@ TextureImage::Texel texel(const TextureImage& sheet, std::int64_t column, std::u
 
 TEST(JoinMarkingAtlases, ShowsEveryAtlasAtItsOffsetWithAGutter) {
   const std::vector<TextureImage> sheets = {made(20, 6, 1), made(7, 4, 2), made(9, 12, 3)};
-  const auto all = joined(sheets);
+  const auto all = joined_markings(sheets);
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet.rows, 12u);
   EXPECT_EQ(all->sheet.texels.size(), std::size_t{all->sheet.columns} * 12);
@@ -51,21 +51,21 @@ TEST(JoinMarkingAtlases, ShowsEveryAtlasAtItsOffsetWithAGutter) {
 }
 
 TEST(JoinMarkingAtlases, StoresEqualAtlasesOnce) {
-  const auto all = joined({made(20, 6, 1), made(20, 6, 1), made(20, 6, 1)});
+  const auto all = joined_markings({made(20, 6, 1), made(20, 6, 1), made(20, 6, 1)});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet, made(20, 6, 1));
   EXPECT_EQ(all->offsets_m, (std::vector<double>{0, 0, 0}));
 }
 
 TEST(JoinMarkingAtlases, GivesEmptyAtlasesNoSpace) {
-  const auto all = joined({{}, made(20, 6, 1), {}});
+  const auto all = joined_markings({{}, made(20, 6, 1), {}});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet, made(20, 6, 1));
-  EXPECT_EQ(joined({{}, {}})->sheet, TextureImage{});
+  EXPECT_EQ(joined_markings({{}, {}})->sheet, TextureImage{});
 }
 
 // Of the part of a sheet, the mean in linear light.
-double mean_of(const TextureImage& sheet, std::uint32_t first, std::uint32_t count) {
+double mean_of_columns(const TextureImage& sheet, std::uint32_t first, std::uint32_t count) {
   double sum = 0;
   for (std::uint32_t row = 0; row < sheet.rows; ++row)
     for (std::uint32_t c = first; c < first + count; ++c)
@@ -75,24 +75,24 @@ double mean_of(const TextureImage& sheet, std::uint32_t first, std::uint32_t cou
 
 TEST(JoinMarkingAtlases, ResamplesToTheCoarsestTexels) {
   const TextureImage fine = made(40, 24, 1, 0.25), coarse = made(20, 12, 2, 0.5);
-  const auto all = joined({fine, coarse});
+  const auto all = joined_markings({fine, coarse});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet.texel_m, 0.5);
   EXPECT_EQ(all->sheet.rows, 12u);
-  EXPECT_NEAR(mean_of(all->sheet, 0, 20), mean_of(fine, 0, 40), 0.005);
-  EXPECT_NEAR(mean_of(all->sheet, 28, 20), mean_of(coarse, 0, 20), 1e-9);
+  EXPECT_NEAR(mean_of_columns(all->sheet, 0, 20), mean_of_columns(fine, 0, 40), 0.005);
+  EXPECT_NEAR(mean_of_columns(all->sheet, 28, 20), mean_of_columns(coarse, 0, 20), 1e-9);
   EXPECT_EQ(all->offsets_m, (std::vector<double>{0, 14}));
 }
 
 TEST(JoinMarkingAtlases, ResamplesWhatExceedsTheImageLimits) {
-  EXPECT_EQ(joined({made(8184, 2, 1), made(8192, 2, 2)})->sheet.rows, 2u);
-  EXPECT_EQ(joined({made(8185, 2, 1), made(8192, 2, 2)})->sheet.rows, 1u);
-  EXPECT_LE(joined({made(16000, 400, 1), made(16000, 400, 2)})->sheet.columns, materials::kMaxImageSide_px);
+  EXPECT_EQ(joined_markings({made(8184, 2, 1), made(8192, 2, 2)})->sheet.rows, 2u);
+  EXPECT_EQ(joined_markings({made(8185, 2, 1), made(8192, 2, 2)})->sheet.rows, 1u);
+  EXPECT_LE(joined_markings({made(16000, 400, 1), made(16000, 400, 2)})->sheet.columns, materials::kMaxImageSide_px);
 }
 
 TEST(JoinMarkingAtlases, RefusesDifferentLengthsThatDoNotFit) {
-  EXPECT_FALSE(joined({made(1, 127, 1), made(1, 131, 2)}));
-  EXPECT_FALSE(joined({made(8000, 90, 1), made(8000, 91, 2)}));
+  EXPECT_FALSE(joined_markings({made(1, 127, 1), made(1, 131, 2)}));
+  EXPECT_FALSE(joined_markings({made(8000, 90, 1), made(8000, 91, 2)}));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "compiler/commands/scene_layers.h"
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/real_scenes.h"
+#include "tests/test_files.h"
 
 namespace citykiln::commands {
 namespace {
@@ -117,14 +118,15 @@ const Case kCases[] = {{{"monaco/monaco-2023.osm.pbf", "monaco/N43E007.hgt"}, 30
 class LayersReal : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(kData / GetParam().extract.map)) GTEST_SKIP() << "absent: " << GetParam().extract.map;
+    if (!std::filesystem::exists(real_data(GetParam().extract.map)))
+      GTEST_SKIP() << "absent: " << GetParam().extract.map;
   }
   Geos geos_;
 };
 
 TEST_P(LayersReal, OfAMapAreValid) {
   Report report;
-  const Result<source::OsmData> osm = source::read_osm((kData / GetParam().extract.map).string(), 2, report);
+  const Result<source::OsmData> osm = source::read_osm(real_data(GetParam().extract.map), 2, report);
   ASSERT_TRUE(osm);
   const source::LonLatBox box = map::choose_box(*osm, {});
   const map::Plane plane(map::default_origin(box));

@@ -13,13 +13,12 @@
 #include "preview/camera/cell_view.h"
 #include "preview/render.h"
 #include "preview/scene/lit_panes.h"
+#include "tests/test_files.h"
 
 namespace citykiln::commands {
 namespace {
 
-const std::string kTown = std::string(CITYKILN_SOURCE) + "/examples/town/";
-
-scene::Scene scene_of(const std::string& map, const std::string& heights) {
+scene::Scene scene_from_files(const std::string& map, const std::string& heights) {
   CompileSpec spec;
   spec.map_path = map;
   Result<source::RasterSpec> raster = source::parse_raster_spec(heights);
@@ -31,8 +30,9 @@ scene::Scene scene_of(const std::string& map, const std::string& heights) {
 }
 
 scene::Scene town() {
-  return scene_of(kTown + "town.osm",
-                  kTown + "town_heights.png,bounds=12.2871378/48.6926888/12.3128622/48.7073471,scale=0.02");
+  return scene_from_files(source_file("examples/town/town.osm"),
+                          source_file("examples/town/town_heights.png").string() +
+                              ",bounds=12.2871378/48.6926888/12.3128622/48.7073471,scale=0.02");
 }
 
 preview::Camera camera_above(const scene::Scene& scene, double above_m) {
@@ -152,7 +152,7 @@ TEST(Cells, RaysSeeTheSurfacesOfTheBakedForm) {
   EXPECT_LE(count.gloss, count.rays / 10'000);
 }
 
-double mean_of(const preview::Image& image) {
+double mean_of_image(const preview::Image& image) {
   double sum = 0;
   for (const float v : image.rgb) sum += v;
   return sum / static_cast<double>(image.rgb.size());
@@ -221,7 +221,7 @@ TEST(Cells, SampledPanesAreAsBrightAsThoseFoundByChance) {
   const auto mean = [&](const preview::LocalLights& local, std::uint64_t seed) {
     options.seed = seed;
     const preview::Image image = preview::render(world, lights, local, camera, options);
-    return mean_of(image);
+    return mean_of_image(image);
   };
   constexpr int kSeeds = 64;
   double sum = 0, squares = 0, of_chance = 0, of_sampled = 0;

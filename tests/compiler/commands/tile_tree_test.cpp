@@ -60,15 +60,16 @@ TEST(TileTree, DistancesAreThoseToTheBox) {
 std::string tileset(const std::string& root) { return R"({"asset": {"version": "1.1"}, "root": )" + root + "}"; }
 const std::string kBox = R"("boundingVolume": {"box": [0,0,0, 9,0,0, 0,9,0, 0,0,9]}, )";
 
-Result<TileNode> read(const std::string& json) {
+Result<TileNode> tree_of_tileset(const std::string& json) {
   const ScratchFolder folder;
   std::ofstream(folder.at("tileset.json")) << json;
   return read_tileset_tree(folder.path());
 }
 
 TEST(TilesetTree, ReadsTilesOfItsOwnFolderAlone) {
-  const auto good = read(tileset("{" + kBox + R"("geometricError": 4, "content": {"uri": "a.glb"}, "children": [{)" +
-                                 kBox + R"("geometricError": 1, "content": {"uri": "b.glb"}}]})"));
+  const auto good =
+      tree_of_tileset(tileset("{" + kBox + R"("geometricError": 4, "content": {"uri": "a.glb"}, "children": [{)" +
+                              kBox + R"("geometricError": 1, "content": {"uri": "b.glb"}}]})"));
   ASSERT_TRUE(good);
   EXPECT_EQ(good->error_m, 4);
   ASSERT_EQ(good->children.size(), 1u);
@@ -79,11 +80,11 @@ TEST(TilesetTree, ReadsTilesOfItsOwnFolderAlone) {
         R"("geometricError": 4, "content": {"uri": "/a.glb"})", R"("geometricError": -1)", R"("geometricError": "x")",
         R"("geometricError": 4, "refine": "ADD")", R"("geometricError": 4, "content": {"uri": "tileset.json"})",
         R"("geometricError": 4, "children": 3)"}) {
-    const auto bad = read(tileset("{" + kBox + wrong + "}"));
+    const auto bad = tree_of_tileset(tileset("{" + kBox + wrong + "}"));
     ASSERT_FALSE(bad) << wrong;
     EXPECT_EQ(to_string(bad.error()).find('\n'), std::string::npos);
   }
-  EXPECT_FALSE(read("{"));
+  EXPECT_FALSE(tree_of_tileset("{"));
   EXPECT_FALSE(read_tileset_tree("/nowhere"));
 }
 

@@ -16,7 +16,7 @@ std::size_t edges_of(const Polygon& polygon) {
   return edges;
 }
 
-double area_of(const std::vector<Polygon>& polygons) {
+double total_area_m2(const std::vector<Polygon>& polygons) {
   double sum = 0;
   for (const Polygon& polygon : polygons) sum += area_m2(polygon);
   return sum;
@@ -24,7 +24,7 @@ double area_of(const std::vector<Polygon>& polygons) {
 
 double bands_of(const OffsetPolygon& offset) {
   double sum = 0;
-  for (const auto& bands : offset.bands) sum += area_of(bands);
+  for (const auto& bands : offset.bands) sum += total_area_m2(bands);
   return sum;
 }
 
@@ -33,7 +33,7 @@ std::vector<double> all(const Polygon& polygon, double depth_m) {
 }
 
 const Polygon kRectangle = {{{0, 0}, {10, 0}, {10, 8}, {0, 8}}, {}};
-const Polygon kCourt = {{{0, 0}, {20, 0}, {20, 16}, {0, 16}}, {{{6, 5}, {6, 11}, {14, 11}, {14, 5}}}};
+const Polygon kSmallCourtyard = {{{0, 0}, {20, 0}, {20, 16}, {0, 16}}, {{{6, 5}, {6, 11}, {14, 11}, {14, 5}}}};
 
 TEST(Inset, IsMitred) {
   const OffsetPolygon offset = inset(kRectangle, all(kRectangle, 1));
@@ -44,14 +44,14 @@ TEST(Inset, IsMitred) {
 
 TEST(Inset, EachEdgeHasItsOwnDepth) {
   const OffsetPolygon offset = inset(kRectangle, std::vector<double>{2, 0, 1, 0});
-  EXPECT_NEAR(area_of(offset.moved), 10 * 5, 1e-9);
-  EXPECT_NEAR(area_of(offset.bands[0]), 20, 1e-9);
+  EXPECT_NEAR(total_area_m2(offset.moved), 10 * 5, 1e-9);
+  EXPECT_NEAR(total_area_m2(offset.bands[0]), 20, 1e-9);
   EXPECT_TRUE(offset.bands[1].empty());
 }
 
 TEST(Inset, LeavesNothingWhereItIsDeeperThanThePolygon) {
   const OffsetPolygon offset = inset(kRectangle, all(kRectangle, 5));
-  EXPECT_NEAR(area_of(offset.moved), 0, 1e-3);
+  EXPECT_NEAR(total_area_m2(offset.moved), 0, 1e-3);
   EXPECT_NEAR(bands_of(offset), 80, 1e-3);
 }
 
@@ -60,25 +60,25 @@ TEST(Inset, SplitsWhereItPassesANeck) {
       {{0, 0}, {6, 0}, {6, 2}, {10, 2}, {10, 0}, {16, 0}, {16, 5}, {10, 5}, {10, 3}, {6, 3}, {6, 5}, {0, 5}}, {}};
   const OffsetPolygon offset = inset(dumbbell, all(dumbbell, 0.75));
   EXPECT_EQ(offset.moved.size(), 2u);
-  EXPECT_NEAR(area_of(offset.moved) + bands_of(offset), area_m2(dumbbell), 0.01);
+  EXPECT_NEAR(total_area_m2(offset.moved) + bands_of(offset), area_m2(dumbbell), 0.01);
 }
 
 TEST(Inset, RingsThatPassEachOtherLeaveNothing) {
-  const OffsetPolygon offset = inset(kCourt, all(kCourt, 3.5));
-  EXPECT_NEAR(area_of(offset.moved), 0, 0.01);
-  EXPECT_NEAR(bands_of(offset), area_m2(kCourt), 0.01);
+  const OffsetPolygon offset = inset(kSmallCourtyard, all(kSmallCourtyard, 3.5));
+  EXPECT_NEAR(total_area_m2(offset.moved), 0, 0.01);
+  EXPECT_NEAR(bands_of(offset), area_m2(kSmallCourtyard), 0.01);
 }
 
 TEST(Outset, IsThePolygonAndItsBands) {
-  const OffsetPolygon offset = outset(kCourt, all(kCourt, 1));
-  EXPECT_NEAR(area_of(offset.moved), 22 * 18 - 6 * 4, 1e-9);
-  EXPECT_NEAR(bands_of(offset), area_of(offset.moved) - area_m2(kCourt), 1e-9);
+  const OffsetPolygon offset = outset(kSmallCourtyard, all(kSmallCourtyard, 1));
+  EXPECT_NEAR(total_area_m2(offset.moved), 22 * 18 - 6 * 4, 1e-9);
+  EXPECT_NEAR(bands_of(offset), total_area_m2(offset.moved) - area_m2(kSmallCourtyard), 1e-9);
 }
 
 TEST(Outset, JoinsWhatGrowsTogether) {
   const Polygon u = {{{0, 0}, {9, 0}, {9, 8}, {5, 8}, {5, 3}, {4, 3}, {4, 8}, {0, 8}}, {}};
   const OffsetPolygon offset = outset(u, all(u, 1));
-  EXPECT_NEAR(area_of(offset.moved), 11 * 10, 0.01);
+  EXPECT_NEAR(total_area_m2(offset.moved), 11 * 10, 0.01);
 }
 
 TEST(Outset, SharpCornersAreBevelled) {
@@ -118,7 +118,7 @@ TEST_F(AnyOffset, InwardCoversThePolygonAndNoMore) {
       if (chance() % 4 == 0) d = 0;
     const OffsetPolygon offset = inset(polygon, depths);
     ASSERT_EQ(offset.bands.size(), depths.size());
-    ASSERT_NEAR(area_of(offset.moved) + bands_of(offset), area_m2(polygon), 0.02) << "round " << round;
+    ASSERT_NEAR(total_area_m2(offset.moved) + bands_of(offset), area_m2(polygon), 0.02) << "round " << round;
     for (const Polygon& moved : offset.moved) ASSERT_TRUE(is_simple(moved.outer)) << "round " << round;
   }
 }
@@ -127,7 +127,7 @@ TEST_F(AnyOffset, OutwardIsLargerByItsBands) {
   for (int round = 0; round < 3000; ++round) {
     const Polygon polygon = star();
     const OffsetPolygon offset = outset(polygon, all(polygon, between(0.01, 3)));
-    ASSERT_NEAR(area_of(offset.moved) - bands_of(offset), area_m2(polygon), 0.02) << "round " << round;
+    ASSERT_NEAR(total_area_m2(offset.moved) - bands_of(offset), area_m2(polygon), 0.02) << "round " << round;
   }
 }
 

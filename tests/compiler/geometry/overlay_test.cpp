@@ -28,7 +28,7 @@ Shape shape(const Polygon& polygon) {
   return whole;
 }
 
-double area_of(const Shape& s) {
+double geos_area_m2(const Shape& s) {
   double area = 0;
   GEOSArea(s.get(), &area);
   return area;
@@ -75,7 +75,7 @@ TEST_F(Overlay, GivesEveryOwnerTheAreaNotCoveredByLowerNumbers) {
       double area = 0;
       for (const Polygon& polygon : owned[owner]) area += area_m2(polygon);
       // snapping moves borders by a thousandth of a metre: a few hundred metres of them
-      EXPECT_NEAR(area, area_of(expected), 0.3) << "round " << round << " owner " << owner;
+      EXPECT_NEAR(area, geos_area_m2(expected), 0.3) << "round " << round << " owner " << owner;
       above.reset(GEOSUnion(above.get(), covered[owner].get()));
     }
   }
@@ -99,7 +99,7 @@ TEST_F(Overlay, MakesValidPolygonsThatShareNoArea) {
       }
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        EXPECT_LT(area_of(Shape(GEOSIntersection(all[i].get(), all[j].get()))), 1e-9) << "round " << round;
+        EXPECT_LT(geos_area_m2(Shape(GEOSIntersection(all[i].get(), all[j].get()))), 1e-9) << "round " << round;
     count += all.size();
   }
   EXPECT_GT(count, 200u);

@@ -6,11 +6,11 @@ namespace citykiln {
 namespace {
 
 const Polygon kLShape{{{0, 0}, {20, 0}, {20, 8}, {8, 8}, {8, 18}, {0, 18}}, {}};
-const Polygon kCourt{{{0, 0}, {26, 0}, {26, 22}, {0, 22}}, {{{8, 8}, {8, 14}, {18, 14}, {18, 8}}}};
+const Polygon kLargeCourtyard{{{0, 0}, {26, 0}, {26, 22}, {0, 22}}, {{{8, 8}, {8, 14}, {18, 14}, {18, 8}}}};
 
 TEST(StraightSkeleton, HasAFaceForEachEdgeAndCoversThePolygon) {
   for (const SkeletonKernel kernel : {SkeletonKernel::kInexact, SkeletonKernel::kExact})
-    for (const Polygon& polygon : {kLShape, kCourt}) {
+    for (const Polygon& polygon : {kLShape, kLargeCourtyard}) {
       const auto faces = straight_skeleton(polygon, kernel);
       std::size_t edges = polygon.outer.size();
       for (const Ring& hole : polygon.holes) edges += hole.size();
@@ -22,10 +22,10 @@ TEST(StraightSkeleton, HasAFaceForEachEdgeAndCoversThePolygon) {
 }
 
 TEST(StraightSkeleton, StartsEachFaceWithItsEdge) {
-  const std::vector<SkeletonFace> faces = straight_skeleton(kCourt, SkeletonKernel::kInexact);
+  const std::vector<SkeletonFace> faces = straight_skeleton(kLargeCourtyard, SkeletonKernel::kInexact);
   ASSERT_EQ(faces.size(), 8u);
   for (const SkeletonFace& face : faces) {
-    const Ring& ring = face.ring_index == 0 ? kCourt.outer : kCourt.holes[face.ring_index - 1];
+    const Ring& ring = face.ring_index == 0 ? kLargeCourtyard.outer : kLargeCourtyard.holes[face.ring_index - 1];
     EXPECT_EQ(face.ring[0], ring[face.edge]);
     EXPECT_EQ(face.ring[1], ring[(face.edge + 1) % ring.size()]);
   }

@@ -9,7 +9,7 @@
 namespace citykiln {
 namespace {
 
-double area_of(const PlaneTriangles& t) {
+double triangles_area_m2(const PlaneTriangles& t) {
   double sum = 0;
   for (const auto& [a, b, c] : t.triangles) sum += cross(t.points[b] - t.points[a], t.points[c] - t.points[a]) / 2;
   return sum;
@@ -31,7 +31,7 @@ TEST(Triangulate, CoversTheAreaOfAPolygonWithHoles) {
   for (int seed = 0; seed < 50; ++seed) {
     const Polygon polygon{star({3000, -2000}, 60, 5 + seed, seed), {reversed(star({3000, -2000}, 12, 7, seed + 100))}};
     const PlaneTriangles t = triangulate(polygon);
-    EXPECT_NEAR(area_of(t), area_m2(polygon), 1e-9);
+    EXPECT_NEAR(triangles_area_m2(t), area_m2(polygon), 1e-9);
     // no point is added, and Euler: n + 2 holes - 2 triangles
     EXPECT_EQ(t.points.size(), polygon.outer.size() + 7);
     EXPECT_EQ(t.triangles.size(), t.points.size() + 2 - 2);
@@ -49,16 +49,16 @@ TEST(Triangulate, KeepsTheRingsPointsInOrder) {
 TEST(Triangulate, TakesCrossingRingsByTheEvenOddRule) {
   const PlaneTriangles bow = triangulate({{{0, 0}, {4, 4}, {4, 0}, {0, 4}}, {}});
   EXPECT_EQ(bow.points.size(), 5u);
-  EXPECT_NEAR(area_of(bow), 8, 1e-9);
+  EXPECT_NEAR(triangles_area_m2(bow), 8, 1e-9);
   // a hole that reaches out of the outer ring is inside where only it is
   const PlaneTriangles out = triangulate({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{3, 1}, {3, 2}, {6, 2}, {6, 1}}}});
-  EXPECT_NEAR(area_of(out), 16 - 1 + 2, 1e-9);
+  EXPECT_NEAR(triangles_area_m2(out), 16 - 1 + 2, 1e-9);
 }
 
 TEST(Triangulate, CancelsEdgesSharedByTwoRings) {
   // the hole takes the right half away along three sides of the outer ring
   const PlaneTriangles t = triangulate({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{2, 0}, {2, 4}, {4, 4}, {4, 0}}}});
-  EXPECT_NEAR(area_of(t), 8, 1e-9);
+  EXPECT_NEAR(triangles_area_m2(t), 8, 1e-9);
 }
 
 TEST(Triangulate, IsTotalOnDegenerateRings) {
@@ -66,7 +66,7 @@ TEST(Triangulate, IsTotalOnDegenerateRings) {
   EXPECT_TRUE(triangulate({{{1, 1}}, {}}).triangles.empty());
   EXPECT_TRUE(triangulate({{{1, 1}, {2, 2}, {3, 3}}, {}}).triangles.empty());
   EXPECT_TRUE(triangulate({{{1, 1}, {2, 2}, {1, 1}, {2, 2}}, {{}, {{5, 5}}}}).triangles.empty());
-  EXPECT_NEAR(area_of(triangulate({{{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, {}})), 16, 1e-12);
+  EXPECT_NEAR(triangles_area_m2(triangulate({{{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, {}})), 16, 1e-12);
 }
 
 TEST(Triangulate, TriangulatesRandomScribblesOnTheGrid) {
@@ -78,8 +78,8 @@ TEST(Triangulate, TriangulatesRandomScribblesOnTheGrid) {
     const PlaneTriangles t = triangulate(polygon);
     EXPECT_GE(t.points.size(), 30u);
     for (const Vec2 p : t.points) EXPECT_EQ(p, snapped(p));
-    EXPECT_GT(area_of(t), 0);
-    EXPECT_LE(area_of(t), 81);
+    EXPECT_GT(triangles_area_m2(t), 0);
+    EXPECT_LE(triangles_area_m2(t), 81);
   }
 }
 

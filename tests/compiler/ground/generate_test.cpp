@@ -16,7 +16,7 @@ namespace {
 using map::Heightfield;
 using map::LandCoverClass;
 
-constexpr Box2 kCell{{0, 0}, {128, 128}};
+constexpr Box2 kGeneratedCell{{0, 0}, {128, 128}};
 
 // Powers of two put lines of the field on borders of cells, others do not.
 constexpr Vec2 kSteps_m[] = {{16, 16}, {68, 92}, {64, 64}, {15, 11}, {9.5, 22}};
@@ -67,8 +67,8 @@ double plan_area_m2(const GroundMesh& g) {
 TEST(Ground, FacesTileTheCellExactly) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Report report;
-    const GroundMesh g =
-        generate_cell(crossing_surfaces(seed, 30), GradedTerrain(rough_field({16, 16}, 20)), kCell, 0.5, report);
+    const GroundMesh g = generate_cell(crossing_surfaces(seed, 30), GradedTerrain(rough_field({16, 16}, 20)),
+                                       kGeneratedCell, 0.5, report);
     EXPECT_EQ(plan_area_m2(g), 128.0 * 128.0) << "seed " << seed;
   }
 }
@@ -76,7 +76,7 @@ TEST(Ground, FacesTileTheCellExactly) {
 TEST(Ground, EachInnerEdgeHasTwoFaces) {
   Report report;
   const GroundMesh g =
-      generate_cell(crossing_surfaces(4, 30), GradedTerrain(rough_field({16, 16}, 20)), kCell, 0.5, report);
+      generate_cell(crossing_surfaces(4, 30), GradedTerrain(rough_field({16, 16}, 20)), kGeneratedCell, 0.5, report);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces;
   for (const Triangle& t : g.mesh.triangles)
     for (int i = 0; i < 3; ++i) ++faces[std::minmax(t[i], t[(i + 1) % 3])];
@@ -92,8 +92,8 @@ TEST(Ground, EachFaceHasTheSurfaceOnTop) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Report report;
     const auto surfaces = crossing_surfaces(seed, 20);
-    const GroundMesh g = generate_cell(surfaces, GradedTerrain(rough_field({16, 16}, 20)), kCell, 0.5, report);
-    const LandCoverIndex map = index_land_cover(surfaces, kCell);
+    const GroundMesh g = generate_cell(surfaces, GradedTerrain(rough_field({16, 16}, 20)), kGeneratedCell, 0.5, report);
+    const LandCoverIndex map = index_land_cover(surfaces, kGeneratedCell);
     ASSERT_FALSE(g.mesh.triangles.empty());
     double wrong_m2 = 0;
     for (std::size_t f = 0; f < g.mesh.triangles.size(); ++f) {
@@ -114,7 +114,7 @@ TEST(Ground, StatedErrorIsNeverExceeded) {
     Report report;
     const Heightfield field = rough_field(step_m, 40);
     const GroundMesh g =
-        generate_cell(crossing_surfaces(9, 20), GradedTerrain(Heightfield(field)), kCell, tolerance_m, report);
+        generate_cell(crossing_surfaces(9, 20), GradedTerrain(Heightfield(field)), kGeneratedCell, tolerance_m, report);
     EXPECT_LE(g.error_m, tolerance_m);
     const Draw draw(1, StableId{4}, "samples");
     double largest = 0;
@@ -162,7 +162,7 @@ TEST(Ground, CellsGeneratedApartMeetVertexForVertex) {
     const Heightfield field = rough_field(kSteps_m[seed % 5], 20);
     std::vector<LandCoverPolygon> trimmed;
     for (const LandCoverPolygon& s : surfaces) trimmed.push_back(trimmed_to(s, Box2{{128, 0}, {256, 128}}.widened(1)));
-    const GroundMesh west = generate_cell(surfaces, GradedTerrain(Heightfield(field)), kCell, 0.1, report);
+    const GroundMesh west = generate_cell(surfaces, GradedTerrain(Heightfield(field)), kGeneratedCell, 0.1, report);
     const GroundMesh east =
         generate_cell(trimmed, GradedTerrain(Heightfield(field)), {{128, 0}, {256, 128}}, 0.1, report);
     EXPECT_GE(on_line_x(west, 128).size(), 2u);
@@ -217,7 +217,7 @@ TEST(Ground, CellsGeneratedApartAreClosedWhereAKerbRunsAlongTheirBorder) {
       Report report;
       return generate_cell(surfaces, terrain_with_kerbs(surfaces, box), box, tolerance_m, report);
     };
-    const std::vector cells = {cell(kCell), cell(kEast)};
+    const std::vector cells = {cell(kGeneratedCell), cell(kEast)};
     for (const auto& [edge, count] : met_on_line(cells)) {
       EXPECT_EQ(count % 2, 0) << "round " << round << " at " << edge.first.y << ", " << edge.first.z;
       steps_of_a_cell += count > 2;
@@ -238,7 +238,7 @@ TEST(Ground, CellsGeneratedApartAreClosedInAMouthThatCrossesTheirBorder) {
       Report report;
       return generate_cell(surfaces, terrain_with_kerbs(surfaces, box, 16, std::span(&bore, 1)), box, 0.1, report);
     };
-    const std::vector cells = {cell(kCell), cell({{128, 0}, {256, 128}})};
+    const std::vector cells = {cell(kGeneratedCell), cell({{128, 0}, {256, 128}})};
     for (const auto& [edge, count] : met_on_line(cells))
       EXPECT_EQ(count % 2, 0) << "round " << round << " at " << edge.first.y << ", " << edge.first.z;
     // an edge with two faces of one cell has a vertical one
@@ -264,7 +264,7 @@ TEST(Ground, CellsGeneratedApartAreClosedWhereAKerbRunsAlongTheirBorderPastACorn
       Report report;
       return generate_cell(surfaces, terrain_with_kerbs(surfaces, box, 0), box, tolerance_m, report);
     };
-    const std::vector cells = {cell(kCell), cell({{128, 0}, {256, 128}})};
+    const std::vector cells = {cell(kGeneratedCell), cell({{128, 0}, {256, 128}})};
     int steps = 0;  // both sides of the step and the diagonal of its face
     for (const auto& [edge, count] : met_on_line(cells)) {
       EXPECT_EQ(count % 2, 0) << "at " << edge.first.y << ", " << edge.first.z;
@@ -282,7 +282,7 @@ TEST(Ground, CellsOfUnequalTolerancesMeetVertexForVertex) {
     const Heightfield field = rough_field(kSteps_m[seed % 5], 20);
     const SideTolerances sides{0.1, 1.6, 1.6, 1.6};
     const Box2 beside{{128, 0}, {256, 128}};
-    const GroundMesh west = generate_cell(surfaces, GradedTerrain(Heightfield(field)), kCell, 0.1, report);
+    const GroundMesh west = generate_cell(surfaces, GradedTerrain(Heightfield(field)), kGeneratedCell, 0.1, report);
     const GradedTerrain graded{Heightfield(field)};
     GradedNormals normals(graded);
     const GroundMesh east = generate_cell(prepare_cell(surfaces, graded, beside), normals, 1.6, sides, report);
@@ -316,11 +316,11 @@ TEST(Ground, CellsWithAndWithoutGradingMeetVertexForVertex) {
     Report report;
     const Heightfield field = rough_field(kSteps_m[seed % 5], 20);
     const GradedTerrain graded = graded_in_the_east(field);
-    ASSERT_FALSE(has_grading(graded, kCell));
+    ASSERT_FALSE(has_grading(graded, kGeneratedCell));
     ASSERT_TRUE(has_grading(graded, kEast));
     const auto surfaces = crossing_surfaces(seed, static_cast<int>(seed % 4) * 4);
     for (const double tolerance_m : {0.02, 0.5, 12.5}) {
-      const GroundMesh west = generate_cell(surfaces, graded, kCell, tolerance_m, report);
+      const GroundMesh west = generate_cell(surfaces, graded, kGeneratedCell, tolerance_m, report);
       const GroundMesh east = generate_cell(surfaces, graded, kEast, tolerance_m, report);
       EXPECT_GE(on_line_x(west, 128).size(), 2u);
       EXPECT_EQ(on_line_x(west, 128), on_line_x(east, 128)) << "seed " << seed << ", " << tolerance_m << " m";
@@ -332,7 +332,7 @@ TEST(Ground, CellsWithAndWithoutGradingMeetVertexForVertex) {
 TEST(Ground, AtFullDetailACellWithoutGradingIsTheTerrain) {
   for (const Vec2 step_m : {Vec2{16, 16}, {8, 32}, {32, 16}}) {
     Report report;
-    const GroundMesh g = generate_cell({}, GradedTerrain(rough_field(step_m, 40)), kCell, 0.02, report);
+    const GroundMesh g = generate_cell({}, GradedTerrain(rough_field(step_m, 40)), kGeneratedCell, 0.02, report);
     EXPECT_LE(g.error_m, 0.02);
     EXPECT_EQ(static_cast<double>(g.mesh.triangles.size()), 2 * (128 / step_m.x) * (128 / step_m.y));
   }
@@ -357,7 +357,9 @@ TEST(Ground, ADamOneGridStepWideKeepsItsTolerance) {
 
 TEST(Ground, TerrainLinesLeaveNoVertexOnTheBorderThatHeightsDoNotAskFor) {
   Report report;
-  EXPECT_EQ(generate_cell({}, GradedTerrain(rough_field({16, 16}, 20)), kCell, 41, report).mesh.triangles.size(), 2u);
+  EXPECT_EQ(
+      generate_cell({}, GradedTerrain(rough_field({16, 16}, 20)), kGeneratedCell, 41, report).mesh.triangles.size(),
+      2u);
   const Heightfield field = rough_field({16, 16}, 0.25);
   const GroundMesh g = generate_cell({}, graded_in_the_east(field), {{128, 0}, {256, 128}}, 30, report);
   EXPECT_EQ(on_line_x(g, 128).size(), 2u);
@@ -376,10 +378,10 @@ TEST(Ground, PondsAreLevelBesideABrookHoweverTheirShoresAreSimplified) {
   field.heights[6] += 8;
   const std::vector<LandCoverPolygon> surfaces = {pond};
   const GradedTerrain graded =
-      grade_terrain(std::move(field), {{}, std::vector{brook}, surfaces, kCell.widened(kGrading_m)});
+      grade_terrain(std::move(field), {{}, std::vector{brook}, surfaces, kGeneratedCell.widened(kGrading_m)});
   for (const double tolerance_m : {0.1, 2.5}) {
     Report report;
-    const GroundMesh g = generate_cell(surfaces, graded, kCell, tolerance_m, report);
+    const GroundMesh g = generate_cell(surfaces, graded, kGeneratedCell, tolerance_m, report);
     EXPECT_GT(std::ranges::count(g.face_cover, 0u), 0);
     for (std::size_t f = 0; f < g.first_vertical; ++f) {
       if (g.face_cover[f] != 0) continue;
@@ -391,7 +393,7 @@ TEST(Ground, PondsAreLevelBesideABrookHoweverTheirShoresAreSimplified) {
 TEST(Ground, FlatAndEmptyIsTwoTriangles) {
   Report report;
   const Heightfield flat{{-64, -64}, {64, 64}, 5, 5, std::vector<std::int32_t>(25, 640), 0};
-  const GroundMesh g = generate_cell({}, GradedTerrain(Heightfield(flat)), kCell, 0.02, report);
+  const GroundMesh g = generate_cell({}, GradedTerrain(Heightfield(flat)), kGeneratedCell, 0.02, report);
   EXPECT_EQ(g.mesh.triangles.size(), 2u);
   EXPECT_LE(g.error_m, kQuantum_m / 2);
 }

@@ -11,7 +11,7 @@
 namespace citykiln::ground {
 namespace {
 
-constexpr Box2 kCell{{0, 0}, {128, 128}};
+constexpr Box2 kLayeredCell{{0, 0}, {128, 128}};
 constexpr double kAtEnds_m = 20, kInside_m = 16;
 
 map::Heightfield flat_field() {
@@ -42,9 +42,9 @@ double largest_gap_m(const roads::Road& road) {
   const std::vector surfaces{surface_of(road, {})};
   const std::vector roads{road}, decks{low_bridge()};
   const GradedTerrain graded =
-      grade_terrain(flat_field(), {roads, {}, surfaces, kCell.widened(kGrading_m), true, decks});
+      grade_terrain(flat_field(), {roads, {}, surfaces, kLayeredCell.widened(kGrading_m), true, decks});
   Report report;
-  const GroundMesh ground = generate_cell(surfaces, graded, kCell, 0.1, report);
+  const GroundMesh ground = generate_cell(surfaces, graded, kLayeredCell, 0.1, report);
   double largest_m = -1;
   for (std::uint32_t f = 0; f < ground.first_vertical; ++f)
     for (const std::uint32_t v : ground.mesh.triangles[f]) {
@@ -68,7 +68,7 @@ TEST(HeightLayer, PathsWithoutProfilesLieOnTheLand) {
 
 TEST(HeightLayer, TrimmedPathsStayOnTheirProfiles) {
   const LandCoverPolygon whole = surface_of(path(down_and_up()), {});
-  EXPECT_EQ(layer_of(trimmed_to(whole, kCell)), HeightLayer::kCarriageway);
+  EXPECT_EQ(layer_of(trimmed_to(whole, kLayeredCell)), HeightLayer::kCarriageway);
 }
 
 }  // namespace

@@ -10,7 +10,9 @@
 
 namespace citykiln::ground {
 
-/// Lobed rings of 60 corners with noise, of all sizes, in and about the cell -128 … 0, 0 … 128.
+inline constexpr Box2 kWavyCell{{-128, 0}, {0, 128}};
+
+/// Lobed rings of 60 corners with noise, of all sizes, in and about kWavyCell.
 inline std::vector<LandCoverPolygon> wavy_surfaces(std::uint64_t seed, int count, double noise_m) {
   constexpr map::LandCoverClass kClasses[] = {map::LandCoverClass::kMeadow, map::LandCoverClass::kForest,
                                               map::LandCoverClass::kLake, map::LandCoverClass::kResidentialRoad,

@@ -7,7 +7,7 @@
 namespace citykiln::map {
 namespace {
 
-const Box2 kBox{{-64, -32}, {128, 96}};
+const Box2 kClipBox{{-64, -32}, {128, 96}};
 
 // Stars without chance: rings of n points in and out of the box, crossing themselves.
 Ring star(int n, int step) {
@@ -19,7 +19,7 @@ Ring star(int n, int step) {
 
 TEST(ClipRing, PointsInsideKeepTheirWindingNumber) {
   for (int n = 3; n < 40; n += 3) {
-    const Ring ring = star(n, n + 1), kept = clip_ring(ring, kBox);
+    const Ring ring = star(n, n + 1), kept = clip_ring(ring, kClipBox);
     for (double x = -63.3; x < 128; x += 9.7)
       for (double y = -31.4; y < 96; y += 8.3)
         EXPECT_EQ(kept.empty() ? 0 : winding_number(kept, {x, y}), winding_number(ring, {x, y}))
@@ -30,8 +30,8 @@ TEST(ClipRing, PointsInsideKeepTheirWindingNumber) {
 TEST(ClipRing, NothingLiesOutsideAndAllIsOnTheGrid) {
   std::size_t points = 0;
   for (int n = 3; n < 40; ++n)
-    for (const Vec2 p : clip_ring(star(n, 7), kBox)) {
-      EXPECT_TRUE(kBox.contains(p));
+    for (const Vec2 p : clip_ring(star(n, 7), kClipBox)) {
+      EXPECT_TRUE(kClipBox.contains(p));
       EXPECT_EQ(p, snapped(p));
       ++points;
     }
@@ -40,14 +40,17 @@ TEST(ClipRing, NothingLiesOutsideAndAllIsOnTheGrid) {
 
 TEST(ClipRing, ARingInsideStaysAsItIs) {
   const Ring ring = {{0, 0}, {100, 0}, {100, 50}, {3, 60}};
-  EXPECT_EQ(clip_ring(ring, kBox), ring);
+  EXPECT_EQ(clip_ring(ring, kClipBox), ring);
 }
 
 TEST(ClipRing, ARingAroundTheBoxBecomesTheBox) {
-  EXPECT_EQ(signed_area_m2(clip_ring(Ring{{-1e6, -1e6}, {2e6, -1e6}, {0, 3e6}}, kBox)), kBox.width() * kBox.height());
+  EXPECT_EQ(signed_area_m2(clip_ring(Ring{{-1e6, -1e6}, {2e6, -1e6}, {0, 3e6}}, kClipBox)),
+            kClipBox.width() * kClipBox.height());
 }
 
-TEST(ClipRing, ARingElsewhereIsNothing) { EXPECT_TRUE(clip_ring(Ring{{200, 0}, {300, 0}, {300, 50}}, kBox).empty()); }
+TEST(ClipRing, ARingElsewhereIsNothing) {
+  EXPECT_TRUE(clip_ring(Ring{{200, 0}, {300, 0}, {300, 50}}, kClipBox).empty());
+}
 
 }  // namespace
 }  // namespace citykiln::map

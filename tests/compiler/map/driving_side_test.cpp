@@ -9,12 +9,12 @@ namespace {
 
 constexpr DrivingSide kLeft = DrivingSide::kLeft, kRight = DrivingSide::kRight;
 
-struct Town {
+struct TownOnSide {
   double lon_deg, lat_deg;
   DrivingSide side;
   const char* name;
 };
-constexpr Town kTowns[] = {
+constexpr TownOnSide kTownsOnSides[] = {
     {-0.128, 51.507, kLeft, "London"},
     {-5.930, 54.597, kLeft, "Belfast"},
     {-6.260, 53.349, kLeft, "Dublin"},
@@ -307,7 +307,8 @@ constexpr Town kTowns[] = {
 };
 
 TEST(DrivingSide, TownsDriveAsTheirLandDoes) {
-  for (const Town& town : kTowns) EXPECT_EQ(driving_side_at({town.lon_deg, town.lat_deg}), town.side) << town.name;
+  for (const TownOnSide& town : kTownsOnSides)
+    EXPECT_EQ(driving_side_at({town.lon_deg, town.lat_deg}), town.side) << town.name;
 }
 
 TEST(DrivingSide, ReachesToTheRimOfTheMap) {

@@ -9,8 +9,8 @@
 namespace citykiln::map {
 namespace {
 
-const LonLat kOrigins[] = {{7.42, 43.73}, {-87.62, 41.88},  {174.87, -41.26}, {24.94, 60.17}, {1.52, 42.5},
-                           {0, 0},        {-43.05, -22.91}, {179.99, 10},     {15.6, 78.2}};
+const LonLat kGlobeOrigins[] = {{7.42, 43.73}, {-87.62, 41.88},  {174.87, -41.26}, {24.94, 60.17}, {1.52, 42.5},
+                                {0, 0},        {-43.05, -22.91}, {179.99, 10},     {15.6, 78.2}};
 const Vec3 kPlaces[] = {{0, 0, 0},           {100, -50, 12},    {5000, 7000, 350}, {-25000, 18000, 2900},
                         {60000, -80000, -3}, {-200000, 0, 100}, {0, 200000, 1000}, {-0.25, 0.125, 60}};
 
@@ -29,14 +29,14 @@ void expect_near(Vec3 a, Vec3 b, double most) {
 }
 
 TEST(Globe, PositionsAreThoseOfGeographicLib) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kGlobeOrigins) {
     const Globe globe(origin);
     for (const Vec3 p : kPlaces) expect_near(globe.at(p).at, by_geographiclib(origin, p), 1e-6);
   }
 }
 
 TEST(Globe, TheFrameStandsWhereGeographicLibSays) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kGlobeOrigins) {
     const auto m = Globe(origin).to_earth();
     for (const Vec3 p : kPlaces) {
       const Vec3 at = by_geographiclib(origin, p);
@@ -52,7 +52,7 @@ TEST(Globe, TheFrameStandsWhereGeographicLibSays) {
 }
 
 TEST(Globe, AxesAreTheDirectionsInWhichPositionsMove) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kGlobeOrigins) {
     const Globe globe(origin);
     for (const Vec3 p : kPlaces) {
       const GlobePoint here = globe.at(p);
@@ -66,7 +66,7 @@ TEST(Globe, AxesAreTheDirectionsInWhichPositionsMove) {
 }
 
 TEST(Globe, LinesAreNoFartherFromTheirChordsThanTheSag) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kGlobeOrigins) {
     const Globe globe(origin);
     for (const Vec3 p : kPlaces)
       for (const Vec3 step :

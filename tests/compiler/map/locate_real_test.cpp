@@ -12,6 +12,7 @@
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
 #include "tests/compiler/map/map_text.h"
+#include "tests/test_files.h"
 
 namespace citykiln::map {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 #define NEEDS_DATA() \
-  if (!fs::exists(CITYKILN_DATA)) GTEST_SKIP() << "no real data at " << CITYKILN_DATA
+  if (!fs::exists(real_data())) GTEST_SKIP() << "no real data at " << real_data()
 
 bool is_extract(const fs::path& path) {
   const std::string name = path.filename().string();
@@ -30,7 +31,7 @@ bool is_extract(const fs::path& path) {
 
 std::vector<std::string> all_extracts() {
   std::vector<std::string> paths;
-  for (const auto& entry : fs::recursive_directory_iterator(CITYKILN_DATA))
+  for (const auto& entry : fs::recursive_directory_iterator(real_data()))
     if (is_extract(entry.path())) paths.push_back(entry.path().string());
   std::sort(paths.begin(), paths.end());
   return paths;
@@ -71,7 +72,7 @@ Located located_file(const std::string& path) {
   return located;
 }
 
-Located located_extract(const char* name) { return located_file(std::string(CITYKILN_DATA) + "/" + name); }
+Located located_extract(const char* name) { return located_file(real_data(name)); }
 
 template <typename Feature>
 bool ids_rise(const std::vector<Feature>& features) {
@@ -245,7 +246,7 @@ Heightfield heights_of(const Located& located, const std::string& dem, Report& r
   const LonLat low = located.plane.backward(r.min), high = located.plane.backward(r.max);
   const source::LonLatBox window{low.lon_deg - 0.01, low.lat_deg - 0.01, high.lon_deg + 0.01, high.lat_deg + 0.01};
   source::RasterSpec spec;
-  spec.path = std::string(CITYKILN_DATA) + "/" + dem;
+  spec.path = real_data(dem);
   auto raster = source::read_raster(spec, &window);
   EXPECT_TRUE(raster) << dem;
   if (!raster) return {};
@@ -284,7 +285,7 @@ TEST(ResampleReal, AHeightmapOfAnotherCountryIsOneClearLine) {
   NEEDS_DATA();
   const Located berlin = located_extract("berlin/berlin-neukolln.osm");
   source::RasterSpec spec;
-  spec.path = std::string(CITYKILN_DATA) + "/andorra/N42E001.hgt";
+  spec.path = real_data("andorra/N42E001.hgt");
   const auto raster = source::read_raster(spec, nullptr);
   ASSERT_TRUE(raster);
   Report report;

@@ -13,8 +13,8 @@ namespace {
 
 using GeographicLib::Geodesic;
 
-const LonLat kOrigins[] = {{7.42, 43.73}, {-87.62, 41.88},  {174.87, -41.26}, {24.94, 60.17},
-                           {0, 0},        {-43.05, -22.91}, {179.99, 10}};
+const LonLat kPlaneOrigins[] = {{7.42, 43.73}, {-87.62, 41.88},  {174.87, -41.26}, {24.94, 60.17},
+                                {0, 0},        {-43.05, -22.91}, {179.99, 10}};
 
 double geodesic_m(LonLat a, LonLat b) {
   double metres = 0;
@@ -23,7 +23,7 @@ double geodesic_m(LonLat a, LonLat b) {
 }
 
 TEST(Plane, OriginIsZero) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kPlaneOrigins) {
     const Vec2 p = Plane(origin).forward(origin);
     EXPECT_NEAR(p.x, 0, 1e-8);
     EXPECT_NEAR(p.y, 0, 1e-8);
@@ -31,7 +31,7 @@ TEST(Plane, OriginIsZero) {
 }
 
 TEST(Plane, XIsEastAndYIsNorth) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kPlaneOrigins) {
     const Plane plane(origin);
     EXPECT_GT(plane.forward({origin.lon_deg + 0.005, origin.lat_deg}).x, 0);
     EXPECT_GT(plane.forward({origin.lon_deg, origin.lat_deg + 0.005}).y, 0);
@@ -39,7 +39,7 @@ TEST(Plane, XIsEastAndYIsNorth) {
 }
 
 TEST(Plane, LengthsAreWithin8PpmOfTheGeodesicWithin25Km) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kPlaneOrigins) {
     const Plane plane(origin);
     for (const double x : {-25000.0, -9000.0, 0.0, 14000.0, 25000.0}) {
       for (const double y : {-25000.0, 0.0, 25000.0}) {
@@ -54,7 +54,7 @@ TEST(Plane, LengthsAreWithin8PpmOfTheGeodesicWithin25Km) {
 }
 
 TEST(Plane, BackwardUndoesForwardTo10Nanometres) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kPlaneOrigins) {
     const Plane plane(origin);
     for (double x = -60000; x <= 60000; x += 7919) {
       const Vec2 p{x, 1000 - 0.7 * x}, again = plane.forward(plane.backward(p));
@@ -64,7 +64,7 @@ TEST(Plane, BackwardUndoesForwardTo10Nanometres) {
 }
 
 TEST(Plane, PreciseBackwardUndoesPreciseForward) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kPlaneOrigins) {
     for (double x = -60000; x <= 60000; x += 9973) {
       const Vec2 p{x, 500 + 0.4 * x};
       const PrecisePoint again = precise_forward(origin, precise_backward(origin, p, Plane(origin).backward(p)));
@@ -107,7 +107,7 @@ TEST(Plane, NearTiesAreDecidedInHigherPrecision) {
 
 // The bound on which the width of the window about ties is based.
 TEST(Plane, TheDoubleIsWithin8NanometresOfTheTruth) {
-  for (const LonLat origin : kOrigins) {
+  for (const LonLat origin : kPlaneOrigins) {
     const Plane plane(origin);
     for (std::int64_t n = 0; n < 20000; ++n) {
       const source::Location place = nth_place(origin, n);

@@ -5,12 +5,12 @@
 namespace citykiln::map {
 namespace {
 
-struct Town {
+struct TownInRegion {
   double lon_deg, lat_deg;
   RoadRegion region;
   const char* name;
 };
-constexpr Town kTowns[] = {
+constexpr TownInRegion kTownsInRegions[] = {
     {-71.08, 42.35, RoadRegion::kNorthAmerica, "Boston"},
     {-117.16, 32.72, RoadRegion::kNorthAmerica, "San Diego"},
     {-106.49, 31.85, RoadRegion::kNorthAmerica, "El Paso"},
@@ -38,7 +38,8 @@ constexpr Town kTowns[] = {
 };
 
 TEST(RoadRegion, TownsLieInTheirRegions) {
-  for (const Town& town : kTowns) EXPECT_EQ(road_region_at({town.lon_deg, town.lat_deg}), town.region) << town.name;
+  for (const TownInRegion& town : kTownsInRegions)
+    EXPECT_EQ(road_region_at({town.lon_deg, town.lat_deg}), town.region) << town.name;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace citykiln::map {
 namespace {
 
 // "1zebra^ 2signals": vertex, kind, and ^ along or v against the way.
-std::string text_of(const Track& track) {
+std::string text_of_points(const Track& track) {
   constexpr const char* kNames[] = {"zebra", "crossing", "signals", "stop", "give_way", "level", "turning", "mini"};
   std::string text;
   for (const TrackPoint& point : track.points)
@@ -26,7 +26,7 @@ std::string points_in(const std::string& text, std::size_t track = 0) {
   Report report;
   const Features features = features_of(osm, report);
   EXPECT_EQ(report.counts()[Code::kBadTagValue], 0u) << text;
-  return track < features.tracks.size() ? text_of(features.tracks[track]) : "no track";
+  return track < features.tracks.size() ? text_of_points(features.tracks[track]) : "no track";
 }
 
 std::string of_node(const std::string& tags) {
@@ -106,7 +106,7 @@ TEST(TrackPoints, NodesThatSnapTogetherKeepBothMarks) {
   const Features features = features_of(osm, report);
   ASSERT_EQ(features.tracks.size(), 1u);
   EXPECT_EQ(features.tracks[0].axis.size(), 3u);
-  EXPECT_EQ(text_of(features.tracks[0]), "1crossing 1stop");
+  EXPECT_EQ(text_of_points(features.tracks[0]), "1crossing 1stop");
 }
 
 TEST(TrackPoints, ClosedWaysHaveTheirFirstNodeOnce) {

@@ -8,6 +8,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/plants/placing/blue_noise.h"
+#include "tests/compiler/plants/made_surfaces.h"
 
 namespace citykiln::plants {
 namespace {
@@ -15,20 +16,13 @@ namespace {
 using ground::LandCoverPolygon;
 using map::LandCoverClass;
 
-map::Heightfield sloping(double grade) {
+map::Heightfield sloping_east(double grade) {
   map::Heightfield field{{-512, -512}, {16, 16}, 65, 65, {}, 0};
   for (int j = 0; j < 65; ++j)
     for (int i = 0; i < 65; ++i)
       field.heights.push_back(static_cast<std::int32_t>(grade * (i * 16) / map::kHeightQuantum_m));
   return field;
 }
-
-LandCoverPolygon surface(std::int64_t id, LandCoverClass kind, Ring ring) {
-  const auto area = static_cast<std::uint32_t>(signed_area_m2(ring));
-  return {{{OsmType::kWay, id}, 0}, kind, area, {std::move(ring)}};
-}
-
-Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 // A wood with a road, a lake and a house.
 std::vector<LandCoverPolygon> wooded() {
@@ -39,11 +33,11 @@ std::vector<LandCoverPolygon> wooded() {
 }
 
 const std::vector<Wood> kWoods = {{{{OsmType::kWay, 1}, 0}, species_mix_of(PlantCommunity::kMixedWood), 95, 15}};
-constexpr Box2 kAll = {{-256, -256}, {256, 256}};
-constexpr double kLatitude_deg = 42.5;
+constexpr Box2 kWoodBox = {{-256, -256}, {256, 256}};
+constexpr double kWoodLatitude_deg = 42.5;
 
 // Recipes in the wood above, and their plants in a box.
-struct Scene {
+struct PlantedWood {
   std::vector<Tree> trees;
   std::vector<Wood> woods = kWoods;
   std::vector<Planting> plantings;
@@ -53,14 +47,14 @@ struct Scene {
   double grade = 0, base_m = 0;
 
   map::Heightfield heights() const {
-    map::Heightfield field = sloping(grade);
+    map::Heightfield field = sloping_east(grade);
     for (std::int32_t& height : field.heights) height += static_cast<std::int32_t>(base_m / map::kHeightQuantum_m);
     return field;
   }
   PlacedPlants in(const Box2& box, Report& report) const {
     const ground::LandCoverIndex map = index_land_cover(surfaces, box.widened(kInfluenceRadius_m));
     const ground::GradedTerrain ground(heights());
-    return generate({trees, woods, plantings, rows, corridors}, {map, ground, box, 7, kLatitude_deg}, report);
+    return generate({trees, woods, plantings, rows, corridors}, {map, ground, box, 7, kWoodLatitude_deg}, report);
   }
   PlacedPlants in(const Box2& box) const {
     Report ignored;
@@ -69,12 +63,12 @@ struct Scene {
 };
 
 PlacedPlants placed_in(const Box2& box, double grade, Report& report, std::span<const Tree> trees = {}) {
-  Scene scene;
+  PlantedWood scene;
   scene.grade = grade, scene.trees.assign(trees.begin(), trees.end());
   return scene.in(box, report);
 }
 
-std::vector<Placement> joined(const PlacedPlants& placed) {
+std::vector<Placement> sorted_placements(const PlacedPlants& placed) {
   std::vector<Placement> all;
   for (const auto& [prototype, some] : placed) all.insert(all.end(), some.begin(), some.end());
   std::sort(all.begin(), all.end(), [](const Placement& a, const Placement& b) { return a.at < b.at; });
@@ -91,13 +85,13 @@ std::size_t count_of(const PlacedPlants& placed, Species species) {
 double share_of(const PlacedPlants& placed, std::initializer_list<Species> some) {
   double count = 0;
   for (const Species species : some) count += static_cast<double>(count_of(placed, species));
-  return count / static_cast<double>(joined(placed).size());
+  return count / static_cast<double>(sorted_placements(placed).size());
 }
 
 TEST(Generate, KeepsTrunksApartOnTheGround) {
   for (const double grade : {0.0, 1.0}) {
     Report report;
-    const auto trees = joined(placed_in(kAll, grade, report));
+    const auto trees = sorted_placements(placed_in(kWoodBox, grade, report));
     double nearest = 1e9;
     for (std::size_t i = 0; i < trees.size(); ++i)
       for (std::size_t j = i + 1; j < trees.size() && trees[j].at.x < trees[i].at.x + 8; ++j)
@@ -110,22 +104,22 @@ TEST(Generate, KeepsTrunksApartOnTheGround) {
 
 TEST(Generate, StandsDenserInPlanWhereTheGroundIsSteep) {
   Report report;
-  const double flat = static_cast<double>(joined(placed_in(kAll, 0, report)).size());
-  const double steep = static_cast<double>(joined(placed_in(kAll, 1, report)).size());
+  const double flat = static_cast<double>(sorted_placements(placed_in(kWoodBox, 0, report)).size());
+  const double steep = static_cast<double>(sorted_placements(placed_in(kWoodBox, 1, report)).size());
   EXPECT_NEAR(steep / flat, std::sqrt(2.0), 0.12);
 }
 
 TEST(Generate, IsAsDenseAsTheWoodAsks) {
   const double wood_m2 = 490.0 * 480 - 490 * 8.5 - 82.5 * 72.5 - 22.5 * 22.5;
-  const auto trees = static_cast<double>(joined(Scene{}.in(kAll)).size());
+  const auto trees = static_cast<double>(sorted_placements(PlantedWood{}.in(kWoodBox)).size());
   EXPECT_NEAR(trees / (wood_m2 / 1e4 * kWoods[0].trees_per_ha), 1, 0.03);
 }
 
 TEST(Generate, KeepsTrunksClearOfRoadsBuildingsAndWater) {
   Report report;
   const std::vector<LandCoverPolygon> surfaces = wooded();
-  const auto map = index_land_cover(surfaces, kAll.widened(8));
-  const auto trees = joined(placed_in(kAll, 0, report));
+  const auto map = index_land_cover(surfaces, kWoodBox.widened(8));
+  const auto trees = sorted_placements(placed_in(kWoodBox, 0, report));
   ASSERT_FALSE(trees.empty());
   for (const Placement& tree : trees) {
     EXPECT_EQ(land_cover_at(map, in_plan(tree.at)), 0u);
@@ -135,11 +129,11 @@ TEST(Generate, KeepsTrunksClearOfRoadsBuildingsAndWater) {
 
 TEST(Generate, PlantsTheSameTreesInHalvesAsInTheWhole) {
   Report report;
-  const auto whole = joined(placed_in(kAll, 0.3, report));
+  const auto whole = sorted_placements(placed_in(kWoodBox, 0.3, report));
   ASSERT_FALSE(whole.empty());
   for (const double cut : {-128.0, 0.0, 37.0}) {
-    auto halves = joined(placed_in({{-256, -256}, {cut, 256}}, 0.3, report));
-    const auto east = joined(placed_in({{cut, -256}, {256, 256}}, 0.3, report));
+    auto halves = sorted_placements(placed_in({{-256, -256}, {cut, 256}}, 0.3, report));
+    const auto east = sorted_placements(placed_in({{cut, -256}, {256, 256}}, 0.3, report));
     halves.insert(halves.end(), east.begin(), east.end());
     ASSERT_EQ(halves.size(), whole.size());
     for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -152,48 +146,49 @@ TEST(Generate, PlantsTheSameTreesInHalvesAsInTheWhole) {
 
 TEST(Generate, DependsOnNothingBeyondItsInfluenceRadius) {
   const Box2 box = {{-64, -64}, {64, 64}};
-  Scene scene;
+  PlantedWood scene;
   scene.grade = 0.1;
-  const auto before = joined(scene.in(box));
+  const auto before = sorted_placements(scene.in(box));
   // an obstacle just beyond
   scene.surfaces.push_back(surface(5, LandCoverClass::kBuilding, block(112.5, -200, 230, 200)));
-  const auto after = joined(scene.in(box));
+  const auto after = sorted_placements(scene.in(box));
   ASSERT_FALSE(before.empty());
   ASSERT_EQ(before.size(), after.size());
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(before[i].at, after[i].at);
 }
 
 TEST(Generate, WoodsFollowTheBeltsOfAltitude) {
-  Scene scene;
+  PlantedWood scene;
   scene.woods[0].species_mix = species_mix_of(PlantCommunity::kAnyWood);
   scene.base_m = 1000;
   EXPECT_GT(
-      share_of(scene.in(kAll), {Species::kOak, Species::kMaple, Species::kLime, Species::kBeech, Species::kBirch}),
+      share_of(scene.in(kWoodBox), {Species::kOak, Species::kMaple, Species::kLime, Species::kBeech, Species::kBirch}),
       0.6);
   scene.base_m = 1800;
-  EXPECT_GT(share_of(scene.in(kAll), {Species::kPine, Species::kFir, Species::kSpruce}), 0.8);
-  EXPECT_EQ(count_of(scene.in(kAll), Species::kOak), 0u);
+  EXPECT_GT(share_of(scene.in(kWoodBox), {Species::kPine, Species::kFir, Species::kSpruce}), 0.8);
+  EXPECT_EQ(count_of(scene.in(kWoodBox), Species::kOak), 0u);
 }
 
 TEST(Generate, WoodsAreLowAndThinAtTheTreeLine) {
-  Scene scene;
+  PlantedWood scene;
   scene.woods[0].species_mix = species_mix_of(PlantCommunity::kNeedleWood);
-  const auto low = joined(scene.in(kAll));
+  const auto low = sorted_placements(scene.in(kWoodBox));
   scene.base_m = 2400;
-  const auto high = joined(scene.in(kAll));
+  const auto high = sorted_placements(scene.in(kWoodBox));
   EXPECT_LT(high.size(), 0.6 * static_cast<double>(low.size()));
   const auto tallest = [](const auto& trees) { return std::ranges::max(trees, {}, &Placement::scale).scale; };
   EXPECT_LT(tallest(high), 0.6 * tallest(low));
 }
 
 TEST(Generate, WillowsAndPoplarsStandByWater) {
-  Scene scene;
+  PlantedWood scene;
   scene.woods[0].species_mix = species_mix_of(PlantCommunity::kBroadWood);
-  const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kAll.widened(kInfluenceRadius_m));
-  ground::GradingInputs parts{{}, {}, scene.surfaces, kAll};
+  const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kWoodBox.widened(kInfluenceRadius_m));
+  ground::GradingInputs parts{{}, {}, scene.surfaces, kWoodBox};
   const ground::GradedTerrain ground = grade_terrain(scene.heights(), parts);
   Report report;
-  const PlacedPlants placed = generate({{}, scene.woods, {}, {}, {}}, {map, ground, kAll, 7, kLatitude_deg}, report);
+  const PlacedPlants placed =
+      generate({{}, scene.woods, {}, {}, {}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg}, report);
   std::size_t by_water = 0, elsewhere = 0;
   for (const auto& [prototype, some] : placed)
     if (prototype.species == Species::kWillow || prototype.species == Species::kPoplar)
@@ -206,11 +201,11 @@ TEST(Generate, WillowsAndPoplarsStandByWater) {
 }
 
 TEST(Generate, WoodsKeepClearOfMappedTreesRowsAndCorridors) {
-  Scene scene;
+  PlantedWood scene;
   scene.trees = {{{{OsmType::kNode, 9}, 0}, {-150, -100}, 18, species_mix_of(Species::kOak)}};
   scene.rows = {{{{OsmType::kWay, 8}, 0}, {{-200, -50}, {-60, -40}}, species_mix_of(Species::kLime), 14, 0}};
   scene.corridors = {{{{OsmType::kWay, 7}, 0}, {{-250, 150}, {240, 190}}, 24}};
-  const auto all = joined(scene.in(kAll));
+  const auto all = sorted_placements(scene.in(kWoodBox));
   const Vec2 along = unit(Vec2{490, 40});
   std::size_t in_row = 0;
   for (const Placement& tree : all) {
@@ -225,12 +220,12 @@ TEST(Generate, WoodsKeepClearOfMappedTreesRowsAndCorridors) {
 }
 
 TEST(Generate, WoodsBesideEachOtherAreOneWood) {
-  Scene scene;
+  PlantedWood scene;
   scene.surfaces = {surface(1, LandCoverClass::kForest, block(-250, -230, 0, 250)),
                     surface(2, LandCoverClass::kForest, block(0, -230, 240, 250))};
   scene.woods = {kWoods[0], kWoods[0]};
   scene.woods[1].surface = scene.surfaces[1].id;
-  const auto trees = joined(scene.in(kAll));
+  const auto trees = sorted_placements(scene.in(kWoodBox));
   ASSERT_FALSE(trees.empty());
   for (std::size_t i = 0; i < trees.size(); ++i)
     for (std::size_t j = i + 1; j < trees.size() && trees[j].at.x < trees[i].at.x + 7; ++j)
@@ -238,29 +233,30 @@ TEST(Generate, WoodsBesideEachOtherAreOneWood) {
 }
 
 TEST(Generate, RowsStandRegularlyAndEndToEnd) {
-  Scene scene;
+  PlantedWood scene;
   scene.woods.clear();
   scene.rows = {
       {{{OsmType::kWay, 8}, 0}, {{-250, 20}, {-190, 20}, {-190, 110}}, species_mix_of(Species::kPoplar), 20, 10}};
-  auto trees = joined(scene.in(kAll));
+  auto trees = sorted_placements(scene.in(kWoodBox));
   ASSERT_EQ(trees.size(), 16u);
   std::ranges::sort(trees, {}, [](const Placement& p) { return p.at.x + p.at.y; });
   EXPECT_EQ(in_plan(trees.front().at), (Vec2{-250, 20}));
   EXPECT_EQ(in_plan(trees.back().at), (Vec2{-190, 110}));
   for (std::size_t i = 1; i < trees.size(); ++i) EXPECT_NEAR(length(trees[i].at - trees[i - 1].at), 10, 0.01);
-  EXPECT_EQ(count_of(scene.in(kAll), Species::kPoplar), 16u);
+  EXPECT_EQ(count_of(scene.in(kWoodBox), Species::kPoplar), 16u);
   // two tiles share the row
-  EXPECT_EQ(joined(scene.in({{-256, -256}, {-190, 256}})).size() + joined(scene.in({{-190, -256}, {256, 256}})).size(),
+  EXPECT_EQ(sorted_placements(scene.in({{-256, -256}, {-190, 256}})).size() +
+                sorted_placements(scene.in({{-190, -256}, {256, 256}})).size(),
             16u);
 }
 
 TEST(Generate, RowsLeaveOutRoadsAndTreesThatAreMapped) {
-  Scene scene;
+  PlantedWood scene;
   scene.woods.clear();
   scene.trees = {{{{OsmType::kNode, 9}, 0}, {-200, 41}, 12, species_mix_of(Species::kLime)}};
   scene.rows = {{{{OsmType::kWay, 8}, 0}, {{-200, -50}, {-200, 50}}, species_mix_of(Species::kLime), 12, 10}};
   std::size_t of_row = 0;
-  for (const Placement& p : joined(scene.in(kAll))) {
+  for (const Placement& p : sorted_placements(scene.in(kWoodBox))) {
     if (p.feature.id != 8) continue;
     ++of_row;
     EXPECT_GT(std::abs(p.at.y), 3);
@@ -270,44 +266,45 @@ TEST(Generate, RowsLeaveOutRoadsAndTreesThatAreMapped) {
 }
 
 TEST(Generate, PlantingsAreRowsAlongTheirHeadingInAnyBox) {
-  Scene scene;
+  PlantedWood scene;
   scene.woods.clear();
   scene.surfaces[0].surface = LandCoverClass::kOrchard;
   scene.plantings = {{scene.surfaces[0].id, species_mix_of(Species::kApple), 64, 8, 5, 4.5}};  // north-east
-  const PlacedPlants whole = scene.in(kAll);
-  const auto trees = joined(whole);
+  const PlacedPlants whole = scene.in(kWoodBox);
+  const auto trees = sorted_placements(whole);
   EXPECT_NEAR(static_cast<double>(trees.size()), (490.0 * 480 - 490 * 8.5 - 82.5 * 72.5 - 22.5 * 22.5) / 40, 150);
   for (const Placement& tree : trees) {
     const double row = cross(Vec2{std::sqrt(0.5), std::sqrt(0.5)}, in_plan(tree.at)) / 8;
     EXPECT_LT(std::abs(row - std::round(row)), 0.06);
-    EXPECT_GE(clearance_m(index_land_cover(scene.surfaces, kAll), in_plan(tree.at), 50, 4), kTrunkClearance_m);
+    EXPECT_GE(clearance_m(index_land_cover(scene.surfaces, kWoodBox), in_plan(tree.at), 50, 4), kTrunkClearance_m);
   }
-  EXPECT_EQ(joined(scene.in({{-256, -256}, {11, 256}})).size() + joined(scene.in({{11, -256}, {256, 256}})).size(),
+  EXPECT_EQ(sorted_placements(scene.in({{-256, -256}, {11, 256}})).size() +
+                sorted_placements(scene.in({{11, -256}, {256, 256}})).size(),
             trees.size());
 }
 
 TEST(GenerateBlades, AreNoMoreThanTheLimit) {
-  Scene scene;
+  PlantedWood scene;
   scene.surfaces[0].surface = LandCoverClass::kFarmland;
   scene.plantings = {{scene.surfaces[0].id, species_mix_of(Species::kWheat), 64, 0.5, 0.375, 0.875}};
-  EXPECT_TRUE(joined(scene.in(kAll)).size() == joined(Scene{}.in(kAll)).size());
-  const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kAll.widened(kInfluenceRadius_m));
+  EXPECT_TRUE(sorted_placements(scene.in(kWoodBox)).size() == sorted_placements(PlantedWood{}.in(kWoodBox)).size());
+  const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kWoodBox.widened(kInfluenceRadius_m));
   const ground::GradedTerrain ground(scene.heights());
-  const PlacedPlants blades = generate_blades(scene.plantings, {map, ground, kAll, 7, kLatitude_deg});
+  const PlacedPlants blades = generate_blades(scene.plantings, {map, ground, kWoodBox, 7, kWoodLatitude_deg});
   const double most = kMostBladesPerKm2 * 0.512 * 0.512;
-  EXPECT_LT(static_cast<double>(joined(blades).size()), 1.05 * most);
-  EXPECT_GT(static_cast<double>(joined(blades).size()), 0.85 * most);
+  EXPECT_LT(static_cast<double>(sorted_placements(blades).size()), 1.05 * most);
+  EXPECT_GT(static_cast<double>(sorted_placements(blades).size()), 0.85 * most);
 }
 
 TEST(AddHedge, PutsPiecesAsLongAsHighAlongTheLine) {
-  const Scene scene;
-  const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kAll.widened(kInfluenceRadius_m));
+  const PlantedWood scene;
+  const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kWoodBox.widened(kInfluenceRadius_m));
   const ground::GradedTerrain ground(scene.heights());
   PlacedPlants placed;
   const Polyline axis = {{-200, 100}, {-188, 100}, {-188, 91}};
-  add_hedge({axis, 1.5, {OsmType::kWay, 6}}, {map, ground, kAll, 7, kLatitude_deg}, placed);
+  add_hedge({axis, 1.5, {OsmType::kWay, 6}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg}, placed);
   ASSERT_EQ(count_of(placed, Species::kHedge), 14u);
-  for (const Placement& piece : joined(placed)) {
+  for (const Placement& piece : sorted_placements(placed)) {
     EXPECT_EQ(piece.scale, 1.5);
     const bool is_on_first = std::abs(piece.at.y - 100) < 0.01;
     EXPECT_NEAR(std::abs(is_on_first ? piece.cos_yaw : piece.sin_yaw), 1, 0.01);
@@ -321,7 +318,7 @@ TEST(Generate, DropsSingleTreesOnBuildingsAndWaterAndBalances) {
   };
   const std::vector<Tree> trees = {tree(1, {0, 0}), tree(2, {100, 80}), tree(3, {-90, 60}), tree(4, {-290, 20}),
                                    tree(5, {10, 10})};
-  const auto broad = joined(placed_in({{-256, -64}, {256, 256}}, 0, report, trees));
+  const auto broad = sorted_placements(placed_in({{-256, -64}, {256, 256}}, 0, report, trees));
   EXPECT_EQ(
       std::count_if(broad.begin(), broad.end(), [](const Placement& p) { return p.feature.type == OsmType::kNode; }),
       2);
@@ -340,9 +337,9 @@ TEST(Generate, MovesTreesFromARoadsEdgeBesideIt) {
                      {-280, y},
                      11,
                      species_mix_of(Species::kOak)});
-  Scene scene;
+  PlantedWood scene;
   scene.trees = trees, scene.woods.clear();
-  for (const Placement& p : joined(scene.in({{-300, -200}, {-256, 200}}, report))) {
+  for (const Placement& p : sorted_placements(scene.in({{-300, -200}, {-256, 200}}, report))) {
     EXPECT_NEAR(p.at.x, -280, 1);
     EXPECT_EQ(p.at.y < 0, ys[p.feature.id - 1] < 0);
     EXPECT_GT(std::abs(p.at.y), 3.3);
@@ -353,15 +350,15 @@ TEST(Generate, MovesTreesFromARoadsEdgeBesideIt) {
   EXPECT_TRUE(report.balances());
   // a tree that is moved across a border belongs to the other tile
   Report below, above;
-  EXPECT_EQ(joined(scene.in({{-300, -200}, {-256, 3.3}}, below)).size(), 1u);
-  EXPECT_EQ(joined(scene.in({{-300, 3.3}, {-256, 200}}, above)).size(), 3u);
+  EXPECT_EQ(sorted_placements(scene.in({{-300, -200}, {-256, 3.3}}, below)).size(), 1u);
+  EXPECT_EQ(sorted_placements(scene.in({{-300, 3.3}, {-256, 200}}, above)).size(), 3u);
   EXPECT_TRUE(below.balances() && above.balances());
 }
 
 TEST(Generate, StandsTreesOnTheGroundAndTheSnapGrid) {
   Report report;
-  const map::Heightfield heights = sloping(0.3);
-  const auto trees = joined(placed_in(kAll, 0.3, report));
+  const map::Heightfield heights = sloping_east(0.3);
+  const auto trees = sorted_placements(placed_in(kWoodBox, 0.3, report));
   ASSERT_FALSE(trees.empty());
   for (const Placement& tree : trees) {
     EXPECT_EQ(tree.at, snapped(tree.at));

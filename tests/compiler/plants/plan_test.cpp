@@ -12,7 +12,7 @@ namespace {
 
 using map::LandCoverClass;
 
-map::Heightfield sloping(Vec2 grade) {
+map::Heightfield sloping_by(Vec2 grade) {
   map::Heightfield field{{-512, -512}, {16, 16}, 65, 65, {}, 0};
   for (int j = 0; j < 65; ++j)
     for (int i = 0; i < 65; ++i)
@@ -26,7 +26,7 @@ map::AreaFeature area(std::int64_t id, LandCoverClass surface, const map::PlantT
   return {way(id), {{{0, 0}, {200, 0}, {200, 100}, {0, 100}}, {}}, surface, 20000, growth};
 }
 
-Plants planned(const map::Features& features, Report& report, const map::Heightfield& terrain = sloping({}),
+Plants planned(const map::Features& features, Report& report, const map::Heightfield& terrain = sloping_by({}),
                std::span<const roads::Road> roads = {}) {
   std::vector<ground::LandCoverPolygon> surfaces;
   for (const map::AreaFeature& a : features.areas) surfaces.push_back({a.id, a.surface, 20000, {a.polygon.outer}});
@@ -111,13 +111,13 @@ TEST(RowHeading, IsPerpendicularToTheSlope) {
   const ground::LandCoverPolygon field{
       way(1), LandCoverClass::kVineyard, 20000, {{{0, 0}, {200, 0}, {200, 100}, {0, 100}}}};
   for (const Vec2 grade : {Vec2{0.2, 0}, Vec2{0, 0.3}, Vec2{0.1, 0.1}, Vec2{-0.05, 0.2}})
-    EXPECT_LT(std::abs(dot(row_direction(row_heading(field, sloping(grade))), unit(grade))), 0.01);
+    EXPECT_LT(std::abs(dot(row_direction(row_heading(field, sloping_by(grade))), unit(grade))), 0.01);
 }
 
 TEST(RowHeading, FollowsTheLongestBorderOfLevelFields) {
   const ground::LandCoverPolygon field{
       way(1), LandCoverClass::kVineyard, 20000, {{{0, 0}, {160, 120}, {100, 200}, {-60, 80}}}};
-  EXPECT_NEAR(std::abs(dot(row_direction(row_heading(field, sloping({0.01, 0}))), Vec2{0.8, 0.6})), 1, 0.001);
+  EXPECT_NEAR(std::abs(dot(row_direction(row_heading(field, sloping_by({0.01, 0}))), Vec2{0.8, 0.6})), 1, 0.001);
 }
 
 TEST(Plan, StreetsLinedWithTreesHaveRowsBehindTheirKerbs) {
@@ -131,7 +131,7 @@ TEST(Plan, StreetsLinedWithTreesHaveRowsBehindTheirKerbs) {
   for (map::Lane& lane : road.section.lanes) lane.width_m = 3;
   road.section.axis_offset_m = 3;
   Report report;
-  const Plants plants = planned(features, report, sloping({}), std::array{road});
+  const Plants plants = planned(features, report, sloping_by({}), std::array{road});
   ASSERT_EQ(plants.rows.size(), 3u);
   EXPECT_EQ(plants.rows[0].axis, (Polyline{{0, 4}, {100, 4}}));
   EXPECT_EQ(plants.rows[1].axis, (Polyline{{0, -4}, {100, -4}}));

@@ -8,10 +8,10 @@
 namespace citykiln::plants {
 namespace {
 
-constexpr double kLatitude_deg = 42.5;
+constexpr double kHabitatLatitude_deg = 42.5;
 
 Habitat place(double height_m, bool is_by_water = false) {
-  return habitat_at(kLatitude_deg, {10, 20}, height_m, {0, 0, 1}, is_by_water);
+  return habitat_at(kHabitatLatitude_deg, {10, 20}, height_m, {0, 0, 1}, is_by_water);
 }
 
 // Shares over many places, as species stand in groups.
@@ -74,7 +74,7 @@ TEST(SpeciesMix, ADegreeTowardsThePoleIsAHundredMetresUp) {
 TEST(SpeciesMix, FirsLikeShadeAndPinesTheSun) {
   const auto on = [&](double north) {
     return shares(species_mix_of(PlantCommunity::kNeedleWood),
-                  habitat_at(kLatitude_deg, {}, 1700, unit(Vec3{0, north, 1}), false));
+                  habitat_at(kHabitatLatitude_deg, {}, 1700, unit(Vec3{0, north, 1}), false));
   };
   EXPECT_GT(on(0.5)[Species::kFir], 2 * on(-0.5)[Species::kFir]);
   EXPECT_GT(on(-0.5)[Species::kPine], 1.5 * on(0.5)[Species::kPine]);

@@ -36,7 +36,7 @@ Road road_on(Polyline axis, LandCoverClass surface, double width_m, double left_
   return road;
 }
 
-Road street(Polyline axis) { return road_on(std::move(axis), LandCoverClass::kResidentialRoad, 6); }
+Road residential_street(Polyline axis) { return road_on(std::move(axis), LandCoverClass::kResidentialRoad, 6); }
 
 // A winding road with segments of odd lengths.
 Road winding() {
@@ -83,7 +83,7 @@ TEST(LampsAlong, AreCloserAndLowerOnQuieterStreets) {
 }
 
 TEST(LampsAlong, AreOnLitRoadsAloneNotOnRailsOrRunways) {
-  Road dark = street({{0, 0}, {400, 0}});
+  Road dark = residential_street({{0, 0}, {400, 0}});
   dark.is_lit = false;
   EXPECT_TRUE(lamps_along(dark, kEverywhere).empty());
   for (const auto surface : {LandCoverClass::kTram, LandCoverClass::kRailway, LandCoverClass::kRunway})
@@ -128,7 +128,7 @@ TEST(LampsAlong, AreOnTheSideWithAPavementElseOnThatOfTraffic) {
 TEST(LampsAlong, FaceTheirAxisSquarely) {
   for (int i = 0; i < 24; ++i) {
     const Vec2 along{static_cast<double>(i % 5) - 2, static_cast<double>(i % 7) - 3.5};
-    const auto lamps = lamps_along(street({{3, 4}, snapped(Vec2{3, 4} + along * 60)}), kEverywhere);
+    const auto lamps = lamps_along(residential_street({{3, 4}, snapped(Vec2{3, 4} + along * 60)}), kEverywhere);
     ASSERT_FALSE(lamps.empty());
     for (const StreetLamp& lamp : lamps) {
       const Vec2 from = lamp.at - Vec2{3, 4}, axis = unit(along);
@@ -158,14 +158,14 @@ TEST(LampsAlong, AreTheSameOfAWayAndOfItsTrimmedRuns) {
 }
 
 TEST(LampsAlong, CostDependsOnTheBoxNotTheLengthOfTheWay) {
-  Road endless = street({{-0x1p40, -0x1p39}, {0x1p40, 0x1p39}});
+  Road endless = residential_street({{-0x1p40, -0x1p39}, {0x1p40, 0x1p39}});
   endless.start_along_m = 0x1p42;
   EXPECT_LE(lamps_along(endless, Box2{{0, 0}, {1024, 1024}}).size(), 50u);
-  EXPECT_TRUE(lamps_along(street({{0, 0}, {0, 0}}), kEverywhere).empty());
+  EXPECT_TRUE(lamps_along(residential_street({{0, 0}, {0, 0}}), kEverywhere).empty());
 }
 
 TEST(LampsOfStreets, KeepOffRoadsWaterAndBuildings) {
-  const std::vector<Road> roads = {street({{0, 0}, {200, 0}})};
+  const std::vector<Road> roads = {residential_street({{0, 0}, {200, 0}})};
   const Vec2 third = on(roads)[2].at;
   for (const auto surface :
        {LandCoverClass::kPrimaryRoad, LandCoverClass::kTram, LandCoverClass::kRailway, LandCoverClass::kRiver,
@@ -177,7 +177,7 @@ TEST(LampsOfStreets, KeepOffRoadsWaterAndBuildings) {
 }
 
 TEST(LampsOfStreets, AreNoneNearMappedOnes) {
-  const std::vector<Road> roads = {street({{0, 0}, {300, 0}})};
+  const std::vector<Road> roads = {residential_street({{0, 0}, {300, 0}})};
   const auto alone = on(roads), beside = on(roads, {}, {{{{OsmType::kNode, 1}, 0}, {150, 5}, 0}});
   EXPECT_LT(beside.size(), alone.size());
   for (const StreetLamp& lamp : alone) {
@@ -188,7 +188,7 @@ TEST(LampsOfStreets, AreNoneNearMappedOnes) {
 
 TEST(LampsOfStreets, AreNoneOnPathsBesideLitStreets) {
   const Road path = road_on({{0, 7}, {200, 7}}, LandCoverClass::kPavedFootPath, 2);
-  Road near = street({{0, 0}, {200, 0}});
+  Road near = residential_street({{0, 0}, {200, 0}});
   near.id.osm.id = 8;
   const std::size_t along_street = on({near}).size();
   EXPECT_EQ(on({path, near}).size(), along_street);
@@ -236,7 +236,7 @@ TEST(MappedLamps, HaveTheLightAndTheMountOfTheirTags) {
 }
 
 TEST(MappedLamps, BetweenTwoEquallyNearStreetsFaceTheFirst) {
-  Road first = street({{0, 0}, {200, 0}}), second = street({{0, 10}, {200, 10}});
+  Road first = residential_street({{0, 0}, {200, 0}}), second = residential_street({{0, 10}, {200, 10}});
   second.id.osm.id = 8;
   const std::vector<Lamp> lamps = {{{{OsmType::kNode, 1}, 0}, {50, 5}, 0}};
   EXPECT_EQ(mapped_lamps(lamps, std::vector<Road>{first, second})[0].facing, (Vec2{0, -1}));

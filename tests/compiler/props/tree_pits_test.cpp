@@ -27,7 +27,7 @@ const std::vector<LandCoverPolygon> kSurfaces = {
     surface(5, LandCoverClass::kFootPath, block(-100, -30, 100, -20)),
     surface(6, LandCoverClass::kPedestrianStreet, block(-100, -90, 100, -80))};
 
-roads::Road street(Polyline axis, LandCoverClass kind = LandCoverClass::kResidentialRoad) {
+roads::Road street_with_axis(Polyline axis, LandCoverClass kind = LandCoverClass::kResidentialRoad) {
   roads::Road road;
   road.axis = std::move(axis), road.surface = kind;
   return road;
@@ -38,7 +38,7 @@ std::vector<TreePit> pits_at(const std::vector<Vec2>& places, const Polyline& ax
   std::vector<Placement> trees;
   for (const Vec2 p : places)
     trees.push_back({at_height(p, 0), 1, 0, 12, {OsmType::kNode, static_cast<std::int64_t>(trees.size() + 1)}});
-  return tree_pits(trees, std::vector{street(axis)}, map);
+  return tree_pits(trees, std::vector{street_with_axis(axis)}, map);
 }
 
 // A plane that rises to the east.

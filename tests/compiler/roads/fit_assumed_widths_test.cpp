@@ -12,7 +12,7 @@ using map::LaneDirection;
 using map::LaneKind;
 
 // A street along the x axis, two lanes of 2.75 m in its middle.
-map::Track street(double long_m = 100) {
+map::Track two_lane_track(double long_m = 100) {
   map::Track track;
   track.id = {{OsmType::kWay, 1}, 0};
   track.axis = {{0, 0}, {long_m, 0}};
@@ -25,7 +25,7 @@ map::Track street(double long_m = 100) {
 
 // The same with a row of parked cars on its right.
 map::Track parked_street() {
-  map::Track track = street();
+  map::Track track = two_lane_track();
   track.section.lanes.push_back({LaneKind::kParking, LaneDirection::kForward, 2});
   return track;
 }
@@ -53,14 +53,14 @@ map::Barrier wall(Polyline axis) {
 }
 
 TEST(FitAssumedWidths, LanesNarrowBetweenTreesOnBothSides) {
-  const Road road = fitted(street(), {thing(1, {20, 2.9}), thing(2, {70, -2.8})});
+  const Road road = fitted(two_lane_track(), {thing(1, {20, 2.9}), thing(2, {70, -2.8})});
   EXPECT_LE(left_m(road), 2.9 - kTreeFromKerb_m + 0x1p-9);
   EXPECT_LE(right_m(road), 2.8 - kTreeFromKerb_m + 0x1p-9);
   EXPECT_GE(width_m(road), 4.5);
 }
 
 TEST(FitAssumedWidths, TheCarriagewayMovesAwayFromATreeOnOneSide) {
-  const Road road = fitted(street(), {thing(1, {50, 2})});
+  const Road road = fitted(two_lane_track(), {thing(1, {50, 2})});
   EXPECT_LE(left_m(road), 2 - kTreeFromKerb_m + 0x1p-9);
   EXPECT_EQ(width_m(road), 5.5);
 }
@@ -76,7 +76,7 @@ TEST(FitAssumedWidths, ParkingNarrowsBeforeLanes) {
 TEST(FitAssumedWidths, AThickWallBesideTheAxisIsOneThatCrossesTheWay) {
   map::Barrier city_wall = wall({{10, 1.5}, {90, 1.5}});
   city_wall.width_m = 4;
-  const Road road = fitted(street(), {}, {city_wall});
+  const Road road = fitted(two_lane_track(), {}, {city_wall});
   EXPECT_EQ(left_m(road), 2.75);
   EXPECT_EQ(right_m(road), 2.75);
 }
@@ -91,13 +91,14 @@ TEST(FitAssumedWidths, TheAxisStaysOnTheCarriageway) {
 }
 
 TEST(FitAssumedWidths, WallsAndHydrantsLimitTheWidthToo) {
-  const Road road = fitted(street(), {thing(1, {50, 2.6}, map::PointKind::kHydrant)}, {wall({{10, -2.6}, {90, -2.6}})});
+  const Road road =
+      fitted(two_lane_track(), {thing(1, {50, 2.6}, map::PointKind::kHydrant)}, {wall({{10, -2.6}, {90, -2.6}})});
   EXPECT_LE(left_m(road), 2.6 - kThingFromKerb_m + 0x1p-9);
   EXPECT_LE(right_m(road), 2.6 - kThingFromKerb_m - 0.125 + 0x1p-9);
 }
 
 TEST(FitAssumedWidths, TaggedWidthsAndPlacementsStay) {
-  map::Track wide = street(), placed = street();
+  map::Track wide = two_lane_track(), placed = two_lane_track();
   wide.has_tagged_width = placed.has_tagged_placement = true;
   EXPECT_EQ(width_m(fitted(wide, {thing(1, {50, 2}), thing(2, {50, -2})})), 5.5);
   const Road road = fitted(placed, {thing(1, {50, 2.8})});
@@ -106,14 +107,15 @@ TEST(FitAssumedWidths, TaggedWidthsAndPlacementsStay) {
 }
 
 TEST(FitAssumedWidths, ThingsInTheRoadAndBeyondItsEndsSayNothing) {
-  EXPECT_EQ(fitted(street(), {thing(1, {50, 0.5}), thing(2, {-1, 2}), thing(3, {50, 9})}), road_of(street()));
-  EXPECT_EQ(fitted(street(), {}, {wall({{50, -20}, {50, 20}})}), road_of(street()));
+  EXPECT_EQ(fitted(two_lane_track(), {thing(1, {50, 0.5}), thing(2, {-1, 2}), thing(3, {50, 9})}),
+            road_of(two_lane_track()));
+  EXPECT_EQ(fitted(two_lane_track(), {}, {wall({{50, -20}, {50, 20}})}), road_of(two_lane_track()));
   // both cannot stand beside a lane of the least width for each direction
-  EXPECT_GE(width_m(fitted(street(), {thing(1, {50, 1.2}), thing(2, {50, -1.2})})), 4.5);
+  EXPECT_GE(width_m(fitted(two_lane_track(), {thing(1, {50, 1.2}), thing(2, {50, -1.2})})), 4.5);
 }
 
 TEST(FitAssumedWidths, WaysBeyondTheRadiusStay) {
-  EXPECT_EQ(width_m(fitted(street(kLongestFitted_m + 1), {thing(1, {50, 2.8}), thing(2, {50, -2.8})})), 5.5);
+  EXPECT_EQ(width_m(fitted(two_lane_track(kLongestFitted_m + 1), {thing(1, {50, 2.8}), thing(2, {50, -2.8})})), 5.5);
 }
 
 TEST(FitAssumedWidths, TheOrderOfThingsDoesNotMatter) {

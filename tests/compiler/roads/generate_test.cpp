@@ -12,13 +12,13 @@
 namespace citykiln::roads {
 namespace {
 
-Road road(Polyline axis, double left_m = 0, double right_m = 0) {
+Road road_of_6_m(Polyline axis, double left_m = 0, double right_m = 0) {
   return made_road(1, std::move(axis), 6, map::LandCoverClass::kResidentialRoad, left_m, right_m);
 }
 
 std::vector<Ring> stroke_of(const Road& road) { return stroke(carriageway_of(road)); }
 
-double area_of(const std::vector<Ring>& rings) {
+double rings_area_m2(const std::vector<Ring>& rings) {
   std::vector<OwnedSegment> segments;
   for (const Ring& ring : rings) add_ring(segments, ring, 0);
   double area = 0;
@@ -28,46 +28,47 @@ double area_of(const std::vector<Ring>& rings) {
 }
 
 TEST(RoadStrip, CoversItsAxisAsWideAsItIs) {
-  EXPECT_DOUBLE_EQ(area_of(stroke_of(road({{0, 0}, {100, 0}}))), 600);
+  EXPECT_DOUBLE_EQ(rings_area_m2(stroke_of(road_of_6_m({{0, 0}, {100, 0}}))), 600);
   // a right bend to the left: the inner corner counts once, the outer one is filled
-  EXPECT_NEAR(area_of(stroke_of(road({{0, 0}, {100, 0}, {110, 50}}))), 6 * (100 + std::sqrt(2600.0)), 0.2);
+  EXPECT_NEAR(rings_area_m2(stroke_of(road_of_6_m({{0, 0}, {100, 0}, {110, 50}}))), 6 * (100 + std::sqrt(2600.0)), 0.2);
 }
 
 TEST(RoadStrip, IsMadeOfCounterClockwiseRings) {
-  const std::vector<Ring> rings = stroke_of(road({{0, 0}, {20, 3}, {5, 9}, {40, 9}, {41, 60}}));
+  const std::vector<Ring> rings = stroke_of(road_of_6_m({{0, 0}, {20, 3}, {5, 9}, {40, 9}, {41, 60}}));
   EXPECT_EQ(rings.size(), 7u) << "a quad for each segment and a ring for each bend";
   for (const Ring& ring : rings) EXPECT_GT(signed_area_m2(ring), 0);
 }
 
 TEST(RoadStrip, LiesAboutItsAxisAsItsLanesDo) {
-  Road shifted = road({{0, 0}, {100, 0}});
+  Road shifted = road_of_6_m({{0, 0}, {100, 0}});
   shifted.section.axis_offset_m = 1;
   EXPECT_EQ(box_of(stroke_of(shifted).front()), (Box2{{0, -5}, {100, 1}}));
 }
 
 TEST(RoadStrip, IsJoinedToWhereItGoesOn) {
-  const double apart = area_of(stroke_of(road({{0, 0}, {100, 0}}))),
+  const double apart = rings_area_m2(stroke_of(road_of_6_m({{0, 0}, {100, 0}}))),
                bent = apart + 9 * std::tan(0.25 * std::acos(-1.0) / 2);
   const Vec2 beyond{200, 100};
-  EXPECT_NEAR(area_of(stroke(carriageway_of(road({{0, 0}, {100, 0}})), {false, {}, beyond})), bent, 9);
+  EXPECT_NEAR(rings_area_m2(stroke(carriageway_of(road_of_6_m({{0, 0}, {100, 0}})), {false, {}, beyond})), bent, 9);
   // both halves of the joint make a whole without a gap
-  std::vector<Ring> both = stroke(carriageway_of(road({{0, 0}, {100, 0}})), {false, {}, beyond});
-  for (Ring& ring : stroke(carriageway_of(road({{100, 0}, beyond})), {false, Vec2{0, 0}, {}})) both.push_back(ring);
-  EXPECT_NEAR(area_of(both), area_of(stroke_of(road({{0, 0}, {100, 0}, beyond}))), 0.01);
+  std::vector<Ring> both = stroke(carriageway_of(road_of_6_m({{0, 0}, {100, 0}})), {false, {}, beyond});
+  for (Ring& ring : stroke(carriageway_of(road_of_6_m({{100, 0}, beyond})), {false, Vec2{0, 0}, {}}))
+    both.push_back(ring);
+  EXPECT_NEAR(rings_area_m2(both), rings_area_m2(stroke_of(road_of_6_m({{0, 0}, {100, 0}, beyond}))), 0.01);
 }
 
 TEST(RoadsEnds, JoinWhereTwoMeetAndNoMore) {
-  const std::vector<Road> two = {road({{0, 0}, {100, 0}}), road({{100, 0}, {200, 9}})};
+  const std::vector<Road> two = {road_of_6_m({{0, 0}, {100, 0}}), road_of_6_m({{100, 0}, {200, 9}})};
   const std::vector<StripEnds> ends = ends_of(two);
   EXPECT_EQ(ends[0].after, (Vec2{200, 9}));
   EXPECT_EQ(ends[1].before, (Vec2{0, 0}));
   EXPECT_FALSE(ends[0].before || ends[1].after);
-  const std::vector<Road> three = {two[0], two[1], road({{100, 0}, {100, 50}})};
+  const std::vector<Road> three = {two[0], two[1], road_of_6_m({{100, 0}, {100, 50}})};
   for (const StripEnds& end : ends_of(three)) EXPECT_FALSE(end.before || end.after);
 }
 
 TEST(TrimmedRoads, KnowHowMuchOfThemWentBefore) {
-  Road whole = road({{0, 0}, {10, 0}, {20, 0}, {2000, 0}, {2010, 0}});
+  Road whole = road_of_6_m({{0, 0}, {10, 0}, {20, 0}, {2000, 0}, {2010, 0}});
   whole.points = {{1, map::TrackPointKind::kZebra, 0}, {3, map::TrackPointKind::kStop, 1}};
   const auto parts = trimmed_to(whole, {{2004, -1}, {2006, 1}}, 0);
   ASSERT_EQ(parts.size(), 1u);
@@ -79,26 +80,26 @@ TEST(TrimmedRoads, KnowHowMuchOfThemWentBefore) {
 }
 
 TEST(Pavements, LieBesideTheStripOnTheirSide) {
-  EXPECT_TRUE(stroke_pavements(road({{0, 0}, {100, 0}})).empty());
-  const std::vector<Ring> left = stroke_pavements(road({{0, 0}, {100, 0}}, 2, 0));
-  EXPECT_DOUBLE_EQ(area_of(left), 800);
+  EXPECT_TRUE(stroke_pavements(road_of_6_m({{0, 0}, {100, 0}})).empty());
+  const std::vector<Ring> left = stroke_pavements(road_of_6_m({{0, 0}, {100, 0}}, 2, 0));
+  EXPECT_DOUBLE_EQ(rings_area_m2(left), 800);
   EXPECT_EQ(box_of(left.front()), (Box2{{0, -3}, {100, 5}}));
 }
 
 TEST(Pavements, EndBeforeVergesOutsideOfThem) {
   const map::Lane verge{map::LaneKind::kVerge, map::LaneDirection::kBoth, 1.5, 0, true};
-  Road edged = road({{0, 0}, {100, 0}}, 2, 2);
+  Road edged = road_of_6_m({{0, 0}, {100, 0}}, 2, 2);
   edged.section.lanes.insert(edged.section.lanes.begin(), verge);    // outside the left pavement
   edged.section.lanes.insert(edged.section.lanes.end() - 1, verge);  // between the right one and its kerb
   EXPECT_EQ(box_of(stroke_pavements(edged).front()), (Box2{{0, -6.5}, {100, 5}}));
-  Road green = road({{0, 0}, {100, 0}});
+  Road green = road_of_6_m({{0, 0}, {100, 0}});
   green.section.lanes.push_back(verge);
   EXPECT_TRUE(stroke_pavements(green).empty());
 }
 
 TEST(Pavements, FollowBends) {
   const double length = 100 + std::sqrt(2600.0);
-  EXPECT_NEAR(area_of(stroke_pavements(road({{0, 0}, {100, 0}, {110, 50}}, 2, 2))), 10 * length, 0.2);
+  EXPECT_NEAR(rings_area_m2(stroke_pavements(road_of_6_m({{0, 0}, {100, 0}, {110, 50}}, 2, 2))), 10 * length, 0.2);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/compiler/sky/luminance.h"
+
 namespace citykiln::sky {
 namespace {
 
@@ -14,8 +16,6 @@ Sky sun_at(double elevation_deg) {
   sky.to_sun = {std::cos(e), 0, std::sin(e)};
   return sky;
 }
-
-double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 // Illuminance of the sky on level ground, divided by π: the radiance of a white floor.
 double floor_luminance(const SkyModel& dome) {

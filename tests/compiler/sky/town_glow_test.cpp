@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "compiler/sky/generate.h"
+#include "tests/compiler/sky/luminance.h"
 
 namespace citykiln::sky {
 namespace {
@@ -20,8 +21,6 @@ std::vector<GroundLight> town(double lumen_per_km2, double radius_m, double east
         lamps.push_back({{east_m + x * step_m, y * step_m}, lumen_per_km2 * step_m * step_m * 1e-6, 3000});
   return lamps;
 }
-
-double luminance(const Rgb& light) { return 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2]; }
 
 double glow_cd_m2(const std::vector<GroundLight>& lamps, Vec3 direction) {
   return 1000 * luminance(TownGlow(air_of(Sky{}), lamps, 2).radiance(direction));

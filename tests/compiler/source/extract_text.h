@@ -21,4 +21,7 @@ std::string text_of(const OsmData& data);
 /// Reads an .osm document of these elements; fails the test on an error.
 OsmData read(std::string_view elements, Report& report, int threads = 1);
 
+/// The sum of the sizes of all diagnoses of a code.
+double size_sum(const Report& report, Code code);
+
 }  // namespace citykiln::source

@@ -17,16 +17,22 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+double size_sum(const Report& report, Code code) {
+  double sum = 0;
+  for (const Diagnosis& diagnosis : report.diagnoses()) sum += diagnosis.code == code ? diagnosis.size : 0;
+  return sum;
+}
+
 namespace {
 
-std::string text_of(const OsmData& data, Range tags) {
+std::string text_of_tags(const OsmData& data, Range tags) {
   std::string text;
   for (const Tag& tag : data.tags_of(tags))
     text += fmt::format(" {}={}", data.strings[tag.key], data.strings[tag.value]);
   return text;
 }
 
-std::string text_of(const OsmData& data, const Area& area) {
+std::string text_of_rings(const OsmData& data, const Area& area) {
   std::string text;
   for (const AreaRing& ring : data.rings_of(area)) {
     text += fmt::format(" {}{}:", ring.part, ring.is_outer ? "o" : "i");
@@ -40,17 +46,18 @@ std::string text_of(const OsmData& data, const Area& area) {
 std::string text_of(const OsmData& data) {
   std::string text;
   for (const Node& n : data.nodes)
-    text += fmt::format("n{} {},{}{}\n", n.id, n.at.lon_e7, n.at.lat_e7, text_of(data, n.tags));
+    text += fmt::format("n{} {},{}{}\n", n.id, n.at.lon_e7, n.at.lat_e7, text_of_tags(data, n.tags));
   for (const Way& way : data.ways) {
-    text += fmt::format("w{}{}:", way.id, text_of(data, way.tags));
+    text += fmt::format("w{}{}:", way.id, text_of_tags(data, way.tags));
     for (const NodeRef& n : data.nodes_of(way)) text += fmt::format(" {} {},{}", n.id, n.at.lon_e7, n.at.lat_e7);
     text += "\n";
   }
   for (const Area& area : data.areas) {
-    text += fmt::format("area {}{}{}\n", to_string(area.from), text_of(data, area.tags), text_of(data, area));
+    text +=
+        fmt::format("area {}{}{}\n", to_string(area.from), text_of_tags(data, area.tags), text_of_rings(data, area));
   }
   for (const Relation& relation : data.relations) {
-    text += fmt::format("r{}{}:", relation.id, text_of(data, relation.tags));
+    text += fmt::format("r{}{}:", relation.id, text_of_tags(data, relation.tags));
     for (std::uint32_t i = 0; i < relation.members.count; ++i) {
       const Member& member = data.members[relation.members.first + i];
       text += fmt::format(" {} {}", to_string(member.object), data.strings[member.role]);

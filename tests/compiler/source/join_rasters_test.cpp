@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace citykiln::source {
 namespace {
-
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 // A degree of land, some of it void.
 Raster degree(int columns, int rows) {
@@ -17,7 +14,7 @@ Raster degree(int columns, int rows) {
   raster.file_name = "whole", raster.credit = "someone";
   raster.columns = columns, raster.rows = rows;
   raster.from_grid = {1.0 / 3, 1.0 / 1200, 0, 43.1, 0, -1.0 / 1200};
-  for (int i = 0; i < columns * rows; ++i) raster.heights_m.push_back(i % 11 == 3 ? kNone : static_cast<float>(i));
+  for (int i = 0; i < columns * rows; ++i) raster.heights_m.push_back(i % 11 == 3 ? kVoid : static_cast<float>(i));
   return raster;
 }
 

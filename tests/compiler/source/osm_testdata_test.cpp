@@ -12,6 +12,7 @@
 #include <set>
 
 #include "tests/compiler/source/extract_text.h"
+#include "tests/test_files.h"
 
 namespace citykiln::source {
 namespace {
@@ -128,7 +129,7 @@ struct Case {
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  const fs::path root = fs::path(CITYKILN_DATA) / "osm-testdata";
+  const fs::path root = real_data("osm-testdata");
   if (!fs::exists(root)) return cases;
   for (const auto& entry : fs::recursive_directory_iterator(root)) {
     if (entry.path().filename() != "test.json") continue;
@@ -143,13 +144,10 @@ struct Difference {
   std::string ours, why;
 };
 
-const fs::path kDifferences = fs::path(CITYKILN_SOURCE) / "tests/compiler/source/osm_testdata_differences.txt";
-const fs::path kTable = fs::path(CITYKILN_SOURCE) / "compiler/source/osm_testdata.md";
-
 // Lines "case | variant that we give | why".
 std::map<int, Difference> known_differences() {
   std::map<int, Difference> differences;
-  std::ifstream file(kDifferences);
+  std::ifstream file(source_file("tests/compiler/source/osm_testdata_differences.txt"));
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#') continue;
     const std::size_t first = line.find(" | "), second = line.find(" | ", first + 3);
@@ -169,7 +167,7 @@ std::string variant_met(const Case& c, const Areas& ours) {
   return "none";
 }
 
-std::string text_of(const Areas& areas) {
+std::string text_of_areas(const Areas& areas) {
   std::string text;
   for (const auto& [id, area] : areas) {
     text += fmt::format("\n  {}", to_string(id));
@@ -198,13 +196,13 @@ void expect_as_known(const Case& c, const std::string& file, const std::map<int,
   EXPECT_TRUE(report.balances()) << c.id;
   const Areas ours = assembled_areas(*data);
   EXPECT_EQ(variant_met(c, ours), expected)
-      << c.id << " " << file << ": " << c.description["description"] << "\n ours:" << text_of(ours)
+      << c.id << " " << file << ": " << c.description["description"] << "\n ours:" << text_of_areas(ours)
       << "\n expected: " << c.description.value("areas", json()).dump(1);
 }
 
 TEST(OsmTestdataReal, AreasOfAllCasesAreAsExpectedOrExplained) {
   const std::vector<Case> cases = all_cases();
-  if (cases.empty()) GTEST_SKIP() << "no osm-testdata in " << CITYKILN_DATA;
+  if (cases.empty()) GTEST_SKIP() << "no osm-testdata in " << real_data();
   EXPECT_EQ(cases.size(), 130u);
   const std::map<int, Difference> known = known_differences();
   for (const Case& c : cases) {
@@ -222,9 +220,9 @@ std::string cell(std::string_view text) {
 
 TEST(OsmTestdataReal, TableOfDifferencesIsUpToDate) {
   const std::vector<Case> cases = all_cases();
-  if (cases.empty()) GTEST_SKIP() << "no osm-testdata in " << CITYKILN_DATA;
+  if (cases.empty()) GTEST_SKIP() << "no osm-testdata in " << real_data();
   const std::map<int, Difference> known = known_differences();
-  std::string table = bytes_of(kTable.string());
+  std::string table = bytes_of(source_file("compiler/source/osm_testdata.md"));
   table = table.substr(table.find("| case |"));
   std::string expected = "| case | what it is | what we give | why |\n|--:|---|---|---|\n";
   for (const Case& c : cases) {

@@ -11,16 +11,15 @@
 #include "compiler/source/read_raster.h"
 #include "compiler/source/spikes_to_voids.h"
 #include "tests/compiler/source/extract_text.h"
+#include "tests/test_files.h"
 
 namespace citykiln::source {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string data_path(const std::string& file) { return std::string(CITYKILN_DATA) + "/" + file; }
-
 Raster read_real(const std::string& spec_text, const LonLatBox* window = nullptr) {
-  const Result<RasterSpec> spec = parse_raster_spec(data_path(spec_text));
+  const Result<RasterSpec> spec = parse_raster_spec(real_data(spec_text).string());
   if (!spec) {
     ADD_FAILURE() << to_string(spec.error());
     return {};
@@ -35,7 +34,7 @@ Raster read_real(const std::string& spec_text, const LonLatBox* window = nullptr
 
 struct RasterReal : testing::Test {
   void SetUp() override {
-    if (!fs::exists(data_path("dem-derived"))) GTEST_SKIP() << "no heightmaps in " << CITYKILN_DATA;
+    if (!fs::exists(real_data("dem-derived"))) GTEST_SKIP() << "no heightmaps in " << real_data();
   }
 };
 
@@ -216,7 +215,7 @@ TEST_F(RasterReal, HeightsOfEveryFileAreThoseOfItsPlace) {
 TEST_F(RasterReal, CutFilesAreErrors) {
   for (const char* file :
        {"portland/portland-ned.tif", "dem-formats/fuji-mapbox-terrain-rgb.png", "andorra/N42E001.hgt"}) {
-    const std::string whole = bytes_of(data_path(file));
+    const std::string whole = bytes_of(real_data(file));
     const ScratchFolder folder;
     RasterSpec spec;
     spec.path = folder.write(fs::path(file).filename().string(), whole.substr(0, whole.size() / 2));
@@ -229,7 +228,7 @@ TEST_F(RasterReal, CutFilesAreErrors) {
 
 TEST_F(RasterReal, PictureWithoutPlaceOrEncodingIsAnError) {
   const auto error_of = [](const std::string& text) {
-    const Result<Raster> raster = read_raster(*parse_raster_spec(data_path(text)), nullptr);
+    const Result<Raster> raster = read_raster(*parse_raster_spec(real_data(text).string()), nullptr);
     return raster ? "no error" : raster.error().message;
   };
   EXPECT_EQ(error_of("dem-formats/fuji-mapbox-terrain-rgb.png,encoding=mapbox"),

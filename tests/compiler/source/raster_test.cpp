@@ -11,8 +11,6 @@
 namespace citykiln::source {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
 std::string error_of_spec(std::string_view text) {
   const Result<RasterSpec> spec = parse_raster_spec(text);
   return spec ? "no error" : to_string(spec.error());
@@ -53,7 +51,7 @@ TEST(ParseRasterSpec, ErrorsNameTheKeyAndTheValue) {
   EXPECT_EQ(error_of_spec(""), "expected the file name of a heightmap first, such as N43E007.hgt");
 }
 
-Raster raster_of(int columns, int rows, const std::function<float(int, int)>& height) {
+Raster raster_of_samples(int columns, int rows, const std::function<float(int, int)>& height) {
   Raster raster;
   raster.columns = columns;
   raster.rows = rows;
@@ -70,7 +68,7 @@ TEST(FillVoids, HoleInAPlaneIsFilledWithThePlane) {
   };
   Report report;
   const Raster filled =
-      fill_voids(raster_of(70, 50, [&](int c, int r) { return is_hole(c, r) ? kNone : plane(c, r); }), report);
+      fill_voids(raster_of_samples(70, 50, [&](int c, int r) { return is_hole(c, r) ? kVoid : plane(c, r); }), report);
   for (int r = 0; r < 50; ++r) {
     for (int c = 0; c < 70; ++c) EXPECT_NEAR(filled.at(c, r), plane(c, r), 0.05) << c << " " << r;
   }
@@ -81,7 +79,7 @@ TEST(FillVoids, FilledHeightsStayWithinTheRim) {
   const auto bumpy = [](int c, int r) { return static_cast<float>((c * 37 + r * 101) % 53); };
   const auto is_hole = [](int c, int r) { return c % 40 > 4 && r % 30 > 7; };
   const Raster filled =
-      fill_voids(raster_of(120, 90, [&](int c, int r) { return is_hole(c, r) ? kNone : bumpy(c, r); }), report);
+      fill_voids(raster_of_samples(120, 90, [&](int c, int r) { return is_hole(c, r) ? kVoid : bumpy(c, r); }), report);
   ASSERT_EQ(filled.heights_m.size(), 120u * 90u);
   for (const float height : filled.heights_m) {
     EXPECT_GE(height, 0.0F);
@@ -93,7 +91,8 @@ TEST(FillVoids, EachFilledSampleIsTheMeanOfItsNeighbours) {
   Report report;
   const auto is_hole = [](int c, int r) { return (c - 30) * (c - 30) + (r - 30) * (r - 30) < 400; };
   const Raster filled = fill_voids(
-      raster_of(61, 61, [&](int c, int r) { return is_hole(c, r) ? kNone : static_cast<float>(c * r % 97); }), report);
+      raster_of_samples(61, 61, [&](int c, int r) { return is_hole(c, r) ? kVoid : static_cast<float>(c * r % 97); }),
+      report);
   for (int r = 1; r < 60; ++r) {
     for (int c = 1; c < 60; ++c) {
       if (!is_hole(c, r)) continue;
@@ -106,7 +105,7 @@ TEST(FillVoids, EachFilledSampleIsTheMeanOfItsNeighbours) {
 TEST(FillVoids, SamplesThatAreThereStay) {
   Report report;
   const Raster raster =
-      raster_of(9, 7, [](int c, int r) { return c == 4 && r > 1 ? kNone : static_cast<float>(c * r); });
+      raster_of_samples(9, 7, [](int c, int r) { return c == 4 && r > 1 ? kVoid : static_cast<float>(c * r); });
   const Raster filled = fill_voids(raster, report);
   ASSERT_EQ(filled.heights_m.size(), 63u);
   for (std::size_t i = 0; i < raster.heights_m.size(); ++i) {
@@ -116,17 +115,17 @@ TEST(FillVoids, SamplesThatAreThereStay) {
 
 TEST(FillVoids, WithoutARimTheGroundIsAtZero) {
   Report report;
-  const Raster filled = fill_voids(raster_of(5, 4, [](int, int) { return kNone; }), report);
+  const Raster filled = fill_voids(raster_of_samples(5, 4, [](int, int) { return kVoid; }), report);
   EXPECT_EQ(filled.heights_m, std::vector<float>(20, 0.0F));
 }
 
 TEST(FillVoids, NumberOfSamplesIsDiagnosed) {
   Report report, none;
-  fill_voids(raster_of(5, 4, [](int c, int) { return c < 2 ? kNone : 1.0F; }), report);
+  fill_voids(raster_of_samples(5, 4, [](int c, int) { return c < 2 ? kVoid : 1.0F; }), report);
   ASSERT_EQ(report.diagnoses().size(), 1u);
   EXPECT_EQ(report.diagnoses()[0].code, Code::kVoidFilled);
   EXPECT_EQ(report.diagnoses()[0].size, 8);
-  fill_voids(raster_of(5, 4, [](int, int) { return 1.0F; }), none);
+  fill_voids(raster_of_samples(5, 4, [](int, int) { return 1.0F; }), none);
   EXPECT_TRUE(none.diagnoses().empty());
 }
 
@@ -141,7 +140,7 @@ TEST(FillVoids, AcceptsRastersWithoutSamples) {
 constexpr std::string_view kAscii =
     "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 50\ncellsize 0.5\nNODATA_value -9999\n1 2 3\n4 -9999 6\n";
 
-std::string error_of(const std::string& name, std::string_view bytes, const std::string& more = "") {
+std::string raster_error_of(const std::string& name, std::string_view bytes, const std::string& more = "") {
   const ScratchFolder folder;
   const std::string path = folder.write(name, bytes);
   const Result<RasterSpec> spec = parse_raster_spec(path + more);
@@ -204,7 +203,7 @@ TEST(ReadRaster, WindowFarAwayNeedsNoSamples) {
 }
 
 TEST(ReadRaster, FileWithoutReferenceSystemMustBeInDegrees) {
-  EXPECT_EQ(error_of("a.asc", "ncols 2\nnrows 1\nxllcorner 500000\nyllcorner 4000000\ncellsize 30\n1 2\n"),
+  EXPECT_EQ(raster_error_of("a.asc", "ncols 2\nnrows 1\nxllcorner 500000\nyllcorner 4000000\ncellsize 30\n1 2\n"),
             ": the file has no reference system and its coordinates are not degrees");
 }
 
@@ -212,15 +211,17 @@ TEST(ReadRasterErrors, MissingEmptyAndForeignFiles) {
   RasterSpec spec;
   spec.path = "/nowhere/N42E001.hgt";
   EXPECT_EQ(to_string(read_raster(spec, nullptr).error()), "/nowhere/N42E001.hgt: no such file");
-  EXPECT_EQ(error_of("a.tif", ""), ": the file is empty");
-  EXPECT_EQ(error_of("a.tif", "no picture"),
+  EXPECT_EQ(raster_error_of("a.tif", ""), ": the file is empty");
+  EXPECT_EQ(raster_error_of("a.tif", "no picture"),
             ": not a readable heightmap: expected .hgt, GeoTIFF, an ASCII grid or PNG");
-  EXPECT_EQ(error_of("a.zip", "no archive"), ": no heightmap in the archive; expected .hgt, .tif, .asc or .png");
-  EXPECT_EQ(error_of("N42E001.hgt", "short"),
+  EXPECT_EQ(raster_error_of("a.zip", "no archive"), ": no heightmap in the archive; expected .hgt, .tif, .asc or .png");
+  EXPECT_EQ(raster_error_of("N42E001.hgt", "short"),
             ": not an SRTM heightmap: expected 1201 or 3601 samples a side and a name like N42E001.hgt");
 }
 
-TEST(ReadRasterErrors, GridCutShort) { EXPECT_NE(error_of("a.asc", kAscii.substr(0, kAscii.size() - 6)), "no error"); }
+TEST(ReadRasterErrors, GridCutShort) {
+  EXPECT_NE(raster_error_of("a.asc", kAscii.substr(0, kAscii.size() - 6)), "no error");
+}
 
 }  // namespace
 }  // namespace citykiln::source

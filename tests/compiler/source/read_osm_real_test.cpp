@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/compiler/source/extract_text.h"
+#include "tests/test_files.h"
 
 namespace citykiln::source {
 namespace {
@@ -15,8 +16,8 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> all_extracts() {
   std::vector<std::string> paths;
-  if (!fs::exists(CITYKILN_DATA)) return paths;
-  for (const auto& entry : fs::recursive_directory_iterator(CITYKILN_DATA)) {
+  if (!fs::exists(real_data())) return paths;
+  for (const auto& entry : fs::recursive_directory_iterator(real_data())) {
     const std::string path = entry.path().string();
     if (path.find("osm-testdata") != std::string::npos) continue;
     for (const char* suffix : {".osm", ".osm.gz", ".osm.bz2", ".pbf"}) {
@@ -28,17 +29,11 @@ std::vector<std::string> all_extracts() {
 }
 
 #define READ_OR_SKIP(data, report, file, threads)                                  \
-  const std::string path_of_##data = std::string(CITYKILN_DATA) + "/" + (file);    \
+  const std::string path_of_##data = real_data(file);                              \
   if (!fs::exists(path_of_##data)) GTEST_SKIP() << path_of_##data << " is absent"; \
   Report report;                                                                   \
   const Result<OsmData> data = read_osm(path_of_##data, threads, report);          \
   ASSERT_TRUE(data) << to_string(data.error())
-
-double size_sum(const Report& report, Code code) {
-  double sum = 0;
-  for (const Diagnosis& diagnosis : report.diagnoses()) sum += diagnosis.code == code ? diagnosis.size : 0;
-  return sum;
-}
 
 TEST(ReadOsmReal, HelsinkisMissingNodesAreAllCounted) {
   READ_OR_SKIP(data, report, "helsinki/Helsinki.osm.pbf", 2);
@@ -73,7 +68,7 @@ TEST(ReadOsmReal, SameDataForOneTwoAndSevenThreads) {
 }
 
 TEST(ReadOsmReal, CutPbfNamesTheByte) {
-  const std::string path = std::string(CITYKILN_DATA) + "/small/somes-island.osm.pbf";
+  const std::string path = real_data("small/somes-island.osm.pbf");
   if (!fs::exists(path)) GTEST_SKIP() << path << " is absent";
   const std::string whole = bytes_of(path);
   const ScratchFolder folder;
@@ -87,7 +82,7 @@ TEST(ReadOsmReal, CutPbfNamesTheByte) {
 }
 
 TEST(ReadOsmReal, FlippedBytesOfAPbfEndInOneLineOrInData) {
-  const std::string path = std::string(CITYKILN_DATA) + "/small/somes-island.osm.pbf";
+  const std::string path = real_data("small/somes-island.osm.pbf");
   if (!fs::exists(path)) GTEST_SKIP() << path << " is absent";
   const std::string whole = bytes_of(path);
   const ScratchFolder folder;
@@ -102,8 +97,8 @@ TEST(ReadOsmReal, FlippedBytesOfAPbfEndInOneLineOrInData) {
 }
 
 TEST(ReadOsmReal, CutGzipAndBzip2AreErrors) {
-  for (const char* file : {"/berlin/berlin-siegessaeule.osm.gz", "/small/West-Oakland.osm.bz2"}) {
-    const std::string path = std::string(CITYKILN_DATA) + file;
+  for (const char* file : {"berlin/berlin-siegessaeule.osm.gz", "small/West-Oakland.osm.bz2"}) {
+    const std::string path = real_data(file);
     if (!fs::exists(path)) GTEST_SKIP() << path << " is absent";
     const std::string whole = bytes_of(path);
     const ScratchFolder folder;
@@ -140,7 +135,7 @@ GEOSGeometry* multipolygon_of(GEOSContextHandle_t geos, const OsmData& data, con
 
 TEST(ReadOsmReal, LedgerOfEveryExtractBalancesAndItsAreasAreValidToGeos) {
   const std::vector<std::string> paths = all_extracts();
-  if (paths.empty()) GTEST_SKIP() << "no extracts in " << CITYKILN_DATA;
+  if (paths.empty()) GTEST_SKIP() << "no extracts in " << real_data();
   GEOSContextHandle_t geos = GEOS_init_r();
   for (const std::string& path : paths) {
     Report report;

@@ -51,12 +51,6 @@ std::uint64_t count(const Report& report, Code code) {
   return found == counts.end() ? 0 : found->second;
 }
 
-double size_sum(const Report& report, Code code) {
-  double sum = 0;
-  for (const Diagnosis& diagnosis : report.diagnoses()) sum += diagnosis.code == code ? diagnosis.size : 0;
-  return sum;
-}
-
 TEST(ReadOsm, UnsortedFileGivesTheDataOfTheSortedOne) {
   Report sorted_report, unsorted_report;
   EXPECT_EQ(text_of(read(lines(), sorted_report)), text_of(read(lines_backwards(), unsorted_report)));
@@ -228,7 +222,7 @@ TEST(ReadOsm, HeaderBoxIsTheBoundsElement) {
   EXPECT_EQ(data.header_box, (LonLatBox{1, 2, 3, 4}));
 }
 
-std::string error_of(const std::string& name, std::string_view bytes) {
+std::string osm_error_of(const std::string& name, std::string_view bytes) {
   const ScratchFolder folder;
   const std::string path = folder.write(name, bytes);
   Report report;
@@ -256,43 +250,43 @@ TEST(ReadOsmErrors, Folder) {
 
 TEST(ReadOsmErrors, EmptyFile) {
   for (const char* name : {"a.osm", "a.osm.pbf", "a.osm.gz", "a.osm.bz2"})
-    EXPECT_EQ(error_of(name, ""), ": the file is empty");
+    EXPECT_EQ(osm_error_of(name, ""), ": the file is empty");
 }
 
 TEST(ReadOsmErrors, XmlCutInTheMiddleNamesLineAndColumn) {
   const std::string whole = osm(lines());
-  EXPECT_EQ(error_of("a.osm", whole.substr(0, whole.size() / 2)), ":11:1: malformed XML: unclosed token");
+  EXPECT_EQ(osm_error_of("a.osm", whole.substr(0, whole.size() / 2)), ":11:1: malformed XML: unclosed token");
 }
 
 TEST(ReadOsmErrors, XmlCutAnywhereIsAnError) {
   const std::string whole = osm(lines());
   for (std::size_t size = 1; size + 8 < whole.size(); size += 7) {
-    EXPECT_NE(error_of("a.osm", whole.substr(0, size)), "no error") << size;
+    EXPECT_NE(osm_error_of("a.osm", whole.substr(0, size)), "no error") << size;
   }
 }
 
 TEST(ReadOsmErrors, XmlThatIsNotOsm) {
-  EXPECT_EQ(error_of("a.osm", "<gpx version=\"1.1\"></gpx>"), ": Unknown top-level element: gpx");
+  EXPECT_EQ(osm_error_of("a.osm", "<gpx version=\"1.1\"></gpx>"), ": Unknown top-level element: gpx");
 }
 
 TEST(ReadOsmErrors, MalformedNumbers) {
-  EXPECT_NE(error_of("a.osm", osm(R"(<node id="x" version="1" lon="0" lat="0"/>)")), "no error");
-  EXPECT_NE(error_of("a.osm", osm(R"(<node id="1" version="1" lon="east" lat="0"/>)")), "no error");
+  EXPECT_NE(osm_error_of("a.osm", osm(R"(<node id="x" version="1" lon="0" lat="0"/>)")), "no error");
+  EXPECT_NE(osm_error_of("a.osm", osm(R"(<node id="1" version="1" lon="east" lat="0"/>)")), "no error");
 }
 
 TEST(ReadOsmErrors, TextNamedPbf) {
-  EXPECT_EQ(error_of("a.osm.pbf", "Dear reader, this is no map."),
+  EXPECT_EQ(osm_error_of("a.osm.pbf", "Dear reader, this is no map."),
             ": expected OSM PBF data as the file's name says, found something else");
-  EXPECT_EQ(error_of("a.osm.pbf", osm(lines())), ": expected OSM PBF data as the file's name says, found XML");
+  EXPECT_EQ(osm_error_of("a.osm.pbf", osm(lines())), ": expected OSM PBF data as the file's name says, found XML");
 }
 
 TEST(ReadOsmErrors, XmlNamedCompressed) {
-  EXPECT_EQ(error_of("a.osm.gz", osm(lines())), ": expected gzip data as the file's name says, found XML");
-  EXPECT_EQ(error_of("a.osm.bz2", osm(lines())), ": expected bzip2 data as the file's name says, found XML");
+  EXPECT_EQ(osm_error_of("a.osm.gz", osm(lines())), ": expected gzip data as the file's name says, found XML");
+  EXPECT_EQ(osm_error_of("a.osm.bz2", osm(lines())), ": expected bzip2 data as the file's name says, found XML");
 }
 
 TEST(ReadOsmErrors, UnknownSuffix) {
-  EXPECT_EQ(error_of("a.txt", osm(lines())), ": unknown suffix; expected .osm, .osm.gz, .osm.bz2 or .osm.pbf");
+  EXPECT_EQ(osm_error_of("a.txt", osm(lines())), ": unknown suffix; expected .osm, .osm.gz, .osm.bz2 or .osm.pbf");
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "compiler/source/fill_gaps.h"
@@ -14,7 +13,6 @@
 namespace citykiln::source {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr int kSide = 129;
 
 // 0 … 1, of a place and a seed.
@@ -26,7 +24,7 @@ double chance(int a, int b, int seed) {
   return static_cast<double>(x >> 11) * 0x1p-53;
 }
 
-Raster raster_of(int columns, int rows, double spacing_m, const std::function<double(int, int)>& height_m) {
+Raster raster_of_spacing(int columns, int rows, double spacing_m, const std::function<double(int, int)>& height_m) {
   Raster raster;
   raster.columns = columns, raster.rows = rows, raster.spacing_m = {spacing_m, spacing_m};
   for (int row = 0; row < rows; ++row) {
@@ -39,7 +37,7 @@ Raster raster_of(int columns, int rows, double spacing_m, const std::function<do
 // Octaves of chance, each half as wide and `share` as high as the one before: mountains of whole metres, as SRTM has
 // them.
 Raster mountains(int seed, double spacing_m, double relief_m, double share) {
-  return raster_of(kSide, kSide, spacing_m, [&](int column, int row) {
+  return raster_of_spacing(kSide, kSide, spacing_m, [&](int column, int row) {
     double height_m = 0, octave_m = relief_m;
     for (int width = 64; width >= 1; width /= 2, octave_m *= share) {
       const int c = column / width, r = row / width;
@@ -137,7 +135,7 @@ TEST(SpikesToVoids, AWindowEqualsThatPartOfTheWhole) {
   for (int first = 1; first < 40; first += 3) {
     const int size = kSide - 40;
     const Raster window = spikes_to_voids(
-        raster_of(size, size, 68, [&](int c, int r) { return whole.at(c + first, r + first); }), report);
+        raster_of_spacing(size, size, 68, [&](int c, int r) { return whole.at(c + first, r + first); }), report);
     for (int r = kSpikeInfluence; r < size - kSpikeInfluence; ++r) {
       for (int c = kSpikeInfluence; c < size - kSpikeInfluence; ++c) {
         EXPECT_EQ(std::isnan(window.at(c, r)), std::isnan(mended.at(c + first, r + first)))
@@ -158,32 +156,33 @@ TEST(SpikesToVoids, SummitsRidgesCliffsAndShoresStay) {
   const auto wall = [](int c, int) { return c == 20 ? 90.0 : 20.0; };
   for (const auto& land :
        std::vector<std::function<double(int, int)>>{cone, ridge, ridge_that_ends, cliff, gorge, sea_stack, wall}) {
-    EXPECT_EQ(spikes_in(raster_of(41, 41, 30, land)), 0u);
+    EXPECT_EQ(spikes_in(raster_of_spacing(41, 41, 30, land)), 0u);
   }
 }
 
 TEST(SpikesToVoids, ASmallRockInTheSeaStays) {
-  EXPECT_EQ(spikes_in(raster_of(9, 9, 30, [](int c, int r) { return c == 4 && r == 4 ? 26.0 : 0.0; })), 0u);
-  EXPECT_EQ(spikes_in(raster_of(9, 9, 30, [](int c, int r) { return c == 4 && r == 4 ? 28.0 : 0.0; })), 1u);
+  EXPECT_EQ(spikes_in(raster_of_spacing(9, 9, 30, [](int c, int r) { return c == 4 && r == 4 ? 26.0 : 0.0; })), 0u);
+  EXPECT_EQ(spikes_in(raster_of_spacing(9, 9, 30, [](int c, int r) { return c == 4 && r == 4 ? 28.0 : 0.0; })), 1u);
 }
 
 TEST(SpikesToVoids, DiagnosesEachSpikeWithItsSize) {
   Report report;
-  spikes_to_voids(raster_of(9, 9, 30, [](int c, int r) { return 10.0 * c + (c == 4 && r == 4 ? -700 : 0); }), report);
+  spikes_to_voids(raster_of_spacing(9, 9, 30, [](int c, int r) { return 10.0 * c + (c == 4 && r == 4 ? -700 : 0); }),
+                  report);
   ASSERT_EQ(report.diagnoses().size(), 1u);
   EXPECT_EQ(report.diagnoses()[0].code, Code::kHeightSpike);
   EXPECT_NEAR(report.diagnoses()[0].size, 700, 1e-9);
 }
 
 TEST(SpikesToVoids, KeepsSamplesAmongVoids) {
-  const auto lone = [](int c, int r) { return c == 4 && r == 4 ? 900.0 : r > 4 ? 0.0 : double{kNone}; };
-  EXPECT_EQ(spikes_in(raster_of(9, 9, 30, lone)), 0u);
+  const auto lone = [](int c, int r) { return c == 4 && r == 4 ? 900.0 : r > 4 ? 0.0 : double{kVoid}; };
+  EXPECT_EQ(spikes_in(raster_of_spacing(9, 9, 30, lone)), 0u);
 }
 
 TEST(SpikesToVoids, AcceptsRastersWithoutSamples) {
   EXPECT_EQ(spikes_in(Raster{}), 0u);
-  EXPECT_EQ(spikes_in(raster_of(1, 1, 30, [](int, int) { return 1.0; })), 0u);
-  EXPECT_EQ(spikes_in(raster_of(3, 1, 30, [](int c, int) { return c == 1 ? 1e6 : 0.0; })), 0u);
+  EXPECT_EQ(spikes_in(raster_of_spacing(1, 1, 30, [](int, int) { return 1.0; })), 0u);
+  EXPECT_EQ(spikes_in(raster_of_spacing(3, 1, 30, [](int c, int) { return c == 1 ? 1e6 : 0.0; })), 0u);
 }
 
 }  // namespace

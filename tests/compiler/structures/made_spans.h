@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/structures/generate.h"
+#include "tests/compiler/mesh_volume.h"
 
 namespace citykiln::structures {
 
@@ -47,16 +48,6 @@ inline std::map<std::pair<Vec3, Vec3>, int> open_edges(const std::vector<materia
       }
   std::erase_if(edges, [](const auto& edge) { return edge.second == 0; });
   return edges;
-}
-
-inline double volume_m3(const std::vector<materials::MaterialMesh>& meshes) {
-  double six = 0;
-  for (const auto& part : meshes)
-    for (const auto& [a, b, c] : part.mesh.triangles) {
-      const auto& p = part.mesh.positions;
-      six += dot(p[a], cross(p[b], p[c]));
-    }
-  return six / 6;
 }
 
 inline bool has_point(const std::vector<materials::MaterialMesh>& meshes, Vec3 at) {

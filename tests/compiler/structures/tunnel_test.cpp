@@ -8,7 +8,7 @@
 namespace citykiln::structures {
 namespace {
 
-map::Heightfield level_at(double z_m) {
+map::Heightfield level_square_of_512_m(double z_m) {
   map::Heightfield field{{-256, -256}, {256, 256}, 3, 3, {}, 0};
   field.heights.assign(9, static_cast<std::int32_t>(z_m / map::kHeightQuantum_m));
   return field;
@@ -22,9 +22,9 @@ Span tunnel() {
 }
 
 TEST(Tunnel, IsUndergroundOnlyBelowTheTerrain) {
-  EXPECT_TRUE(is_underground(tunnel(), level_at(30)));
-  EXPECT_FALSE(is_underground(tunnel(), level_at(14)));
-  EXPECT_FALSE(is_underground(tunnel(), level_at(0)));
+  EXPECT_TRUE(is_underground(tunnel(), level_square_of_512_m(30)));
+  EXPECT_FALSE(is_underground(tunnel(), level_square_of_512_m(14)));
+  EXPECT_FALSE(is_underground(tunnel(), level_square_of_512_m(0)));
 }
 
 TEST(Tunnel, HasNoMeshUnlessBored) {

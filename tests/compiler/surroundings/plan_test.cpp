@@ -11,6 +11,7 @@
 #include "compiler/source/read_raster.h"
 #include "compiler/surroundings/curvature.h"
 #include "compiler/surroundings/grid_lines.h"
+#include "tests/test_files.h"
 
 namespace citykiln::surroundings {
 namespace {
@@ -153,7 +154,7 @@ TEST(PlanSurroundings, SeaStaysSeaAndOnlyWhereThereIsACoast) {
 }
 
 TEST(PlanSurroundingsReal, AndorraIsWithinItsStatedErrors) {
-  const std::string path = std::string(CITYKILN_DATA) + "/andorra/N42E001.hgt";
+  const std::string path = real_data("andorra/N42E001.hgt");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
   const map::Plane plane(kOrigin);
   const source::LonLatBox window = map::lonlat_box_of(kPlace.region.widened(kReach_m), plane);

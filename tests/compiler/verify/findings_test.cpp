@@ -7,7 +7,7 @@
 namespace citykiln::verify {
 namespace {
 
-scene::Header made_header() {
+scene::Header header_with_origin() {
   scene::Header header;
   header.origin = {7, 43};
   header.region = {{-1024, -1024}, {1024, 1024}};
@@ -20,8 +20,8 @@ TEST(Findings, AreOneFeatureForEachDiagnosisWithItsPlace) {
   Report report;
   report.add(Code::kMissingNode, {OsmType::kWay, 4}, 2);
   report.add(Code::kUnsortedFile, {});
-  const std::string json =
-      findings_json(findings_of(report, {{{OsmType::kWay, 4}, {7.0001, 43.0001}}}, {}, made_header()), made_header());
+  const std::string json = findings_json(
+      findings_of(report, {{{OsmType::kWay, 4}, {7.0001, 43.0001}}}, {}, header_with_origin()), header_with_origin());
   EXPECT_EQ(
       json,
       R"({"type":"FeatureCollection","name":"findings","attribution":["© OpenStreetMap contributors"],"features":[)"
@@ -37,14 +37,14 @@ TEST(Findings, AreOneFeatureForEachDiagnosisWithItsPlace) {
 TEST(Findings, OutsideTheRegionAreInNoTile) {
   Report report;
   report.add(Code::kOutsideBounds, {OsmType::kNode, 1});
-  const auto findings = findings_of(report, {{{OsmType::kNode, 1}, {7.5, 43}}}, {}, made_header());
+  const auto findings = findings_of(report, {{{OsmType::kNode, 1}, {7.5, 43}}}, {}, header_with_origin());
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_TRUE(findings[0].at);
   EXPECT_FALSE(findings[0].tile);
 }
 
 TEST(Findings, OfBakingLieAtTheirObjectOrInTheMiddleOfTheTile) {
-  const scene::Header header = made_header();
+  const scene::Header header = header_with_origin();
   const map::Plane plane(header.origin);
   scene::Chunk chunk;
   chunk.tile = {1, -1};
@@ -66,7 +66,7 @@ TEST(Findings, AreTheSameWhateverTheOrderOfDiagnoses) {
   Report one, other;
   for (int i = 0; i < 50; ++i) one.add(Code::kMissingNode, {OsmType::kWay, i}, i % 3);
   for (int i = 49; i >= 0; --i) other.add(Code::kMissingNode, {OsmType::kWay, i}, i % 3);
-  const scene::Header header = made_header();
+  const scene::Header header = header_with_origin();
   EXPECT_EQ(findings_json(findings_of(one, {}, {}, header), header),
             findings_json(findings_of(other, {}, {}, header), header));
 }
@@ -75,7 +75,7 @@ TEST(Findings, OfTwoWaysQuoteTheirTags) {
   const OsmId upper{OsmType::kWay, 4}, lower{OsmType::kWay, 5};
   Report report;
   report.add_pair(Code::kLayersContradict, upper, lower, 2);
-  const scene::Header header = made_header();
+  const scene::Header header = header_with_origin();
   const auto written = findings_of(report, {}, {{upper, "tunnel=yes"}, {lower, ""}}, header);
   ASSERT_EQ(written.size(), 1u);
   EXPECT_EQ(written[0].tags, "w4: tunnel=yes; w5: no tags of height");
@@ -90,12 +90,12 @@ TEST(Findings, OfATagQuoteItAsValidText) {
   report.add_tag(Code::kBadTagValue, {OsmType::kWay, 4}, "width",
                  "wi\xff"
                  "de");
-  const std::vector<Finding> findings = findings_of(report, {}, {}, made_header());
+  const std::vector<Finding> findings = findings_of(report, {}, {}, header_with_origin());
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].tags,
             "width=wi\xef\xbf\xbd"
             "de");
-  const auto read = parse_findings(findings_json(findings, made_header()));
+  const auto read = parse_findings(findings_json(findings, header_with_origin()));
   ASSERT_TRUE(read);
   EXPECT_EQ((*read)[0].tags, findings[0].tags);
 }
@@ -104,7 +104,7 @@ TEST(Findings, AreReadAsTheyWereWritten) {
   Report report;
   report.add(Code::kTooSteep, {OsmType::kWay, -4}, 0.25);
   report.add(Code::kUnsortedFile, {});
-  const scene::Header header = made_header();
+  const scene::Header header = header_with_origin();
   std::vector<Finding> written = findings_of(report, {{{OsmType::kWay, -4}, {7.0001, 43.0001}}}, {}, header);
   written[0].level = 3;
   const auto read = parse_findings(findings_json(written, header));

@@ -10,7 +10,7 @@ namespace {
 using map::LandCoverClass;
 constexpr LandCoverClass kStreet = LandCoverClass::kResidentialRoad;
 
-roads::Road road(std::int64_t id, Polyline axis, double z_m, LandCoverClass surface = kStreet) {
+roads::Road level_road(std::int64_t id, Polyline axis, double z_m, LandCoverClass surface = kStreet) {
   roads::Road road;
   road.id = {{OsmType::kWay, id}, 0};
   road.surface = surface;
@@ -21,14 +21,14 @@ roads::Road road(std::int64_t id, Polyline axis, double z_m, LandCoverClass surf
 }
 
 structures::Span span(std::int64_t id, Polyline axis, double z_m, int layer, LandCoverClass surface = kStreet) {
-  structures::Span span{road(id, std::move(axis), z_m, surface), {}, {}, {}, {}, {}, false,
-                        static_cast<std::int8_t>(layer)};
+  structures::Span span{
+      level_road(id, std::move(axis), z_m, surface), {}, {}, {}, {}, {}, false, static_cast<std::int8_t>(layer)};
   return span;
 }
 
 const Polyline kAlong = {{100, 500}, {900, 500}}, kBesideRoad = {{500, 100}, {500, 900}};
 
-scene::Scene scene_of(scene::Chunk chunk) {
+scene::Scene scene_on_level_land(scene::Chunk chunk) {
   scene::Scene scene;
   scene.header.region = {{0, 0}, {1024, 1024}};
   chunk.heights = {{-64, -64}, {64, 64}, 19, 19, std::vector<std::int32_t>(361, 0), 0};
@@ -36,11 +36,11 @@ scene::Scene scene_of(scene::Chunk chunk) {
   return scene;
 }
 
-Clearances measured(scene::Chunk chunk) { return measure_clearances(scene_of(std::move(chunk)), 1); }
+Clearances measured(scene::Chunk chunk) { return measure_clearances(scene_on_level_land(std::move(chunk)), 1); }
 
 TEST(MeasureClearances, FindTheShortfallOfABridgeOverARoad) {
   scene::Chunk chunk;
-  chunk.roads = {road(1, kAlong, 10)};
+  chunk.roads = {level_road(1, kAlong, 10)};
   chunk.bridges = {span(2, kBesideRoad, 14, 1)};
   const Clearances c = measured(chunk);
   EXPECT_EQ(c.crossings, 1u);
@@ -84,7 +84,7 @@ TEST(MeasureClearances, TakeTheHigherLayerAsUpper) {
 
 TEST(MeasureClearances, TakeTheGroundAsAboveTunnelsAndSkipCorridors) {
   scene::Chunk chunk;
-  chunk.roads = {road(1, kAlong, 10)};
+  chunk.roads = {level_road(1, kAlong, 10)};
   chunk.tunnels = {span(2, kBesideRoad, 8, -1),
                    span(3, {{600, 100}, {600, 900}}, 8, 0, LandCoverClass::kPavedFootPath)};
   const Clearances c = measured(chunk);
@@ -94,7 +94,7 @@ TEST(MeasureClearances, TakeTheGroundAsAboveTunnelsAndSkipCorridors) {
 
 TEST(MeasureClearances, SkipLinesConnectedCloseBy) {
   scene::Chunk chunk;
-  chunk.roads = {road(1, {{100, 500}, {500, 500}, {530, 500}}, 10)};
+  chunk.roads = {level_road(1, {{100, 500}, {500, 500}, {530, 500}}, 10)};
   chunk.bridges = {span(2, {{500, 480}, {500, 520}, {530, 500}}, 10, 1)};
   EXPECT_EQ(measured(chunk).crossings, 0u);
   chunk.bridges = {span(2, {{500, 480}, {500, 520}, {530, 501}}, 10, 1)};
@@ -103,11 +103,11 @@ TEST(MeasureClearances, SkipLinesConnectedCloseBy) {
 
 TEST(MeasureClearances, CountParallelLinesUnlessOneDescendsBesideTheOther) {
   scene::Chunk chunk;
-  chunk.roads = {road(1, kAlong, 10)};
+  chunk.roads = {level_road(1, kAlong, 10)};
   chunk.bridges = {span(2, {{100, 502}, {900, 502}}, 12, 1)};
   EXPECT_EQ(measured(chunk).shortfalls.size(), 1u);
   chunk.bridges = {span(2, {{480, 502}, {520, 502}}, 12, 1)};
-  chunk.roads.push_back(road(3, {{520, 502}, {620, 540}}, 12));
+  chunk.roads.push_back(level_road(3, {{520, 502}, {620, 540}}, 12));
   EXPECT_EQ(measured(chunk).crossings, 0u);
 }
 
@@ -126,7 +126,7 @@ TEST(MeasureClearances, SkipTheApproachOfABridgeOfTheSameLayerBesideIt) {
   // the left bridge is shorter than the right one
   scene::Chunk chunk;
   chunk.bridges = {span(2, {{500, 480}, {500, 520}}, 15, 1), span(3, {{504, 300}, {504, 700}}, 15, 1)};
-  chunk.roads = {road(4, {{500, 520}, {500, 560}}, 15)};
+  chunk.roads = {level_road(4, {{500, 520}, {500, 560}}, 15)};
   EXPECT_EQ(measured(chunk).shortfalls.size(), 0u);
   chunk.bridges[0].layer = 2;
   EXPECT_EQ(measured(chunk).count_over(3), 1u);
@@ -142,7 +142,7 @@ TEST(MeasureClearances, CountWaterAndPathsThatFollowTheGround) {
   roads::Strip stream{{{OsmType::kWay, 3}, 0}, kAlong, LandCoverClass::kRiver, 4, 4};
   stream.profile = {{0, 0.5, 0}};
   chunk.watercourses = {stream};
-  chunk.roads = {road(4, {{100, 700}, {900, 700}}, 0, LandCoverClass::kFootPath)};
+  chunk.roads = {level_road(4, {{100, 700}, {900, 700}}, 0, LandCoverClass::kFootPath)};
   chunk.roads[0].profile.clear();
   const Clearances c = measured(chunk);
   EXPECT_EQ(c.crossings, 3u);

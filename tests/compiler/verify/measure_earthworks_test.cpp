@@ -9,7 +9,7 @@ using map::LandCoverClass;
 
 constexpr double kTerrain_m = 100;
 
-scene::Header made_header() {
+scene::Header header_of_one_tile() {
   scene::Header header;
   header.region = {{0, 0}, {256, 256}};
   header.tile_m = 256;
@@ -31,23 +31,23 @@ scene::Chunk chunk_with_road(double from_m, double to_m) {
 }
 
 TEST(MeasureEarthworks, FindsTheDeepestCutAndTheHighestFillOfAWay) {
-  const auto found = measure_earthworks(made_header(), chunk_with_road(96, 107));
+  const auto found = measure_earthworks(header_of_one_tile(), chunk_with_road(96, 107));
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0], (Earthwork{{OsmType::kWay, 1}, "road", 4, {0, 100}}));
   EXPECT_EQ(found[1], (Earthwork{{OsmType::kWay, 1}, "road", -7, {200, 100}}));
 }
 
 TEST(MeasureEarthworks, AreNoneOnTheTerrainAndNoneOutsideOfTheTile) {
-  EXPECT_TRUE(measure_earthworks(made_header(), chunk_with_road(kTerrain_m, kTerrain_m + 0.25)).empty());
+  EXPECT_TRUE(measure_earthworks(header_of_one_tile(), chunk_with_road(kTerrain_m, kTerrain_m + 0.25)).empty());
   scene::Chunk chunk = chunk_with_road(90, 90);
   chunk.tile = {1, 0};
-  scene::Header header = made_header();
+  scene::Header header = header_of_one_tile();
   header.region.max.x = 512;
   EXPECT_TRUE(measure_earthworks(header, chunk).empty());
 }
 
 TEST(MeasureEarthworks, OverTheLimitsAreThoseDeeperThanTheirKindHasAsARule) {
-  scene::Scene scene{made_header(), {chunk_with_road(kTerrain_m - 14, kTerrain_m + 2)}};
+  scene::Scene scene{header_of_one_tile(), {chunk_with_road(kTerrain_m - 14, kTerrain_m + 2)}};
   roads::Road path = scene.chunks[0].roads[0];
   path.id.osm.id = 2, path.surface = LandCoverClass::kSteps;
   path.profile = {{0, kTerrain_m - 4, 0}, {200, kTerrain_m + 6, 0}};
@@ -67,7 +67,7 @@ TEST(MeasureEarthworks, NameWatercoursesByTheirWidth) {
     water.profile = {{0, 95, 0}};
     chunk.watercourses.push_back(water);
   }
-  const auto found = measure_earthworks(made_header(), chunk);
+  const auto found = measure_earthworks(header_of_one_tile(), chunk);
   ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found[0].line, "ditch");
   EXPECT_EQ(found[1].line, "stream");

@@ -5,18 +5,16 @@
 namespace citykiln::verify {
 namespace {
 
-constexpr map::LandCoverClass kStreet = map::LandCoverClass::kResidentialRoad;
-
-roads::Road road(std::int64_t id, Polyline axis, double from_m, double to_m) {
+roads::Road sloping_road(std::int64_t id, Polyline axis, double from_m, double to_m) {
   roads::Road road;
   road.id = {{OsmType::kWay, id}, 0};
-  road.surface = kStreet;
+  road.surface = map::LandCoverClass::kResidentialRoad;
   road.profile = {{0, from_m, 0}, {length_m(axis), to_m, 0}};
   road.axis = std::move(axis);
   return road;
 }
 
-scene::Scene scene_of(scene::Chunk chunk) {
+scene::Scene scene_of_chunk(scene::Chunk chunk) {
   scene::Scene scene;
   scene.header.region = {{0, 0}, {1024, 1024}};
   scene.chunks = {std::move(chunk)};
@@ -25,42 +23,42 @@ scene::Scene scene_of(scene::Chunk chunk) {
 
 TEST(MeasureGrades, CountsLengthOverTheLimitOfTheClass) {
   scene::Chunk chunk;
-  chunk.roads = {road(1, {{0, 8}, {100, 8}}, 0, 10), road(2, {{0, 16}, {100, 16}}, 0, 30)};
-  const Grades grades = measure_grades(scene_of(chunk).header, chunk);
+  chunk.roads = {sloping_road(1, {{0, 8}, {100, 8}}, 0, 10), sloping_road(2, {{0, 16}, {100, 16}}, 0, 30)};
+  const Grades grades = measure_grades(scene_of_chunk(chunk).header, chunk);
   EXPECT_EQ(grades.length_m, 200);
   EXPECT_EQ(grades.over_m, 100);
 }
 
 TEST(MeasureGrades, CountsWhatLiesInTheTile) {
   scene::Chunk chunk;
-  chunk.roads = {road(1, {{-100, 8}, {0, 8}, {100, 8}}, 0, 60)};
-  const Grades grades = measure_grades(scene_of(chunk).header, chunk);
+  chunk.roads = {sloping_road(1, {{-100, 8}, {0, 8}, {100, 8}}, 0, 60)};
+  const Grades grades = measure_grades(scene_of_chunk(chunk).header, chunk);
   EXPECT_EQ(grades.length_m, 100);
   EXPECT_EQ(grades.over_m, 100);
 }
 
 TEST(MeasureJumps, FindsRoadsThatMeetAtDifferentHeights) {
   scene::Chunk chunk;
-  chunk.roads = {road(1, {{0, 0}, {100, 0}}, 0, 10), road(2, {{100, 0}, {200, 0}}, 10, 0)};
-  EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0);
+  chunk.roads = {sloping_road(1, {{0, 0}, {100, 0}}, 0, 10), sloping_road(2, {{100, 0}, {200, 0}}, 10, 0)};
+  EXPECT_EQ(measure_jumps(scene_of_chunk(chunk)).largest_m, 0);
   chunk.roads[1].profile[0].z_m = 10.5;
-  const Jumps jumps = measure_jumps(scene_of(chunk));
+  const Jumps jumps = measure_jumps(scene_of_chunk(chunk));
   EXPECT_EQ(jumps.largest_m, 0.5);
   EXPECT_EQ(jumps.at, (Vec2{100, 0}));
 }
 
 TEST(MeasureJumps, FindsBridgesThatEndInTheAir) {
   scene::Chunk chunk;
-  chunk.roads = {road(1, {{0, 0}, {100, 0}}, 0, 10)};
-  chunk.bridges = {{road(2, {{100, 0}, {200, 0}}, 10.25, 10), {}, {}, {}, {}, {}}};
-  EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0.25);
+  chunk.roads = {sloping_road(1, {{0, 0}, {100, 0}}, 0, 10)};
+  chunk.bridges = {{sloping_road(2, {{100, 0}, {200, 0}}, 10.25, 10), {}, {}, {}, {}, {}}};
+  EXPECT_EQ(measure_jumps(scene_of_chunk(chunk)).largest_m, 0.25);
 }
 
 TEST(MeasureJumps, IgnoresBridgesAboveVertices) {
   scene::Chunk chunk;
-  chunk.roads = {road(1, {{0, 0}, {100, 0}}, 0, 10)};
-  chunk.bridges = {{road(2, {{100, -50}, {100, 0}, {100, 50}}, 20, 20), {}, {}, {}, {}, {}}};
-  EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0);
+  chunk.roads = {sloping_road(1, {{0, 0}, {100, 0}}, 0, 10)};
+  chunk.bridges = {{sloping_road(2, {{100, -50}, {100, 0}, {100, 50}}, 20, 20), {}, {}, {}, {}, {}}};
+  EXPECT_EQ(measure_jumps(scene_of_chunk(chunk)).largest_m, 0);
 }
 
 roads::Strip stream(std::int64_t id, Polyline axis, double start_along_m, Profile profile) {

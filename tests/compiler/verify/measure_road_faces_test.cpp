@@ -8,7 +8,7 @@
 namespace citykiln::verify {
 namespace {
 
-roads::Road road(std::int64_t id, Polyline axis, double from_m, double to_m) {
+roads::Road sloping_road_with_lane(std::int64_t id, Polyline axis, double from_m, double to_m) {
   roads::Road road;
   road.id = {{OsmType::kWay, id}, 0};
   road.surface = map::LandCoverClass::kResidentialRoad;
@@ -27,21 +27,22 @@ RoadFaces faces_of(const std::vector<roads::Road>& roads, double too_high_m) {
 }
 
 TEST(MeasureRoadFaces, FindsNothingWhereTheGroundIsTheProfile) {
-  const RoadFaces faces = faces_of({road(1, {{0, 32}, {64, 32}}, 10, 18)}, 0);
+  const RoadFaces faces = faces_of({sloping_road_with_lane(1, {{0, 32}, {64, 32}}, 10, 18)}, 0);
   EXPECT_GE(faces.places, 16u);
   EXPECT_EQ(faces.largest_gap_m, 0);
 }
 
 TEST(MeasureRoadFaces, FindsGroundOverTheRoad) {
-  EXPECT_EQ(faces_of({road(1, {{0, 32}, {64, 32}}, 10, 18)}, 0.5).largest_gap_m, 0.5);
+  EXPECT_EQ(faces_of({sloping_road_with_lane(1, {{0, 32}, {64, 32}}, 10, 18)}, 0.5).largest_gap_m, 0.5);
 }
 
 TEST(MeasureRoadFaces, TakesACarriagewayBetweenKerbs) {
-  EXPECT_EQ(faces_of({road(1, {{0, 32}, {64, 32}}, 10, 18)}, -ground::kKerbRise_m).largest_gap_m, 0);
+  EXPECT_EQ(faces_of({sloping_road_with_lane(1, {{0, 32}, {64, 32}}, 10, 18)}, -ground::kKerbRise_m).largest_gap_m, 0);
 }
 
 TEST(MeasureRoadFaces, SkipsPlacesNearOtherRoads) {
-  const roads::Road along = road(1, {{0, 32}, {64, 32}}, 10, 18), across = road(2, {{32, 0}, {32, 64}}, 14, 14);
+  const roads::Road along = sloping_road_with_lane(1, {{0, 32}, {64, 32}}, 10, 18),
+                    across = sloping_road_with_lane(2, {{32, 0}, {32, 64}}, 14, 14);
   const RoadFaces alone = faces_of({along}, 0), crossed = faces_of({along, across}, 0);
   EXPECT_GT(crossed.places, alone.places);
   EXPECT_LT(crossed.places, 2 * alone.places);

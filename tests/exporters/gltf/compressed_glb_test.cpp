@@ -21,23 +21,23 @@ using bake::Float3;
 using bake::Primitive;
 using Bytes = std::vector<std::byte>;
 
-constexpr Compression kAll[] = {Compression::kQuantize, Compression::kDraco, Compression::kMeshopt};
+constexpr Compression kCompressions[] = {Compression::kQuantize, Compression::kDraco, Compression::kMeshopt};
 
-Bytes encoded(const BakedTile& tile, Compression compression, Target target = Target::kThree, int threads = 1) {
+Bytes compressed_glb(const BakedTile& tile, Compression compression, Target target = Target::kThree, int threads = 1) {
   return encode_glb(tile, {}, {.target = target, .compression = compression, .has_exact_pictures = true}, threads);
 }
 
 BakedTile through(const BakedTile& tile, Compression compression, Target target = Target::kThree) {
-  const auto back = decode_glb(encoded(tile, compression, target), "tile.glb");
+  const auto back = decode_glb(compressed_glb(tile, compression, target), "tile.glb");
   EXPECT_TRUE(back) << (back ? "" : to_string(back.error()));
   return back ? *back : BakedTile{};
 }
 
 // All attributes of a vertex but its normal; -1 for missing ones.
-using Corner = std::array<float, 10>;
-using Corners = std::array<Corner, 3>;
+using AttributesOfCorner = std::array<float, 10>;
+using AttributesOfCorners = std::array<AttributesOfCorner, 3>;
 
-Corner corner_of(const Primitive& p, std::uint32_t v) {
+AttributesOfCorner corner_of(const Primitive& p, std::uint32_t v) {
   const float feature = p.features.empty() ? -1.0f : static_cast<float>(p.features[v]);
   const bake::Float2 uv = p.uvs.empty() ? bake::Float2{-1, -1} : p.uvs[v];
   const auto& [r, g, b, a] = p.colours[v];
@@ -46,8 +46,8 @@ Corner corner_of(const Primitive& p, std::uint32_t v) {
 }
 
 // Sorted triangles, each from its smallest corner on, with the normals of their corners.
-std::multimap<Corners, std::array<Float3, 3>> triangles_of(const Primitive& p) {
-  std::multimap<Corners, std::array<Float3, 3>> triangles;
+std::multimap<AttributesOfCorners, std::array<Float3, 3>> triangles_of(const Primitive& p) {
+  std::multimap<AttributesOfCorners, std::array<Float3, 3>> triangles;
   for (auto t : p.triangles) {
     const auto less = [&](std::uint32_t a, std::uint32_t b) { return corner_of(p, a) < corner_of(p, b); };
     std::ranges::rotate(t, std::ranges::min_element(t, less));
@@ -106,7 +106,7 @@ BakedTile off_grid(std::uint32_t seed) {
 
 TEST(CompressedGlb, HoldsTheQuantisedTileTriangleForTriangle) {
   for (std::uint32_t seed = 0; seed < 10; ++seed)
-    for (const Compression compression : kAll)
+    for (const Compression compression : kCompressions)
       for (const Target target : {Target::kThree, Target::kUnreal})
         for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed), made_facade_tile(seed),
                                       made_textured_tile(seed), off_grid(seed)})
@@ -117,7 +117,7 @@ TEST(CompressedGlb, MoreCornersThan16BitsCount) {
   std::mt19937 dice(1);
   BakedTile tile = made_tile(1);
   tile.primitives = {made_primitive(dice, materials::Material::kRock, 65538, 4)};
-  for (const Compression compression : kAll)
+  for (const Compression compression : kCompressions)
     ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
 }
 
@@ -129,14 +129,14 @@ TEST(CompressedGlb, NoTriangleGoesEvenIfItsCornersMeet) {
     p.positions[3 * t + 1] = {at[0] + 0.0001f, at[1], at[2]};
     if (t % 2 == 0) p.positions[3 * t + 2] = {at[0], at[1] - 0.0001f, at[2]};
   }
-  for (const Compression compression : kAll)
+  for (const Compression compression : kCompressions)
     ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
 }
 
 TEST(CompressedGlb, FarPlacesAreKept) {
   BakedTile tile = made_tile(1);
   tile.primitives[0].positions[0] = {-12000.5f, 9000.25f, 3.0f};
-  for (const Compression compression : kAll)
+  for (const Compression compression : kCompressions)
     ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
 }
 
@@ -178,7 +178,7 @@ TEST(CompressedGlb, BordersOfTilesAndLevelsMeet) {
     for (const Vec3& p : border()) expected.push_back({on_grid(p.x), on_grid(p.y), on_grid(p.z)});
     std::ranges::sort(expected);
     expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
-    for (const Compression compression : kAll) {
+    for (const Compression compression : kCompressions) {
       EXPECT_EQ(border_of(through(beside_border(1, {512, 512, 431}, 0.1, layer), compression)), expected);
       EXPECT_EQ(border_of(through(beside_border(2, {1536, 512, -7}, 2.5, layer), compression)), expected);
     }
@@ -186,14 +186,15 @@ TEST(CompressedGlb, BordersOfTilesAndLevelsMeet) {
 }
 
 TEST(CompressedGlb, SameBytesForAnyThreads) {
-  for (const Compression compression : kAll)
+  for (const Compression compression : kCompressions)
     for (const int threads : {2, 7})
-      EXPECT_EQ(encoded(off_grid(3), compression), encoded(off_grid(3), compression, Target::kThree, threads));
+      EXPECT_EQ(compressed_glb(off_grid(3), compression),
+                compressed_glb(off_grid(3), compression, Target::kThree, threads));
 }
 
 TEST(CompressedGlb, NamesWhatReadersMustKnow) {
   const auto required = [](Compression compression) {
-    return split_glb(encoded(made_tile(1), compression)).gltf["extensionsRequired"];
+    return split_glb(compressed_glb(made_tile(1), compression)).gltf["extensionsRequired"];
   };
   EXPECT_EQ(required(Compression::kDraco), nlohmann::json({"KHR_draco_mesh_compression"}));
   EXPECT_EQ(required(Compression::kMeshopt), nlohmann::json({"EXT_meshopt_compression", "KHR_mesh_quantization"}));
@@ -202,7 +203,7 @@ TEST(CompressedGlb, NamesWhatReadersMustKnow) {
 TEST(CompressedGlb, ATileWithoutMeshesIsWhole) {
   BakedTile bare = made_tile(1);
   bare.instanced.clear(), bare.primitives.clear();
-  for (const Compression compression : kAll) EXPECT_EQ(through(bare, compression), bare);
+  for (const Compression compression : kCompressions) EXPECT_EQ(through(bare, compression), bare);
 }
 
 double largest_move_m(const std::vector<Primitive>& a, const std::vector<Primitive>& b) {
@@ -276,8 +277,8 @@ TEST(Quantised, EqualVerticesAreSharedAndNoTriangleGoes) {
 TEST(Quantised, TwiceIsOnce) { EXPECT_EQ(quantised(quantised(off_grid(1))), quantised(off_grid(1))); }
 
 TEST(CompressedGlbDamage, EveryTruncationIsRefused) {
-  for (const Compression compression : kAll) {
-    const Bytes bytes = encoded(made_tile(2), compression);
+  for (const Compression compression : kCompressions) {
+    const Bytes bytes = compressed_glb(made_tile(2), compression);
     ASSERT_FALSE(bytes.empty());
     for (std::size_t size = 0; size < bytes.size(); ++size)
       ASSERT_FALSE(decode_glb(std::span(bytes).first(size), "cut")) << size;
@@ -286,8 +287,8 @@ TEST(CompressedGlbDamage, EveryTruncationIsRefused) {
 
 TEST(CompressedGlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
   std::mt19937 dice(4);
-  for (const Compression compression : kAll) {
-    const Bytes bytes = encoded(made_marked_tile(3), compression);
+  for (const Compression compression : kCompressions) {
+    const Bytes bytes = compressed_glb(made_marked_tile(3), compression);
     ASSERT_FALSE(bytes.empty());
     for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 13) {
       Bytes changed = bytes;
@@ -302,8 +303,8 @@ TEST(CompressedGlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
 }
 
 // The file with other JSON.
-std::string refusal_with(Compression compression, const std::string& text, const std::string& other) {
-  GlbParts parts = split_glb(encoded(made_tile(1), compression));
+std::string compressed_refusal(Compression compression, const std::string& text, const std::string& other) {
+  GlbParts parts = split_glb(compressed_glb(made_tile(1), compression));
   std::string json = parts.gltf.dump();
   const auto at = json.find(text);
   EXPECT_NE(at, std::string::npos) << text << " in " << json;
@@ -314,16 +315,16 @@ std::string refusal_with(Compression compression, const std::string& text, const
 }
 
 TEST(CompressedGlbDamage, ViewsThatClaimMoreThanTheyHoldAreRefused) {
-  EXPECT_NE(refusal_with(Compression::kMeshopt, "\"count\":9,\"filter\"", "\"count\":900000000,\"filter\""),
+  EXPECT_NE(compressed_refusal(Compression::kMeshopt, "\"count\":9,\"filter\"", "\"count\":900000000,\"filter\""),
             "accepted");
-  EXPECT_NE(refusal_with(Compression::kMeshopt, "\"byteStride\":12,\"count\"", "\"byteStride\":252,\"count\""),
+  EXPECT_NE(compressed_refusal(Compression::kMeshopt, "\"byteStride\":12,\"count\"", "\"byteStride\":252,\"count\""),
             "accepted");
-  EXPECT_NE(refusal_with(Compression::kMeshopt, "\"OCTAHEDRAL\"", "\"EXPONENTIAL\""), "accepted");
-  EXPECT_NE(refusal_with(Compression::kDraco, "\"POSITION\":", "\"POSITION\":7777"), "accepted");
+  EXPECT_NE(compressed_refusal(Compression::kMeshopt, "\"OCTAHEDRAL\"", "\"EXPONENTIAL\""), "accepted");
+  EXPECT_NE(compressed_refusal(Compression::kDraco, "\"POSITION\":", "\"POSITION\":7777"), "accepted");
 }
 
 TEST(CompressedGlbDamage, MeshesAreUnpackedOnce) {
-  GlbParts parts = split_glb(encoded(made_tile(1), Compression::kDraco));
+  GlbParts parts = split_glb(compressed_glb(made_tile(1), Compression::kDraco));
   nlohmann::json& primitives = parts.gltf["meshes"][0]["primitives"];
   for (int i = 0; i < 20; ++i) primitives.push_back(primitives[0]);
   const auto tile = decode_glb(join_glb(parts), "tile.glb");

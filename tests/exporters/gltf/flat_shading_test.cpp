@@ -40,11 +40,11 @@ Primitive boxes(std::uint32_t seed, int count) {
 }
 
 // The corners of a triangle with their normals.
-using Corner = std::pair<Float3, Float3>;
-std::vector<std::array<Corner, 3>> corners_of(const Primitive& p) {
-  std::vector<std::array<Corner, 3>> all;
+using PlaceAndNormal = std::pair<Float3, Float3>;
+std::vector<std::array<PlaceAndNormal, 3>> corners_of(const Primitive& p) {
+  std::vector<std::array<PlaceAndNormal, 3>> all;
   for (const auto& t : p.triangles) {
-    std::array<Corner, 3> corners;
+    std::array<PlaceAndNormal, 3> corners;
     for (int i = 0; i < 3; ++i) corners[i] = {p.positions[t[i]], p.normals[t[i]]};
     all.push_back(corners);
   }

@@ -17,9 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::byte>;
 
-constexpr Compression kAll[] = {Compression::kNone, Compression::kQuantize, Compression::kDraco, Compression::kMeshopt};
+constexpr Compression kNoneAndCompressions[] = {Compression::kNone, Compression::kQuantize, Compression::kDraco,
+                                                Compression::kMeshopt};
 
-Bytes encoded(const bake::BakedTile& tile, Compression compression) {
+Bytes glb_for_three(const bake::BakedTile& tile, Compression compression) {
   return encode_glb(tile, {}, {.target = Target::kThree, .compression = compression});
 }
 
@@ -36,11 +37,11 @@ struct Folder {
 };
 
 TEST(SharedLayout, ReadsTheTileThatWasDivided) {
-  for (const Compression compression : kAll)
+  for (const Compression compression : kNoneAndCompressions)
     for (std::uint32_t seed = 0; seed < 4; ++seed)
       for (const bake::BakedTile& tile : {made_tile(seed), made_facade_tile(seed), made_textured_tile(seed)}) {
         const Folder folder;
-        const Bytes whole = encoded(tile, compression);
+        const Bytes whole = glb_for_three(tile, compression);
         const SharedGlb shared = share_prototypes(whole);
         EXPECT_FALSE(shared.files.empty());
         EXPECT_LT(shared.glb.size(), whole.size() + 4096);
@@ -54,8 +55,8 @@ TEST(SharedLayout, TilesWithOnePrototypeReferToOneFile) {
   bake::BakedTile other = made_tile(1);
   other.tile = {7, -3}, other.primitives.pop_back();
   other.instanced[0].translations[0][0] += 1;
-  const SharedGlb a = share_prototypes(encoded(made_tile(1), Compression::kNone)),
-                  b = share_prototypes(encoded(other, Compression::kNone));
+  const SharedGlb a = share_prototypes(glb_for_three(made_tile(1), Compression::kNone)),
+                  b = share_prototypes(glb_for_three(other, Compression::kNone));
   ASSERT_FALSE(a.files.empty());
   ASSERT_EQ(a.files.size(), b.files.size());
   for (std::size_t i = 0; i < a.files.size(); ++i) EXPECT_EQ(a.files[i].name, b.files[i].name);
@@ -72,7 +73,7 @@ TEST(SharedLayout, OnlyPlainNamesInTheFolderAreRead) {
 
 // The error of reading a tile whose first external buffer has another URI.
 std::string refusal_of(const Folder& folder, const std::string& uri) {
-  SharedGlb shared = share_prototypes(encoded(made_tile(1), Compression::kNone));
+  SharedGlb shared = share_prototypes(glb_for_three(made_tile(1), Compression::kNone));
   GlbParts parts = split_glb(shared.glb);
   parts.gltf["buffers"][1]["uri"] = uri;
   shared.glb = join_glb(std::move(parts));
@@ -94,7 +95,7 @@ TEST(SharedLayout, OtherFilesAreRefusedInOneLine) {
 
 TEST(SharedLayout, ACutFileIsRefused) {
   const Folder folder;
-  const SharedGlb shared = share_prototypes(encoded(made_tile(1), Compression::kNone));
+  const SharedGlb shared = share_prototypes(glb_for_three(made_tile(1), Compression::kNone));
   const std::string path = folder.write(shared);
   ASSERT_TRUE(write_file((folder.path / shared.files[0].name).string(), Bytes(shared.files[0].bytes.size() - 1)));
   EXPECT_FALSE(read_glb(path));

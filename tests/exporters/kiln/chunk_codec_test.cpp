@@ -13,7 +13,7 @@ namespace {
 
 constexpr scene::TileKey kTile{3, -4};
 
-scene::Chunk made(std::uint64_t seed) { return SceneMaker(seed).chunk(kTile, 0x1p-10); }
+scene::Chunk made_chunk(std::uint64_t seed) { return SceneMaker(seed).chunk(kTile, 0x1p-10); }
 
 roads::Road one_lane(ObjectId id, Polyline axis) {
   roads::Road road;
@@ -29,7 +29,7 @@ std::string wrong_in(const Streams& streams) {
   return wrong;
 }
 
-std::vector<std::uint8_t> bytes_of(std::initializer_list<std::uint64_t> numbers) {
+std::vector<std::uint8_t> stream_of(std::initializer_list<std::uint64_t> numbers) {
   StreamWriter stream;
   for (const std::uint64_t n : numbers) stream.put(n);
   return stream.bytes();
@@ -47,7 +47,7 @@ Streams empty_streams() {
 
 TEST(ChunkCodec, ReadsBackWhatItWrote) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    const scene::Chunk chunk = made(seed);
+    const scene::Chunk chunk = made_chunk(seed);
     std::string wrong;
     const auto back = decode_chunk(encode_chunk(chunk), kTile, wrong);
     ASSERT_TRUE(back) << wrong;
@@ -57,9 +57,9 @@ TEST(ChunkCodec, ReadsBackWhatItWrote) {
 
 TEST(ChunkCodec, WritesNoStreamThatTheListDoesNotName) {
   const auto names = stream_names();
-  EXPECT_FALSE(encode_chunk(made(0)).empty());
+  EXPECT_FALSE(encode_chunk(made_chunk(0)).empty());
   for (std::uint64_t seed = 0; seed < 50; ++seed)
-    for (const auto& [name, bytes] : encode_chunk(made(seed)))
+    for (const auto& [name, bytes] : encode_chunk(made_chunk(seed)))
       EXPECT_TRUE(std::find(names.begin(), names.end(), name) != names.end()) << name;
 }
 
@@ -68,7 +68,7 @@ TEST(ChunkCodec, WhateverItAcceptsIsAChunk) {
   std::mt19937_64 dice(1);
   int accepted = 0;
   for (int round = 0; round < 20000; ++round) {
-    Streams streams = encode_chunk(made(dice() % 50));
+    Streams streams = encode_chunk(made_chunk(dice() % 50));
     const auto names = stream_names();
     auto& stream = streams[names[dice() % names.size()]];
     if (stream.empty()) continue;
@@ -86,7 +86,7 @@ TEST(ChunkCodec, WhateverItAcceptsIsAChunk) {
 }
 
 TEST(ChunkCodec, AStreamTooShortOrTooLongIsNamed) {
-  const Streams whole = encode_chunk(made(7));
+  const Streams whole = encode_chunk(made_chunk(7));
   ASSERT_FALSE(whole.empty());
   for (const auto& [name, bytes] : whole) {
     Streams longer = whole, shorter = whole;
@@ -100,13 +100,13 @@ TEST(ChunkCodec, AStreamTooShortOrTooLongIsNamed) {
 
 TEST(ChunkCodec, AValueBeyondItsTypeIsNamed) {
   Streams streams = empty_streams();
-  streams["lamps"] = bytes_of({1}), streams["id type"] = bytes_of({1}), streams["id"] = bytes_of({2}),
-  streams["part"] = bytes_of({0}), streams["points"] = bytes_of({0}), streams["x"] = bytes_of({0}),
-  streams["y"] = bytes_of({0}), streams["lamp height"] = bytes_of({0}), streams["lamp light"] = bytes_of({0});
+  streams["lamps"] = stream_of({1}), streams["id type"] = stream_of({1}), streams["id"] = stream_of({2}),
+  streams["part"] = stream_of({0}), streams["points"] = stream_of({0}), streams["x"] = stream_of({0}),
+  streams["y"] = stream_of({0}), streams["lamp height"] = stream_of({0}), streams["lamp light"] = stream_of({0});
   EXPECT_EQ(wrong_in(streams), "");
   const auto with = [&](const char* name, std::uint64_t value) {
     Streams changed = streams;
-    changed[name] = bytes_of({value});
+    changed[name] = stream_of({value});
     return wrong_in(changed);
   };
   EXPECT_EQ(with("part", std::uint64_t{1} << 32), "part");
@@ -124,7 +124,7 @@ TEST(ChunkCodec, AFieldOffItsGridIsNamed) {
     Streams streams = empty_streams();
     // steps are written as differences, twice as large for their sign; the error is as long as the corner is far
     const std::uint64_t down = 2 * (step - corner) - (step > corner ? 1 : 0);
-    streams["field"] = bytes_of({2 * corner, 0, 2 * (step - corner), 0, columns, 2, down, size, 0});
+    streams["field"] = stream_of({2 * corner, 0, 2 * (step - corner), 0, columns, 2, down, size, 0});
     streams["heights"].assign(size, 0);
     return wrong_in(streams);
   };
@@ -183,7 +183,7 @@ TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
 }
 
 TEST(ChunkCodec, AFlagIsNoughtOrOne) {
-  scene::Chunk chunk = made(7);
+  scene::Chunk chunk = made_chunk(7);
   chunk.buildings.resize(1);
   chunk.buildings[0].footprint.outer = {{0, 0}, {1, 0}, {0, 1}};
   Streams streams = encode_chunk(chunk);
@@ -195,7 +195,7 @@ TEST(ChunkCodec, AFlagIsNoughtOrOne) {
 TEST(ChunkCodec, AHeightBeyond32BitsIsNamed) {
   Streams streams = empty_streams();
   ASSERT_EQ(streams["heights"].size(), 4u);
-  streams["heights"] = bytes_of({0, 0, 0, std::uint64_t{1} << 40});
+  streams["heights"] = stream_of({0, 0, 0, std::uint64_t{1} << 40});
   EXPECT_EQ(wrong_in(streams), "heights");
 }
 
@@ -204,11 +204,11 @@ TEST(ChunkCodec, AHeightBeyond32BitsIsNamed) {
 TEST(ChunkCodec, CountsAreNotBelievedBeforeTheirThings) {
   Streams streams = empty_streams();
   streams["x"].assign(1 << 20, 0);
-  streams["surfaces"] = bytes_of({1}), streams["id type"] = bytes_of({1}), streams["id"] = bytes_of({2}),
-  streams["part"] = bytes_of({0}), streams["surface class"] = bytes_of({0}), streams["surface area"] = bytes_of({0}),
-  streams["surface rings"] = bytes_of({100000});
+  streams["surfaces"] = stream_of({1}), streams["id type"] = stream_of({1}), streams["id"] = stream_of({2}),
+  streams["part"] = stream_of({0}), streams["surface class"] = stream_of({0}), streams["surface area"] = stream_of({0}),
+  streams["surface rings"] = stream_of({100000});
   for (int i = 0; i < 100000; ++i)
-    for (const std::uint8_t byte : bytes_of({1 << 20})) streams["ring points"].push_back(byte);
+    for (const std::uint8_t byte : stream_of({1 << 20})) streams["ring points"].push_back(byte);
   EXPECT_EQ(wrong_in(streams), "points");
 }
 

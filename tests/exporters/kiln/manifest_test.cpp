@@ -19,8 +19,8 @@ using Bytes = std::vector<std::byte>;
 using RawBytes = std::vector<std::uint8_t>;
 constexpr std::size_t kPreamble = 24;
 
-scene::Scene made(std::uint64_t seed) { return SceneMaker(seed).scene(); }
-Result<scene::Scene> decoded(const Bytes& bytes, std::vector<scene::TileKey> only = {}) {
+scene::Scene made_scene(std::uint64_t seed) { return SceneMaker(seed).scene(); }
+Result<scene::Scene> decoded_manifest(const Bytes& bytes, std::vector<scene::TileKey> only = {}) {
   return decode_manifest(bytes, "town.kiln", only);
 }
 
@@ -29,7 +29,7 @@ std::uint64_t number_at(const Bytes& bytes, std::size_t at, std::size_t size) {
   for (std::size_t i = size; i-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
   return value;
 }
-void put_number(Bytes& bytes, std::size_t at, std::uint64_t value, std::size_t size) {
+void put_little_endian(Bytes& bytes, std::size_t at, std::uint64_t value, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) bytes[at + i] = static_cast<std::byte>(value >> 8 * i);
 }
 std::uint64_t hash_of(std::span<const std::byte> bytes, std::uint64_t hash = 0xcbf29ce484222325u) {
@@ -54,8 +54,8 @@ Bytes assembled(std::span<const std::byte> header, std::span<const std::byte> bo
   Bytes bytes(kPreamble + header.size() + body.size());
   std::ranges::copy(body, std::ranges::copy(header, bytes.begin() + kPreamble).out);
   std::ranges::copy(std::as_bytes(std::span("CITYKILN")).first(8), bytes.begin());
-  put_number(bytes, 8, 3, 2), put_number(bytes, 10, 0, 2), put_number(bytes, 12, header.size(), 4);
-  put_number(bytes, 16, hash_of(header, hash_of(std::span(bytes).first(16))), 8);
+  put_little_endian(bytes, 8, 3, 2), put_little_endian(bytes, 10, 0, 2), put_little_endian(bytes, 12, header.size(), 4);
+  put_little_endian(bytes, 16, hash_of(header, hash_of(std::span(bytes).first(16))), 8);
   return bytes;
 }
 Bytes assembled(const fbs::HeaderT& header, std::span<const std::byte> body) {
@@ -113,138 +113,143 @@ scene::Scene wide(std::uint64_t seed) {
   return scene;
 }
 
-std::string refusal(const Result<scene::Scene>& result) { return result ? "accepted" : to_string(result.error()); }
+std::string manifest_refusal(const Result<scene::Scene>& result) {
+  return result ? "accepted" : to_string(result.error());
+}
 
 TEST(Manifest, ReadsBackWhatItWrote) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const scene::Scene scene = made(seed);
-    const auto back = decoded(encode_manifest(scene, 1));
-    ASSERT_TRUE(back) << seed << ": " << refusal(back);
+    const scene::Scene scene = made_scene(seed);
+    const auto back = decoded_manifest(encode_manifest(scene, 1));
+    ASSERT_TRUE(back) << seed << ": " << manifest_refusal(back);
     ASSERT_EQ(*back, scene) << seed;
   }
 }
 
 // Found by fuzz_manifest: C's strings end at a zero byte, a scene's do not.
 TEST(Manifest, TextsWithZeroBytesAreKept) {
-  scene::Scene scene = made(1);
+  scene::Scene scene = made_scene(1);
   const std::string text("a\0b", 3);
   scene.header.sky.time = text, scene.header.sources = {text}, scene.header.attributions = {text, ""};
-  const auto back = decoded(encode_manifest(scene, 1));
-  ASSERT_TRUE(back) << refusal(back);
+  const auto back = decoded_manifest(encode_manifest(scene, 1));
+  ASSERT_TRUE(back) << manifest_refusal(back);
   EXPECT_EQ(*back, scene);
 }
 
 TEST(Manifest, SameSceneSameBytesWithAnyThreads) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Bytes bytes = encode_manifest(made(seed), 1);
-    EXPECT_EQ(bytes, encode_manifest(made(seed), 1));
-    EXPECT_EQ(bytes, encode_manifest(made(seed), 7));
+    const Bytes bytes = encode_manifest(made_scene(seed), 1);
+    EXPECT_EQ(bytes, encode_manifest(made_scene(seed), 1));
+    EXPECT_EQ(bytes, encode_manifest(made_scene(seed), 7));
   }
   EXPECT_EQ(encode_manifest(wide(1), 1), encode_manifest(wide(1), 7));
 }
 
 TEST(Manifest, ReadsOneTileWithoutTheRest) {
-  const scene::Scene scene = made(1);
-  const auto back = decoded(encode_manifest(scene, 1), {{0, 0}});
+  const scene::Scene scene = made_scene(1);
+  const auto back = decoded_manifest(encode_manifest(scene, 1), {{0, 0}});
   ASSERT_TRUE(back);
   EXPECT_EQ(back->header, scene.header);
   ASSERT_EQ(back->chunks.size(), 1u);
   EXPECT_EQ(back->chunks[0], scene.chunks[1]);
-  EXPECT_EQ(refusal(decoded(encode_manifest(scene, 1), {{5, 6}})), "town.kiln: has no tile 5_6");
+  EXPECT_EQ(manifest_refusal(decoded_manifest(encode_manifest(scene, 1), {{5, 6}})), "town.kiln: has no tile 5_6");
 }
 
 TEST(Manifest, ASceneWithoutTilesIsWhole) {
-  const scene::Scene scene{made(1).header, {}};
-  const auto back = decoded(encode_manifest(scene, 1));
-  ASSERT_TRUE(back) << refusal(back);
+  const scene::Scene scene{made_scene(1).header, {}};
+  const auto back = decoded_manifest(encode_manifest(scene, 1));
+  ASSERT_TRUE(back) << manifest_refusal(back);
   EXPECT_EQ(*back, scene);
 }
 
 TEST(Manifest, EveryTruncationIsRefused) {
-  const Bytes bytes = encode_manifest(made(2), 1);
+  const Bytes bytes = encode_manifest(made_scene(2), 1);
   ASSERT_FALSE(bytes.empty());
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    ASSERT_FALSE(decoded(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
+    ASSERT_FALSE(decoded_manifest(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
 }
 
 TEST(Manifest, BytesBehindTheLastChunkAreRefused) {
-  Bytes bytes = encode_manifest(made(2), 1);
+  Bytes bytes = encode_manifest(made_scene(2), 1);
   bytes.push_back(std::byte{0});
-  EXPECT_FALSE(decoded(bytes));
+  EXPECT_FALSE(decoded_manifest(bytes));
 }
 
 TEST(Manifest, NoChangedByteIsReadAsAnotherScene) {
-  const scene::Scene scene = made(3);
+  const scene::Scene scene = made_scene(3);
   const Bytes bytes = encode_manifest(scene, 1);
   std::mt19937_64 dice(3);
   ASSERT_FALSE(bytes.empty());
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     Bytes changed = bytes;
     changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
-    const auto back = decoded(changed);
+    const auto back = decoded_manifest(changed);
     ASSERT_TRUE(!back || *back == scene) << "byte " << at;
   }
 }
 
 // Found by fuzz_manifest, when an empty header's hash was right.
 TEST(Manifest, AnEmptyHeaderIsRefused) {
-  const Bytes none, bytes = encode_manifest(made(4), 1);
-  EXPECT_EQ(refusal(decoded(assembled(none, body_of(bytes)))),
+  const Bytes none, bytes = encode_manifest(made_scene(4), 1);
+  EXPECT_EQ(manifest_refusal(decoded_manifest(assembled(none, body_of(bytes)))),
             "town.kiln, header: expected a zstd frame that states its size");
-  EXPECT_EQ(refusal(decoded(assembled(packed({}, nullptr), body_of(bytes)))),
+  EXPECT_EQ(manifest_refusal(decoded_manifest(assembled(packed({}, nullptr), body_of(bytes)))),
             "town.kiln: expected a citykiln manifest, found one whose header is damaged");
 }
 
 // The line says which program made the manifest, where that can still be read, and what to do.
 TEST(Manifest, AnotherFormatIsOneClearLineWhateverElseIsThere) {
-  Bytes newer = encode_manifest(made(4), 1);
-  put_number(newer, 8, 9, 2);
-  EXPECT_EQ(refusal(decoded(newer)),
+  Bytes newer = encode_manifest(made_scene(4), 1);
+  put_little_endian(newer, 8, 9, 2);
+  EXPECT_EQ(manifest_refusal(decoded_manifest(newer)),
             "town.kiln: has manifest format 9, expected 3: made by citykiln 0.1.0, and this is 0.1.0; compile the map "
             "again (citykiln compile MAP -o OUT), or bake it with that version");
   std::fill(newer.begin() + 12, newer.end(), std::byte{0xff});
-  EXPECT_EQ(refusal(decoded(newer)),
+  EXPECT_EQ(manifest_refusal(decoded_manifest(newer)),
             "town.kiln: has manifest format 9, expected 3: made by citykiln, and this is 0.1.0; compile the map again "
             "(citykiln compile MAP -o OUT), or bake it with that version");
 }
 
 TEST(Manifest, OtherTablesAreOneClearLine) {
-  const Bytes other = with_header(encode_manifest(made(4), 1), [](fbs::HeaderT& h) {
+  const Bytes other = with_header(encode_manifest(made_scene(4), 1), [](fbs::HeaderT& h) {
     ++h.tables_hash;
     h.generator_version = "0.0.9";
   });
-  EXPECT_EQ(refusal(decoded(other)),
+  EXPECT_EQ(manifest_refusal(decoded_manifest(other)),
             "town.kiln: has other materials, classes or species than this program: made by citykiln 0.0.9, and this is "
             "0.1.0; compile the map again (citykiln compile MAP -o OUT), or bake it with that version");
 }
 
 TEST(Manifest, AHeaderWithoutASnowLineHasNone) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
-    const scene::Scene scene = made(seed);
-    const auto back = decoded(with_header(encode_manifest(scene, 1), [](fbs::HeaderT& h) { h.snow_line_m = NAN; }));
-    ASSERT_TRUE(back) << refusal(back);
+    const scene::Scene scene = made_scene(seed);
+    const auto back =
+        decoded_manifest(with_header(encode_manifest(scene, 1), [](fbs::HeaderT& h) { h.snow_line_m = NAN; }));
+    ASSERT_TRUE(back) << manifest_refusal(back);
     EXPECT_FALSE(back->header.snow_line_m);
   }
 }
 
 TEST(Manifest, ASnowLineBeyondAllHeightsIsDamage) {
-  const Bytes endless = with_header(encode_manifest(made(4), 1), [](fbs::HeaderT& h) { h.snow_line_m = INFINITY; });
-  EXPECT_EQ(refusal(decoded(endless)), "town.kiln: expected a citykiln manifest, found one whose header is damaged");
+  const Bytes endless =
+      with_header(encode_manifest(made_scene(4), 1), [](fbs::HeaderT& h) { h.snow_line_m = INFINITY; });
+  EXPECT_EQ(manifest_refusal(decoded_manifest(endless)),
+            "town.kiln: expected a citykiln manifest, found one whose header is damaged");
 }
 
 TEST(Manifest, ALaterMinorFormatIsRead) {
-  const scene::Scene scene = made(4);
+  const scene::Scene scene = made_scene(4);
   Bytes later = encode_manifest(scene, 1);
-  put_number(later, 10, 7, 2);
-  put_number(later, 16, hash_of(header_frame(later), hash_of(std::span(later).first(16))), 8);
-  const auto back = decoded(later);
-  ASSERT_TRUE(back) << refusal(back);
+  put_little_endian(later, 10, 7, 2);
+  put_little_endian(later, 16, hash_of(header_frame(later), hash_of(std::span(later).first(16))), 8);
+  const auto back = decoded_manifest(later);
+  ASSERT_TRUE(back) << manifest_refusal(back);
   EXPECT_EQ(*back, scene);
 }
 
 // One text, referred to a thousand times: a header of a few kB would unpack to a thousand times that.
 TEST(Manifest, TextsTakeNoMoreThanTheirHeader) {
-  const Bytes bytes = encode_manifest(made(4), 1);
+  const Bytes bytes = encode_manifest(made_scene(4), 1);
   const fbs::HeaderT header = header_of(bytes);
   flatbuffers::FlatBufferBuilder builder;
   const auto text = builder.CreateString(std::string(4096, 'a'));
@@ -256,16 +261,16 @@ TEST(Manifest, TextsTakeNoMoreThanTheirHeader) {
   builder.Finish(
       fbs::CreateHeader(builder, 0, header.tables_hash, 7, 43, region, header.tile_m, 0, 0, sky, named, 0, 0, index));
   const Bytes frame = packed({builder.GetBufferPointer(), builder.GetSize()}, nullptr);
-  EXPECT_EQ(refusal(decoded(assembled(frame, body_of(bytes)))),
+  EXPECT_EQ(manifest_refusal(decoded_manifest(assembled(frame, body_of(bytes)))),
             "town.kiln: expected a citykiln manifest, found one whose header is damaged");
 }
 
 // The error for a manifest with a changed index.
 std::string index_refusal(void (*change)(Index&), std::vector<scene::TileKey> only = {}) {
-  const Bytes bytes = encode_manifest(made(5), 1);
+  const Bytes bytes = encode_manifest(made_scene(5), 1);
   Index index = index_of(bytes);
   change(index);
-  return refusal(decoded(with_index(bytes, index), only));
+  return manifest_refusal(decoded_manifest(with_index(bytes, index), only));
 }
 
 TEST(ManifestIndex, IsReadAsItIsWritten) {
@@ -296,19 +301,19 @@ TEST(ManifestIndex, SizesThatDoNotAddUpAreRefused) {
 }
 
 TEST(ManifestIndex, StreamsThatEndEarlyOrLateAreRefused) {
-  const Bytes bytes = encode_manifest(made(5), 1);
+  const Bytes bytes = encode_manifest(made_scene(5), 1);
   for (auto stream : {&fbs::IndexT::x, &fbs::IndexT::y, &fbs::IndexT::size}) {
     for (const bool is_late : {false, true}) {
       fbs::HeaderT header = header_of(bytes);
       auto& numbers = (*header.index).*stream;
       is_late ? numbers.push_back(0) : numbers.pop_back();
-      EXPECT_EQ(refusal(decoded(assembled(header, body_of(bytes)))),
+      EXPECT_EQ(manifest_refusal(decoded_manifest(assembled(header, body_of(bytes)))),
                 "town.kiln: expected a citykiln manifest, found one whose header is damaged");
     }
   }
-  EXPECT_FALSE(decoded(with_header(bytes, [](fbs::HeaderT& h) { h.index->checksum.pop_back(); })));
-  EXPECT_FALSE(decoded(with_header(bytes, [](fbs::HeaderT& h) { h.index->checksum.clear(); })));
-  EXPECT_FALSE(decoded(with_header(bytes, [](fbs::HeaderT& h) { h.index = nullptr; })));
+  EXPECT_FALSE(decoded_manifest(with_header(bytes, [](fbs::HeaderT& h) { h.index->checksum.pop_back(); })));
+  EXPECT_FALSE(decoded_manifest(with_header(bytes, [](fbs::HeaderT& h) { h.index->checksum.clear(); })));
+  EXPECT_FALSE(decoded_manifest(with_header(bytes, [](fbs::HeaderT& h) { h.index = nullptr; })));
 }
 
 TEST(ManifestIndex, IsCheckedAsAWholeWhenOneTileIsRead) {
@@ -322,11 +327,11 @@ TEST(ManifestIndex, SizesBeyondBeliefAreRefused) {
 
 // The error for a manifest whose second tile holds these bytes.
 std::string chunk_refusal(const RawBytes& raw) {
-  return refusal(decoded(with_second_frame(encode_manifest(made(5), 1), packed(raw, nullptr))));
+  return manifest_refusal(decoded_manifest(with_second_frame(encode_manifest(made_scene(5), 1), packed(raw, nullptr))));
 }
 
 TEST(ManifestChunk, StreamsThatDoNotAddUpAreRefused) {
-  const Bytes bytes = encode_manifest(made(5), 1);
+  const Bytes bytes = encode_manifest(made_scene(5), 1);
   const RawBytes whole = *unpacked(body_of(bytes).subspan(index_of(bytes).size[0]), nullptr, "");
   EXPECT_EQ(chunk_refusal(whole), "accepted");
   const std::string expected =
@@ -343,8 +348,8 @@ TEST(ManifestChunk, StreamsThatDoNotAddUpAreRefused) {
 }
 
 TEST(ManifestChunk, FramesThatAreNoneAreRefused) {
-  const Bytes text(100, std::byte{'a'}), bytes = encode_manifest(made(5), 1);
-  EXPECT_EQ(refusal(decoded(with_second_frame(bytes, text))),
+  const Bytes text(100, std::byte{'a'}), bytes = encode_manifest(made_scene(5), 1);
+  EXPECT_EQ(manifest_refusal(decoded_manifest(with_second_frame(bytes, text))),
             "town.kiln, tile 0_0: expected a zstd frame that states its size");
 }
 
@@ -352,16 +357,16 @@ TEST(ManifestDictionary, IsSharedByManyTiles) {
   const scene::Scene scene = wide(6);
   const Bytes bytes = encode_manifest(scene, 1);
   EXPECT_FALSE(header_of(bytes).dictionary.empty());
-  const auto back = decoded(bytes);
-  ASSERT_TRUE(back) << refusal(back);
+  const auto back = decoded_manifest(bytes);
+  ASSERT_TRUE(back) << manifest_refusal(back);
   EXPECT_EQ(*back, scene);
-  const auto alone = decoded(bytes, {{3, 5}});
-  ASSERT_TRUE(alone) << refusal(alone);
+  const auto alone = decoded_manifest(bytes, {{3, 5}});
+  ASSERT_TRUE(alone) << manifest_refusal(alone);
   EXPECT_EQ(alone->chunks, std::vector{scene.chunks[3 * 8 + 5]});
 }
 
 TEST(ManifestDictionary, IsNotThereForAFewTiles) {
-  EXPECT_TRUE(header_of(encode_manifest(made(6), 1)).dictionary.empty());
+  EXPECT_TRUE(header_of(encode_manifest(made_scene(6), 1)).dictionary.empty());
 }
 
 TEST(ManifestDictionary, ABrokenOneIsOneClearLine) {
@@ -370,17 +375,18 @@ TEST(ManifestDictionary, ABrokenOneIsOneClearLine) {
   for (const RawBytes& broken : {RawBytes{0}, RawBytes(500, 'a'), RawBytes{0x37, 0xa4, 0x30, 0xec, 1, 0, 0, 0}}) {
     fbs::HeaderT header = header_of(bytes);
     header.dictionary = broken;
-    EXPECT_EQ(refusal(decoded(assembled(header, body_of(bytes)), {{3, 5}})), expected);
+    EXPECT_EQ(manifest_refusal(decoded_manifest(assembled(header, body_of(bytes)), {{3, 5}})), expected);
   }
   // its tables of entropies
   fbs::HeaderT header = header_of(bytes);
   std::fill(header.dictionary.begin() + 8, header.dictionary.end(), std::uint8_t{0xff});
-  EXPECT_EQ(refusal(decoded(assembled(header, body_of(bytes)))), expected);
+  EXPECT_EQ(manifest_refusal(decoded_manifest(assembled(header, body_of(bytes)))), expected);
 }
 
 TEST(ManifestDictionary, AMissingOneIsNoticed) {
   const Bytes bytes = with_header(encode_manifest(wide(6), 1), [](fbs::HeaderT& h) { h.dictionary.clear(); });
-  EXPECT_EQ(refusal(decoded(bytes)), "town.kiln, tile 0_0: expected a zstd frame, found damage in it");
+  EXPECT_EQ(manifest_refusal(decoded_manifest(bytes)),
+            "town.kiln, tile 0_0: expected a zstd frame, found damage in it");
 }
 
 }  // namespace

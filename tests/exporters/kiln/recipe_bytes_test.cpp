@@ -15,6 +15,7 @@
 #include "grammars/derivation/derive.h"
 #include "grammars/derivation/form_roofs.h"
 #include "tests/compiler/buildings/real_buildings.h"
+#include "tests/test_files.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -40,7 +41,7 @@ scene::Scene scene_of(const std::vector<Building>& all) {
 }
 
 // The bytes that buildings add to chunks without any.
-std::size_t bytes_of(const std::vector<Building>& all) {
+std::size_t bytes_of_buildings(const std::vector<Building>& all) {
   scene::Scene scene = scene_of(all);
   const std::size_t whole = encode_manifest(scene, 1).size();
   for (scene::Chunk& chunk : scene.chunks) chunk.buildings.clear();
@@ -49,9 +50,9 @@ std::size_t bytes_of(const std::vector<Building>& all) {
 
 TEST(RecipeBytesReal, OfChicagosBuildingsAreUnder150Each) {
   const std::string chicago = "chicago-loop/chicago_loop.osm.pbf";
-  if (!std::filesystem::exists(buildings::data_file(chicago))) GTEST_SKIP() << "absent: " << chicago;
+  if (!std::filesystem::exists(real_data(chicago))) GTEST_SKIP() << "absent: " << chicago;
   const std::vector<Building> all = buildings::buildings_in(chicago);
-  const std::size_t bytes = bytes_of(all);
+  const std::size_t bytes = bytes_of_buildings(all);
   std::printf("%zu buildings, %zu bytes: %.1f each\n", all.size(), bytes,
               static_cast<double>(bytes) / static_cast<double>(all.size()));
   EXPECT_GE(all.size(), 1573u);
@@ -120,7 +121,7 @@ TEST(RecipeBytes, Of195431WindowsAreUnderAMegabyte) {
   const buildings::Rulebook rulebook = buildings::parse_rulebook(buildings::shipped_rules());
   std::size_t windows = 0;
   for (const Building& building : all) windows += windows_of(building, rulebook);
-  const std::size_t bytes = bytes_of(all);
+  const std::size_t bytes = bytes_of_buildings(all);
   std::printf("%zu buildings with %zu windows, %zu bytes\n", all.size(), windows, bytes);
   EXPECT_GE(windows, 195'431u);
   EXPECT_LT(bytes, 1'000'000u);

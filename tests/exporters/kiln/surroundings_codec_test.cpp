@@ -19,14 +19,14 @@ Surroundings grid() {
   return around;
 }
 
-std::optional<Surroundings> decoded(const SurroundingsStreams& s) {
+std::optional<Surroundings> decoded_surroundings(const SurroundingsStreams& s) {
   return decode_surroundings(s.x, s.y, s.heights, s.covers);
 }
 
 TEST(SurroundingsCodec, ReadsWhatItWrote) {
   const Surroundings around = grid();
   ASSERT_TRUE(is_sound(around));
-  const auto read = decoded(encode_surroundings(around));
+  const auto read = decoded_surroundings(encode_surroundings(around));
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, around);
 }
@@ -37,8 +37,8 @@ TEST(SurroundingsCodec, RefusesStreamsThatEndEarlyOrLate) {
         &SurroundingsStreams::covers}) {
     SurroundingsStreams early = encode_surroundings(grid()), late = early;
     (early.*stream).pop_back(), (late.*stream).push_back(1);
-    EXPECT_FALSE(decoded(early));
-    EXPECT_FALSE(decoded(late));
+    EXPECT_FALSE(decoded_surroundings(early));
+    EXPECT_FALSE(decoded_surroundings(late));
   }
 }
 
@@ -50,7 +50,7 @@ TEST(SurroundingsCodec, TrustsNoCountBeforeTheBytesAreThere) {
   EXPECT_FALSE(decode_surroundings(lines.bytes(), lines.bytes(), one.bytes(), run.bytes()));
   SurroundingsStreams long_run = encode_surroundings(grid());
   long_run.covers = run.bytes();
-  EXPECT_FALSE(decoded(long_run));
+  EXPECT_FALSE(decoded_surroundings(long_run));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ const std::vector<Polygon> kFootprints = {
 };
 
 /// The length of the sum of all area vectors: 0 for a closed surface, however its faces meet.
-double open_m2(const Derivation& derivation) {
+double open_area_m2(const Derivation& derivation) {
   Vec3 sum;
   for (const Terminal& terminal : derivation.terminals)
     for (const Face& face : terminal.faces) sum = sum + area_vector_m2(face);
@@ -39,7 +39,7 @@ TEST(FormRoofs, CloseTheHouse) {
   for (const Polygon& footprint : kFootprints)
     for (const char* roof : {"roofGable(40)", "roofHip(35)", "roofPyramid(byHeight, 4)", "roofShed(15)"}) {
       const Derivation derivation = roofed(footprint, std::string(roof) + " comp(f) { bottom : NIL | all : R. }");
-      EXPECT_NEAR(open_m2(derivation), 0, 1e-6) << roof;
+      EXPECT_NEAR(open_area_m2(derivation), 0, 1e-6) << roof;
       EXPECT_GE(count_named(derivation, "R"), 2u) << roof;
     }
 }
@@ -114,7 +114,7 @@ std::vector<Face> faces_on(const Polygon& footprint, roofs::Form form, double ov
   return faces_of(roofs::generate_roof(footprint, shape, 0.01, {}, ignored));
 }
 
-double area_of(const std::vector<Face>& faces, FaceTag tag) {
+double tagged_area_m2(const std::vector<Face>& faces, FaceTag tag) {
   double sum_m2 = 0;
   for (const Face& face : faces) sum_m2 += face.tag == tag ? area_m2(face) : 0;
   return sum_m2;
@@ -124,14 +124,14 @@ double area_of(const std::vector<Face>& faces, FaceTag tag) {
 TEST(FacesOfRoofs, HaveRimsAllAround) {
   const std::vector<Face> faces = faces_on(kFootprints[0], roofs::Form::kFlat, 0.5);
   const double under_m2 = 13 * 9 - 12 * 8, around_m = 2 * (13 + 9), thickness_m = 0.1875;
-  EXPECT_NEAR(area_of(faces, FaceTag::kBorder), under_m2 + around_m * thickness_m, 1e-6);
+  EXPECT_NEAR(tagged_area_m2(faces, FaceTag::kBorder), under_m2 + around_m * thickness_m, 1e-6);
 }
 
 // The soffit around a courtyard is inside of the hole of the outer soffit.
 TEST(FacesOfRoofs, KnowWhichRingAHoleIsIn) {
   for (const Face& face : faces_on(kFootprints[2], roofs::Form::kFlat, 0.5))
     for (const Ring3& hole : face.holes) EXPECT_GT(length(area_vector_m2(face.outer)), length(area_vector_m2(hole)));
-  EXPECT_NEAR(area_of(faces_on(kFootprints[2], roofs::Form::kFlat, 0.5), FaceTag::kTop), 21 * 17 - 7 * 5, 0.1);
+  EXPECT_NEAR(tagged_area_m2(faces_on(kFootprints[2], roofs::Form::kFlat, 0.5), FaceTag::kTop), 21 * 17 - 7 * 5, 0.1);
 }
 
 // Three bays have three gables on each side, which meet in points.

@@ -19,13 +19,13 @@ std::vector<Face> all_faces(const Derivation& derivation) {
   return faces;
 }
 
-double volume_of(const std::vector<Face>& faces) {
+double shape_volume_m3(const std::vector<Face>& faces) {
   Shape shape;
   shape.faces = faces;
   return volume_m3(shape);
 }
 
-double area_of(const Derivation& derivation) {
+double derived_area_m2(const Derivation& derivation) {
   double sum = 0;
   for (const Face& face : all_faces(derivation)) sum += area_m2(face);
   return sum;
@@ -44,14 +44,14 @@ TEST(Extrude, MakesAClosedSolidOutward) {
   for (const Polygon& footprint : {rectangle(10, 8), kL, kCourt}) {
     const auto faces = all_faces(on(footprint, "Lot --> extrude(5)"));
     EXPECT_TRUE(is_closed(faces));
-    EXPECT_NEAR(volume_of(faces), area_m2(footprint) * 5, 1e-9);
+    EXPECT_NEAR(shape_volume_m3(faces), area_m2(footprint) * 5, 1e-9);
   }
 }
 
 TEST(Extrude, BelowZeroIsASolidToo) {
   const auto faces = all_faces(derived("Lot --> extrude(-5)"));
   EXPECT_TRUE(is_closed(faces));
-  EXPECT_NEAR(volume_of(faces), 400, 1e-9);
+  EXPECT_NEAR(shape_volume_m3(faces), 400, 1e-9);
 }
 
 TEST(Extrude, UpIsUpWhereverTheFaceLooks) {
@@ -72,17 +72,17 @@ TEST(Extrude, SetsTheScopesHeight) {
 TEST(Taper, IsAPyramid) {
   const auto faces = all_faces(derived("Lot --> taper(6)"));
   EXPECT_TRUE(is_closed(faces));
-  EXPECT_NEAR(volume_of(faces), 10 * 8 * 6 / 3.0, 1e-9);
+  EXPECT_NEAR(shape_volume_m3(faces), 10 * 8 * 6 / 3.0, 1e-9);
 }
 
 TEST(Roofs, AreClosedSolids) {
   for (const char* rule : {"roofPyramid(45)", "roofPyramid(byHeight, 3)", "roofShed(20)", "roofShed(byHeight, 3, 1)"}) {
     const auto faces = all_faces(derived(std::string("Lot --> ") + rule));
     EXPECT_TRUE(is_closed(faces)) << rule;
-    EXPECT_GT(volume_of(faces), 0) << rule;
+    EXPECT_GT(shape_volume_m3(faces), 0) << rule;
   }
-  EXPECT_NEAR(volume_of(all_faces(derived("Lot --> roofShed(byHeight, 3)"))), 10 * 8 * 1.5, 0.1);
-  EXPECT_NEAR(volume_of(all_faces(derived("Lot --> roofPyramid(45)"))), 10 * 8 * 4 / 3.0, 0.1);
+  EXPECT_NEAR(shape_volume_m3(all_faces(derived("Lot --> roofShed(byHeight, 3)"))), 10 * 8 * 1.5, 0.1);
+  EXPECT_NEAR(shape_volume_m3(all_faces(derived("Lot --> roofPyramid(45)"))), 10 * 8 * 4 / 3.0, 0.1);
 }
 
 TEST(Roofs, ThatCannotBeBuiltStayFlatWithAWarning) {
@@ -177,15 +177,16 @@ TEST(Split, CutsSolidsIntoSolids) {
   ASSERT_EQ(derivation.terminals.size(), 3u);
   for (const Terminal& floor : derivation.terminals) {
     EXPECT_TRUE(is_closed(floor.faces));
-    EXPECT_NEAR(volume_of(floor.faces), area_m2(kCourt) * 3, 1e-6);
+    EXPECT_NEAR(shape_volume_m3(floor.faces), area_m2(kCourt) * 3, 1e-6);
   }
 }
 
 TEST(Split, CutsConcaveFacesAndThoseWithHoles) {
   for (const Polygon& footprint : {kL, kCourt})
     for (const char* axis : {"x", "z"})
-      EXPECT_NEAR(area_of(on(footprint, std::string("Lot --> split(") + axis + ") { { ~1.3 : A | 0.4 : B }* }")),
-                  area_m2(footprint), 1e-9);
+      EXPECT_NEAR(
+          derived_area_m2(on(footprint, std::string("Lot --> split(") + axis + ") { { ~1.3 : A | 0.4 : B }* }")),
+          area_m2(footprint), 1e-9);
 }
 
 TEST(Split, TellsIndexAndTotal) {
@@ -222,8 +223,9 @@ TEST(Setback, HasNoBandsWithoutArea) {
 TEST(Setback, CoversTheFaceWhateverItsDepth) {
   for (const Polygon& footprint : {kL, kCourt})
     for (const double depth : {0.3, 1.9, 2.4, 3.5, 30.0, 1e12})
-      EXPECT_NEAR(area_of(on(footprint, "Lot --> setback(" + std::to_string(depth) + ") { all : A | remainder : B }")),
-                  area_m2(footprint), 0.01)
+      EXPECT_NEAR(
+          derived_area_m2(on(footprint, "Lot --> setback(" + std::to_string(depth) + ") { all : A | remainder : B }")),
+          area_m2(footprint), 0.01)
           << depth;
 }
 
@@ -262,9 +264,9 @@ TEST(Comp, GoesByTheTagsOfAMass) {
 }
 
 TEST(Offset, ShrinksAndGrows) {
-  EXPECT_NEAR(area_of(derived("Lot --> offset(-1, inside)")), 8 * 6, 1e-9);
-  EXPECT_NEAR(area_of(derived("Lot --> offset(-1, border)")), 80 - 48, 1e-9);
-  EXPECT_NEAR(area_of(derived("Lot --> offset(1, inside)")), 12 * 10, 1e-9);
+  EXPECT_NEAR(derived_area_m2(derived("Lot --> offset(-1, inside)")), 8 * 6, 1e-9);
+  EXPECT_NEAR(derived_area_m2(derived("Lot --> offset(-1, border)")), 80 - 48, 1e-9);
+  EXPECT_NEAR(derived_area_m2(derived("Lot --> offset(1, inside)")), 12 * 10, 1e-9);
   const auto parts = derived("Lot --> offset(-1) comp(f) { inside : I | border : B }");
   EXPECT_NEAR(area_m2_of(parts, "I"), 48, 1e-9);
   EXPECT_EQ(count_named(parts, "B"), 4u);
@@ -289,7 +291,7 @@ TEST(Shapes, AreStripsInFrontAndAtTheSides) {
 TEST(InnerRectangle, LiesInsideAndTheRestIsLeft) {
   const auto derivation = on(kL, "Lot --> innerRectangle(scope) { shape : S | remainder : R }");
   EXPECT_NEAR(area_m2_of(derivation, "S"), 40, 1e-9);
-  EXPECT_NEAR(area_of(derivation), area_m2(kL), 1e-9);
+  EXPECT_NEAR(derived_area_m2(derivation), area_m2(kL), 1e-9);
   const Polygon triangle = {{{0, 0}, {9, 0}, {0, 6}}, {}};
   EXPECT_GT(area_m2_of(on(triangle, "Lot --> innerRectangle(edge) { shape : S | remainder : R }"), "S"), 9);
 }
@@ -304,16 +306,16 @@ TEST(Movements, GoAlongTheScopesAxes) {
 TEST(Movements, TurnsComeBack) {
   const auto derivation = derived("Lot --> r(scopeCenter, 10, 20, 30) r(0, 0, -30) r(0, -20, 0) r(-10, 0, 0) X");
   const auto turned = derived("Lot --> r(scopeCenter, 0, 90, 0) X");
-  EXPECT_NEAR(area_of(derivation), 80, 1e-9);
+  EXPECT_NEAR(derived_area_m2(derivation), 80, 1e-9);
   EXPECT_NEAR(turned.terminals[0].scope.axis[0].y, turned.terminals[0].scope.axis[2].x, 1e-12);
   EXPECT_NEAR(std::abs(dot(turned.terminals[0].scope.axis[0], Vec3{0, 1, 0})), 1, 1e-12);
 }
 
 TEST(Movements, SizesScaleTheGeometry) {
-  EXPECT_NEAR(area_of(derived("Lot --> s('0.5, 0, 4)")), 5 * 4, 1e-9);
+  EXPECT_NEAR(derived_area_m2(derived("Lot --> s('0.5, 0, 4)")), 5 * 4, 1e-9);
   const auto cube = derived("Lot --> s('1, 3, '1) primitiveCube()");
   EXPECT_TRUE(is_closed(all_faces(cube)));
-  EXPECT_NEAR(volume_of(all_faces(cube)), 240, 1e-9);
+  EXPECT_NEAR(shape_volume_m3(all_faces(cube)), 240, 1e-9);
 }
 
 TEST(Movements, CenterGoesToTheMiddleOfWhatItCameFrom) {

@@ -8,6 +8,7 @@
 #include "grammars/roofs/generate_roof.h"
 #include "tests/grammars/roofs/body.h"
 #include "tests/grammars/roofs/real_footprints.h"
+#include "tests/test_files.h"
 
 namespace citykiln::roofs {
 namespace {
@@ -35,7 +36,7 @@ void tally(Count& count, const TaggedFootprint& building, Form form) {
 }
 
 void expect_roofs(const std::string& file) {
-  const std::string path = std::string(CITYKILN_DATA) + "/" + file;
+  const std::string path = real_data(file);
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   Count tagged, in_turn, hipped;
   std::size_t unknown = 0, next = 0;
@@ -68,7 +69,7 @@ TEST(RoofsReal, StandOnGesundbrunnen) { expect_roofs("berlin/berlin-mitte-gesund
 
 // The roofs at 0.5 m compared with those at 0.02 m.
 TEST(RoofsReal, StayWithinTheErrorTheyState) {
-  const std::string path = std::string(CITYKILN_DATA) + "/berlin/berlin-mitte-gesundbrunnen.osm";
+  const std::string path = real_data("berlin/berlin-mitte-gesundbrunnen.osm");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   std::size_t next = 0, fine_triangles = 0, coarse_triangles = 0;
   for (const TaggedFootprint& building : footprints_of(path)) {
@@ -87,7 +88,7 @@ TEST(RoofsReal, StayWithinTheErrorTheyState) {
   std::printf("at 0.02 m %zu triangles, at 0.5 m %zu\n", fine_triangles, coarse_triangles);
 }
 
-std::size_t corners_of(const TaggedFootprint& building) {
+std::size_t corners_of_building(const TaggedFootprint& building) {
   std::size_t count = building.footprint.outer.size();
   for (const Ring& ring : building.footprint.holes) count += ring.size();
   return count;
@@ -95,16 +96,16 @@ std::size_t corners_of(const TaggedFootprint& building) {
 
 // Every form on the building with the most corners in a town, and on an outline with 400 corners.
 TEST(RoofsReal, StandOnFourHundredCorners) {
-  const std::string path = std::string(CITYKILN_DATA) + "/helsinki/Helsinki.osm.pbf";
-  const std::string lakes = std::string(CITYKILN_DATA) + "/andorra/andorra-2023.osm.pbf";
+  const std::string path = real_data("helsinki/Helsinki.osm.pbf");
+  const std::string lakes = real_data("andorra/andorra-2023.osm.pbf");
   if (!std::filesystem::exists(path) || !std::filesystem::exists(lakes)) GTEST_SKIP() << "absent: " << path;
   std::vector<TaggedFootprint> all = footprints_of(path);
   const auto largest = std::max_element(all.begin(), all.end(), [](const TaggedFootprint& a, const TaggedFootprint& b) {
-    return corners_of(a) < corners_of(b);
+    return corners_of_building(a) < corners_of_building(b);
   });
   const TaggedFootprint outline{{}, outline_of(lakes, 400), {}, ""};
   for (const TaggedFootprint& building : {*largest, outline}) {
-    std::printf("%s: %zu corners\n", to_string(building.id.osm).c_str(), corners_of(building));
+    std::printf("%s: %zu corners\n", to_string(building.id.osm).c_str(), corners_of_building(building));
     for (int form = 0; form < static_cast<int>(Form::kCount); ++form) {
       Count count;
       tally(count, building, static_cast<Form>(form));

@@ -342,7 +342,7 @@ class RandomSource {
 };
 
 // A star with random radii, which is simple, or random points, which mostly are not.
-Ring random_ring(RandomSource& random, Vec2 centre, double radius_m, bool is_simple) {
+Ring star_or_random_corners(RandomSource& random, Vec2 centre, double radius_m, bool is_simple) {
   Ring ring;
   const int corners = 3 + random.below(14);
   for (int i = 0; i < corners; ++i) {
@@ -372,10 +372,10 @@ Ring random_steps(RandomSource& random) {
 Polygon random_footprint(RandomSource& random) {
   const int kind = random.below(8);
   if (kind < 2) return {random_steps(random), {}};
-  Polygon polygon{random_ring(random, {0, 0}, random.between(1, 30), kind < 7), {}};
+  Polygon polygon{star_or_random_corners(random, {0, 0}, random.between(1, 30), kind < 7), {}};
   for (int i = random.below(3); i > 0; --i)
-    polygon.holes.push_back(
-        random_ring(random, {random.between(-4, 4), random.between(-4, 4)}, random.between(0.1, 6), kind < 6));
+    polygon.holes.push_back(star_or_random_corners(random, {random.between(-4, 4), random.between(-4, 4)},
+                                                   random.between(0.1, 6), kind < 6));
   return polygon;
 }
 

@@ -10,7 +10,7 @@
 namespace citykiln::roofs {
 namespace {
 
-std::size_t corners_of(const Polygon& polygon) {
+std::size_t corners_of_polygon(const Polygon& polygon) {
   std::size_t count = polygon.outer.size();
   for (const Ring& hole : polygon.holes) count += hole.size();
   return count;
@@ -21,7 +21,8 @@ TEST(OffsetEaves, HaveTheCornersOfTheirWalls) {
   for (const char* name : {"rectangle", "L", "T", "U", "cross", "courtyard", "two courtyards", "circle", "sliver"})
     for (const NamedFootprint& footprint : made_footprints())
       if (footprint.name == name) {
-        EXPECT_EQ(corners_of(offset_eaves(footprint.polygon, 0.5)), corners_of(footprint.polygon)) << name;
+        EXPECT_EQ(corners_of_polygon(offset_eaves(footprint.polygon, 0.5)), corners_of_polygon(footprint.polygon))
+            << name;
         ++tested;
       }
   EXPECT_EQ(tested, 9);
@@ -59,7 +60,7 @@ Distances distances_from(Vec2 p, const Ring& ring) {
 }
 
 // A star with random radii.
-Ring random_ring(const Draw& draw, std::uint32_t corners) {
+Ring random_star(const Draw& draw, std::uint32_t corners) {
   Ring ring;
   for (std::uint32_t i = 0; i < corners; ++i) {
     const Vec2 ray = direction_of((i + draw.between(0, 0.9, 2 * i)) / corners);
@@ -72,7 +73,7 @@ TEST(OffsetEaves, CoverAllThatIsNearBeforeWallsAndNothingFarFromThem) {
   int with_eaves = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     const Draw draw(seed, {}, "eaves");
-    const Polygon footprint{random_ring(draw, 3 + draw.below(9, 100)), {}};
+    const Polygon footprint{random_star(draw, 3 + draw.below(9, 100)), {}};
     const double overhang_m = draw.between(0.1, 1.5, 101), rounding_m = 0.002;
     const Polygon eaves = offset_eaves(footprint, overhang_m);
     if (eaves.outer.empty()) continue;

@@ -12,6 +12,7 @@
 #include "tests/grammars/roofs/body.h"
 #include "tests/grammars/roofs/footprints.h"
 #include "tests/grammars/roofs/real_footprints.h"
+#include "tests/test_files.h"
 
 namespace citykiln::roofs {
 namespace {
@@ -92,7 +93,7 @@ TEST(RoofBody, IsGoodOverOutlinesWithTinyEdges) {
 }
 
 TEST(RoofBodyReal, DoesNotCutItselfInHelsinki) {
-  const std::string path = std::string(CITYKILN_DATA) + "/helsinki/Helsinki.osm.pbf";
+  const std::string path = real_data("helsinki/Helsinki.osm.pbf");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   int form = 0;
   for (const TaggedFootprint& building : footprints_of(path)) {

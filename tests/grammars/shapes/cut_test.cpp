@@ -10,13 +10,13 @@ namespace {
 
 CutPlane opposite(CutPlane plane) { return {plane.normal * -1.0, -plane.offset_m}; }
 
-double area_of(const std::vector<Face>& faces) {
+double total_area_m2(const std::vector<Face>& faces) {
   double sum = 0;
   for (const Face& face : faces) sum += area_m2(face);
   return sum;
 }
 
-double volume_of(const std::vector<Face>& faces) {
+double enclosed_volume_m3(const std::vector<Face>& faces) {
   double sum = 0;
   for (const Face& face : faces) sum += dot(area_vector_m2(face) * 0.5, face.outer.front()) / 3;
   return sum;
@@ -76,7 +76,7 @@ TEST_F(Cut, PartsHaveTheAreaOfTheFace) {
   for (int round = 0; round < 20'000; ++round) {
     const Face face = star();
     const CutPlane plane = plane_for(face);
-    const double parts_m2 = area_of(part_above(face, plane)) + area_of(part_above(face, opposite(plane)));
+    const double parts_m2 = total_area_m2(part_above(face, plane)) + total_area_m2(part_above(face, opposite(plane)));
     ASSERT_NEAR(parts_m2, area_m2(face), 1e-6) << "round " << round;
   }
 }
@@ -125,7 +125,8 @@ TEST_F(Cut, SolidsStaySolidAndKeepTheirVolume) {
     const Vec3 normal = round % 3 == 0 ? Vec3{0, 1, 0} : round % 3 == 1 ? Vec3{0, 0, 1} : direction();
     const CutPlane plane{normal, dot(normal, Vec3{4, round % 2 ? 3.0 : between(0, 8), between(0, 5)})};
     const auto above = solid_above(solid, plane, true), below = solid_above(solid, opposite(plane), true);
-    ASSERT_NEAR(volume_of(above) + volume_of(below), volume_of(solid), 1e-6) << "round " << round;
+    ASSERT_NEAR(enclosed_volume_m3(above) + enclosed_volume_m3(below), enclosed_volume_m3(solid), 1e-6)
+        << "round " << round;
     if (!above.empty()) {
       ASSERT_TRUE(is_closed(above)) << "round " << round;
     }
@@ -149,7 +150,7 @@ TEST_F(Cut, MergedPartsAreTheFaceAgain) {
     const CutPlane plane = plane_for(face);
     std::vector<Face> parts = part_above(face, plane);
     for (Face& part : part_above(face, opposite(plane))) parts.push_back(std::move(part));
-    ASSERT_NEAR(area_of(merged(parts)), area_m2(face), 1e-6) << "round " << round;
+    ASSERT_NEAR(total_area_m2(merged(parts)), area_m2(face), 1e-6) << "round " << round;
   }
 }
 
@@ -163,9 +164,9 @@ TEST_F(Cut, OpensAHoleThatHasAnEdgeInThePlane) {
   ASSERT_EQ(around.size(), 1u);
   EXPECT_TRUE(around.front().holes.empty());
   EXPECT_EQ(around.front().outer.size(), 8u);
-  EXPECT_EQ(area_of(around), 50 - 4 * 8);
+  EXPECT_EQ(total_area_m2(around), 50 - 4 * 8);
   ASSERT_EQ(beside.size(), 1u);
-  EXPECT_EQ(area_of(beside), 50);
+  EXPECT_EQ(total_area_m2(beside), 50);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "compiler/buildings/rulebook.h"
 #include "tests/compiler/buildings/blocks/made_town.h"
 #include "tests/compiler/buildings/real_buildings.h"
+#include "tests/test_files.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -69,7 +70,7 @@ TEST(CertifiedBlocks, AreTheSameEachTime) {
 TEST(CertifiedBlocksReal, StandForBuildingsWithRoofsAndFacades) {
   const Rulebook rules = parse_rulebook(shipped_rules());
   for (const char* name : {"monaco/monaco-2023.osm.pbf", "chicago-loop/chicago_loop.osm.pbf"}) {
-    if (!std::filesystem::exists(data_file(name))) GTEST_SKIP() << name << " is absent";
+    if (!std::filesystem::exists(real_data(name))) GTEST_SKIP() << name << " is absent";
     std::vector<Building> town = buildings_in(name);
     ASSERT_GT(town.size(), 500u);
     town.resize(300);

@@ -7,16 +7,16 @@
 namespace citykiln::ground {
 namespace {
 
-constexpr Box2 kBox{{-128, 0}, {0, 128}};
-
 TEST(LandCoverIndex, AnswersAreThoseOfAnyBuckets) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const std::vector<LandCoverPolygon> surfaces = wavy_surfaces(seed, 50, 1);
-    const LandCoverIndex large = index_land_cover(surfaces, kBox), small = index_land_cover(surfaces, kBox, 8);
+    const LandCoverIndex large = index_land_cover(surfaces, kWavyCell),
+                         small = index_land_cover(surfaces, kWavyCell, 8);
     const Draw draw(seed, StableId{34}, "places");
     int covered = 0;
     for (std::uint32_t i = 0; i < 4000; ++i) {
-      const Vec2 p{draw.between(kBox.min.x, kBox.max.x, 3 * i), draw.between(kBox.min.y, kBox.max.y, 3 * i + 1)};
+      const Vec2 p{draw.between(kWavyCell.min.x, kWavyCell.max.x, 3 * i),
+                   draw.between(kWavyCell.min.y, kWavyCell.max.y, 3 * i + 1)};
       const double reach_m = draw.between(0, 20, 3 * i + 2);
       EXPECT_EQ(land_cover_at(small, p), land_cover_at(large, p));
       covered += land_cover_at(small, p) != kNoLandCover;

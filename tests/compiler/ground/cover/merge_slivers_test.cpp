@@ -8,8 +8,6 @@
 namespace citykiln::ground {
 namespace {
 
-constexpr Box2 kCell{{-128, 0}, {0, 128}};
-
 bool all_may(std::uint32_t) { return true; }
 
 double total_m2(const std::vector<BorderFace>& faces) {
@@ -20,7 +18,7 @@ double total_m2(const std::vector<BorderFace>& faces) {
 
 TEST(MergeSlivers, FacesHaveOneLabelAndTileTheCell) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
-    const auto borders = borders_of(wavy_surfaces(seed, 50, 1), kCell);
+    const auto borders = borders_of(wavy_surfaces(seed, 50, 1), kWavyCell);
     const MergedSlivers now = merge_slivers(borders, 1.5, all_may);
     const auto faces = faces_between(now.borders);
     EXPECT_EQ(total_m2(faces), 128.0 * 128.0);
@@ -33,7 +31,7 @@ TEST(MergeSlivers, FacesHaveOneLabelAndTileTheCell) {
 // Random places: where the polygon has changed, an old border is near.
 TEST(MergeSlivers, WhatChangedWasNearABorder) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    const auto borders = borders_of(wavy_surfaces(seed, 50, 1), kCell);
+    const auto borders = borders_of(wavy_surfaces(seed, 50, 1), kWavyCell);
     const MergedSlivers now = merge_slivers(borders, 2, all_may);
     const Draw draw(seed, StableId{21}, "places");
     int changed = 0;
@@ -53,7 +51,7 @@ TEST(MergeSlivers, WhatChangedWasNearABorder) {
 }
 
 TEST(MergeSlivers, AtNoThicknessNothingIsMerged) {
-  const auto borders = borders_of(wavy_surfaces(1, 50, 1), kCell);
+  const auto borders = borders_of(wavy_surfaces(1, 50, 1), kWavyCell);
   const MergedSlivers now = merge_slivers(borders, 0, all_may);
   EXPECT_EQ(now.faces, 0u);
   EXPECT_EQ(faces_by_surface(faces_between(now.borders)), faces_by_surface(faces_between(borders)));
@@ -61,7 +59,7 @@ TEST(MergeSlivers, AtNoThicknessNothingIsMerged) {
 }
 
 TEST(MergeSlivers, TheCellsBorderStaysAsItIs) {
-  const auto borders = borders_of(wavy_surfaces(2, 50, 1), kCell);
+  const auto borders = borders_of(wavy_surfaces(2, 50, 1), kWavyCell);
   const auto on_border = [](std::span<const Border> all) {
     std::vector<Border> some;
     std::ranges::copy_if(all, std::back_inserter(some), &Border::is_cell_border);
@@ -72,14 +70,14 @@ TEST(MergeSlivers, TheCellsBorderStaysAsItIs) {
 }
 
 TEST(MergeSlivers, OrderDoesNotCount) {
-  auto borders = borders_of(wavy_surfaces(3, 60, 1), kCell);
+  auto borders = borders_of(wavy_surfaces(3, 60, 1), kWavyCell);
   const MergedSlivers once = merge_slivers(borders, 1, all_may);
   std::ranges::reverse(borders);
   EXPECT_EQ(once.borders, merge_slivers(borders, 1, all_may).borders);
 }
 
 TEST(MergeSlivers, OnlyWhatMayYieldDoes) {
-  const auto borders = borders_of(wavy_surfaces(4, 60, 1), kCell);
+  const auto borders = borders_of(wavy_surfaces(4, 60, 1), kWavyCell);
   EXPECT_EQ(merge_slivers(borders, 2, [](std::uint32_t) { return false; }).faces, 0u);
   const auto before = faces_by_surface(faces_between(borders));
   const auto now = merge_slivers(borders, 2, [](std::uint32_t s) { return s % 2 == 0; });
@@ -90,8 +88,8 @@ TEST(MergeSlivers, OnlyWhatMayYieldDoes) {
     }
 }
 
-void add(std::vector<Border>& borders, Vec2 from, Vec2 to, std::uint32_t left, std::uint32_t right,
-         bool is_cell_border) {
+void add_border(std::vector<Border>& borders, Vec2 from, Vec2 to, std::uint32_t left, std::uint32_t right,
+                bool is_cell_border) {
   const GridPoint a = grid_point(from), b = grid_point(to);
   borders.push_back(a < b ? Border{a, b, left, right, is_cell_border} : Border{b, a, right, left, is_cell_border});
 }
@@ -99,29 +97,29 @@ void add(std::vector<Border>& borders, Vec2 from, Vec2 to, std::uint32_t left, s
 void add_box(std::vector<Border>& borders, const Box2& box, std::uint32_t inside, std::uint32_t outside,
              bool is_cell_border) {
   const std::vector<Vec2> corners = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  for (int i = 0; i < 4; ++i) add(borders, corners[i], corners[(i + 1) % 4], inside, outside, is_cell_border);
+  for (int i = 0; i < 4; ++i) add_border(borders, corners[i], corners[(i + 1) % 4], inside, outside, is_cell_border);
 }
 
 // The cell's border with 9 inside, and boxes stacked on each other from (-100, 20) up, 40 m wide: 1, 2, 3 …
 std::vector<Border> stacked(const std::vector<double>& heights_m) {
   std::vector<Border> borders;
-  add_box(borders, kCell, 9, 9, true);
+  add_box(borders, kWavyCell, 9, 9, true);
   double y = 20;
   for (std::uint32_t i = 1; i <= heights_m.size(); ++i) {
     const double top = y + heights_m[i - 1];
-    add(borders, {-100, y}, {-60, y}, i, i == 1 ? 9 : i - 1, false);
-    add(borders, {-60, y}, {-60, top}, i, 9, false);
-    add(borders, {-100, top}, {-100, y}, i, 9, false);
+    add_border(borders, {-100, y}, {-60, y}, i, i == 1 ? 9 : i - 1, false);
+    add_border(borders, {-60, y}, {-60, top}, i, 9, false);
+    add_border(borders, {-100, top}, {-100, y}, i, 9, false);
     y = top;
   }
-  add(borders, {-60, y}, {-100, y}, static_cast<std::uint32_t>(heights_m.size()), 9, false);
+  add_border(borders, {-60, y}, {-100, y}, static_cast<std::uint32_t>(heights_m.size()), 9, false);
   return borders;
 }
 
 // A square of 0.5 m inside one of 1 m, in the middle of 9.
 std::vector<Border> nested(std::uint32_t inner) {
   std::vector<Border> borders;
-  add_box(borders, kCell, 9, 9, true);
+  add_box(borders, kWavyCell, 9, 9, true);
   add_box(borders, {{-64.5, 63.5}, {-63.5, 64.5}}, 1, 9, false);
   add_box(borders, {{-64.25, 63.75}, {-63.75, 64.25}}, inner, 1, false);
   return borders;
@@ -157,7 +155,7 @@ TEST(MergeSlivers, ABentStripOfUnequalSidesGoes) {
   // the inside's sides bulge inwards by 3 m
   const std::vector<LandCoverPolygon> surfaces = {
       {{{OsmType::kWay, 1}, 0}, map::LandCoverClass::kMeadow, 9, {ring(64, 30.5), hole}}};
-  const auto borders = borders_of(surfaces, kCell);
+  const auto borders = borders_of(surfaces, kWavyCell);
   // the widest circle has a radius of 1.74 m
   EXPECT_EQ(merge_slivers(borders, 2, all_may).faces, 1u);
   EXPECT_EQ(merge_slivers(borders, 1.7, all_may).faces, 0u);
@@ -182,7 +180,7 @@ TEST(MergeSlivers, WhatGetsItsOwnSurfaceBackHasNotChanged) {
 TEST(MergeSlivers, NothingInNothingOut) { EXPECT_TRUE(merge_slivers({}, 1, all_may).borders.empty()); }
 
 TEST(MergeSlivers, RegionsServeManyTolerances) {
-  const auto borders = borders_of(wavy_surfaces(3, 50, 1), kCell);
+  const auto borders = borders_of(wavy_surfaces(3, 50, 1), kWavyCell);
   const Regions between = regions_between(borders);
   for (const double thickness_m : {2.0, 0.1, 1.0, 2.0}) {
     const MergedSlivers one = merge_slivers(between, thickness_m, all_may),

@@ -7,7 +7,7 @@
 namespace citykiln::ground {
 namespace {
 
-constexpr Box2 kCell{{0, 0}, {16, 16}};
+constexpr Box2 kPartitionedCell{{0, 0}, {16, 16}};
 
 bool has_edge(const Partition& partition, GridPoint a, GridPoint b) {
   const Delaunay& net = partition.triangulation;
@@ -25,13 +25,15 @@ const std::vector<std::pair<GridPoint, GridPoint>> kQuadrilateral = {{{2000, 300
                                                                      {{3970, 2911}, {3970, 3911}}};
 
 TEST(PartitionOfBorders, WithoutRoundingALineIsAnEdgeHoweverCloseItPassesAVertex) {
-  const auto all = partition_of_borders(empty_cell_borders(kCell), {}, kCell, kQuadrilateral, Rounding::kNone);
+  const auto all =
+      partition_of_borders(empty_cell_borders(kPartitionedCell), {}, kPartitionedCell, kQuadrilateral, Rounding::kNone);
   ASSERT_TRUE(all);
   for (const auto& [a, b] : kQuadrilateral) EXPECT_TRUE(has_edge(*all, a, b));
 }
 
 TEST(PartitionOfBorders, WithRoundingALineIsBentThroughVerticesItPassesClosely) {
-  const auto all = partition_of_borders(empty_cell_borders(kCell), {}, kCell, kQuadrilateral, Rounding::kInside);
+  const auto all = partition_of_borders(empty_cell_borders(kPartitionedCell), {}, kPartitionedCell, kQuadrilateral,
+                                        Rounding::kInside);
   ASSERT_TRUE(all);
   EXPECT_FALSE(has_edge(*all, {2000, 3000}, {3970, 2911}));
 }
@@ -39,8 +41,10 @@ TEST(PartitionOfBorders, WithRoundingALineIsBentThroughVerticesItPassesClosely) 
 TEST(PartitionOfBorders, WithoutRoundingThereIsNoneWhereLinesCross) {
   auto crossing = kQuadrilateral;
   crossing.push_back({{2700, 2900}, {2730, 4000}});
-  EXPECT_FALSE(partition_of_borders(empty_cell_borders(kCell), {}, kCell, crossing, Rounding::kNone));
-  EXPECT_TRUE(partition_of_borders(empty_cell_borders(kCell), {}, kCell, crossing, Rounding::kInside));
+  EXPECT_FALSE(
+      partition_of_borders(empty_cell_borders(kPartitionedCell), {}, kPartitionedCell, crossing, Rounding::kNone));
+  EXPECT_TRUE(
+      partition_of_borders(empty_cell_borders(kPartitionedCell), {}, kPartitionedCell, crossing, Rounding::kInside));
 }
 
 }  // namespace

@@ -10,19 +10,17 @@
 namespace citykiln::ground {
 namespace {
 
-constexpr Box2 kCell{{-128, 0}, {0, 128}};
-
 bool nowhere(GridPoint) { return false; }
 
 TEST(SimplifyBorders, KeepsEveryPromiseOnWavyRings) {
   std::size_t before = 0, after = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const auto borders = borders_of(wavy_surfaces(seed, 25, 0.2), kCell);
+    const auto borders = borders_of(wavy_surfaces(seed, 25, 0.2), kWavyCell);
     ASSERT_TRUE(no_two_cross(borders));
     for (const double tolerance_m : {0.01, 0.25, 1.0, 8.0}) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << tolerance_m << " m");
       const SimplifiedBorders now = simplify_borders(borders, tolerance_m, nowhere);
-      expect_simplified(borders, now, tolerance_m, kCell);
+      expect_simplified(borders, now, tolerance_m, kWavyCell);
       if (tolerance_m >= 1) before += borders.size(), after += now.borders.size();
     }
   }
@@ -32,25 +30,25 @@ TEST(SimplifyBorders, KeepsEveryPromiseOnWavyRings) {
 // Random segments leave faces of all shapes, some a grid step thin.
 TEST(SimplifyBorders, KeepsEveryPromiseOnTangles) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const auto borders = borders_of(wavy_surfaces(seed, 60, 6), kCell);
+    const auto borders = borders_of(wavy_surfaces(seed, 60, 6), kWavyCell);
     for (const double tolerance_m : {0.1, 2.0}) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << tolerance_m << " m");
-      expect_simplified(borders, simplify_borders(borders, tolerance_m, nowhere), tolerance_m, kCell);
+      expect_simplified(borders, simplify_borders(borders, tolerance_m, nowhere), tolerance_m, kWavyCell);
     }
   }
 }
 
-using Edge = std::pair<GridPoint, GridPoint>;
+using GridEdge = std::pair<GridPoint, GridPoint>;
 
-std::set<Edge> arranged_again(std::span<const Border> borders) {
+std::set<GridEdge> arranged_again(std::span<const Border> borders) {
   std::vector<OwnedSegment> segments;
   std::vector<GridPoint> points;
   for (const Border& b : borders) {
     if (!b.is_cell_border) segments.push_back({b.a, b.b, b.left, 1}), segments.push_back({b.a, b.b, b.right, -1});
     points.insert(points.end(), {b.a, b.b});
   }
-  const Arrangement arrangement = arrange(segments, points, kCell);
-  std::set<Edge> edges;
+  const Arrangement arrangement = arrange(segments, points, kWavyCell);
+  std::set<GridEdge> edges;
   for (const ArrangedEdge& e : arrangement.edges) edges.insert({arrangement.vertices[e.a], arrangement.vertices[e.b]});
   return edges;
 }
@@ -59,11 +57,11 @@ std::set<Edge> arranged_again(std::span<const Border> borders) {
 TEST(SimplifyBorders, ArrangedAgainNewOnesAreTheSame) {
   int made = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const auto borders = borders_of(wavy_surfaces(seed, 60, 6), kCell);
+    const auto borders = borders_of(wavy_surfaces(seed, 60, 6), kWavyCell);
     const auto now = simplify_borders(borders, 2, nowhere).borders;
-    std::set<Edge> old;
+    std::set<GridEdge> old;
     for (const Border& b : borders) old.insert({b.a, b.b});
-    const std::set<Edge> again = arranged_again(now);
+    const std::set<GridEdge> again = arranged_again(now);
     for (const Border& b : now) {
       if (old.contains({b.a, b.b})) continue;
       ++made;
@@ -74,7 +72,7 @@ TEST(SimplifyBorders, ArrangedAgainNewOnesAreTheSame) {
 }
 
 TEST(SimplifyBorders, OrderDoesNotCount) {
-  auto borders = borders_of(wavy_surfaces(3, 40, 1), kCell);
+  auto borders = borders_of(wavy_surfaces(3, 40, 1), kWavyCell);
   const SimplifiedBorders once = simplify_borders(borders, 0.7, nowhere);
   const Draw draw(1, StableId{4}, "shuffle");
   for (std::uint32_t i = 1; i < borders.size(); ++i) std::swap(borders[i], borders[draw.below(i + 1, i)]);
@@ -84,7 +82,7 @@ TEST(SimplifyBorders, OrderDoesNotCount) {
 }
 
 TEST(SimplifyBorders, WhatIsFixedStays) {
-  const auto borders = borders_of(wavy_surfaces(5, 40, 1), kCell);
+  const auto borders = borders_of(wavy_surfaces(5, 40, 1), kWavyCell);
   const auto is_pinned = [](GridPoint p) { return p.x % 5 == 0; };
   std::set<GridPoint> fixed, left;
   std::map<GridPoint, int> degree;
@@ -102,7 +100,7 @@ TEST(SimplifyBorders, WhatIsFixedStays) {
 TEST(SimplifyBorders, NothingMoreCouldGo) {
   constexpr double kTolerance_m = 1;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    const auto borders = borders_of(wavy_surfaces(seed, 40, 1), kCell);
+    const auto borders = borders_of(wavy_surfaces(seed, 40, 1), kWavyCell);
     const auto now = simplify_borders(borders, kTolerance_m, nowhere).borders;
     const std::vector<OldRun> runs = runs_behind(borders, now);
     std::map<GridPoint, std::vector<std::size_t>> at;
@@ -156,7 +154,7 @@ TEST(SimplifyBorders, ARingKeepsThreeVertices) {
   const auto borders = borders_with({{{-100, 20}, {-99.9, 20}, {-99.8, 20.1}, {-99.9, 20.2}, {-100, 20.2}}});
   const SimplifiedBorders now = simplify_borders(borders, 64, nowhere);
   EXPECT_EQ(now.borders.size(), 4u + 3u);
-  expect_simplified(borders, now, 64, kCell);
+  expect_simplified(borders, now, 64, kWavyCell);
 }
 
 // The tip of one ring reaches into the notch of another: the notch may only close when the tip is gone.
@@ -167,7 +165,7 @@ TEST(SimplifyBorders, AVertexWaitsForTheOneInItsWay) {
   const auto tip = [&](GridPoint p) { return p == grid_point({-80, 59.9}); };
   const auto held = borders_with({notched, tipped});
   const SimplifiedBorders now = simplify_borders(held, 2, tip);
-  expect_simplified(held, now, 2, kCell);
+  expect_simplified(held, now, 2, kWavyCell);
   EXPECT_TRUE(std::ranges::any_of(now.borders, [&](const Border& b) {
     return b.b == grid_point({-80, 58.5}) || b.a == grid_point({-80, 58.5});
   }));
@@ -179,7 +177,7 @@ TEST(SimplifyBorders, AnIslandStaysInItsLake) {
   const std::vector<Vec2> island = {{-59.5, 39.9}, {-59.5, 40.1}, {-59.3, 40}};
   const auto borders = borders_with({lake, {island[0], island[1], island[2]}});
   const SimplifiedBorders now = simplify_borders(borders, 30, nowhere);
-  expect_simplified(borders, now, 30, kCell);
+  expect_simplified(borders, now, 30, kWavyCell);
   EXPECT_EQ(faces_between(now.borders).size(), 3u);
 }
 
@@ -188,8 +186,9 @@ TEST(SimplifyBorders, NothingInNothingOut) { EXPECT_TRUE(simplify_borders({}, 1,
 // The tests of slivers rely on this.
 TEST(BorderClaims, SurfaceBetweenIsThatOfTheFace) {
   const auto surfaces = wavy_surfaces(7, 30, 0.5);
-  const Partition all = partition_all_rings(land_cover_near(surfaces, kCell), {}, {}, kCell);
-  const auto borders = visible_borders(all, ring_joints(land_cover_near(surfaces, kCell), all.arrangement, kCell));
+  const Partition all = partition_all_rings(land_cover_near(surfaces, kWavyCell), {}, {}, kWavyCell);
+  const auto borders =
+      visible_borders(all, ring_joints(land_cover_near(surfaces, kWavyCell), all.arrangement, kWavyCell));
   const auto at = [&](std::uint32_t v) { return plane_point(all.triangulation.vertices()[v]); };
   ASSERT_FALSE(all.face_cover.empty());
   for (std::size_t f = 0; f < all.face_cover.size(); ++f) {

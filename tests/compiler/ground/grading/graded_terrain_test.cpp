@@ -13,20 +13,20 @@ namespace {
 
 constexpr Box2 kWest{{0, 0}, {128, 128}}, kEast{{128, 0}, {256, 128}};
 
-map::Heightfield level_at(double z_m) {
+map::Heightfield finely_sampled_level(double z_m) {
   map::Heightfield field{{-256, -256}, {64, 64}, 13, 13, {}, 0};
   field.heights.assign(13 * 13, static_cast<std::int32_t>(z_m / map::kHeightQuantum_m));
   return field;
 }
 
 // Waters of many levels, and a street with a wider junction, some metres apart on either side of x = 128.
-struct Made {
+struct WatersAndStreet {
   std::vector<roads::Road> roads;
   std::vector<LandCoverPolygon> surfaces;
 };
 
-Made made() {
-  Made made{{roads::made_road(1, {{0, 64}, {256, 64}}, 6)}, {}};
+WatersAndStreet waters_and_street() {
+  WatersAndStreet made{{roads::made_road(1, {{0, 64}, {256, 64}}, 6)}, {}};
   made.roads[0].profile = {{0, 12, 0}, {256, 14, 0}};
   for (int i = 0; i < 12; ++i) {
     const double x = 106 + 4 * i, y = i < 6 ? 4 + 8 * i : 32 + 8 * i;
@@ -41,9 +41,9 @@ Made made() {
 }
 
 TEST(GradedTerrain, TilesAgreeAllOverWhatBothMayBeAskedFor) {
-  const Made both = made();
+  const WatersAndStreet both = waters_and_street();
   const auto graded = [&](const Box2& tile) {
-    return grade_terrain(level_at(16), {both.roads, {}, both.surfaces, tile.widened(kGrading_m)});
+    return grade_terrain(finely_sampled_level(16), {both.roads, {}, both.surfaces, tile.widened(kGrading_m)});
   };
   const GradedTerrain west = graded(kWest), east = graded(kEast);
   const Draw draw(1, StableId{1}, "places");

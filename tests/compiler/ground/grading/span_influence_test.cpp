@@ -19,19 +19,19 @@ roads::Road road(Polyline axis, double z_m) {
   return r;
 }
 
-map::Heightfield level_at(double z_m) {
+map::Heightfield coarsely_sampled_level(double z_m) {
   map::Heightfield field{{-128, -128}, {128, 128}, 3, 3, {}, 0};
   field.heights.assign(9, static_cast<std::int32_t>(z_m / map::kHeightQuantum_m));
   return field;
 }
 
-const Box2 kBox{{-128, -128}, {128, 128}};
+const Box2 kGradedBox{{-128, -128}, {128, 128}};
 
 // Land at 20 m, a road at 10 m from the west to x = 0.
 struct Scene {
   std::vector<roads::Road> roads = {road({{-60, 0}, {0, 0}}, 10)}, decks, bores;
   GradedTerrain graded_terrain() const {
-    return grade_terrain(level_at(20), {roads, {}, {}, kBox, false, decks, bores});
+    return grade_terrain(coarsely_sampled_level(20), {roads, {}, {}, kGradedBox, false, decks, bores});
   }
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 using Edges = std::vector<std::pair<GridPoint, GridPoint>>;
 
-constexpr Box2 kCell{{0, 0}, {128, 128}};
+constexpr Box2 kCellOfEdges{{0, 0}, {128, 128}};
 
 GridPoint at(double x, double y) { return grid_point({x, y}); }
 
@@ -20,7 +20,7 @@ Reference star() {
   const std::vector<GridPoint> vertices = {at(0, 0), at(0, 128), at(64, 64), at(128, 0), at(128, 64), at(128, 128)};
   const std::vector<std::pair<std::uint32_t, std::uint32_t>> edges = {{0, 1}, {0, 3}, {1, 5}, {3, 4}, {4, 5},
                                                                       {0, 2}, {1, 2}, {2, 3}, {2, 4}, {2, 5}};
-  return reference_of(Delaunay(vertices, edges), std::vector<Heights>(vertices.size()), kCell);
+  return reference_of(Delaunay(vertices, edges), std::vector<Heights>(vertices.size()), kCellOfEdges);
 }
 
 Edges edges_in(const Reference& reference, std::array<GridPoint, 3> triangle, const std::vector<GridPoint>& kept) {
@@ -49,7 +49,7 @@ TEST(ReferenceEdges, AddNoVertexToTheCellsBorder) {
 
 TEST(ReferenceEdges, OfTheTerrainAreNone) {
   const map::Heightfield flat{{-64, -64}, {64, 64}, 5, 5, std::vector<std::int32_t>(25, 640), 0};
-  EXPECT_TRUE(edges_in(reference_of(flat, kCell), {at(0, 0), at(64, 0), at(64, 64)}, kCorners).empty());
+  EXPECT_TRUE(edges_in(reference_of(flat, kCellOfEdges), {at(0, 0), at(64, 0), at(64, 64)}, kCorners).empty());
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace citykiln::ground {
 namespace {
 
-constexpr Box2 kCell{{-128, 384}, {0, 512}};
+constexpr Box2 kReferenceCell{{-128, 384}, {0, 512}};
 constexpr HeightLayer kLayer = HeightLayer::kCarriageway;
 
 Vec2 place_of(const Reference& r, std::uint32_t v) { return plane_point(r.triangulation.vertices()[v]); }
@@ -81,7 +81,7 @@ Vec3 random_end(const Reference& r, const Draw& draw, std::uint32_t i) {
 }
 
 TEST(Reference, HeightIsExactAtVertices) {
-  const Reference r = random_reference(kCell, 1, 60, 30);
+  const Reference r = random_reference(kReferenceCell, 1, 60, 30);
   ASSERT_FALSE(r.heights.empty());
   for (std::uint32_t v = 0; v < r.heights.size(); ++v)
     EXPECT_EQ(height_m_at(r, place_of(r, v), kLayer), height_of(r, v));
@@ -89,7 +89,7 @@ TEST(Reference, HeightIsExactAtVertices) {
 
 TEST(Reference, HeightIsThatOfTheFace) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const Reference r = random_reference(kCell, seed, 40, 30);
+    const Reference r = random_reference(kReferenceCell, seed, 40, 30);
     const Draw draw(seed, StableId{9}, "places");
     for (std::uint32_t i = 0; i < 2000; ++i) {
       const Vec2 p{draw.between(-128, 0, 2 * i), draw.between(384, 512, 2 * i + 1)};
@@ -101,7 +101,7 @@ TEST(Reference, HeightIsThatOfTheFace) {
 
 TEST(Reference, HeightsOfAPlaceAreThoseOfItsLayersToTheBit) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const Reference r = random_reference(kCell, seed, 40, 30);
+    const Reference r = random_reference(kReferenceCell, seed, 40, 30);
     const Draw draw(seed, StableId{12}, "places");
     for (std::uint32_t i = 0; i < 500; ++i) {
       const Vec2 p = in_plan(random_end(r, draw, i));
@@ -113,14 +113,14 @@ TEST(Reference, HeightsOfAPlaceAreThoseOfItsLayersToTheBit) {
 }
 
 TEST(Reference, OutsideItIsTheNearestBorder) {
-  const Reference r = random_reference(kCell, 1, 20, 30);
+  const Reference r = random_reference(kReferenceCell, 1, 20, 30);
   EXPECT_EQ(height_m_at(r, {-500, 400}, kLayer), height_m_at(r, {-128, 400}, kLayer));
   EXPECT_EQ(height_m_at(r, {9, 1e9}, kLayer), height_m_at(r, {0, 512}, kLayer));
 }
 
 TEST(Reference, WorstOnEdgeIsThatOfAllCrossings) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Reference r = random_reference(kCell, seed, 10 + 5 * static_cast<int>(seed), 30);
+    const Reference r = random_reference(kReferenceCell, seed, 10 + 5 * static_cast<int>(seed), 30);
     const Draw draw(seed, StableId{10}, "edges");
     for (std::uint32_t i = 0; i < 400; i += 2) {
       const Vec3 a = random_end(r, draw, i), b = random_end(r, draw, i + 1);
@@ -131,7 +131,7 @@ TEST(Reference, WorstOnEdgeIsThatOfAllCrossings) {
 }
 
 TEST(Reference, NoSampleAlongAnEdgeIsWorse) {
-  const Reference r = random_reference(kCell, 3, 50, 30);
+  const Reference r = random_reference(kReferenceCell, 3, 50, 30);
   const Draw draw(3, StableId{11}, "edges");
   for (std::uint32_t i = 0; i < 100; i += 2) {
     Vec3 a = random_end(r, draw, i), b = random_end(r, draw, i + 1);
@@ -145,7 +145,7 @@ TEST(Reference, NoSampleAlongAnEdgeIsWorse) {
 }
 
 TEST(Reference, AnEdgeOfItsOwnHasNoError) {
-  const Reference r = random_reference(kCell, 4, 60, 30);
+  const Reference r = random_reference(kReferenceCell, 4, 60, 30);
   const auto at = [&](std::uint32_t v) { return at_height(place_of(r, v), height_of(r, v)); };
   ASSERT_FALSE(r.triangulation.faces().empty());
   for (const DelaunayFace& f : r.triangulation.faces())
@@ -154,7 +154,7 @@ TEST(Reference, AnEdgeOfItsOwnHasNoError) {
 }
 
 TEST(Reference, BothWaysAlongAnEdgeAreTheSame) {
-  const Reference r = random_reference(kCell, 5, 60, 30);
+  const Reference r = random_reference(kReferenceCell, 5, 60, 30);
   const Draw draw(5, StableId{12}, "edges");
   double largest_m = 0;
   for (std::uint32_t i = 0; i < 400; i += 2) {
@@ -169,7 +169,7 @@ TEST(Reference, BothWaysAlongAnEdgeAreTheSame) {
 
 // Two cells that share a border, with the same vertices on it and different ones inside.
 TEST(Reference, OnACommonBorderBothCellsFindTheSame) {
-  const Box2 west = kCell, east{{0, 384}, {128, 512}};
+  const Box2 west = kReferenceCell, east{{0, 384}, {128, 512}};
   std::vector<OwnedSegment> across;
   const Draw draw(6, StableId{13}, "across");
   for (std::uint32_t i = 0; i < 40; ++i)
@@ -240,7 +240,7 @@ TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
 }
 
 TEST(Reference, WorstInsideIsThatOfAllVertices) {
-  const Reference r = random_reference(kCell, 7, 60, 30);
+  const Reference r = random_reference(kReferenceCell, 7, 60, 30);
   const Draw draw(7, StableId{14}, "triangles");
   double largest_m = 0;
   for (std::uint32_t i = 0; i < 900; i += 3) {
@@ -266,14 +266,14 @@ TEST(Reference, WorstInsideIsThatOfAllVertices) {
 }
 
 TEST(Reference, LayersAreTheirOwn) {
-  const Reference r = random_reference(kCell, 8, 20, 30);
+  const Reference r = random_reference(kReferenceCell, 8, 20, 30);
   const Vec2 p = place_of(r, 5);
   for (std::size_t layer = 0; layer < r.heights[5].size(); ++layer)
     EXPECT_EQ(height_m_at(r, p, static_cast<HeightLayer>(layer)), r.heights[5][layer]);
 }
 
 TEST(Reference, NearestVertexIsTheNearest) {
-  const Reference r = random_reference(kCell, 9, 40, 30);
+  const Reference r = random_reference(kReferenceCell, 9, 40, 30);
   const Draw draw(9, StableId{15}, "places");
   for (std::uint32_t i = 0; i < 2000; ++i) {
     const Vec2 p = snapped(Vec2{draw.between(-140, 10, 2 * i), draw.between(370, 520, 2 * i + 1)});

@@ -8,7 +8,6 @@ namespace citykiln::ground {
 namespace {
 
 using map::Passage;
-constexpr auto kFootway = map::LandCoverClass::kPavedFootPath;
 
 // A foot bridge over x from 0 to 20, and paths from its end.
 std::vector<bool> led_on_by(std::vector<map::Track> paths) {

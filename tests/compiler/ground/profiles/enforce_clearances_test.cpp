@@ -15,10 +15,8 @@ namespace {
 using map::LandCoverClass;
 using map::Passage;
 
-constexpr auto kStreet = LandCoverClass::kResidentialRoad;
-
 // A network on level ground at 40 m, and its crossings.
-struct Made {
+struct CrossingNetwork {
   map::Features features;
   std::vector<roads::Road> roads;
   std::vector<roads::Junction> junctions;
@@ -27,8 +25,8 @@ struct Made {
   std::vector<double> level_m;
 };
 
-Made made(std::vector<map::Track> tracks) {
-  Made m;
+CrossingNetwork crossing_network(std::vector<map::Track> tracks) {
+  CrossingNetwork m;
   Report report;
   m.features.tracks = std::move(tracks);
   m.roads = roads::plan(m.features, report);
@@ -39,14 +37,14 @@ Made made(std::vector<map::Track> tracks) {
   return m;
 }
 
-double largest_shortfall_m(const Made& m, std::span<const double> z_m) {
+double largest_shortfall_m(const CrossingNetwork& m, std::span<const double> z_m) {
   double largest_m = -1;
   for (const Crossing& c : m.crossings) largest_m = std::max(largest_m, clearance_shortfall_m(m.graph, c, z_m));
   return largest_m;
 }
 
 // The steepest leg as a share of its limit.
-double steepest(const Made& m, std::span<const double> z_m) {
+double steepest(const CrossingNetwork& m, std::span<const double> z_m) {
   double most = 0;
   for (std::uint32_t n = 0; n < m.graph.nodes.size(); ++n)
     for (const Leg& leg : m.graph.legs_of(n))
@@ -61,7 +59,7 @@ std::vector<map::Track> bridge_over_a_street(LandCoverClass surface) {
 
 TEST(EnforceClearances, BridgesOfAllClassesRiseWithinTheirLimits) {
   for (const auto surface : {kStreet, LandCoverClass::kMotorwayRoad, LandCoverClass::kRailway}) {
-    const Made m = made(bridge_over_a_street(surface));
+    const CrossingNetwork m = crossing_network(bridge_over_a_street(surface));
     ASSERT_FALSE(m.crossings.empty());
     const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);
     EXPECT_LE(largest_shortfall_m(m, z_m), 0.011);
@@ -74,7 +72,7 @@ TEST(EnforceClearances, AStackRisesAsAWhole) {
   tracks.push_back(track(5, {{-500, -500}, {-60, -60}}));
   tracks.push_back(track(6, {{-60, -60}, {60, 60}}, kStreet, Passage::kBridge, 2));
   tracks.push_back(track(7, {{60, 60}, {500, 500}}));
-  const Made m = made(std::move(tracks));
+  const CrossingNetwork m = crossing_network(std::move(tracks));
   const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);
   EXPECT_LE(largest_shortfall_m(m, z_m), 0.011);
 }
@@ -83,7 +81,7 @@ TEST(EnforceClearances, TheNodesOfAJunctionMoveByTheSame) {
   std::vector<map::Track> tracks = bridge_over_a_street(kStreet);
   tracks.push_back(track(5, {{-45, -300}, {-45, 0}, {-45, 300}}));
   tracks[0] = track(1, {{-800, 0}, {-45, 0}, {-30, 0}});
-  const Made m = made(std::move(tracks));
+  const CrossingNetwork m = crossing_network(std::move(tracks));
   const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);
   double highest_m = 0;
   for (std::uint32_t a = 0; a < m.graph.nodes.size(); ++a) {
@@ -100,9 +98,10 @@ TEST(EnforceClearances, TheNodesOfAJunctionMoveByTheSame) {
 
 TEST(EnforceClearances, AStreetRisesOverATunnelThatIsTiedToABridge) {
   // a bridge over a lake goes on as a tunnel below a street: the lower deck of a street on two levels
-  Made m = made({track(1, {{-800, 0}, {-100, 0}}), track(2, {{-100, 0}, {0, 0}}, kStreet, Passage::kBridge, 1),
-                 track(3, {{0, 0}, {60, 0}}, kStreet, Passage::kTunnel, -1), track(4, {{60, 0}, {800, 0}}),
-                 track(5, {{30, -800}, {30, 800}})});
+  CrossingNetwork m =
+      crossing_network({track(1, {{-800, 0}, {-100, 0}}), track(2, {{-100, 0}, {0, 0}}, kStreet, Passage::kBridge, 1),
+                        track(3, {{0, 0}, {60, 0}}, kStreet, Passage::kTunnel, -1), track(4, {{60, 0}, {800, 0}}),
+                        track(5, {{30, -800}, {30, 800}})});
   std::uint32_t bridge = 0;
   while (m.graph.ways[bridge].track->id.osm.id != 2) ++bridge;
   m.crossings.push_back({.upper = bridge, .upper_at_m = 98, .lower_z_m = 38, .wanted_m = kClearanceOverWater_m});
@@ -112,7 +111,7 @@ TEST(EnforceClearances, AStreetRisesOverATunnelThatIsTiedToABridge) {
 }
 
 // The deepest that lines of a class on the ground lie below the level.
-double deepest_on_ground_m(const Made& m, std::span<const double> z_m, LandCoverClass surface) {
+double deepest_on_ground_m(const CrossingNetwork& m, std::span<const double> z_m, LandCoverClass surface) {
   double deepest_m = 0;
   for (const GraphWay& way : m.graph.ways)
     if (way.track->surface == surface && way.track->passage == Passage::kGround)
@@ -123,9 +122,10 @@ double deepest_on_ground_m(const Made& m, std::span<const double> z_m, LandCover
 TEST(EnforceClearances, NoStreetIsLoweredWithTheRampOfAGarage) {
   // two storeys below a street, reached from the same street by a short ramp
   constexpr auto kRamp = LandCoverClass::kServiceRoad;
-  const Made m = made({track(1, {{-300, 0}, {0, 0}, {300, 0}}), track(2, {{0, 0}, {0, 20}}, kRamp),
-                       track(3, {{0, 20}, {10, 30}, {20, 20}, {20, -30}}, kRamp, Passage::kTunnel, -2),
-                       track(4, {{-300, 12}, {300, 12}}, LandCoverClass::kTram, Passage::kTunnel, -1)});
+  const CrossingNetwork m =
+      crossing_network({track(1, {{-300, 0}, {0, 0}, {300, 0}}), track(2, {{0, 0}, {0, 20}}, kRamp),
+                        track(3, {{0, 20}, {10, 30}, {20, 20}, {20, -30}}, kRamp, Passage::kTunnel, -2),
+                        track(4, {{-300, 12}, {300, 12}}, LandCoverClass::kTram, Passage::kTunnel, -1)});
   ASSERT_GE(m.crossings.size(), 2u);
   const std::vector<double> cleared_m = clear_crossings(m.graph, m.crossings, nullptr, m.level_m);
   for (const auto& z_m : {cleared_m, enforce_clearances(m.graph, m.crossings, m.level_m, cleared_m)}) {
@@ -143,7 +143,7 @@ TEST(EnforceClearances, NoCuttingIsDeeperThanItsLimit) {
     const Vec2 end{100.0 * (k - 2), 300};
     tracks.push_back(track(3 + k, {Vec2{} - end, end}, kStreet, Passage::kTunnel, -k));
   }
-  const Made m = made(std::move(tracks));
+  const CrossingNetwork m = crossing_network(std::move(tracks));
   const std::vector<double> cleared_m = clear_crossings(m.graph, m.crossings, nullptr, m.level_m);
   const std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, cleared_m);
   EXPECT_LE(deepest_on_ground_m(m, z_m, kStreet), kMaxCutting_m + 1e-9);
@@ -155,9 +155,10 @@ TEST(EnforceClearances, ADrivewayIsNoSteeperWhereItsStreetCannotBeLowered) {
   // street already lies as low as it may
   constexpr auto kPath = LandCoverClass::kFootPath, kDeck = LandCoverClass::kPedestrianStreet;
   constexpr auto kDriveway = LandCoverClass::kServiceRoad;
-  const Made m = made({track(1, {{0, -300}, {0, 0}, {0, 300}}), track(2, {{0, 0}, {8, 0}}, kDriveway),
-                       track(3, {{7.5, -10}, {7.5, 10}}, kDeck, Passage::kBridge, 1),
-                       track(4, {{7.5, 10}, {7.5, 60}}, kPath), track(5, {{7.5, -60}, {7.5, -10}}, kPath)});
+  const CrossingNetwork m =
+      crossing_network({track(1, {{0, -300}, {0, 0}, {0, 300}}), track(2, {{0, 0}, {8, 0}}, kDriveway),
+                        track(3, {{7.5, -10}, {7.5, 10}}, kDeck, Passage::kBridge, 1),
+                        track(4, {{7.5, 10}, {7.5, 60}}, kPath), track(5, {{7.5, -60}, {7.5, -10}}, kPath)});
   std::vector<double> low_m = m.level_m;
   for (std::uint32_t n = 0; n < low_m.size(); ++n)
     if (m.graph.nodes[n].is_on_ground && !m.graph.nodes[n].is_pinned) low_m[n] -= kMaxCuttingForAccess_m;
@@ -168,7 +169,7 @@ TEST(EnforceClearances, ADrivewayIsNoSteeperWhereItsStreetCannotBeLowered) {
 }
 
 TEST(EnforceClearances, NothingMovesThatIsClear) {
-  const Made m = made(bridge_over_a_street(kStreet));
+  const CrossingNetwork m = crossing_network(bridge_over_a_street(kStreet));
   std::vector<double> z_m = enforce_clearances(m.graph, m.crossings, m.level_m, m.level_m);
   for (double& z : z_m) z = std::ceil(z * 64) / 64;
   const std::vector<Crossing> none;

@@ -8,12 +8,12 @@
 namespace citykiln::ground {
 namespace {
 
-struct Line {
+struct StraightRoad {
   map::Features features;
   std::vector<roads::Road> roads;
   ProfileGraph graph;
 
-  explicit Line(double half_m) {
+  explicit StraightRoad(double half_m) {
     features.tracks = {track(1, {{-half_m, 0}, {half_m, 0}})};
     Report report;
     roads = roads::plan(features, report);
@@ -28,7 +28,7 @@ struct Line {
 };
 
 TEST(GradeLimits, NothingBeyondTheirReachChangesABit) {
-  const Line line(4096);
+  const StraightRoad line(4096);
   // too steep everywhere
   const auto z_m = line.heights([](double x) { return x * 0.3; });
   const auto other_m =
@@ -40,7 +40,7 @@ TEST(GradeLimits, NothingBeyondTheirReachChangesABit) {
 }
 
 TEST(GradeLimits, CutAndFillAlike) {
-  const Line line(1000);
+  const StraightRoad line(1000);
   const double limit = grade_rule_of(map::LandCoverClass::kResidentialRoad).limit;
   const auto step_m = line.heights([](double x) { return x > 0 ? 106 : 100; });
   const auto limited = limit_grades(line.graph, step_m);
@@ -56,7 +56,7 @@ TEST(GradeLimits, CutAndFillAlike) {
 }
 
 TEST(GradeLimits, NothingMovesFartherThanAllowedAndNothingBreaksOff) {
-  const Line line(4096);
+  const StraightRoad line(4096);
   const auto z_m = line.heights([](double x) { return std::abs(x) < 700 ? x * 0.5 : x > 0 ? 350 : -350; });
   const auto limited = limit_grades(line.graph, z_m);
   ASSERT_GT(limited.size(), 100u);
@@ -68,7 +68,7 @@ TEST(GradeLimits, NothingMovesFartherThanAllowedAndNothingBreaksOff) {
 
 TEST(GradeLimits, OnlyStreetsMayBeSteeperWhereTheyAreAllowedTo) {
   for (const auto surface : {map::LandCoverClass::kResidentialRoad, map::LandCoverClass::kRailway}) {
-    Line line(1000);
+    StraightRoad line(1000);
     line.features.tracks[0].surface = surface;
     const double limit = grade_rule_of(surface).limit;
     const auto z_m =
@@ -83,7 +83,7 @@ TEST(GradeLimits, OnlyStreetsMayBeSteeperWhereTheyAreAllowedTo) {
 }
 
 TEST(GradeLimits, WhatKeepsThemStays) {
-  const Line line(1000);
+  const StraightRoad line(1000);
   const auto z_m = line.heights([](double x) { return 0.17 * std::abs(x); });
   EXPECT_EQ(limit_grades(line.graph, z_m), z_m);
 }

@@ -10,6 +10,9 @@
 
 namespace citykiln::ground {
 
+inline constexpr auto kStreet = map::LandCoverClass::kResidentialRoad;
+inline constexpr auto kFootway = map::LandCoverClass::kPavedFootPath;
+
 /// Returns a heightfield about the origin with the heights of a function.
 inline map::Heightfield field_from(const std::function<double(double, double)>& height_m, double half_m = 2048,
                                    double step_m = 64) {

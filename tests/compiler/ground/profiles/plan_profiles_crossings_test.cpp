@@ -18,8 +18,6 @@ namespace {
 using map::LandCoverClass;
 using map::Passage;
 
-constexpr auto kStreet = LandCoverClass::kResidentialRoad;
-
 // A road, a bridge of it over x from -30 to 30, and another below along y.
 map::Features crossing(Passage passage, int layer, LandCoverClass upper = kStreet, LandCoverClass lower = kStreet) {
   map::Features f;
@@ -218,8 +216,6 @@ TEST(Profiles, AStackClearsStoreyByStorey) {
   EXPECT_LT(p.measures.largest_shortfall_m, kShortfallMargin_m);
   EXPECT_EQ(p.measures.over_m, 0);
 }
-
-constexpr auto kFootway = LandCoverClass::kPavedFootPath;
 
 TEST(Profiles, AnUnderpassBetweenStepsGoesDownAndLeavesTheRailwayLevel) {
   map::Features f;

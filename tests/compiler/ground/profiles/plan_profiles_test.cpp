@@ -17,8 +17,6 @@ namespace {
 using map::LandCoverClass;
 using map::Passage;
 
-constexpr auto kStreet = LandCoverClass::kResidentialRoad;
-
 double length_m(const map::Track& track) { return citykiln::length_m(track.axis); }
 
 double largest_difference_m(const Profile& a, const Profile& b, double length_m) {

@@ -12,11 +12,10 @@
 #include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 #include "tests/compiler/roads/real_map.h"
+#include "tests/test_files.h"
 
 namespace citykiln::ground {
 namespace {
-
-const std::filesystem::path kData = CITYKILN_DATA;
 
 struct Place {
   const char* name;
@@ -32,7 +31,7 @@ class ProfilesReal : public testing::TestWithParam<Place> {};
 Result<map::Heightfield> read_heights(const Place& place, const map::Plane& plane, const Box2& region, Report& report) {
   std::vector<source::Raster> rasters;
   if (*place.heights != 0) {
-    const auto spec = source::parse_raster_spec((kData / place.heights).string());
+    const auto spec = source::parse_raster_spec(real_data(place.heights).string());
     if (!spec) return spec.error();
     Result<source::Raster> raster = source::read_raster(*spec, nullptr);
     if (!raster) return raster.error();
@@ -56,9 +55,9 @@ void print(const ProfileMeasures& m, double took_s) {
 
 TEST_P(ProfilesReal, MeetWithoutJumpsAndKeepTheirLimits) {
   const Place place = GetParam();
-  if (!std::filesystem::exists(kData / place.map)) GTEST_SKIP() << "absent: " << place.map;
+  if (!std::filesystem::exists(real_data(place.map))) GTEST_SKIP() << "absent: " << place.map;
   Report report;
-  const auto real = roads::read_real_map(kData / place.map, report);
+  const auto real = roads::read_real_map(real_data(place.map), report);
   ASSERT_TRUE(real) << to_string(real.error());
   const map::Features& features = real->features;
   const auto heights = read_heights(place, map::Plane(real->origin), features.region, report);

@@ -7,12 +7,12 @@
 namespace citykiln::ground {
 namespace {
 
-struct Line {
+struct ObliqueRoad {
   map::Features features;
   std::vector<roads::Road> roads;
   ProfileGraph graph;
 
-  explicit Line(double half_m) {
+  explicit ObliqueRoad(double half_m) {
     features.tracks = {track(1, {{-half_m, 5}, {half_m, 11}})};
     Report report;
     roads = roads::plan(features, report);
@@ -21,7 +21,7 @@ struct Line {
 };
 
 TEST(SmoothProfile, NothingBeyondItsReachChangesABit) {
-  const Line line(4096);
+  const ObliqueRoad line(4096);
   const Draw draw(1, StableId{1}, "data");
   std::vector<double> data_m, other_m;
   for (std::uint32_t n = 0; n < line.graph.nodes.size(); ++n) {
@@ -35,7 +35,7 @@ TEST(SmoothProfile, NothingBeyondItsReachChangesABit) {
 }
 
 TEST(SmoothProfile, LeavesALevelAndASlopeAlone) {
-  const Line line(1500);
+  const ObliqueRoad line(1500);
   for (const double slope : {0.0, 0.07}) {
     std::vector<double> data_m;
     for (const GraphNode& node : line.graph.nodes) data_m.push_back(200 + slope * node.at.x);

@@ -8,11 +8,10 @@
 #include "compiler/ground/water/plan_water_heights.h"
 #include "compiler/ground/water/standing_water.h"
 #include "tests/compiler/ground/real_ground.h"
+#include "tests/test_files.h"
 
 namespace citykiln::ground {
 namespace {
-
-std::string data_path(const std::string& file) { return std::string(CITYKILN_DATA) + "/" + file; }
 
 struct RealPlace {
   std::string map, dem;
@@ -23,13 +22,13 @@ void PrintTo(const RealPlace& place, std::ostream* os) { *os << place.map; }
 
 struct PlanWaterHeightsReal : testing::TestWithParam<RealPlace> {
   void SetUp() override {
-    if (!std::filesystem::exists(data_path(GetParam().map))) GTEST_SKIP() << "no extracts in " << CITYKILN_DATA;
+    if (!std::filesystem::exists(real_data(GetParam().map))) GTEST_SKIP() << "no extracts in " << real_data();
   }
 
   RealGround read() {
     Report report;
-    const std::string dem = GetParam().dem.empty() ? "" : data_path(GetParam().dem);
-    auto ground = read_real_ground(data_path(GetParam().map), dem, report);
+    const std::string dem = GetParam().dem.empty() ? "" : real_data(GetParam().dem).string();
+    auto ground = read_real_ground(real_data(GetParam().map), dem, report);
     if (ground) return std::move(*ground);
     ADD_FAILURE() << to_string(ground.error());
     return {};

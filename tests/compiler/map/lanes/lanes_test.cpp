@@ -22,7 +22,7 @@ Tags tags_of(const std::string& text) {
   return tags;
 }
 
-std::string text_of(const Tags& tags) {
+std::string text_of_tags(const Tags& tags) {
   std::string text;
   for (const auto& [key, value] : tags) text += key + "=" + value + " ";
   return text;
@@ -425,20 +425,20 @@ bool can_be_turned_round(const Tags& tags) {
 }
 
 void expect_mirrored(const Tags& tags) {
-  const CrossSection right = read(text_of(tags), DrivingSide::kRight).section,
-                     left = read(text_of(mirrored(tags)), DrivingSide::kLeft).section;
-  EXPECT_EQ(all_of(mirrored(right)), all_of(left)) << text_of(tags);
+  const CrossSection right = read(text_of_tags(tags), DrivingSide::kRight).section,
+                     left = read(text_of_tags(mirrored(tags)), DrivingSide::kLeft).section;
+  EXPECT_EQ(all_of(mirrored(right)), all_of(left)) << text_of_tags(tags);
 }
 
 void expect_turned_round(const Tags& tags, DrivingSide side) {
-  const CrossSection turned = turned_round(read(text_of(tags), side).section),
-                     other = read(text_of(turned_round(tags)), side).section;
-  ASSERT_EQ(to_string(turned), to_string(other)) << text_of(tags);
+  const CrossSection turned = turned_round(read(text_of_tags(tags), side).section),
+                     other = read(text_of_tags(turned_round(tags)), side).section;
+  ASSERT_EQ(to_string(turned), to_string(other)) << text_of_tags(tags);
   for (std::size_t i = 0; i < turned.lanes.size(); ++i) {
-    EXPECT_NEAR(turned.lanes[i].width_m, other.lanes[i].width_m, 0x1p-10) << text_of(tags);
-    EXPECT_EQ(turned.lanes[i].turns, other.lanes[i].turns) << text_of(tags);
+    EXPECT_NEAR(turned.lanes[i].width_m, other.lanes[i].width_m, 0x1p-10) << text_of_tags(tags);
+    EXPECT_EQ(turned.lanes[i].turns, other.lanes[i].turns) << text_of_tags(tags);
   }
-  EXPECT_NEAR(turned.axis_offset_m, other.axis_offset_m, 0x1p-6) << text_of(tags);
+  EXPECT_NEAR(turned.axis_offset_m, other.axis_offset_m, 0x1p-6) << text_of_tags(tags);
 }
 
 TEST(Lanes, RealWaysDrivenOnTheOtherSideAreMirrored) {
@@ -548,7 +548,7 @@ class RandomTags {
 TEST(Lanes, RandomTagsAreReadTotallyAndAlwaysAlike) {
   RandomTags random(1);
   for (int i = 0; i < 20000; ++i) {
-    const std::string tags = text_of(random.draw(false));
+    const std::string tags = text_of_tags(random.draw(false));
     const DrivingSide side = i % 2 == 0 ? DrivingSide::kRight : DrivingSide::kLeft;
     const CrossSection section = read(tags, side).section;
     ASSERT_FALSE(section.lanes.empty()) << tags;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/plants/generate.h"
+#include "tests/compiler/plants/made_surfaces.h"
 
 namespace citykiln::plants {
 namespace {
@@ -16,19 +17,12 @@ using map::LandCoverClass;
 constexpr double kTolerance_m = 12.5;
 constexpr std::uint64_t kSeed = 7;
 
-LandCoverPolygon surface(std::int64_t id, LandCoverClass kind, Ring ring) {
-  const auto area = static_cast<std::uint32_t>(signed_area_m2(ring));
-  return {{{OsmType::kWay, id}, 0}, kind, area, {std::move(ring)}};
-}
-
-Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
-
 Wood wood(std::int64_t id, PlantCommunity mix, std::uint16_t trees_per_ha) {
   return {{{OsmType::kWay, id}, 0}, species_mix_of(mix), trees_per_ha, 16};
 }
 
 // Two dense woods and a park with a road, a path, a lake and a house, on an uneven slope.
-struct Scene {
+struct WoodedSlope {
   std::vector<LandCoverPolygon> surfaces = {surface(1, LandCoverClass::kForest, block(-500, -500, 0, 500)),
                                             surface(2, LandCoverClass::kBroadLeavedForest, block(0, -500, 500, 300)),
                                             surface(3, LandCoverClass::kPark, block(0, 300, 500, 500)),
@@ -63,7 +57,8 @@ struct Scene {
   }
 };
 
-constexpr Box2 kWest = {{-512, -512}, {0, 512}}, kEast = {{0, -512}, {512, 512}}, kAll = {{-512, -512}, {512, 512}};
+constexpr Box2 kWestOfSlope = {{-512, -512}, {0, 512}}, kEastOfSlope = {{0, -512}, {512, 512}},
+               kWholeSlope = {{-512, -512}, {512, 512}};
 
 struct Vertex {
   Vec3 at, normal;
@@ -82,7 +77,7 @@ std::vector<Vertex> vertices_at(const Canopy& canopy, double x) {
   return vertices;
 }
 
-std::vector<Placement> joined(const PlacedPlants& placed) {
+std::vector<Placement> all_placements(const PlacedPlants& placed) {
   std::vector<Placement> all;
   for (const auto& [prototype, some] : placed) all.insert(all.end(), some.begin(), some.end());
   return all;
@@ -104,8 +99,8 @@ std::vector<double> tops_over(const Canopy& canopy, Vec2 p) {
 
 // Where the canopy ends on the border, one tile may have a vertex on the ground that the other lacks.
 TEST(Canopy, IsTheSameWhereTilesMeet) {
-  const Scene scene;
-  const auto west = vertices_at(scene.in(kWest).canopy, 0), east = vertices_at(scene.in(kEast).canopy, 0);
+  const WoodedSlope scene;
+  const auto west = vertices_at(scene.in(kWestOfSlope).canopy, 0), east = vertices_at(scene.in(kEastOfSlope).canopy, 0);
   const auto is_in_air = [&](const Vertex& v) { return v.at.z > land_m(scene.ground, in_plan(v.at)); };
   for (const auto& [one, other] : {std::pair{west, east}, {east, west}})
     for (const Vertex& vertex : one) {
@@ -117,10 +112,10 @@ TEST(Canopy, IsTheSameWhereTilesMeet) {
 }
 
 TEST(Canopy, ReplacesTheTreesItRemovesAndNoOthers) {
-  Scene::Made made = Scene{}.in(kAll);
-  const std::vector<Placement> before = joined(made.placed);
-  remove_trees_below(made.canopy, Scene{}.woods, made.placed);
-  const std::vector<Placement> left = joined(made.placed);
+  WoodedSlope::Made made = WoodedSlope{}.in(kWholeSlope);
+  const std::vector<Placement> before = all_placements(made.placed);
+  remove_trees_below(made.canopy, WoodedSlope{}.woods, made.placed);
+  const std::vector<Placement> left = all_placements(made.placed);
   EXPECT_LT(left.size(), before.size() / 2);
   EXPECT_GT(left.size(), before.size() / 20);
   double worst_m = 0;
@@ -135,15 +130,15 @@ TEST(Canopy, ReplacesTheTreesItRemovesAndNoOthers) {
 }
 
 TEST(Canopy, KeepsMappedTrees) {
-  Scene::Made made = Scene{}.in(kAll);
+  WoodedSlope::Made made = WoodedSlope{}.in(kWholeSlope);
   const Placement mapped{{200, 0, 900}, 1, 0, 30, {OsmType::kNode, 9}};
   PlacedPlants placed = {{{Species::kOak, 0}, {mapped}}};
-  remove_trees_below(made.canopy, Scene{}.woods, placed);
-  EXPECT_EQ(joined(placed).size(), 1u);
+  remove_trees_below(made.canopy, WoodedSlope{}.woods, placed);
+  EXPECT_EQ(all_placements(placed).size(), 1u);
 }
 
 TEST(Canopy, CoversNeitherRoadsNorHousesNorWaterNorCorridorsNorParks) {
-  const Canopy canopy = Scene{}.in(kAll).canopy;
+  const Canopy canopy = WoodedSlope{}.in(kWholeSlope).canopy;
   const Box2 free[] = {{{-490, -203}, {490, -197}},
                        {{-340, 40}, {-260, 110}},
                        {{-100, 50}, {-80, 70}},
@@ -157,7 +152,7 @@ TEST(Canopy, CoversNeitherRoadsNorHousesNorWaterNorCorridorsNorParks) {
 }
 
 TEST(Canopy, FacesUpAndIsAHeightField) {
-  const Canopy canopy = Scene{}.in(kAll).canopy;
+  const Canopy canopy = WoodedSlope{}.in(kWholeSlope).canopy;
   ASSERT_EQ(canopy.meshes.size(), 2u);
   for (const auto& dressed : canopy.meshes) {
     EXPECT_TRUE(dressed.feature == (OsmId{OsmType::kWay, 1}) || dressed.feature == (OsmId{OsmType::kWay, 2}));
@@ -172,10 +167,10 @@ TEST(Canopy, FacesUpAndIsAHeightField) {
 }
 
 TEST(Canopy, IsEmptyAtFineLevelsAndForLowWoods) {
-  EXPECT_TRUE(Scene{}.in(kAll, 10).canopy.meshes.empty());
-  Scene low;
+  EXPECT_TRUE(WoodedSlope{}.in(kWholeSlope, 10).canopy.meshes.empty());
+  WoodedSlope low;
   for (Wood& wood : low.woods) wood.height_m = 2;
-  EXPECT_TRUE(low.in(kAll).canopy.meshes.empty());
+  EXPECT_TRUE(low.in(kWholeSlope).canopy.meshes.empty());
 }
 
 TEST(Canopy, HasSeasonalColours) {
@@ -185,7 +180,8 @@ TEST(Canopy, HasSeasonalColours) {
       for (const materials::Tint tint : dressed.tints) red += tint[0], green += tint[1];
     return red / green;
   };
-  EXPECT_GT(redness(Scene{}.in(kAll, kTolerance_m, Month{10}).canopy), 1.3 * redness(Scene{}.in(kAll).canopy));
+  EXPECT_GT(redness(WoodedSlope{}.in(kWholeSlope, kTolerance_m, Month{10}).canopy),
+            1.3 * redness(WoodedSlope{}.in(kWholeSlope).canopy));
 }
 
 }  // namespace

@@ -11,11 +11,10 @@
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/roads/junctions/junction_claims.h"
 #include "tests/compiler/roads/real_map.h"
+#include "tests/test_files.h"
 
 namespace citykiln::roads {
 namespace {
-
-const std::filesystem::path kData = CITYKILN_DATA;
 
 std::vector<std::string> extracts() {
   std::vector<std::string> names = {"berlin/berlin-neukolln.osm",
@@ -27,8 +26,8 @@ std::vector<std::string> extracts() {
                                     "andorra/andorra-2023.osm.pbf",
                                     "neubrandenburg/neubrandenburg.osm.bz2",
                                     "porto-roads/porto_portugal.osm.pbf"};
-  if (!std::filesystem::exists(kData / "junctions")) return names;
-  for (const auto& entry : std::filesystem::directory_iterator(kData / "junctions"))
+  if (!std::filesystem::exists(real_data("junctions"))) return names;
+  for (const auto& entry : std::filesystem::directory_iterator(real_data("junctions")))
     if (entry.path().extension() == ".osm") names.push_back("junctions/" + entry.path().filename().string());
   std::ranges::sort(names);
   return names;
@@ -181,7 +180,7 @@ void print_worst(const char* kind, std::vector<Difference> all, std::span<const 
 class JunctionsReal : public testing::TestWithParam<std::string> {};
 
 TEST_P(JunctionsReal, AreSimpleWithoutSpikesApartAndWithinReach) {
-  const std::filesystem::path path = kData / GetParam();
+  const std::filesystem::path path = real_data(GetParam());
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   const Geos geos;
   Report report;

@@ -15,8 +15,8 @@ namespace {
 
 using map::LandCoverClass;
 
-Road road(std::int64_t id, Polyline axis, double width_m = 6,
-          LandCoverClass surface = LandCoverClass::kResidentialRoad) {
+Road road_of_width(std::int64_t id, Polyline axis, double width_m = 6,
+                   LandCoverClass surface = LandCoverClass::kResidentialRoad) {
   return made_road(id, std::move(axis), width_m, surface);
 }
 
@@ -49,21 +49,24 @@ class Junctions : public testing::Test {
   Geos geos_;
 };
 
-TEST_F(Junctions, ARoadThatEndsAloneHasNone) { EXPECT_TRUE(sound({road(1, {{0, 0}, {50, 0}})}).junctions.empty()); }
+TEST_F(Junctions, ARoadThatEndsAloneHasNone) {
+  EXPECT_TRUE(sound({road_of_width(1, {{0, 0}, {50, 0}})}).junctions.empty());
+}
 
 TEST_F(Junctions, ARoadThatGoesOnUnderAnotherNameHasNone) {
-  EXPECT_TRUE(sound({road(1, {{0, 0}, {50, 0}}), road(2, {{50, 0}, {100, 5}})}).junctions.empty());
+  EXPECT_TRUE(sound({road_of_width(1, {{0, 0}, {50, 0}}), road_of_width(2, {{50, 0}, {100, 5}})}).junctions.empty());
 }
 
 TEST_F(Junctions, TwoWidthsMeetInOne) {
-  const Outlined all = sound({road(1, {{0, 0}, {50, 0}}, 6), road(2, {{50, 0}, {100, 5}}, 10)});
+  const Outlined all = sound({road_of_width(1, {{0, 0}, {50, 0}}, 6), road_of_width(2, {{50, 0}, {100, 5}}, 10)});
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(all.junctions[0].cuts.size(), 2u);
   EXPECT_EQ(all.outlines[0].size(), 1u);
 }
 
 TEST_F(Junctions, ACrossingIsCutSquareBehindItsRoundedCorners) {
-  const Outlined all = sound({road(1, {{-50, 0}, {0, 0}, {50, 0}}), road(2, {{0, -50}, {0, 0}, {0, 50}})});
+  const Outlined all =
+      sound({road_of_width(1, {{-50, 0}, {0, 0}, {50, 0}}), road_of_width(2, {{0, -50}, {0, 0}, {0, 50}})});
   ASSERT_EQ(all.junctions.size(), 1u);
   // half the other road and the kerb radius
   for (const Cut& cut : all.junctions[0].cuts) EXPECT_EQ(cut, (Cut{8, 5}));
@@ -72,54 +75,56 @@ TEST_F(Junctions, ACrossingIsCutSquareBehindItsRoundedCorners) {
 }
 
 TEST_F(Junctions, ARampLeavesItsMotorwayWithinReach) {
-  const Outlined all = sound({road(1, {{-80, 0}, {0, 0}, {80, 0}}, 11, LandCoverClass::kMotorwayRoad),
-                              road(2, {{0, 0}, {40, 4}, {80, 14}}, 5, LandCoverClass::kMotorwayRoad)});
+  const Outlined all = sound({road_of_width(1, {{-80, 0}, {0, 0}, {80, 0}}, 11, LandCoverClass::kMotorwayRoad),
+                              road_of_width(2, {{0, 0}, {40, 4}, {80, 14}}, 5, LandCoverClass::kMotorwayRoad)});
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_LE(std::ranges::max(all.junctions[0].cuts, {}, &Cut::length_m).length_m, kJunctionRadius_m);
 }
 
 TEST_F(Junctions, ArmsSideBySideAreCutAtTheReach) {
-  const Outlined all =
-      sound({road(1, {{0, 0}, {100, 0}}), road(2, {{0, 0}, {100, 0.5}}), road(3, {{0, 0}, {-100, 0}})});
+  const Outlined all = sound({road_of_width(1, {{0, 0}, {100, 0}}), road_of_width(2, {{0, 0}, {100, 0.5}}),
+                              road_of_width(3, {{0, 0}, {-100, 0}})});
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(std::ranges::max(all.junctions[0].cuts, {}, &Cut::length_m).length_m, kJunctionRadius_m);
 }
 
 TEST_F(Junctions, AnArmShorterThanItsCutIsSwallowed) {
-  const Outlined all = sound({road(1, {{-50, 0}, {0, 0}, {50, 0}}), road(2, {{0, 0}, {0, 2}})});
+  const Outlined all = sound({road_of_width(1, {{-50, 0}, {0, 0}, {50, 0}}), road_of_width(2, {{0, 0}, {0, 2}})});
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(all.report.counts()[Code::kRoadInsideJunctions], 1u);
 }
 
 TEST_F(Junctions, ALoopAtOneNodeHasTwoArmsThere) {
-  const Outlined all = sound({road(1, {{0, 0}, {30, 10}, {40, 0}, {30, -10}, {0, 0}}), road(2, {{0, 0}, {-50, 0}})});
+  const Outlined all =
+      sound({road_of_width(1, {{0, 0}, {30, 10}, {40, 0}, {30, -10}, {0, 0}}), road_of_width(2, {{0, 0}, {-50, 0}})});
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(all.junctions[0].cuts.size(), 3u);
 }
 
 TEST_F(Junctions, OfTwoRoadsThatShareBothEndsAreTwo) {
-  const Outlined all = sound({road(1, {{0, 0}, {25, 8}, {50, 0}}), road(2, {{0, 0}, {25, -8}, {50, 0}}),
-                              road(3, {{-40, 0}, {0, 0}}), road(4, {{50, 0}, {90, 0}})});
+  const Outlined all =
+      sound({road_of_width(1, {{0, 0}, {25, 8}, {50, 0}}), road_of_width(2, {{0, 0}, {25, -8}, {50, 0}}),
+             road_of_width(3, {{-40, 0}, {0, 0}}), road_of_width(4, {{50, 0}, {90, 0}})});
   EXPECT_EQ(all.junctions.size(), 2u);
 }
 
 TEST_F(Junctions, ADogLegIsOneJunction) {
-  const Outlined all =
-      sound({road(1, {{-50, 0}, {0, 0}, {5, 0}, {50, 0}}), road(2, {{0, 0}, {0, 50}}), road(3, {{5, 0}, {5, -50}})});
+  const Outlined all = sound({road_of_width(1, {{-50, 0}, {0, 0}, {5, 0}, {50, 0}}),
+                              road_of_width(2, {{0, 0}, {0, 50}}), road_of_width(3, {{5, 0}, {5, -50}})});
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(all.junctions[0].nodes.size(), 2u);
   EXPECT_EQ(all.report.counts()[Code::kJunctionsMerged], 1u);
 }
 
 Road oneway(std::int64_t id, Polyline axis, double width_m = 7) {
-  Road made = road(id, std::move(axis), width_m);
+  Road made = road_of_width(id, std::move(axis), width_m);
   made.section.lanes.front().way = map::LaneDirection::kForward;
   return made;
 }
 
 TEST_F(Junctions, ADualCarriagewayCrossedIsOneJunction) {
   const Outlined all = sound({oneway(1, {{-80, 0}, {0, 0}, {80, 0}}), oneway(2, {{80, 16}, {0, 16}, {-80, 16}}),
-                              road(3, {{0, -60}, {0, 0}, {0, 16}, {0, 70}})});
+                              road_of_width(3, {{0, -60}, {0, 0}, {0, 16}, {0, 70}})});
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(all.junctions[0].nodes.size(), 2u);
   // arms side by side are cut at the street's kerbs, not at the intersection far out
@@ -127,8 +132,8 @@ TEST_F(Junctions, ADualCarriagewayCrossedIsOneJunction) {
 }
 
 TEST_F(Junctions, ADualCarriagewayThatEndsOnAStreetDoesSoAtOne) {
-  const Outlined all = sound(
-      {oneway(1, {{0, 0}, {80, 0}}), oneway(2, {{80, 14}, {0, 14}}), road(3, {{0, -60}, {0, 0}, {0, 14}, {0, 70}})});
+  const Outlined all = sound({oneway(1, {{0, 0}, {80, 0}}), oneway(2, {{80, 14}, {0, 14}}),
+                              road_of_width(3, {{0, -60}, {0, 0}, {0, 14}, {0, 70}})});
   EXPECT_EQ(all.junctions.size(), 1u);
 }
 
@@ -157,8 +162,8 @@ TEST_F(Junctions, VergesWithoutAPavementGoRoundNoCorner) {
 
 TEST_F(Junctions, TwoStreetsACarsLengthApartAreTwo) {
   const auto streets = [&](double apart_m) {
-    return sound({road(1, {{-80, 0}, {0, 0}, {apart_m, 0}, {80, 0}}), road(2, {{0, 0}, {0, 50}}),
-                  road(3, {{apart_m, 0}, {apart_m, -50}})})
+    return sound({road_of_width(1, {{-80, 0}, {0, 0}, {apart_m, 0}, {80, 0}}), road_of_width(2, {{0, 0}, {0, 50}}),
+                  road_of_width(3, {{apart_m, 0}, {apart_m, -50}})})
         .junctions.size();
   };
   EXPECT_EQ(streets(10), 1u);
@@ -166,13 +171,14 @@ TEST_F(Junctions, TwoStreetsACarsLengthApartAreTwo) {
 }
 
 TEST_F(Junctions, ADrivewayNearACornerIsNotPartOfIt) {
-  const Outlined all = sound({road(1, {{-80, 0}, {0, 0}, {8, 0}, {80, 0}}), road(2, {{0, 0}, {0, 50}}),
-                              road(3, {{8, 0}, {8, -50}}, 3, LandCoverClass::kServiceRoad)});
+  const Outlined all =
+      sound({road_of_width(1, {{-80, 0}, {0, 0}, {8, 0}, {80, 0}}), road_of_width(2, {{0, 0}, {0, 50}}),
+             road_of_width(3, {{8, 0}, {8, -50}}, 3, LandCoverClass::kServiceRoad)});
   EXPECT_EQ(all.junctions.size(), 2u);
 }
 
 TEST_F(Junctions, AnIslandBetweenTwoOnewaysIsInsideOne) {
-  const Outlined all = sound({road(1, {{-80, 0}, {0, 0}}, 7), road(2, {{20, 0}, {90, 0}}, 7),
+  const Outlined all = sound({road_of_width(1, {{-80, 0}, {0, 0}}, 7), road_of_width(2, {{20, 0}, {90, 0}}, 7),
                               oneway(3, {{0, 0}, {10, -6}, {20, 0}}, 4), oneway(4, {{20, 0}, {10, 6}, {0, 0}}, 4)});
   ASSERT_EQ(all.junctions.size(), 1u);
   ASSERT_EQ(all.outlines[0].size(), 1u);
@@ -181,14 +187,15 @@ TEST_F(Junctions, AnIslandBetweenTwoOnewaysIsInsideOne) {
 
 TEST_F(Junctions, BentArmsHaveRoundedCorners) {
   // like a street that leaves a roundabout: 30 degrees within its first 6 m, then away
-  const Outlined all = sound({road(1, {{-60, 0}, {0, 0}, {60, 0}}), road(2, {{0, 0}, {5, 3}, {8, 8}, {8, 60}}, 5)});
+  const Outlined all =
+      sound({road_of_width(1, {{-60, 0}, {0, 0}, {60, 0}}), road_of_width(2, {{0, 0}, {5, 3}, {8, 8}, {8, 60}}, 5)});
   ASSERT_EQ(all.junctions.size(), 1u);
   const auto& cuts = all.junctions[0].cuts;
   EXPECT_EQ(std::ranges::count_if(cuts, [](const Cut& cut) { return cut.radius_m >= 2; }), 2);
 }
 
 TEST_F(Junctions, WidthsTaperOneInFive) {
-  const std::vector<Road> roads = {road(1, {{-60, 0}, {0, 0}}, 10), road(2, {{0, 0}, {60, 0}}, 6)};
+  const std::vector<Road> roads = {road_of_width(1, {{-60, 0}, {0, 0}}, 10), road_of_width(2, {{0, 0}, {60, 0}}, 6)};
   const Outlined all = sound(roads);
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(all.junctions[0].cuts, (std::vector<Cut>{{1, 0}, {10, 0}}));
@@ -196,15 +203,15 @@ TEST_F(Junctions, WidthsTaperOneInFive) {
 }
 
 TEST_F(Junctions, StairsAndPathsStepFromWidthToWidth) {
-  const Outlined all = sound({road(1, {{-60, 0}, {0, 0}}, 40, LandCoverClass::kSteps),
-                              road(2, {{0, 0}, {60, 0}}, 2, LandCoverClass::kPavedFootPath)});
+  const Outlined all = sound({road_of_width(1, {{-60, 0}, {0, 0}}, 40, LandCoverClass::kSteps),
+                              road_of_width(2, {{0, 0}, {60, 0}}, 2, LandCoverClass::kPavedFootPath)});
   ASSERT_EQ(all.junctions.size(), 1u);
   for (const Cut& cut : all.junctions[0].cuts) EXPECT_LE(cut.length_m, 1);
 }
 
 TEST_F(Junctions, ATaperIsNoLongerThanHalfItsLink) {
-  const Outlined all =
-      sound({road(1, {{-60, 0}, {0, 0}}, 10), road(2, {{0, 0}, {12, 0}}, 6), road(3, {{12, 0}, {60, 0}}, 10)});
+  const Outlined all = sound({road_of_width(1, {{-60, 0}, {0, 0}}, 10), road_of_width(2, {{0, 0}, {12, 0}}, 6),
+                              road_of_width(3, {{12, 0}, {60, 0}}, 10)});
   ASSERT_EQ(all.junctions.size(), 2u);
   EXPECT_EQ(all.junctions[0].cuts[1].length_m, 6);
   EXPECT_EQ(all.report.counts()[Code::kRoadInsideJunctions], 0u);
@@ -216,7 +223,7 @@ Road with_point(Road made, std::uint32_t vertex, map::TrackPointKind kind) {
 }
 
 TEST_F(Junctions, AtATurningCircleHaveOneArm) {
-  const Outlined all = sound({with_point(road(1, {{0, 0}, {50, 0}}), 1, map::TrackPointKind::kTurningCircle)});
+  const Outlined all = sound({with_point(road_of_width(1, {{0, 0}, {50, 0}}), 1, map::TrackPointKind::kTurningCircle)});
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(all.junctions[0].cuts, (std::vector<Cut>{{6, 0}}));
   double area = 0;
@@ -226,8 +233,8 @@ TEST_F(Junctions, AtATurningCircleHaveOneArm) {
 
 TEST_F(Junctions, AMiniRoundaboutCoversItsDisk) {
   const Outlined all =
-      sound({with_point(road(1, {{-50, 0}, {0, 0}, {50, 0}}, 9), 1, map::TrackPointKind::kMiniRoundabout),
-             road(2, {{0, 0}, {0, 50}}, 5)});
+      sound({with_point(road_of_width(1, {{-50, 0}, {0, 0}, {50, 0}}, 9), 1, map::TrackPointKind::kMiniRoundabout),
+             road_of_width(2, {{0, 0}, {0, 50}}, 5)});
   ASSERT_EQ(all.outlines.size(), 1u);
   ASSERT_EQ(all.outlines[0].size(), 1u);
   // half the wide road and a margin
@@ -236,14 +243,15 @@ TEST_F(Junctions, AMiniRoundaboutCoversItsDisk) {
 }
 
 TEST_F(Junctions, OfFootpathsOnAStreetAreNone) {
-  EXPECT_TRUE(sound({road(1, {{-50, 0}, {0, 0}, {50, 0}}),
-                     road(2, {{0, -50}, {0, 0}, {0, 50}}, 2, LandCoverClass::kPavedFootPath)})
+  EXPECT_TRUE(sound({road_of_width(1, {{-50, 0}, {0, 0}, {50, 0}}),
+                     road_of_width(2, {{0, -50}, {0, 0}, {0, 50}}, 2, LandCoverClass::kPavedFootPath)})
                   .junctions.empty());
 }
 
 TEST_F(Junctions, CutsOfOneLinkNeverOverlap) {
-  const std::vector<Road> roads = {road(1, {{0, 0}, {20, 0}}), road(2, {{0, -50}, {0, 0}, {4, 50}}, 14),
-                                   road(3, {{20, -50}, {20, 0}, {20, 50}}, 14)};
+  const std::vector<Road> roads = {road_of_width(1, {{0, 0}, {20, 0}}),
+                                   road_of_width(2, {{0, -50}, {0, 0}, {4, 50}}, 14),
+                                   road_of_width(3, {{20, -50}, {20, 0}, {20, 50}}, 14)};
   const Outlined all = sound(roads);
   ASSERT_EQ(all.junctions.size(), 2u);
   const auto arms = arms_of(all.junctions, roads);
@@ -254,8 +262,8 @@ TEST_F(Junctions, CutsOfOneLinkNeverOverlap) {
 }
 
 TEST_F(Junctions, DoNotDependOnTheOrderOfRoads) {
-  std::vector<Road> roads = {road(1, {{-50, 0}, {0, 0}, {50, 0}}), road(2, {{0, -50}, {0, 0}, {3, 50}}, 8),
-                             road(3, {{0, 0}, {40, 30}}, 4)};
+  std::vector<Road> roads = {road_of_width(1, {{-50, 0}, {0, 0}, {50, 0}}),
+                             road_of_width(2, {{0, -50}, {0, 0}, {3, 50}}, 8), road_of_width(3, {{0, 0}, {40, 30}}, 4)};
   const Outlined before = outlined(roads);
   std::ranges::reverse(roads);
   for (Road& r : roads) std::ranges::reverse(r.axis);
@@ -275,7 +283,8 @@ std::vector<Road> random_town(std::mt19937_64& chance) {
   const std::vector<double> xs = lines(), ys = lines();
   const auto add = [&](Vec2 a, Vec2 b) {
     if (chance() % 4 != 0)
-      roads.push_back(road(static_cast<std::int64_t>(roads.size()), {a, b}, 3 + static_cast<double>(chance() % 6)));
+      roads.push_back(
+          road_of_width(static_cast<std::int64_t>(roads.size()), {a, b}, 3 + static_cast<double>(chance() % 6)));
   };
   for (std::size_t i = 0; i + 1 < xs.size(); ++i)
     for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
@@ -331,7 +340,7 @@ std::vector<Road> random_roads(std::mt19937_64& chance) {
     if (axis.size() < 2) continue;
     if (chance() % 8 == 0) place = axis.back();
     const auto surface = chance() % 2 == 0 ? LandCoverClass::kPrimaryRoad : LandCoverClass::kResidentialRoad;
-    roads.push_back(road(a + 1, std::move(axis), snapped(width) > 0 ? snapped(width) : 1, surface));
+    roads.push_back(road_of_width(a + 1, std::move(axis), snapped(width) > 0 ? snapped(width) : 1, surface));
     if (chance() % 8 == 0) roads.back().section.lanes.front().way = map::LaneDirection::kForward;
     if (chance() % 16 == 0) roads.back().points.push_back({0, map::TrackPointKind::kMiniRoundabout, 0});
     if (chance() % 16 == 0) roads.back().points.push_back({1, map::TrackPointKind::kTurningCircle, 0});

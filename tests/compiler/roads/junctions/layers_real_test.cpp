@@ -9,11 +9,10 @@
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/roads/junctions/junction_claims.h"
 #include "tests/compiler/roads/real_map.h"
+#include "tests/test_files.h"
 
 namespace citykiln::roads {
 namespace {
-
-const std::filesystem::path kData = CITYKILN_DATA;
 
 struct Extract {
   std::string name, path;
@@ -30,13 +29,13 @@ std::size_t overridden(const RoadLayer& layer, const map::Features& features) {
   }));
 }
 
-void add(const Faults& layer, Faults& all) {
+void add_faults(const Faults& layer, Faults& all) {
   all.self_crossing += layer.self_crossing, all.spikes += layer.spikes, all.beyond_reach += layer.beyond_reach;
   all.overlap_m2 = std::max(all.overlap_m2, layer.overlap_m2);
 }
 
 TEST_P(LayersReal, JunctionsAreSimpleWithoutSpikesApartAndWithinReach) {
-  const std::filesystem::path path = kData / GetParam().path;
+  const std::filesystem::path path = real_data(GetParam().path);
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   const Geos geos;
   Report report;
@@ -50,7 +49,7 @@ TEST_P(LayersReal, JunctionsAreSimpleWithoutSpikesApartAndWithinReach) {
   Faults faults;
   std::size_t on_bridges = 0, in_tunnels = 0, roads = 0, moved = 0;
   for (const RoadLayer& layer : layers) {
-    add(faults_of(layer.junctions, outline_junctions(layer.junctions, layer.roads, 0), layer.roads), faults);
+    add_faults(faults_of(layer.junctions, outline_junctions(layer.junctions, layer.roads, 0), layer.roads), faults);
     (layer.passage == map::Passage::kBridge ? on_bridges : in_tunnels) += layer.junctions.size();
     roads += layer.roads.size(), moved += overridden(layer, features);
     std::printf("layer %d, %s: %zu roads, %zu junctions\n", layer.layer,

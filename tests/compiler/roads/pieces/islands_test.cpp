@@ -11,12 +11,13 @@ namespace {
 
 using map::LandCoverClass;
 
-Road street(std::int64_t id, Polyline axis) { return made_road(id, std::move(axis), 6); }
+Road street_without_pavements(std::int64_t id, Polyline axis) { return made_road(id, std::move(axis), 6); }
 
 // Two streets and a slip lane between them.
 std::vector<Road> with_slip_lane(double side_m) {
-  return {street(1, {{0, 0}, {side_m, 0}, {100, 0}}), street(2, {{0, -100}, {0, 0}, {0, side_m}, {0, 100}}),
-          street(3, {{side_m, 0}, {0, side_m}})};
+  return {street_without_pavements(1, {{0, 0}, {side_m, 0}, {100, 0}}),
+          street_without_pavements(2, {{0, -100}, {0, 0}, {0, side_m}, {0, 100}}),
+          street_without_pavements(3, {{side_m, 0}, {0, side_m}})};
 }
 
 TEST(Islands, LieBetweenSlipLanesAndTheirStreets) {
@@ -35,9 +36,9 @@ TEST(Islands, AreNotMadeByYards) {
 }
 
 TEST(Islands, WithinLargeRoundaboutsArePlanted) {
-  Road ring = street(1, {{15, 0}, {0, 15}, {-15, 0}, {0, -15}, {15, 0}});
+  Road ring = street_without_pavements(1, {{15, 0}, {0, 15}, {-15, 0}, {0, -15}, {15, 0}});
   ring.is_roundabout = true;
-  const Road arm = street(2, {{15, 0}, {100, 0}});
+  const Road arm = street_without_pavements(2, {{15, 0}, {100, 0}});
   const auto islands = islands_of(std::vector{ring, arm});
   ASSERT_EQ(islands.size(), 1u);
   EXPECT_EQ(islands[0].surface, LandCoverClass::kVerge);
@@ -54,7 +55,7 @@ TEST(Islands, DoNotDependOnTheOrderOfRoads) {
 
 TEST(Islands, HaveNoDeadEndsInThem) {
   std::vector<Road> roads = with_slip_lane(20);
-  roads.push_back(street(4, {{0, 0}, {4, 4}}));
+  roads.push_back(street_without_pavements(4, {{0, 0}, {4, 4}}));
   // the ring would run along the dead end and back: it touches itself, so it is no island
   EXPECT_TRUE(islands_of(roads).empty());
 }

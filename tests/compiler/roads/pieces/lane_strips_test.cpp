@@ -10,7 +10,7 @@ namespace citykiln::roads {
 namespace {
 
 // A road with these lanes, its axis in the middle of the carriageway.
-Road road_of(const std::string& left, const std::string& middle, const std::string& right) {
+Road road_of_lanes(const std::string& left, const std::string& middle, const std::string& right) {
   Road road = made_road(1, {{0, 0}, {100, 0}}, 1);
   road.section.lanes.clear();
   for (const auto& [part, is_raised] : {std::pair(left, true), std::pair(middle, false), std::pair(right, true)})
@@ -21,30 +21,31 @@ Road road_of(const std::string& left, const std::string& middle, const std::stri
   return road;
 }
 
-std::string text_of(const std::vector<LaneStrip>& strips) {
+std::string surfaces_of(const std::vector<LaneStrip>& strips) {
   std::vector<std::string_view> names;
   for (const LaneStrip& strip : strips) names.push_back(map::values_of(strip.surface).name);
   return fmt::format("{}", fmt::join(names, " "));
 }
 
 TEST(LaneStrips, AreRunsOfOneSurfaceWithKerbsBetween) {
-  EXPECT_EQ(text_of(strips_of(road_of("s", "pddcp", "cs"), 0.02)),
+  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("s", "pddcp", "cs"), 0.02)),
             "Pavement Kerb ParkingLane ResidentialRoad ParkingLane Kerb CycleTrack Pavement");
-  EXPECT_EQ(text_of(strips_of(road_of("", "dd", ""), 0.02)), "ResidentialRoad");
+  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("", "dd", ""), 0.02)), "ResidentialRoad");
 }
 
 TEST(LaneStrips, VergesAreStripsOfTheirOwnAndRaisedBuffersPavement) {
-  EXPECT_EQ(text_of(strips_of(road_of("sg", "dd", "g"), 0.02)), "Pavement Verge Kerb ResidentialRoad Kerb Verge");
-  EXPECT_EQ(text_of(strips_of(road_of("", "dd", "g/cs"), 0.02)),
+  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("sg", "dd", "g"), 0.02)),
+            "Pavement Verge Kerb ResidentialRoad Kerb Verge");
+  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("", "dd", "g/cs"), 0.02)),
             "ResidentialRoad Kerb Verge Pavement CycleTrack Pavement");
-  const auto strips = strips_of(road_of("sg", "dd", ""), 0.02);
+  const auto strips = strips_of(road_of_lanes("sg", "dd", ""), 0.02);
   EXPECT_DOUBLE_EQ(strips[1].left_m - strips[1].right_m, usual_width_m(map::LaneKind::kVerge) - kKerb_m);
 }
 
 TEST(LaneStrips, LieEdgeToEdgeAndAsWideAsTheirLanes) {
   for (const char* middle : {"d", "pddp", "Sdd/c"})
     for (const char* side : {"", "s", "cs", "g", "gs"}) {
-      const Road road = road_of(side, middle, side);
+      const Road road = road_of_lanes(side, middle, side);
       const auto strips = strips_of(road, 0.02);
       ASSERT_FALSE(strips.empty());
       EXPECT_DOUBLE_EQ(strips.front().left_m, left_m(road) + raised_left_m(road));
@@ -55,10 +56,10 @@ TEST(LaneStrips, LieEdgeToEdgeAndAsWideAsTheirLanes) {
 }
 
 TEST(LaneStrips, NarrowerThanTheToleranceYieldInwards) {
-  EXPECT_EQ(text_of(strips_of(road_of("s", "dd", "s"), 0.2)), "Pavement ResidentialRoad Pavement");
-  const auto strips = strips_of(road_of("s", "dd", "s"), 0.2);
+  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("s", "dd", "s"), 0.2)), "Pavement ResidentialRoad Pavement");
+  const auto strips = strips_of(road_of_lanes("s", "dd", "s"), 0.2);
   EXPECT_DOUBLE_EQ(strips[0].right_m - strips[1].left_m, 0);
-  EXPECT_EQ(text_of(strips_of(road_of("s", "dd", "s"), 9)), "ResidentialRoad");
+  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("s", "dd", "s"), 9)), "ResidentialRoad");
 }
 
 }  // namespace

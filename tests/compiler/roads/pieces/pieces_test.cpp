@@ -14,7 +14,7 @@ namespace citykiln::roads {
 namespace {
 
 // The roads are far from the borders of tiles.
-constexpr double kTile_m = 0x1p20;
+constexpr double kHugeTile_m = 0x1p20;
 constexpr Vec2 kAway = {1000, 1000};
 
 Polyline away(Polyline axis) {
@@ -48,7 +48,7 @@ Road random_road(std::mt19937_64& dice, double most_rad, double least_m) {
 }
 
 RoadPieces pieces_of_whole(const Road& road) {
-  return pieces_of(road, {}, stretches_of(road, {}, kTile_m), kTile_m, 0.02);
+  return pieces_of(road, {}, stretches_of(road, {}, kHugeTile_m), kHugeTile_m, 0.02);
 }
 
 TEST(Pieces, CoverWhatTheStripCovers) {

@@ -7,7 +7,7 @@
 namespace citykiln::roads {
 namespace {
 
-constexpr double kTile_m = 4096;
+constexpr double kStretchTile_m = 4096;
 
 Road straight(double length_m) {
   return made_road(1, {{100, 100}, {100 + length_m, 100}}, 7, map::LandCoverClass::kPrimaryRoad);
@@ -18,7 +18,7 @@ JunctionInterval junction_at(double at_m, double reach_m) {
 }
 
 // "along 0-80, end 80-92 …"
-std::string text_of(const std::vector<RoadStretch>& runs) {
+std::string text_of_stretches(const std::vector<RoadStretch>& runs) {
   constexpr const char* kNames[] = {"along", "start", "end", "zebra", "crossing", "level"};
   std::string text;
   for (const RoadStretch& run : runs)
@@ -27,12 +27,14 @@ std::string text_of(const std::vector<RoadStretch>& runs) {
   return text;
 }
 
-TEST(Stretches, APlainRoadIsOne) { EXPECT_EQ(text_of(stretches_of(straight(200), {}, kTile_m)), "along 0-200"); }
+TEST(Stretches, APlainRoadIsOne) {
+  EXPECT_EQ(text_of_stretches(stretches_of(straight(200), {}, kStretchTile_m)), "along 0-200");
+}
 
 TEST(Stretches, RoadsEndAtJunctionsWithTheirApproach) {
   const std::vector<JunctionInterval> intervals = {junction_at(0, 8), junction_at(200, 10)};
-  const auto runs = stretches_of(straight(200), intervals, kTile_m);
-  EXPECT_EQ(text_of(runs), "along 0-8, start 8-20, along 20-178, end 178-190, along 190-200");
+  const auto runs = stretches_of(straight(200), intervals, kStretchTile_m);
+  EXPECT_EQ(text_of_stretches(runs), "along 0-8, start 8-20, along 20-178, end 178-190, along 190-200");
   EXPECT_EQ(runs[1].control, Control::kGiveWay);
   EXPECT_EQ(runs[3].control, Control::kStop);
   // the stop line is at the end of the road
@@ -42,37 +44,39 @@ TEST(Stretches, RoadsEndAtJunctionsWithTheirApproach) {
 
 TEST(Stretches, ShortBlocksAreShared) {
   const std::vector<JunctionInterval> intervals = {junction_at(0, 8), junction_at(30, 8)};
-  EXPECT_EQ(text_of(stretches_of(straight(30), intervals, kTile_m)), "along 0-8, start 8-15, end 15-22, along 22-30");
+  EXPECT_EQ(text_of_stretches(stretches_of(straight(30), intervals, kStretchTile_m)),
+            "along 0-8, start 8-15, end 15-22, along 22-30");
   const std::vector<JunctionInterval> close = {junction_at(0, 8), junction_at(20, 8)};
-  EXPECT_EQ(text_of(stretches_of(straight(20), close, kTile_m)), "along 0-20");
+  EXPECT_EQ(text_of_stretches(stretches_of(straight(20), close, kStretchTile_m)), "along 0-20");
 }
 
 TEST(Stretches, NoApproachWhereOnlyTheWidthChanges) {
   std::vector<JunctionInterval> intervals = {junction_at(0, 8), junction_at(30, 1)};
   intervals[1].is_change = true;
-  EXPECT_EQ(text_of(stretches_of(straight(60), intervals, kTile_m)), "along 0-8, start 8-20, along 20-60");
+  EXPECT_EQ(text_of_stretches(stretches_of(straight(60), intervals, kStretchTile_m)),
+            "along 0-8, start 8-20, along 20-60");
 }
 
 TEST(Stretches, ACrossingInAJunctionIsMovedToItsMouth) {
   Road road = made_road(1, {{100, 100}, {104, 100}, {300, 100}}, 7, map::LandCoverClass::kPrimaryRoad);
   road.points = {{1, map::TrackPointKind::kZebra, 0}};
   const std::vector<JunctionInterval> intervals = {junction_at(0, 8)};
-  EXPECT_EQ(text_of(stretches_of(road, intervals, kTile_m)),
+  EXPECT_EQ(text_of_stretches(stretches_of(road, intervals, kStretchTile_m)),
             "along 0-8, zebra 8-12, along 12-13, start 13-25, along 25-200");
 }
 
 TEST(Stretches, CrossingsMidwayStayWhereTheyAre) {
   Road road = made_road(1, {{100, 100}, {150, 100}, {300, 100}}, 7, map::LandCoverClass::kPrimaryRoad);
   road.points = {{1, map::TrackPointKind::kCrossing, 0}};
-  EXPECT_EQ(text_of(stretches_of(road, {}, kTile_m)), "along 0-48, crossing 48-52, along 52-200");
+  EXPECT_EQ(text_of_stretches(stretches_of(road, {}, kStretchTile_m)), "along 0-48, crossing 48-52, along 52-200");
   road.surface = map::LandCoverClass::kFootPath;
-  EXPECT_EQ(text_of(stretches_of(road, {}, kTile_m)), "along 0-200");
+  EXPECT_EQ(text_of_stretches(stretches_of(road, {}, kStretchTile_m)), "along 0-200");
 }
 
 TEST(Stretches, RailsKnowWhereRoadsCrossThem) {
   Road road = made_road(1, {{100, 100}, {150, 100}, {300, 100}}, 4, map::LandCoverClass::kRailway);
   road.points = {{1, map::TrackPointKind::kLevelCrossing, 0}};
-  EXPECT_EQ(text_of(stretches_of(road, {}, kTile_m)), "along 0-45, level 45-54, along 54-200");
+  EXPECT_EQ(text_of_stretches(stretches_of(road, {}, kStretchTile_m)), "along 0-45, level 45-54, along 54-200");
 }
 
 // Two tiles that an approach touches must both know what it depends on, or neither draws it.

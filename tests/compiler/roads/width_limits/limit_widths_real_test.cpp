@@ -14,14 +14,13 @@
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/roads/junctions/junction_claims.h"
 #include "tests/compiler/roads/real_map.h"
+#include "tests/test_files.h"
 
 namespace citykiln::roads {
 namespace {
 
-const std::filesystem::path kData = CITYKILN_DATA;
-
 // The area that the rings and a footprint share.
-double shared_m2(std::span<const Ring> rings, const Polygon& footprint) {
+double under_footprints_m2(std::span<const Ring> rings, const Polygon& footprint) {
   const Box2 box = box_of(footprint.outer);
   std::vector<GEOSGeometry*> near;
   for (const Ring& ring : rings)
@@ -32,9 +31,9 @@ double shared_m2(std::span<const Ring> rings, const Polygon& footprint) {
   return area_of(Shape(GEOSIntersection(covered.get(), shape(footprint).get())));
 }
 
-double shared_m2(std::span<const Ring> rings, const Box2& box, const StandingFootprints& footprints) {
+double under_footprints_m2(std::span<const Ring> rings, const Box2& box, const StandingFootprints& footprints) {
   double shared = 0;
-  for (const std::uint32_t f : footprints.near(box)) shared += shared_m2(rings, footprints[f]);
+  for (const std::uint32_t f : footprints.near(box)) shared += under_footprints_m2(rings, footprints[f]);
   return shared;
 }
 
@@ -45,15 +44,15 @@ struct Under {
 
 Under under_buildings(const Road& road, const StripEnds& ends, const StandingFootprints& footprints) {
   const Box2 box = box_of(road.axis).widened(max_offset_m(road));
-  const double carriageway = shared_m2(stroke_carriageway(road, ends), box, footprints);
+  const double carriageway = under_footprints_m2(stroke_carriageway(road, ends), box, footprints);
   const std::vector<Ring> all = stroke_pavements(road, ends);
-  return {carriageway, all.empty() ? 0 : shared_m2(all, box, footprints) - carriageway};
+  return {carriageway, all.empty() ? 0 : under_footprints_m2(all, box, footprints) - carriageway};
 }
 
 class LimitWidthsReal : public testing::TestWithParam<std::string> {};
 
 TEST_P(LimitWidthsReal, KeepsOutOfBuildingsOrSaysThatItDoesNot) {
-  const std::filesystem::path path = kData / GetParam();
+  const std::filesystem::path path = real_data(GetParam());
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   const Geos geos;
   Report report;

@@ -26,7 +26,7 @@ Roads narrowed(const Roads& roads, const Footprints& footprints) {
   return limit_widths(roads, plan_junctions(roads, report), footprints, {}, report);
 }
 
-Road street(std::int64_t id, Polyline axis) {
+Road street_with_pavements(std::int64_t id, Polyline axis) {
   return made_road(id, std::move(axis), 7, map::LandCoverClass::kResidentialRoad, 2, 2);
 }
 
@@ -39,7 +39,7 @@ Road winding_street(std::mt19937_64& dice) {
     heading += (unit() - 0.5) * (dice() % 6 == 0 ? 4.5 : 1.2);
     axis.push_back(snapped(axis.back() + Vec2{std::cos(heading), std::sin(heading)} * (5 + 40 * unit())));
   }
-  Road road = street(1, axis);
+  Road road = street_with_pavements(1, axis);
   road.section.axis_offset_m = snapped(7 * unit());
   return road;
 }
@@ -69,7 +69,7 @@ Footprints houses_about(const Road& road, double least_m, std::mt19937_64& dice)
   return houses;
 }
 
-double shared_m2(std::span<const Ring> rings, const map::Footprint& footprint) {
+double largest_shared_m2(std::span<const Ring> rings, const map::Footprint& footprint) {
   const Box2 box = box_of(footprint.polygon.outer);
   double most = 0;
   for (const Ring& ring : rings)
@@ -90,8 +90,8 @@ TEST(LimitWidths, KeepsEdgesOutOfFootprintsWhereTheLeastWidthAllows) {
     const Roads after = narrowed({road}, houses);
     const std::vector<Ring> whole = stroke_pavements(road), rings = stroke_pavements(after[0]);
     for (const map::Footprint& house : houses) {
-      before += shared_m2(whole, house);
-      ASSERT_LT(shared_m2(rings, house), 0.02) << run << " " << house.id.osm.id;
+      before += largest_shared_m2(whole, house);
+      ASSERT_LT(largest_shared_m2(rings, house), 0.02) << run << " " << house.id.osm.id;
     }
   }
   EXPECT_GT(before, 1000);
@@ -120,7 +120,7 @@ TEST(LimitWidths, TurnsEdgesByNoMoreThanOneInEight) {
 }
 
 TEST(LimitWidths, LeavesAStreetWithNoBuildingNearAsItIs) {
-  const Roads roads = {street(1, {{0, 0}, {100, 0}}), street(2, {{100, 0}, {200, 30}})};
+  const Roads roads = {street_with_pavements(1, {{0, 0}, {100, 0}}), street_with_pavements(2, {{100, 0}, {200, 30}})};
   EXPECT_EQ(narrowed(roads, {made_box(1, {20, 5.5}, {40, 20})}), roads);
   EXPECT_NE(narrowed(roads, {made_box(1, {20, 5.25}, {40, 20})}), roads);
 }
@@ -153,7 +153,8 @@ TEST(LimitWidths, DoesNotDependOnTheOrderOfItsInput) {
   std::mt19937_64 dice(6);
   const Road road = winding_street(dice);
   const Vec2 end = road.axis.back();
-  Roads roads = {road, street(2, {end, snapped(end + Vec2{60, 5})}), street(3, {{-50, 5}, {0, 0}})};
+  Roads roads = {road, street_with_pavements(2, {end, snapped(end + Vec2{60, 5})}),
+                 street_with_pavements(3, {{-50, 5}, {0, 0}})};
   Footprints houses = houses_about(road, 0.5, dice);
   const Roads sorted = narrowed(roads, houses);
   std::ranges::reverse(roads), std::ranges::shuffle(houses, dice);
@@ -168,7 +169,8 @@ TEST(LimitWidths, GoesOnWhereRoadsJoin) {
   for (const bool is_turned : {false, true}) {
     Polyline second = {{100, 0}, {200, 0}};
     if (is_turned) std::ranges::reverse(second);
-    const Roads roads = narrowed({street(1, {{0, 0}, {100, 0}}), street(2, second)}, houses);
+    const Roads roads =
+        narrowed({street_with_pavements(1, {{0, 0}, {100, 0}}), street_with_pavements(2, second)}, houses);
     const RoadEdges before = road_edges_at(roads[0], 100), after = road_edges_at(roads[1], is_turned ? 100 : 0);
     EXPECT_DOUBLE_EQ(before.left_m, 3.09375);
     EXPECT_DOUBLE_EQ(is_turned ? after.right_m : after.left_m, 3.09375);
@@ -178,7 +180,8 @@ TEST(LimitWidths, GoesOnWhereRoadsJoin) {
 
 TEST(LimitWidths, LeavesCarriagewaysWholeAtJunctions) {
   Report report;
-  const Roads roads = {street(1, {{0, 0}, {100, 0}, {200, 0}}), street(2, {{100, 0}, {100, -90}})};
+  const Roads roads = {street_with_pavements(1, {{0, 0}, {100, 0}, {200, 0}}),
+                       street_with_pavements(2, {{100, 0}, {100, -90}})};
   const std::vector<Junction> junctions = plan_junctions(roads, report);
   const Roads after = limit_widths(roads, junctions, std::vector{made_box(1, {80, 2}, {120, 20})}, {}, report);
   double cut = 0;
@@ -191,7 +194,7 @@ TEST(LimitWidths, LeavesCarriagewaysWholeAtJunctions) {
 
 TEST(LimitWidths, IsNotAskedByWhatTheAxisRunsThrough) {
   Report report;
-  const Roads roads = {street(1, {{0, 0}, {100, 0}})};
+  const Roads roads = {street_with_pavements(1, {{0, 0}, {100, 0}})};
   const Roads after = limit_widths(roads, {}, std::vector{made_box(1, {40, -8}, {50, 9})}, {}, report);
   EXPECT_EQ(after, roads);
   ASSERT_EQ(report.counts().count(Code::kBuildingOnRoad), 1u);
@@ -201,14 +204,16 @@ TEST(LimitWidths, IsNotAskedByWhatTheAxisRunsThrough) {
 TEST(LimitWidths, SaysNothingOfWaysThatLeadThroughBuildingsByTheirTags) {
   Report report;
   const std::vector<OsmId> passages = {{OsmType::kWay, 1}};
-  limit_widths({street(1, {{0, 0}, {100, 0}})}, {}, std::vector{made_box(1, {40, -8}, {50, 9})}, passages, report);
+  limit_widths({street_with_pavements(1, {{0, 0}, {100, 0}})}, {}, std::vector{made_box(1, {40, -8}, {50, 9})},
+               passages, report);
   EXPECT_TRUE(report.diagnoses().empty());
-  limit_widths({street(2, {{0, 0}, {100, 0}})}, {}, std::vector{made_box(1, {40, -8}, {50, 9})}, passages, report);
+  limit_widths({street_with_pavements(2, {{0, 0}, {100, 0}})}, {}, std::vector{made_box(1, {40, -8}, {50, 9})},
+               passages, report);
   EXPECT_EQ(report.diagnoses().size(), 1u);
 }
 
 TEST(LimitWidths, IsNotAskedByRoofsAndWhatHangsAbove) {
-  const Roads roads = {street(1, {{0, 0}, {100, 0}})};
+  const Roads roads = {street_with_pavements(1, {{0, 0}, {100, 0}})};
   Footprints houses(3, made_box(1, {40, 2}, {50, 9}));
   houses[0].min_height_m = 3, houses[1].has_parts = true;
   houses[2].building_class = static_cast<std::uint8_t>(map::BuildingClass::kRoof);
@@ -217,8 +222,8 @@ TEST(LimitWidths, IsNotAskedByRoofsAndWhatHangsAbove) {
 
 TEST(LimitWidths, SaysWhatIsLeftInTheWay) {
   Report report;
-  const Roads after =
-      limit_widths({street(1, {{0, 0}, {100, 0}})}, {}, std::vector{made_box(1, {40, 0.5}, {50, 9})}, {}, report);
+  const Roads after = limit_widths({street_with_pavements(1, {{0, 0}, {100, 0}})}, {},
+                                   std::vector{made_box(1, {40, 0.5}, {50, 9})}, {}, report);
   EXPECT_DOUBLE_EQ(road_edges_at(after[0], 45).left_m, kMinCarriageway_m / 2);
   ASSERT_EQ(report.diagnoses().size(), 2u);
   EXPECT_EQ(report.diagnoses()[0].code, Code::kRoadNarrowed);
@@ -228,7 +233,7 @@ TEST(LimitWidths, SaysWhatIsLeftInTheWay) {
 }
 
 TEST(LimitWidths, DependsOnNothingFarOff) {
-  const Roads roads = {street(1, {{0, 0}, {600, 0}})};
+  const Roads roads = {street_with_pavements(1, {{0, 0}, {600, 0}})};
   Footprints houses;
   for (int i = 0; i < 60; ++i) houses.push_back(made_box(i, {i * 10.0, 3 + i % 7 * 0.3}, {i * 10.0 + 9, 20}));
   const Road all = narrowed(roads, houses)[0];
@@ -262,8 +267,9 @@ TEST(LimitWidths, IsTheSameInTrimmedRuns) {
 
 TEST(LimitWidths, TakesAnythingForARoad) {
   Report report;
-  const Roads odd = {street(1, {{0, 0}, {0x1p-10, 0}}), street(2, {{0, 0}, {9, 0}, {0, 0}}),
-                     street(3, {{0, 0}, {30, 0}, {30, 30}, {0, 0}})};
+  const Roads odd = {street_with_pavements(1, {{0, 0}, {0x1p-10, 0}}),
+                     street_with_pavements(2, {{0, 0}, {9, 0}, {0, 0}}),
+                     street_with_pavements(3, {{0, 0}, {30, 0}, {30, 30}, {0, 0}})};
   const Footprints houses = {made_box(1, {0, 0}, {9, 9}), made_box(2, {-3, 1}, {40, 2}),
                              made_footprint(3, {{0, 0}, {9, 0}, {4, 0x1p-10}})};
   EXPECT_EQ(limit_widths(odd, plan_junctions(odd, report), houses, {}, report).size(), 3u);

@@ -11,7 +11,7 @@ namespace citykiln::roads {
 namespace {
 
 // A street of 6 m with pavements of 2 m, and a building so far from its middle on the left.
-Road street(double half_m) {
+Road street_beside_building(double half_m) {
   Road road = made_road(1, {{0, 0}, {200, 0}}, 6, map::LandCoverClass::kResidentialRoad, 2, 2);
   road.width_limits.left = {{100, half_m, false}};
   return road;
@@ -26,31 +26,31 @@ void expect_edges(const Road& road, double along_m, RoadEdges wanted) {
 }
 
 TEST(NarrowedSection, TakesPavementThenCarriagewayThenTheRestOfThePavement) {
-  expect_edges(street(4.5), 100, {4.5, 3, 3, 5});
-  expect_edges(street(3.5), 100, {3.5, 3, 3, 5});
-  expect_edges(street(2.5), 100, {2.5, 2, 3, 5});
-  expect_edges(street(1.75), 100, {1.75, 1.25, 3, 5});
-  expect_edges(street(1.5), 100, {1.5, 1.25, 3, 5});
-  expect_edges(street(0.5), 100, {1.25, 1.25, 3, 5});
+  expect_edges(street_beside_building(4.5), 100, {4.5, 3, 3, 5});
+  expect_edges(street_beside_building(3.5), 100, {3.5, 3, 3, 5});
+  expect_edges(street_beside_building(2.5), 100, {2.5, 2, 3, 5});
+  expect_edges(street_beside_building(1.75), 100, {1.75, 1.25, 3, 5});
+  expect_edges(street_beside_building(1.5), 100, {1.5, 1.25, 3, 5});
+  expect_edges(street_beside_building(0.5), 100, {1.25, 1.25, 3, 5});
 }
 
 TEST(NarrowedSection, OpensByOneInEight) {
-  expect_edges(street(4.5), 102, {4.75, 3, 3, 5});
-  expect_edges(street(4.5), 96, {5, 3, 3, 5});
-  expect_edges(street(4.5), 0, {5, 3, 3, 5});
-  EXPECT_EQ(max_offsets_at(street(4.5), 92).left_m, 5.5);
-  EXPECT_GT(max_offsets_at(street(4.5), 92).right_m, 1e9);
+  expect_edges(street_beside_building(4.5), 102, {4.75, 3, 3, 5});
+  expect_edges(street_beside_building(4.5), 96, {5, 3, 3, 5});
+  expect_edges(street_beside_building(4.5), 0, {5, 3, 3, 5});
+  EXPECT_EQ(max_offsets_at(street_beside_building(4.5), 92).left_m, 5.5);
+  EXPECT_GT(max_offsets_at(street_beside_building(4.5), 92).right_m, 1e9);
 }
 
 TEST(NarrowedSection, RunsStraightAlongWalls) {
-  Road road = street(4.5);
+  Road road = street_beside_building(4.5);
   road.width_limits.left.push_back({140, 3.5, true});
   EXPECT_DOUBLE_EQ(max_offsets_at(road, 120).left_m, 4);
   EXPECT_DOUBLE_EQ(max_offsets_at(road, 144).left_m, 4);
 }
 
 TEST(NarrowedSection, IsAboutTheMiddleOfTheCarriagewayWhereverTheAxisLies) {
-  Road road = street(0.5);
+  Road road = street_beside_building(0.5);
   road.section.axis_offset_m = 0;
   expect_edges(road, 100, {-1.75, -1.75, 6, 8});
 }
@@ -64,7 +64,7 @@ TEST(NarrowedSection, LeavesAPathOneMetre) {
 
 TEST(NarrowedLanes, AddUpToTheEdgesAndAreContinuous) {
   using map::Lane, map::LaneKind, map::LaneDirection;
-  Road road = street(0.5);
+  Road road = street_beside_building(0.5);
   const auto lane = [](LaneKind kind, double width_m, bool is_raised) {
     return Lane{kind, LaneDirection::kBoth, width_m, 0, is_raised};
   };
@@ -92,7 +92,7 @@ TEST(NarrowedLanes, AddUpToTheEdgesAndAreContinuous) {
 
 // The street with a verge outside of its left pavement and one inside of its right one.
 Road street_with_verges(double half_m) {
-  Road road = street(half_m);
+  Road road = street_beside_building(half_m);
   const map::Lane verge{map::LaneKind::kVerge, map::LaneDirection::kBoth, 1, 0, true};
   road.section.lanes.insert(road.section.lanes.begin(), verge);
   road.section.lanes.insert(road.section.lanes.end() - 1, verge);
@@ -119,7 +119,7 @@ TEST(NarrowedSectionBends, AreWhereAVergeOutsideAPavementIsUsedUp) {
 }
 
 TEST(NarrowedSectionBends, AreWhereEdgesTurn) {
-  Road road = street(1);
+  Road road = street_beside_building(1);
   road.width_limits.left.push_back({120, 3, false});
   const std::vector<double> bends = bends_of_edges(road);
   std::vector<double> corners = {0};
