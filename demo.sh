@@ -1,9 +1,9 @@
 #!/bin/sh
 # Builds citykiln, compiles the example town to a manifest and glTF tiles in out/town, and renders a picture of it.
-# Outputs that are up to date are not made again.
+# Outputs that are up to date are not made again. CITYKILN_DEMO_SIZE sets the size of the picture, 1280x720 unless given.
 set -eu
 cd "$(dirname "$0")"
-./setup.sh release
+./setup.sh
 
 citykiln=build/release/citykiln
 town=examples/town
@@ -31,7 +31,7 @@ if ! is_fresh "$out/report.json" "$citykiln" "$town"; then
 fi
 if ! is_fresh "$out/preview.png" "$citykiln" "$out/report.json"; then
   timed "rendering a picture" \
-    "$citykiln" preview "$out" --level 0 --view low --size 1280x720 --spp 32 -o "$out/preview.png"
+    "$citykiln" preview "$out" --level 0 --view low --size "${CITYKILN_DEMO_SIZE:-1280x720}" --spp 8 --denoise -o "$out/preview.png"
 fi
 
 megabytes() { cat "$@" | wc -c | awk '{printf "%.1f MB", $1 / 1e6}'; }

@@ -297,7 +297,8 @@ TracedPath trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDra
   Path path{.from = from, .direction = direction, .spread_rad = context.pixel_rad};
   const std::optional<Meeting> met = meet(context, path, draw);
   if (!met) return {sound(path.light), first_outside(context, from, direction)};
-  const auto& [hit, bsdf] = *met;
+  const Hit& hit = met->hit;
+  const Bsdf& bsdf = met->bsdf;
   Rgb light = path.light;
   const UnitPair choice = draw.next();
   const auto follow = [&](const BsdfSample& drawn) {

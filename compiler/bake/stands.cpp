@@ -57,11 +57,11 @@ Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t
   Stands stands;
   for (auto& [prototype, placements] : placed) {
     const auto is_kept = [&](const Placement& p) { return !taken.contains(p.feature); };
-    const auto rest = std::ranges::stable_partition(placements, is_kept);
+    const auto rest = std::stable_partition(placements.begin(), placements.end(), is_kept);
     const int variants = plants::variants_at(stand_tolerance_m(prototype.species, tolerance_m));
     const plants::Prototype alike{prototype.species, static_cast<std::uint8_t>(prototype.variant % variants)};
-    for (const Placement& p : rest) stands[{p.feature, alike}].push_back(p);
-    placements.erase(rest.begin(), rest.end());
+    for (auto p = rest; p != placements.end(); ++p) stands[{p->feature, alike}].push_back(*p);
+    placements.erase(rest, placements.end());
   }
   return stands;
 }

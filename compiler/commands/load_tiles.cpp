@@ -10,7 +10,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <ranges>
 
 #include "compiler/bake/bake_surroundings.h"
 #include "compiler/commands/read_tileset_tree.h"
@@ -128,8 +127,9 @@ double from_coarse(double error_m) { return std::abs(std::log(std::max(error_m, 
 TileNode chain_of(const std::vector<const verify::WrittenTile*>& coarsest_first, const std::string& folder,
                   const exporters::OrientedBox& box) {
   TileNode chain;
-  for (const verify::WrittenTile* level : coarsest_first | std::views::reverse) {
-    TileNode node{.box = box, .error_m = level->tolerance_m, .path = folder + "/" + level->file.name};
+  for (auto i = coarsest_first.rbegin(); i != coarsest_first.rend(); ++i) {
+    const verify::WrittenTile& level = **i;
+    TileNode node{.box = box, .error_m = level.tolerance_m, .path = folder + "/" + level.file.name};
     if (!chain.path.empty()) node.children.push_back(std::move(chain));
     chain = std::move(node);
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 #include "compiler/commands/load_cells.h"
 #include "compiler/map/heightfield.h"
@@ -82,8 +81,8 @@ preview::Camera camera_for(const preview::World& world, const scene::Scene& scen
   const double far_m = std::clamp(2 * place.extent_m, kNearest_m, kFarthest_m);
   std::vector<double> heights_m = surface_heights_m(world, scene, place.at);
   if (place.on_roofs) heights_m.resize(1);
-  for (const double height_m : heights_m | std::views::reverse)
-    if (const auto camera = free_camera(world, at_height(place.at, height_m), far_m)) return *camera;
+  for (auto height_m = heights_m.rbegin(); height_m != heights_m.rend(); ++height_m)
+    if (const auto camera = free_camera(world, at_height(place.at, *height_m), far_m)) return *camera;
   const Vec3 target = at_height(place.at, heights_m.front());
   return {target + towards_camera(0, kSteep_deg) * far_m, target, kFov_deg};
 }

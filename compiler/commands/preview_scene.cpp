@@ -54,7 +54,7 @@ void look_around(const std::string& manifest_path, const std::vector<scene::Tile
 std::vector<scene::TileKey> keys_of(std::span<const bake::BakedTile> tiles) {
   std::vector<scene::TileKey> keys;
   for (const bake::BakedTile& tile : tiles) keys.push_back(tile.tile);
-  keys.erase(std::ranges::unique(keys).begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   return keys;
 }
 

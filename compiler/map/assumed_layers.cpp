@@ -37,9 +37,11 @@ bool lacks_layer(const Track& track) {
 std::optional<std::int8_t> continued_layer(const Track& track, const std::vector<LayeredNode>& nodes) {
   std::optional<std::int8_t> layer;
   for (const std::int64_t end : {track.node_ids.front(), track.node_ids.back()}) {
-    for (const LayeredNode& node : std::ranges::equal_range(nodes, LayeredNode{end, track.passage}, precedes)) {
-      if (layer && *layer != node.layer) return std::nullopt;
-      layer = node.layer;
+    const LayeredNode wanted{end, track.passage};
+    const auto [first, last] = std::equal_range(nodes.begin(), nodes.end(), wanted, precedes);
+    for (auto node = first; node != last; ++node) {
+      if (layer && *layer != node->layer) return std::nullopt;
+      layer = node->layer;
     }
   }
   return layer;

@@ -2,39 +2,43 @@
 
 #include <algorithm>
 #include <cassert>
-#include <ranges>
 
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::roads {
 namespace {
 
-// The width of the outermost raised lanes of a kind. @param lanes  From an outer edge inwards.
-template <typename Lanes, typename IsOutside>
-double outer_width_m(Lanes&& lanes, IsOutside is_outside) {
+// The width of the outermost raised lanes of a kind. @param first,end  Lanes from an outer edge inwards.
+template <typename Iterator, typename IsOutside>
+double outer_width_m(Iterator first, Iterator end, IsOutside is_outside) {
   double width = 0;
-  for (const map::Lane& lane : lanes) {
-    if (!lane.is_raised || !is_outside(lane)) break;
-    width += lane.width_m;
-  }
+  for (auto lane = first; lane != end && lane->is_raised && is_outside(*lane); ++lane) width += lane->width_m;
   return width;
+}
+
+template <typename IsOutside>
+double outer_left_m(const Road& road, IsOutside is_outside) {
+  return outer_width_m(road.section.lanes.begin(), road.section.lanes.end(), is_outside);
+}
+
+template <typename IsOutside>
+double outer_right_m(const Road& road, IsOutside is_outside) {
+  return outer_width_m(road.section.lanes.rbegin(), road.section.lanes.rend(), is_outside);
 }
 
 bool is_any_lane(const map::Lane&) { return true; }
 bool is_verge(const map::Lane& lane) { return lane.kind == map::LaneKind::kVerge; }
-
-auto from_the_right(const Road& road) { return std::views::reverse(road.section.lanes); }
 
 }  // namespace
 
 double left_m(const Road& road) { return road.section.axis_offset_m; }
 double right_m(const Road& road) { return map::carriageway_width_m(road.section) - road.section.axis_offset_m; }
 
-double raised_left_m(const Road& road) { return outer_width_m(road.section.lanes, is_any_lane); }
-double raised_right_m(const Road& road) { return outer_width_m(from_the_right(road), is_any_lane); }
+double raised_left_m(const Road& road) { return outer_left_m(road, is_any_lane); }
+double raised_right_m(const Road& road) { return outer_right_m(road, is_any_lane); }
 
-double paved_left_m(const Road& road) { return raised_left_m(road) - outer_width_m(road.section.lanes, is_verge); }
-double paved_right_m(const Road& road) { return raised_right_m(road) - outer_width_m(from_the_right(road), is_verge); }
+double paved_left_m(const Road& road) { return raised_left_m(road) - outer_left_m(road, is_verge); }
+double paved_right_m(const Road& road) { return raised_right_m(road) - outer_right_m(road, is_verge); }
 
 std::vector<double> distances_along(const Polyline& axis, double start_along_m) {
   assert(!axis.empty());

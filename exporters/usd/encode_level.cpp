@@ -27,8 +27,9 @@ UsdDictionary tile_data(const bake::BakedTile& tile, const scene::Header& header
 // The part of a list, sorted by layer, that belongs to one.
 template <typename T, typename LayerOf>
 std::span<const T> part_of(const std::vector<T>& sorted, Layer layer, LayerOf layer_of) {
-  const auto range = std::ranges::equal_range(sorted, layer, {}, layer_of);
-  return {range.begin(), range.end()};
+  const auto first = std::ranges::lower_bound(sorted, layer, {}, layer_of);
+  const auto last = std::ranges::upper_bound(first, sorted.end(), layer, {}, layer_of);
+  return {first, last};
 }
 
 void write_layer(UsdBuilder& b, Layer layer) {

@@ -57,10 +57,11 @@ std::uint32_t PaneLights::pane_of(const Hit& hit, Vec3 at, Vec3 direction) const
   const double hit_m = dot(hit.position - at, direction);
   std::uint32_t best = kNoPane;
   double nearest_m = kNear_m;
-  for (const Pane& pane : std::ranges::equal_range(panes_, hit.feature, {}, &Pane::building)) {
-    const double crossing_m = pane.crossing_m(at, direction), off_m = std::abs(crossing_m - hit_m);
+  const auto first = std::ranges::lower_bound(panes_, hit.feature, {}, &Pane::building);
+  for (auto pane = first; pane != panes_.end() && pane->building == hit.feature; ++pane) {
+    const double crossing_m = pane->crossing_m(at, direction), off_m = std::abs(crossing_m - hit_m);
     if (!(crossing_m > 0) || off_m >= nearest_m) continue;
-    nearest_m = off_m, best = static_cast<std::uint32_t>(&pane - panes_.data());
+    nearest_m = off_m, best = static_cast<std::uint32_t>(pane - panes_.begin());
   }
   return best;
 }

@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
-from citykiln_program import TOWN, ProgramTest, run, sha256  # noqa: E402
+from citykiln_program import IS_FULL, TOWN, ProgramTest, long_test, run, sha256  # noqa: E402
 from png import mean_difference  # noqa: E402
 
 # Textures and facades are JPEG or WebP in tiles. Measured: 0.0001 from above, 0.003 in streets; scenes that differ by a tree, 0.01.
@@ -40,15 +40,18 @@ class SamePictures(ProgramTest):
 
 class SamePicturesOfTheTown(SamePictures):
     def test_the_town(self):
-        self.both_show_the_same("--spec", TOWN / "spec.json", levels=("0.5", "2.5"))
+        self.both_show_the_same("--spec", TOWN / "spec.json", levels=("0.5", "2.5") if IS_FULL else ("2.5",))
 
+    @long_test
     def test_the_town_with_instancing_and_a_node_for_each_building(self):
         self.both_show_the_same("--spec", TOWN / "spec.json", "--target", "three", "--split", "building")
 
+    @long_test
     def test_the_town_in_many_tiles(self):
         self.both_show_the_same("--spec", TOWN / "spec.json", "--tile", "256")
 
 
+@long_test
 class SamePicturesReal(SamePictures):
     def test_andorra_la_vella(self):
         # one tile of each place, because buildings have many triangles

@@ -1,7 +1,7 @@
 """Runs the built program and reads its outputs.
 
 The environment variable CITYKILN names the program and CITYKILN_DATA the folder of real data; ctest sets both. Tests that need
-real data are skipped without them.
+real data are skipped without them. Where CITYKILN_FULL is set (./test.sh --full), scripts also run their long tests.
 """
 import hashlib
 import json
@@ -13,10 +13,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 DATA = Path(os.environ.get("CITYKILN_DATA", ROOT.parent / "shared" / "data"))
-PROGRAM = os.environ.get("CITYKILN", str(ROOT / "build" / "checked" / "citykiln"))
+PROGRAM = os.environ.get("CITYKILN", str(ROOT / "build" / "release" / "citykiln"))
 if not Path(PROGRAM).exists():
-    raise SystemExit(f"{PROGRAM} does not exist: run ./setup.sh checked")
+    raise SystemExit(f"{PROGRAM} does not exist: run ./setup.sh")
 TOWN = ROOT / "examples" / "town"
+IS_FULL = "CITYKILN_FULL" in os.environ
+
+# A class or method that takes long; a smaller case of the same claim runs always.
+long_test = unittest.skipUnless(IS_FULL, "runs with ./test.sh --full")
 
 
 def run(*arguments, **options):

@@ -112,19 +112,21 @@ class SlurmCompilesATown(SlurmTest):
         self.assert_whole(plan, whole)
 
 
-class ThousandRegions(ClusterTest):
+class ManyRegions(ClusterTest):
+    """A town of equal houses, one a region."""
+    HOUSES_A_SIDE = 32
     ARGUMENTS = ("--lods", "0.5,2.5", "--tile", "256")
 
     def setUp(self):
         super().setUp()
-        self.map_path = many_houses(self.folder / "houses.osm", 32, 256)
+        self.map_path = many_houses(self.folder / "houses.osm", self.HOUSES_A_SIDE, 256)
         self.whole = self.compiled("whole", self.map_path, *self.ARGUMENTS)
         self.plan = self.planned(self.map_path, *self.ARGUMENTS, "--region", 256, "--halo", 512)
-        self.assertGreater(len(self.regions), 1000)
+        self.assertGreaterEqual(len(self.regions), self.HOUSES_A_SIDE**2)
         self.draw = random.Random(5)
 
 
-class SlurmCompilesAThousandRegions(SlurmTest, ThousandRegions):
+class SlurmCompilesAThousandRegions(SlurmTest, ManyRegions):
     LIMIT_S = 1800
 
     def kill_some(self, count):
@@ -161,16 +163,19 @@ class SlurmCompilesAThousandRegions(SlurmTest, ThousandRegions):
         self.assert_whole(self.plan, self.whole)
 
 
-class NinjaCompilesAThousandRegions(ThousandRegions):
+class NinjaCompilesAThousandRegions(ManyRegions):
+    LEAST_KILLS = 10
+    LONGEST_S = 2
+
     def test_ninja_ends_whole_though_it_and_its_tasks_are_killed(self):
         if shutil.which("ninja") is None:
             self.skipTest("ninja is missing")
         ninja = ["ninja", "-C", str(self.plan)]
         kills = 0
         # about half of the regions are left for the end
-        while kills < 40 and len(list((self.plan / "state").glob("*.json"))) < len(self.regions) / 2:
+        while kills < 4 * self.LEAST_KILLS and len(list((self.plan / "state").glob("*.json"))) < len(self.regions) / 2:
             process = subprocess.Popen(ninja, stdout=subprocess.DEVNULL, env={**os.environ, "TEST_FOLDER": str(self.folder)})
-            time.sleep(self.draw.uniform(0.2, 2))
+            time.sleep(self.draw.uniform(0.2, self.LONGEST_S))
             # ninja itself too, every second time; else it reports the task and ends by itself
             kills_ninja = self.draw.random() < 0.5
             for task in processes_with("TEST_FOLDER", self.folder):
@@ -178,11 +183,17 @@ class NinjaCompilesAThousandRegions(ThousandRegions):
                     kill_process(task)
             process.wait()
             kills += 1
-        self.assertGreater(kills, 10)
+        self.assertGreaterEqual(kills, self.LEAST_KILLS)
         self.assert_gather_names_missing(self.plan)
         done = subprocess.run(ninja, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout[-2000:])
         self.assert_whole(self.plan, self.whole)
+
+
+class NinjaCompilesAFewRegions(NinjaCompilesAThousandRegions):
+    HOUSES_A_SIDE = 3
+    LEAST_KILLS = 2
+    LONGEST_S = 0.4
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Every real extract, and every map in broken/, compiles: no crash, a ledger that balances, and tiles without errors or warnings from
-Khronos' glTF validator, where that is installed; two large extracts are compiled to a manifest alone. No building of an extract is lost:
+Khronos' glTF validator, where that is installed; two large extracts are compiled to a manifest alone. Small places run always, the others with ./test.sh --full. No building of an extract is lost:
 each is planned, replaced by its parts, or outside of the extent by its centroid, and diagnosed. Fewer than one roof in 200 is flat because
 the mapped roof could not be built."""
 import shutil
@@ -8,7 +8,10 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from citykiln_program import DATA, ROOT, ProgramTest, report_of, run
+from citykiln_program import DATA, ROOT, ProgramTest, long_test, report_of, run
+
+# Extracts that compile in seconds: with slopes, a city's core, houses by height, an unsorted file.
+SMALL = {"cut-canillo-village", "berlin-siegessaeule", "nyc-west-village", "somes-island", "osmtogeojson-map", "regglisweiler-10"}
 
 # Map, heightmap, tolerances: coarse where the extract is a country or city, none where its tiles would take minutes.
 EXTRACTS = [
@@ -76,6 +79,9 @@ def count_of(report, code):
 class ExtractsReal(WholeProgram):
     may_hold_nothing = False
 
+    def test_the_small_places_are_among_the_extracts(self):
+        self.assertLessEqual(SMALL, {Path(name).name.split(".")[0] for name, _, _ in EXTRACTS})
+
     def expect_claims(self, report):
         read, planned = report["ledger"]["map/footprint"], report["ledger"]["buildings/footprint"]
         outside = planned["dropped"].get("OutsideBounds", 0)
@@ -104,8 +110,9 @@ def add_claim(suite, map_name, dem_name, lods):
         outputs = ["--lods", lods] if lods else ["--emit", "kiln"]
         self.expect_compiled(self.data(map_name), *dem, *outputs)
 
-    name = Path(map_name).name.split(".")[0].replace("-", "_").lower()
-    setattr(suite, f"test_{name}", claim)
+    stem = Path(map_name).name.split(".")[0]
+    is_long = suite is ExtractsReal and stem not in SMALL
+    setattr(suite, f"test_{stem.replace('-', '_').lower()}", long_test(claim) if is_long else claim)
 
 
 for row in EXTRACTS:

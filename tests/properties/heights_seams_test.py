@@ -4,7 +4,7 @@ level."""
 import array
 import unittest
 
-from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run
+from citykiln_program import ProgramTest, bytes_of_outputs, long_test, report_of, run
 
 VOID = -32768
 DEGREE = 1200  # SRTM samples per degree
@@ -15,6 +15,7 @@ def tiles_in(folder):
     return {name: digest for name, digest in bytes_of_outputs(folder).items() if name.endswith(".glb")}
 
 
+@long_test
 class TilesOfFourRunsReal(ProgramTest):
     """Andorra's capital on four tiles with a common corner: roads, a river, bridges, tunnels, buildings."""
     TILES = ["-7_-4", "-6_-4", "-7_-3", "-6_-3"]
@@ -79,6 +80,7 @@ class HeightsInPiecesReal(ProgramTest):
             self.assertEqual(chunks_of(whole), chunks_of(pieces), name)
             self.assertEqual(tiles_in(whole), tiles_in(pieces), name)
 
+    @long_test
     def test_two_pieces_give_all_recipes_of_andorra(self):
         degree = (0, DEGREE + 1)
         whole, west, east = (self.grid("in", *columns, *degree) for columns in (degree, (0, self.CUT), (self.CUT, DEGREE + 1)))

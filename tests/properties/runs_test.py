@@ -9,9 +9,9 @@ import subprocess
 import time
 import unittest
 
-from citykiln_program import PROGRAM, ROOT, TOWN, ProgramTest, report_of, run, sha256
+from citykiln_program import IS_FULL, PROGRAM, ROOT, TOWN, ProgramTest, report_of, run, sha256
 
-MOMENTS = 12
+MOMENTS = 12 if IS_FULL else 5
 LEVELS = "1,2.5,5"
 
 

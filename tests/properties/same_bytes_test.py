@@ -5,7 +5,7 @@ import json
 import os
 import unittest
 
-from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, run
+from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, long_test, run
 from shuffled import shuffle
 
 # Makes glibc and libm behave as on a CPU without FMA; glibc changed the spelling of the names, so both are given.
@@ -97,6 +97,7 @@ class SameBytesOfAnUnsortedMapReal(SameBytes, ProgramTest):
         return self.data("small/osmtogeojson-map.osm"), []
 
 
+@long_test
 class SameBytesOverHillsReal(SameBytes, ProgramTest):
     """Voids in the heightmap, sea and slopes, in a small part of the map."""
 
