@@ -5,32 +5,33 @@ import json
 import os
 import unittest
 
-from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, long_test, run
+from citykiln_program import IS_FULL, TOWN, ProgramTest, bytes_of_outputs, long_test, run
 from shuffled import shuffle
 
 # Makes glibc and libm behave as on a CPU without FMA; glibc changed the spelling of the names, so both are given.
 NO_FMA = "glibc.cpu.hwcaps=-AVX2_Usable,-FMA_Usable,-FMA4_Usable,-AVX2,-FMA,-FMA4,-AVX512F"
 
-# A fine and a coarse level, and several tiles.
-ARGUMENTS = ["--lods", "0.1,2.5", "--tile", "256"]
-
 
 class SameBytes:
-    """The claims about one map and heightmap, which a subclass names."""
+    """The claims about one map and heightmap, which a subclass names, at a fine and a coarse level and in several tiles."""
+    LEVELS = "0.1,2.5"
+
+    def arguments(self):
+        return ["--lods", self.LEVELS, "--tile", "256"]
 
     def inputs(self):
         raise NotImplementedError
 
     def compiled_plainly(self):
         map_path, dem = self.inputs()
-        return self.compiled_once(map_path, *dem, *ARGUMENTS), map_path, dem
+        return self.compiled_once(map_path, *dem, *self.arguments()), map_path, dem
 
     def test_threads_change_no_byte(self):
         plain, map_path, dem = self.compiled_plainly()
         outputs = bytes_of_outputs(plain)
         self.assertGreater(len(outputs), 1)
         # one thread bakes below
-        other = self.compiled("t7", map_path, *dem, *ARGUMENTS, "--threads", 7)
+        other = self.compiled("t7", map_path, *dem, *self.arguments(), "--threads", 7)
         self.assertEqual(outputs, bytes_of_outputs(other))
         self.assertEqual((plain / "report.json").read_text(), (other / "report.json").read_text())
 
@@ -40,18 +41,18 @@ class SameBytes:
         other = self.folder / "shuffled" / map_path.name
         other.parent.mkdir()
         shuffle(map_path, other, 1)
-        shuffled = self.compiled("out", other, *dem, *ARGUMENTS)
+        shuffled = self.compiled("out", other, *dem, *self.arguments())
         self.assertEqual(bytes_of_outputs(plain), bytes_of_outputs(shuffled))
 
     def test_a_cpu_without_fma_changes_no_byte(self):
         plain, map_path, dem = self.compiled_plainly()
-        without = self.compiled("no_fma", map_path, *dem, *ARGUMENTS, env={**os.environ, "GLIBC_TUNABLES": NO_FMA})
+        without = self.compiled("no_fma", map_path, *dem, *self.arguments(), env={**os.environ, "GLIBC_TUNABLES": NO_FMA})
         self.assertEqual(bytes_of_outputs(plain), bytes_of_outputs(without))
 
     def test_bake_writes_what_compile_writes(self):
         plain, _, _ = self.compiled_plainly()
         baked = self.folder / "baked"
-        done = run("bake", plain / "scene.kiln", "--lods", "0.1,2.5", "--threads", 1, "-o", baked)
+        done = run("bake", plain / "scene.kiln", "--lods", self.LEVELS, "--threads", 1, "-o", baked)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(bytes_of_outputs(plain), bytes_of_outputs(baked))
 
@@ -71,7 +72,7 @@ class SameBytes:
         tiles = sorted({n.removeprefix("glb/").split("_L")[0] for n in whole if n.endswith(".glb")})
         self.assertTrue(tiles)
         for tile in tiles[:2]:
-            apart = self.compiled(f"apart_{tile}", map_path, *dem, *ARGUMENTS, "--only", tile)
+            apart = self.compiled(f"apart_{tile}", map_path, *dem, *self.arguments(), "--only", tile)
             glb = {n: h for n, h in bytes_of_outputs(apart).items() if n.endswith(".glb")}
             self.assertEqual(glb, {n: h for n, h in whole.items() if n.startswith(f"glb/{tile}_L")})
 
@@ -82,6 +83,9 @@ class SameBytes:
 
 
 class SameBytesOfTown(SameBytes, ProgramTest):
+    # the village has 0.1 m always
+    LEVELS = "0.1,2.5" if IS_FULL else "0.5,2.5"
+
     def inputs(self):
         spec = json.loads((TOWN / "spec.json").read_text())
         return TOWN / "town.osm", ["--dem", spec["dem"]]

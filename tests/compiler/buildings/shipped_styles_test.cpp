@@ -16,7 +16,7 @@ namespace {
 using namespace grammars;
 
 /// A style, a mass that it is commonly given, and what it may make of it.
-struct Style {
+struct ShippedStyle {
   const char* name;
   double width_m, depth_m, height_m, levels;
   const char* roof;
@@ -24,7 +24,7 @@ struct Style {
   double most_out_m, most_up_m;  ///< Out of the walls, over the highest point of the mass.
 };
 
-constexpr Style kStyles[] = {
+constexpr ShippedStyle kStyles[] = {
     {"old_town_house", 9, 10, 13, 4, "gabled", 5500, 0.45, 1.6},
     {"courtyard_block", 24, 20, 19, 5, "flat", 16000, 0.95, 2.6},
     {"row_house", 6, 9, 6, 2, "gabled", 1600, 0.75, 1.6},
@@ -40,9 +40,9 @@ constexpr Style kStyles[] = {
     {"castle", 14, 14, 16, 4, "flat", 3000, 0.35, 1.3},
 };
 
-void PrintTo(const Style& style, std::ostream* out) { *out << style.name; }
+void PrintTo(const ShippedStyle& style, std::ostream* out) { *out << style.name; }
 
-struct ShippedStyles : testing::TestWithParam<Style> {
+struct ShippedStyles : testing::TestWithParam<ShippedStyle> {
   Result<Program> program = read_rules(std::string(GetParam().name) + ".cga", shipped);
 
   void SetUp() override { ASSERT_TRUE(program) << to_string(program.error()); }
@@ -62,7 +62,7 @@ struct ShippedStyles : testing::TestWithParam<Style> {
   }
 };
 
-MadeMass made_of(const Style& style) {
+MadeMass made_of(const ShippedStyle& style) {
   MadeMass made;
   made.footprint = {{{0, 0}, {style.width_m, 0}, {style.width_m, style.depth_m}, {0, style.depth_m}}, {}};
   made.height_m = style.height_m;
@@ -167,7 +167,7 @@ std::set<std::int64_t> window_widths_mm(const Derivation& derivation) {
 }
 
 TEST_P(ShippedStyles, CutNoWindowAtAWallsEnd) {
-  Style style = GetParam();
+  ShippedStyle style = GetParam();
   style.roof = "flat";
   std::set<std::int64_t> widths_mm;
   for (style.width_m = 2; style.width_m < 32; style.width_m += 0.73) {
