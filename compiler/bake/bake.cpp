@@ -27,13 +27,38 @@ struct PreparedTile {
   std::size_t most_instances;
 };
 
+namespace {
+
+std::shared_ptr<PreparedTile> with_buildings(PreparedTile&& prepared, int threads) {
+  generate_textured_buildings(prepared.header, prepared.chunk, prepared.prototypes->rulebook(), prepared.levels,
+                              threads);
+  return std::make_shared<PreparedTile>(std::move(prepared));
+}
+
+}  // namespace
+
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
                                       std::span<const double> ladder_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes, std::size_t most_instances) {
-  PreparedTile prepared{header, chunk, levels_of(header, chunk, ladder_m, threads), cache_or_own(header, prototypes),
-                        most_instances};
-  generate_textured_buildings(header, chunk, prepared.prototypes->rulebook(), prepared.levels, threads);
-  return std::make_shared<PreparedTile>(std::move(prepared));
+  return with_buildings({header, chunk, levels_of(header, chunk, ladder_m, threads, KeptReferences::kNone),
+                         cache_or_own(header, std::move(prototypes)), most_instances},
+                        threads);
+}
+
+std::shared_ptr<PreparedTile> prepare_for_check(const scene::Header& header, const scene::Chunk& chunk,
+                                                std::span<const double> ladder_m, int threads,
+                                                std::shared_ptr<const PrototypeCache> prototypes,
+                                                std::size_t most_instances) {
+  return with_buildings({header, chunk, levels_of(header, chunk, ladder_m, threads, KeptReferences::kAll),
+                         cache_or_own(header, std::move(prototypes)), most_instances},
+                        threads);
+}
+
+ExpectedGround expected_ground_of(const PreparedTile& prepared, std::size_t level) {
+  assert(level < prepared.levels.size());
+  const TileLevel& own = prepared.levels[level];
+  assert(own.shared && own.references.size() == own.cells.size() && "not baked yet, and prepared for a check");
+  return {own.shared->graded, own.cover, own.references};
 }
 
 std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std::size_t level) {

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/bake/ground_cells.h"
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/contract/report.h"
 #include "compiler/ground/generate.h"
+#include "compiler/scene/land_cover.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::bake {
@@ -39,6 +41,22 @@ std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::
                                       std::span<const double> ladder_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes = nullptr,
                                       std::size_t most_instances = kAnyInstances);
+
+/// Returns the same as prepare(), with all references for expected_ground_of().
+std::shared_ptr<PreparedTile> prepare_for_check(const scene::Header& header, const scene::Chunk& chunk,
+                                                std::span<const double> ladder_m, int threads,
+                                                std::shared_ptr<const PrototypeCache> prototypes = nullptr,
+                                                std::size_t most_instances = kAnyInstances);
+
+/// The ground that a level must show. Levels may share its parts.
+struct ExpectedGround {
+  std::shared_ptr<const ground::GradedTerrain> graded;
+  std::shared_ptr<const scene::LandCover> cover;
+  CellReferences references;  ///< In the order of cells_of.
+};
+
+/// Returns the expected ground of a level that is not baked yet, of a tile from prepare_for_check().
+ExpectedGround expected_ground_of(const PreparedTile& prepared, std::size_t level);
 
 /// Bakes one level of the ladder, with the same result as bake(). Call once per level, in any order, on any thread.
 BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report);

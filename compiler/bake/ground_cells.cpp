@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/plan.h"
@@ -54,6 +54,7 @@ Candidates candidates_of(std::span<const LandCoverPolygon> surfaces, std::span<c
 struct GeneratedCell {
   ground::GroundMesh ground;
   Report report;
+  std::shared_ptr<const ground::Reference> reference{};  // if it is kept
 };
 
 GeneratedCell generate(const ground::PreparedCell& prepared, ground::GradedNormals& normals, const CellLevel& level,
@@ -83,18 +84,26 @@ std::vector<LevelInCell> levels_in_cell(std::span<const GroundLevel> levels, std
   return all;
 }
 
+void keep_reference(ground::Reference&& reference, std::size_t source, std::span<const LevelInCell> in_cell,
+                    std::span<GeneratedCell> generated) {
+  const auto kept = std::make_shared<const ground::Reference>(std::move(reference));
+  for (std::size_t level = source; level < generated.size(); ++level)
+    if (in_cell[level].source_level == source) generated[level].reference = kept;
+}
+
 // Generates a cell at all levels; those with one source level share what it prepares.
 std::vector<GeneratedCell> generate_levels(std::span<const GroundLevel> levels, std::span<const LevelInCell> in_cell,
-                                           const Box2& cell) {
+                                           const Box2& cell, bool keeps_references) {
   std::vector<GeneratedCell> generated(levels.size());
   for (std::size_t source = 0; source < levels.size(); ++source) {
     if (in_cell[source].source_level != source) continue;
     const ground::GradedTerrain& graded = levels[source].graded;
-    const ground::PreparedCell prepared = ground::prepare_cell(in_cell[source].near.surfaces, graded, cell);
+    ground::PreparedCell prepared = ground::prepare_cell(in_cell[source].near.surfaces, graded, cell);
     ground::GradedNormals normals(graded);
     for (std::size_t level = source; level < levels.size(); ++level)
       if (const double t = levels[level].tolerance_m; in_cell[level].source_level == source)
         generated[level] = generate(prepared, normals, {cell, t, ground::all_sides(t)}, in_cell[level].near);
+    if (keeps_references) keep_reference(std::move(prepared.reference), source, in_cell, generated);
   }
   return generated;
 }
@@ -111,19 +120,21 @@ std::vector<Box2> cells_of(const Box2& tile) {
 }
 
 std::vector<std::vector<ground::GroundMesh>> generate_cells(std::span<const GroundLevel> levels, const Box2& tile,
-                                                            int threads, std::span<Report> reports) {
-  assert(reports.size() == levels.size());
+                                                            int threads, std::span<Report> reports,
+                                                            std::span<CellReferences> references) {
+  assert(reports.size() == levels.size() && (references.empty() || references.size() == levels.size()));
   const std::vector<Box2> cells = cells_of(tile);
   std::vector<Candidates> candidates;
   for (const GroundLevel& level : levels) candidates.push_back(candidates_of(level.surfaces, cells));
   auto slots = for_each_slot<std::vector<GeneratedCell>>(cells.size(), threads, [&](std::size_t c) {
-    return generate_levels(levels, levels_in_cell(levels, candidates, c, cells[c]), cells[c]);
+    return generate_levels(levels, levels_in_cell(levels, candidates, c, cells[c]), cells[c], !references.empty());
   });
   std::vector<std::vector<ground::GroundMesh>> grounds(levels.size());
   for (std::vector<GeneratedCell>& slot : slots)
     for (std::size_t level = 0; level < levels.size(); ++level) {
       reports[level].append(slot[level].report);
       grounds[level].push_back(std::move(slot[level].ground));
+      if (!references.empty()) references[level].push_back(std::move(slot[level].reference));
     }
   return grounds;
 }
@@ -152,20 +163,6 @@ std::vector<ground::GroundMesh> generate_cells(const ground::GradedTerrain& grad
     grounds.push_back(std::move(slot.ground));
   }
   return grounds;
-}
-
-std::vector<ground::Reference> reference_cells(const ground::GradedTerrain& graded,
-                                               std::span<const LandCoverPolygon> surfaces, const Box2& tile,
-                                               int threads) {
-  const std::vector<Box2> cells = cells_of(tile);
-  const auto candidates = candidates_of(surfaces, cells);
-  auto slots = for_each_slot<std::optional<ground::Reference>>(cells.size(), threads, [&](std::size_t c) {
-    const CellSurfaces near = surfaces_near(surfaces, candidates[c], cells[c]);
-    return std::optional(ground::reference_of_cell(near.surfaces, graded, cells[c]));
-  });
-  std::vector<ground::Reference> references;
-  for (auto& slot : slots) references.push_back(std::move(*slot));
-  return references;
 }
 
 }  // namespace citykiln::bake

@@ -1,6 +1,7 @@
 // The ground of a tile, cell by cell.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,13 +21,19 @@ struct GroundLevel {
   double tolerance_m;
 };
 
+/// The references against which the errors of a level's cells are certified, in the order of cells_of. Levels may share
+/// them. They refer to the graded terrain of the level.
+using CellReferences = std::vector<std::shared_ptr<const ground::Reference>>;
+
 /// Generates the ground of each cell, in the order of cells_of, level by level. Levels with the same graded terrain
 /// share the arrangement of a cell where their surfaces near it are equal, which saves time and changes no byte.
 ///
-/// @param reports  One per level.
-/// Memory: one cell's arrangement per thread, and the meshes of all levels.
+/// @param reports     One per level.
+/// @param references  One per level, which get the references of its cells; or none, then these are discarded.
+/// Memory: one cell's arrangement per thread, the meshes of all levels, and the references that are kept.
 std::vector<std::vector<ground::GroundMesh>> generate_cells(std::span<const GroundLevel> levels, const Box2& tile,
-                                                            int threads, std::span<Report> reports);
+                                                            int threads, std::span<Report> reports,
+                                                            std::span<CellReferences> references = {});
 
 /// The same for one level.
 std::vector<ground::GroundMesh> generate_cells(const ground::GradedTerrain& graded,
@@ -44,10 +51,5 @@ struct CellLevel {
 std::vector<ground::GroundMesh> generate_cells(const ground::GradedTerrain& graded,
                                                std::span<const ground::LandCoverPolygon> surfaces,
                                                std::span<const CellLevel> cells, int threads, Report& report);
-
-/// The references against which the cells' errors are certified, in the order of cells_of.
-std::vector<ground::Reference> reference_cells(const ground::GradedTerrain& graded,
-                                               std::span<const ground::LandCoverPolygon> surfaces, const Box2& tile,
-                                               int threads);
 
 }  // namespace citykiln::bake

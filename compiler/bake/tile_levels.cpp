@@ -86,14 +86,16 @@ std::vector<ViewCell> cells_at(const Box2& tile, double tolerance_m) {
   return cells;
 }
 
-void generate_grounds(std::span<TileLevel> levels, const Box2& box, int threads) {
+void generate_grounds(std::span<TileLevel> levels, const Box2& box, int threads, KeptReferences kept) {
   std::vector<GroundLevel> grounds;
   for (const TileLevel& level : levels)
     grounds.push_back({*level.shared->graded, level.cover->surfaces, level.tolerance_m});
   std::vector<Report> reports(levels.size());
-  std::vector<std::vector<ground::GroundMesh>> cells = generate_cells(grounds, box, threads, reports);
+  std::vector<CellReferences> references(kept == KeptReferences::kAll ? levels.size() : 0);
+  std::vector<std::vector<ground::GroundMesh>> cells = generate_cells(grounds, box, threads, reports, references);
   for (std::size_t i = 0; i < levels.size(); ++i)
     levels[i].cells = std::move(cells[i]), levels[i].cell_report = std::move(reports[i]);
+  for (std::size_t i = 0; i < references.size(); ++i) levels[i].references = std::move(references[i]);
 }
 
 // The ground under buildings across the extent's border. Each piece has skirts of its own on all sides.
@@ -110,7 +112,7 @@ void generate_beyond(TileLevel& level, const Box2& box, int threads) {
 }  // namespace
 
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
-                                 std::span<const double> ladder_m, int threads) {
+                                 std::span<const double> ladder_m, int threads, KeptReferences kept) {
   const Box2 box = scene::box_of(header, chunk.tile);
   SharedParts shared{header, chunk, ladder_m};
   std::vector<TileLevel> levels;
@@ -122,7 +124,7 @@ std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk
     level.seen = cells_at(box, tolerance_m);
     if (has_canopy(tolerance_m)) level.canopy = canopies++;
   }
-  generate_grounds(levels, box, threads);
+  generate_grounds(levels, box, threads, kept);
   const std::vector<Box2> beyond = ground_beyond(header, chunk);
   for (TileLevel& level : levels)
     for (const Box2& outside : beyond) generate_beyond(level, outside, threads);

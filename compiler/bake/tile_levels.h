@@ -45,6 +45,7 @@ struct TileLevel {
   std::shared_ptr<const Markings> markings{};  ///< Of all levels of a view; null: the level draws its own.
   std::vector<ViewCell> seen{};
   std::vector<ground::GroundMesh> cells{};   ///< One per entry of `seen`.
+  CellReferences references{};               ///< One per entry of `seen` if they are kept, else none.
   std::vector<ViewCell> seen_beyond{};       ///< Ground outside of the extent, under buildings (ground_beyond.h).
   std::vector<ground::GroundMesh> beyond{};  ///< One per entry of `seen_beyond`.
   Report cell_report{};
@@ -53,9 +54,13 @@ struct TileLevel {
   std::optional<std::size_t> canopy{};  ///< Index into SharedByLevels::canopies.
 };
 
+/// Whether the references of ground cells are kept with the level, to measure files against them. They need as much
+/// memory as the finest ground.
+enum class KeptReferences { kNone, kAll };
+
 /// Returns the levels of a whole tile, complete but for buildings. Cost: the ground's.
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
-                                 std::span<const double> ladder_m, int threads);
+                                 std::span<const double> ladder_m, int threads, KeptReferences kept);
 
 /// Returns a level per part of a tile for a view: what levels share and their land cover, without ground.
 /// @param parts  As levels_of_parts() returns them.

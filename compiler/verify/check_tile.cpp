@@ -7,11 +7,9 @@
 #include <limits>
 
 #include "compiler/bake/bake.h"
-#include "compiler/bake/ground_cells.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/ground/generate.h"
-#include "compiler/scene/graded_terrain.h"
+#include "compiler/ground/mesh/reference.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/verify/ground_index.h"
 #include "compiler/verify/measure_footing.h"
@@ -27,28 +25,12 @@
 namespace citykiln::verify {
 namespace {
 
-// A million samples per tile.
-constexpr int kSamplesASide = 1024;
+// A quarter of the most samples of a file: the graded terrain is the most expensive height. The same for every tile, so
+// that the share of places over the limit is a share of area.
+constexpr int kReferenceSamplesASide = kMostSamplesASide / 2;
 
 // Tiles are checked in parallel, each on one thread.
 constexpr int kOneThread = 1;
-
-// The ground that a level must show: graded terrain, land cover, and the reference mesh of each cell. The reference
-// meshes refer to `graded`, which must not move.
-struct ExpectedGround {
-  Box2 box;
-  bool is_plain;  // without Detail::kRoadSurfaces
-  ground::GradedTerrain graded;
-  std::vector<ground::LandCoverPolygon> surfaces;
-  std::vector<ground::Reference> cells;
-
-  const ground::Reference& at(Vec2 p) const {
-    const auto rows = static_cast<std::size_t>(box.height() / map::kCell_m);
-    const auto column = static_cast<std::size_t>((p.x - box.min.x) / map::kCell_m);
-    const auto row = static_cast<std::size_t>((p.y - box.min.y) / map::kCell_m);
-    return cells[std::min(column * rows + row, cells.size() - 1)];
-  }
-};
 
 // A tile, and what is kept from one level to the next.
 struct TileUnderCheck {
@@ -56,33 +38,46 @@ struct TileUnderCheck {
   const scene::Chunk& chunk;
   Box2 box;
   WaterLevels waters;
-  std::unique_ptr<ExpectedGround> expected;  // of the previous level
+  std::vector<ground::LandCoverPolygon> surfaces;  // for trunks, whatever the level
+  ground::LandCoverIndex cover;                    // of `surfaces`
+  bake::ExpectedGround expected;                   // of the previous level, then of this one
   CheckedTile checked;
 
   CheckResults& results() { return checked.results; }
 };
 
-bool is_plain(double tolerance_m) { return !has_detail(Detail::kRoadSurfaces, tolerance_m); }
+// The squares of the terrain count where a reference is the terrain.
+std::size_t faces_of(const bake::CellReferences& references) {
+  std::size_t faces = 0;
+  for (const auto& reference : references) {
+    const map::Heightfield* terrain = reference->terrain;
+    faces += reference->triangulation.faces().size();
+    if (terrain != nullptr)
+      faces += static_cast<std::size_t>(2 * reference->cell.width() * reference->cell.height() /
+                                        (terrain->step_m.x * terrain->step_m.y));
+  }
+  return faces;
+}
 
-// Returns the previous level's expected ground where this level's is the same.
-const ExpectedGround& expected_ground_at(TileUnderCheck& tile, double tolerance_m) {
-  const scene::Header& header = tile.loaded.scene.header;
-  std::vector<ground::LandCoverPolygon> surfaces = scene::land_cover_of(header, tile.chunk, tolerance_m).surfaces;
-  const ExpectedGround* before = tile.expected.get();
-  if (before && before->is_plain == is_plain(tolerance_m) && before->surfaces == surfaces) return *before;
-  tile.expected =
-      std::make_unique<ExpectedGround>(ExpectedGround{tile.box,
-                                                      is_plain(tolerance_m),
-                                                      scene::graded_terrain_of(header, tile.chunk, tolerance_m),
-                                                      std::move(surfaces),
-                                                      {}});
-  tile.expected->cells = bake::reference_cells(tile.expected->graded, tile.expected->surfaces, tile.box, kOneThread);
-  const ExpectedGround& expected = *tile.expected;
-  const auto at = [&](Vec2 p) -> const ground::Reference& { return expected.at(p); };
-  tile.results().reference_errors =
-      combined(tile.results().reference_errors,
-               measure_reference_errors(expected.graded, expected.surfaces, at, tile.box, kSamplesASide / 2));
-  return expected;
+// Returns the reference of the cell at a place in the tile.
+const ground::Reference& reference_at(const TileUnderCheck& tile, Vec2 p) {
+  const auto rows = static_cast<std::size_t>(tile.box.height() / map::kCell_m);
+  const auto column = static_cast<std::size_t>((p.x - tile.box.min.x) / map::kCell_m);
+  const auto row = static_cast<std::size_t>((p.y - tile.box.min.y) / map::kCell_m);
+  const bake::CellReferences& cells = tile.expected.references;
+  return *cells[std::min(column * rows + row, cells.size() - 1)];
+}
+
+// Takes the expected ground of a level, and measures its references unless the previous level has the same.
+void expect_ground(TileUnderCheck& tile, bake::ExpectedGround&& expected) {
+  const bool is_measured =
+      tile.expected.graded == expected.graded && tile.expected.cover->surfaces == expected.cover->surfaces;
+  tile.expected = std::move(expected);
+  if (is_measured) return;
+  const auto at = [&](Vec2 p) -> const ground::Reference& { return reference_at(tile, p); };
+  tile.results().reference_errors = combined(
+      tile.results().reference_errors, measure_reference_errors(*tile.expected.graded, tile.expected.cover->surfaces,
+                                                                at, tile.box, kReferenceSamplesASide));
 }
 
 // Compares the plan area of all ground cells with the area of the tile.
@@ -100,29 +95,29 @@ void check_area(TileUnderCheck& tile, std::span<const ground::GroundMesh> cells,
 }
 
 // The deviation from the nearest layer of the graded terrain.
-double off_layers_m(const ExpectedGround& expected, Vec2 p, double z_m) {
+double off_layers_m(const TileUnderCheck& tile, Vec2 p, double z_m) {
+  const ground::Reference& reference = reference_at(tile, p);
   double least_m = std::numeric_limits<double>::infinity();
-  for (std::size_t layer = 0; layer < static_cast<std::size_t>(ground::HeightLayer::kCount); ++layer) {
-    const double height_m = ground::height_m_at(expected.at(p), p, static_cast<ground::HeightLayer>(layer));
+  for (const double height_m : ground::heights_at(reference, ground::place_at(reference, p)))
     least_m = std::min(least_m, std::abs(z_m - height_m));
-  }
   return least_m;
 }
 
 // The deviation from the nearest level of a standing water, else from the nearest layer of the graded terrain. Beyond
 // the level parts of a water that runs elsewhere both count, since shores are simplified.
-double deviation_m(const TileUnderCheck& tile, const ExpectedGround& expected, Vec2 p, double z_m, OsmId feature) {
+double deviation_m(const TileUnderCheck& tile, Vec2 p, double z_m, OsmId feature) {
   const auto water = tile.waters.find(feature);
-  if (water == tile.waters.end()) return off_layers_m(expected, p, z_m);
+  if (water == tile.waters.end()) return off_layers_m(tile, p, z_m);
   const double off_m = off_level_m(water->second, z_m);
-  return stands_at(water->second, p) ? off_m : std::min(off_m, off_layers_m(expected, p, z_m));
+  return stands_at(water->second, p) ? off_m : std::min(off_m, off_layers_m(tile, p, z_m));
 }
 
-void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
-  const ExpectedGround& expected = expected_ground_at(tile, level.tolerance_m);
+// Samples the ground of one file.
+void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const GroundIndex& ground,
+                  const std::string& name) {
   const GroundSamples samples = sample_ground(
-      level, [&](Vec2 p, double z_m, OsmId feature) { return deviation_m(tile, expected, p, z_m, feature); }, tile.box,
-      kSamplesASide);
+      level, [&](Vec2 p, double z_m, OsmId feature) { return deviation_m(tile, p, z_m, feature); }, tile.box,
+      samples_a_side(ground.faces.size() + faces_of(tile.expected.references)));
   // baked ground is snapped to the grid, by up to half a quantum
   tile.results().height.test_all(samples.count, samples.error_m <= level.error_m + kQuantum_m,
                                  {fmt::format("{}: {} m where {} m is stated, at {},{}", name, samples.error_m,
@@ -141,7 +136,8 @@ void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const std:
 }
 
 RoadFaces baked_road_faces(const scene::Chunk& chunk, const Box2& box, double tolerance_m, const GroundIndex& ground) {
-  return measure_road_faces(chunk, box, !is_plain(tolerance_m), [&](const roads::Road& road, Vec2 p) {
+  const bool has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m);
+  return measure_road_faces(chunk, box, has_kerbs, [&](const roads::Road& road, Vec2 p) {
     const std::vector<GroundHit> places = ground_at(ground, p);
     const bool is_its_own = !places.empty() && places.front().feature == road.id.osm;
     return is_its_own ? std::vector{places.front().z_m} : std::vector<double>{};
@@ -149,8 +145,8 @@ RoadFaces baked_road_faces(const scene::Chunk& chunk, const Box2& box, double to
 }
 
 // Measures roads, waters and buildings by the triangles of one file.
-void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
-  const GroundIndex ground = index_ground(level);
+void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const GroundIndex& ground,
+                   const std::string& name) {
   const RoadFaces roads = baked_road_faces(tile.chunk, tile.box, level.tolerance_m, ground);
   tile.results().roads.test_all(roads.places, roads.largest_gap_m <= level.error_m + kQuantum_m,
                                 {fmt::format("{}: {} m at {}, {} of {}", name, roads.largest_gap_m, roads.at.x,
@@ -181,8 +177,7 @@ void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const std
 }
 
 void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
-  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(tile.chunk);
-  const Trunks trunks = measure_trunks(level, ground::index_land_cover(surfaces, tile.box.widened(scene::kHalo_m)));
+  const Trunks trunks = measure_trunks(level, tile.cover);
   tile.results().trunks.test_all(trunks.trees, trunks.misplaced == 0,
                                  {fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
                                               trunks.trees, to_string(trunks.worst), trunks.at.x, trunks.at.y),
@@ -215,10 +210,12 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
   if (!bytes) return bytes.error();
   const Result<bake::BakedTile> written = exporters::read_glb(path);
   if (!written) return written.error();
+  expect_ground(tile, bake::expected_ground_of(prepared, level));
   check_area(tile, bake::ground_of(prepared, level), file.name);
   tile.results().glb_bytes.test(is_baked(loaded, prepared, level, *bytes), file.name);
-  check_ground(tile, *written, file.name);
-  check_heights(tile, *written, file.name);
+  const GroundIndex ground = index_ground(*written);
+  check_ground(tile, *written, ground, file.name);
+  check_heights(tile, *written, ground, file.name);
   check_trunks(tile, *written, file.name);
   tile.checked.borders.push_back(borders_of(*written, tile.box));
   return Done{};
@@ -230,8 +227,15 @@ Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenT
   const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
   if (!recipes) return recipes.error();
   const scene::Chunk& chunk = recipes->chunk;
-  TileUnderCheck tile{loaded,  chunk, scene::box_of(loaded.scene.header, chunk.tile), water_levels_of(chunk),
-                      nullptr, {}};
+  TileUnderCheck tile{loaded,
+                      chunk,
+                      scene::box_of(loaded.scene.header, chunk.tile),
+                      water_levels_of(chunk),
+                      scene::coarse_land_cover(chunk),
+                      {},
+                      {},
+                      {}};
+  tile.cover = ground::index_land_cover(tile.surfaces, tile.box.widened(scene::kHalo_m));
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (const Result<Done> done = check_glb_level(tile, *recipes->prepared, i, levels[i].file); !done)
       return done.error();

@@ -30,8 +30,9 @@ struct CheckedTile {
 
 /// Checks all levels of one tile on one thread.
 /// @param levels  The files of the tile, sorted by level; not empty.
-/// Errors: a file that cannot be read; a tile that the manifest does not contain. Memory: one level, and the reference
-/// ground of all.
+/// Errors: a file that cannot be read; a tile that the manifest does not contain. Memory: one level, and the ground of
+/// all levels with its references. Ground is sampled at samples_a_side() of the faces of file and references,
+/// references at 512 places a side.
 Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels);
 
 }  // namespace citykiln::verify

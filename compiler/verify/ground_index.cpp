@@ -8,8 +8,12 @@
 namespace citykiln::verify {
 namespace {
 
-/// Ground faces along roads are some metres long.
-constexpr double kBucket_m = 4;
+/// Returns the side of buckets: ground faces along roads are some metres long, those of open land up to hundreds.
+double bucket_m_of(std::span<const Box2> boxes) {
+  double sides_m = 0;
+  for (const Box2& box : boxes) sides_m += (box.width() + box.height()) / 2;
+  return std::max(4.0, sides_m / static_cast<double>(std::max<std::size_t>(boxes.size(), 1)));
+}
 
 double plan_area_m2(const GroundFace& face) {
   return twice_area(in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])) / 2;
@@ -43,7 +47,7 @@ GroundIndex index_ground(const bake::BakedTile& tile) {
   for (const GroundFace& face : index.faces)
     boxes.push_back(box_of(std::array{in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])})
                         .widened(kBeside_m));
-  index.grid = grid_of(boxes, kBucket_m);
+  index.grid = grid_of(boxes, bucket_m_of(boxes));
   return index;
 }
 

@@ -36,7 +36,7 @@ void add_ledger(const OrderedJson& json, Report& report) {
   for (const auto& [name, theirs] : json.items()) {
     const std::size_t slash = name.find('/');
     Account& ours = report.account(name.substr(0, slash), slash == std::string::npos ? "" : name.substr(slash + 1));
-    const auto number = [&](const char* key) { return theirs.at(key).get<std::uint64_t>(); };
+    const auto number = [&theirs = theirs](const char* key) { return theirs.at(key).get<std::uint64_t>(); };
     ours.in += number("in"), ours.split += number("split"), ours.out += number("out"), ours.merged += number("merged");
     for (const auto& [code, count] : theirs.at("dropped").items())
       ours.dropped[known_code(code)] += count.get<std::uint64_t>();

@@ -132,6 +132,12 @@ void keep_largest_error(GroundSamples& samples, double error_m, Vec2 at) {
 
 }  // namespace
 
+int samples_a_side(std::size_t faces) {
+  constexpr double kSamplesPerFace = 2;
+  const double a_side = std::ceil(std::sqrt(kSamplesPerFace * static_cast<double>(faces)));
+  return static_cast<int>(std::clamp<double>(a_side, kFewestSamplesASide, kMostSamplesASide));
+}
+
 GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& deviation_m, const Box2& box, int a_side) {
   assert(a_side > 0 && !box.is_empty());
   Lattice lattice = lattice_of(box, a_side);

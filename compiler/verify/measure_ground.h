@@ -22,6 +22,13 @@ struct GroundFace {
 /// All triangles of the layers ground, roads and water, including vertical ones.
 std::vector<GroundFace> ground_faces(const bake::BakedTile& tile);
 
+/// The fewest and the most squares along each side of a tile's lattice of samples: 4096 to 1,048,576 samples.
+inline constexpr int kFewestSamplesASide = 64, kMostSamplesASide = 1024;
+
+/// Returns the squares along each side of a lattice that has two samples for each of the compared faces, within the
+/// limits above: tiles of few faces have few places that differ.
+int samples_a_side(std::size_t faces);
+
 /// The result of sampling the ground from above.
 struct GroundSamples {
   std::uint64_t count = 0;

@@ -14,8 +14,8 @@ Result<RecipesOfTile> prepare_tile(const LoadedRun& loaded, std::span<const Writ
   std::vector<double> ladder_m;
   for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
   constexpr int kOneThread = 1;
-  return RecipesOfTile{*chunk, bake::prepare(scene.header, *chunk, ladder_m, kOneThread, loaded.prototypes,
-                                             most_instances_of(loaded.record.target))};
+  return RecipesOfTile{*chunk, bake::prepare_for_check(scene.header, *chunk, ladder_m, kOneThread, loaded.prototypes,
+                                                       most_instances_of(loaded.record.target))};
 }
 
 }  // namespace citykiln::verify

@@ -15,7 +15,7 @@ struct RecipesOfTile {
   std::shared_ptr<bake::PreparedTile> prepared;
 };
 
-/// Returns the recipes of the tile of some files, prepared on one thread as the run did.
+/// Returns the recipes of the tile of some files, prepared on one thread as the run did, with its expected ground.
 /// @param levels  Of one tile, sorted by level; not empty.
 /// Errors: a tile that the manifest does not contain.
 Result<RecipesOfTile> prepare_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels);

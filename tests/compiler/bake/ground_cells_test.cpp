@@ -70,6 +70,29 @@ TEST(GroundOfALadder, IsThatOfItsLevels) {
   }
 }
 
+TEST(GroundOfALadder, KeepsTheReferencesThatCellsAreMeasuredAgainst) {
+  const ground::GradedTerrain graded = graded_terrain(true);
+  const std::vector<LandCoverPolygon> with = surfaces(true), without = surfaces(false);
+  const std::vector<GroundLevel> levels = {{graded, with, 0.1}, {graded, without, 0.5}};
+  std::vector<Report> reports(levels.size());
+  std::vector<CellReferences> references(levels.size());
+  generate_cells(levels, kTileOfTwoCells, 1, reports, references);
+  const std::vector<Box2> cells = cells_of(kTileOfTwoCells);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    ASSERT_EQ(references[i].size(), cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const ground::Reference alone = ground::reference_of_cell(levels[i].surfaces, graded, cells[c]);
+      for (const double share : {0.1, 0.3, 0.7}) {
+        const Vec2 p = cells[c].min + (cells[c].max - cells[c].min) * share;
+        EXPECT_EQ(heights_at(*references[i][c], place_at(*references[i][c], p)), heights_at(alone, place_at(alone, p)));
+      }
+    }
+  }
+  // the surfaces differ in the western cell alone
+  EXPECT_NE(references[0].front(), references[1].front());
+  EXPECT_EQ(references[0].back(), references[1].back());
+}
+
 // Faces refer to the surfaces of their own level.
 TEST(GroundOfALadder, NamesTheSurfacesOfEachLevel) {
   const ground::GradedTerrain graded = graded_terrain(false);

@@ -79,6 +79,14 @@ TEST(SampleGround, CountsRoadsAndWater) {
   }
 }
 
+TEST(SamplesASide, GrowsWithTheFacesWithinItsLimits) {
+  EXPECT_EQ(samples_a_side(0), kFewestSamplesASide);
+  EXPECT_EQ(samples_a_side(2), kFewestSamplesASide);
+  EXPECT_EQ(samples_a_side(20'000), 200);
+  EXPECT_EQ(samples_a_side(20'001), 201);
+  EXPECT_EQ(samples_a_side(100'000'000), kMostSamplesASide);
+}
+
 TEST(BorderEdges, AreTheGroundEdgesOnTheLine) {
   const bake::BakedTile tile = square(0, true);
   EXPECT_EQ(border_edges_along_x(tile, 64).ground, (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));
