@@ -74,7 +74,11 @@ std::uint64_t CrateWriter::tokens(const std::vector<std::uint32_t>& numbers) {
 
 std::uint64_t CrateWriter::dictionary(const UsdDictionary& entries) {
   std::vector<std::pair<std::uint32_t, std::uint64_t>> values;
-  for (const auto& [name, entry] : entries) values.emplace_back(token(name), value(entry));
+  for (const auto& [name, entry] : entries) {
+    // both calls number tokens; compilers differ in the order of arguments
+    const std::uint64_t coded = value(entry);
+    values.emplace_back(token(name), coded);
+  }
   const std::uint64_t at = offset(CrateType::kDictionary);
   put_raw(std::uint64_t{values.size()});
   for (const auto& [name, entry] : values) {
