@@ -28,6 +28,11 @@ Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window, doub
 Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report,
                                             double spacing_m = 0);
 
+/// The distance of samples east and north at the middle of the raster, in metres on the ground, rounded to 2^-10 m to
+/// be independent of the last bit of the CPU's cosine. For a grid turned against the meridian by more than 1 in 8, both
+/// are the smaller of its two spacings. 0 if the middle is not on Earth.
+Vec2 spacing_m_of(const Raster& raster);
+
 /// Returns the transformation from longitude and latitude (WGS84 degrees) to the raster's own system, by GDAL/PROJ; the
 /// identity if system_wkt is empty. Not safe to call from two threads.
 using ToRasterSystem = std::function<void(double& x, double& y)>;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "exporters/load_module.h"
+#include "compiler/contract/load_module.h"
 #include "preview/picture/exposure.h"
 #include "preview/picture/tone_map.h"
 #include "preview/window/flight.h"
@@ -23,7 +23,7 @@ struct Module {
 
 template <typename Function>
 Result<Done> load(Function& function, const char* name) {
-  const Result<void*> address = exporters::load_function("citykiln_window.so", name);
+  const Result<void*> address = load_function("citykiln_window.so", name);
   if (!address) return Error{"--interactive", to_string(address.error())};
   function = reinterpret_cast<Function>(*address);
   return Done{};

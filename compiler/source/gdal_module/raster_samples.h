@@ -2,12 +2,12 @@
 #pragma once
 
 #include "compiler/contract/result.h"
+#include "compiler/source/gdal_module/raster_window.h"
 #include "compiler/source/raster.h"
-#include "compiler/source/raster_window.h"
 
 class GDALDataset;
 
-namespace citykiln::source {
+namespace citykiln::source::gdal {
 
 /// Returns the heights of the window, row by row. Voids (the file's nodata value, -32768, transparent pixels,
 /// non-finite values) become NaN. Without an encoding height_m = scale * value + offset of the one band; terrarium:
@@ -15,4 +15,4 @@ namespace citykiln::source {
 /// fit the encoding, unreadable data.
 Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec);
 
-}  // namespace citykiln::source
+}  // namespace citykiln::source::gdal

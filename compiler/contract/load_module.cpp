@@ -1,10 +1,10 @@
-#include "exporters/load_module.h"
+#include "compiler/contract/load_module.h"
 
 #include <dlfcn.h>
 
 #include <filesystem>
 
-namespace citykiln::exporters {
+namespace citykiln {
 
 Result<void*> load_function(const std::string& module, const std::string& function) {
   std::error_code none;
@@ -21,4 +21,4 @@ Result<void*> load_function(const std::string& module, const std::string& functi
   return Error{module, "cannot be loaded: it is neither beside the program nor in ../libexec/citykiln"};
 }
 
-}  // namespace citykiln::exporters
+}  // namespace citykiln

@@ -4,7 +4,7 @@
 #include "compiler/contract/result.h"
 #include "compiler/source/raster.h"
 
-namespace citykiln::source {
+namespace citykiln::source::gdal {
 
 /// Columns column + stride · i for i below `columns`, rows in the same way; no columns if no sample is needed.
 struct PixelWindow {
@@ -21,4 +21,4 @@ Result<PixelWindow> window_of(const Raster& raster, const LonLatBox& box);
 /// @param raster  Its spacing_m is used.
 PixelWindow thinned(PixelWindow window, const Raster& raster, double spacing_m);
 
-}  // namespace citykiln::source
+}  // namespace citykiln::source::gdal

@@ -1,13 +1,13 @@
-#include "compiler/source/raster_window.h"
+#include "compiler/source/gdal_module/raster_window.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
-#include "compiler/source/read_raster.h"
+#include "compiler/source/gdal_module/raster_system.h"
 
-namespace citykiln::source {
+namespace citykiln::source::gdal {
 namespace {
 
 // samples for interpolation and resampling, and for voids and spikes that reach beyond the box
@@ -36,7 +36,7 @@ std::pair<int, int> clamp(Bounds bounds, int size) {
 Result<PixelWindow> window_of(const Raster& raster, const LonLatBox& box) {
   assert(raster.columns > 0 && raster.rows > 0);
   assert(box.west <= box.east && box.south <= box.north);
-  const Result<ToRasterSystem> to_system = to_system_of(raster);
+  const Result<ToRasterSystem> to_system = from_wgs84(raster);
   if (!to_system) return to_system.error();
   const std::array<double, 6>& a = raster.from_grid;
   const double determinant = a[1] * a[5] - a[2] * a[4];
@@ -69,4 +69,4 @@ PixelWindow thinned(PixelWindow window, const Raster& raster, double spacing_m) 
   return window;
 }
 
-}  // namespace citykiln::source
+}  // namespace citykiln::source::gdal

@@ -1,4 +1,4 @@
-#include "compiler/source/raster_system.h"
+#include "compiler/source/gdal_module/raster_system.h"
 
 #include <cpl_conv.h>
 #include <ogr_spatialref.h>
@@ -9,10 +9,9 @@
 #include <memory>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/source/quiet_gdal.h"
-#include "compiler/source/read_raster.h"
+#include "compiler/source/gdal_module/quiet_gdal.h"
 
-namespace citykiln::source {
+namespace citykiln::source::gdal {
 namespace {
 
 using Transform = std::unique_ptr<OGRCoordinateTransformation>;
@@ -92,7 +91,7 @@ std::string web_mercator_wkt() {
   return wkt_of(system);
 }
 
-Vec2 spacing_m_of(const Raster& raster) {
+Vec2 sample_spacing_m(const Raster& raster) {
   const QuietGdal quiet;
   const double column = (raster.columns - 1) / 2.0, row = (raster.rows - 1) / 2.0;
   std::array<Place, 3> places = {place_of_sample(raster, column, row), place_of_sample(raster, column + 1, row),
@@ -120,7 +119,7 @@ LonLatBox lonlat_box_of(const Raster& raster) {
   return box.west <= box.east ? box : LonLatBox{};
 }
 
-Result<ToRasterSystem> to_system_of(const Raster& raster) {
+Result<ToRasterSystem> from_wgs84(const Raster& raster) {
   if (raster.system_wkt.empty()) return ToRasterSystem([](double&, double&) {});
   const QuietGdal quiet;
   const OGRSpatialReference from = wgs84(), to = system_from(raster.system_wkt);
@@ -133,4 +132,4 @@ Result<ToRasterSystem> to_system_of(const Raster& raster) {
   });
 }
 
-}  // namespace citykiln::source
+}  // namespace citykiln::source::gdal

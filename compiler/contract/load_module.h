@@ -5,7 +5,7 @@
 
 #include "compiler/contract/result.h"
 
-namespace citykiln::exporters {
+namespace citykiln {
 
 /// The folders that are searched, relative to that of the running program: its own, where the build leaves modules;
 /// where an installation has them; the build's, for programs of its folder tests/.
@@ -15,4 +15,4 @@ inline constexpr const char* kModuleFolders[] = {".", "../libexec/citykiln", "..
 /// Errors: it is in none of them, or has no such function.
 Result<void*> load_function(const std::string& module, const std::string& function);
 
-}  // namespace citykiln::exporters
+}  // namespace citykiln

@@ -1,6 +1,6 @@
 // Terrarium: https://github.com/tilezen/joerd/blob/master/docs/formats.md. Mapbox:
 // https://docs.mapbox.com/data/tilesets/guides/access-elevation-data.
-#include "compiler/source/raster_samples.h"
+#include "compiler/source/gdal_module/raster_samples.h"
 
 #include <gdal_priv.h>
 
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-#include "compiler/source/quiet_gdal.h"
+#include "compiler/source/gdal_module/quiet_gdal.h"
 
-namespace citykiln::source {
+namespace citykiln::source::gdal {
 namespace {
 
 // SRTM's value for voids, used even where the file declares none
@@ -113,4 +113,4 @@ Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow&
   return read_coloured(dataset, window, spec);
 }
 
-}  // namespace citykiln::source
+}  // namespace citykiln::source::gdal

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace citykiln::source {
+namespace citykiln::source::gdal {
 
 /// Suppresses GDAL's messages in this thread during its lifetime.
 class QuietGdal {
@@ -28,4 +28,4 @@ class QuietGdal {
   }
 };
 
-}  // namespace citykiln::source
+}  // namespace citykiln::source::gdal

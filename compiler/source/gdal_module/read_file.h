@@ -1,0 +1,12 @@
+// Opens a heightmap with the few GDAL drivers needed, locates its samples, cuts the window and reads it.
+#pragma once
+
+#include "compiler/contract/result.h"
+#include "compiler/source/raster.h"
+
+namespace citykiln::source::gdal {
+
+/// read_raster() of an existing file that is not empty; same parameters and errors.
+Result<Raster> read_file(const RasterSpec& spec, const LonLatBox* window, double spacing_m);
+
+}  // namespace citykiln::source::gdal
