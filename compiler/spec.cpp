@@ -148,7 +148,7 @@ Result<Done> set_target(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
-// More lights than any program takes are a mistake.
+// Rejects numbers that no program can render, which are mistakes.
 Result<Done> set_lights(CompileSpec& spec, std::string_view text) {
   constexpr std::int64_t kMost = 100'000;
   const Result<std::int64_t> count = parse_whole(text, 0);

@@ -10,7 +10,7 @@
 
 namespace citykiln::lsystems {
 
-/// Whether a file is RPForest's: by its extension, and for .lsys by its first word, which is no directive of ours.
+/// True if a file is RPForest's, by its extension, and for .lsys if its first word is not a directive of our notation.
 bool is_rpforest(std::string_view text, std::string_view file);
 
 /// Translates a file to our notation. Entries are a name and its values, in any order.
@@ -21,7 +21,7 @@ bool is_rpforest(std::string_view text, std::string_view file);
 /// Errors: an unknown name, a value that is not a number, a missing N, axiom or parameter.
 Result<std::string> rpforest_to_lsystem_text(std::string_view text, std::string_view file);
 
-/// Reads the translation of a file.
+/// Translates a file and reads the translation.
 Result<LSystem> read_rpforest(std::string_view text, std::string_view file);
 
 }  // namespace citykiln::lsystems

@@ -10,15 +10,15 @@
 
 namespace citykiln::lsystems {
 
-/// State that is kept between passes.
+/// The state that is kept between passes.
 struct Rewriter {
   const LSystem& system;
   const RuleSet& set;
   std::vector<Warning>& warnings;
   Neighbours neighbours;
-  std::vector<double> slots;        ///< Parameters of a rule with contexts.
-  std::vector<std::uint8_t> plain;  ///< For each kind: its arity, or kActive if rules or % rewrite it.
-  std::uint64_t work_left = 0;      ///< Remaining Limits::work.
+  std::vector<double> slots;        ///< The parameters of a rule with contexts.
+  std::vector<std::uint8_t> plain;  ///< By kind: its arity, or kActive if rules or % may rewrite it.
+  std::uint64_t work_left = 0;      ///< The remaining part of Limits::work.
 };
 
 inline constexpr std::uint8_t kActive = 0xff;
@@ -32,11 +32,11 @@ enum class Rewritten : std::uint8_t { kSame, kChanged, kTooLong, kTooMuchWork };
 /// @param chance  The random numbers of this pass.
 Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const Draw& chance, ModuleBuffer& out);
 
-/// Appends a successor. Returns whether it fits.
+/// Appends a successor. Returns false if it does not fit.
 bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, RandomSource& random,
                      ModuleBuffer& out);
 
-/// Counts a warning. At most kMostWarnings different ones are kept; the rest is counted as one without position.
+/// Counts a warning. Keeps at most kMostWarnings different ones; all others are counted as one without position.
 void add_warning(std::vector<Warning>& warnings, TextPosition place, const char* message);
 inline constexpr std::size_t kMostWarnings = 100;
 

@@ -1,11 +1,11 @@
-// Rotations of the turtle. Only + - * / and the square root are used, so results have the same bits on every CPU.
+// Rotations of the turtle. They use only + - * / and the square root, so results have the same bits on every CPU.
 #pragma once
 
 #include "lsystems/skeleton.h"
 
 namespace citykiln::lsystems {
 
-/// Each rotates two of the three directions and leaves the third unchanged.
+/// Rotates two of the three directions and leaves the third unchanged, as do the next two functions.
 /// @param turn  {cosine, sine} of the angle.
 inline void turn_left(TurtleFrame& frame, Vec2 turn) {
   const Vec3 heading = frame.heading;
@@ -26,7 +26,7 @@ inline void roll_left(TurtleFrame& frame, Vec2 turn) {
 /// Rolls until left is horizontal; does nothing if the heading is vertical.
 void level(TurtleFrame& frame);
 
-/// Tropism: turns the heading towards `pull` by elasticity · |heading × pull| radians, at most half a turn.
+/// Applies tropism: turns the heading towards `pull` by elasticity · |heading × pull| radians, at most half a turn.
 void bend(TurtleFrame& frame, Vec3 pull, double elasticity);
 
 /// Restores orthonormal directions after rounding of many rotations.

@@ -16,7 +16,7 @@ namespace {
 constexpr double kMirrorAlpha = 0.1;
 constexpr int kMostMirrors = 6;
 
-// Both lobes of glossier surfaces are followed where these are seen first.
+// If the first surface of a path is glossier than this, both of its lobes are followed.
 constexpr double kSplitAlpha = 0.1;
 
 // Width of the microfacets of surfaces behind a matt reflection. Path regularisation: Kaplanyan, Dachsbacher, 2013.
@@ -27,7 +27,7 @@ constexpr double kLampGlass = 8000 / sky::kUnitLuminance_cd_m2;
 
 bool is_water(materials::Material m) { return m == materials::Material::kWater || m == materials::Material::kSea; }
 
-// A path on its way.
+// The state of a path.
 struct Path {
   Vec3 from, direction;
   Rgb weight{1, 1, 1}, light{};
@@ -35,7 +35,7 @@ struct Path {
   int bounce = 0, mirrors = 0;
   bool is_first = true;
   bool is_sharp = true;  // the camera's, or a mirror's
-  // of the direction: its density, 0 for the camera's, and where it was sampled
+  // density of the direction, 0 for the camera's, and the place where it was sampled
   double pdf = 0;
   Vec3 sampled_at{}, normal{};
   bool has_sampled_sky = false;  // there
@@ -86,7 +86,7 @@ bool samples_sky(const TraceContext& context, bool is_sharp) {
   return context.lights.sun_to_sky() < (is_sharp ? kBrightestSun : kBrightSun);
 }
 
-// Light of sun and sky. Of both where the eye sees the surface, else of one, chosen at random, if both are sampled.
+// Light of sun and sky: both where the eye sees the surface; else one of them, chosen at random, if both are sampled.
 Rgb from_outside(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, const Path& path, PathDraw& draw,
                  bool goes_on) {
   const UnitPair first = draw.next();
@@ -172,7 +172,7 @@ void add_emission(const TraceContext& context, const Hit& hit, Path& path) {
   path.light = path.light + path.weight * context.local.radiance_of(hit.emitter) * balanced(path.pdf, other);
 }
 
-// Fades what is behind air.
+// Passes the air before a surface: adds its light and lowers the weight of the path.
 void pass_air(const TraceContext& context, double distance_m, Path& path) {
   const sky::AirPath air = context.lights.air(path.from + context.world.origin(), path.direction, distance_m);
   path.light = path.light + path.weight * air.added;
@@ -283,7 +283,7 @@ Rgb light_of_room(const TraceContext& context, const Hit& hit, const Bsdf& bsdf,
   return light + light_behind(context, path, draw);
 }
 
-// What guides filters where a path leaves the scene: the ground around ends at a sharp horizon.
+// The guides of a path that leaves the scene: the ground around ends at a sharp horizon.
 FirstSurface first_outside(const TraceContext& context, Vec3 from, Vec3 direction) {
   const auto distance_m = context.lights.ground_m(from + context.world.origin(), direction);
   if (!distance_m) return {};

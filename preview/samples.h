@@ -1,5 +1,5 @@
-// Random samples of the renderer: a pure function of (seed, pixel, sample, dimension), evenly distributed within a
-// pixel and between neighbouring pixels.
+// Random samples of the renderer: a pure function of (seed, pixel, sample, dimension). They are evenly distributed
+// within a pixel and between neighbouring pixels.
 #pragma once
 
 #include <array>
@@ -12,26 +12,26 @@ struct UnitPair {
   double u = 0, v = 0;
 };
 
-/// The size of a picture in powers of two, on which the order of samples depends.
+/// The size of a picture in powers of two, which decides the order of samples.
 struct SampleGrid {
-  int log2_side = 0;     ///< Of the square of pixels that holds the picture.
-  int log2_samples = 0;  ///< Of the samples per pixel, rounded up.
+  int log2_side = 0;     ///< Side of the smallest square of pixels that holds the picture.
+  int log2_samples = 0;  ///< Samples per pixel, rounded up.
 };
 
 /// The smallest grid for a picture. Sizes and samples below 1 count as 1.
 SampleGrid grid_of(int width, int height, int samples);
 
-/// All samples of one pixel. Not thread-safe. Cost: one hash per dimension that is used and bit of the side.
+/// All samples of one pixel. Not thread-safe. Cost: log2_side hashes for each dimension that is used.
 ///
-/// Method: Owen-scrambled Sobol points in the order of a shuffled Morton curve, so that every aligned square of pixels
-/// has evenly distributed points, too, and the remaining error looks like fine grain instead of clumps. Source: Ahmed,
+/// Method: Owen-scrambled Sobol points in the order of a shuffled Morton curve. Every aligned square of pixels has
+/// evenly distributed points too, and the remaining error looks like fine grain instead of clumps. Source: Ahmed,
 /// Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels",
 /// SIGGRAPH Asia 2020; scrambling by hash as in Laine, Karras 2011 and Vegdahl 2021.
 class PixelSamples {
  public:
   PixelSamples(std::uint64_t seed, std::uint32_t x, std::uint32_t y, SampleGrid grid);
 
-  /// The point of a sample in a dimension (a pair of Sobol's).
+  /// The point of a sample in a dimension, which stands for two dimensions of Sobol's sequence.
   UnitPair pair(std::uint32_t sample, std::uint32_t dimension) const;
 
  private:
@@ -41,7 +41,7 @@ class PixelSamples {
   static constexpr std::uint32_t kOrdered = 20;
   std::uint64_t seed_, morton_;
   SampleGrid grid_;
-  // where the curve of a dimension passes the pixel, found when a path first needs it
+  // the pixel's index along the curve of each dimension, computed when a path first needs it
   mutable std::array<std::uint64_t, kOrdered> places_;
   mutable std::uint32_t found_ = 0;
 };

@@ -26,7 +26,7 @@ std::size_t cell_at(const Box2& tile, Vec2 place) {
   return index(place.x - tile.min.x, columns) * rows + index(place.y - tile.min.y, rows);
 }
 
-// What one cell bakes at one level, by index among the chunk's.
+// The objects that one cell bakes at one level, as indices among the chunk's objects.
 struct CellObjects {
   std::vector<std::uint32_t> buildings, barriers, bridges, tunnels;
   std::shared_ptr<SharedByLevels> placed{};  // graded terrain, and the cell's own plants, lamps, pits and stairs

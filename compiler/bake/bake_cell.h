@@ -1,6 +1,6 @@
-// Bakes the ground cells of a tile one by one for a viewpoint, for programs that generate what they need.
+// Bakes the cells of a tile one by one for a viewpoint, for programs that generate only the cells that they need.
 //
-//     prepare_cells()                what is made as a whole: graded terrain, placed plants, markings; objects by cell
+//     prepare_cells()                data of the whole tile: graded terrain, placed plants, markings; objects by cell
 //       └ bake_cell(tile, cell)      the cell's ground, and the objects whose bounds' centre lies in the cell
 #pragma once
 
@@ -18,24 +18,24 @@ namespace citykiln::bake {
 /// A tile whose cells can be baked. Immutable.
 struct CellTile;
 
-/// Prepares a tile. Refers to header, chunk and view, which must outlive the result.
-/// Cost: about a quarter of baking the tile.
+/// Prepares a tile. The result refers to header, chunk and view, which must outlive it. Cost: about a quarter of baking
+/// the tile.
 std::shared_ptr<const CellTile> prepare_cells(const scene::Header& header, const scene::Chunk& chunk,
                                               const ViewLevels& view, std::shared_ptr<const PrototypeCache> prototypes);
 
 /// An estimate of the memory of a prepared tile: its arrays, without the recipes that it refers to.
 std::size_t bytes_of(const CellTile& tile);
 
-/// Bakes one cell, by its index in cells_of(). All cells of a tile together have the triangles and the instances of
-/// bake() for the view, each at the same level. Objects whose centre lies in no cell of the tile are in the nearest
-/// one. Thread-safe. Total. Cost: what the cell holds.
+/// Bakes one cell, by its index in cells_of(). All cells of a tile together have the triangles and instances of bake()
+/// for the view, at the same levels. Objects whose centre lies in no cell of the tile are in the nearest one.
+/// Thread-safe. Cannot fail. Cost: linear in the cell's objects.
 BakedCell bake_cell(const CellTile& tile, std::size_t cell);
 
-/// Returns bounds of what each cell bakes, in the order of cells_of(), from the recipes alone. They hold plants of any
-/// height where plants may stand, and lamps. O(recipes).
+/// Returns bounds of each cell's meshes and instances, in the order of cells_of(), from the recipes only. They allow
+/// for plants of any height wherever plants may stand, and for lamps. O(recipes).
 std::vector<Bounds> cell_bounds(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view);
 
-/// The cell of a place: by index in cells_of(); places outside of the tile have the nearest.
+/// The cell that contains a place, as an index in cells_of(); for places outside of the tile the nearest cell.
 std::size_t cell_at(const Box2& tile, Vec2 place);
 
 }  // namespace citykiln::bake

@@ -1,4 +1,4 @@
-// The ground of a tile, with bridges and tunnels, which share its marking atlas.
+// Bakes the ground of a tile, and bridges and tunnels, which share its marking atlas.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace citykiln::bake {
 
-/// Adds the level's cells with their materials and skirts, then the structures. The tile gets the marking atlas of the
-/// level's markings if it shows any; without these an atlas of all that it shows is drawn. Cells get none.
+/// Adds the level's cells with their materials and skirts, then the structures. A tile that shows markings gets the
+/// atlas of TileLevel::markings, or, without these, an atlas of its own markings. Single cells get no atlas.
 void bake_ground(Baking& baking, const TileLevel& level, std::vector<Built> structures);
 
 }  // namespace citykiln::bake

@@ -1,4 +1,4 @@
-// Bridges, tunnels and stairs of a tile.
+// Bakes the bridges, tunnels and stairs of a tile.
 #pragma once
 
 #include <vector>
@@ -16,19 +16,18 @@ struct Built {
   Bounds bounds;
 };
 
-/// Generates the bridges and bored tunnels that this tile bakes, clipped to the extent. Other tunnels were diagnosed
-/// when the map was compiled. Accounts "bake/bridge", "bake/tunnel".
+/// Generates the bridges and bored tunnels that belong to this tile, clipped to the extent. Tunnels that are not bored
+/// were diagnosed when the map was compiled. Accounts "bake/bridge", "bake/tunnel".
 std::vector<Built> generate_structures(const Baking& baking, Report& report);
 
 /// The marking layouts of structures.
 std::vector<roads::MarkingLayout> layouts_of(const std::vector<Built>& structures);
 
 /// Adds bridges and tunnels.
-/// @param markings  Of their layouts, and others.
+/// @param markings  Markings that include all of their layouts.
 void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings);
 
-/// Adds stairs. They lie on the ground, which is a ramp below them and replaces them where their error is within the
-/// tolerance.
+/// Adds stairs. Stairs whose error is within the tolerance are left out: the ground below them is a ramp.
 void bake_stairs(Baking& baking, const std::vector<structures::Stairs>& all);
 
 }  // namespace citykiln::bake

@@ -13,16 +13,18 @@ namespace citykiln::bake {
 inline constexpr scene::TileKey kSurroundingsTile{std::numeric_limits<std::int32_t>::max(),
                                                   std::numeric_limits<std::int32_t>::max()};
 
-/// Returns the land around the scene's chunks, in one level; nothing where the header knows no surroundings.
+/// Returns the land around the scene's chunks, as one level; nothing if the header has no surroundings.
 ///
-/// - Heights join those of the chunks' terrain at their tiles' borders, and follow the Earth's curve beyond the region.
-///   Tiles of the region that have no chunk are part of the land around.
-/// - Colours: at the edge those of its land cover, by direction, which fade into their means; woods end at the line of
-///   plants/tree_line.h, then come meadow, and rock on steep and on high ground; snow above the snow line.
-/// - error_m is that of the grid's heights. Features: none.
+/// - At the borders of tiles, heights are those of their terrain. Beyond the extent, heights are lowered by the Earth's
+///   curvature. Tiles of the extent without a chunk are part of the land around.
+/// - Colours at the edge are means of its land cover by direction, which fade into the mean of all directions. Woods
+/// end
+///   at the tree line (plants/tree_line.h); above it are meadow and rock, and snow above the snow line. Steep ground is
+///   rock.
+/// - error_m is the error of the grid's heights. There are no features.
 ///
 /// Guarantees: same bytes on every CPU. Cost: 0.2 s.
-/// @param curve  kNone for what bend.h bends.
+/// @param curve  kNone for a tile that bend.h will bend.
 enum class EarthCurve { kAsSeen, kNone };
 std::optional<BakedTile> bake_surroundings(const scene::Scene& scene, EarthCurve curve = EarthCurve::kAsSeen);
 

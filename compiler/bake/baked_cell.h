@@ -1,4 +1,4 @@
-// One ground cell of a tile, baked for a viewpoint.
+// One cell of a tile, baked for a viewpoint.
 #pragma once
 
 #include <map>
@@ -12,30 +12,29 @@
 
 namespace citykiln::bake {
 
-/// Plants of one prototype, which is kept by the cache and by no cell.
+/// Plants of one prototype. The cache owns the prototype.
 struct PlacedPrototype {
   const BakedPrototype* prototype;
   InstancedMesh instances;  ///< Without primitives.
 };
 
-/// What a cell shows at one level.
+/// The meshes and plants of a cell at one level.
 struct BakedCellPart {
-  /// Without plants, marking atlas, material textures and attributes. Its origin is the tile's.
+  /// All but plants, marking atlas, material textures and attributes. Its origin is the tile's.
   BakedTile tile;
   std::vector<PlacedPrototype> plants{};
 };
 
-/// A cell as parts by level, finest first; parts that hold nothing are left out.
+/// A cell as parts by level, finest first, without empty parts.
 struct BakedCell {
   std::vector<BakedCellPart> parts;
-  std::shared_ptr<const Markings> markings;  ///< Of the tile.
+  std::shared_ptr<const Markings> markings;  ///< The markings of the whole tile.
   double texture_m = 0;                      ///< The tolerance of material textures.
 };
 
-/// What a cell takes from its tile while it is baked: sizes that prototypes have for the whole tile, and the place for
-/// its plants.
+/// Data for baking a cell: the sizes of prototypes, which are equal in the whole tile, and the cell's plants (output).
 struct CellBaking {
-  const std::map<plants::Prototype, double>& tallest_plants_m;  ///< By merged variant.
+  const std::map<plants::Prototype, double>& tallest_plants_m;  ///< Height of the tallest plant, by merged variant.
   const std::map<props::LampKind, double>& tallest_lamps_m;
   std::vector<PlacedPrototype>& plants;
 };

@@ -25,14 +25,14 @@ struct Baking {
   const scene::Chunk& chunk;
   double tolerance_m;
   BakedTile& tile;
-  const TilePart* part = nullptr;    ///< Null: the whole tile.
-  const CellBaking* cell = nullptr;  ///< Of a cell (baked_cell.h).
+  const TilePart* part = nullptr;    ///< The part of a view; null: the whole tile.
+  const CellBaking* cell = nullptr;  ///< Data for a cell (baked_cell.h); null: a whole tile or part.
   std::vector<LayeredMesh> meshes{};
   std::set<OsmId> features{OsmId{}};
 
-  /// Whether an object is baked at this tolerance.
+  /// True if an object belongs to the baked part of the tile.
   bool holds(const Bounds& bounds) const { return !part || is_in_part(*part, bounds); }
-  /// Texel size of marking atlas and textures, which all parts of a view share.
+  /// The texel size of marking atlas and textures, which all parts of a view share.
   double texel_m() const { return part ? tolerance_m_of(part->levels.view, part->levels.finest) : tolerance_m; }
 
   /// Adds meshes.
@@ -48,7 +48,7 @@ struct Baking {
       meshes.push_back({std::move(mesh), layer});
     }
   }
-  /// Raises the tile's stated error to that of an object.
+  /// Raises the tile's error_m, and for views its error in pixels, to the error of an object.
   void certify(double error_m, const Bounds& bounds) {
     tile.error_m = std::max(tile.error_m, error_m);
     if (!part) return;
@@ -57,7 +57,8 @@ struct Baking {
   }
 };
 
-/// Generates every object of one kind, for one layer. An object without meshes counts as dropped by the tolerance.
+/// Generates every object of one kind and adds its meshes to a layer. An object without meshes is dropped,
+/// kBelowTolerance.
 template <typename Object, typename BoundsOf, typename Generate>
 void bake_each(Baking& baking, Layer layer, const std::vector<Object>& objects, const char* kind, Report& report,
                BoundsOf bounds_of, Generate generate) {
@@ -78,7 +79,7 @@ void bake_each(Baking& baking, Layer layer, const std::vector<Object>& objects, 
   report.account("bake", kind) = account;
 }
 
-/// The index of a feature, which must be among the tile's.
+/// The index of a feature, which must be one of the tile's features.
 inline std::uint32_t number_of(const BakedTile& tile, OsmId feature) {
   const auto found = std::ranges::lower_bound(tile.features, feature);
   assert(found != tile.features.end() && *found == feature);

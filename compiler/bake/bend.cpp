@@ -13,7 +13,7 @@ namespace {
 // Beyond this, multiples of kQuantum_m are not exact in single precision.
 constexpr double kExactReach_m = 16384;
 
-/// What all parts of a tile are bent by.
+/// The data for bending all parts of a tile.
 struct Bending {
   const map::Globe& globe;
   const map::Geoid& geoid;

@@ -13,7 +13,8 @@
 
 namespace citykiln::bake {
 
-/// Cuts and banks meet the terrain within this distance, so that they hardly ever differ from it by more.
+/// The margin by which graded ground may be above or below the terrain. Cuts and banks meet the terrain within this
+/// distance in plan, so they hardly ever differ from it by more.
 inline constexpr double kGraded_m = 16;
 
 /// A closed box of the plane, and a closed interval of heights.
@@ -24,19 +25,19 @@ struct Bounds {
 
 /// The distance from a point to the bounds; 0 inside.
 double distance_m(const Bounds& bounds, Vec3 place);
-/// The distance between the nearest points of both; 0 where they overlap.
+/// The distance between the nearest points of both bounds; 0 if they overlap.
 double distance_m(const Bounds& a, const Bounds& b);
 
 Bounds bounds_of(const buildings::Building& building);
-/// Includes parapets and portals; from the feet of piers to the top of a bore.
+/// The bounds of a span, parapets and portals included, from the feet of piers to the top of a bore.
 Bounds bounds_of(const structures::Span& span);
-/// From the lowest terrain near the axis to the barrier's height above the highest.
+/// The bounds of a barrier: from the lowest terrain near the axis to the barrier's height above the highest terrain.
 Bounds bounds_of(const props::Barrier& barrier, const map::Heightfield& terrain);
-/// Of a placed mesh that is 1 m tall and 1 m wide.
+/// The bounds of a placed mesh that is 1 m tall and 1 m wide before it is scaled.
 Bounds bounds_of(const Placement& placement);
 Bounds bounds_of(const Mesh& mesh);
 
-/// Of the terrain in a box.
+/// The bounds of the terrain in a box.
 Bounds bounds_of(const map::Heightfield& terrain, const Box2& box);
 
 }  // namespace citykiln::bake

@@ -137,7 +137,7 @@ double patch_at(Vec2 place, std::uint64_t seed) {
   return std::clamp(0.5 + 0.8 * noise, 0.0, 1.0);
 }
 
-// What grows at a place: woods in patches, on slopes away from the sun more than on others, up to the tree line.
+// The vegetation at a place: woods in patches, on slopes away from the sun more than on others, up to the tree line.
 Colour growing_at(const FarLand& land, const EdgeCover& cover, const plants::Habitat& habitat) {
   constexpr double kSharpness = 3, kShadeShare = 0.5;
   const plants::Month month = scene::month_of(land.header);

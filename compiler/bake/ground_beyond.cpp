@@ -75,8 +75,8 @@ std::vector<Interval> covered(const std::vector<Box2>& boxes, double from_x, dou
   return merged;
 }
 
-// The area of all boxes as boxes that do not overlap, from west to east. What they cover beside a line of equal x
-// depends on the boxes there alone.
+// The area of all boxes as boxes that do not overlap, from west to east. Beside a line of equal x they depend only on
+// the boxes at that line.
 std::vector<Box2> disjoint(const std::vector<Box2>& boxes) {
   std::vector<double> xs;
   for (const Box2& box : boxes) xs.insert(xs.end(), {box.min.x, box.max.x});
@@ -99,7 +99,7 @@ bool contains(const Box2& outer, const Box2& inner) { return outer.contains(inne
 
 Box2 transposed(const Box2& box) { return {{box.min.y, box.min.x}, {box.max.y, box.max.x}}; }
 
-// As disjoint(), from south to north.
+// Does the same as disjoint(), from south to north.
 std::vector<Box2> disjoint_by_rows(std::vector<Box2> boxes) {
   std::ranges::transform(boxes, boxes.begin(), transposed);
   boxes = disjoint(boxes);

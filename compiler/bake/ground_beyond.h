@@ -1,4 +1,4 @@
-// The ground under buildings that stand across the border of the extent.
+// Boxes of ground outside the extent, under buildings that stand across its border.
 //
 //          extent |
 //      ___________|___
@@ -14,14 +14,16 @@
 
 namespace citykiln::bake {
 
-/// Returns boxes outside of the extent that hold the footprints of buildings on the ground, as far as they are beside
-/// this tile and within kBeyond_m of it.
+/// Returns boxes that cover the footprints of buildings on the ground outside of the extent, beside this tile and
+/// within kBeyond_m of it.
 ///
-/// Guarantees: corners on whole metres; no two boxes overlap, nor those of two tiles; two tiles cover the same parts of
-/// the line between them; empty for tiles inside the extent. O(n²) in buildings across the border.
+/// Guarantees: corners on whole metres; no two boxes overlap, also boxes of different tiles; the boxes of two tiles
+/// cover the same parts of the line between them; empty for tiles inside the extent. O(n²) in buildings across the
+/// border.
 std::vector<Box2> ground_beyond(const scene::Header& header, const scene::Chunk& chunk);
 
-/// What a chunk holds reaches scene::kHalo_m beyond its tile, and cells need a metre around them.
+/// The largest distance of boxes from their tile. A chunk has data up to scene::kHalo_m, and cells need a margin of a
+/// metre.
 inline constexpr double kBeyond_m = scene::kHalo_m - 2;
 
 }  // namespace citykiln::bake

@@ -1,4 +1,4 @@
-// The material of a face of the ground: that of its class, unless slope or height change it.
+// The material of a face of the ground, by its land cover class, slope and height.
 #pragma once
 
 #include <optional>
@@ -13,24 +13,25 @@ struct GroundFace {
   map::LandCoverClass surface{};
   Vec3 normal;                  ///< Unit, upwards.
   Vec3 centre;                  ///< Plane metres.
-  bool is_beside_road = false;  ///< Whether it shares a corner with a paved surface.
-  bool is_vertical = false;     ///< Built: a retaining wall, a quay, a kerb.
+  bool is_beside_road = false;  ///< True if it shares a corner with a paved surface.
+  bool is_vertical = false;     ///< True for built vertical faces: retaining walls, quays, kerbs.
 };
 
-/// Steeper land holds neither soil nor grass: the angle of repose of scree is 35 to 40°, grass holds a little more.
-/// Cosine of 48°.
+/// The cosine of the steepest slope with soil and grass, 48°. The angle of repose of scree is 35 to 40°; grass holds on
+/// slopes that are a little steeper.
 inline constexpr double kSteepCosine = 0.669;
-/// Snow slides off steeper land: cosine of 58°.
+/// The cosine of the steepest slope on which snow lies, 58°.
 inline constexpr double kSnowCosine = 0.53;
-/// The snow line varies by as much, up and down.
+/// The snow line varies by this height, up and down.
 inline constexpr double kSnowLineSway_m = 40;
 
-/// Whether a group is land: neither water nor built nor sports ground.
+/// True for groups of natural land: neither water nor built nor sports ground.
 bool is_land(map::LandCoverGroup group);
 
-/// The material of a face: on steep land rock, or masonry in towns and beside roads; masonry on vertical faces of land;
-/// snow on land above the snow line, if there is one; else that of its class. Roads, water and built ground keep theirs
-/// at any slope and height. A function of the arguments alone, so that tiles agree. Total.
+/// The material of a face. Roads, water and built ground have the material of their class at any slope and height.
+/// Steep land is rock, or masonry in towns and beside roads; vertical faces of land are masonry; land above the snow
+/// line, if there is one, is snow; other land has the material of its class. A function of the arguments only, so that
+/// tiles agree.
 materials::Material material_of(const GroundFace& face, const std::optional<double>& snow_line_m, std::uint64_t seed);
 
 }  // namespace citykiln::bake

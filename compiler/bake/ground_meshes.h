@@ -1,4 +1,4 @@
-// Divides the ground by material and gives it tints and texture coordinates.
+// Divides the ground into meshes by material, with tints and texture coordinates.
 #pragma once
 
 #include <span>
@@ -14,32 +14,32 @@ namespace citykiln::bake {
 
 /// The place of a marking layout on the marking atlas.
 struct Column {
-  double left_m = 0;                 ///< Where the layout's u = 0 lies; < 0: the layout is not on the atlas.
-  bool is_turned = false;            ///< The atlas holds the layout turned by 180 degrees.
-  double width_m = 0, length_m = 0;  ///< Of the layout.
+  double left_m = 0;                 ///< The atlas' u at the layout's u = 0; < 0: the layout is not on the atlas.
+  bool is_turned = false;            ///< True if the atlas has the layout turned by 180 degrees.
+  double width_m = 0, length_m = 0;  ///< Size of the layout.
 };
 
 /// The marking atlas of a tile, and a column per marking layout.
 struct Markings {
   materials::TextureImage atlas;
   std::vector<Column> columns;
-  std::vector<roads::MarkingLayout> drawn{};  ///< The layouts on the atlas, sorted; what looks alike is once.
-  std::vector<double> left_m{};               ///< Of each of them, as Column::left_m.
+  std::vector<roads::MarkingLayout> drawn{};  ///< The layouts on the atlas, sorted, in canonical form, without repeats.
+  std::vector<double> left_m{};               ///< Column::left_m of each layout in `drawn`.
 };
 
-/// Draws the marking atlas. Layouts that look alike share a column; the order of layouts does not change the atlas.
+/// Draws the marking atlas. Layouts with equal canonical form share a column; the order of layouts does not change it.
 Markings lay_out_markings(std::span<const roads::MarkingLayout> layouts, double tolerance_m);
 
-/// The column of a layout, which looks like one of those that were laid out.
+/// The column of a layout whose canonical form is one of `markings.drawn`.
 Column column_of(const Markings& markings, const roads::MarkingLayout& layout);
 
 /// Moves a mesh's uvs from its layout to the marking atlas, if the layout is on it.
 void map_to_atlas(const Column& column, materials::MaterialMesh& mesh);
 
-/// Divides a cell's ground into meshes: one per surface, or per run of a road's pieces, material and layer. Slope and
-/// snow may change materials (ground_material.h). Vertices have tints (ground_tint.h, border_tint.h). Marked pieces
-/// have uvs on the marking atlas, other pieces of roads on their material's texture, other surfaces on theirs where the
-/// tolerance has Detail::kMaterialTextures.
+/// Divides a cell's ground into meshes, one for each surface (or run of a road's pieces), material and layer. Slope and
+/// snow may change materials (ground_material.h). Vertices have tints (ground_tint.h, border_tint.h). Marked pieces of
+/// roads have uvs on the marking atlas, other pieces on their material's texture; other surfaces have uvs on their
+/// material's texture if the tolerance has Detail::kMaterialTextures.
 std::vector<LayeredMesh> material_meshes(const ground::GroundMesh& ground, const scene::LandCover& cover,
                                          const Markings& markings, const scene::Header& header, double tolerance_m);
 

@@ -1,4 +1,4 @@
-// Tints of the ground: they vary between fields and within large areas.
+// Tints of the ground, which vary between fields and within large areas.
 #pragma once
 
 #include <cstdint>
@@ -9,31 +9,31 @@
 
 namespace citykiln::bake {
 
-/// Multiplies a material's colour, linear, each within 0 … 1.
+/// A factor of a material's linear colour, each component within 0 … 1.
 struct TintFactor {
   double red = 1, green = 1, blue = 1;
 };
 
-/// Whether a class is a paved surface; paved surfaces look the same whatever ways they were mapped as.
+/// True for paved surfaces. These have no tints of their own, so that all ways look alike.
 bool is_paved(map::LandCoverClass surface);
 
-/// Whether a class changes into its neighbour without a sharp edge: grass, scrub, bare ground. Fields and gardens have
-/// edges.
+/// True for classes that change into their neighbour without a sharp edge: grass, scrub, bare ground. Fields and
+/// gardens have sharp edges.
 bool has_soft_border(map::LandCoverClass surface);
 
-/// The tint of a surface in a month: of a field's crop (seasonal_tints.inc), of an area's brightness, drawn by its id.
-/// Paved ground has none.
+/// The tint of a surface in a month: of a field's crop (seasonal_tints.inc), or of an area's brightness. Both are drawn
+/// at random by the surface's id. Paved ground has no tint.
 TintFactor surface_tint(const ground::LandCoverPolygon& surface, materials::Material material, std::uint64_t seed,
                         plants::Month month = plants::kMidsummer);
 
-/// The tint of a material in a month (seasonal_tints.inc); none for what does not change.
+/// The tint of a material in a month (seasonal_tints.inc); 1 for materials that do not change with the season.
 TintFactor seasonal_tint(plants::Month month, materials::Material material);
 
-/// The tint of a place: noise with wavelengths of 35 to 300 m, of brightness and, on vegetation, of dryness. A function
+/// The tint of a place: noise of brightness and, on vegetation, of dryness, with wavelengths of 35 to 300 m. A function
 /// of the place, so that tiles agree.
 TintFactor place_tint(Vec2 place_m, materials::Material material, std::uint64_t seed);
 
-/// The product of both, as COLOR_0.
+/// The product of both tints, in the form of vertex colours (COLOR_0).
 materials::Tint tint_of(TintFactor surface, TintFactor place);
 
 }  // namespace citykiln::bake

@@ -1,4 +1,4 @@
-// Layers: what a part of a tile is, for programs that show, hide or treat the parts differently.
+// Layers: kinds of objects in a tile, for programs that show, hide or treat them differently.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace citykiln::bake {
 
-/// In the order of a tile's primitives, and of its nodes in a .glb.
+/// The layers, in the order of a tile's primitives and of its nodes in a .glb.
 enum class Layer : std::uint8_t {
   kGround,      ///< Land, sports grounds, the ground below buildings.
   kRoads,       ///< Paved ground: roads, paths, rails, squares, pavements.
@@ -22,7 +22,7 @@ enum class Layer : std::uint8_t {
   kCount
 };
 
-/// "ground", "roads", "water", "buildings", "structures", "props", "plants".
+/// The name of a layer: "ground", "roads", "water", "buildings", "structures", "props" or "plants".
 std::string_view name_of(Layer layer);
 std::optional<Layer> layer_named(std::string_view name);
 

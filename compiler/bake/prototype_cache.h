@@ -1,4 +1,5 @@
-// What the tiles of a run share, made once, when a tile first needs it: meshes of plant prototypes, and textures.
+// Data that the tiles of a run share: meshes of plant prototypes, and textures. Each is made when a tile first needs
+// it.
 #pragma once
 
 #include <atomic>
@@ -15,23 +16,23 @@
 
 namespace citykiln::bake {
 
-/// The height of the prototype for plants of at most this height: the next power of two, so that scales are exact, and
-/// between 1/2 and 1 for the tallest plant of a tile.
+/// The height of the prototype for plants of at most this height: the next power of two. So scales are exact, and the
+/// tallest plant of a tile has a scale between 1/2 and 1.
 double prototype_height_m(double tallest_m);
 
-/// The mesh of a plant as tall as was asked for.
+/// The mesh of a plant of one height.
 struct BakedPrototype {
   std::vector<Primitive>
-      primitives;                 ///< Empty where the tolerance drops the plant. Uvs lie on the grid of image_uvs.h.
+      primitives;                 ///< Empty if the plant is below the tolerance. Uvs lie on the grid of image_uvs.h.
   impostor::SharedCutout cutout;  ///< The leaf atlas, if the primitives show it.
   double error_per_m = 0;         ///< Error of a plant per metre of its height.
 };
 
-/// Which grown plants a cache keeps, from which prototypes are made: 2 MB each.
+/// The grown plants that a cache keeps, 2 MB each. Prototypes are made from them.
 enum class KeptPlants { kAll, kRecent };
 
-/// A thread-safe cache of prototypes. Logically const: a prototype is a function of the header's species and of what is
-/// asked for, by exactly which it is kept. Memory: at 0.02 m some 2 MB per prototype.
+/// A thread-safe cache of prototypes. Logically const: a prototype is a function of the header's species and of the
+/// arguments of prototype(). Memory: at 0.02 m some 2 MB per prototype.
 class PrototypeCache {
  public:
   explicit PrototypeCache(const scene::Header& header, KeptPlants kept = KeptPlants::kAll)
@@ -41,13 +42,13 @@ class PrototypeCache {
         textures_(header.seed),
         rulebook_(buildings::parse_rulebook(header.rules)) {}
 
-  /// The prototype `height_m` tall, for plants of at most that height within the tolerance, both > 0. Lives as long as
-  /// the cache.
+  /// The prototype of a height, within the tolerance for plants of at most that height. Both are > 0. It lives as long
+  /// as the cache.
   const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
   const materials::TextureCache& textures() const { return textures_; }
 
-  /// Of the meshes of all prototypes that were asked for, none of which is ever freed.
+  /// The memory of the meshes of all prototypes made so far, none of which is freed before the cache.
   std::size_t bytes() const { return bytes_; }
 
   /// The header's rules, parsed.

@@ -5,9 +5,9 @@
 
 namespace citykiln::bake {
 
-/// Halves every edge that is longer than `longest_m`, until none is; each triangle is divided among its halves. Which
-/// edge is halved, and where, depends on its ends alone, so that primitives that share an edge still share it after.
-/// Positions of new vertices are the means of the ends, exact where these are multiples of kQuantum_m.
+/// Halves every edge that is longer than `longest_m`, until none is, and divides the triangles. Whether and where an
+/// edge is halved depends on its ends only, so primitives that share an edge still share it afterwards. Positions of
+/// new vertices are the means of the ends, exact if these are multiples of kQuantum_m.
 /// @param longest_m  > 0. O(triangles after).
 void split_long_edges(Primitive& primitive, double longest_m);
 

@@ -25,7 +25,7 @@ std::vector<Placement> joined(const plants::PlacedPlants& placed) {
   return all;
 }
 
-// What only some levels need.
+// Objects that only some levels need.
 struct Wanted {
   bool blades = false, hedge_plants = false;
   std::vector<double> canopies_m{};

@@ -1,4 +1,5 @@
-// The levels of a tile before they are baked: what they share is made once, and their ground together.
+// The levels of a tile before they are baked. Data that levels share is made once, and the ground of all levels is
+// generated together.
 #pragma once
 
 #include <memory>
@@ -21,28 +22,28 @@
 
 namespace citykiln::bake {
 
-/// What all levels with Detail::kRoadSurfaces share, and what all levels without it do: the graded terrain, and what
-/// stands on it.
+/// The graded terrain, and placed objects on it. All levels with Detail::kRoadSurfaces share one, all levels without it
+/// another.
 struct SharedByLevels {
   std::shared_ptr<const ground::GradedTerrain> graded;
   plants::PlacedPlants trees{};
-  plants::PlacedPlants blades{};  ///< For levels with Detail::kGrassBlades; empty where no level has it.
+  plants::PlacedPlants blades{};  ///< For levels with Detail::kGrassBlades; empty if no level has it.
   Report tree_report{};
   std::vector<props::TreePit> pits{};
   Lamps lamps{};
   std::vector<structures::Stairs> stairs{};
-  std::vector<plants::Canopy> canopies{};  ///< Of the levels with Detail::kWoodCanopies, in their order.
+  std::vector<plants::Canopy> canopies{};  ///< One for each level with Detail::kWoodCanopies, in their order.
 };
 
-/// One per building of the chunk.
+/// The meshes of each building of the chunk.
 using BuildingMeshes = std::vector<buildings::GeneratedBuilding>;
 
-/// One level: its ground, and its buildings where levels share what these are made of.
+/// One level: its ground, and its buildings if they are generated for several levels together.
 struct TileLevel {
   double tolerance_m;
   std::shared_ptr<const SharedByLevels> shared;
   std::shared_ptr<const scene::LandCover> cover = std::make_shared<scene::LandCover>();
-  std::shared_ptr<const Markings> markings{};  ///< Of all levels of a view; null: the level draws its own.
+  std::shared_ptr<const Markings> markings{};  ///< Shared by all levels of a view; null: the level draws its own.
   std::vector<ViewCell> seen{};
   std::vector<ground::GroundMesh> cells{};   ///< One per entry of `seen`.
   CellReferences references{};               ///< One per entry of `seen` if they are kept, else none.
@@ -54,27 +55,28 @@ struct TileLevel {
   std::optional<std::size_t> canopy{};  ///< Index into SharedByLevels::canopies.
 };
 
-/// Whether the references of ground cells are kept with the level, to measure files against them. They need as much
-/// memory as the finest ground.
+/// Choice to keep the references of ground cells with the level, in order to measure files against them. They need as
+/// much memory as the finest ground.
 enum class KeptReferences { kNone, kAll };
 
-/// Returns the levels of a whole tile, complete but for buildings. Cost: the ground's.
+/// Returns the levels of a whole tile, without buildings. Cost: generating the ground.
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
                                  std::span<const double> ladder_m, int threads, KeptReferences kept);
 
-/// Returns a level per part of a tile for a view: what levels share and their land cover, without ground.
-/// @param parts  As levels_of_parts() returns them.
+/// Returns a level for each part of a tile for a view, with shared data and land cover, but without ground.
+/// @param parts  Result of levels_of_parts().
 std::vector<TileLevel> bare_levels_for_view(const scene::Header& header, const scene::Chunk& chunk,
                                             const ViewLevels& view, std::span<const int> parts);
 
-/// The index of the cell to whose level ground beyond the extent belongs: the first that a box touches.
+/// The index of the cell whose level is used for a box of ground beyond the extent: the first cell that the box
+/// touches.
 std::size_t cell_beside(std::span<const ViewCell> cells, const Box2& box);
 
-/// Generates the ground of a bare level: cells, and boxes beyond the extent.
+/// Generates the ground of a level that has none: cells, and boxes beyond the extent.
 void generate_ground(TileLevel& level, std::vector<ViewCell> seen, std::span<const Box2> beyond, int threads);
 
-/// Returns a level per part of a tile for a view, with the cells of that level.
-/// @param parts  As levels_of_parts() returns them.
+/// Returns a level for each part of a tile for a view, with the ground of that level's cells.
+/// @param parts  Result of levels_of_parts().
 std::vector<TileLevel> levels_for_view(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
                                        std::span<const int> parts, int threads);
 

@@ -1,4 +1,4 @@
-// The marking atlas of a tile for a view, which all of its parts show.
+// Draws the marking atlas of a tile for a view, which all of its parts share.
 #pragma once
 
 #include <memory>
@@ -9,9 +9,9 @@
 
 namespace citykiln::bake {
 
-/// Draws the layouts of the levels' roads, and those of all structures that the tile bakes, each at the level of its
-/// part. Cost: generating the structures, and the atlas' texels.
-/// @param parts, levels  As bare_levels_for_view() takes and returns them.
+/// Draws the layouts of the levels' roads, and of all structures of the tile, each at the level of its part. Cost:
+/// generating the structures, and the atlas' texels.
+/// @param parts, levels  Argument and result of bare_levels_for_view().
 std::shared_ptr<const Markings> markings_for_view(const scene::Header& header, const scene::Chunk& chunk,
                                                   const ViewLevels& view, const std::vector<int>& parts,
                                                   std::span<const TileLevel> levels);

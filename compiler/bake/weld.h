@@ -1,4 +1,4 @@
-// Primitives as one mesh that shares vertices by position, for decimation.
+// Welds primitives to one mesh that shares vertices by position, for decimation.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace citykiln::bake {
 
-/// Numbers positions in the order of their first use, equal ones alike.
+/// Numbers positions in the order of their first use. Equal positions get the same number.
 struct PositionNumbers {
   std::map<Float3, std::uint32_t> numbers;
   std::vector<Float3> positions;
@@ -22,19 +22,21 @@ struct PositionNumbers {
   }
 };
 
-/// Labels are indices of primitives. Vertices at which a primitive has several uvs are locked: a seam runs there.
+/// The result of welded(). Labels are indices of primitives. Vertices at which a primitive has several uvs are locked,
+/// as a seam runs there.
 struct WeldedPrimitives {
   simplify::LabelledMesh mesh;
   std::vector<std::map<std::uint32_t, std::uint32_t>> vertex_at;  ///< By primitive: its first vertex at each position.
 };
 
-/// Welds the primitives that `is_in` says. Triangles that are degenerate after welding are left out. O(n log n).
+/// Welds the primitives for which `is_in` is true. Triangles that are degenerate after welding are left out. O(n log
+/// n).
 WeldedPrimitives welded(std::span<const Primitive> primitives, bool (*is_in)(const Primitive&));
 
-/// The primitive with these triangles and the vertices that they have, in the order of their first use.
+/// The primitive with only these triangles and their vertices, in the order of their first use.
 Primitive with_triangles(const Primitive& from, std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Returns a primitive's triangles of a decimated mesh, with the vertices that it had at their corners.
+/// Returns the triangles of a decimated mesh that belong to a primitive, with the primitive's own vertices.
 Primitive decimated_primitive(const Primitive& from, const WeldedPrimitives& source, std::uint32_t label,
                               const simplify::DecimatedMesh& decimated);
 

@@ -84,7 +84,7 @@ std::uint64_t error_count(const grammars::Derivation& derivation) {
   return count;
 }
 
-// What stands near a shape, and where lamps are on.
+// The answers to queries about the surroundings of a shape: entrances and lit rooms.
 grammars::Occlusion surroundings_of(const Level& level, std::vector<Vec2> doors) {
   grammars::Occlusion entrances, lit;
   if (!doors.empty()) entrances = grammars::entrances_at(std::move(doors));

@@ -231,7 +231,8 @@ Planned plan_building(std::size_t i, const Site& site, Report& report) {
   return {std::move(building), below};
 }
 
-// What shows above the entrance, by which the style is chosen: storeys below do not make a block of a villa.
+// The part of a building above its entrance, by which the style is chosen: storeys below it do not turn a villa into a
+// block.
 Building above_entrance(const Planned& planned) {
   Building above = planned.building;
   const double below_m = planned.storeys_below * storey_m(above);
@@ -240,7 +241,7 @@ Building above_entrance(const Planned& planned) {
   return above;
 }
 
-// Adds a party wall where it does not overlap the last one. Of two along the same stretch the higher one counts.
+// Adds a party wall where it does not overlap the last one. The higher of two along one stretch counts.
 void add_party_wall(std::vector<PartyWall>& walls, PartyWall wall) {
   if (!walls.empty() && walls.back().edge == wall.edge && wall.from_m < walls.back().to_m) {
     PartyWall& last = walls.back();
@@ -297,7 +298,7 @@ Site site_of(const map::Features& features, const ground::GradedTerrain& ground,
           .doors = index_doors(features.points)};
 }
 
-// A building belongs to the region by its centroid, and all parts of an outline with it.
+// A building belongs to the extent by its centroid, and all parts of an outline with it.
 bool is_in_region(std::size_t i, const Site& site, const Box2& region) {
   return region.contains(centroid(site.footprints[root_of(i, site.outlines)].polygon));
 }

@@ -1,4 +1,4 @@
-// Rule files of the building styles, as text and parsed.
+// The rule files of the building styles, as texts and parsed.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace citykiln::buildings {
 
 /// A rule file as the manifest stores it.
 struct RuleText {
-  std::string name;  ///< As imports name it: "old_town_house.cga", "parts/window.cga".
+  std::string name;  ///< The name used in imports: "old_town_house.cga", "parts/window.cga".
   std::string text;
   bool operator==(const RuleText&) const = default;
 };
@@ -26,10 +26,11 @@ std::span<const RuleText> shipped_rules();
 /// does not parse, with file, line and column.
 Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span<const RuleText> available);
 
-/// Parsed rules by style; kPlain has none.
+/// The parsed rules by style; kPlain has none.
 using Rulebook = std::map<Style, grammars::Program>;
 
-/// Parses the rules of every style whose files are there and parse. Cost: linear in the texts' length.
+/// Parses the rules of every style. Leaves out styles whose files are missing or do not parse. Cost: linear in the
+/// length of the texts.
 Rulebook parse_rulebook(std::span<const RuleText> texts);
 
 /// Returns the styles of some buildings, sorted and unique.

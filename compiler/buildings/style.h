@@ -1,4 +1,4 @@
-// Facade style of a building.
+// Chooses the facade style of a building.
 #pragma once
 
 #include <string_view>

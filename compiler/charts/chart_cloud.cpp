@@ -67,7 +67,7 @@ Seen seen_of(const sky::Cloud& cloud, double turn, int rays, Light light) {
   return seen;
 }
 
-// What a path costs for a relative standard error of 1 %, which is some 10,000 times one path.
+// The cost of a path for a relative standard error of 1 %, which is some 10,000 times that of one path.
 constexpr double kPathsForOnePercent = 1e4;
 
 void add_light(const sky::Cloud& cloud, const std::string& name, Chart& ratios, Chart& times) {

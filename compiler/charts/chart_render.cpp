@@ -34,7 +34,7 @@ double error_of(const preview::Image& image, const preview::Image& reference) {
   return std::sqrt(sum / static_cast<double>(image.rgb.size()));
 }
 
-/// What is rendered: baked tiles in a sky, from a street.
+/// The scene to render: baked tiles in a sky, from a street.
 struct Street {
   std::vector<bake::BakedTile> tiles;
   preview::Camera camera;

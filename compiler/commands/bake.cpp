@@ -31,9 +31,8 @@ namespace {
 
 struct BakeRequest {
   std::string manifest_path, out_path;
-  std::optional<double>
-      tolerance_m;  ///< Of the one file; with an eye the finest tolerance. None: a folder with levels.
-  std::optional<GivenPoint> eye, eye_lonlat;  ///< Viewer position of the one file.
+  std::optional<double> tolerance_m;  ///< For one file; with an eye the finest tolerance. Empty: a folder with levels.
+  std::optional<GivenPoint> eye, eye_lonlat;  ///< The viewer of the one file.
   std::optional<double> fov_deg;
   PictureSize size;
   double pixel_error = 1;

@@ -1,4 +1,5 @@
-// Keys of baked tiles: a tile whose key an interrupted run has is not baked again (exporters/output_folder.h).
+// Keys of baked tiles. A tile is not baked again if an earlier run wrote it with the same key
+// (exporters/output_folder.h).
 #pragma once
 
 #include <cstddef>
@@ -10,16 +11,16 @@
 
 namespace citykiln::commands {
 
-/// A hash of the program: of its executable's bytes, or, where the system does not let a process read them, of its
-/// version.
+/// Returns a hash of the program's executable, or of its version if the system does not let a process read its
+/// executable.
 std::uint64_t program_hash();
 
-/// Returns a key for every chunk and level, `chunk * levels + level`: a hash of the scene's header, the chunk's
-/// recipes, the settings that change the bytes of tiles, the level, and the program. Equal keys mean equal bytes of the
-/// .glb, except with probability 2^-64; none is 0. Cost: as encoding the manifest without compression.
+/// Returns a key for every chunk and level, at the index `chunk * levels + level`. It is a hash of the scene's header,
+/// the chunk's recipes, the settings that change the bytes of tiles, the level, and the program. Equal keys mean equal
+/// bytes of the .glb, except with probability 2^-64; none is 0. Cost: that of encoding the manifest without
+/// compression.
 ///
-/// The program counts as the bytes of its executable, so that a program that was changed never takes over the tiles of
-/// the one before.
+/// The executable's bytes are part of the key, so that a changed program never reuses the tiles of an earlier one.
 std::vector<std::uint64_t> bake_keys(const scene::Scene& scene, const Outputs& outputs, int threads);
 
 }  // namespace citykiln::commands

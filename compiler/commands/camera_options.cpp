@@ -19,7 +19,7 @@ namespace {
 // Places of a path without heights are this far above the ground.
 constexpr double kAboveGround_m = 2;
 
-// The ground's height is asked for at these distances along a path, at least.
+// The largest distance between points of a path at which the ground's height is looked up.
 constexpr double kHeightStep_m = 5;
 
 constexpr int kMostFrames = 100'000;
@@ -76,7 +76,8 @@ void add_lens(preview::Camera& camera, const CameraRequest& request, const std::
     camera.focus_m = std::max(dot(*focus - camera.eye, preview::axes_of({camera.eye, camera.look_at}).forward), 0.01);
 }
 
-// The path in plane metres, with points close enough for the ground's height, and those without a height above it.
+// Returns the path in plane metres, with points close enough for the ground's height. Points without a height are above
+// the ground.
 Result<std::vector<Vec3>> line_of(const CameraRequest& request, const PreviewScene& scene,
                                   const GroundHeight& ground_m) {
   const auto places = read_line_string(request.path);
@@ -145,7 +146,7 @@ Result<std::vector<preview::Camera>> path_cameras(const CameraRequest& request, 
                                         .look_at = points.look_at});
 }
 
-// A view that was chosen on coarse ground: near the ground its height above that is kept.
+// Corrects a view that was chosen on coarse ground: a camera near the ground keeps its height above it.
 preview::Camera on_ground(preview::Camera camera, const PreviewScene& scene, const GroundHeight& ground_m) {
   constexpr double kNear_m = 5;
   const std::optional<double> low_m = ground_height_m(scene.view_tiles(), in_plan(camera.eye));

@@ -1,4 +1,4 @@
-// The options of preview that choose cameras.
+// The options of `preview` that choose cameras.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,19 @@
 
 namespace citykiln::commands {
 
-/// The opening of a lens: a diameter, or an f-number of the lens that shows the field of view on a frame of 36 by 24
-/// mm.
+/// The opening of a lens, as a diameter or as an f-number. The f-number refers to the focal length that gives the field
+/// of view on a frame of 36 by 24 mm.
 struct Aperture {
-  double diameter_mm = 0, f_number = 0;  ///< One of both is 0.
+  double diameter_mm = 0, f_number = 0;  ///< One of the two is 0.
 };
 
-/// What a lens is focused on: a distance along the view, or a point.
+/// The focus of a lens: a distance along the view, or a point.
 struct Focus {
   std::optional<double> distance_m{};
   std::optional<GivenPoint> at{};
 };
 
-/// What was asked for.
+/// The values of the options.
 struct CameraRequest {
   std::string view = "overview";
   std::optional<GivenPoint> eye{}, look_at{};             ///< Plane metres.
@@ -32,21 +32,22 @@ struct CameraRequest {
   std::optional<double> fov_deg{};
   std::optional<Aperture> aperture{};
   Focus focus{};
-  std::string path{};  ///< Of a GeoJSON file.
+  std::string path{};  ///< The path of a GeoJSON file with a LineString.
   std::optional<double> speed_m_s{};
   std::optional<int> frames{}, turntable{};
   double shutter_s = 0;
 
-  /// Whether numbered pictures are asked for.
+  /// True if numbered pictures are requested.
   bool is_film() const { return !path.empty() || turntable.has_value(); }
-  /// Whether the scene decides where the camera is.
+  /// True if the camera is chosen by a named view of the scene.
   bool finds_view() const { return path.empty() && !eye && !eye_lonlat; }
 };
 
+/// Returns the options, which store their values in the request. It must outlive them.
 std::vector<Option> camera_options(CameraRequest& request);
 
-/// The cameras of all frames; one unless a film is asked for. Errors: points without a ground or a plane to refer to,
-/// options that contradict each other, a path that cannot be read.
+/// Returns the cameras of all frames; a single camera unless a film is requested. Errors: points without a ground or a
+/// plane to refer to, options that contradict each other, a path that cannot be read.
 Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, const PreviewScene& scene,
                                                 const Console& console);
 

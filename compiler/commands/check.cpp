@@ -26,7 +26,7 @@
 namespace citykiln::commands {
 namespace {
 
-// The largest height difference that counts as none.
+// The largest height difference that does not count, in metres.
 constexpr double kNoJump_m = 0.01;
 
 Result<verify::LoadedRun> open_run(const std::string& folder) {

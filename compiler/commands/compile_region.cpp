@@ -38,7 +38,7 @@ Result<CompileSpec> spec_for(const Plan& plan, const PlannedRegion& region, cons
   return spec;
 }
 
-/// A hash of all that the outputs of a region are a function of: settings, data, survey and program.
+/// Returns a hash of all inputs of a region's outputs: settings, data, survey and program.
 Result<std::string> region_key(const Plan& plan, const PlannedRegion& region, const std::string& plan_folder,
                                std::uint64_t survey_hash) {
   const Result<std::vector<std::byte>> data = exporters::read_file(cut_path(plan_folder, region.key));
@@ -56,7 +56,7 @@ Result<std::string> region_key(const Plan& plan, const PlannedRegion& region, co
                                           exporters::content_hash(*data), survey_hash, program_hash())));
 }
 
-/// Whether the files of a finished run are there, with their sizes.
+/// True if the files of a finished run exist, with their sizes.
 bool has_outputs(const std::string& folder) {
   if (const Result<Done> settled = exporters::settle(folder); !settled) return false;
   const auto list = exporters::read_file_list(folder + "/" + exporters::kFileListName);

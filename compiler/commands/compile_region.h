@@ -1,4 +1,4 @@
-// citykiln compile --plan PLAN --region X_Y: the task of one region.
+// citykiln compile --plan PLAN --region X_Y: the task that compiles one region of a plan.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace citykiln::commands {
 
-/// Compiles a region of a plan into PLAN/regions/X_Y. Returns at once, saying so, where this program has done it from
-/// the same inputs and settings and the outputs are there. Goes on where an interrupted task ended.
-/// @param own  Settings besides those of the plan; only --threads may be given.
-/// Errors are written to the state of the region too (region_state.h).
+/// Compiles a region of a plan into PLAN/regions/X_Y. If this program has done so from equal inputs and settings, and
+/// the outputs exist, prints that and returns at once. Continues an interrupted task.
+/// @param own  Settings besides those of the plan; only --threads is allowed.
+/// Errors are also written to the state of the region (region_state.h).
 Result<Exit> compile_region(const std::string& plan_folder, const std::string& region, const CompileRequest& own,
                             const Console& console);
 

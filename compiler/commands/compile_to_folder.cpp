@@ -48,7 +48,7 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
   if (!compiled) return compiled.error();
   const scene::Header& header = compiled->scene.header;
 
-  // decided before baking, because objects left out at coarse levels are no defects of the data
+  // decided before baking, because objects that coarse levels leave out are not defects of the data
   const Exit exit = verify::is_violated(spec.strict, compiled->report) ? Exit::kStrictViolation : Exit::kDone;
   std::vector<verify::Finding> findings =
       verify::findings_of(compiled->report, compiled->places, compiled->layer_tags, header);

@@ -15,16 +15,16 @@
 namespace citykiln::commands {
 namespace {
 
-/// Weights of 1, and of a thousand way nodes and vertices of the heights, of a region with its halo.
+/// Weights of a constant, of a thousand way nodes and of a thousand vertices of the heights, of a region with its halo.
 using AroundWeights = std::array<double, 3>;
-/// Weights of what lies within the region itself: a thousand nodes of buildings, of roads, of other ways, nodes with
-/// tags, trees and plantings; a km2; a tile; that there are trees, and that there are buildings. For memory, of a
-/// tile of its mean.
+/// Weights of the contents of the region itself: a thousand nodes of buildings, of roads, of other ways, nodes with
+/// tags, trees and plantings; a km2; a tile; the presence of trees, and of buildings. For memory, the contents are
+/// those of a tile.
 using OwnWeights = std::array<double, 10>;
 
 struct LevelCost {
-  double from_m;      ///< The row holds for tolerances from here to the next row's.
-  double time_share;  ///< Of what all default levels take.
+  double from_m;      ///< The row is used for tolerances from here to the next row's.
+  double time_share;  ///< The share of the time of all default levels.
   OwnWeights memory_mb, output_mb;
 };
 
@@ -68,10 +68,10 @@ AroundWeights facts_around(const PlannedRegion& region) {
   return {1, static_cast<double>(region.file.way_nodes) * 1e-3, static_cast<double>(region.terrain_vertices) * 1e-3};
 }
 
-/// From 0, of none, to 1: few trees bring in as many materials and prototypes as many do.
+/// Grows from 0 for none to 1, since few trees need as many materials and prototypes as many trees do.
 double presence(double thousands, double scale) { return 1 - std::exp(-thousands / scale); }
 
-/// A share of the facts of the region itself, and one of its plants.
+/// Returns a share of the counts of the region itself, and a share of its plants.
 OwnWeights own_facts(const PlannedRegion& region, double tile_m, double share, double share_of_plants) {
   const auto thousands = [&](std::uint64_t count) { return share * static_cast<double>(count) * 1e-3; };
   const auto thousand_plants = [&](std::uint64_t count) { return share_of_plants * static_cast<double>(count) * 1e-3; };

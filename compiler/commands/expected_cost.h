@@ -1,4 +1,4 @@
-// What the task of a region is expected to take: a linear model of what `plan` knows, fitted to measured tasks.
+// Estimates the cost of compiling a region: a linear model of the counts that `plan` makes, fitted to measured tasks.
 #pragma once
 
 #include <span>
@@ -7,12 +7,12 @@
 
 namespace citykiln::commands {
 
-/// Returns time on one core, largest resident memory and bytes of outputs.
+/// Returns the time on one core, the largest resident memory and the bytes of outputs.
 ///
-/// Method: time for all default levels is a sum over the region's file and heightfield and what lies within the region
-/// itself, times the share of its levels. Memory is that of planning and of baking the fullest tile: at the level that
-/// needs most, and half of what the other levels need. Bytes are the sum over the levels. A tolerance counts as one
-/// that was measured near it. Accuracy: see the source.
+/// Method: the time for all default levels is a weighted sum of counts of the region's file, of its heightfield and of
+/// objects within the region, times the share of its levels. Memory is that of planning plus that of baking the fullest
+/// tile: that of the level that needs most, and half of what the other levels need. Bytes are the sum over the levels.
+/// A tolerance counts as the nearest measured one. Accuracy: see the source.
 ExpectedCost expected_cost(const PlannedRegion& region, double tile_m, std::span<const double> ladder_m);
 
 }  // namespace citykiln::commands

@@ -1,8 +1,8 @@
-// citykiln gather PLAN: makes one run of the outputs of all regions, in PLAN/out.
+// citykiln gather PLAN: joins the outputs of all regions to one run, in PLAN/out.
 //
-// A region reports the elements that it owns (source/owned_elements.h) and its own tiles, the survey what belongs to no
-// region, and the plan counts the elements of the extract. So everything is counted once, and the sums are those of one
-// run.
+// A region reports the elements that it owns (source/owned_elements.h) and its own tiles. The survey reports facts that
+// belong to no region, and the plan counts the elements of the extract. Thus each object is counted once, and the sums
+// are those of a single run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,8 +51,8 @@ struct Gathered {
   scene::Scene scene;
   verify::WrittenFiles files;
   std::vector<verify::Finding> findings;
-  Report ledger;                             ///< Without diagnoses.
-  std::vector<std::string> missing;          ///< One line for each region that is not whole, and why.
+  Report ledger;                             ///< The ledger, without diagnoses.
+  std::vector<std::string> missing;          ///< One line per region that is not complete, with the reason.
   std::map<std::string, PlacedFile> placed;  ///< By name.
   std::vector<exporters::TilesetTile> tilesets;
   std::vector<exporters::UsdTile> usd_tiles;
@@ -84,8 +84,8 @@ Result<Done> add_scene(const std::string& folder, const PlannedRegion& region, G
   return Done{};
 }
 
-/// The name that a file of a region has in the whole; none if the whole writes one of its own. Regions have contents of
-/// 3D Tiles with equal names for parts of the same inner tile.
+/// Returns the name that a file of a region has in the whole; empty if the whole writes its own. Several regions can
+/// have contents of 3D Tiles with equal names, for parts of the same inner tile.
 std::optional<std::string> name_in_whole(const std::string& name, const std::string& region) {
   static const std::set<std::string> kOwn = {"scene.kiln",  "report.json",        "findings.json",
                                              "timing.json", exporters::kKeysName, exporters::kUsdSceneName};
@@ -121,7 +121,8 @@ Result<Done> add_findings(const std::string& path, Gathered& all) {
   return Done{};
 }
 
-/// Accounts of elements are the plan's: regions do not have all elements.
+/// Adds the ledger of a region, without the accounts of elements, which the plan counts: regions do not have all
+/// elements.
 void add_ledger(const Report& region, Gathered& all) {
   static const std::set<std::string> kOfPlan = {"source/node", "source/way", "source/relation"};
   Report own;
@@ -132,7 +133,7 @@ void add_ledger(const Report& region, Gathered& all) {
   all.ledger.append(own);
 }
 
-/// What the roots of 3D Tiles and USD name.
+/// Reads the trees to which the roots of 3D Tiles and USD refer.
 Result<Done> add_trees(const std::string& folder, const std::string& name, std::span<const scene::TileKey> own,
                        const Outputs& outputs, Gathered& all) {
   if (outputs.tiles3d) {
@@ -193,7 +194,7 @@ Report report_of(const Gathered& all) {
   return report;
 }
 
-/// Whether a neighbouring tile belongs to another region.
+/// True if a neighbouring tile belongs to another region.
 bool is_at_side(const regions::RegionGrid& grid, scene::TileKey tile) {
   const auto across = static_cast<std::int32_t>(grid.region_m / grid.tile_m);
   const auto is_outermost = [&](std::int32_t v) {

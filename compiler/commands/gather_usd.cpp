@@ -9,7 +9,7 @@
 namespace citykiln::commands {
 namespace {
 
-/// Null where the prim has no such value of so many numbers.
+/// Returns the values of a prim with this name; null if they are missing or not `count` numbers.
 const std::vector<double>* numbers_of(const exporters::UsdReadPrim& prim, const std::string& name, std::size_t count) {
   const auto found = prim.values.find(name);
   return found != prim.values.end() && found->second.numbers.size() == count ? &found->second.numbers : nullptr;

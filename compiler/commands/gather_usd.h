@@ -10,8 +10,8 @@
 
 namespace citykiln::commands {
 
-/// The tiles of a scene layer that encode_scene() wrote, with their places and the bounds of their finest level.
-/// Errors: a file that cannot be read; a layer without one of the tiles.
+/// Reads the tiles of a scene layer that encode_scene() wrote, with their places and the bounds of their finest level.
+/// Errors: a file that cannot be read; a layer that lacks one of the tiles.
 Result<std::vector<exporters::UsdTile>> read_usd_tiles(const std::string& path, std::span<const scene::TileKey> tiles);
 
 }  // namespace citykiln::commands

@@ -12,7 +12,7 @@ bool is_ground(bake::Layer layer) {
   return layer == bake::Layer::kGround || layer == bake::Layer::kRoads || layer == bake::Layer::kWater;
 }
 
-// The height of a triangle at a place inside it or on its border. Triangles that seem upright from above have none.
+// Returns the height of a triangle at a place inside it or on its border; empty for vertical triangles.
 std::optional<double> height_in(Vec3 a, Vec3 b, Vec3 c, Vec2 p) {
   const auto area = [](Vec3 u, Vec3 v, Vec2 w) { return (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x); };
   const double whole = area(a, b, in_plan(c));

@@ -1,4 +1,4 @@
-// The height of the ground at a place, for viewpoints given in metres above it.
+// The height of the ground at a place, for viewpoints that are given in metres above the ground.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace citykiln::commands {
 
-/// The highest triangle of the layers ground, roads and water above or below a place, plane metres; empty where there
-/// is none. O(triangles of these layers).
+/// Returns the height of the highest triangle of the layers ground, roads and water at a place, in plane metres; empty
+/// if there is none. O(triangles of these layers).
 std::optional<double> ground_height_m(std::span<const bake::BakedTile> tiles, Vec2 place);
 
-/// The height of the graded terrain at a place, plane metres; empty outside of all tiles. Cost: that of grading the
-/// terrain of one tile.
+/// Returns the height of the graded terrain at a place, in plane metres; empty outside all tiles. Cost: that of grading
+/// the terrain of one tile.
 std::optional<double> ground_height_m(const scene::Scene& scene, Vec2 place);
 
 }  // namespace citykiln::commands

@@ -12,7 +12,7 @@ namespace {
 using impostor::Atlas;
 using materials::TextureImage;
 
-// The mean of up to four texels: of colours in linear light if `is_light`, else of numbers.
+// Returns the mean of up to four texels: of colours in linear light if `is_light`, else of numbers.
 TextureImage::Texel mean(std::span<const TextureImage::Texel> texels, bool is_light) {
   TextureImage::Texel mean{};
   for (std::size_t c = 0; c < mean.size(); ++c) {

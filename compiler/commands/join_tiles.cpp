@@ -20,7 +20,7 @@ namespace {
 /// float32 holds multiples of 2^-10 m exactly up to this distance.
 constexpr double kExactReach_m = 16384;
 
-/// Of single precision, in all three coordinates, as a share of the largest.
+/// The largest distance that rounding to single precision moves a point, as a share of its largest coordinate.
 constexpr double kRounding = 1.7320508075688773 * 0x1p-24;
 
 Vec3 lowest_origin(std::span<const bake::BakedTile> tiles) {
@@ -109,8 +109,8 @@ bake::InstancedMesh& instanced_of(bake::BakedTile& joined, const bake::Instanced
       bake::InstancedMesh{like.name, std::move(primitives), {}, {}, {}, {}, like.cutout});
 }
 
-/// The attributes of the joined tile's features. A tile knows less of objects of its neighbours, so that the attributes
-/// with a height and a name are taken.
+/// The attributes of the joined tile's features. A tile knows few attributes of its neighbours' objects, so attributes
+/// with a height and a name are preferred.
 std::vector<bake::FeatureAttributes> joined_attributes(const std::vector<OsmId>& features,
                                                        std::span<const bake::BakedTile> tiles) {
   if (std::ranges::all_of(tiles, [](const auto& tile) { return tile.attributes.empty(); })) return {};

@@ -1,4 +1,5 @@
-// Loads a manifest for rendering straight from its recipes, cell by cell.
+// Loads a manifest for rendering from its recipes: cells of the ground, with the objects on them, are generated when
+// rays meet them.
 #pragma once
 
 #include <cstddef>
@@ -13,48 +14,49 @@
 
 namespace citykiln::commands {
 
-/// How much memory cells may take, and how fine they are.
+/// The memory limit and the fineness of cells.
 struct CellRequest {
   std::size_t budget_bytes = 0;  ///< 0: default_budget_bytes().
-  double pixel_error = 0.5;      ///< Largest error in the picture, pixels.
-  double unseen_deg = 0;         ///< Largest angle of errors that only scattered light and reflections show.
-  double finest_m = 0.02;        ///< The smallest tolerance, however near the eye. > 0.
+  double pixel_error = 0.5;      ///< The largest error of visible surfaces, in pixels.
+  double unseen_deg = 0;   ///< The largest angle of errors of surfaces that only scattered light and reflections show.
+  double finest_m = 0.02;  ///< The smallest tolerance, however near the eye. > 0.
 };
 
-/// Pictures of a scene.
+/// The pictures to render.
 struct Viewing {
   std::span<const preview::Camera> cameras;
-  int width_px = 0, height_px = 0;  ///< Of each picture. > 0.
+  int width_px = 0, height_px = 0;  ///< The size of each picture. > 0.
 };
 
-/// The eyes of all pictures, those at the end of a motion too.
+/// Returns the eyes of all pictures; for a moving camera also the eye at the end of the motion.
 Viewers viewers_of(const Viewing& viewing, double pixel_error);
 
-/// 2 GB, or half of the machine's memory where that is less.
+/// Returns 2 GB, or half of the machine's memory if that is less.
 std::size_t default_budget_bytes();
-/// What is asked for, or the default.
+/// Returns the budget of the request, or the default.
 std::size_t budget_bytes_of(const CellRequest& request);
 
-/// Stores a size of memory: "200MB", "4GB", "1.5GiB"; at least 1 MB.
+/// Stores a size of memory, such as "200MB", "4GB" or "1.5GiB"; at least 1 MB.
 Take store_bytes(std::size_t& bytes);
 
-/// Whether a request asks for cells: a manifest without a tolerance.
+/// True if a request is for cells: a manifest without a tolerance.
 bool asks_for_cells(const LoadRequest& request);
 
-/// Reads the manifest, with the sky of the time that is asked for.
+/// Reads the manifest and replaces its sky by the requested one. Errors: a manifest that cannot be read or has no
+/// tiles; a time that does not parse.
 Result<scene::Scene> read_scene(const LoadRequest& request);
 
-/// Coarse tiles of a scene, from which named views are chosen. Freed before rendering.
+/// Bakes coarse tiles of a scene, from which named views are chosen.
 std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads);
 
-/// The cells of a scene as all of the pictures need them. What a single picture of a camera at rest does not show, nor
-/// a shadow of the sun in it, may have errors up to the larger angle.
+/// Returns the cells of a scene, as fine as the pictures need. For a single camera at rest, cells that are not in the
+/// picture and cast no shadow into it may have errors up to unseen_deg.
 std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const Viewing& viewing,
                                                      const CellRequest& request);
 
-/// One line: what the cells took.
+/// Returns one line of text about the cells: their number, time and memory.
 std::string text_of(const preview::CellCounters& counters, std::size_t budget_bytes);
-/// The same as members of a JSON object, without braces.
+/// Returns these numbers as members of a JSON object, without braces.
 std::string json_of(const preview::CellCounters& counters, std::size_t budget_bytes);
 
 }  // namespace citykiln::commands

@@ -57,7 +57,7 @@ Result<std::optional<scene::Header>> header_beside(const fs::path& manifest_path
   return std::optional(scene->header);
 }
 
-// Files in parallel; the error is that of the first file that cannot be read.
+// Reads files in parallel. The error is that of the first file that cannot be read.
 Result<std::vector<bake::BakedTile>> read_all(const std::vector<std::string>& paths, const OnProgress& on_progress) {
   std::vector<std::optional<Result<bake::BakedTile>>> read(paths.size());
   std::vector<bake::BakedTile> tiles;
@@ -74,7 +74,7 @@ Result<std::vector<bake::BakedTile>> read_all(const std::vector<std::string>& pa
 
 bool is_backdrop(const bake::BakedTile& tile) { return tile.tile == bake::kSurroundingsTile; }
 
-// Takes the land around out of the tiles, or reads it from the file beside them.
+// Moves the land around out of the tiles, or reads it from the file beside them.
 Result<Done> find_backdrop(const fs::path& folder, Loaded& loaded) {
   const auto given = std::ranges::find_if(loaded.tiles, is_backdrop);
   if (given != loaded.tiles.end()) {
@@ -167,7 +167,7 @@ Result<TileTree> tree_of_run(const LoadRequest& request, const verify::RunRecord
   return tree;
 }
 
-// Views are not found in the land around.
+// Removes the land around, in which views are not chosen.
 void leave_out_backdrop(TileTree& tree) {
   const auto found = std::ranges::find_if(tree.coarse, is_backdrop);
   if (found == tree.coarse.end()) return;

@@ -1,4 +1,4 @@
-// Loads baked tiles: by baking a manifest, or by reading .glb files or a run's folder.
+// Loads baked tiles: bakes a manifest, or reads .glb files or a run's folder.
 #pragma once
 
 #include <optional>
@@ -15,54 +15,57 @@
 
 namespace citykiln::commands {
 
-/// The tolerance of the tiles that tell the heights of eyes: coarse enough to be quick, fine enough for the heights of
-/// streets.
+/// The tolerance of the tiles that give the heights of viewpoints, in metres: coarse enough to be quick, fine enough
+/// for the heights of streets.
 inline constexpr double kCoarseTile_m = 2.5;
 
+/// The input of a command that needs tiles.
 struct LoadRequest {
-  std::vector<std::string> paths;      ///< One .kiln, or one folder of a run, or .glb files.
-  std::string time;                    ///< Time of the sky for baking a manifest; "": the scene's.
-  sky::AirSettings air;                ///< What of it replaces the scene's.
-  std::string clouds;                  ///< Of sky::read_clouds(); "": the scene's.
-  std::optional<double> tolerance_m;   ///< For baking a manifest; none: 0.1 m.
-  std::optional<std::size_t> level{};  ///< Of a folder's tiles; none: 0, or by tile (asks_for_levels()).
+  std::vector<std::string> paths;      ///< One .kiln, one folder of a run, or several .glb files.
+  std::string time;                    ///< The time of the sky for baking a manifest; "": the scene's.
+  sky::AirSettings air;                ///< The values that are set replace those of the scene.
+  std::string clouds;                  ///< The argument of sky::read_clouds(); "": the scene's clouds.
+  std::optional<double> tolerance_m;   ///< The tolerance for baking a manifest; empty: 0.1 m.
+  std::optional<std::size_t> level{};  ///< For a folder; empty: 0, or chosen per tile (asks_for_levels()).
   std::vector<scene::TileKey> only;    ///< If not empty, only these tiles.
   int threads = 0;
 };
 
+/// The tiles, and what else is known of their scene.
 struct Loaded {
-  std::vector<bake::BakedTile> tiles;  ///< Sorted by tile.
-  std::optional<scene::Header>
-      header;  ///< Of the given manifest, or of the manifest beside the folder of the .glb files.
-  std::optional<bake::BakedTile> backdrop{};  ///< The land around (bake/bake_surroundings.h), where its file was read.
-  std::string manifest_path{};                ///< The manifest that the header is of; "" for none.
+  std::vector<bake::BakedTile> tiles;         ///< Sorted by tile.
+  std::optional<scene::Header> header;        ///< From the given manifest, or the one beside the .glb folder.
+  std::optional<bake::BakedTile> backdrop{};  ///< The land around (bake/bake_surroundings.h), if it was read.
+  std::string manifest_path{};                ///< The manifest of the header; "" for none.
 };
 
-/// Whether a request asks for a run's folder, each of whose tiles has a level that suits the cameras.
+/// True if a request is for a run's folder, where the level of each tile is chosen to suit the cameras.
 bool asks_for_levels(const LoadRequest& request);
 
 /// The tiles of a folder at all levels, and coarse tiles, from which views are found.
 struct TileTree {
   TileNode root;
-  std::string manifest_path;     ///< Of the folder; may be absent.
-  bool is_on_ellipsoid = false;  ///< Of 3D Tiles, whose frame is not the plane.
+  std::string manifest_path;     ///< The manifest of the folder, which may be missing.
+  bool is_on_ellipsoid = false;  ///< True for 3D Tiles, whose frame is not the plane.
   std::vector<std::string> coarse_paths{};
-  std::vector<bake::BakedTile> coarse{};  ///< Of `coarse_paths`: of each tile the level nearest to 2.5 m.
+  std::vector<bake::BakedTile> coarse{};  ///< The tiles of `coarse_paths`: the level of each tile nearest to 2.5 m.
 };
 
-/// Reads the list of a folder's .glb tiles, or its 3D Tiles where it has no other ones, and coarse tiles. Boxes of .glb
-/// tiles are those of the coarse ones, wider by their errors.
-/// Errors: a folder without a finished run, without tiles, or without the requested ones.
+/// Reads the list of a folder's .glb tiles, or its 3D Tiles if it has no others, and coarse tiles. The box of a .glb
+/// tile is that of its coarse level, widened by the error. Errors: a folder without a finished run, without tiles, or
+/// without the requested ones.
 Result<TileTree> read_tile_tree(const LoadRequest& request, const OnProgress& on_progress);
 
-/// The header of a manifest, if there is one that has one of the tiles: inner tiles of a tileset have none there.
+/// Returns the header of a manifest; empty if the file is missing or has none of the tiles. The inner tiles of a
+/// tileset are not in a manifest.
 std::optional<scene::Header> header_of(const std::string& manifest_path, std::span<const bake::BakedTile> tiles);
 
-/// Reads contents of a tree (contents_of()); takes those that are among the coarse ones from there, and frees the
-/// others.
+/// Reads the contents of a tree at these paths (contents_of()). Reuses those among the coarse tiles, and frees the
+/// other coarse tiles.
 Result<Loaded> load_contents(TileTree& tree, const std::vector<std::string>& paths, const OnProgress& on_progress);
 
-/// Errors: files that cannot be read, a folder without the requested tiles and level, mixed kinds of input.
+/// Loads the tiles of a request. Errors: files that cannot be read, a folder without the requested tiles and level,
+/// mixed kinds of input.
 Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progress);
 
 }  // namespace citykiln::commands

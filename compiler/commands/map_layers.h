@@ -1,4 +1,4 @@
-// Layers of a map: its elements as they are located and classified, before planning.
+// Layers of a map for GIS: its elements after they are located and classified, before planning.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace citykiln::commands {
 
-/// Returns the layer `name` (layer_names()) of a map: each object once, without heights, since a map has none. Areas
-/// end at the region's border. Junctions of bridges and tunnels follow those of the ground. Polygons are valid (OGC
-/// Simple Features). Error: an unknown name.
+/// Returns the layer `name` (layer_names()) of a map, without heights: each object once. Areas end at the border of the
+/// extent. Junctions of bridges and tunnels follow those of the ground. Polygons are valid (OGC Simple Features).
+/// Error: an unknown name.
 Result<Layer> layer_of(const map::Features& features, const std::string& name);
 
 }  // namespace citykiln::commands

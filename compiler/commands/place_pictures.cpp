@@ -58,7 +58,7 @@ Vec3 towards_camera(int azimuth, double elevation_deg) {
   return {std::sin(turn) * std::cos(up), -std::cos(turn) * std::cos(up), std::sin(up)};
 }
 
-// Whether a camera in a direction is in the open, and sees the target.
+// True if a camera in a direction is in the open and sees the target.
 bool is_free(const preview::World& world, Vec3 target, Vec3 direction, double far_m) {
   if (world.is_blocked(target + direction * far_m - world.origin(), {0, 0, 1})) return false;
   for (const double above_m : {0.5, 3.0})

@@ -34,7 +34,7 @@ struct PlanRequest {
   std::string status, geojson;
 };
 
-/// Error: the outputs are such as regions do not have yet.
+/// Checks that regions can have these outputs. Error: they do not have them yet.
 Result<Done> can_be_planned(const CompileSpec& spec) {
   if (spec.outputs.surroundings && (spec.outputs.usd || spec.outputs.tiles3d))
     return Error{"--surroundings", "a plan writes the land around the map as .glb only; leave usd and 3dtiles out"};
@@ -177,7 +177,7 @@ Result<Exit> plan_zones(const PlanRequest& request, const CompileSpec& spec, con
   for (const regions::Zone& zone : zones) {
     CompileSpec of_zone = spec;
     of_zone.outputs.folder = zone_path(spec.outputs.folder, to_string(zone));
-    // what was diagnosed of the whole extent is told once
+    // diagnoses of the whole extent are reported once
     Report report = &zone == &zones.front() ? of_extent : Report();
     const Result<Exit> planned = plan_extent(request, of_zone, zone.box, report, console);
     if (!planned) return planned;

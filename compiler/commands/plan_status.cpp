@@ -28,7 +28,8 @@ std::vector<RegionStatus> statuses_of(const Plan& plan, const std::string& folde
   return all;
 }
 
-/// Seconds of one core that are left: what is expected, times what finished tasks took beside what was expected.
+/// Returns the remaining seconds of one core: those expected, scaled by what finished tasks took in relation to what
+/// was expected.
 double seconds_left(const std::vector<RegionStatus>& all) {
   double expected_s = 0, expected_done_s = 0, took_s = 0;
   for (const auto& [planned, state] : all) {

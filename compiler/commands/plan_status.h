@@ -1,4 +1,4 @@
-// citykiln plan --status PLAN: how far the tasks of a plan are.
+// citykiln plan --status PLAN: the progress of the tasks of a plan.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace citykiln::commands {
 
-/// Prints the number of regions in each state, the core hours left by the model, scaled by the tasks done so far, and
-/// one line for each failed region. With --json: one object for each region.
-/// @param geojson  Writes the regions as polygons with their states (RFC 7946); "" for none.
+/// Prints the number of regions in each state, the remaining core hours, and one line per failed region. The core hours
+/// are the expected ones, scaled by the finished tasks. With --json: one object per region.
+/// @param geojson  The file to which the regions and their states are written as polygons (RFC 7946); "" for none.
 Result<Exit> print_status(const std::string& plan_folder, const std::string& geojson, const Console& console);
 
 }  // namespace citykiln::commands

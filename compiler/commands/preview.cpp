@@ -83,7 +83,7 @@ std::vector<preview::Metadata> metadata_of(const preview::Image& image, const pr
 // Eyes that have a surface this near in all directions of the picture are inside something.
 constexpr double kBlind_m = 0.3;
 
-// What all frames have in common.
+// The data that all frames share.
 struct Stage {
   const PreviewRequest& request;
   const PreviewScene& scene;

@@ -22,7 +22,7 @@ namespace {
 // The tolerance of the tiles from which views are found: coarse enough to be quick, fine enough for streets and walls.
 constexpr double kViewTolerance_m = 2.5;
 
-// The tiles' part of the plane where they fill a box, else an empty one.
+// Returns the part of the plane that the tiles cover if that is a box, else an empty box.
 Box2 filled_box(const scene::Scene& recipes) {
   Box2 all;
   double area_m2 = 0;
@@ -42,7 +42,7 @@ void look_around(const scene::Scene& recipes, const SceneRequest& request, Previ
   if (request.fog_share) scene.fog = fog_of(recipes, *request.fog_share);
 }
 
-// The same by the manifest of baked tiles, where there is one.
+// Does so with the manifest of baked tiles, if there is one.
 void look_around(const std::string& manifest_path, const std::vector<scene::TileKey>& only, const SceneRequest& request,
                  PreviewScene& scene) {
   scene.backdrop = std::move(scene.loaded.backdrop);

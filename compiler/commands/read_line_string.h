@@ -1,4 +1,4 @@
-// Reads a line of a GeoJSON file.
+// Reads a LineString of a GeoJSON file.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,9 @@ struct LonLatHeight {
   std::optional<double> height_m{};
 };
 
-/// The first LineString of a GeoJSON file (RFC 7946): a geometry, a feature, or a feature in a collection. Files up to
-/// 64 MB. Errors: a file that cannot be read, is no GeoJSON, has no LineString, or one with fewer than 2 places, or
-/// with places that are not 2 or 3 finite numbers with a latitude within ±90°.
+/// Returns the first LineString of a GeoJSON file (RFC 7946) of up to 64 MB: a geometry, a feature, or a feature in a
+/// collection. Errors: a file that cannot be read, is not GeoJSON or has no LineString; fewer than 2 places; a place
+/// that is not 2 or 3 finite numbers with a latitude within ±90°.
 Result<std::vector<LonLatHeight>> read_line_string(const std::string& path);
 
 }  // namespace citykiln::commands

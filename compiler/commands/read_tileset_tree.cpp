@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 // A tree over the whole Earth has 32 levels above its tiles.
 constexpr int kMostDepth = 64;
 
-// What a file is or does that no tileset of citykiln is or does.
+// A property of a file that no tileset written by citykiln has; thrown as an exception.
 struct Wrong {
   std::string what;
 };

@@ -1,4 +1,4 @@
-// PLAN/state/X_Y.json: how the task of a region stands.
+// PLAN/state/X_Y.json: the state of the task of a region.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,15 @@
 
 namespace citykiln::commands {
 
-/// kWaiting: no task began. kInterrupted: a task of this machine began and is gone without an end.
+/// kWaiting: no task has begun. kInterrupted: a task on this machine began and its process ended without a result.
 enum class TaskState { kWaiting, kRunning, kInterrupted, kFailed, kDone };
 std::string_view name_of(TaskState state);  ///< "waiting", "running", …
 
+/// The contents of the file.
 struct RegionState {
   TaskState state = TaskState::kWaiting;
-  std::string key;    ///< Of what the outputs are a function; see region_key().
-  std::string error;  ///< One line, of a failed task.
+  std::string key;    ///< A hash of all inputs of the outputs; see region_key().
+  std::string error;  ///< The error of a failed task, in one line.
   std::string host;
   std::int64_t process = 0;
   double seconds = 0;
@@ -29,8 +30,8 @@ RegionState read_state(const std::string& plan_folder, regions::RegionKey region
 /// Writes the state with the host and process of the caller.
 Result<Done> write_state(const std::string& plan_folder, regions::RegionKey region, RegionState state);
 
-/// Locks a region against other tasks until this process ends, and waits for one that has it locked: a task whose node
-/// or Slurm step is gone may run on while its successor begins. Does nothing on file systems without locks.
+/// Locks a region against other tasks until this process ends. Waits for a task that has locked it: a task whose node
+/// or Slurm step is gone can still run when its successor begins. Does nothing on file systems without locks.
 void lock_until_exit(const std::string& plan_folder, regions::RegionKey region);
 
 }  // namespace citykiln::commands

@@ -1,4 +1,4 @@
-// The sky that a command was asked for.
+// The sky that a command renders.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace citykiln::commands {
 
-/// The scene's sky with the time and the air of the request, where they are given; without a manifest a new sky at 45°
-/// north. Its air is the scene's unless the request says otherwise. Error: a time that does not parse.
+/// Returns the scene's sky, with the time, air and clouds of the request where they are given. Without a manifest it is
+/// a new sky at 45° north. Errors: a time or clouds that cannot be read.
 Result<sky::Sky> sky_of(const LoadRequest& request, const std::optional<scene::Header>& header);
 
 }  // namespace citykiln::commands

@@ -1,4 +1,4 @@
-// Properties of roads and junctions, which layers of a map and of a manifest share.
+// Properties of roads and junctions, shared by the layers of a map and of a manifest.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace citykiln::commands {
 
-/// The name of a land cover class, "ResidentialRoad".
+/// Returns the name of a land cover class, such as "ResidentialRoad".
 std::string class_of(map::LandCoverClass surface);
 
-/// Adds lanes (of traffic, both directions), section (all lanes, in the notation of cross_section.h) and width_m (from
-/// kerb to kerb).
+/// Adds the properties lanes (lanes of traffic in both directions), section (all lanes, in the notation of
+/// cross_section.h) and width_m (from kerb to kerb).
 void add_section(Properties& properties, const map::CrossSection& section);
 
-/// Adds surface, the material of a class: "Asphalt".
+/// Adds the property surface, the material of a class, such as "Asphalt".
 void add_surface(Properties& properties, map::LandCoverClass surface);
 
-/// Adds layer, and bridge or tunnel where the object is one.
+/// Adds the property layer, and bridge or tunnel if the object is one.
 void add_place(Properties& properties, int layer, map::Passage passage);
 
 }  // namespace citykiln::commands

@@ -9,14 +9,14 @@
 namespace citykiln::commands {
 namespace {
 
-// Kerbs are not asked for: things stand on their tops.
+// A tolerance without kerbs: objects stand on the higher side.
 constexpr double kTolerance_m = 0.5;
 
 double distance_m(const Box2& box, Vec2 p) {
   return std::max({box.min.x - p.x, p.x - box.max.x, box.min.y - p.y, p.y - box.max.y, 0.0});
 }
 
-// The chunk whose tile is nearest to a place: mostly it lies in it.
+// Returns the chunk whose tile is nearest to a place, usually the tile that contains it.
 std::size_t chunk_near(const scene::Scene& scene, Vec2 p) {
   const auto column = static_cast<std::int32_t>(std::floor(p.x / scene.header.tile_m)),
              row = static_cast<std::int32_t>(std::floor(p.y / scene.header.tile_m));

@@ -30,7 +30,7 @@ std::map<OsmId, std::string> element_names(const Scene& scene) {
   return names;
 }
 
-/// What all layers of a scene need.
+/// The data that all layers of a scene need.
 struct Context {
   const Scene& scene;
   SceneHeights heights;
@@ -63,7 +63,7 @@ LayerFeature& add_lifted_polygons(Layer& layer, ObjectId id, std::string kind, s
 
 // ---- roads and junctions ----
 
-/// The axis of a road; without a profile it lies on the land.
+/// Returns the axis of a road with heights; without a profile it lies on the ground.
 std::vector<Vec3> lifted_axis(const Context& context, const roads::Road& road) {
   const std::vector<double> along = distances_along(road);
   std::vector<Vec3> line = flat(road.axis);

@@ -1,4 +1,4 @@
-// Layers of a manifest: its recipes, as planned.
+// Layers of a manifest for GIS: its recipes.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace citykiln::commands {
 
-/// Returns the layer `name` (layer_names()) of a manifest, with heights: each object once, whatever tiles hold it.
-/// Areas end at the borders of the tiles that the manifest has; roads end a few metres beyond. Junctions are those on
-/// the ground, without area in common. Polygons are valid (OGC Simple Features). Error: an unknown name.
+/// Returns the layer `name` (layer_names()) of a manifest, with heights: each object once, in however many chunks it
+/// is. Areas end at the borders of the manifest's tiles, roads a few metres beyond. Junctions are those on the ground;
+/// they do not overlap. Polygons are valid (OGC Simple Features). Error: an unknown name.
 Result<Layer> layer_of(const scene::Scene& scene, const std::string& name);
 
 }  // namespace citykiln::commands

@@ -12,7 +12,7 @@ namespace {
 using preview::operator+, preview::operator*;
 
 constexpr int kPlaces = 256, kDirections = 64;
-// Colours are means of as many directions on both sides.
+// Values are means over this many directions on both sides.
 constexpr int kBlur = kDirections / 8;
 
 preview::Rgb albedo_of(map::LandCoverClass cover) {
@@ -20,7 +20,7 @@ preview::Rgb albedo_of(map::LandCoverClass cover) {
   return {colour[0], colour[1], colour[2]};
 }
 
-// Means of the places about a direction.
+// Returns the means of the places around a direction.
 preview::Edge edge_of(const std::vector<scene::GroundPlace>& samples, int direction) {
   using preview::operator+, preview::operator*;
   preview::Edge edge;
@@ -39,7 +39,7 @@ preview::Edge edge_of(const std::vector<scene::GroundPlace>& samples, int direct
   return edge;
 }
 
-// Gives samples the heights and the sea at the end of the grid, where the plain begins.
+// Replaces heights and sea of the samples by those at the end of the grid.
 void stand_on(const surroundings::Surroundings& grid, std::vector<scene::GroundPlace>& samples) {
   const std::vector<Vec2> places = scene::places_on_border(grid.box(), kPlaces);
   for (std::size_t i = 0; i < samples.size(); ++i) {

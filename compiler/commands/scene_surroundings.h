@@ -1,4 +1,4 @@
-// What is around a scene, by what is at its edge.
+// The ground beyond a scene, estimated from the land at its edge.
 #pragma once
 
 #include "compiler/scene/scene.h"
@@ -7,17 +7,17 @@
 
 namespace citykiln::commands {
 
-/// The land and sea at the edge of a scene's chunks, or at the end of the grid around them (scene::Header::around),
-/// continued to the horizon.
+/// Returns the ground that continues the land and sea at the scene's edge to the horizon. The edge is that of the
+/// chunks, or of the grid of heights around them (scene::Header::around).
 ///
-/// Method: along the edge 256 places have the height of the terrain, and the colour of the topmost land cover polygon.
-/// The ground around has the height of a quarter of them from below, or of the sea where a tenth of them is sea;
-/// colours are means over an eighth of the circle. Cost: O(polygons of the chunks at the edge).
+/// Method: 256 places along the edge have the height of the terrain, 0 at sea, and the colour of the topmost land cover
+/// polygon. In each of 64 directions height, colour and share of sea are means over an eighth of the circle on both
+/// sides. Cost: O(polygons of the chunks at the edge).
 preview::Surroundings surroundings_of(const scene::Scene& scene);
-/// The same at the edge of the chunks, whatever is known around them.
+/// Returns the ground that continues the edge of the chunks, even if the header has a grid around them.
 preview::Surroundings plain_around(const scene::Scene& scene);
 
-/// Fog up to the height below which this share of the scene's ground is, 0 to 1.
+/// Returns fog up to the height below which this share of the scene's terrain lies, 0 to 1.
 preview::Fog fog_of(const scene::Scene& scene, double share);
 
 }  // namespace citykiln::commands

@@ -1,4 +1,4 @@
-// PLAN/survey/X_Y.kiln: what a region cannot know from its own data, as a manifest of one chunk.
+// PLAN/survey/X_Y.kiln: the facts that a region cannot derive from its own data, as a manifest of one chunk.
 #pragma once
 
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace citykiln::commands {
 
-/// Writes a file for each region, unless it has these bytes already: the header of the survey, and a chunk with the key
-/// of the region's first tile and the heights and waters within its halo. Errors: a file that cannot be written.
-/// Memory: one region's besides the survey.
+/// Writes a file per region, unless the file already has these bytes. It holds the header of the survey, and a chunk
+/// with the key of the region's first tile and the heights and waters within the region's halo. Errors: a file that
+/// cannot be written. Memory: the survey, and the part of one region.
 Result<Done> write_survey(const Survey& survey, const regions::RegionGrid& grid, const std::string& plan_folder,
                           int threads);
 
-/// What the survey says of one region, with a hash of it. Errors: a file that cannot be read; one without this region.
+/// The survey of one region, and a hash of it.
 struct RegionSurvey {
   Survey survey;
   std::uint64_t hash = 0;
 };
+/// Reads the survey of a region. Errors: a file that cannot be read, or that lacks this region.
 Result<RegionSurvey> read_survey(const std::string& plan_folder, const Plan& plan, regions::RegionKey region);
 
 }  // namespace citykiln::commands

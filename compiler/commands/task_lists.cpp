@@ -29,10 +29,10 @@ std::string build_ninja(const Plan& plan, const std::string& program) {
   return text;
 }
 
-/// A task may take so many times the memory that is expected. None of 59 took more (expected_cost.cpp).
+/// The factor by which a task may exceed its expected memory. None of 59 took more (expected_cost.cpp).
 constexpr double kMemorySafety = 2;
 
-/// Regions that may need up to so much memory, in GB.
+/// Groups regions by the memory that they may need, in GB.
 std::map<int, std::vector<const PlannedRegion*>> memory_classes(const Plan& plan) {
   std::map<int, std::vector<const PlannedRegion*>> classes;
   for (const PlannedRegion& region : plan.regions) {
@@ -49,7 +49,8 @@ std::string minutes_of(std::span<const PlannedRegion* const> regions) {
   return fmt::format("{}", static_cast<int>(std::ceil(longest_s * 4 / 60)) + 10);
 }
 
-/// A task that is killed more often, such as one that needs more memory than it has, fails.
+/// The number of times that a killed task is repeated. A task that needs more memory than it has would be killed
+/// forever.
 constexpr int kMostRestarts = 3;
 
 constexpr std::string_view kSubmitBegin =

@@ -1,4 +1,4 @@
-// The street lamps of tiles that are written as lights.
+// Chooses the street lamps of tiles that are written as lights.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace citykiln::commands {
 
-/// Returns the brightest lamps of each chunk, at most `most` each; nothing is computed for 0. Cost: grading the terrain
-/// of every tile with lamps, in parallel.
+/// Returns the brightest lamps of each chunk, at most `most` of each; with 0 none, at no cost. Cost: grading the
+/// terrain of every tile with lamps, in parallel.
 std::vector<std::vector<bake::PlacedLamp>> lights_of_tiles(const scene::Scene& scene, std::size_t most, int threads);
 
 }  // namespace citykiln::commands

@@ -1,4 +1,4 @@
-// A tree of tiles at several levels of detail: the children of a node show the same place as the node, more finely.
+// A tree of tiles at several levels of detail. The children of a node show the same place as the node in more detail.
 #pragma once
 
 #include <functional>
@@ -13,30 +13,30 @@ namespace citykiln::commands {
 
 /// One tile at one level.
 struct TileNode {
-  exporters::OrientedBox box{};  ///< Of what the tile and its children show, metres.
-  double error_m = 0;            ///< Of its content. Stated, >= 0.
-  std::string path{};            ///< Of its content, a .glb; empty: none, its children are shown.
+  exporters::OrientedBox box{};  ///< The box of the content and of the children, in metres.
+  double error_m = 0;            ///< The stated error of the content, >= 0.
+  std::string path{};            ///< The path of the content, a .glb; empty: the children are shown instead.
   std::vector<TileNode> children{};
 };
 
-/// Those who look at a tree: the nearest counts.
+/// The viewpoints from which a tree is seen. The nearest one to a tile decides its level.
 struct Viewers {
   std::vector<Vec3> eyes;  ///< In the frame of the tree. Not empty.
-  double focal_px = 0;     ///< > 0.
-  double pixel_error = 0;  ///< The longest error in a picture. > 0.
+  double focal_px = 0;     ///< The focal length of the pictures. > 0.
+  double pixel_error = 0;  ///< The largest error in a picture. > 0.
 };
 
-/// The distance from a point to a box; 0 inside, infinite for an empty box.
+/// Returns the distance from a point to a box; 0 inside, infinite for an empty box.
 double distance_m(const exporters::OrientedBox& box, Vec3 place);
 
-/// Whether an error is not longer than the viewers' pixel error at the nearest point of the node's box.
+/// True if the node's error, at the nearest point of its box, is at most the viewers' pixel error.
 bool is_fine_for(const Viewers& viewers, const TileNode& node);
 
-/// The contents that show the whole tree once, by their paths in the tree's order: of every branch the first node from
-/// its root that is fine enough, or its last one. O(nodes).
+/// Returns the paths of the contents that show the whole tree once, in the tree's order. On each path from the root it
+/// is the first node that is fine enough, or else the last node. O(nodes).
 std::vector<std::string> contents_of(const TileNode& root, const std::function<bool(const TileNode&)>& is_fine);
 
-/// The contents of the last nodes whose boxes are above or below a place.
+/// Returns the paths of the contents of the leaves whose boxes contain a place, seen from above.
 std::vector<std::string> finest_contents_at(const TileNode& root, Vec2 place);
 
 }  // namespace citykiln::commands

@@ -15,7 +15,7 @@
 
 namespace citykiln::commands {
 
-/// A level of a tile that waits until those before it are written.
+/// An encoded level of a tile, to be written after the levels before it.
 struct ReadyUsd {
   exporters::UsdLevel encoded;
   Vec3 origin;
@@ -24,17 +24,17 @@ struct ReadyUsd {
   verify::WrittenTile record;
 };
 
-/// @param lights  Of the tile.
+/// Encodes a level of a tile. @param lights  The lights of the tile.
 ReadyUsd ready_usd(const bake::BakedTile& tile, std::size_t level, const std::vector<bake::PlacedLamp>& lights,
                    const scene::Header& header);
 
-/// Writes levels in the order of tiles, then levels, and each texture once. Keeps a line for each tile.
+/// Writes levels in the order of tiles, then levels, and each texture once. Keeps a small record per tile.
 class UsdWriter {
  public:
   UsdWriter(const scene::Header& header, exporters::OutputFolder& folder) : header_(header), folder_(folder) {}
 
   Result<Done> write(const ReadyUsd& ready, verify::WrittenFiles& written);
-  /// Writes the layer of the land around the scene, which finish() then names.
+  /// Writes the layer of the land around the scene, to which finish() refers.
   Result<Done> write_surroundings(const bake::BakedTile& tile, verify::WrittenFiles& written);
   /// Writes the layers of tiles and scene. Call once, after the last level.
   Result<Done> finish(verify::WrittenFiles& written);

@@ -1,4 +1,4 @@
-// Parsers of the viewer options that preview, bake and chart have in common.
+// Parsers of the viewer options that preview, bake and chart share.
 #pragma once
 
 #include <functional>
@@ -16,13 +16,13 @@ struct PictureSize {
   int width = 1280, height = 720;
 };
 
-/// A point as given: in plane metres, or longitude, latitude and height in degrees and metres.
+/// A point as given on the command line: in plane metres, or as longitude and latitude in degrees and height in metres.
 struct GivenPoint {
   Vec3 at;
-  bool is_above_ground = false;  ///< The height is metres above the ground, else above sea level.
+  bool is_above_ground = false;  ///< True: the height is above the ground; false: above sea level.
 };
 
-/// Stores three numbers: "X,Y,Z" or "LON,LAT,HEIGHT"; a height as "+2" is above the ground.
+/// Stores three numbers, "X,Y,Z" or "LON,LAT,HEIGHT". A height such as "+2" is above the ground.
 Take store_point(std::optional<GivenPoint>& point);
 /// Stores "X,Y,Z".
 Take store_point(std::optional<Vec3>& point);
@@ -30,14 +30,15 @@ Take store_point(std::optional<Vec3>& point);
 /// Stores "1280x720".
 Take store_size(PictureSize& size);
 
-/// Degrees of a field of view.
+/// The allowed fields of view, in degrees.
 inline constexpr NumberRange kFieldsOfView_deg{0, 180};
 
-/// The height of the ground at a place, plane metres; empty outside of the scene.
+/// Returns the height of the ground at a place, in plane metres; empty outside the scene.
 using GroundHeight = std::function<std::optional<double>(Vec2)>;
 
-/// The point in plane metres, given in the plane or by longitude and latitude; empty if not given. Errors: longitude
-/// and latitude without a header, which defines the plane; a height above the ground where there is none.
+/// Returns a point in plane metres that was given in the plane or by longitude and latitude; empty if neither was
+/// given. Errors: longitude and latitude without a header, which defines the plane; a height above the ground where
+/// there is none.
 Result<std::optional<Vec3>> point_of(const std::optional<GivenPoint>& in_plane, const std::optional<GivenPoint>& lonlat,
                                      const std::optional<scene::Header>& header, const GroundHeight& ground_m);
 

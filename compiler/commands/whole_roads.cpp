@@ -11,7 +11,8 @@ namespace {
 using roads::Road;
 using roads::WidthLimit;
 
-// Adds limits of the next piece. The first limit of a piece does not know whether it is a wall.
+// Adds the limits of the next piece. The is_wall of the first limit of a piece is unknown, so that of either piece
+// counts.
 void add_limits(std::vector<WidthLimit>& all, const std::vector<WidthLimit>& more) {
   for (const WidthLimit& limit : more) {
     const auto place = std::ranges::lower_bound(all, limit.at_m, {}, &WidthLimit::at_m);

@@ -1,4 +1,4 @@
-// The roads of a manifest, put together again from the pieces that its chunks hold.
+// Puts the roads of a manifest together again from the pieces in its chunks.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace citykiln::commands {
 
-/// Returns the roads on the ground of all chunks, each once: pieces of one road that overlap or meet become one, with
-/// the points, width limits and profile of all. A road of which a part is in no chunk is several roads of one id, in
-/// order. Sorted by id. Total. O(n log n).
+/// Returns the roads on the ground of all chunks, each once. Pieces of one road that overlap or meet become one, with
+/// the points, width limits and profile of all. If a part of a road is in no chunk, the road becomes several with one
+/// id, in order along it. Sorted by id. Cannot fail. O(n log n).
 std::vector<roads::Road> whole_roads(const scene::Scene& scene);
 
 }  // namespace citykiln::commands

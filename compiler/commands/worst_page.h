@@ -1,4 +1,4 @@
-// The page of a run's worst places: index.html with a picture of each.
+// The page of a run's worst places: index.html, with pictures.
 #pragma once
 
 #include <span>
@@ -11,17 +11,16 @@
 
 namespace citykiln::commands {
 
-/// Writes FOLDER/index.html and FOLDER/pictures/*.png; makes the folder if needed. Texts of the map are escaped. Tags
-/// are quoted where the manifest has them (compile --tags).
-/// Errors: files that cannot be written.
+/// Writes FOLDER/index.html and FOLDER/pictures/*.png, and makes the folder if needed. Texts of the map are escaped.
+/// Tags are quoted if the manifest has them (compile --tags). Errors: files that cannot be written.
 Result<Done> write_worst_page(const verify::LoadedRun& run, std::span<const verify::PlacesOfKind> kinds,
                               const std::string& folder, int threads, const OnProgress& on_progress);
 
-/// Returns whether a place gets a picture: it has a position inside the extent, and is not usual. Outside of the extent
-/// there is nothing to see.
+/// True if a place gets a picture: it has a position inside the extent, and its size is unusual for its kind. Outside
+/// the extent there is nothing to see.
 bool needs_picture(const Box2& extent, const verify::WorstPlace& place);
 
-/// The text with the five characters that mean something in HTML replaced, and without control characters.
+/// Returns the text with the five special characters of HTML escaped and without control characters.
 std::string html_text(std::string_view text);
 
 }  // namespace citykiln::commands

@@ -20,7 +20,7 @@ double cell_m(const sky::CloudMeasures& clouds, double tolerance_m) {
   return std::max(wanted_m, std::sqrt(2 * clouds.area_m2 / kMostTriangles));
 }
 
-// Whole metres, doubled until the voxels are few enough.
+// The size of voxels in whole metres, doubled until they are few enough.
 double voxel_m(const sky::CloudMeasures& clouds, double cell_m) {
   double voxel = std::round(cell_m);
   while (clouds.volume_m3 / (voxel * voxel * voxel) > kMostVoxels) voxel *= 2;

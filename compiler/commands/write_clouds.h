@@ -1,4 +1,4 @@
-// Writes the clouds of a scene beside its tiles.
+// Writes the clouds of a scene to files beside its tiles.
 #pragma once
 
 #include <string>
@@ -12,12 +12,13 @@
 
 namespace citykiln::commands {
 
-/// Writes the clouds over the scene's extent (sky::clouds_over) once, however many tiles there are: glb/clouds.glb for
-/// .glb, usd/clouds.usdc and usd/clouds.vdb for USD. Writes nothing for a clear sky.
+/// Writes the clouds over the scene's extent (sky::clouds_over) once for all tiles: glb/clouds.glb for .glb,
+/// usd/clouds.usdc and usd/clouds.vdb for USD. Writes nothing for a clear sky.
 ///
-/// The surface has cells of kCellsOfTolerance coarsest tolerances, from kFinestCell_m on, larger for large extents (the
-/// surface is to have about kMostTriangles); voxels are larger then too (kMostVoxels). Particles are as small as cells.
-/// @param notes  Gets a line where the module that writes .vdb is missing; USD has the particles alone then.
+/// The cells of the surface are kCellsOfTolerance times the coarsest tolerance, at least kFinestCell_m, and larger if
+/// the surface would have more than about kMostTriangles. Voxels are as large, or larger if there would be more than
+/// kMostVoxels. Particles are as small as cells.
+/// @param notes  Gets a line if the module that writes .vdb is missing; USD then has only the particles.
 Result<Done> write_clouds(const scene::Scene& scene, const Outputs& outputs, int threads,
                           exporters::OutputFolder& folder, std::vector<verify::WrittenFile>& files,
                           std::vector<std::string>& notes);

@@ -34,7 +34,7 @@ Result<verify::WrittenFile> write_output(const std::string& name, const std::vec
   return verify::WrittenFile{name, bytes.size()};
 }
 
-/// An encoded tile that waits until the tiles before it are written.
+/// An encoded tile, to be written after the tiles before it.
 struct ReadyTile {
   std::vector<std::byte> glb;
   std::vector<exporters::SharedFile> shared;
@@ -42,7 +42,7 @@ struct ReadyTile {
   std::optional<ReadyUsd> usd{};
 };
 
-/// Tolerances that are solved for: preferred numbers, of which ten are a factor of ten.
+/// The tolerances among which one is chosen for max_bytes or max_triangles: preferred numbers, ten per factor of ten.
 constexpr double kSolvedTolerances_m[] = {0.02, 0.025, 0.032, 0.04, 0.05, 0.063, 0.08, 0.1,  0.125, 0.16, 0.2,
                                           0.25, 0.32,  0.4,   0.5,  0.63, 0.8,   1,    1.25, 1.6,   2,    2.5,
                                           3.2,  4,     5,     6.3,  8,    10,    12.5, 16,   20,    25};
@@ -82,13 +82,13 @@ ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const Light
   return with_glb;
 }
 
-/// A tile that a run before left whole.
+/// A complete tile of an earlier run.
 struct WholeTile {
   const exporters::StagedFile* staged;
   verify::TileNote note;
 };
 
-/// The whole tiles of runs before, by chunk and level as in bake_keys(). Reads and hashes each of them.
+/// Returns the complete tiles of earlier runs, by chunk and level as in bake_keys(). Reads and hashes each of them.
 std::vector<std::optional<WholeTile>> whole_tiles(const scene::Scene& scene, std::span<const std::uint64_t> keys,
                                                   int threads, const exporters::OutputFolder& folder) {
   std::vector<std::optional<WholeTile>> whole(keys.size());
@@ -103,7 +103,7 @@ std::vector<std::optional<WholeTile>> whole_tiles(const scene::Scene& scene, std
   return whole;
 }
 
-/// Bakes and writes the tiles that are not whole, and takes over those that are.
+/// Bakes and writes the tiles, and reuses those that are complete.
 class TileWriter {
  public:
   TileWriter(const scene::Scene& scene, const Outputs& outputs, int threads, exporters::OutputFolder& folder,
@@ -137,7 +137,7 @@ class TileWriter {
                       verify::most_instances_of(outputs_.target));
   }
 
-  // One level a tile: the finest within the limits.
+  // Writes one level per tile, the finest within the limits.
   Result<Done> write_solved(const OnProgress& on_progress, WrittenOutputs& written) {
     const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene_.header);
     std::size_t too_large = 0;
@@ -152,7 +152,7 @@ class TileWriter {
     return Done{};
   }
 
-  // The files that name others, after all tiles.
+  // Writes the files that refer to others, after all tiles.
   Result<Done> finish(WrittenOutputs& written) {
     if (outputs_.surroundings)
       if (const Result<Done> done = write_surroundings(written); !done) return done;
@@ -190,7 +190,7 @@ class TileWriter {
            (!outputs_.max_triangles || tile.triangles <= *outputs_.max_triangles);
   }
 
-  // Bisects kSolvedTolerances_m; the coarsest level where none fits.
+  // Finds the finest tolerance that fits by bisection of kSolvedTolerances_m; the coarsest if none fits.
   SolvedTile solve(std::size_t chunk, const std::shared_ptr<const bake::PrototypeCache>& prototypes) const {
     const auto baked_at = [&](double tolerance_m) {
       SolvedTile out;
@@ -227,7 +227,7 @@ class TileWriter {
     return write_ready(at, std::exchange(ready_[index(at)], {}), diagnosed, keys_[index(at)], written);
   }
 
-  // @param key  0: no later run takes the .glb over.
+  // @param key  0: no later run can reuse the .glb.
   Result<Done> write_ready(ChunkLevel at, const ReadyTile& ready, const Report& diagnosed, std::uint64_t key,
                            WrittenOutputs& written) {
     add(at, ready.record, diagnosed, written);
@@ -273,7 +273,7 @@ class TileWriter {
   exporters::OutputFolder& folder_;
   Report& report_;
   std::vector<Lights> lights_;       ///< By chunk.
-  std::vector<std::uint64_t> keys_;  ///< By chunk and level, as the following.
+  std::vector<std::uint64_t> keys_;  ///< By chunk and level, like the next members.
   std::vector<std::optional<WholeTile>> whole_;
   std::vector<ReadyTile> ready_;
   UsdWriter usd_;

@@ -1,4 +1,4 @@
-// Writes the outputs of a scene to a folder. Shared by compile and bake, so that both write the same bytes.
+// Writes the outputs of a scene to a folder. `compile` and `bake` share it, so that both write the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -17,18 +17,18 @@
 
 namespace citykiln::commands {
 
-/// What write_outputs() wrote.
+/// The result of write_outputs().
 struct WrittenOutputs {
   verify::WrittenFiles files;
-  std::vector<verify::Finding> findings;  ///< Of baking.
-  std::string solved;                     ///< A line about tolerances that were solved for; empty without limits.
-  std::vector<std::string> notes{};       ///< Lines for the user.
-  std::size_t taken_over = 0;             ///< Tiles that an interrupted run had left whole, and that were not baked.
+  std::vector<verify::Finding> findings;  ///< The findings of baking.
+  std::string solved;  ///< A line about the tolerances that max_bytes or max_triangles led to; empty without limits.
+  std::vector<std::string> notes{};  ///< Lines for the user.
+  std::size_t taken_over = 0;        ///< Tiles of an earlier run that were reused instead of baked.
 };
 
-/// Bakes and writes scene.kiln, glb/<x>_<y>_L<n>.glb and usd/… as the outputs ask, one tile at a time. Tiles that an
-/// interrupted run with equal keys (bake_keys.h) left whole are taken over; records, report and findings are the same
-/// as if they were baked.
+/// Bakes tiles one at a time and writes scene.kiln, glb/<x>_<y>_L<n>.glb and usd/… as the outputs ask. Complete tiles
+/// of an earlier run with equal keys (bake_keys.h) are reused; records, report and findings are the same as if they
+/// were baked.
 Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
                                      exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress);
 
@@ -36,7 +36,7 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
 Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& report_json, const scene::Header& header,
                             exporters::OutputFolder& folder);
 
-/// Prints how many tiles were taken over, and files in the folder that are not of the run.
+/// Prints the number of reused tiles, and the files in the folder that are not of the run.
 void print_notes(const std::string& folder, const WrittenOutputs& written, const exporters::FileList& files,
                  const Console& console);
 

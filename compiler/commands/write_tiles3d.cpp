@@ -44,8 +44,8 @@ class ContentMaker {
     options_.is_on_ellipsoid = true;
   }
 
-  /// @param name  Of the content, relative to 3dtiles/.
-  /// @param centre  Of the tile's square: the axes of its box are the plane's there.
+  /// @param name  The name of the content, relative to 3dtiles/.
+  /// @param centre  The centre of the tile's square, at which the axes of its box are those of the plane.
   Content content_of(bake::BakedTile&& baked, Vec2 centre, std::string name) const {
     const bake::BakedTile tile = bake::bent(std::move(baked), globe_, geoid_);
     exporters::EncodedTile encoded = exporters::encode_tile(tile, header_, options_, threads_);
@@ -68,15 +68,16 @@ class ContentMaker {
 
 /// How the inner tiles of one height are made.
 struct InnerLevel {
-  double tolerance_m;            ///< Twice that of the height below.
-  std::optional<double> bake_m;  ///< The tolerance of the tiles that it is joined from; none: of the nodes below it.
+  double tolerance_m;            ///< Twice that of the level below.
+  std::optional<double> bake_m;  ///< Tolerance of the tiles that it is joined from; empty: joined from child nodes.
 };
 
-/// Shares of an inner level's tolerance: tiles are baked at the first and simplified by the second, or joined from
-/// nodes that have half of it, simplified by the second and without what is within the second of the terrain.
+/// Shares of an inner level's tolerance. Tiles are baked at the first share and simplified by the second. Nodes with
+/// half of the tolerance are joined, simplified by the second share, and lose objects within that distance of the
+/// terrain.
 constexpr double kBakeShare = 0.75, kSimplifyShare = 0.25;
-/// Measuring the error of decimated terrain takes time for each square of the tolerance. A tile whose tolerance is a
-/// smaller share of its side is not decimated, unless there are few of its height.
+/// Measuring the error of decimated terrain takes time per square of the tolerance. A tile whose tolerance is a smaller
+/// share of its side is not decimated, unless its level has few tiles.
 constexpr double kLeastShareOfSide = 1.0 / 512;
 constexpr int kFewFromHeight = 3;
 
@@ -84,7 +85,7 @@ bool is_decimated(int height, double tolerance_m, double side_m) {
   return height >= kFewFromHeight || tolerance_m >= kLeastShareOfSide * side_m;
 }
 
-/// The share by which roads of nodes that are joined from nodes give way to the ground beside them.
+/// The share of the tolerance by which roads of joined nodes give way to the ground beside them.
 constexpr double kFadeShare = 0.125;
 
 /// Inner levels by height above the tiles, from 1.
@@ -268,18 +269,18 @@ class TreeWriter {
   int threads_;
   exporters::OutputFolder& folder_;
   exporters::Quadtree tree_;
-  std::size_t own_levels_;                                 ///< So many levels are contents of tiles.
+  std::size_t own_levels_;                                 ///< The number of levels that are contents of tiles.
   std::vector<InnerLevel> inner_;                          ///< By height, from 1.
-  std::vector<double> levels_m_;                           ///< All that are baked.
+  std::vector<double> levels_m_;                           ///< The tolerances of all levels that are baked.
   std::vector<Slot> slots_;                                ///< By chunk and level.
-  std::vector<TilesetTile> chain_;                         ///< Of the tile that is taken, finest first.
-  std::map<NodeKey, std::vector<bake::BakedTile>> parts_;  ///< What inner nodes are joined from.
+  std::vector<TilesetTile> chain_;                         ///< The levels of the current tile, finest first.
+  std::map<NodeKey, std::vector<bake::BakedTile>> parts_;  ///< The tiles that inner nodes are joined from.
   std::map<NodeKey, std::set<scene::TileKey>> tiles_;      ///< All tiles below inner nodes.
   std::map<NodeKey, std::vector<TilesetTile>> finished_;   ///< The children of inner nodes.
   std::optional<TilesetTile> root_;
 };
 
-/// A root without content above the scene's and the land around it, which are shown together.
+/// Returns a root without content above the scene's root and the land around, so that both are shown.
 TilesetTile joined_with_surroundings(TilesetTile&& root, TilesetTile&& around) {
   TilesetTile both;
   both.box = root.box;

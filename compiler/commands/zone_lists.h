@@ -17,14 +17,14 @@ namespace citykiln::commands {
 
 std::string zone_path(const std::string& plan_folder, const std::string& zone);
 
-/// The files of the folder by name. Zones are compiled one after the other, the regions of each at once.
+/// Returns the files of the folder by name. Zones are compiled one after the other, the regions of each in parallel.
 std::map<std::string, std::string> zone_lists(const std::vector<regions::Zone>& zones);
 
-/// Whether a plan has zones.
+/// True if a plan has zones.
 bool has_zones(const std::string& plan_folder);
 
-/// Calls visit(folder) for the folder of each zone of a plan, or for the plan's own if it has no zones. The first error
-/// is returned after all were visited.
+/// Calls visit(folder) for the folder of each zone of a plan, or for the plan's own if it has no zones. Returns the
+/// first error after all were visited.
 Result<Exit> for_each_zone(const std::string& plan_folder,
                            const std::function<Result<Exit>(const std::string& folder)>& visit);
 

@@ -1,4 +1,5 @@
-// Modules: shared libraries that are loaded when they are needed, since what they link to takes long to load.
+// Loads modules: shared libraries that are loaded only when needed, because the libraries that they link to take long
+// to load.
 #pragma once
 
 #include <string>
@@ -7,12 +8,12 @@
 
 namespace citykiln {
 
-/// The folders that are searched, relative to that of the running program: its own, where the build leaves modules;
-/// where an installation has them; the build's, for programs of its folder tests/.
+/// The folders that are searched, relative to the running program's: its own, where a build has the modules; that of an
+/// installation; and that of the build for programs in its folder tests/.
 inline constexpr const char* kModuleFolders[] = {".", "../libexec/citykiln", ".."};
 
-/// The address of a function in a module, which stays loaded. The module is the first of its name in kModuleFolders.
-/// Errors: it is in none of them, or has no such function.
+/// Returns the address of a function in a module: the first file of this name in kModuleFolders. The module stays
+/// loaded. Errors: no such file, a file that cannot be loaded, no such function.
 Result<void*> load_function(const std::string& module, const std::string& function);
 
 }  // namespace citykiln

@@ -22,15 +22,15 @@ struct Knot {
   bool operator==(const Knot&) const = default;
 };
 
-/// Strictly increasing by at_m. Empty: the line follows the terrain.
+/// Knots with strictly increasing at_m. Empty: the line follows the terrain.
 using Profile = std::vector<Knot>;
 
 /// Interpolates height and tilt at a distance along the line.
-/// @param profile  Not empty; a profile, or the part of it that between() returned for an interval around at_m.
+/// @param profile  A profile that is not empty, or the part that between() returned for an interval around at_m.
 /// O(log n).
 Knot knot_at(std::span<const Knot> profile, double at_m);
 
-/// The knots that define the profile between two distances: those inside, and the nearest on either side. O(log n).
+/// The knots that define the profile between two distances: the knots between them and one on either side. O(log n).
 std::span<const Knot> between(std::span<const Knot> profile, double from_m, double to_m);
 
 }  // namespace citykiln

@@ -7,7 +7,7 @@
 
 namespace citykiln {
 
-/// Returns where on the segment from a to b the point nearest to p lies: 0 at a, 1 at b. 0 if a == b.
+/// Returns the share s in 0 … 1 for which a + s (b - a) is the point of the segment a b nearest to p. 0 if a == b.
 template <typename Vec>
 double nearest_share(Vec a, Vec b, Vec p) {
   const Vec along = b - a;

@@ -1,5 +1,5 @@
-// Height layers: the ground's height is one function of the place for each kind of land cover. Where faces of two
-// layers meet at different heights, a vertical face joins them: a kerb, a quay, a retaining wall.
+// Height layers: for each kind of land cover, the ground's height is one function of the place. If faces of two layers
+// meet at different heights, a vertical face joins them: a kerb, a quay, a retaining wall.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace citykiln::ground {
 
 enum class HeightLayer : std::uint8_t {
   kLand,         ///< The terrain, cut and filled beside roads and water.
-  kRoad,         ///< Level with the tops of kerbs: pavements, verges, islands, roads without kerbs.
-  kCarriageway,  ///< Between kerbs, below their tops.
+  kRoad,         ///< The height of kerbs' tops: pavements, verges, islands, roads without kerbs.
+  kCarriageway,  ///< The height between kerbs, below their tops.
   kWater,
   kCount
 };
@@ -28,12 +28,12 @@ inline double layer_height_m(const Heights& heights, HeightLayer layer) {
   return heights[static_cast<std::size_t>(layer)];
 }
 
-/// Returns the layer of a polygon. Areas of a road's class (squares, car parks) have no profile and lie on the land. So
-/// do paths, unless they have a profile.
+/// Returns the layer of a polygon. Areas of a road's class (squares, car parks) lie on the land, as they have no
+/// profile; so do paths without one.
 HeightLayer layer_of(const LandCoverPolygon& surface);
 
-/// The height of a face: its layer's, or the level of standing water, which holds even where the shore has been
-/// simplified.
+/// The height of a face: its layer's, or the level of standing water, which applies to the whole face even if its shore
+/// has been simplified.
 struct FaceHeight {
   HeightLayer layer = HeightLayer::kLand;
   std::optional<double> level_m;

@@ -1,4 +1,4 @@
-// Plans land cover: polygons of mapped areas and strips of watercourses. Heights are not decided here.
+// Plans land cover: polygons of mapped areas and strips of watercourses, without heights.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,14 @@
 
 namespace citykiln::ground {
 
-/// Returns mapped areas as polygons, sorted by id. Roads, watercourses and buildings cover the ground too: their
-/// polygons come from their own recipes. Ledger "ground/area". Total.
+/// Returns mapped areas as polygons, sorted by id. Polygons of roads, watercourses and buildings come from their own
+/// recipes. Ledger "ground/area".
 std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report);
 
-/// Returns waterways at ground level as strips, sorted by id. Ledger "ground/waterway". Total.
+/// Returns waterways at ground level as strips, sorted by id. Ledger "ground/waterway".
 std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report);
 
-/// Returns the axes of waterways in culverts and on aqueducts, sorted by id: rivers are connected through them.
+/// Returns the axes of waterways in culverts and on aqueducts, sorted by id. They connect rivers.
 std::vector<Polyline> covered_waterways(const map::Features& features);
 
 }  // namespace citykiln::ground

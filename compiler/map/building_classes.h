@@ -1,4 +1,4 @@
-// Building classes: a building's use, as far as its appearance depends on it.
+// Building classes: uses of buildings that differ in appearance.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ enum class BuildingClass : std::uint8_t {
 
 struct BuildingValues {
   std::string_view name;
-  double height_m;  ///< The default height; 0: by the footprint's area.
+  double height_m;  ///< The default height; 0: it follows from the footprint's area.
   double level_m;   ///< Height of a storey.
 };
 
 const BuildingValues& values_of(BuildingClass building);
 
-/// The class in outputs: its name, "Building" for kPlain.
+/// The name of a class in output files; "Building" for kPlain.
 std::string_view word_of(BuildingClass building);
 
 /// Returns the class of a value of building=* or building:part=*, kPlain for unknown values.

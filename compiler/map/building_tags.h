@@ -7,15 +7,15 @@
 
 namespace citykiln::map {
 
-/// Returns a footprint without its polygon: all that is common to the polygons of an element.
+/// Returns a footprint without its polygon: the values that all polygons of an element share.
 ///
-/// Heights come from height, else building:levels, else the class of `value` (of building=* or building:part=*), else
-/// the area; roofs from roof:*. Diagnosed: kBadTagValue for unreadable values, kNoBuildingHeight where neither height
-/// nor levels are tagged.
+/// The height follows from height=*, else building:levels=*, else the class of `value` (of building=* or
+/// building:part=*), else the area; the roof from roof:*. Diagnosed: kBadTagValue for unreadable values,
+/// kNoBuildingHeight if neither height nor levels are tagged.
 Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range tags, std::string_view value,
                              double area_m2);
 
-/// True where something is sold or served: shop=*, amenity=restaurant and similar.
+/// True for places where something is sold or served: shop=*, amenity=restaurant and similar.
 bool is_shop(const ReadContext& context, source::Range tags);
 
 }  // namespace citykiln::map

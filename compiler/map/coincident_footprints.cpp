@@ -20,7 +20,7 @@ constexpr double kFootprintBucket_m = 64;
 constexpr double kSameHeightsShare = 0.5;
 // A part that rises less above its outline is no more than a step of the roof.
 constexpr double kLeastRise_m = 0.5;
-// Of a roof that the building's height includes.
+// The height of an untagged roof that the building's height includes.
 constexpr double kUntaggedRoof_m = 3;
 
 double distance_to_border_m(const Polygon& polygon, Vec2 p) {
@@ -57,7 +57,7 @@ bool is_duplicate(const Footprint& a, const Footprint& b) {
          std::max(apart_m(a.polygon, b.polygon), apart_m(b.polygon, a.polygon)) <= kSameOutline_m;
 }
 
-// The indices of footprints, those that are kept in doubt first.
+// The indices of footprints; of duplicates the first one in this order is kept.
 std::vector<std::uint32_t> by_rank(std::span<const Footprint> footprints) {
   std::vector<std::uint32_t> order(footprints.size());
   std::iota(order.begin(), order.end(), 0);

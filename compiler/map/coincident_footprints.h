@@ -1,4 +1,4 @@
-// Footprints that would be built in the same place: duplicates, and parts inside an outline that is built too.
+// Drops footprints that would be built in the same place: duplicates, and parts inside an outline that is built, too.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,16 @@
 
 namespace citykiln::map {
 
-/// Leaves out footprints whose outline coincides with that of another one, both outlines or both parts, between nearly
-/// the same heights. Kept are those with tagged heights, then the tallest, then those of the lowest ids. Parts above
-/// each other stay.
+/// Drops duplicates, kDuplicateBuilding. Two building outlines, or two parts, are duplicates if their polygons coincide
+/// and they share more than half the height of the lower one; parts above each other stay. The one with tagged height
+/// or levels is kept, then the taller one, then the one with the lower id.
 ///
-/// Outlines coincide where every corner of each lies within kSameOutline_m of the other's border. Dropped:
-/// kDuplicateBuilding. The result does not depend on the order of the footprints. O(n) for outlines that do not
-/// overlap, times their corners squared.
+/// Polygons coincide if every corner of each lies within kSameOutline_m of the other's border. The result does not
+/// depend on the order of the footprints. O(n) for outlines that do not overlap, times their corners squared.
 std::vector<Footprint> without_duplicates(std::vector<Footprint> footprints, Account& account, Report& report);
 
-/// Mends the parts of outlines that are built too (has_parts is false): a part that lies within the heights of its
-/// outline is left out, kDuplicateBuilding; one that is higher begins at the outline's eaves. Total. O(n).
+/// Mends parts whose outline is built, too (has_parts is false). A part within the heights of its outline is dropped,
+/// kDuplicateBuilding; a part that is higher begins at the outline's eaves. O(n).
 std::vector<Footprint> without_enclosed_parts(std::vector<Footprint> footprints, Account& account, Report& report);
 
 inline constexpr double kSameOutline_m = 0.5;

@@ -1,4 +1,4 @@
-// Heightfields: a piecewise-linear surface on a grid aligned to the plane.
+// Heightfields: piecewise-linear surfaces over a grid that is aligned to the plane's axes.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,7 @@ struct Heightfield {
   Vec2 step_m{64, 64};                ///< East and north; whole multiples of kStepUnit_m.
   int columns = 0, rows = 0;          ///< Vertices, at least 2 each.
   std::vector<std::int32_t> heights;  ///< In units of kHeightQuantum_m, row by row, row 0 the southernmost.
-  double resampling_error_m =
-      0;  ///< Largest vertical distance from a source sample to the surface, where sources are not void.
+  double resampling_error_m = 0;  ///< Largest vertical distance from a source sample that is not void to the surface.
   bool operator==(const Heightfield&) const = default;
 
   double height_m_at_vertex(int i, int j) const {
@@ -38,24 +37,25 @@ struct Heightfield {
   double shorter_step_m() const { return std::min(step_m.x, step_m.y); }
 };
 
-/// The cell that holds a point, and the position in it.
+/// The cell that contains a point, and the point's position in the cell.
 struct CellPosition {
-  int i, j;     ///< Of its south-western vertex.
-  double u, v;  ///< East and north, 0 to 1.
+  int i, j;     ///< Indices of the cell's south-western vertex.
+  double u, v;  ///< Position east and north of that vertex, as shares of the cell, 0 to 1.
 };
-/// Returns the cell of a point; points outside move to the border. The cell is exact. u and v are computed from the
-/// offset to its vertex, so they depend only on the place and the lattice, not on where the field begins. O(1).
+/// Returns the cell of a point; points outside are moved to the border. The cell is exact. u and v are computed from
+/// the offset to its vertex, so they depend on the place and the lattice only, not on the field's extent. O(1).
 CellPosition cell_at(const Heightfield& field, Vec2 p);
 
-/// Returns the height at a point, outside the field that of the nearest point in it. Exact at vertices, elsewhere up to
-/// the rounding of the last operations; depends only on the place and the heights around it, to the bit. O(1).
+/// Returns the height at a point; outside the field, the height at the nearest point in it. Exact at vertices,
+/// elsewhere up to the rounding of the last operations. Every bit depends on the place and the cell's heights only.
+/// O(1).
 double height_m_at(const Heightfield& field, Vec2 p);
-/// Returns the corner of its cell that is nearest to a point, in steps.
+/// Returns the corner of a point's cell that is nearest to it, measured in steps.
 Vec2 nearest_vertex(const Heightfield& field, Vec2 p);
 /// Returns the smoothed normal at a point: the normals of the vertices by central differences, interpolated bilinearly.
 Vec3 normal_at(const Heightfield& field, Vec2 p);
-/// Returns the part of the field that covers the box and one more vertex on every side (clamped to the field). Heights
-/// and normals in the box stay the same to the bit.
+/// Returns the part of the field that covers a box and one more vertex on every side, clamped to the field. Heights and
+/// normals in the box do not change by a bit.
 Heightfield window_of(const Heightfield& field, const Box2& box);
 
 }  // namespace citykiln::map

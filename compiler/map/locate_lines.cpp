@@ -70,7 +70,7 @@ PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
   return plant_tags;
 }
 
-// Of a lamp also that of its light.
+// The height by height=*; of a street lamp also by light:height=*. 0: not tagged.
 double tagged_point_height_m(const ReadContext& context, OsmId id, const PointRow& row, source::Range tags) {
   auto height_m = tagged_length_m(context, id, tags, "height", 0.1, kTallestPoint_m);
   if (!height_m && row.kind == PointKind::kStreetLamp)

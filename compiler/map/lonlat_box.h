@@ -1,4 +1,4 @@
-// Boxes of the plane in longitude and latitude.
+// Converts boxes of the plane to longitude and latitude.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace citykiln::map {
 
-/// Returns the smallest box in degrees that holds the corners, side middles and centre of a box of the plane (its sides
-/// are curves in degrees).
+/// Returns the smallest box in degrees that contains the corners, the middles of the sides and the centre of a box of
+/// the plane, whose sides are curves in degrees.
 source::LonLatBox lonlat_box_of(const Box2& box, const Plane& plane);
 
-/// Returns "west,south,east,north" in degrees, with 4 digits after the point, about 10 m.
+/// Returns "west,south,east,north" in degrees, with 4 decimals (about 10 m).
 std::string text_of(const source::LonLatBox& box);
 
 }  // namespace citykiln::map

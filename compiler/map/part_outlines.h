@@ -1,4 +1,4 @@
-// Outlines of building parts: which building each building:part belongs to.
+// Finds the building that each building:part belongs to.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace citykiln::map {
 
 inline constexpr std::uint32_t kNoOutline = ~0u;
 
-/// Returns for each footprint the index of the outline it belongs to: for a part the smallest outline (then the one of
-/// the lowest id) that contains the centre of the part's largest triangle. kNoOutline for outlines, and for parts
-/// outside of all outlines. Apart from indices the result does not depend on the order of the footprints. Total. O(n)
-/// for outlines that do not overlap.
+/// Returns for each part the index of its building's outline among the footprints: the smallest outline that contains
+/// the centroid of the part's largest triangle; on a tie the one with the lowest id. kNoOutline for outlines, and for
+/// parts outside of all outlines. Which outline is found does not depend on the order of the footprints. O(n) for
+/// outlines that do not overlap.
 std::vector<std::uint32_t> part_outlines(std::span<const Footprint> footprints);
 
 }  // namespace citykiln::map

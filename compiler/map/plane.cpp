@@ -12,7 +12,7 @@ namespace citykiln::map {
 namespace {
 
 // Share of a step. Larger than the whole error of the double computation, so that beyond it every CPU rounds to the
-// same side. That error is at most 4.2e-9 m or 5.4e-7 step, measured up to 78° N against long double; results with and
+// same side. The error is at most 4.2e-9 m or 5.4e-7 step, measured up to 78° N against long double; results with and
 // without FMA differ by up to 1.9e-9 m.
 constexpr double kNearStepTie = 1e-5;
 

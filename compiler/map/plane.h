@@ -1,4 +1,4 @@
-// The map plane: transverse Mercator about the job's origin, x east, y north, metres, scale 1 at the origin.
+// The map plane: transverse Mercator about the origin of a run, x east, y north, metres, scale 1 at the origin.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace citykiln::map {
 
-/// The grid of map positions. Finer than OSM's own grid of 1e-7 degrees or 11 mm: more digits would store noise.
+/// The grid step of map positions. It is finer than OSM's own grid of 1e-7 degrees or 11 mm; more digits would be
+/// noise.
 inline constexpr double kMapStep_m = 0x1p-7;
 
 struct LonLat {
@@ -16,9 +17,9 @@ struct LonLat {
   bool operator==(const LonLat&) const = default;
 };
 
-/// The projection of a job. Method: GeographicLib's series (Karney 2011), 0.28 µs a point, error under 5 nm. The scale
-/// error at distance x from the origin's meridian is x²/2R², under 8 ppm within 25 km. Total: longitudes more than 80°
-/// away are clamped.
+/// The projection of a run. Method: GeographicLib's series (Karney 2011), 0.28 µs a point, error under 5 nm. The scale
+/// error at distance x from the origin's meridian is x²/2R², under 8 ppm within 25 km. Longitudes more than 80° from
+/// the origin's are clamped.
 class Plane {
  public:
   explicit Plane(LonLat origin);
@@ -27,10 +28,10 @@ class Plane {
   Plane& operator=(Plane&&) noexcept;
 
   LonLat origin() const;
-  Vec2 forward(LonLat place) const;  ///< Not snapped.
+  Vec2 forward(LonLat place) const;  ///< Plane metres, not snapped.
   LonLat backward(Vec2 p) const;
-  /// Returns forward(), snapped to kMapStep_m. Points within 1e-5 step of a tie are computed again in higher precision,
-  /// so that every CPU agrees.
+  /// Returns forward(), snapped to kMapStep_m. Every CPU gives the same result, as points within 1e-5 step of a tie are
+  /// computed again in higher precision.
   Vec2 snapped_forward(source::Location place) const;
 
  private:

@@ -1,4 +1,4 @@
-// Heights of rasters at places.
+// Samples heights of rasters at places.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,8 @@ bool is_height(Real height_m) {
   return std::abs(height_m) <= kMostHeight_m;
 }
 
-/// Bilinear heights of a raster, which must outlive it, at places. A raster without samples has none.
+/// Interpolates the heights of a raster bilinearly. The raster must outlive it. A raster without samples has no
+/// heights.
 struct RasterSampler {
   const source::Raster& raster;
   source::ToRasterSystem to_system;  // empty: longitude and latitude
@@ -62,7 +63,7 @@ struct RasterSampler {
 
   template <typename Real>
   std::optional<Real> bilinear(Real column, Real row) const {
-    // half a sample around the outermost belongs to them
+    // the outermost samples extend outwards by half a sample
     if (!(column >= -0.5 && row >= -0.5 && column <= raster.columns - 0.5 && row <= raster.rows - 0.5))
       return std::nullopt;
     column = std::clamp<Real>(column, 0, raster.columns - 1), row = std::clamp<Real>(row, 0, raster.rows - 1);
@@ -78,11 +79,12 @@ struct RasterSampler {
   }
 };
 
-/// One sampler for each raster. Error: a raster's reference system is unknown.
+/// Returns one sampler for each raster. Error: a raster's reference system is unknown.
 Result<std::vector<RasterSampler>> samplers_of(std::span<const source::Raster> rasters);
 
-/// The height at a place in quanta, a multiple of `grain` of them, by the first raster that covers it; nothing outside
-/// all of them. Near a tie it is computed again in long double, so that every CPU agrees.
+/// The height at a point of the plane by the first raster that covers it, in quanta of kHeightQuantum_m, rounded to a
+/// multiple of `grain`; nothing outside all rasters. Every CPU gives the same result, as heights near a tie are
+/// computed again in long double.
 std::optional<std::int32_t> quantised_height(std::span<const RasterSampler> samplers, const Plane& plane, Vec2 p,
                                              std::int32_t grain);
 

@@ -7,7 +7,7 @@
 namespace citykiln::map {
 namespace {
 
-// A region's border. x is the longitude, y the latitude.
+// The border of the lands with one set of guidelines. x is the longitude, y the latitude.
 struct RegionBorder {
   RoadRegion region;
   Ring ring;

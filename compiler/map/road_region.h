@@ -1,4 +1,4 @@
-// The region by whose guidelines roads are built at a place.
+// The set of guidelines by which roads are built at a place.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ enum class RoadRegion : std::uint8_t {
   kJapan,
 };
 
-/// Returns the region by the rings of road_region.inc. The land border is right to 20 km; at sea borders lie anywhere
-/// between the coasts. Total. O(rings).
+/// Returns the guidelines by the rings of road_region.inc. The land border is accurate to 20 km; at sea borders lie
+/// anywhere between the coasts. O(rings).
 RoadRegion road_region_at(LonLat place);
 
 }  // namespace citykiln::map

@@ -9,12 +9,12 @@
 namespace citykiln::map {
 
 struct TaggedRoof {
-  bool has_shape = false;  ///< Whether roof:shape is tagged.
+  bool has_shape = false;  ///< True if roof:shape is tagged.
   roofs::RoofShape shape;
 };
 
-/// Returns the roof by roof:shape, height (else levels at level_m each), angle, direction and orientation. Diagnosed:
-/// kBadTagValue for unknown shapes and unreadable numbers, which are left out.
+/// Returns the roof by roof:shape, roof:height (else roof:levels of level_m each), roof:angle, roof:direction and
+/// roof:orientation. Diagnosed and ignored: unknown shapes and unreadable numbers, kBadTagValue.
 TaggedRoof tagged_roof(const ReadContext& context, OsmId id, source::Range tags, double level_m);
 
 }  // namespace citykiln::map

@@ -1,4 +1,4 @@
-// Reads the nodes of roads and rails: crossings, signals, signs, turning circles, level crossings.
+// Reads marked nodes of roads and rails: crossings, signals, signs, turning circles, level crossings.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ struct NodeMark {
 
 /// Returns all marks of the extract, sorted.
 ///
-/// Crossings by crossing=*, crossing_ref=* and crossing:markings=*: without paint (unmarked, informal, no) there is no
-/// mark; zebra, ladder and uncontrolled are kZebra; all other values are kCrossing. Not diagnosed. O(tags of nodes + n
-/// log n marks).
+/// A crossing is read from crossing=*, crossing_ref=* and crossing:markings=*. Values for crossings without paint
+/// (unmarked, informal, no) give no mark; zebra, ladder and uncontrolled are kZebra; all others are kCrossing. Nothing
+/// is diagnosed. O(tags of nodes + n log n marks).
 ///
 /// Source: wiki.openstreetmap.org, Tag:highway=crossing, Key:crossing, Key:crossing:markings, Key:direction.
 std::vector<NodeMark> node_marks(const ReadContext& context);
 
-/// Returns the marks on a way, sorted, without duplicates, at the vertices of their nodes. The last vertex of a closed
-/// way repeats the first and has none. O(nodes of the way × log marks).
+/// Returns the marks on a way, sorted, without duplicates, with the vertices of their nodes. The last vertex of a
+/// closed way has none, as it repeats the first. O(nodes of the way × log marks).
 std::vector<TrackPoint> points_of(const ReadContext& context, const source::Way& way, const LocatedLine& line,
                                   const std::vector<NodeMark>& marks);
 

@@ -10,7 +10,7 @@ namespace citykiln::map {
 struct TrackRow {
   std::string_view key, value;
   LandCoverClass surface;
-  double width_m;  ///< Of one lane; of the whole where lanes are not counted.
+  double width_m;  ///< Width of one lane, or of the whole way if lanes are not counted.
   int lanes;       ///< The default number; 0: lanes are not counted.
 };
 
@@ -20,7 +20,8 @@ inline constexpr TrackRow kTracks[] = {
 #undef TRACK
 };
 
-/// Returns the first row that the tags match, or null. @param tag  From a key to its value, "" where absent.
+/// Returns the first row that the tags match, or null.
+/// @param tag  Returns the value of a key, "" if it is not tagged.
 template <typename Tag>
 const TrackRow* track_row(Tag tag) {
   for (const TrackRow& row : kTracks)

@@ -27,8 +27,8 @@ struct TextureImage {
   bool operator==(const TextureImage&) const = default;
 };
 
-/// Texture coordinates on an image that is not a material's are multiples of this, metres (bake/image_uvs.h). Not a
-/// power of two in general. Told apart in single precision below 2^22 steps, which are 10 km at texels of 2 cm.
+/// The step of texture coordinates on atlases and cutouts, metres (bake/image_uvs.h). In general not a power of two.
+/// Single precision resolves it below 2^22 steps, which are 10 km at texels of 2 cm.
 inline double uv_step_m(const TextureImage& image) { return image.texel_m / 8; }
 
 }  // namespace citykiln::materials

@@ -1,4 +1,4 @@
-// Plant species: the rows of lsystems/species/species.inc, and prototypes, the distinct plants of each.
+// Plant species (the rows of lsystems/species/species.inc) and prototypes (the distinct plants of each species).
 #pragma once
 
 #include <array>
@@ -43,13 +43,13 @@ constexpr const SpeciesValues& values_of(Species species) {
   return kSpecies[static_cast<std::size_t>(species)];
 }
 
-/// Number of different plants of one species.
+/// The number of different plants of one species.
 inline constexpr int kVariants = 8;
 
 /// One plant of a species. Trees that share a prototype are instances of one mesh.
 struct Prototype {
   Species species{};
-  std::uint8_t variant = 0;  ///< < kVariants.
+  std::uint8_t variant = 0;  ///< Less than kVariants.
   auto operator<=>(const Prototype&) const = default;
 };
 

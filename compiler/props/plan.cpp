@@ -13,11 +13,11 @@ bool is_of_other_room(map::PointKind kind) {
   return kind == map::PointKind::kTree || kind == map::PointKind::kEntrance || kind == map::PointKind::kAddress;
 }
 
-// Barriers end so far outside of the region that baking clips all of their width at its border. More than any barrier's
-// half width.
+// Barriers end this far outside of the extent, so that baking clips their whole width at its border. More than half the
+// width of any barrier.
 constexpr double kBeyondRegion_m = 4;
 
-// A barrier within the region. Each of its parts has a number.
+// Adds the parts of a barrier within the extent, each with a number.
 void add_barrier(const map::Barrier& barrier, const Box2& region, Props& props, Account& account, Report& report) {
   const bool counts = report.counts(barrier.id.osm);
   account.in += counts;

@@ -18,7 +18,7 @@ struct Barrier {
 struct Lamp {
   ObjectId id;
   Vec2 at;
-  double height_m = 0;  ///< 0 if not tagged: that of the lamps of its street.
+  double height_m = 0;  ///< 0 if not tagged; the lamp is then as high as the lamps of its street.
   map::LampTags light{};
   bool operator==(const Lamp&) const = default;
 };

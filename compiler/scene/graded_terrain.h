@@ -1,4 +1,4 @@
-// The graded terrain of a chunk, made of its recipes.
+// The graded terrain of a chunk, computed from its recipes.
 #pragma once
 
 #include "compiler/ground/grading/graded_terrain.h"

@@ -1,4 +1,4 @@
-// The nearest of many triangles, by a tree of boxes.
+// Finds the triangle nearest to a point, by a tree of boxes.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Corners {
   Vec3 a, b, c;
 };
 
-/// The corners of all triangles, in their order.
+/// The corners of all triangles of a mesh, in order.
 std::vector<Corners> corners_of(const Mesh& mesh);
 
 /// The distance of a point from a closed triangle.
@@ -28,7 +28,7 @@ class TriangleTree {
     std::uint32_t triangle;
   };
 
-  /// O(n log n). The result does not depend on anything but the triangles and their order.
+  /// Builds the tree. O(n log n). It depends on the triangles and their order only.
   explicit TriangleTree(std::vector<Corners> triangles);
 
   bool is_empty() const { return triangles_.empty(); }

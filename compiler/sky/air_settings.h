@@ -1,4 +1,4 @@
-// Settings of the air that a user may give.
+// The settings of the air that a user may give.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ struct AirSettings {
   bool operator==(const AirSettings&) const = default;
 };
 
-/// Puts what is set into a sky. A turbidity alone sets the visibility too: that of aerosols with a scale height of 6
-/// km. The same bits on every CPU.
+/// Copies the settings that are given into a sky. A turbidity alone also sets the visibility: that of aerosols with a
+/// scale height of 6 km. Gives equal bits on every CPU.
 void set_air(const AirSettings& settings, Sky& sky);
 
 }  // namespace citykiln::sky

@@ -1,4 +1,4 @@
-// Dimensions of a deck by its class, width and longest bay.
+// Dimensions of a deck: functions of the road's class and width and of the longest bay.
 //
 //     1   parapet, or upstand with a railing          H
 //     |=|__________________________________|=|  --- road
@@ -21,12 +21,12 @@ struct DeckDimensions {
 /// Width of a parapet.
 inline constexpr double kParapet_m = 0.25;
 
-/// Returns the dimensions of a deck. Slabs are a 20th of the bay thick, 0.4 to 2 m. Roads for cars have parapets of 1
-/// m, paths and railways railings.
+/// Returns the dimensions of a deck. The slab's thickness is a 20th of the bay, at least 0.4 and at most 2 m. Roads for
+/// cars have parapets of 1 m; paths and railways have railings.
 /// @param bay_m  The largest distance between two supports.
 DeckDimensions deck_dimensions(const roads::Road& road, double bay_m);
 
-/// Returns the largest distance between two supports of a span: its ends and piers.
+/// Returns the largest distance between neighbouring supports of a span, which are its ends and its piers.
 double longest_bay_m(const Span& span);
 
 }  // namespace citykiln::structures

@@ -1,4 +1,4 @@
-// Spatial index of all decks, in straight pieces.
+// Spatial index of the straight pieces of all decks.
 #pragma once
 
 #include <vector>
@@ -17,10 +17,11 @@ struct DeckPiece {
 
 struct DeckIndex {
   std::vector<DeckPiece> pieces;
-  BoxGrid grid;  ///< Of the pieces' boxes.
+  BoxGrid grid;  ///< Finds pieces by their boxes.
 };
 
-/// @param margin_m  By which the boxes of the pieces are larger than the road between the parapets.
+/// Returns the index of the pieces of all bridges.
+/// @param margin_m  The boxes of the pieces contain the deck between its parapets and this margin around it.
 DeckIndex index_decks(std::span<const Span> bridges, double margin_m);
 
 }  // namespace citykiln::structures

@@ -14,7 +14,7 @@ namespace citykiln::structures {
 
 struct Structures {
   std::vector<Span> bridges;  ///< Sorted by id.
-  std::vector<Span> tunnels;  ///< Sorted by id; those that are not is_bored have no mesh.
+  std::vector<Span> tunnels;  ///< Sorted by id. Tunnels that are not is_bored have no mesh.
 };
 
 /// Returns the spans of all tracks off the ground, with profiles and ends (span_ends.h), without parapet gaps and
@@ -24,7 +24,7 @@ struct Structures {
 ///                    puts the span at height 0.
 ///
 /// Tunnels that do not lie under the terrain (is_underground()) are diagnosed kTunnelNotMeshed. Ledger
-/// "structures/bridge", "structures/tunnel". Total. O(n log n).
+/// "structures/bridge", "structures/tunnel". Cannot fail. O(n log n).
 Structures plan(const map::Features& features, std::span<const Profile> off_ground, const map::Heightfield& heights,
                 Report& report);
 

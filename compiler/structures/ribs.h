@@ -1,4 +1,4 @@
-// Ribs: the cross lines of a span between which its surface is linear.
+// Ribs: lines across a span, between which its surface is interpolated linearly.
 //
 //     |   |     \            one at each vertex of the axis, mitred, and one at each knot of the profile
 //     +---+-------+
@@ -14,26 +14,26 @@ namespace citykiln::structures {
 
 struct Rib {
   Vec2 at;             ///< Point of the axis, plane metres.
-  Vec2 out;            ///< To the left, per metre from the axis; longer than 1 where the rib is mitred.
+  Vec2 out;            ///< Direction to the left, per metre from the axis; longer than 1 if the rib is mitred.
   double z_m = 0;      ///< Height of the road at the axis.
   double tilt = 0;     ///< Rise per metre to the left, measured square to the axis.
   double along_m = 0;  ///< Distance from the beginning of the way.
 };
 
-/// Returns the point of a rib at a distance to the left of the axis and above the road. Snapped.
+/// Returns the point at a distance to the left of the axis along a rib, and at a height above the road. Snapped.
 Vec3 point_on(const Rib& rib, double left_m, double rise_m);
 
-/// Returns the ribs of a span from its begin to its end: at least two, or none if its ends cut off all of it. A mitre
-/// is at most twice as long as half the width; sharper bends are bevelled. Spans that meet in a joint have the same rib
-/// there, bit for bit. O(points + knots).
+/// Returns the ribs of a span from its begin to its end: at least two, or none if SpanEnd::cut_m takes all of it. A
+/// mitre is at most twice as long as half the width; sharper bends are bevelled. Spans that meet in a joint have the
+/// same rib there, bit for bit. O(points + knots).
 std::vector<Rib> ribs_of(const Span& span);
 
 struct SimplifiedRibs {
   std::vector<Rib> ribs;
-  double error_m = 0;  ///< Largest distance of omitted edge points from the remaining edges.
+  double error_m = 0;  ///< Largest distance of the edge points of omitted ribs from the remaining edges.
 };
-/// Omits ribs where the edges stay within the tolerance; keeps the first and the last. Method: Douglas, Peucker (1973).
-/// O(n²) at worst.
+/// Omits ribs as long as both edges stay within the tolerance; keeps the first and the last. Method: Douglas, Peucker
+/// (1973). O(n²) at worst.
 /// @param left_m, right_m  Distances from the axis to the edges.
 SimplifiedRibs simplify_ribs(std::span<const Rib> ribs, double left_m, double right_m, double tolerance_m);
 

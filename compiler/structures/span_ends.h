@@ -1,4 +1,4 @@
-// How bridges and tunnels end: on the ground, at each other, or freely.
+// Finds the ends of bridges and tunnels: on the ground, at another span, or free.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,12 @@ struct SpanEnds {
 
 /// Returns the ends of each track that leaves the ground, in the order of features.tracks.
 ///
-/// Tracks continue each other if they share a node and are of one family (streets, paths, rails). Two spans of one
-/// passage that meet alone, at more than a right angle between them, form a joint; if more meet, all are cut square. If
-/// one road continues on the ground, the span ends square to it; if a road passes, at that road's edge. Ends that touch
-/// only tracks of other families are square at the node. The result does not depend on the order of tracks. Total. O(n
-/// log n) in vertices.
+/// Counts only tracks of the same family (streets, paths, rails) that have a node at the span's end.
+/// - kJoint: exactly one other span of the same passage (bridge or tunnel), at more than a right angle to this one. If
+///   several spans meet, or the angle is smaller, all are kFree.
+/// - kGround: no other span, and exactly one road on the ground, at more than a right angle.
+/// - kBesideRoad: other roads on the ground. The cut is 0 if only tracks of other families are there.
+/// - kFree: all other ends. Ends do not depend on the order of tracks. O(n log n) in vertices.
 std::vector<SpanEnds> find_ends(const map::Features& features);
 
 }  // namespace citykiln::structures

@@ -1,4 +1,4 @@
-// Outdoor stairs for highway=steps. They stand on the graded ground, a ramp, so that coarse levels can omit them.
+// Outdoor stairs for highway=steps. The graded ground below them is a ramp, so coarse levels can omit the stairs.
 //
 //               ___|      treads are level, each at the height of the ground at its upper end
 //           ___|  .
@@ -25,7 +25,7 @@ struct Stairs {
   double error_m = 0;  ///< Largest height of a tread above the ground: the error of omitting the stairs.
 };
 
-/// Returns the stairs of a road of steps inside a box, where its own surface is the land cover. Each stretch that rises
+/// Returns the stairs of a road of steps inside a box, where the road is the topmost land cover. Each part that rises
 /// or falls is a flight. Treads are level across the way and nowhere below the ground under it. Treads that would
 /// overlap in sharp bends are omitted. O(length).
 /// @param index   Land cover of the box and its surroundings.

@@ -11,7 +11,7 @@
 
 namespace citykiln::structures {
 
-/// Half the extent of a pier's foot, square to the deck and along it.
+/// Half the size of a pier's foot, across the deck and along it.
 struct PierFoot {
   double half_across_m = 0, half_along_m = 0;
 };
@@ -20,10 +20,10 @@ PierFoot foot_of(const DeckDimensions& dimensions);
 /// Adds a pier under the deck: a wall under narrow decks, columns with a cap beam under wide ones. Each part is closed.
 void add_pier(std::span<const Rib> ribs, const DeckDimensions& dimensions, const Pier& pier, Mesh& mesh);
 
-/// Adds the block that an end of the deck rests on. Closed.
+/// Adds the block on which an end of the deck rests. Closed.
 void add_abutment(std::span<const Rib> ribs, const DeckDimensions& dimensions, bool is_begin, Mesh& mesh);
 
-/// How far an abutment reaches below the slab, and along the deck.
+/// The height of an abutment below the slab, and its length along the deck.
 inline constexpr double kAbutment_m = 2.5, kAbutmentLength_m = 1;
 
 }  // namespace citykiln::structures

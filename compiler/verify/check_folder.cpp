@@ -15,7 +15,7 @@ bool is_listed(const exporters::FileList& list, const std::string& name) {
   return std::ranges::find(list, name, &exporters::ListedFile::name) != list.end();
 }
 
-/// "3_-2_L0.glb"
+/// True for the names of tiles, such as "3_-2_L0.glb".
 bool is_name_of_tile(std::string_view name) {
   if (!name.ends_with(".glb")) return false;
   const std::string_view stem = name.substr(0, name.size() - 4);
@@ -24,7 +24,7 @@ bool is_name_of_tile(std::string_view name) {
          number_in<int>(stem.substr(level + 2));
 }
 
-/// The same, "Q2_0_1.glb", "tileset.json" or "tileset_3.json".
+/// True for the names of tiles, and for names such as "Q2_0_1.glb", "tileset.json" and "tileset_3.json".
 bool is_name_in_tileset(std::string_view name) {
   if (name == "tileset.json" || is_name_of_tile(name)) return true;
   if (name.starts_with("Q") && name.ends_with(".glb"))

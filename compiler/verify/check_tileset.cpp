@@ -24,15 +24,15 @@ namespace {
 using Json = nlohmann::json;
 using Box12 = std::array<double, 12>;
 
-// Slack of a containment, for single precision on the coordinates of a tile.
+// Allowed distance of a vertex outside its box, for single precision on the coordinates of a tile.
 constexpr double kSlack_m = 0.002;
-// So deep is no tree that a run writes: a tree over the whole Earth has 32 levels above its tiles.
+// An upper bound of the depth of trees that runs write: a tree over the whole Earth has 32 levels above its tiles.
 constexpr int kMostDepth = 64;
 
 Vec3 axis(const Box12& box, std::size_t i) { return {box[3 + 3 * i], box[4 + 3 * i], box[5 + 3 * i]}; }
 Vec3 centre(const Box12& box) { return {box[0], box[1], box[2]}; }
 
-// How far a point is outside of a box, along its axes; 0 inside.
+// The distance of a point outside a box, along its axes; 0 inside.
 double outside_m(const Box12& box, Vec3 p) {
   double farthest_m = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -54,7 +54,7 @@ double corners_outside_m(const Box12& outer, const Box12& inner) {
 
 // ---- tilesets ----
 
-/// Walks the tiles of one file. Throws Json::exception where a value has another type.
+/// Visits the tiles of one file. Throws Json::exception if a value has another type than expected.
 class Walk {
  public:
   Walk(const std::string& name, CheckResults& results, ReadTileset& read)
@@ -103,7 +103,7 @@ class Walk {
   ReadTileset& read_;
 };
 
-/// A tileset that names others: reads them all, each once.
+/// Reads a tileset and all tilesets that it refers to, each once.
 class Reader {
  public:
   Reader(std::string folder, CheckResults& results) : folder_(std::move(folder)), results_(results) {}
@@ -139,12 +139,12 @@ class Reader {
 
 // ---- places on the globe ----
 
-/// From the frame of a run to its plane, by GeographicLib.
+/// Converts places from the frame of the tileset to the plane, by GeographicLib.
 class Unbend {
  public:
   explicit Unbend(map::LonLat origin) : local_(origin.lat_deg, origin.lon_deg, 0), plane_(origin) {}
 
-  /// Plane metres, and the height above the ellipsoid.
+  /// Returns plane metres, with the height above the ellipsoid as z.
   Vec3 operator()(Vec3 p) const {
     map::LonLat place;
     double height_m = 0;
@@ -157,7 +157,7 @@ class Unbend {
   map::Plane plane_;
 };
 
-// The farthest that a root's transform is from the frame at the origin, over the ends of its axes: metres at 100 km.
+// The largest distance between the root's transform and the local frame at the origin, at the ends of axes of 100 km.
 double transform_error_m(map::LonLat origin, const std::vector<double>& transform) {
   if (transform.size() != 16) return HUGE_VAL;
   const GeographicLib::LocalCartesian local(origin.lat_deg, origin.lon_deg, 0);
@@ -177,12 +177,12 @@ double transform_error_m(map::LonLat origin, const std::vector<double>& transfor
 
 // ---- contents ----
 
-/// The vertices of the terrain at each place of a tile's side, by centimetres along it, each with its height above the
-/// ellipsoid.
+/// The terrain vertices on a side of a tile, by the distance along the side in centimetres. Each has its height above
+/// the ellipsoid.
 using Side = std::map<std::int64_t, std::set<std::pair<double, Vec3>>>;
 
-/// Whether two sides have vertices at the same places, and at each the lower of their highest vertices in common. The
-/// other may be higher: a pavement that touches the border from one side, in a point, ends in a kerb there.
+/// True if two sides have vertices at the same places, and share at each place the lower of their highest vertices. The
+/// other side may have a higher one: a pavement that touches the border in a point from one side ends there in a kerb.
 bool do_meet(const Side& a, const Side& b) {
   return std::ranges::equal(a, b, [](const auto& of_a, const auto& of_b) {
     const auto lower = std::min(*of_a.second.rbegin(), *of_b.second.rbegin());
@@ -190,7 +190,7 @@ bool do_meet(const Side& a, const Side& b) {
   });
 }
 
-/// What is kept of a content.
+/// The results for a content, and the data needed to compare its borders.
 struct CheckedContent {
   CheckResults results;
   scene::TileKey tile;
@@ -198,7 +198,7 @@ struct CheckedContent {
   std::array<Side, 4> sides;  ///< West, east, south, north; in the frame of the run.
 };
 
-// asset.copyright of a .glb, whose first chunk is JSON.
+// Returns asset.copyright of a .glb, whose first chunk is JSON.
 std::string copyright_of(const std::vector<std::byte>& glb) {
   if (glb.size() < 20) return "";
   std::uint32_t size = 0;
@@ -218,7 +218,7 @@ Vec3 turned(const bake::Float4& q, Vec3 v) {
   return v + t * q[3] + cross(u, t);
 }
 
-// The farthest that a vertex of a tile is outside of a box.
+// The largest distance of a vertex of a tile outside a box.
 double vertices_outside_m(const Box12& box, const bake::BakedTile& tile) {
   double farthest_m = 0;
   for (const bake::Primitive& p : tile.primitives)

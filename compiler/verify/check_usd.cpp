@@ -35,7 +35,7 @@ Result<UsdReadLayer> read(const std::string& path) {
   return exporters::read_usd_layer(*bytes, path);
 }
 
-// Empty where there is none of this name.
+// Returns the numbers with this name; none if it is missing.
 const Numbers& numbers_of(const UsdReadDictionary& values, const std::string& name) {
   static const Numbers kNone;
   const auto found = values.find(name);
@@ -58,7 +58,7 @@ bool is_number(const UsdReadDictionary& values, const std::string& name, double 
 
 Numbers numbers_of(Vec3 v) { return {v.x, v.y, v.z}; }
 
-// "a; b" of the header, which every layer must state.
+// Returns the attributions of the header as one text, "a; b", which every layer must state.
 std::string attribution_of(const scene::Header& header) {
   return fmt::format("{}", fmt::join(header.attributions, "; "));
 }
@@ -68,7 +68,7 @@ std::string attribution_of(const scene::Header& header) {
 struct Layer {
   const UsdReadLayer& read;
   const std::string& name;
-  const std::string& folder;  ///< Of the layer's file.
+  const std::string& folder;  ///< The folder of the layer's file.
   std::set<std::string> paths{};
   std::size_t features = 0;
 };
@@ -77,7 +77,7 @@ bool are_indices(const Numbers& indices, std::size_t count) {
   return std::ranges::all_of(indices, [&](double i) { return i >= 0 && i < static_cast<double>(count); });
 }
 
-// Low, then high; each three numbers.
+// Returns the bounds of points: the three lowest coordinates, then the three highest.
 Numbers bounds_of(const Numbers& points) {
   Numbers bounds = {1e300, 1e300, 1e300, -1e300, -1e300, -1e300};
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -87,7 +87,7 @@ Numbers bounds_of(const Numbers& points) {
   return bounds;
 }
 
-// The numbers of values that a primvar must have.
+// Returns the number of values that a primvar must have.
 std::size_t values_of_rate(const UsdReadPrim& mesh, const std::string& primvar, std::size_t vertices,
                            std::size_t faces) {
   const auto rate = mesh.interpolations.find(primvar);
@@ -95,7 +95,7 @@ std::size_t values_of_rate(const UsdReadPrim& mesh, const std::string& primvar, 
   return rate->second == "uniform" ? faces : vertices;
 }
 
-// What is wrong with a mesh; empty where nothing is.
+// Returns the first fault of a mesh; empty if it has none.
 std::string fault_of_mesh(const Layer& layer, const UsdReadPrim& mesh) {
   const Numbers &points = numbers_of(mesh.values, "points"), &counts = numbers_of(mesh.values, "faceVertexCounts"),
                 &indices = numbers_of(mesh.values, "faceVertexIndices");
@@ -253,7 +253,7 @@ void test_facts(const Layer& layer, const BakedTile& tile, const scene::Header& 
        "the frame or default prim");
 }
 
-// The tile of a level: from its .glb where there is a plain one.
+// Returns the tile of a level: from its .glb, if the run wrote one without compression, else baked again.
 Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
                                 const WrittenTile& level) {
   const auto glb = std::ranges::find_if(loaded.record.tiles, [&](const WrittenTile& written) {
@@ -289,7 +289,7 @@ Result<Done> check_usd_level(const LoadedRun& loaded, bake::PreparedTile& prepar
 
 using LevelsByTile = std::map<scene::TileKey, std::vector<WrittenTile>>;
 
-// The payloads of a prim as names of files of the run.
+// Returns the payloads of a prim as file names of the run.
 std::vector<std::string> payload_names(const UsdReadPrim& prim, const std::string& folder) {
   std::vector<std::string> names;
   for (const std::string& payload : prim.payloads)
@@ -355,7 +355,7 @@ Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
   std::map<std::string, const UsdReadPrim*> by_payload;
   for (const UsdReadPrim& prim : layer->prims)
     for (const std::string& payload : payload_names(prim, "usd")) by_payload[payload] = &prim;
-  // the land around is no tile
+  // the land around the map is not one of the tiles
   if (by_payload.erase(exporters::kUsdSurroundingsName) > 0)
     results.usd_scene.test(bool{read(loaded.folder + "/" + exporters::kUsdSurroundingsName)},
                            std::string(exporters::kUsdSurroundingsName) + " cannot be read");

@@ -15,7 +15,7 @@
 namespace citykiln::verify {
 namespace {
 
-/// The tile that covers a place; none outside the region.
+/// Returns the tile that covers a place; empty outside the region.
 std::optional<scene::TileKey> tile_at(const scene::Header& header, Vec2 at) {
   const Box2& region = header.region;
   if (at.x < region.min.x || at.x > region.max.x || at.y < region.min.y || at.y > region.max.y) return std::nullopt;
@@ -70,7 +70,7 @@ std::string text_of(const Finding& finding) {
   return fmt::format(R"({{"type":"Feature","properties":{},"geometry":{}}})", properties.dump(), geometry);
 }
 
-// "w123"; none for other texts.
+// Parses the id of an element, such as "w123"; OsmType::kNone for other texts.
 OsmId id_of(const nlohmann::json& id) {
   constexpr std::string_view kTypes = "-nwr";
   if (!id.is_string()) return {};
@@ -81,14 +81,14 @@ OsmId id_of(const nlohmann::json& id) {
   return {static_cast<OsmType>(type), *number};
 }
 
-// "3_-2".
+// Returns the tile of a feature, such as "3_-2".
 std::optional<scene::TileKey> tile_of(const nlohmann::json& properties) {
   if (!properties.contains("tile")) return std::nullopt;
   const auto numbers = numbers_in<std::int32_t>(properties.at("tile").get<std::string>(), '_', 2);
   return numbers ? std::optional(scene::TileKey{(*numbers)[0], (*numbers)[1]}) : std::nullopt;
 }
 
-// None for a code that this program does not know.
+// Reads one feature; empty if this program does not know its code.
 std::optional<Finding> finding_of(const nlohmann::json& feature) {
   const nlohmann::json& properties = feature.at("properties");
   const std::optional<Code> code = code_named(properties.at("code").get<std::string>());
@@ -106,8 +106,8 @@ std::optional<Finding> finding_of(const nlohmann::json& feature) {
   return finding;
 }
 
-// "width=wide" of a diagnosis of a tag, "w1: tunnel=yes layer=-1; w2: no tags of height" of one of two objects; else
-// "".
+// Returns the tag of a diagnosis about one, such as "width=wide"; for two objects their height tags, such as "w1:
+// tunnel=yes layer=-1; w2: no tags of height"; else "".
 std::string tags_of(const Diagnosis& diagnosis, const map::LayerTags& layer_tags) {
   if (diagnosis.other.type == OsmType::kNone) return diagnosis.tag;
   std::string text;

@@ -1,4 +1,4 @@
-// findings.json: every diagnosis of a run with its place, as GeoJSON.
+// findings.json: all diagnoses of a run, each with its place, as GeoJSON.
 #pragma once
 
 #include <cstddef>
@@ -15,29 +15,31 @@
 
 namespace citykiln::verify {
 
-/// A diagnosis and where it applies.
+/// A diagnosis with its place.
 struct Finding {
   Diagnosis diagnosis;
-  std::optional<map::LonLat> at;       ///< None: of the whole map (heightmaps), or the extract lacks the element.
-  std::optional<scene::TileKey> tile;  ///< Of the place; none outside the compiled region.
-  std::optional<std::size_t> level{};  ///< Of a finding while a tile was baked.
-  std::string tags{};  ///< The tag that it is about; of two ways, those that decide which is above; else empty.
+  std::optional<map::LonLat> at;  ///< Empty: it is about the whole map (heightmaps), or the extract lacks the element.
+  std::optional<scene::TileKey> tile;  ///< The tile at the place; empty outside the compiled extent.
+  std::optional<std::size_t> level{};  ///< The level, if it was diagnosed while a tile was baked.
+  std::string tags{};  ///< The tag concerned; for two ways, the tags that decide which one is above; else empty.
 };
 
-/// The findings of compiling, before tiles are baked.
+/// Returns the diagnoses of compiling as findings.
 std::vector<Finding> findings_of(const Report& report, const map::Places& places, const map::LayerTags& layer_tags,
                                  const scene::Header& header);
 
-/// The findings of baking one tile at one level. The place is the diagnosis' own, else that of
-/// its object in the chunk, else the tile's centre.
+/// Returns the diagnoses made while one tile was baked at one level as findings. The place is that of the diagnosis,
+/// else that of its object in the chunk, else the tile's centre.
 std::vector<Finding> findings_of(const Report& report, const scene::Header& header, const scene::Chunk& chunk,
                                  std::size_t level);
 
-/// A FeatureCollection (RFC 7946), one feature a line, sorted: a point, or null without a place, with the properties
-/// code, severity, id (null: of no element), other, size, tags, tile and level (where it has these). Deterministic.
+/// Returns a FeatureCollection (RFC 7946), sorted, with one feature per line. The geometry is a point, or null without
+/// a place. The properties are code, severity, id (null if it is about no element), size, and where present other,
+/// tags, tile and level. Deterministic.
 std::string findings_json(std::vector<Finding> findings, const scene::Header& header);
 
-/// Reads what findings_json() wrote; the diagnoses' own places (at_m) are in `at`. Errors: text of another form.
+/// Reads the output of findings_json(). Places are in Finding::at; Diagnosis::at_m stays empty. Findings with a code
+/// that this program does not know are left out. Errors: text of another form.
 Result<std::vector<Finding>> parse_findings(std::string_view json);
 
 }  // namespace citykiln::verify

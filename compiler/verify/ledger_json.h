@@ -1,4 +1,4 @@
-// The ledger of a run as JSON, in report.json and in plans.
+// Writes and reads the ledger of a run as JSON, for report.json and for plans.
 #pragma once
 
 #include <map>
@@ -9,13 +9,14 @@
 
 namespace citykiln::verify {
 
-/// The code of a name. Error, an exception of the JSON library: a name that this program does not have.
+/// Returns the code with a name. Throws an exception of the JSON library if this program does not have the name.
 Code known_code(const std::string& name);
 
-/// An object with a member for each account: in, split, out, merged, and what was dropped by code.
+/// Returns a JSON object with a member per account: in, split, out, merged, and the dropped objects by code.
 nlohmann::ordered_json ledger_json(const Report& report);
 
-/// Adds what ledger_json() wrote to the accounts of a report. Error: an exception of the JSON library.
+/// Adds the output of ledger_json() to the accounts of a report. Throws an exception of the JSON library if it is
+/// malformed.
 void add_ledger(const nlohmann::ordered_json& json, Report& report);
 
 }  // namespace citykiln::verify

@@ -63,12 +63,12 @@ std::vector<RoadLine> road_lines_of(const scene::Chunk& chunk) {
 struct Network {
   struct Edge {
     std::size_t from, to;
-    double length_m;  ///< Weighted: as it counts towards being joined (joining_m).
+    double length_m;  ///< Weighted by the kind of line (joining_m).
     bool is_off = false;
   };
   std::vector<Vec2> places;  ///< Sorted.
   std::vector<bool> is_on_ground;
-  std::vector<bool> is_deck_end, is_bore_end;  ///< Where both, a bridge goes on as a tunnel.
+  std::vector<bool> is_deck_end, is_bore_end;  ///< If both are true, a bridge continues as a tunnel.
   std::vector<Edge> edges;                     ///< Both directions, sorted by `from`.
 
   std::size_t of(Vec2 p) const {
@@ -183,7 +183,7 @@ double distance_to(const Polyline& axis, Vec2 p) {
   return least_m;
 }
 
-/// True if a bridge or tunnel reaches the ground, or a bridge goes on as a tunnel, close to another line.
+/// True if a bridge or tunnel reaches the ground close to another line, or a bridge continues there as a tunnel.
 bool lands_on(const Network& network, const Place& on, const RoadLine& other) {
   if (on.line->kind == Kind::kGround) return false;
   const double reach_m = on.line->half_m() + other.half_m();
@@ -316,12 +316,12 @@ class Measurer {
     }
   }
 
-  /// Two bridges or two tunnels that overlap, but neither axis is over the other's carriageway.
+  /// True for two bridges or two tunnels that overlap if neither axis is over the other's carriageway.
   static bool are_side_by_side(const RoadLine& a, const RoadLine& b, double apart_m) {
     return a.kind == b.kind && apart_m >= std::max(a.half_m(), b.half_m());
   }
 
-  /// Ends beside a bridge or tunnel of others in the same order.
+  /// Returns the ends of other bridges or tunnels of the same kind and layer that lie beside a line.
   std::vector<Vec2> twin_ends(const RoadLine& beside) const {
     std::vector<Vec2> ends;
     for (const RoadLine& line : lines_)

@@ -41,7 +41,7 @@ struct Lattice {
   int a_side;
   std::vector<Vec2> places;
   std::vector<double> lowest_m;
-  std::vector<OsmId> features;  ///< Of the lowest ground.
+  std::vector<OsmId> features;  ///< The feature of the lowest ground.
 
   std::size_t number(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(a_side) + static_cast<std::size_t>(i);

@@ -1,4 +1,4 @@
-// Deviation of the triangulated reference ground from the graded terrain that it approximates.
+// Measures the deviation of the triangulated reference ground from the graded terrain that it approximates.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +11,22 @@
 
 namespace citykiln::verify {
 
+/// The deviations at the sampled places.
 struct ReferenceErrors {
   std::uint64_t places = 0;
-  std::uint64_t over = 0;  ///< Places off by more than 2 · ground::kReferenceError_m.
-  double largest_m = 0;    ///< At a step in the ground up to the height of the step.
+  std::uint64_t over = 0;  ///< Places that deviate by more than 2 · ground::kReferenceError_m.
+  double largest_m = 0;    ///< Near a vertical face, up to its height.
   Vec2 at;
 };
 
-/// The counts added, and the larger of the deviations.
+/// Combines two measurements: adds counts and keeps the larger deviation.
 ReferenceErrors combined(const ReferenceErrors& a, const ReferenceErrors& b);
 
-/// The reference ground of the cell at a place.
+/// Returns the reference ground of the cell at a place.
 using ReferenceAt = std::function<const ground::Reference&(Vec2)>;
 
-/// Samples one random place in every square of a lattice over the box, on the layer of the land cover there. Skips
+/// Samples one random place in each square of a grid over the box, on the height layer of the land cover there. Skips
 /// standing water. O(samples).
-/// @param a_side  Squares along each side of the box, > 0.
 ReferenceErrors measure_reference_errors(const ground::GradedTerrain& graded,
                                          std::span<const ground::LandCoverPolygon> surfaces,
                                          const ReferenceAt& reference_at, const Box2& box, int a_side);

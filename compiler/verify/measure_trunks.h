@@ -1,4 +1,4 @@
-// Tree trunks in places where none can be: roads, railways, buildings and water.
+// Finds tree trunks on roads, railways, buildings and water.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace citykiln::verify {
 
+/// The trunks of a tile.
 struct Trunks {
   std::uint64_t trees = 0;      ///< Number of trunks measured.
   std::uint64_t misplaced = 0;  ///< Trunks in a wrong place.
-  Vec2 at;                      ///< Place of the first of them.
-  OsmId worst{};                ///< Its tree or wood.
+  Vec2 at;                      ///< The place of the first misplaced trunk.
+  OsmId worst{};                ///< The tree or wood of that trunk.
 };
 
-/// Measures the tile's instances that are named after a species with a trunk, such as "oak_3"; hedges and grass have
+/// Measures the tile's instances with the name of a species that has a trunk, such as "oak_3"; hedges and grass have
 /// none. O(instances).
-/// @param map  The land cover of the tile.
 Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& map);
 
 }  // namespace citykiln::verify

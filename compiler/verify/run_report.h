@@ -1,5 +1,5 @@
-// Reads and writes report.json (what a run read, planned and wrote) and writes timing.json. Times are kept apart
-// because they differ between runs.
+// Reads and writes report.json, which states the inputs, recipes and outputs of a run, and writes timing.json. Times
+// have their own file because they differ between runs.
 #pragma once
 
 #include <cstddef>
@@ -31,37 +31,38 @@ struct WrittenTile {
   scene::TileKey tile;
   std::size_t level = 0;
   double tolerance_m = 0, error_m = 0;
-  std::uint64_t triangles = 0;  ///< Including those of every instance.
+  std::uint64_t triangles = 0;  ///< With the triangles of every instance.
   std::uint64_t instances = 0;
 };
 
+/// All files written by a run.
 struct WrittenFiles {
   std::vector<WrittenFile> files;  ///< All files except tiles.
   std::vector<WrittenTile> tiles;
-  std::vector<WrittenTile> usd{};  ///< The same tiles as layers of USD.
+  std::vector<WrittenTile> usd{};  ///< The tiles as layers of USD.
   std::uint64_t bytes() const;
 };
 
-/// Consistency of heights: of the recipes, and of the planner's lines if the run compiled a map.
+/// The consistency of heights: of the recipes, and of the planned lines if the run compiled a map.
 struct HeightReport {
   HeightMeasures recipes;
   std::optional<ground::ProfileMeasures> planned{};
 };
 
-/// The report as JSON. The same inputs give the same bytes: it contains no times, folders or thread counts.
+/// Returns the report as JSON. It contains no times, folders or thread counts, so that equal inputs give equal bytes.
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
                         const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights);
 std::string timing_json(std::span<const StageCost> costs, int threads);
 
-/// The settings of a run as types of the .glb exporter.
+/// Returns the settings of a run as types of the .glb exporter.
 exporters::GlbOptions glb_options_of(const Outputs& outputs);
-/// The most instances a tile should have for its target (bake::prepare()).
+/// Returns the largest number of instances that a tile should have for its target (bake::prepare()).
 std::size_t most_instances_of(Target target);
 
 /// True if a diagnosis is kMended or kDropped.
 bool has_mended_or_dropped(const Report& report);
-/// Whether --strict reports a run by the exit code: a diagnosis has one of its codes, or is kMended or kDropped if it
-/// has none.
+/// True if --strict lets the run end with exit code 2: a diagnosis has one of the codes of --strict, or, without codes,
+/// is kMended or kDropped.
 bool is_violated(const Strictness& strict, const Report& report);
 
 /// The part of report.json that `check` and `preview` need.
@@ -72,10 +73,11 @@ struct RunRecord {
   Compress compress = Compress::kNone;
   Layout layout = Layout::kEmbedded;
   bool has_manifest = false;
-  Report ledger;                        ///< Without diagnoses.
-  std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers do not balance.
+  Report ledger;                        ///< The ledger, without diagnoses.
+  std::vector<std::string> unbalanced;  ///< The accounts of the ledger that do not balance.
 };
-/// Finishes an interrupted commit first (exporters/settle_folder.h).
+/// Reads report.json of a run's folder, after finishing a commit that was interrupted (exporters/settle_folder.h).
+/// Errors: no finished run, or a report of another form.
 Result<RunRecord> read_report(const std::string& folder);
 
 }  // namespace citykiln::verify

@@ -1,4 +1,4 @@
-// What a run keeps about a whole tile in its journal, so that a later run that takes the tile over reports the same.
+// The entry of a finished tile in a run's journal. A later run that reuses the tile reports it from this entry.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace citykiln::verify {
 
-/// A written tile, and what was diagnosed while it was baked.
+/// A written tile, and the diagnoses made while it was baked.
 struct TileNote {
   WrittenTile tile;
   Report diagnosed;
 };
 
-/// The note as one line of JSON; from_text(text_of(note)) gives the same record, diagnoses and accounts.
+/// Returns the note as one line of JSON. tile_note(text_of(note)) gives the same record, diagnoses and accounts.
 std::string text_of(const TileNote& note);
-/// Nothing if the text is not such a note.
+/// Reads a note; empty if the text is not one.
 std::optional<TileNote> tile_note(const std::string& text);
 
 }  // namespace citykiln::verify

@@ -44,7 +44,7 @@ constexpr Code kShown[] = {
 constexpr Code kOnRoofs[] = {Code::kHeightRaised, Code::kUnsupportedBuilding, Code::kRoofFallback,
                              Code::kRuleErrors,   Code::kDuplicateBuilding,   Code::kMinHeightNotBelowHeight};
 
-// Keeps the largest place of each object, and of all the largest.
+// Keeps the largest place of each object, and of these the `most` largest.
 void keep_worst_places(PlacesOfKind& kind, std::size_t most) {
   std::ranges::stable_sort(kind.worst, std::ranges::greater{}, &WorstPlace::size);
   std::set<std::vector<OsmId>> known;

@@ -1,4 +1,4 @@
-// The entry of a tile in report.json and in the journal of a run.
+// Writes and reads the entry of a tile in report.json and in the journal of a run.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,7 +8,7 @@
 namespace citykiln::verify {
 
 nlohmann::ordered_json json_of(const WrittenTile& tile);
-/// Inverse of json_of(). Error: an exception of the JSON library.
+/// Reads the output of json_of(). Throws an exception of the JSON library if it is malformed.
 WrittenTile written_tile(const nlohmann::ordered_json& json);
 
 }  // namespace citykiln::verify

@@ -27,7 +27,7 @@ Value number(double v) { return Value(v); }
 
 Value vector(Vec3 v) { return Value(Array{number(v.x), number(v.y), number(v.z)}); }
 
-// What the tile's coordinates mean.
+// The meaning of the tile's coordinates.
 void add_frame(Object& extras, const scene::Header& header, bool is_on_ellipsoid) {
   Object frame = {{"lon_0", number(header.origin.lon_deg)}, {"lat_0", number(header.origin.lat_deg)}};
   frame["projection"] = text(is_on_ellipsoid ? "none: east, north, up at lon_0, lat_0 on the WGS84 ellipsoid"

@@ -1,4 +1,4 @@
-// A glTF model while a tile is written into it.
+// The glTF model that a tile is written into, with functions that append to it.
 #pragma once
 
 #include <algorithm>
@@ -17,28 +17,28 @@
 
 namespace citykiln::exporters {
 
-/// What distinguishes the glTF materials of a tile.
+/// The properties that distinguish the glTF materials of a tile.
 struct MaterialKey {
-  bake::PrimitiveKey primitive;                 ///< has_uvs is false where the uvs show no image.
-  const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it.
-  const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one.
-  bool has_backs = false;                       ///< Faces of its own for both sides (leaf_backs.h).
+  bake::PrimitiveKey primitive;                 ///< has_uvs is false if the uvs show no image.
+  const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it; else null.
+  const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one; else null.
+  bool has_backs = false;                       ///< Both sides have faces of their own (leaf_backs.h).
   materials::Tint tint = materials::kNoTint;    ///< Multiplies the base colour (plant_tints.h).
   bool operator==(const MaterialKey&) const = default;
 };
 
-/// The model, and what primitives share.
+/// The model, and the objects that primitives share.
 struct GlbBuilder {
   const bake::BakedTile& tile;
   const scene::Header& header;
   const GlbOptions& options;
-  tinygltf::Model model{};          ///< Without its buffer's bytes, which tinygltf would copy several times.
-  std::vector<std::byte> buffer{};  ///< The bytes of its only buffer.
+  tinygltf::Model model{};  ///< The model without the bytes of its buffer, which tinygltf would copy several times.
+  std::vector<std::byte> buffer{};  ///< The bytes of the model's only buffer.
   std::set<std::string> extensions{};
   std::vector<MaterialKey> material_keys{};        ///< One per glTF material.
-  std::vector<const impostor::Cutout*> cutouts{};  ///< No two are equal.
+  std::vector<const impostor::Cutout*> cutouts{};  ///< Distinct cutouts.
 
-  /// Appends converted values as a buffer view, aligned to 8 bytes, as property tables require, and returns its index.
+  /// Appends converted values as a buffer view and returns its index. Aligned to 8 bytes, as property tables require.
   /// Converts 256 values at a time, to save memory.
   template <typename T, typename Convert>
   int add_view_of(const std::vector<T>& values, int target, Convert convert) {
@@ -56,7 +56,7 @@ struct GlbBuilder {
     return static_cast<int>(model.bufferViews.size()) - 1;
   }
 
-  /// Whether uvs are metres, which KHR_texture_transform scales. Else they are multiples of their image's size, which
+  /// True if uvs are in metres, which KHR_texture_transform scales. Else they are in units of the image's size, which
   /// all readers understand.
   bool has_uvs_in_metres() const { return options.compression != Compression::kNone; }
 

@@ -1,4 +1,4 @@
-// A .glb while it is written, with its JSON as text: for sources that do not read JSON.
+// A .glb while it is written, with its JSON as text. Sources that do not parse JSON include this header only.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,13 @@
 
 namespace citykiln::exporters {
 
-/// A .glb whose buffer is apart, since tinygltf would copy its bytes several times.
+/// A .glb whose buffer is separate, since tinygltf would copy its bytes several times.
 struct PlainGlb {
   std::string without_buffer;     ///< The file with an empty buffer, as tinygltf writes it.
-  std::vector<std::byte> buffer;  ///< The bytes of its only buffer.
+  std::vector<std::byte> buffer;  ///< The bytes of the file's only buffer.
 };
 
-/// Returns the file with its buffer, whose memory is reused.
+/// Returns the complete file. Reuses the memory of the buffer.
 std::vector<std::byte> joined_glb(PlainGlb plain);
 
 }  // namespace citykiln::exporters

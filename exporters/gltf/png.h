@@ -1,4 +1,4 @@
-// PNG files of texture images.
+// Encodes and decodes texture images as PNG files.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,17 @@
 
 namespace citykiln::exporters {
 
-/// Encodes an image, 8 bit sRGB; with a palette where it has at most 256 colours. Same texels, same bytes.
-/// @param image  With texels, at most materials::kMostTexels.
+/// Encodes an image in 8-bit sRGB, with a palette if it has at most 256 colours. Deterministic.
+/// @param image  Not empty, at most materials::kMostTexels.
 std::vector<std::byte> encode_png(const materials::TextureImage& image);
 
 /// Encodes an image with an opacity per texel. Texels of opacity 0 keep their colour.
 std::vector<std::byte> encode_png(const materials::TextureImage& image, std::span<const std::uint8_t> opacity);
 
 /// Decodes any PNG; transparent texels are blended with black. decode_png(encode_png(image)) == image but for texel_m,
-/// which is 0. Errors: no PNG, damage, or more texels than kMostTexels; never a crash. Memory: in proportion to the
+/// which is 0. Errors: not a PNG, damage, or more texels than kMostTexels. Never crashes. Memory: proportional to the
 /// file, at most that of kMostTexels.
-/// @param name  The file's name in error messages.
+/// @param name  The name of the file in error messages.
 Result<materials::TextureImage> decode_png(std::span<const std::byte> bytes, const std::string& name);
 
 /// An image with opacities.

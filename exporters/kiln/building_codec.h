@@ -1,4 +1,4 @@
-// Codecs of buildings.
+// Reads and writes the fields of buildings (field_codecs.h).
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,7 @@ void serialise(auto& io, buildings::PartyWall& w, std::size_t edges) {
     if (w.edge >= edges || !(w.from_m >= 0 && w.from_m < w.to_m)) io.fail("party edge");
 }
 
-// Whether heights are in order and the roof fits, as generating a building requires.
+// True if heights are in order and the roof fits, as generating a building requires.
 inline bool has_ordered_heights(const buildings::Building& b) {
   return b.bottom_m < b.top_m && b.bottom_m <= b.floor_m && b.floor_m <= eaves_m(b) && b.levels > 0 &&
          b.roof_shape.height_m >= 0 && b.roof_shape.overhang_m >= 0 && b.roof_shape.overhang_m <= 16;

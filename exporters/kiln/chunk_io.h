@@ -1,4 +1,4 @@
-// The targets of a chunk's codecs: a Writer, a Reader, and a probe of its points' step.
+// The three classes that the codecs of a chunk work on: Writer, Reader, and a probe that finds the step of its points.
 #pragma once
 
 #include <array>
@@ -19,14 +19,15 @@
 namespace citykiln::exporters {
 
 inline constexpr std::size_t kMaxReserve = 1u << 12;
-// The plane extends over 80 degrees of longitude from its origin: 16 000 km.
+// The plane extends 80 degrees of longitude from its origin: 16 000 km.
 inline constexpr double kMaxCoordinate_m = 0x1p25;
 
-// A point that several rings and lines share is written once. It is new, the next or previous one in the list of points
-// (rings follow shared borders forwards or backwards), or a jump in that list.
+// A point that several rings and lines share is written once. Its code says where it is in the list of the chunk's
+// points: appended, next to the last one used (rings follow shared borders forwards or backwards), or a jump away.
 enum PointCode : std::uint64_t { kNewPoint, kNextPoint, kPreviousPoint, kFirstJump };
 
-// Points of the map are multiples of kMapStep_m; a chunk with a finer point is written in steps of kQuantum_m.
+// Points of the map are multiples of kMapStep_m. If any point of a chunk is finer, all are written in steps of
+// kQuantum_m.
 using map::kMapStep_m;
 
 /// Writes values to the streams.
@@ -70,7 +71,8 @@ struct Writer {
   }
 };
 
-/// Reads values from the streams. `wrong` is the name of the first stream with a value that no chunk can have.
+/// Reads values from the streams. `wrong` is the name of the first stream with a value that no chunk can have, else
+/// empty.
 struct Reader {
   static constexpr bool kReads = true;
   std::array<std::optional<StreamReader>, kStreamNames.size()> streams;
@@ -100,7 +102,7 @@ struct Reader {
     if (!reader) fail(stream), reader.emplace();
     return *reader;
   }
-  // reads a number; at the end of the stream it is zero, and the chunk is wrong
+  // reads a number; past the end of the stream it is zero and sets `wrong`
   template <typename T>
   T checked(Stream name, T (StreamReader::*get)()) {
     StreamReader& stream = of(name);
@@ -131,7 +133,7 @@ struct Reader {
     value = stream.get_bytes(length);
     if (!stream.good() || !is_utf8(value)) fail(bytes), value.clear();
   }
-  // an object takes at least one byte of some stream, so there are no more of them than the chunk has bytes
+  // an object takes at least one byte of some stream, so a chunk has no more objects than bytes
   std::size_t total_bytes = 0;
   std::size_t count(Stream name, std::size_t) {
     const std::uint64_t size = whole(name);
@@ -144,7 +146,7 @@ struct Reader {
   }
 };
 
-/// Finds the step of a chunk's points; changes nothing.
+/// Finds the step of a chunk's points. Writes nothing.
 struct PointStepProbe {
   static constexpr bool kReads = false;
   double point_step_m = kMapStep_m;

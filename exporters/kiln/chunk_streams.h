@@ -1,4 +1,4 @@
-// The streams of a chunk: one per property, by names that are looked up at compile time.
+// The streams of a chunk, one per property. Their names are looked up at compile time.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline constexpr std::array kStreamNames = {
 #undef STREAM
 };
 
-/// A stream by its name, "knot height". An unknown name does not compile.
+/// The number of a stream, made from its name, such as "knot height". An unknown name does not compile.
 struct Stream {
   std::size_t number;
   consteval Stream(const char* name)  // NOLINT: implicit, so that names read as names

@@ -1,6 +1,6 @@
-// Codecs of fields that many objects of a chunk have: enumerators, lists, ids, lines, profiles.
+// Reads and writes fields that many objects of a chunk have: enumerators, lists, ids, lines, profiles.
 //
-// Each function is both writer and reader: `io` is a Writer or a Reader (chunk_io.h). A reader fails on values that no
+// Each function both writes and reads: `io` is a Writer or a Reader (chunk_io.h). A reader fails on values that no
 // chunk can have.
 #pragma once
 
@@ -30,7 +30,7 @@ void list(Io& io, Stream name, std::vector<Object>& objects, std::size_t least, 
   const std::size_t size = io.count(name, objects.size());
   if constexpr (Io::kReads) {
     if (size < least) return io.fail(name);
-    // room grows with what is there, not with what the count says
+    // memory grows with the objects that are read, not with the stated count
     objects.reserve(std::min(size, kMaxReserve));
     for (std::size_t i = 0; i < size && io.wrong.empty(); ++i) each(objects.emplace_back());
   } else {
@@ -56,7 +56,7 @@ void points(auto& io, Stream kind, std::vector<Vec2>& axis, std::size_t least) {
   list(io, kind, axis, least, [&](Vec2& p) { io.point(p); });
 }
 
-// A whole number of quanta, as a difference to the last one.
+// A multiple of the quantum, as the difference to the stream's last one.
 void quanta(auto& io, Stream name, double& value, double quantum) {
   auto count = static_cast<std::int64_t>(std::floor(value / quantum + 0.5));
   io.delta(name, count);
@@ -65,7 +65,7 @@ void quanta(auto& io, Stream name, double& value, double quantum) {
     if (std::abs(value) > kMaxCoordinate_m) io.fail(name), value = 0;
 }
 
-// A knot: its distance from the one before, in eighths of a metre, height and tilt.
+// A knot: its distance from the knot before, in eighths of a metre, its height and its tilt.
 void knot(auto& io, Knot& k, const Knot* before) {
   const double from_m = before ? before->at_m : 0;
   auto steps = static_cast<std::uint64_t>((k.at_m - from_m) * 8);
@@ -92,7 +92,7 @@ void quarters(auto& io, Stream name, double& value) {
   value = quarters / 4.0;
 }
 
-// Several small numbers in one: mixed-radix digits, the first one the least significant.
+// Several small numbers packed into one as mixed-radix digits. take() returns the least significant one.
 struct MixedRadix {
   std::uint64_t number;
   std::uint64_t take(std::uint64_t count) {
@@ -102,7 +102,7 @@ struct MixedRadix {
   }
 };
 
-// A non-negative multiple of 2^-11 m: half of a number of quanta.
+// A non-negative multiple of 2^-11 m, half a quantum.
 void half_steps(auto& io, Stream name, double& value) {
   constexpr double kHalf_m = kQuantum_m / 2;
   auto steps = static_cast<std::uint64_t>(value / kHalf_m);

@@ -117,7 +117,7 @@ std::vector<flatbuffers::Offset<fbs::Rule>> rules_of(flatbuffers::FlatBufferBuil
   return offsets;
 }
 
-// Null where there are none, which leaves the header's bytes as they are without.
+// Null if there are none: the header's bytes are then equal to those without the field.
 flatbuffers::Offset<fbs::Surroundings> surroundings_of(flatbuffers::FlatBufferBuilder& builder,
                                                        const surroundings::Surroundings& around) {
   if (around.is_empty()) return 0;
@@ -394,7 +394,8 @@ Result<UnpackingDictionary> unpacking_dictionary_of(const fbs::Header& h, const 
   return dictionary;
 }
 
-// What to do with a manifest that this program cannot read, with the version that made it where the header tells.
+// The error of a manifest that this program cannot read: it names the version that made it, if the header states that,
+// and what to do.
 Error made_by_another(const std::string& name, ByteSpan frame, const std::string& difference) {
   const auto raw = unpacked(frame, nullptr, name);
   std::string version;

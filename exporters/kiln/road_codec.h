@@ -1,4 +1,4 @@
-// Codecs of roads, junctions, watercourses, bridges and tunnels.
+// Reads and writes the fields of roads, junctions, watercourses, bridges and tunnels (field_codecs.h).
 #pragma once
 
 #include <span>
@@ -54,7 +54,7 @@ void serialise(auto& io, map::TrackPoint& p) {
     if (packed.number >= static_cast<std::uint64_t>(map::TrackPointKind::kCount)) io.fail("track sign");
 }
 
-// A multiple of 2^-10 m, mostly zero and therefore not written as a difference.
+// A multiple of 2^-10 m. It is mostly zero and therefore not written as a difference.
 void start_offset(auto& io, double& value) {
   auto steps = static_cast<std::uint64_t>(value / kQuantum_m);
   io.number("start offset", steps);
@@ -80,7 +80,7 @@ void serialise(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::u
   profile(io, r.profile);
 }
 
-// The kinds of all roads of a chunk, bridges and tunnels included, and the kind of each in the order of the chunk.
+// The kinds of all roads of a chunk, bridges and tunnels included, and the kind of each road in the order of the chunk.
 struct KindsOfChunk {
   RoadKinds kinds;
   std::size_t next = 0;
@@ -106,7 +106,7 @@ KindsOfChunk kinds_of_chunk(Io& io, const scene::Chunk& c) {
 }
 
 // A width limit: its distance from the one before on its side, in quarters of a metre, whether the limit is straight in
-// between, and the largest half width.
+// between (is_wall), and the largest half width in 32nds of a metre.
 void serialise(auto& io, roads::WidthLimit& limit, const roads::WidthLimit* before) {
   const double from_m = before ? before->at_m : 0;
   auto steps = static_cast<std::uint64_t>((limit.at_m - from_m) * 4) * 2 + limit.is_wall;
@@ -131,7 +131,7 @@ void width_limits(auto& io, std::vector<roads::WidthLimit>& side) {
   });
 }
 
-// Roads without width limits, which most are, take no bytes.
+// Writes only roads with width limits: most roads have none, and take no bytes.
 template <typename Io>
 void narrowings(Io& io, std::vector<roads::Road>& roads) {
   std::vector<std::uint64_t> narrowed;
@@ -154,7 +154,7 @@ void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
   narrowings(io, roads);
 }
 
-// Unit of Strip::reach_m.
+// The unit of Strip::reach_m.
 inline constexpr double kReachStep_m = 16;
 
 void serialise(auto& io, roads::Strip& s) {
@@ -186,7 +186,8 @@ void serialise(auto& io, structures::SpanEnd& end) {
   if (end.kind == structures::EndKind::kBesideRoad) quarters(io, "end cut", end.cut_m);
 }
 
-// A pier: its distance from the one before, or from the way's start, in quarters of a metre, and its foot.
+// A pier: its distance from the pier before, or from the way's start, and the height of its foot, both in quarters of a
+// metre.
 void serialise(auto& io, structures::Pier& p, const structures::Pier* before) {
   const double from_m = before ? before->at_m : 0;
   auto steps = static_cast<std::uint64_t>((p.at_m - from_m) * 4);
@@ -197,7 +198,7 @@ void serialise(auto& io, structures::Pier& p, const structures::Pier* before) {
     if ((before && steps == 0) || p.at_m > kMaxCoordinate_m) io.fail("pier step");
 }
 
-// Openings: start and end, as distances from the end of the one before, in quarters of a metre.
+// Gaps of a parapet. Starts and ends are written as distances from the number before, in quarters of a metre.
 void openings(auto& io, std::vector<structures::ParapetGap>& side) {
   double last_m = 0;
   list(io, "openings", side, 0, [&](structures::ParapetGap& o) {
@@ -211,7 +212,7 @@ void openings(auto& io, std::vector<structures::ParapetGap>& side) {
   });
 }
 
-// Counted from the lowest layer that OSM allows.
+// The layer, counted from the lowest one that OSM allows.
 void layer(auto& io, std::int8_t& value) {
   constexpr int kLowest = -10, kHighest = 10;
   auto above = static_cast<std::uint8_t>(value - kLowest);

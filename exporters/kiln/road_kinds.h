@@ -1,4 +1,4 @@
-// Properties that many roads of a chunk share, and which the manifest therefore holds once.
+// Properties that many roads of a chunk share. The manifest holds each combination once per chunk.
 #pragma once
 
 #include <compare>
@@ -20,15 +20,15 @@ struct RoadKind {
 RoadKind kind_of(const roads::Road& road);
 void set_kind(const RoadKind& kind, roads::Road& road);
 
-/// The kinds of roads, each once, the most frequent first, and the index of each road's kind. O(n log n).
+/// The distinct kinds of roads, the most frequent first, and the index of each road's kind. O(n log n).
 struct RoadKinds {
   std::vector<RoadKind> kinds;
   std::vector<std::uint32_t> of_road;
 };
 RoadKinds kinds_of(std::span<const roads::Road> roads);
 
-/// Whether a road can have this cross-section: lanes wider than 0, at least one of them between the kerbs and none of
-/// those raised, and the axis between the kerbs.
+/// True if a road can have this cross-section: all lanes are wider than 0, at least one lies between the kerbs, no lane
+/// there is raised, and the axis lies between the kerbs.
 bool is_sound(const map::CrossSection& section);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,4 @@
-// The streams of the land around the extent (MANIFEST.md, Surroundings).
+// Encodes the land around the extent as four streams, and decodes it (MANIFEST.md, Surroundings).
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct SurroundingsStreams {
 /// @param around  Not empty.
 SurroundingsStreams encode_surroundings(const surroundings::Surroundings& around);
 
-/// Reads lines, heights and covers, which may be unsound; nothing where a stream ends early or late, or has more lines
-/// than surroundings::kMostLines. Memory: in proportion to the streams.
+/// Decodes the four streams. Returns std::nullopt if a stream ends early or late, or there are more lines than
+/// surroundings::kMostLines. Does not check values: see surroundings::is_sound(). Memory: proportional to the streams.
 std::optional<surroundings::Surroundings> decode_surroundings(std::span<const std::uint8_t> x,
                                                               std::span<const std::uint8_t> y,
                                                               std::span<const std::uint8_t> heights,

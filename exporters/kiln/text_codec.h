@@ -1,4 +1,4 @@
-// Codec of the texts of elements: names, each once a chunk, and tags.
+// Reads and writes the texts of OSM elements: names, each once per chunk, and tags.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ struct NameList {
   void add(const std::string& name) { numbers.emplace(name, names.size()), names.push_back(name); }
 };
 
-// A name: its number in the list; the next number is followed by a new name.
+// A name: its number in the list. The number after the last one means a new name, which follows.
 void name(auto& io, NameList& list, std::string& value) {
   std::size_t number = list.number_of(value);
   io.number("name number", number);

@@ -1,4 +1,5 @@
-// Layers in binary: crates, .usdc (crate_types.h). Half the size of text, and several times faster to read.
+// Writes binary layers, called crates (.usdc, crate_types.h). They are half the size of text and several times faster
+// to read.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace citykiln::exporters {
 
-/// Writes values as they come and the tables at the end. Same calls, same bytes.
+/// Writes values at once and the tables in finish(). Deterministic.
 class CrateWriter final : public LayerWriter {
  public:
   explicit CrateWriter(const UsdLayerHead& head);
@@ -79,7 +80,7 @@ class CrateWriter final : public LayerWriter {
   std::map<Fields, std::int32_t> field_set_places_;
   std::vector<Node> nodes_;
   std::map<std::string, std::int32_t> path_numbers_;
-  /// Places in out_ of numbers of paths that may not be there yet.
+  /// Offsets in out_ where finish() writes the number of a path, which may not exist yet.
   std::vector<std::pair<std::size_t, std::string>> path_uses_;
   std::vector<Spec> specs_;
   std::vector<OpenPrim> open_;

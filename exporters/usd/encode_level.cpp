@@ -24,7 +24,7 @@ UsdDictionary tile_data(const bake::BakedTile& tile, const scene::Header& header
           {"lat_0", header.origin.lat_deg}};
 }
 
-// The part of a list, sorted by layer, that belongs to one.
+// The part of a list sorted by layer that belongs to one layer.
 template <typename T, typename LayerOf>
 std::span<const T> part_of(const std::vector<T>& sorted, Layer layer, LayerOf layer_of) {
   const auto first = std::ranges::lower_bound(sorted, layer, {}, layer_of);

@@ -1,12 +1,12 @@
-// What each feature of a tile is: a table as attributes of one prim.
+// Writes the features of a tile as a table: one array attribute per column, on one prim.
 #pragma once
 
 #include "exporters/usd/usd_builder.h"
 
 namespace citykiln::exporters {
 
-/// Writes the scope "features". Element i of each array is feature i, to which primvars:feature refers; element 0 is
-/// none.
+/// Writes the scope "features". Element i of each array belongs to feature i, to which primvars:feature refers; element
+/// 0 means "no feature".
 ///
 /// | attribute     | type     | value                                              |
 /// |---------------|----------|----------------------------------------------------|
@@ -17,7 +17,7 @@ namespace citykiln::exporters {
 /// | osm:height_m  | float[]  | from foot to top, or 0                             |
 /// | osm:tags      | string[] | all tags as a JSON object, where the scene keeps them |
 ///
-/// Columns without a value are left out.
+/// Leaves out columns without values.
 void write_features(UsdBuilder& b);
 
 }  // namespace citykiln::exporters

@@ -13,7 +13,7 @@ constexpr double kLantern_m = 0.1, kHead_m = 0.15;
 double luminance_of(const props::Luminaire& light) {
   const double axis_cd = light.lumen / props::beam_sr(light.beam);
   const double radius_m = light.beam == props::Beam::kDown ? kHead_m : kLantern_m;
-  // both show a disk of this radius to who looks along the axis
+  // seen along the axis, both are a disk of this radius
   return axis_cd / (kPi * radius_m * radius_m);
 }
 

@@ -1,4 +1,4 @@
-// Writes the materials of a level: UsdPreviewSurface, with textures in files of their own.
+// Writes the materials of a level as UsdPreviewSurface, with textures in separate files.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace citykiln::exporters {
 
-/// The path of the material of a primitive, which is written when write_materials() is called.
-/// @param cutout  As shared_cutout() returns it for an instanced mesh; else null.
+/// Returns the path of a primitive's material. write_materials() writes it later.
+/// @param cutout  The result of shared_cutout() for an instanced mesh; else null.
 std::string material_path(UsdBuilder& b, const bake::Primitive& p, const impostor::Cutout* cutout);
 
-/// The cutout of the level that equals this one, which is added when it is new; null where it has no texels.
+/// Returns the level's copy of a cutout, and adds it if it is new; null if the cutout has no texels.
 const impostor::Cutout* shared_cutout(UsdBuilder& b, const impostor::Cutout& cutout);
 
-/// The image that a primitive's uvs lie on; null where they show none.
+/// Returns the image that a primitive's uvs refer to; null if there is none.
 const materials::TextureImage* image_of(const UsdBuilder& b, const bake::Primitive& p, const impostor::Cutout* cutout);
 
-/// Writes the scope "materials" with all materials that were asked for.
+/// Writes the scope "materials" with all materials whose paths were requested.
 ///
 /// | material               | diffuseColor                                                                      |
 /// |------------------------|-----------------------------------------------------------------------------------|

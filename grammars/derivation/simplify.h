@@ -1,11 +1,11 @@
-// Levels of detail: replaces the result of a node by the node's own surface where that is within the tolerance.
+// Levels of detail: replaces the result of a node by the node's own surface if that is within the tolerance.
 #pragma once
 
 #include "grammars/derivation/run.h"
 
 namespace citykiln::grammars {
 
-/// The appearance of a terminal, if appearances are kept and it is wider than the tolerance.
+/// Returns the appearance of a terminal if appearances are kept and the terminal is wider than the tolerance.
 VisibleAppearances visible_appearance(const Run& run, const Terminal& terminal);
 
 /// Replaces the terminals from index `first` on, which are the result of the node, by one terminal with the faces of
@@ -13,7 +13,7 @@ VisibleAppearances visible_appearance(const Run& run, const Terminal& terminal);
 /// and the texture of the largest terminal with that appearance.
 ///
 /// @param start  The shape of the node before its first operation.
-/// @param trace  Of the node; its `seen` is updated.
+/// @param trace  The trace of the node; `seen` is updated.
 void simplify_node(const Execution& execution, const Shape& start, std::size_t first, NodeTrace& trace);
 
 }  // namespace citykiln::grammars

@@ -26,7 +26,7 @@ struct Interval {
 
 using Intervals = SmallVector<Interval, 8>;
 
-/// A thinner piece is added to its neighbour.
+/// A piece thinner than this is added to its neighbour.
 inline constexpr double kSliver_m = 1e-6;
 
 /// Divides 0 … length_m.

@@ -11,10 +11,10 @@ namespace citykiln::roofs {
 
 /// Generates the roof.
 ///
-/// @param footprint    Plane metres on the grid of the plane (2^-7 m); any rings: even-odd rule.
+/// @param footprint  Plane metres, multiples of 2^-7 m. Any rings: the even-odd rule applies.
 /// @param tolerance_m  > 0. Bounds the error of curves; knees and eaves below it are left out, and a roof that rises no
 ///                     higher is flat. Roof::error_m is the resulting error.
-/// @param object       The object named in diagnoses.
+/// @param object  The OSM element that diagnoses name.
 /// Guarantees: roof, eaves and floor are closed for any footprint; no vertex of the footprint moves; without a
 /// direction ridges run along the longer side. Draws no random numbers.
 /// Bad input: if the form cannot be built, the roof is flat, with a diagnosis kRoofFallback; a footprint without area
@@ -22,8 +22,8 @@ namespace citykiln::roofs {
 /// Cost: about 50 µs over a rectangle, 1 ms with a skeleton; more than linear in the number of corners.
 Roof generate_roof(const Polygon& footprint, const RoofShape& shape, double tolerance_m, OsmId object, Report& report);
 
-/// The same by the straight skeleton in one kernel, for charts; std::nullopt if it fails.
-/// @param shape  Of a form that is drawn over a skeleton, as mansard or gabled.
+/// Generates the roof by the straight skeleton in one kernel, for charts; std::nullopt if that fails.
+/// @param shape  Its form is drawn over a skeleton, such as mansard or gabled.
 std::optional<Roof> roof_by_skeleton(const Polygon& footprint, const RoofShape& shape, double tolerance_m,
                                      SkeletonKernel kernel);
 

@@ -20,9 +20,9 @@ struct OrientedBox {
   Vec2 position(double along_m, double across_m) const { return origin + along * along_m + across * across_m; }
 };
 
-/// The smallest box along an edge of the ring; of equal boxes that along the longest edge. `along` is its longer side,
-/// or the shorter one if is_ridge_across. A direction sets the front: the nearest side of the box if that is within
-/// 25 degrees, else the direction itself.
+/// Returns the smallest box along an edge of the ring; among equal boxes the one along the longest edge. `along` is its
+/// longer side, or the shorter one if is_ridge_across. `direction` sets the front: the nearest side of the box if that
+/// is within 25 degrees; else the box is turned to the direction.
 /// @param ring  Not empty. O(n²).
 OrientedBox oriented_box(std::span<const Vec2> ring, std::optional<Vec2> direction, bool is_ridge_across);
 

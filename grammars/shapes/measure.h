@@ -1,4 +1,4 @@
-// Measures of a shape that expressions can use.
+// Measurements of a shape, for the values geometry.… of expressions.
 #pragma once
 
 #include "grammars/shapes/shape.h"
@@ -6,9 +6,9 @@
 namespace citykiln::grammars {
 
 double surface_m2(const Shape& shape);
-/// The height difference between the highest and the lowest vertex; 0 without faces.
+/// Returns the height difference between the highest and the lowest vertex; 0 without faces.
 double height_m(const Shape& shape);
-/// The volume of a closed surface, by the divergence theorem. For an open surface the number has no meaning.
+/// Returns the volume of a closed surface, by the divergence theorem. Undefined for an open surface.
 double volume_m3(const Shape& shape);
 bool is_rectangular(const Shape& shape);
 bool is_concave(const Shape& shape);

@@ -1,4 +1,4 @@
-// Shapes: what rules are applied to.
+// Shapes, to which rules are applied: faces in a scope, with an appearance and inherited values.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace citykiln::grammars {
 
-/// The material of a surface as rules set it. The caller of derive() decides what a name looks like.
+/// The material of a surface as set by rules. The caller of derive() gives names their look.
 struct Appearance {
   std::string name;                     ///< material.name, e.g. "brick"; "" if no rule has set it.
   std::string colour_map;               ///< texture("…").
@@ -22,40 +22,40 @@ struct Appearance {
   auto operator<=>(const Appearance&) const = default;
 };
 
-/// Texture coordinates as an affine function of position: u = dot(p - origin, u_per_m), and v alike. The texture covers
-/// 0 to 1.
+/// Texture coordinates as an affine function of position p: u = dot(p - origin, u_per_m), v = dot(p - origin, v_per_m).
+/// The texture covers 0 to 1.
 struct TextureProjection {
   Vec3 origin;
   Vec3 u_per_m, v_per_m;
   bool operator==(const TextureProjection&) const = default;
 };
 
-/// The place of a shape in a split or comp: index of total. Successors inherit it.
+/// The number of a shape among the `total` parts of a split or comp. Successors inherit it.
 struct SiblingIndex {
   double index = 0, total = 0;
   /// The derivation node to which it was assigned (Shape::node); ~0 until that node exists.
   std::uint32_t since_node = ~0u;
 };
 
-/// Attributes changed by set(), by index into Program::attributes.
+/// The values of attributes changed by set(), by index into Program::attributes.
 using AttributeSet = std::map<std::uint32_t, Value>;
 
 struct Shape {
-  StableId id{};  ///< Of the first shape of a derivation; Run::id_of() computes the others.
+  StableId id{};  ///< Set for the first shape of a derivation; Run::id_of() computes the others.
   Scope scope;
   std::vector<Face> faces;
-  Scope parent_scope;  ///< For center().
+  Scope parent_scope;  ///< The scope of the parent, for center().
   std::string asset;   ///< The instance of i("…") that fills the scope instead of faces; "" for none.
   SiblingIndex in_split, in_comp;
   // indices into Tables; 0 is the default
   std::uint32_t appearance = 0;
-  std::uint32_t projection = 0;  ///< A texture projection set up, but not applied yet.
+  std::uint32_t projection = 0;  ///< A texture projection that is set up but not applied yet.
   std::uint32_t texture = 0;     ///< The texture projection applied to the surface.
   std::uint32_t attributes = 0;
   std::uint32_t node = 0;  ///< Index into Run::nodes.
 };
 
-/// A copy of all that a successor inherits: everything but the faces.
+/// Returns a copy of everything but the faces, which a successor inherits.
 inline Shape inherited_from(const Shape& from) {
   return {.id = from.id,
           .scope = from.scope,

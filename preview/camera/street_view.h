@@ -6,9 +6,10 @@
 
 namespace citykiln::preview {
 
-/// Method: of 64 places on streets, the nearest to the scene's core that are well apart, each is tried in 24 directions
-/// by rays at eye height; the best view is long, has walls on both sides and free sky. Without streets, the view is at
-/// the core. Total. Cost: one World.
+/// Returns a camera on a street. Without streets it is at the core. Total. Cost: one World.
+///
+/// Method: 64 places on streets, the nearest to the scene's core that are at least 12 m apart, are each tried in 24
+/// directions by rays at eye height. The best view is long, and has walls on both sides and free sky.
 Camera street_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid);
 
 }  // namespace citykiln::preview

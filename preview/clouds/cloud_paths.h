@@ -1,4 +1,4 @@
-// Paths of light through clouds: the reference for CloudField, slow and noisy.
+// Paths of light through clouds: a slow and noisy reference for CloudField.
 #pragma once
 
 #include <algorithm>
@@ -13,27 +13,27 @@
 
 namespace citykiln::preview {
 
-/// Scatterings after which a path ends: droplets absorb nothing, and a path may stay for long.
+/// Scatterings after which a path ends. Droplets absorb nothing, so a path may stay in a cloud for long.
 inline constexpr int kMostScatterings = 1000;
 
-/// One sample of the light that clouds send along a ray of a length, with all orders of scattering up to `most`. Passed
-/// is 0 or 1.
+/// Returns one sample of the light that clouds send along a ray of a given length, with all orders of scattering up to
+/// `most`. `passed` is 0 or 1.
 ///
 /// Method: distances to droplets by delta tracking (Woodcock et al. 1965), directions by Henyey and Greenstein's phase
-/// function, sunlight gathered at each droplet, and the mean light of sky or ground where the path leaves. No light is
-/// absorbed. Unbiased but for orders beyond `most`.
+/// function. Each droplet adds sunlight, and the path's end adds the mean light of sky or ground. No light is absorbed.
+/// Unbiased, but for orders beyond `most`.
 /// @param random  Returns independent numbers in [0, 1).
 template <typename Random>
 CloudPath cloud_path(const CloudField& field, Vec3 from, Vec3 direction, double distance_m, int most, Random random);
 
-/// The distance to a droplet; infinite where the ray leaves the clouds, or is longer than `most_m`.
+/// The distance to the next droplet, at random; infinite where the ray leaves the clouds, or goes on for `most_m`.
 template <typename Random>
 double free_path(const CloudField& field, Vec3 from, Vec3 direction, double most_m, Random& random);
 
-/// A direction by Henyey and Greenstein's phase function around another.
+/// Returns a direction that is scattered by Henyey and Greenstein's phase function.
 Vec3 scattered(Vec3 direction, double g, UnitPair chance);
 
-/// Random numbers as a function of a ray: rays of different samples differ.
+/// A generator of random numbers whose seed is a ray. Rays of different samples differ, and so do their numbers.
 class RayChance {
  public:
   RayChance(Vec3 from, Vec3 direction);
@@ -46,7 +46,7 @@ class RayChance {
 
 // ---- implementation of the templates ----
 
-// Within parts of a ray, from where the first begins.
+// The free path inside the given parts of a ray; infinite where they end.
 template <typename Random>
 double free_path(const CloudSpheres& spheres, const std::vector<SpherePart>& parts, Random& random) {
   double at_m = parts.front().begin, end_m = 0;

@@ -1,4 +1,4 @@
-// Shadows of clouds on what is below them, as a table.
+// The shadows of clouds on everything below them, as a table.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace citykiln::preview {
 
-/// The share of the sun's light that passes clouds, at places of a level plane below them all. A place below the plane
-/// has the share of the place where its ray to the sun meets the plane. Thread-safe.
+/// A table of the share of the sun's light that passes clouds, at places of a level plane below them all. A place below
+/// the plane has the share of the point where its ray to the sun meets the plane. Thread-safe.
 class CloudShadow {
  public:
-  /// Two tables around a place: of kNear_m to each side with cells of 32 m, about the width of a shadow's blurred edge
-  /// for clouds 3 km up, and of kFar_m with cells of 256 m. Cost: a hundred thousand rays. Same bits for any number of
-  /// threads.
+  /// Makes two tables of 256 by 256 cells about a place. Cells of 32 m are about as wide as a shadow's blurred edge for
+  /// clouds 3 km up; cells of 256 m cover more ground. Where the sun is low (z < 0.05) there are no tables. Cost: a
+  /// hundred thousand rays. Same bits for any number of threads.
   CloudShadow(const CloudField& field, Vec3 to_sun, Vec2 middle, int threads);
 
-  /// Empty above the plane, and outside of the tables.
+  /// The share of the sun's light at a place; empty above the plane and outside of the tables.
   std::optional<double> passed(Vec3 from) const;
 
  private:

@@ -18,35 +18,35 @@
 
 namespace citykiln::preview {
 
-/// The sources of light, but for what shines in the scene, and what rays see that hit nothing. Radiances are in
-/// sky::kUnitLuminance_cd_m2. "The sun" is the disk that throws shadows: by night the moon's.
+/// The sky with its light, and the surroundings that rays see where they hit nothing in the scene. Radiances are in
+/// sky::kUnitLuminance_cd_m2. "The sun" is the disk that throws shadows; by night it is the moon's.
 class Lights {
  public:
-  /// @param lamps   Street lamps that are lit, plane metres.
-  /// @param around  The land around the scene; none: the ground at sea level.
-  /// @param fog     Hides what the eye sees, and takes no light from surfaces.
-  /// @param clouds  Null where there are none.
+  /// @param lamps   Street lamps that are lit, plane metres. LocalLights samples them.
+  /// @param around  The land around the scene; empty: the ground at sea level.
+  /// @param fog     Hides things from the eye, but takes no light from surfaces.
+  /// @param clouds  Null: no clouds.
   explicit Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps = {},
                   std::optional<Surroundings> around = {}, std::optional<Fog> fog = {},
                   std::shared_ptr<const Clouds> clouds = {});
-  /// An environment map replaces sky and sun, and there is no air.
+  /// Makes the light of an environment map, which replaces sky and sun. There is no air.
   explicit Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps = {});
 
   Rgb sun_radiance() const { return model_.sun_radiance; }
   const std::vector<StreetLamp>& lamps() const { return lamps_; }
 
-  /// Radiance for lighting surfaces, without the sun's disk. From below the horizon comes what the ground around
-  /// reflects, or what the map shows.
-  /// @param from  As for seen().
+  /// The radiance that falls on surfaces from a direction, without the sun's disk. Below the horizon it is the light
+  /// that the ground around reflects, or the map's.
+  /// @param from  See seen().
   Rgb falling(Vec3 from, Vec3 direction) const;
   /// The share of the sun's light that clouds let pass to a place.
   double sun_passed(Vec3 from) const { return clouds_ ? clouds_->sun_passed(from) : 1; }
-  /// A sample of the sky, about in proportion to luminance; pdf 0 if the sky is black.
+  /// A sample of the sky's directions, about in proportion to luminance; pdf 0 if the sky is black.
   DirectionSample sample_sky(UnitPair chance) const { return table_.sample(chance); }
   /// The density of sample_sky() in a direction, per steradian.
   double sky_pdf(Vec3 direction) const { return table_.pdf(direction); }
 
-  /// The sun's flux over that of the sky, both through planes that face them; 0 without a sun.
+  /// The illuminance by the sun over that by the sky, each summed over its directions; 0 without a sun.
   double sun_to_sky() const { return sun_to_sky_; }
 
   bool has_sun() const { return sun_solid_angle_ > 0; }
@@ -55,14 +55,15 @@ class Lights {
   double sun_solid_angle() const { return sun_solid_angle_; }
   bool is_in_sun(Vec3 direction) const { return has_sun() && dot(direction, model_.to_sun) >= model_.sun_cos_radius; }
 
-  /// What the eye sees along a ray that hits nothing: the sky, or the land and sea around, behind air. Without the
-  /// sun's disk; stars and the moon's disk are seen by rays of the camera alone, which `is_camera` says.
-  /// @param from  Plane metres; z above sea level. @param pixel_rad  Angle of a pixel.
+  /// The radiance that the eye sees along a ray that hits nothing: the sky, or the land and sea around, behind air. It
+  /// has no sun's disk. Rays of the camera alone (`is_camera`) also see stars and the moon's disk.
+  /// @param from       Plane metres; z above sea level.
+  /// @param pixel_rad  Angle of a pixel.
   Rgb seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) const;
-  /// The distance at which a ray that hits nothing meets the ground around, if it does.
+  /// The distance at which a ray that hits nothing in the scene meets the ground around; empty if it does not.
   std::optional<double> ground_m(Vec3 from, Vec3 direction) const;
-  /// The air, the fog and the clouds between the eye and a surface.
-  /// @param from  As for seen().
+  /// The effect of air, fog and clouds between the eye and a surface.
+  /// @param from  See seen().
   sky::AirPath air(Vec3 from, Vec3 direction, double distance_m) const;
 
  private:

@@ -1,4 +1,4 @@
-// A tree over many light sources, from which one is sampled for a place about in proportion to the light that it sends
+// A tree over many light sources. For a place it samples one of them, about in proportion to the light that it sends
 // there.
 #pragma once
 
@@ -11,18 +11,20 @@
 
 namespace citykiln::preview {
 
-/// Where a light source, or a group of them, is and in which directions it shines.
+/// Bounds of a light source, or of a group: its place and the directions in which it shines.
 struct LightBounds {
   Vec3 low, high;         ///< A box around it.
-  Vec3 axis{0, 0, 1};     ///< Unit: the middle of the normals of its surfaces.
-  double spread_rad = 0;  ///< Normals are within this angle of the axis.
-  double reach_rad = 0;   ///< Light leaves within this angle of a normal; at most a right angle for surfaces.
-  double flux = 0;        ///< Of luminance, any unit: that of a surface as bright along its normal. >= 0.
-  /// Whether it is as bright in all directions within reach, as a lantern is; else by the cosine, as a surface is.
+  Vec3 axis{0, 0, 1};     ///< Unit: the axis of the cone of its surfaces' normals.
+  double spread_rad = 0;  ///< Half angle of that cone.
+  /// Largest angle between a normal and the light that leaves; at most a right angle for surfaces.
+  double reach_rad = 0;
+  double flux = 0;  ///< Luminous flux of a matt surface that is as bright along its normal, in any unit. >= 0.
+  /// True for a source that is equally bright in all directions within reach_rad, as a lantern is. False for one whose
+  /// brightness falls with the cosine, as a surface's does.
   bool is_even = false;
 };
 
-/// The smallest bounds of both; even if one is.
+/// Returns bounds of both sources. They are even if one of them is.
 LightBounds joined(const LightBounds& a, const LightBounds& b);
 
 /// A sampled source.
@@ -31,31 +33,33 @@ struct LightChoice {
   double probability = 0;
 };
 
-/// Method: a binary tree by the surface area and orientation heuristic; the way down is drawn by an estimate of the
-/// light that each half may send at most to the place. Every source that may light a place has a probability above 0,
-/// so the choice is unbiased. Source: Conty Estevez, Kulla, "Importance Sampling of Many Lights with Adaptive Tree
-/// Splitting", PACMCGIT 1(2), 2018.
+/// A tree from which light sources are sampled.
+///
+/// Method: a binary tree by the surface area and orientation heuristic. On the way down, a child is drawn by an
+/// estimate of the most light that it may send to the place. Every source that may light a place has a probability
+/// above 0, so the choice is unbiased. Source: Conty Estevez, Kulla, "Importance Sampling of Many Lights with Adaptive
+/// Tree Splitting", PACMCGIT 1(2), 2018.
 ///
 /// Immutable and thread-safe. Memory: some 130 bytes a source. Cost: O(n log n), then O(log n) per choice.
 class LightTree {
  public:
-  /// Sources without flux are never chosen.
+  /// Builds the tree. Sources without flux are never chosen.
   explicit LightTree(std::span<const LightBounds> lights);
 
   bool is_empty() const { return nodes_.empty(); }
   /// Samples a source for a place. Empty: no source lights it.
-  /// @param normal  Of a surface that receives light from above it alone; zero: from everywhere.
+  /// @param normal  Normal of a surface that receives light from above it alone; zero: light from everywhere counts.
   /// @param chance  In [0, 1).
   std::optional<LightChoice> choose(Vec3 at, Vec3 normal, double chance) const;
   /// The probability with which choose() gives this source.
   double probability(std::uint32_t light, Vec3 at, Vec3 normal) const;
 
  private:
-  // What choices need of a group: its box, and its cones by sine and cosine.
+  // The bounds of a group as choose() needs them: its box, and its cones by sine and cosine.
   struct Node {
     Vec3 centre, half, axis;
     double radius_m, flux, cos_spread, sin_spread, cos_reach;
-    std::uint32_t light;   // of a leaf
+    std::uint32_t light;   // the source of a leaf
     std::uint32_t second;  // index of the second child, the first follows its parent; 0: a leaf
     std::uint32_t parent;
     bool is_even;

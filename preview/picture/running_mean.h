@@ -14,17 +14,17 @@ struct PixelSums {
   int count = 0, hits = 0;
   Rgb light{}, albedo{};
   Vec3 normal{};
-  double depth_m = 0;                      ///< Over the samples that meet a surface.
-  double luminance_mean = 0, squares = 0;  ///< Squares of the deviations of luminance from its mean.
-  OsmId feature{};                         ///< Candidate of a majority vote (Boyer, Moore 1981), …
-  int votes = 0;                           ///< … and its surplus of votes.
+  double depth_m = 0;                      ///< Sum over the samples that meet a surface.
+  double luminance_mean = 0, squares = 0;  ///< Mean of luminance, and sum of the squared deviations from it.
+  OsmId feature{};                         ///< Candidate of a majority vote (Boyer, Moore 1981).
+  int votes = 0;                           ///< Its surplus of votes.
 };
 
-/// Adds a path whose light is multiplied by `exposure`.
+/// Adds a path. Its light is multiplied by `exposure`.
 void add(PixelSums& sums, const TracedPath& path, double exposure);
 
 /// A picture whose pixels are weighted means of the samples added so far. Several threads may add to different pixels
-/// at once. Single precision: each call of add() rounds once, so few calls with many samples are exact enough.
+/// at once. In single precision each call of add() rounds once, so few calls with many samples are exact enough.
 class RunningMean {
  public:
   /// @param has_guides  Whether guides are kept, which take 64 bytes more a pixel.
@@ -33,14 +33,14 @@ class RunningMean {
   /// The picture so far, without guides.
   const Image& image() const { return image_; }
 
-  /// Adds samples to a pixel that has `before` of them. `share` is the weight of the new ones as a share of the weight
-  /// of all, in (0, 1], and 1 for the first.
+  /// Adds samples to a pixel that has `before` of them. `share`, in (0, 1], is the weight of the new samples over the
+  /// weight of all; 1 for the first.
   void add(std::size_t pixel, const PixelSums& sums, int before, double share);
 
   /// The estimated variance of one sample's luminance; 0 if the pixel has fewer than two samples.
   double sample_variance(std::size_t pixel, int samples) const;
 
-  /// States how many samples a pixel has, and the sum of their squared weights where the weights add up to 1.
+  /// Sets the number of samples of a pixel, and the sum of their squared weights, where the weights add up to 1.
   void set_samples(std::size_t pixel, int samples, double squared_weights);
   /// The picture with its guides, after set_samples() of all pixels.
   Image finish() &&;
@@ -49,7 +49,7 @@ class RunningMean {
   void add_guides(std::size_t pixel, const PixelSums& sums, double share);
 
   Image image_;
-  std::vector<float> squares_;  // of deviations of luminance from its mean
+  std::vector<float> squares_;  // sum of squared deviations of luminance from its mean
   std::vector<float> hits_;     // share of the samples that meet a surface
   std::vector<int> votes_;
 };

@@ -1,4 +1,5 @@
-// Where a cell has anything: what is kept of a cell that was freed, so that rays which miss it need not wait for it.
+// The space that a cell's meshes take up. It is kept when a cell is freed, so that rays which miss the meshes need not
+// wait for the cell.
 //
 //     ─────ray──────────────►        a grid of columns over the cell's box, each from its lowest to its highest point;
 //        ▁▁█▁▁  ▁█▁▁▁▁▁▁             the ray needs the cell only if it meets a column
@@ -11,15 +12,16 @@
 
 namespace citykiln::preview {
 
-/// Total; a box without anything in it is met by no ray. 8 kB.
+/// A grid of 32 by 32 columns over a cell's box, with a range of heights in each. A grid to which nothing was added is
+/// met by no ray. 8 kB.
 class CellExtent {
  public:
-  /// @param box  Of the cell, about the world's origin.
+  /// @param box  The cell's box, relative to the world's origin.
   explicit CellExtent(const RTCBounds& box);
 
-  /// Adds a box that lies in the cell's.
+  /// Adds a box that lies in the cell's box.
   void add(const RTCBounds& box);
-  /// False only if the ray, between its ends, is farther than rounding errors from all boxes that were added.
+  /// Returns false only if the ray, between its ends, is farther than rounding errors from all boxes that were added.
   /// O(columns across).
   bool may_meet(const RTCRay& ray) const;
 

@@ -1,4 +1,4 @@
-// The ground cells of a scene of recipes, which are baked when they are asked for.
+// The ground cells of a scene of recipes, which are baked on request.
 #pragma once
 
 #include <atomic>
@@ -13,8 +13,8 @@
 
 namespace citykiln::preview {
 
-/// Thread-safe. A cell depends on scene and view alone. Tiles are prepared when one of their cells is first baked, and
-/// kept until they are dropped.
+/// The ground cells of a scene, baked for a view. Thread-safe. A cell depends on scene and view alone. A tile is
+/// prepared when the first of its cells is baked, and kept until it is dropped.
 class CellSource {
  public:
   CellSource(scene::Scene scene, const bake::View& view);
@@ -22,23 +22,23 @@ class CellSource {
   const scene::Scene& scene() const { return scene_; }
   const bake::ViewLevels& levels() const { return levels_; }
   std::size_t size() const { return cells_.size(); }
-  /// What the cell bakes lies in these bounds, plane metres.
+  /// Bounds of all that bake() returns for a cell, plane metres.
   const bake::Bounds& bounds(std::size_t cell) const { return cells_[cell].bounds; }
   const bake::PrototypeCache& prototypes() const { return *prototypes_; }
   bake::BakedCell bake(std::size_t cell) const;
 
   /// Bytes of the prepared tiles; a bake in progress may prepare one more.
   std::size_t tile_bytes() const { return tile_bytes_; }
-  /// Sum over threads.
+  /// The time spent on preparing tiles, summed over threads.
   double preparing_s() const { return static_cast<double>(preparing_us_) * 1e-6; }
-  /// How often tiles were prepared.
+  /// The number of times that a tile was prepared.
   std::size_t tiles_prepared() const { return prepared_; }
-  /// Drops the prepared tile that was used least recently; false where there is none but that of the last bake.
+  /// Drops the prepared tile that was used least recently. False if there is none but that of the last bake.
   bool drop_tile() const;
 
  private:
   struct Cell {
-    std::size_t chunk, number;  // of the chunk's cells
+    std::size_t chunk, number;  // `number` is an index into the chunk's cells
     bake::Bounds bounds;
   };
   struct Tile {

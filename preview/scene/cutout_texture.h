@@ -1,4 +1,4 @@
-// A cutout as rays see it: colour and normal, filtered over the ray's footprint, and its holes.
+// A cutout for rays: colour and normal, filtered over the ray's footprint, and its holes.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,23 @@
 
 namespace citykiln::preview {
 
-/// Refers to the cutout, which must outlive it. Filtered up to its second mip level, as facade atlases are.
+/// The textures of a cutout. Refers to the cutout, which must outlive it. Filtered up to its second mip level, like
+/// facade atlases.
 class CutoutTexture {
  public:
-  /// @param cutout  With texels.
+  /// @param cutout  Has texels.
   explicit CutoutTexture(const impostor::Cutout& cutout);
 
-  /// Alpha test for one ray: whether the opacity, interpolated between four texels, is at least impostor::kCutoff. The
-  /// average over many rays is the coverage.
+  /// True if the opacity, interpolated between four texels, is at least impostor::kAlphaCutoff: the alpha test for one
+  /// ray. The average over many rays is the coverage.
   bool is_there(Vec2 at_m) const;
-  /// Mean linear reflectance over a footprint.
+  /// The mean linear reflectance over a footprint.
   std::array<double, 3> colour(const TextureFootprint& footprint) const { return colour_.mean(footprint); }
-  /// Unit normal: along u, against v, outwards.
+  /// The unit normal: along u, against v, outwards.
   Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
   const impostor::Cutout& cutout() const { return *cutout_; }
-  std::size_t bytes() const;  ///< With the images.
+  std::size_t bytes() const;  ///< Textures with their images.
 
  private:
   double opacity(std::int64_t column, std::int64_t row) const;

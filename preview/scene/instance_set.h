@@ -1,5 +1,5 @@
-// All instances of one mesh. An instance of Embree takes some 500 bytes, and a country has millions of trees: here all
-// instances of a mesh are one user geometry, which transforms rays into the mesh's frame.
+// All instances of one mesh. Embree's own instances take some 500 bytes each, and a country has millions of trees.
+// Therefore all instances of a mesh are one user geometry, which transforms rays into the mesh's frame.
 #pragma once
 
 #include <memory>
@@ -24,19 +24,19 @@ class InstanceSet {
   InstanceSet& operator=(const InstanceSet&) = delete;
 
   const MeshScene& mesh() const { return *mesh_; }
-  /// Adds the instances of a tile whose origin is at `offset` in the world. Refers to both arguments.
-  /// @param features  Of the tile.
+  /// Adds the instances of a tile whose origin is at `offset` in the world. Refers to both other arguments.
+  /// @param features  The tile's features.
   void add(const bake::InstancedMesh& instanced, const std::vector<OsmId>& features, Vec3 offset);
   /// Adds the instances to the uncommitted top scene, numbered from `first` in RTCHit::instID. The scene refers to this
   /// object, which must not move.
   void attach_to(RTCDevice device, RTCScene top, unsigned first);
 
-  /// The box of an instance in the world; of a mesh without triangles an empty one.
+  /// The box of an instance in the world; empty for a mesh without triangles.
   RTCBounds box_of(std::size_t instance) const;
   unsigned first() const { return first_; }
   std::size_t size() const { return transforms_.size(); }
   std::size_t bytes() const { return transforms_.capacity() * sizeof(InstanceTransform); }  ///< Without the mesh.
-  /// The hit, in the world's frame, on the instance of found.instID.
+  /// The hit on the instance found.instID, in the world's frame.
   Hit hit_in_world(const RTCHit& found, const RayFootprint& footprint) const;
 
  private:

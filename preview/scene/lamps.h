@@ -1,4 +1,4 @@
-// The street lamps of a scene as sources of light.
+// The street lamps of a scene as light sources.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ namespace citykiln::preview {
 /// A street lamp that is lit.
 struct StreetLamp {
   Vec3 at;             ///< The middle of its glass, plane metres.
-  float height_m = 0;  ///< Of the whole lamp above the ground.
+  float height_m = 0;  ///< Height of the whole lamp above the ground.
   props::Luminaire light{};
 };
 
@@ -22,12 +22,12 @@ struct StreetLamp {
 /// streets. Generates no geometry; cost: grading the terrain of every tile with lamps, in parallel.
 std::vector<StreetLamp> lamps_of(const scene::Scene& scene, int threads);
 
-/// Returns the lamps of baked tiles, of their instances named "PostTopLamp" and "ArmLamp", in the order of the tiles,
-/// with the light of their kind and height, since tiles do not hold tags. Tiles whose tolerance drops lamps have none.
-/// O(instances).
+/// Returns the lamps of baked tiles: their instances named "PostTopLamp" and "ArmLamp", in the order of the tiles.
+/// Their light is that of their kind and height, since tiles do not hold tags. Tiles whose tolerance drops lamps have
+/// none. O(instances).
 std::vector<StreetLamp> lamps_of(std::span<const bake::BakedTile> tiles);
 
-/// Lamps as sources of sky glow for an eye.
+/// Returns lamps as sources of sky glow, relative to an eye.
 std::vector<sky::GroundLight> ground_lights(std::span<const StreetLamp> lamps, Vec3 eye);
 
 }  // namespace citykiln::preview

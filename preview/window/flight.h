@@ -1,4 +1,4 @@
-// How keys and the mouse move a camera.
+// The flight of a camera by keys and mouse.
 #pragma once
 
 #include "preview/camera/camera.h"
@@ -6,12 +6,12 @@
 
 namespace citykiln::preview {
 
-/// Whether input moves or turns the camera.
+/// True if input moves or turns the camera.
 bool is_moving(const CitykilnInput& input);
 
-/// The camera after input: keys move along the view, aside and up, the mouse turns about the vertical and tilts to at
-/// most 89°. 20 m/s, and 200 m/s with shift; the picture's height of mouse turns by the field of view. The distance of
-/// look_at stays.
+/// Returns the camera after input. Keys move it along the view, aside and up, at 20 m/s, or 200 m/s with shift. The
+/// mouse turns it about the vertical and tilts it to at most 89°; a drag over the picture's height turns by the field
+/// of view. The distance of look_at stays.
 Camera moved(const Camera& camera, const CitykilnInput& input);
 
 }  // namespace citykiln::preview

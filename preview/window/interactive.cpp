@@ -11,10 +11,10 @@
 namespace citykiln::preview {
 namespace {
 
-// Without GLFW at build time there is no module.
 // The camera counts as resting after this time without input.
 constexpr double kRest_s = 0.25;
 
+// The functions of the window module, which is not there if GLFW was missing at build time.
 struct Module {
   decltype(&citykiln_open_window) open = nullptr;
   decltype(&citykiln_show) show = nullptr;

@@ -42,7 +42,7 @@ bake::View view_above(const scene::Scene& scene, Vec2 place, double above_m) {
 using Shown = std::tuple<materials::Material, bake::Layer, std::array<bake::Float3, 3>, OsmId>;
 using Instance = std::tuple<std::string, bake::Float3, bake::Float4, float, OsmId, std::size_t>;
 
-// What is baked, in any order.
+// Baked triangles and instances, in any order.
 struct Content {
   std::vector<Shown> triangles;
   std::vector<Instance> instances;

@@ -55,7 +55,7 @@ class SceneMaker {
             .lumen = static_cast<std::uint32_t>(below(20000))};
   }
 
-  /// Two tiles side by side, one of coarse points, one of fine ones.
+  /// Returns two tiles side by side, one of coarse points, one of fine ones.
   scene::Scene scene() {
     scene::Header h;
     h.origin = {7.25, 43.5}, h.region = {{-128, 0}, {128, 128}}, h.tile_m = 128, h.seed = dice_();
@@ -111,7 +111,7 @@ class SceneMaker {
   map::LandCoverClass surface() { return pick(map::LandCoverClass::kCount); }
   double metres(std::uint32_t most) { return (1 + below(most * 1024)) * kQuantum_m; }
   double coordinate() { return (static_cast<double>(below(1u << 20)) - (1 << 19)) * finest_m_; }
-  // a third of all points were there before, as shared borders are
+  // a third of all points repeat an earlier one, as shared borders do
   Vec2 point() {
     if (!points_.empty() && below(3) == 0) return points_[below(static_cast<std::uint32_t>(points_.size()))];
     return points_.emplace_back(Vec2{coordinate(), coordinate()});

@@ -1,4 +1,4 @@
-// Labels each face of a triangulated arrangement with what covers it.
+// Labels each face of a triangulated arrangement with its topmost land cover.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,13 @@ struct LabelledFace {
   std::vector<WindingStep> windings;
 };
 
-/// Returns for each face the owner of the lowest rank whose winding number there is above zero, or kNoOwner.
+/// Returns for each face its owner: of all owners whose winding number there is above zero, the one of the lowest rank;
+/// kNoOwner if there is none.
 ///
 /// @param ranks  One per owner, all different; the lowest is on top.
 /// Method: depth-first walk from the known face. Crossing an edge adds its winding steps and returning subtracts them,
-/// so labels depend on edges alone, and faces that rounding has made thin are labelled as consistently as wide ones.
-/// O(faces · log owners).
+/// so labels depend on edges only, and faces that rounding has made thin are labelled consistently, too. O(faces · log
+/// owners).
 std::vector<std::uint32_t> label_faces(const Delaunay& triangulation, const Arrangement& arrangement,
                                        const LabelledFace& known, std::span<const std::uint32_t> ranks);
 

@@ -1,4 +1,4 @@
-// Land cover polygons of roads and watercourses, and trimming of polygons to a box.
+// Makes land cover polygons of roads and watercourses, and trims polygons to a box.
 #pragma once
 
 #include "compiler/geometry/box.h"
@@ -11,8 +11,8 @@ namespace citykiln::ground {
 LandCoverPolygon surface_of(const roads::Strip& stream);
 /// Returns the polygon between a road's kerbs.
 LandCoverPolygon surface_of(const roads::Road& road, const roads::StripEnds& ends);
-/// Returns the polygon of a road with its raised edges, which shows beside the carriageway; without rings where nothing
-/// is raised.
+/// Returns the polygon of a road with its pavements and other raised lanes, of which the part beside the carriageway is
+/// visible. It has no rings if the road has no raised lanes.
 LandCoverPolygon pavement_of(const roads::Road& road, const roads::StripEnds& ends);
 
 /// Returns the polygon with its rings trimmed to the box; rings that do not touch it are dropped.

@@ -6,8 +6,8 @@
 //      fill ╱                              within kGrading_m, or between a higher road and what lies below: up to
 //          ╱                               kWallSlope; what is left then is a step at the higher edge: a wall
 //
-// The land keeps below decks and covers bores (span_influence.h). Heights depend on recipes and terrain within
-// kGrading_m and the roads' widths, so tiles agree bit for bit.
+// Land is below decks and above bores (span_influence.h). Heights depend on recipes and terrain within kGrading_m and
+// the roads' widths, so tiles agree bit for bit.
 #pragma once
 
 #include <algorithm>
@@ -29,10 +29,10 @@
 
 namespace citykiln::ground {
 
-/// The slope of earth beside a road that stands without support: 1 up for 1.5 along.
+/// The slope at which earth beside a road stands without support: 1 up for 1.5 along.
 inline constexpr double kEarthSlope = 2.0 / 3;
 
-/// Can be moved but not copied: the indices refer to the polygons.
+/// The terrain of a box with all data that grade it. Can be moved but not copied: the indices refer to the polygons.
 struct GradedTerrain {
   explicit GradedTerrain(map::Heightfield&& terrain);
   GradedTerrain(GradedTerrain&&) = default;
@@ -42,20 +42,20 @@ struct GradedTerrain {
   RoadInfluenceIndex roads;
   SpanInfluenceIndex decks, bores;
   WaterIndex waters;
-  std::vector<LandCoverPolygon> paved, wet;  ///< What roads and junctions cover; what water covers.
+  std::vector<LandCoverPolygon> paved, wet;  ///< Polygons of roads and junctions; polygons of water.
   LandCoverIndex paved_index;                ///< For the distance to rounded corners of roads.
   LandCoverIndex wet_index;                  ///< For the distance to the shore.
-  BoxGrid shores;                            ///< Of the boxes within kGrading_m of water.
+  BoxGrid shores;                            ///< Boxes of water, widened by kGrading_m.
 };
 
-/// What grades the terrain in a box. One owner for maps and tiles: the polygons of `streams` are added to the water
-/// that `surfaces` hold, whether they are among them or not.
+/// The recipes that grade the terrain in a box, of a map or a tile. The polygons of `streams` count as water, whether
+/// `surfaces` contains them or not.
 struct GradingInputs {
-  std::span<const roads::Road> roads;          ///< All within kGrading_m of the box, with their widths.
-  std::span<const roads::Strip> streams;       ///< All whose water lies within kGrading_m of it.
-  std::span<const LandCoverPolygon> surfaces;  ///< All within kGrading_m; only those on road and water layers count.
-  Box2 box;                                    ///< Where heights may be asked for.
-  bool has_kerbs = true;                       ///< False for tolerances that see no kerbs.
+  std::span<const roads::Road> roads;          ///< All roads whose edges are within kGrading_m of the box.
+  std::span<const roads::Strip> streams;       ///< All streams whose water is within kGrading_m of it.
+  std::span<const LandCoverPolygon> surfaces;  ///< All polygons within kGrading_m on road and water layers, or more.
+  Box2 box;                                    ///< The box in which heights can be queried.
+  bool has_kerbs = true;                       ///< False for tolerances at which kerbs are left out.
   std::span<const roads::Road> decks{};        ///< Bridges within kGrading_m of the box, whole.
   std::span<const roads::Road> bores{};        ///< Bored tunnels within kGrading_m of the box, whole.
 };
@@ -72,8 +72,8 @@ GradedTerrain grade_terrain(map::Heightfield terrain, GradingInputs parts, std::
   return grade_terrain(std::move(terrain), parts);
 }
 
-/// Returns the heights of all layers at p, which lies in the box. Farther than kGrading_m from roads and from water all
-/// layers are at the land's height. O(roads near).
+/// Returns the heights of all layers at p, which must lie in the box. Farther than kGrading_m from roads and water, all
+/// layers have the land's height. O(roads near).
 Heights heights_at(const GradedTerrain& graded, Vec2 p);
 
 /// Heights at a place, and the terrain before grading.
@@ -83,14 +83,14 @@ struct HeightSample {
 };
 HeightSample sample_heights(const GradedTerrain& graded, Vec2 p);
 
-/// Returns the height at which things on the ground stand: the land's, and on roads that of the tops of their kerbs.
+/// Returns the height at which objects stand on the ground: that of the land, on roads that of the kerbs' tops.
 double land_m(const GradedTerrain& graded, Vec2 p);
 
-/// Returns one normal per layer, smoothed over 2 · kNormalStep_m; without grading, the terrain's own, smoothed over its
-/// grid squares. Unit length.
+/// Returns one normal per layer, of unit length, smoothed over 2 · kNormalStep_m. Without grading these are the
+/// terrain's own normals, smoothed over its grid squares.
 std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p);
 
-/// Returns false where the graded terrain in the box is the terrain itself.
+/// True if the graded terrain in the box may differ from the terrain.
 bool has_grading(const GradedTerrain& graded, const Box2& box);
 
 }  // namespace citykiln::ground

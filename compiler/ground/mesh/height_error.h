@@ -1,5 +1,5 @@
-// The vertical error of a linear piece against the terrain, and where it is largest. Both are piecewise linear, so the
-// largest error lies at a vertex of their overlay: a vertex of either, or a crossing of an edge with a grid line.
+// Finds the largest vertical error of an edge or face against the terrain. Both are piecewise linear, so the largest
+// error is at a vertex of their overlay: a vertex of either, or a crossing of an edge with a grid line.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 
 /// Returns the largest error along an edge of the cell border (parallel to an axis, on whole metres, ends on the 2^-10
 /// m grid), without its ends. Diagonals are evaluated at the grid point nearest to their crossing, where a
-/// triangulation with grid lines as edges has a vertex: so reference.h finds the same bits for a neighbour that is
-/// graded. The same from b to a.
+/// triangulation with grid lines as edges has a vertex, so reference.h finds the same bits for a neighbour that is
+/// graded. Both directions of an edge give the same result.
 WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 
 /// Returns the largest error at grid vertices inside a triangle (in plan, counter-clockwise), without its edges.

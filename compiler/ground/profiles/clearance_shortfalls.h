@@ -1,4 +1,4 @@
-// Measures clearance shortfalls of the profiles as they are stored.
+// Measures clearance shortfalls of stored profiles.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 namespace citykiln::ground {
 
 /// Returns one shortfall per pair of lines, sorted by ids.
-/// @param graph  Of all lines (Lines::kAll).
+/// @param graph  The graph of all lines (Lines::kAll).
 std::vector<ClearanceShortfall> find_shortfalls(const ProfileGraph& graph, const map::Features& features,
                                                 const Profiles& profiles, const BelowBridges& below);
 

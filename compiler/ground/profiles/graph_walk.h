@@ -60,41 +60,41 @@ class GraphWalk {
   std::vector<Start> queue_;
 };
 
-/// Returns the stations before and after a place along a way, as starts at no cost.
+/// Returns the stations before and after a place along a way, as starts of cost 0.
 std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint32_t way, double at_m);
 
-/// Returns by node whether a line with a profile of its own goes through it: paths are planned after these, so that no
-/// road rises with a footbridge that ends on it.
+/// Returns by node true if a road or rail goes through it. Paths are planned after these, so that no road rises with a
+/// footbridge that ends on it.
 std::vector<bool> nodes_of_graded(const ProfileGraph& graph);
 
 /// Returns the grade limit of a leg.
 double limit_of(const ProfileGraph& graph, const Leg& leg);
 
-/// Returns whether a way may exceed its limit for a clearance: streets and paths, not rails, motorways and runways.
+/// True for ways that may exceed their limit for a clearance: streets and paths, not rails, motorways and runways.
 bool may_be_steeper(const ProfileGraph& graph, std::uint32_t way);
 
-/// A node caps heights up to this far above its own.
+/// A pinned node limits heights of other nodes up to this height above its own.
 inline constexpr double kPinRadius_m = 64;
 
-/// Returns by node the greatest height that the grade limits allow above pinned nodes; infinity where none is near.
+/// Returns by node the greatest height that the grade limits from pinned nodes allow; infinity if none is near.
 std::vector<double> caps_near_pinned(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> z_m);
 
-/// A line on the ground is lowered by at most this below its terrain: under a railway, with the slope of its cutting.
+/// The largest lowering of a line on the ground below its terrain, as under a railway, with the slopes of the cutting.
 inline constexpr double kMaxCutting_m = 8;
-/// A street on the ground is lowered by at most this for an access road, such as the ramp of a garage.
+/// The largest lowering of a street on the ground for an access road, such as the ramp of a garage.
 inline constexpr double kMaxCuttingForAccess_m = 2.5;
 
-/// Service roads, farm tracks and unpaved roads: no street is lowered with them.
+/// True for service roads, farm tracks and unpaved roads. Streets are hardly lowered for them (kMaxCuttingForAccess_m).
 bool is_access_road(map::LandCoverClass surface);
 
-/// How far down pushes may move the ground, by what is lowered: access roads or other lines.
+/// The lowest allowed heights by node, with changed sign: when an access road is lowered, and when another line is.
 struct LoweringCaps {
-  std::vector<double> of_access, of_others;  ///< By node, the greatest height with its sign changed.
+  std::vector<double> of_access, of_others;
 };
 
-/// Returns how low lines may lie: on the ground at most kMaxCutting_m below the heights given, streets at most
-/// kMaxCuttingForAccess_m for access roads; tunnels, and access roads beside streets, as far below that as their grade
-/// limits reach; no lower than the grade limits allow near pinned nodes. Influence: kPinRadius_m of height.
+/// Returns the lowest allowed heights. Lines on the ground may be kMaxCutting_m below the given heights; streets that
+/// are lowered with an access road kMaxCuttingForAccess_m. Tunnels, and access roads connected to such streets, may go
+/// lower at their grade limits. Near pinned nodes grade limits apply, too. Radius of influence: kPinRadius_m of height.
 LoweringCaps lowering_caps(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> ground_m);
 
 }  // namespace citykiln::ground

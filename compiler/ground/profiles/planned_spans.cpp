@@ -9,8 +9,8 @@
 namespace citykiln::ground {
 namespace {
 
-// The least covered share of a bore, away from both ends where it is longer than that, and the spacing of samples.
-// The same figures as structures::is_underground(), which knows how a tunnel ends.
+// The least covered share of a bore, the length at both ends that does not count, and the spacing of samples. Equal to
+// the figures of structures::is_underground(), which also knows how a tunnel ends.
 constexpr double kMinCoveredShare = 0.6, kPortalLength_m = 16, kSampleSpacing_m = 4;
 
 struct Samples {

@@ -1,4 +1,4 @@
-// Bridges and tunnels with decided profiles, as the grading of the terrain takes them.
+// Selects the bridges and tunnels with planned profiles that grade the terrain.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 namespace citykiln::ground {
 
 struct PlannedSpans {
-  std::vector<roads::Road> decks;  ///< Bridges: the land keeps below them.
-  std::vector<roads::Road> bores;  ///< Tunnels whose ceiling lies under the terrain for most of their length.
+  std::vector<roads::Road> decks;  ///< Bridges; the land is below them.
+  std::vector<roads::Road> bores;  ///< Tunnels whose ceiling is below the terrain for most of their length.
 };
 
-/// Returns the spans that are driven on, not those of paths. O(length of tunnels).
+/// Returns the bridges and tunnels of roads and rails, not those of paths. O(length of tunnels).
 PlannedSpans planned_spans(const map::Features& features, const Profiles& profiles, const map::Heightfield& heights);
 
 }  // namespace citykiln::ground

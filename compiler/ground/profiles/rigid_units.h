@@ -1,4 +1,4 @@
-// Nodes that move together: those of a junction plane, or a single one.
+// Rigid units: nodes that move together. These are the nodes of a junction plane, or a single node.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace citykiln::ground {
 
 struct RigidUnits {
   std::vector<std::uint32_t> of;     ///< The unit of each node.
-  std::vector<std::uint32_t> first;  ///< Of each unit, and the end, into nodes.
+  std::vector<std::uint32_t> first;  ///< For each unit, and for the end, an offset into `nodes`.
   std::vector<std::uint32_t> nodes;
 
   /// Numbers the units in the order of their first nodes. O(n).

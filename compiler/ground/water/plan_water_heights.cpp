@@ -71,7 +71,7 @@ void diagnose_stream(const roads::Strip& stream, const RiverNetwork& network, co
   if (is_cycle) report.add(Code::kWaterwayCycle, stream.id.osm, length_m(stream.axis));
 }
 
-// Gives streams their profiles. Those that would lie too deep or too high stay on the terrain, without one.
+// Gives streams their profiles. Streams that would be too deep or too high get none and lie on the terrain.
 void set_profiles(std::vector<roads::Strip>& streams, const RiverNetwork& network, const RiverHeights& heights,
                   const map::Heightfield& land, Report& report) {
   for (std::size_t i = 0; i < streams.size(); ++i) {

@@ -1,4 +1,4 @@
-// Profiles of watercourses from the heights of their stations.
+// Makes profiles of watercourses from the heights of their stations.
 #pragma once
 
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace citykiln::ground {
 
-/// Knots that move the water by no more than this are dropped.
+/// The largest change of the water's height that dropping knots may cause.
 inline constexpr double kKnotTolerance_m = 0.02;
 
-/// Returns the profile of a line, without tilt. Pinned stations are kept, level for 1/8 m, so that all lines through a
-/// node have its height bit for bit; others by Douglas and Peucker (1973).
+/// Returns the profile of a line, without tilt. It keeps pinned stations, and is level there for 1/8 m, so that all
+/// lines through a node have its height bit for bit. It drops other stations by Douglas and Peucker (1973).
 ///
-/// Guarantees: descends where the heights do; differs from them by less than kKnotTolerance_m. One knot where all is
-/// level. O(n log n) as a rule, O(n²) at worst.
+/// Guarantees: if the heights descend, so does the profile; it differs from them by less than kKnotTolerance_m; a level
+/// line has one knot. O(n log n) as a rule, O(n²) at worst.
 Profile profile_of(const RiverLine& line, const RiverHeights& heights);
 
 }  // namespace citykiln::ground

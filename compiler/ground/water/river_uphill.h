@@ -7,12 +7,12 @@
 
 namespace citykiln::ground {
 
-/// Returns per line how far it would rise if it ran as mapped, where the terrain clearly says that it runs the other
-/// way; else 0. Clearly: its last third lies at least 10 m above its first (3 m where it begins in the sea; 30 m where
-/// it continues another line, which is rarely mapped wrong), and one direction would need four times as much fill as
-/// the other. O(stations).
+/// Returns for each line that is clearly mapped uphill the height by which it would rise; 0 for other lines. A line is
+/// clearly mapped uphill if its last third is at least 10 m above its first third, and one direction would need four
+/// times as much fill as the other. The 10 m are 3 m if the line begins in the sea, and 30 m if it continues another
+/// line, as these are rarely mapped wrong. O(stations).
 ///
-/// @param seas  Per water: whether it is the sea.
+/// @param seas  Per standing water: true if it is the sea.
 std::vector<double> uphill_rise_m(const RiverNetwork& network, const std::vector<bool>& seas, std::size_t stream_count);
 
 }  // namespace citykiln::ground

@@ -68,7 +68,7 @@ struct NearShore {
   std::optional<double> level_m;
 };
 
-// Of equally near shores the first polygon's counts.
+// On a tie the shore of the first polygon counts.
 NearShore nearest_shore(const WaterIndex& index, Vec2 p) {
   NearShore nearest;
   for (const std::uint32_t i : boxes_about(index.shores_grid, p)) {

@@ -45,7 +45,7 @@ constexpr RegionRow kRegionalWidths[] = {
 #undef REGIONAL
 };
 
-// The row with the region's width and number of lanes, where they differ.
+// The row with the guidelines' width and number of lanes, if they differ.
 TrackRow regional(TrackRow row, RoadRegion region) {
   if (row.key != "highway") return row;
   for (const RegionRow& other : kRegionalWidths)

@@ -7,7 +7,7 @@
 
 namespace citykiln::map {
 
-/// One entry of the lists. width_m 0: untagged.
+/// The entries of all lists for one lane. width_m 0: not tagged.
 struct ListedLane {
   LaneKind kind = LaneKind::kDriving;  ///< kDriving, kBus or kCycle.
   double width_m = 0;
@@ -25,8 +25,8 @@ struct LaneList {
 
 LaneList listed_lanes(const LaneTags& tags, Flow flow);
 
-/// Returns the LaneTurn bits of one lane's turns ("left;through"). Unknown words set no bit, lists of several lanes
-/// none at all; both set `is_known` to false.
+/// Returns the LaneTurn bits of one lane's turns ("left;through"). Unknown words set no bit; a text with several lanes
+/// ("left|right") sets none at all. Both set `is_known` to false.
 std::uint16_t turns_of(std::string_view text, bool& is_known);
 
 }  // namespace citykiln::map

@@ -12,9 +12,10 @@ struct Carriageway {
   PerFlow<std::vector<RoadsideLane>> roadsides;
 };
 
-/// Returns the distance of the way from the carriageway's edge on the backward flow's side: by placement=*, else half
-/// of what width=* counts (moving lanes, cycle lanes and cars parked on the carriageway, without bays and shoulders).
-/// placement=transition is ignored. Diagnosed: kBadTagValue for a lane that does not exist.
+/// Returns the distance of the way from the carriageway's edge on the backward flow's side. It follows from
+/// placement=*; else the way lies in the middle of the width that width=* states (moving lanes, cycle lanes and cars
+/// parked on the carriageway, without bays and shoulders). placement=transition is ignored. Diagnosed: kBadTagValue for
+/// a lane that does not exist.
 double axis_from_backward_edge_m(const LaneTags& tags, const Carriageway& road);
 
 }  // namespace citykiln::map

@@ -1,4 +1,4 @@
-// The roadsides of a road: cycle lanes, parked cars, shoulders, verges, cycle tracks, pavements.
+// The roadsides of a road: its lanes beside the moving traffic, such as cycle lanes, parked cars and pavements.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace citykiln::map {
 
-/// A lane of a roadside. inside_m is the part of it that width=* counts.
+/// A lane of a roadside. inside_m is the part of its width that width=* includes.
 struct RoadsideLane {
   Lane lane;
   double inside_m = 0;
 };
 
-/// Returns the roadside of a flow, from its outer lane outwards: buffer, cycle lane, parking, shoulder; then, raised,
-/// verge, buffer, cycle track and pavement. At most six lanes. One-way roads have a roadside on both sides.
+/// Returns the roadside of a flow, from its outer lane outwards: buffer, cycle lane, parking, shoulder; then, behind
+/// the kerb, verge, buffer, cycle track and pavement. At most six lanes. One-way roads have a roadside on both sides.
 ///
-/// @param has_cycle_lane  The flow's own lanes include one.
+/// @param has_cycle_lane  True if the flow's moving lanes include a cycle lane.
 std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lane_class, Flow flow,
                                       bool has_cycle_lane);
 

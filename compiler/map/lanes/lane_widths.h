@@ -6,19 +6,19 @@
 
 namespace citykiln::map {
 
-/// Returns width=*, else est_width=*, in metres: snapped, at least 2^-10. Diagnosed where unreadable.
+/// Returns width=*, else est_width=*, in metres: snapped, at least 2^-10. Unreadable values are diagnosed.
 std::optional<double> tagged_width_m(const LaneTags& tags);
 
-/// Returns tagged_width_m() unless it cannot be that of the lanes that tags count: where each had more than
-/// kWidestLane_m, beside what is parked, or could be where no tag says anything about the roadside. Some imports state
-/// the width of the whole street, from house to house. Diagnosed: kBadTagValue.
+/// Returns tagged_width_m() unless it is too large for the tagged number of lanes: each would be wider than
+/// kWidestLane_m, even with a row of parked cars on every side without tags of the roadside. Some imports state the
+/// width of the whole street, from house to house. Diagnosed: kBadTagValue.
 std::optional<double> credible_width_m(const LaneTags& tags, const PerFlow<std::vector<RoadsideLane>>& roadsides,
                                        const MovingLanes& moving);
 
-/// Sets every width that width:lanes left open. What width=*, if it is credible, leaves beside the roadsides is divided
-/// evenly, odd quanta going to the lanes in the middle and then to the forward ones; without it each lane has the
-/// class's width. Two lanes that no tag counted become one where two cars could not pass. Diagnosed: a width=* too
-/// narrow for its lanes.
+/// Sets the width of all lanes that width:lanes does not state. A credible width=*, less the roadsides, is divided
+/// evenly; odd quanta go to the lanes in the middle, then to the forward lanes. Without it each lane has the class's
+/// width. Two lanes that no tag counts become one if two cars could not pass. Diagnosed: a width=* that is too small
+/// for its lanes.
 /// @param tagged_m  credible_width_m().
 void share_widths(const LaneTags& tags, const LaneClass& lane_class, std::optional<double> tagged_m,
                   const PerFlow<std::vector<RoadsideLane>>& roadsides, MovingLanes& moving);

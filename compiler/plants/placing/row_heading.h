@@ -1,4 +1,4 @@
-// Heading of rows: along the contour lines, so that water does not run down between rows.
+// The heading of rows: along the contour lines, so that water does not run down between rows.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace citykiln::plants {
 
-/// Planting::heading: perpendicular to the mean slope of the terrain in a polygon; where the slope is below 3 %, along
-/// the polygon's longest edge. O(border points).
+/// Returns Planting::heading for a polygon: perpendicular to the mean slope of its terrain, or along its longest edge
+/// if the slope is below 3 %. O(border points).
 std::uint8_t row_heading(const ground::LandCoverPolygon& surface, const map::Heightfield& terrain);
 
-/// The unit direction of a heading.
+/// Returns the unit direction of a heading.
 Vec2 row_direction(std::uint8_t heading);
 
 }  // namespace citykiln::plants

@@ -1,4 +1,4 @@
-// Cache of grown plants: each prototype is derived once a run, on first use.
+// A cache of grown plants: each prototype is derived once per run, on first use.
 #pragma once
 
 #include <array>
@@ -13,36 +13,37 @@
 
 namespace citykiln::plants {
 
-/// A derived plant, in the units of its file.
+/// A derived plant, in the units of its .lsys file.
 struct GrownPlant {
   lsystems::Skeleton skeleton;
   Foliage foliage;
-  double height_m = 0;  ///< Of its highest leaf or stem; 0: empty.
+  double height_m = 0;  ///< The height of its highest leaf or stem; 0: empty.
   Appearance appearance{};
-  materials::Material bark = materials::Material::kBark;  ///< Of fine levels.
+  materials::Material bark = materials::Material::kBark;  ///< The bark material of fine levels.
 };
 
-/// The material of a .lsys file's bark name: "furrowed" is furrowed_bark; kBark if there is none.
+/// Returns the material of a .lsys file's bark name: "furrowed" is furrowed_bark; kBark if there is none.
 materials::Material bark_named(std::string_view name);
 
-/// Derives a prototype; an unreadable text gives an empty plant. Random numbers depend on species and variant alone, so
-/// all scenes have the same plants. The month sets the appearance; fruit is removed unless all leaves are present.
+/// Derives a prototype; an unreadable text gives an empty plant. Random numbers depend only on species and variant, so
+/// all scenes have the same plants. The month sets the appearance. Fruit is removed unless all leaves are present.
 GrownPlant grow(const SpeciesText& text, Prototype prototype, Month month = kMidsummer);
 
-/// Thread-safe. Logically const: a plant is a function of texts, month and prototype. Holds all plants requested.
+/// Holds all plants that grown() has returned. Thread-safe. Logically const: a plant is a function of texts, month and
+/// prototype.
 class GrownPlantCache {
  public:
-  /// @param texts  Species without a text use the shipped one.
+  /// @param texts  The shipped text is used for a species that has none here.
   explicit GrownPlantCache(std::span<const SpeciesText> texts, Month month = kMidsummer);
   ~GrownPlantCache();
   GrownPlantCache(const GrownPlantCache&) = delete;
   GrownPlantCache& operator=(const GrownPlantCache&) = delete;
 
-  /// Valid as long as the cache. Cost: some 10 ms on first use, 2 MB.
+  /// Returns a plant that is valid as long as the cache. Cost: some 10 ms on first use, 2 MB.
   const GrownPlant& grown(Prototype prototype) const;
 
-  /// The same plant for callers with little memory: the cache keeps the last kRecent of these only, and grows others
-  /// again.
+  /// Returns the plant for callers with little memory: the cache keeps only the last kRecent plants requested here and
+  /// grows others again.
   std::shared_ptr<const GrownPlant> recent(Prototype prototype) const;
   static constexpr std::size_t kRecent = 16;
 

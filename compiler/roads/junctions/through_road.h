@@ -7,10 +7,10 @@
 
 namespace citykiln::roads {
 
-/// True where one road with two arms runs straight through, all other arms have a lower class, and there are no
-/// signals: its lanes and lines then continue across the junction and hide the junction's surface.
+/// True if one road with two arms runs straight through, all other arms have a lower class, and there are no signals.
+/// Its lanes and lines then continue across the junction and hide the junction's surface.
 ///
-/// @param arms  The junction's, in the order of arms_of().
+/// @param arms  The entry of arms_of() for this junction.
 bool has_through_road(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
 
 }  // namespace citykiln::roads

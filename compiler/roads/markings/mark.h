@@ -1,4 +1,4 @@
-// Marks: painted polygons on a strip, and the shapes that make them.
+// Marks: painted polygons on a strip, and functions that make their shapes.
 #pragma once
 
 #include <span>
@@ -17,14 +17,14 @@ struct Mark {
 };
 using Marks = std::vector<Mark>;  ///< In painting order: later marks cover earlier ones.
 
-/// Worn white paint: new paint reflects 0.8 of the light, this 0.65.
+/// Worn white paint, which reflects 0.65 of the light; new paint reflects 0.8.
 inline constexpr materials::TextureImage::Texel kWhite = {211, 211, 207};
 
 /// The rectangle between two opposite corners.
 Ring rectangle(Vec2 low, Vec2 high);
 
 /// The dash pattern of a line along the road: dashes of dash_m every period_m, centred in their periods so that the
-/// line looks the same from both ends. Solid where both are equal. The period divides kLayoutLength_m.
+/// line looks the same from both ends. Solid if both are equal. The period divides kLayoutLength_m.
 struct DashPattern {
   double dash_m, period_m;
 };
@@ -37,8 +37,8 @@ void add_line(double u_m, double width_m, DashPattern dashes, Marks& marks);
 /// width so that there is a dash at each end.
 void add_dashes_across(double left_m, double right_m, double low_m, double high_m, DashPattern dashes, Marks& marks);
 
-/// Returns the outline of a polyline of this width with mitred bends and square ends, closed where it ends at its
-/// start. Consecutive points differ, and no bend is sharper than a quarter turn.
+/// Returns the outline of a polyline with a width, mitred bends and square ends; a polyline that ends at its start is
+/// closed. Consecutive points must differ, and no bend may be sharper than a quarter turn.
 Ring stroke(std::span<const Vec2> line, double width);
 
 /// Returns the marks rotated by 180° within the strip: (u, v) becomes (width - u, length - v).

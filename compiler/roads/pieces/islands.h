@@ -1,5 +1,5 @@
-// Traffic islands: small faces of the street network. They lie between a slip lane and its streets, in a splitter of a
-// road, or within a roundabout.
+// Traffic islands: small faces of the street network, between a slip lane and its streets, between the branches of a
+// street that splits, or within a roundabout.
 //
 //     ___________      An island's ring runs along the axes of the streets around it and lies under them, so that the
 //     ____   ____      part they do not cover is visible.
@@ -23,10 +23,10 @@ struct TrafficIsland {
 /// The maximum extent of an island in x and y.
 inline constexpr double kWidestIsland_m = 48;
 
-/// Returns the faces of the network of streets (residential or higher) that are islands: at most 300 m² between axes,
-/// or any area within roundabouts up to kWidestIsland_m. Faces over 80 m² within roundabouts are planted. Sorted by id,
-/// each face once. A face whose ring crosses itself, as where streets cross without meeting, is no island. Total. O(n
-/// log n).
+/// Returns the faces of the network of streets (residential or higher) that are islands: of at most 300 m² between
+/// axes, or of any area within a roundabout up to kWidestIsland_m. Faces over 80 m² within roundabouts are planted.
+/// Sorted by id. A face whose ring crosses itself, because streets cross without a common vertex, is no island. O(n log
+/// n).
 std::vector<TrafficIsland> islands_of(std::span<const Road> roads);
 
 }  // namespace citykiln::roads

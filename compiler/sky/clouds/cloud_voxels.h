@@ -8,23 +8,25 @@
 
 namespace citykiln::sky {
 
-/// Eight voxels cubed, as OpenVDB's leaves.
+/// Edge of a block in voxels, as in OpenVDB's leaves.
 inline constexpr int kVoxelBlock = 8;
 struct VoxelBlock {
-  std::array<int, 3> low;         ///< Of its first voxel, a multiple of kVoxelBlock.
-  std::vector<float> extinction;  ///< Per metre, of kVoxelBlock cubed voxels: x slowest, z fastest.
+  std::array<int, 3> low;         ///< Index of its first voxel, each a multiple of kVoxelBlock.
+  std::vector<float> extinction;  ///< Extinction per metre of kVoxelBlock cubed voxels: x slowest, z fastest.
 };
 
-/// Voxel (i, j, k) is a cube of edge voxel_m around (i, j, k) voxel_m from `origin`, in the plane.
+/// A sparse grid of voxels. Voxel (i, j, k) is a cube of edge voxel_m about origin + (i, j, k) · voxel_m, in plane
+/// metres.
 struct CloudVoxels {
   double voxel_m = 1;
   Vec3 origin;
-  std::vector<VoxelBlock> blocks;  ///< Sorted; those with cloud alone.
+  std::vector<VoxelBlock> blocks;  ///< Sorted; blocks without cloud are left out.
 };
 
-/// Returns the extinction of all layers on one grid: that of a layer times the share of the voxel that is within,
-/// about; where layers overlap, their sum.
-/// @param origin  Plane metres. Same bytes on every CPU. Cost: O(particles times their voxels).
+/// Returns the extinction of all layers on one grid: a layer's extinction times the share of the voxel that is inside
+/// of it, approximately. Where layers overlap it is their sum. Equal bytes on every CPU. Cost: O(particles times their
+/// voxels).
+/// @param origin  Plane metres.
 CloudVoxels cloud_voxels(std::span<const LayerParticles> layers, Vec3 origin, double voxel_m);
 
 }  // namespace citykiln::sky

@@ -11,7 +11,7 @@
 namespace citykiln::sky {
 namespace {
 
-// Levels of smaller particles on larger ones, and those on each.
+// The number of levels of smaller particles on larger ones, and of particles on each.
 constexpr int kMostLevels = 4;
 constexpr std::uint32_t kOnEach = 14;
 
@@ -50,16 +50,16 @@ std::vector<CloudParticle> first_level(const CloudLayer& layer, const Cloud& clo
   return spheres;
 }
 
-// A particle, what its descendants' random numbers are of, and the particle that it sits on.
+// A particle, the id for random numbers of the particles on it, and the particle below it.
 struct Grown {
   CloudParticle sphere;
   StableId id{};
   CloudParticle below{};
 };
 
-// Adds smaller particles on the surface of one, where neither a heap nor the particle below hides them, down to a
-// radius. Which ones these are depends on nothing else, so that coarser clouds have the same.
-// Returns the largest radius that was left out.
+// Adds smaller particles on the surface of one, down to a radius, where neither a heap nor the particle below hides
+// them. They depend on nothing else, so that coarser clouds have equal ones. Returns the largest radius that was left
+// out.
 double add_on(std::uint64_t seed, const Grown& on, const std::vector<CloudParticle>& heaps, double finest_m,
               std::vector<Grown>& next) {
   double left_out_m = 0;

@@ -1,4 +1,4 @@
-// Places the clouds of a layer.
+// The places of a layer's clouds.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,22 @@
 
 namespace citykiln::sky {
 
-/// One cloud, in the layer's own frame: x along the wind, y across, z up from the layer's base, metres; lengths along
+/// A cloud in the layer's own frame, in metres: x along the wind, y across, z up from the layer's base. Lengths along
 /// the wind and upwards are scaled (LayerFrame), so that its particles are spheres.
 struct Cloud {
   Vec2 centre;
-  double radius_m = 0;  ///< Of its outline.
-  double height_m = 0;  ///< From the base to the top.
+  double radius_m = 0;  ///< Radius of its outline.
+  double height_m = 0;  ///< Height from the base to the top.
   StableId id{};
 };
 
 /// The frame in which a layer's particles are spheres.
 struct LayerFrame {
-  Vec2 along{1, 0};     ///< Unit vector of the wind, plane.
+  Vec2 along{1, 0};     ///< Unit vector of the wind in the plane.
   double stretch = 1;   ///< Plane metres per metre of the frame, along the wind.
-  double flatten = 1;   ///< The same for heights.
+  double flatten = 1;   ///< Plane metres per metre of the frame, upwards.
   double base_m = 0;    ///< Above sea level.
-  double height_m = 0;  ///< From base to top, in the frame.
+  double height_m = 0;  ///< Height from base to top, in the frame.
 
   Vec3 into(Vec3 plane) const;
   Vec3 into_direction(Vec3 plane) const;
@@ -34,18 +34,19 @@ struct LayerFrame {
 
 LayerFrame frame_of(const CloudLayer& layer);
 
-/// The clouds of a layer whose centres lie in a box of the plane, the same ones for any box that holds them.
+/// Returns the clouds of a layer whose centres lie in a box of the plane. A cloud does not depend on the box. O(cells).
 ///
-/// Method: a grid, in the middle part of each of whose cells one cloud may be. Their number and size grow with the
-/// cover, which discs at independent places would have on the average. O(cells).
+/// Method: a grid with at most one cloud in the middle part of each cell. The number and the size of clouds grow with
+/// the cover: discs of their radii at independent places would cover that share on average.
 std::vector<Cloud> clouds_in(const CloudLayer& layer, const Box2& plan);
 
 /// The radius of a layer's largest clouds, in its frame.
 double largest_radius_m(const CloudLayer& layer);
 
-/// The most clouds of a layer that are made at once: a layer 20 m thick over a district would have millions.
+/// The largest number of clouds of a layer that are made at once. A layer 20 m thick over a district would have
+/// millions.
 inline constexpr double kMostClouds = 20000;
-/// The middle part of a box that has room for kMostClouds at most; the box itself where it has.
+/// Returns the middle part of a box that has room for at most kMostClouds; the box itself if it has no more.
 Box2 within_limit(const CloudLayer& layer, const Box2& plan);
 
 }  // namespace citykiln::sky

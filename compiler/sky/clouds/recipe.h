@@ -1,4 +1,4 @@
-// Cloud recipe: layers of clouds. A layer is a few numbers; its clouds and their particles are made from these.
+// The cloud recipe: layers of clouds. A layer is a few numbers, from which its clouds and their particles are made.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@ enum class CloudKind : std::uint8_t {
   kCount
 };
 
-/// "cumulus", "stratus", "cirrus".
+/// Returns the name of a kind: "cumulus", "stratus", "cirrus".
 std::string_view name_of(CloudKind kind);
 
 struct CloudLayer {
   CloudKind kind{};
   double cover = 0.3;                  ///< Share of the sky that it covers, 0 to 1.
   double base_m = 1500, top_m = 2500;  ///< Above sea level. 0 < top_m - base_m.
-  Vec2 wind{5, 0};                     ///< Towards where it blows, m/s: the direction of streaks.
+  Vec2 wind{5, 0};                     ///< The direction in which it blows, m/s, which is also that of streaks.
   std::uint64_t seed = 0;
   bool operator==(const CloudLayer&) const = default;
 };
@@ -31,7 +31,7 @@ struct CloudLayer {
 inline constexpr double kLowestCloud_m = -500, kHighestCloud_m = 20000, kThinnestCloud_m = 20, kStrongestWind_m_s = 150;
 inline constexpr std::size_t kMostCloudLayers = 8;
 
-/// Whether all numbers of a layer are within their limits.
+/// True if all numbers of a layer are within their limits.
 bool is_sound(const CloudLayer& layer);
 
 }  // namespace citykiln::sky

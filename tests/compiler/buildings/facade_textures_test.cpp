@@ -123,7 +123,7 @@ double balconies_m2(const GeneratedBuilding& house) {
   return shown.wall_m2;
 }
 
-// As faces they would have five times the area of their bars.
+// If railings were faces, these would have five times the area of their bars.
 TEST(FacadeTextures, ReplaceRailingsByRails) {
   Building block = with_iron_balconies();
   std::size_t houses_with_balconies = 0;

@@ -23,7 +23,7 @@ TEST(IsHiddenByLand, BehindARidgeAndBelowTheGround) {
   EXPECT_FALSE(is_hidden_by_land(header, header.region, {-3000, 128, 300}, town));
   EXPECT_TRUE(is_hidden_by_land(header, header.region, {-3000, 128, 90}, town));
   EXPECT_FALSE(is_hidden_by_land(header, header.region, {200, 128, 90}, {3000, 128, 90}));
-  // who looks away from the town may look at a ridge
+  // a camera that looks away from the town may look at a ridge
   EXPECT_FALSE(is_hidden_by_land(header, header.region, {500, 128, 300}, {4000, 128, 300}));
   EXPECT_FALSE(is_hidden_by_land({}, header.region, {3000, 128, 300}, town));
 }

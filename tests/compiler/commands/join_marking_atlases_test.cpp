@@ -27,7 +27,7 @@ Result<JoinedMarkingAtlases> joined_markings(const std::vector<TextureImage>& sh
   return join_marking_atlases(pointers);
 }
 
-// As it is drawn: the edge goes on across, all repeats along.
+// A texel as renderers read it: the outermost column continues across, rows repeat along.
 TextureImage::Texel texel(const TextureImage& sheet, std::int64_t column, std::uint32_t row) {
   column = std::clamp<std::int64_t>(column, 0, sheet.columns - 1);
   return sheet.texels[row % sheet.rows * sheet.columns + static_cast<std::size_t>(column)];
@@ -64,7 +64,7 @@ TEST(JoinMarkingAtlases, GivesEmptyAtlasesNoSpace) {
   EXPECT_EQ(joined_markings({{}, {}})->sheet, TextureImage{});
 }
 
-// Of the part of a sheet, the mean in linear light.
+// The mean of some columns of an atlas in linear light.
 double mean_of_columns(const TextureImage& sheet, std::uint32_t first, std::uint32_t count) {
   double sum = 0;
   for (std::uint32_t row = 0; row < sheet.rows; ++row)

@@ -43,7 +43,8 @@ preview::Camera camera_above(const scene::Scene& scene, double above_m) {
   return {at_height(place, ground_m + above_m), at_height(place + Vec2{300, 80}, ground_m), 50};
 }
 
-// As a picture needs them; what it does not show as fine as the rest.
+// The cells of a picture. Errors of cells that it does not show may be up to `unseen_deg`; 0: they are as fine as the
+// rest.
 std::shared_ptr<const preview::CellSource> cells_of(const scene::Scene& scene, const preview::Camera& camera,
                                                     const preview::Options& options, double unseen_deg = 0) {
   return cells_for(scene, {std::span(&camera, 1), options.width, options.height}, {.unseen_deg = unseen_deg});

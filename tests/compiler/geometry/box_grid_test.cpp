@@ -52,7 +52,7 @@ TEST(BoxGrid, FindsTheSameWhateverElseItHolds) {
   EXPECT_GT(found, 100);
 }
 
-// What is denied is where the box has no place.
+// A box is left out only at places in the buckets where it is excluded.
 TEST(BoxGrid, FindsAllBoxesThatAreNotExcluded) {
   const std::vector<Box2> boxes = random_boxes(1, 60);
   const auto is_odd_column = [](const Box2& bucket) { return std::fmod(std::floor(bucket.centre().x / 8), 2) != 0; };

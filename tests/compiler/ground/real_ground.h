@@ -31,7 +31,8 @@ inline source::LonLatBox degrees_of(const Box2& region, const map::Plane& plane)
   return box;
 }
 
-/// @param dem  Empty: without heights.
+/// Reads an extract and its heightmap.
+/// @param dem  Empty: no heights.
 inline Result<RealGround> read_real_ground(const std::string& path, const std::string& dem, Report& report) {
   const auto osm = source::read_osm(path, 0, report);
   if (!osm) return osm.error();

@@ -12,7 +12,7 @@ namespace citykiln::ground {
 
 inline constexpr Box2 kWavyCell{{-128, 0}, {0, 128}};
 
-/// Lobed rings of 60 corners with noise, of all sizes, in and about kWavyCell.
+/// Returns lobed rings of 60 corners with noise, of all sizes, in and about kWavyCell.
 inline std::vector<LandCoverPolygon> wavy_surfaces(std::uint64_t seed, int count, double noise_m) {
   constexpr map::LandCoverClass kClasses[] = {map::LandCoverClass::kMeadow, map::LandCoverClass::kForest,
                                               map::LandCoverClass::kLake, map::LandCoverClass::kResidentialRoad,

@@ -109,7 +109,7 @@ TEST(PlanSurroundings, WithoutHeightmapsOrKnowledgeOfTheLandAroundNothingIsPlann
 }
 
 TEST(PlanSurroundings, WhereNoHeightIsKnownNoWallStands) {
-  // known to 1.6° only: some 4 km east of the extent
+  // heightmaps reach to 1.6° only, some 4 km east of the extent
   const Surroundings around = planned({raster_of(hills_m, 0.7, 1.6)});
   ASSERT_FALSE(around.is_empty());
   double steepest = 0;
@@ -121,7 +121,7 @@ TEST(PlanSurroundings, WhereNoHeightIsKnownNoWallStands) {
   }
   EXPECT_GT(around.x_m.back(), 60000);
   EXPECT_LT(steepest, 0.4);
-  // far from all knowledge the land is at the mean
+  // far from all heightmaps the land is at the mean
   double mean_m = 0;
   for (const std::int32_t height : around.heights_m) mean_m += height / static_cast<double>(around.heights_m.size());
   EXPECT_NEAR(around.heights_m[around.index(around.columns() - 1, row)], mean_m, 60);
@@ -129,7 +129,7 @@ TEST(PlanSurroundings, WhereNoHeightIsKnownNoWallStands) {
 
 TEST(PlanSurroundings, SeaStaysSeaAndOnlyWhereThereIsACoast) {
   const auto coast_m = [](double, double lat_deg) { return lat_deg < 42.3 ? 0 : 2000 * (lat_deg - 42.3) + 3; };
-  // the sea is known to 1.6° only
+  // heightmaps reach to 1.6° only
   const std::vector<source::Raster> rasters = {raster_of(coast_m, 0.7, 1.6)};
   Place by_sea = kPlace;
   // a bay in the extent, whose ground is above 0 in the heightmap

@@ -115,7 +115,7 @@ std::size_t windows_of(const Building& building, const buildings::Rulebook& rule
   return reveals / 4;
 }
 
-// As many windows as a data set of Belgrade's facades has.
+// The number of windows is that of a data set of Belgrade's facades.
 TEST(RecipeBytes, Of195431WindowsAreUnderAMegabyte) {
   const std::vector<Building> all = town(46, 40);
   const buildings::Rulebook rulebook = buildings::parse_rulebook(buildings::shipped_rules());

@@ -1,4 +1,4 @@
-// References of random borders and heights, and of a grid.
+// Reference triangulations of random borders and heights, and of a grid.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,8 @@ inline Delaunay triangulated(const Arrangement& arrangement) {
   return Delaunay(arrangement.vertices, edges);
 }
 
-/// Crossing segments, some of them along lines of a grid, and points on the cell's border; heights at random.
+/// A reference of crossing segments, some of them along lines of a grid, and of points on the cell's border, with
+/// random heights.
 inline Reference random_reference(const Box2& cell, std::uint64_t seed, int segments, double height_m) {
   const Draw draw(seed, StableId{7}, "segments");
   std::vector<OwnedSegment> borders;
@@ -40,7 +41,7 @@ inline Reference random_reference(const Box2& cell, std::uint64_t seed, int segm
   return reference_of(triangulated(arrangement), std::move(heights), cell);
 }
 
-/// The field's own triangles over its box; all layers alike.
+/// A reference of the field's own triangles over its box; all layers are equal.
 inline Reference reference_of_field(const map::Heightfield& field) {
   std::vector<GridPoint> vertices;
   std::vector<Heights> heights;

@@ -390,7 +390,7 @@ CrossSection mirrored(CrossSection section) {
   return section;
 }
 
-// The same road drawn from its other end. Lists and turns stay, since they are given as drivers see them.
+// Tags of the road if it is drawn from its other end. Lists and turns stay, since they are given as drivers see them.
 Tags turned_round(const Tags& tags) {
   Tags result;
   for (const auto& [key, value] : tags) {
@@ -508,7 +508,7 @@ const std::vector<Choice>& choices() {
   return all;
 }
 
-// What is only for the fuzz: it has no mirror.
+// Tags for random tests alone, since they have no mirror image.
 const std::vector<Choice>& absolute_choices() {
   static const std::vector<Choice> all = {
       {{"placement", "placement:forward", "placement:backward"},
