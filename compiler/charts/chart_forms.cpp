@@ -10,7 +10,7 @@
 #include "compiler/charts/stopwatch.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/pipeline.h"
+#include "compiler/bake_scene.h"
 #include "exporters/gltf/glb.h"
 #include "preview/camera/cell_view.h"
 #include "preview/render.h"

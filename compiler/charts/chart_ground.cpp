@@ -12,7 +12,8 @@
 #include "compiler/ground/cover/partition.h"
 #include "compiler/ground/cover/simplify_borders.h"
 #include "compiler/ground/plan.h"
-#include "compiler/pipeline.h"
+#include "compiler/spec.h"
+#include "compiler/stage_timer.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
 

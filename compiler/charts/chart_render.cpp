@@ -7,7 +7,7 @@
 
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
-#include "compiler/pipeline.h"
+#include "compiler/bake_scene.h"
 #include "preview/picture/denoise.h"
 #include "preview/render.h"
 

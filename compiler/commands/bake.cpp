@@ -17,7 +17,7 @@
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view_options.h"
 #include "compiler/commands/write_outputs.h"
-#include "compiler/pipeline.h"
+#include "compiler/bake_scene.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"

@@ -9,7 +9,7 @@
 
 #include "compiler/commands/requested_sky.h"
 #include "compiler/commands/run_paths.h"
-#include "compiler/pipeline.h"
+#include "compiler/bake_scene.h"
 #include "exporters/kiln/manifest.h"
 #include "preview/camera/cell_view.h"
 

@@ -16,7 +16,7 @@
 #include "compiler/commands/requested_sky.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/contract/for_each_slot.h"
-#include "compiler/pipeline.h"
+#include "compiler/bake_scene.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"

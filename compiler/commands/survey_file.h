@@ -4,7 +4,7 @@
 #include <string>
 
 #include "compiler/commands/plan_file.h"
-#include "compiler/pipeline.h"
+#include "compiler/survey.h"
 
 namespace citykiln::commands {
 

@@ -19,7 +19,7 @@
 #include "compiler/commands/write_clouds.h"
 #include "compiler/commands/write_tiles3d.h"
 #include "compiler/contract/for_each_slot.h"
-#include "compiler/pipeline.h"
+#include "compiler/bake_scene.h"
 #include "compiler/verify/tile_note.h"
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/shared_layout.h"

@@ -16,7 +16,7 @@
 #include "compiler/commands/join_tiles.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/geoid.h"
-#include "compiler/pipeline.h"
+#include "compiler/bake_scene.h"
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/tiles3d/quadtree.h"
 #include "exporters/tiles3d/tileset.h"
