@@ -12,6 +12,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 WIDEST_PAGE = 120
+# its tables quote the texts of others
+WIDE_PAGES = {"compiler/source/osm_testdata.md"}
 
 # Each row: a pattern of a private word, the term to use, and the folders where the word has its common meaning.
 WORDS = [
@@ -127,7 +129,7 @@ def hidden_subjects(name, lines):
 
 
 def wide_lines(name, lines):
-    if name.endswith(".md"):
+    if name.endswith(".md") and name not in WIDE_PAGES:
         for number, line in enumerate(lines, 1):
             if len(line) > WIDEST_PAGE:
                 yield f"{name}:{number}: {len(line)} columns; a page has {WIDEST_PAGE}"

@@ -76,7 +76,7 @@ struct Errors {
   }
 };
 
-// Whether an earlier heightmap covers the place.
+// True if an earlier heightmap covers the place.
 bool is_hidden(std::span<const RasterSampler> earlier, map::LonLat at) {
   return std::ranges::any_of(earlier, [&](const RasterSampler& sampler) {
     return sampler.height_m<double>(at.lon_deg, at.lat_deg).has_value();

@@ -199,7 +199,7 @@ class Radii(ProgramTest):
     without = {}
 
     def seen_without(self, stage):
-        """What is seen in a tile whose map lacks the thing: computed once for both claims."""
+        """Returns what is seen in a tile whose map lacks the thing. It is computed once for both claims."""
         if stage not in self.without:
             self.without[stage] = self.seen(stage, None)
         return self.without[stage]

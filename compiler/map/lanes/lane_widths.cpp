@@ -46,7 +46,7 @@ void merge_two_lanes(MovingLanes& moving) {
 // Diagnoses the tag of the width, which contradicts the lanes.
 void add_bad_width(const LaneTags& tags) { tags.add_bad_value(tags("width").empty() ? "est_width" : "width"); }
 
-// Whether a width of the carriageway can be that of these lanes.
+// True if a width of the carriageway can be that of these lanes.
 bool is_credible(double width_m, const PerFlow<std::vector<RoadsideLane>>& roadsides, const MovingLanes& moving) {
   if (!moving.is_tagged) return true;
   double beside_m = inside_m(roadsides);

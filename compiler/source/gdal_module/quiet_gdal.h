@@ -18,7 +18,7 @@ class QuietGdal {
   QuietGdal(const QuietGdal&) = delete;
   QuietGdal& operator=(const QuietGdal&) = delete;
 
-  /// GDAL's last error message as one line.
+  /// Returns GDAL's last error message as one line.
   std::string last_message() const {
     std::string message = CPLGetLastErrorMsg();
     for (char& letter : message) {

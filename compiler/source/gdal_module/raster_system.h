@@ -15,10 +15,10 @@ std::string system_wkt_of(const OGRSpatialReference& system);
 /// The system of Web Mercator tiles (EPSG:3857).
 std::string web_mercator_wkt();
 
-/// spacing_m_of() of read_raster.h.
+/// Returns the spacing of samples: spacing_m_of() of read_raster.h.
 Vec2 sample_spacing_m(const Raster& raster);
 
-/// to_system_of() of read_raster.h.
+/// Returns the transformation from WGS84: to_system_of() of read_raster.h.
 Result<ToRasterSystem> from_wgs84(const Raster& raster);
 
 /// The box of all samples in longitude and latitude, in degrees, from nine of them; zeros if no place can be converted.

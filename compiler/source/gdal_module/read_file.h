@@ -6,7 +6,7 @@
 
 namespace citykiln::source::gdal {
 
-/// read_raster() of an existing file that is not empty; same parameters and errors.
+/// Reads an existing file that is not empty. Parameters and errors are those of read_raster().
 Result<Raster> read_file(const RasterSpec& spec, const LonLatBox* window, double spacing_m);
 
 }  // namespace citykiln::source::gdal
