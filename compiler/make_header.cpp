@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "compiler/buildings/plan.h"
-#include "compiler/map/lonlat_box.h"
+#include "compiler/map/plane/lonlat_box.h"
 #include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_raster.h"

@@ -6,7 +6,7 @@
 #include "compiler/buildings/recipe.h"
 #include "compiler/contract/result.h"
 #include "compiler/geometry/box.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/scene/assemble.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"

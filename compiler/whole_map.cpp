@@ -4,8 +4,8 @@
 
 #include "compiler/ground/grading/graded_box.h"
 #include "compiler/ground/plan.h"
-#include "compiler/map/choose_extent.h"
-#include "compiler/map/lonlat_box.h"
+#include "compiler/map/extent/choose_extent.h"
+#include "compiler/map/plane/lonlat_box.h"
 #include "compiler/map/resample.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/source/read_raster.h"
@@ -25,8 +25,8 @@ scene::CoverRecipes cover_recipes_of(const scene::Recipes& recipes) {
 }  // namespace
 
 bool is_empty(const map::Features& features) {
-  return features.tracks.empty() && features.footprints.empty() && features.areas.empty() && features.waterways.empty() && features.barriers.empty() &&
-         features.points.empty();
+  return features.tracks.empty() && features.footprints.empty() && features.areas.empty() &&
+         features.waterways.empty() && features.barriers.empty() && features.points.empty();
 }
 
 Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm,

@@ -28,8 +28,9 @@ ROWS = [
     ["compiler/surroundings"],
     ["compiler/scene"],
     ["compiler/bake", "compiler/regions"],
-    ["compiler"],  # spec, stage_watch, pipeline
+    ["compiler"],  # spec, pipeline, survey
     ["exporters"],
+    ["compiler/outputs"],
     ["preview", "compiler/verify"],
     ["compiler/charts"],
     ["compiler/commands"],

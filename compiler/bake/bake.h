@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/contract/report.h"

@@ -4,8 +4,8 @@
 #include <span>
 #include <utility>
 
-#include "compiler/bake/ground_meshes.h"
-#include "compiler/bake/skirt.h"
+#include "compiler/bake/ground/ground_meshes.h"
+#include "compiler/bake/ground/skirt.h"
 
 namespace citykiln::bake {
 

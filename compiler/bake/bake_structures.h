@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "compiler/bake/baking.h"
-#include "compiler/bake/ground_meshes.h"
+#include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/structures/generate.h"
 #include "compiler/structures/stairs.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
-#include "compiler/bake/ground_meshes.h"
+#include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/props/street_lamps.h"
 

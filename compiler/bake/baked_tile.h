@@ -25,6 +25,9 @@ using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
 
+/// Single precision holds multiples of kQuantum_m exactly up to this distance from the origin.
+inline constexpr double kExactReach_m = 16384;
+
 inline Vec2 widened(const Float2& v) { return {v[0], v[1]}; }
 inline Vec3 widened(const Float3& v) { return {v[0], v[1], v[2]}; }
 inline Float3 narrowed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }

@@ -7,7 +7,7 @@
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/mesh.h"
 #include "compiler/geometry/placement.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/props/recipe.h"
 #include "compiler/structures/recipe.h"
 

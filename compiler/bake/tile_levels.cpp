@@ -5,8 +5,8 @@
 #include <cassert>
 #include <map>
 
-#include "compiler/bake/ground_beyond.h"
-#include "compiler/bake/skirt.h"
+#include "compiler/bake/ground/ground_beyond.h"
+#include "compiler/bake/ground/skirt.h"
 #include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::bake {

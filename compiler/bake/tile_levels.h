@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "compiler/bake/ground_cells.h"
-#include "compiler/bake/ground_meshes.h"
+#include "compiler/bake/ground/ground_cells.h"
+#include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/bake/place_lamps.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/generate.h"

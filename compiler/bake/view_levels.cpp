@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/bake/skirt.h"
+#include "compiler/bake/ground/skirt.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/mathematics.h"
@@ -25,7 +25,7 @@ Bounds ground_bounds(const map::Heightfield& terrain, const Box2& box) {
   return bounds;
 }
 
-// The level of the cell at a place; kNoLevel outside the region.
+// The level of the cell at a place; kNoLevel outside the extent.
 int level_at(const ViewLevels& levels, Vec2 within) {
   const int column = static_cast<int>(std::floor((within.x - levels.region.min.x) / map::kCell_m)),
             row = static_cast<int>(std::floor((within.y - levels.region.min.y) / map::kCell_m));

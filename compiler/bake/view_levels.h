@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "compiler/bake/bounds.h"
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::bake {

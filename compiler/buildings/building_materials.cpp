@@ -6,7 +6,7 @@
 
 #include "compiler/buildings/paint_colour.h"
 #include "compiler/contract/draw.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {

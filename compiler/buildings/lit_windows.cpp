@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "compiler/contract/draw.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {

@@ -15,8 +15,8 @@
 #include "compiler/buildings/vertical_support.h"
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
-#include "compiler/map/part_outlines.h"
+#include "compiler/map/buildings/building_classes.h"
+#include "compiler/map/buildings/part_outlines.h"
 
 namespace citykiln::buildings {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "grammars/roofs/expected_rise.h"
 
 namespace citykiln::buildings {

@@ -5,17 +5,17 @@
 #include <ctime>
 #include <set>
 
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "compiler/charts/chart.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/cover/partition.h"
 #include "compiler/ground/cover/simplify_borders.h"
 #include "compiler/ground/plan.h"
-#include "compiler/spec.h"
-#include "compiler/stage_timer.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
+#include "compiler/spec.h"
+#include "compiler/stage_timer.h"
 
 namespace citykiln::charts {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "compiler/bake/bake.h"
-#include "compiler/bake/simplify_tile.h"
+#include "compiler/bake/tiles/simplify_tile.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/picture_difference.h"
 #include "compiler/charts/sampled_distance.h"

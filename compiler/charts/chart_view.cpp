@@ -6,7 +6,7 @@
 
 #include "compiler/bake/view_levels.h"
 #include "compiler/charts/chart.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/spec.h"

@@ -10,22 +10,23 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
-#include "compiler/commands/gather_tileset.h"
-#include "compiler/commands/gather_usd.h"
-#include "compiler/commands/plan_file.h"
-#include "compiler/commands/region_state.h"
+#include "compiler/commands/plan/gather_tileset.h"
+#include "compiler/commands/plan/gather_usd.h"
+#include "compiler/commands/plan/plan_file.h"
+#include "compiler/commands/plan/region_state.h"
+#include "compiler/commands/plan/zone_lists.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/write_outputs.h"
-#include "compiler/commands/write_tiles3d.h"
-#include "compiler/commands/zone_lists.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/outputs/findings.h"
+#include "compiler/outputs/run_report.h"
+#include "compiler/outputs/write_outputs.h"
+#include "compiler/outputs/write_tiles3d.h"
 #include "compiler/verify/check_seams.h"
-#include "compiler/verify/findings.h"
-#include "compiler/verify/measure_heights.h"
-#include "compiler/verify/run_report.h"
+#include "compiler/verify/heights_json.h"
 #include "exporters/file.h"
 #include "exporters/file_list.h"
 #include "exporters/gltf/glb.h"
@@ -49,8 +50,8 @@ struct PlacedFile {
 /// The outputs of all regions.
 struct Gathered {
   scene::Scene scene;
-  verify::WrittenFiles files;
-  std::vector<verify::Finding> findings;
+  outputs::WrittenFiles files;
+  std::vector<outputs::Finding> findings;
   Report ledger;                             ///< The ledger, without diagnoses.
   std::vector<std::string> missing;          ///< One line per region that is not complete, with the reason.
   std::map<std::string, PlacedFile> placed;  ///< By name.
@@ -114,8 +115,8 @@ Result<Done> add_files(const std::string& folder, const std::string& region, Gat
 Result<Done> add_findings(const std::string& path, Gathered& all) {
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
-  Result<std::vector<verify::Finding>> findings =
-      verify::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  Result<std::vector<outputs::Finding>> findings =
+      outputs::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
   if (!findings) return findings.error();
   std::ranges::move(*findings, std::back_inserter(all.findings));
   return Done{};
@@ -123,7 +124,7 @@ Result<Done> add_findings(const std::string& path, Gathered& all) {
 
 /// Adds the ledger of a region, without the accounts of elements, which the plan counts: regions do not have all
 /// elements.
-void add_ledger(const Report& region, Gathered& all) {
+void add_region_ledger(const Report& region, Gathered& all) {
   static const std::set<std::string> kOfPlan = {"source/node", "source/way", "source/relation"};
   Report own;
   for (const auto& [name, account] : region.ledger()) {
@@ -155,14 +156,14 @@ Result<Done> add_region(const Plan& plan, const PlannedRegion& region, const std
   if (state.state == TaskState::kFailed) return Error{"", "failed: " + state.error};
   if (state.state != TaskState::kDone) return Error{"", std::string(name_of(state.state))};
   const std::string folder = outputs_path(plan_folder, region.key);
-  const Result<verify::RunRecord> record = verify::read_report(folder);
+  const Result<outputs::RunRecord> record = outputs::read_report(folder);
   if (!record) return record.error();
   if (Result<Done> done = add_files(folder, to_string(region.key), all); !done) return done;
   if (Result<Done> done = add_scene(folder, region, all); !done) return done;
   if (Result<Done> done = add_findings(folder + "/findings.json", all); !done) return done;
   const std::vector<scene::TileKey> own = regions::tiles_of(plan.grid, region.key);
   if (Result<Done> done = add_trees(folder, to_string(region.key), own, outputs, all); !done) return done;
-  add_ledger(record->ledger, all);
+  add_region_ledger(record->ledger, all);
   std::ranges::copy(record->usd, std::back_inserter(all.files.usd));
   std::ranges::copy(record->tiles, std::back_inserter(all.files.tiles));
   return Done{};
@@ -181,7 +182,7 @@ Gathered gather_regions(const Plan& plan, const std::string& plan_folder, const 
       all.missing.push_back(fmt::format("region {}: {}", to_string(plan.regions[i].key), to_string(added.error())));
   }
   std::ranges::sort(all.scene.chunks, {}, &scene::Chunk::tile);
-  const auto key = [](const verify::WrittenTile& t) { return std::pair(t.tile, t.level); };
+  const auto key = [](const outputs::WrittenTile& t) { return std::pair(t.tile, t.level); };
   std::ranges::sort(all.files.tiles, {}, key);
   std::ranges::sort(all.files.usd, {}, key);
   std::ranges::sort(all.usd_tiles, {}, &exporters::UsdTile::tile);
@@ -190,7 +191,7 @@ Gathered gather_regions(const Plan& plan, const std::string& plan_folder, const 
 
 Report report_of(const Gathered& all) {
   Report report = all.ledger;
-  for (const verify::Finding& finding : all.findings) report.add(finding.diagnosis);
+  for (const outputs::Finding& finding : all.findings) report.add(finding.diagnosis);
   return report;
 }
 
@@ -208,8 +209,8 @@ bool is_at_side(const regions::RegionGrid& grid, scene::TileKey tile) {
 /// does not fit; the error names the first and the console all.
 Result<Done> check_sides(const Plan& plan, const Gathered& all, const std::string& plan_folder, int threads,
                          const Console& console) {
-  std::vector<const verify::WrittenTile*> tiles;
-  for (const verify::WrittenTile& tile : all.files.tiles)
+  std::vector<const outputs::WrittenTile*> tiles;
+  for (const outputs::WrittenTile& tile : all.files.tiles)
     if (is_at_side(plan.grid, tile.tile)) tiles.push_back(&tile);
   const auto read = for_each_slot<std::optional<Result<verify::Borders>>>(
       tiles.size(), threads, [&](std::size_t i) -> std::optional<Result<verify::Borders>> {
@@ -242,7 +243,7 @@ Result<Done> write_roots(Gathered& all, const Outputs& outputs, exporters::Outpu
     if (Result<Done> done = write(exporters::kUsdSceneName, scene); !done) return done;
   }
   if (all.tilesets.empty()) return Done{};
-  const Result<exporters::TilesetFacts> facts = tileset_facts(all.scene.header, outputs);
+  const Result<exporters::TilesetFacts> facts = outputs::tileset_facts(all.scene.header, outputs);
   if (!facts) return facts.error();
   for (const exporters::TilesetFile& file : exporters::encode_tileset(joined_trees(std::move(all.tilesets)), *facts))
     if (Result<Done> done = write(file.name, exporters::bytes_of(file.json)); !done) return done;
@@ -256,8 +257,8 @@ Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string
   if (Result<Done> done = folder->write("scene.kiln", manifest); !done) return done;
   all.files.files.push_back({"scene.kiln", manifest.size()});
   std::set<std::string> tiles;
-  for (const verify::WrittenTile& tile : all.files.tiles) tiles.insert(tile.file.name);
-  for (const verify::WrittenTile& tile : all.files.usd) tiles.insert(tile.file.name);
+  for (const outputs::WrittenTile& tile : all.files.tiles) tiles.insert(tile.file.name);
+  for (const outputs::WrittenTile& tile : all.files.usd) tiles.insert(tile.file.name);
   for (const auto& [name, placed] : all.placed) {
     if (Result<Done> done = folder->adopt(placed.file, placed.path); !done) return done;
     if (!tiles.contains(name)) all.files.files.push_back({name, placed.file.bytes});
@@ -265,10 +266,10 @@ Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string
   if (Result<Done> done = write_roots(all, spec.outputs, *folder); !done) return done;
   verify::HeightReport heights{verify::measure_heights(all.scene, spec.threads), {}};
   heights.recipes.clearances = verify::explained(std::move(heights.recipes.clearances), all.findings);
-  const std::string report =
-      verify::report_json(all.scene.header, all.scene, report_of(all), all.files, spec.outputs, heights);
-  WrittenOutputs written{.files = all.files, .findings = all.findings, .solved = {}};
-  return commit_outputs(written, report, all.scene.header, *folder);
+  const std::string report = outputs::report_json(all.scene.header, all.scene, report_of(all), all.files, spec.outputs,
+                                                  verify::heights_json(heights));
+  outputs::WrittenOutputs written{.files = all.files, .findings = all.findings, .solved = {}};
+  return outputs::commit_outputs(written, report, all.scene.header, *folder);
 }
 
 Result<Exit> gather(const std::string& plan_folder, const Console& console) {

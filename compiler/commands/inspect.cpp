@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "compiler/commands/geojson.h"
-#include "compiler/commands/map_layers.h"
+#include "compiler/commands/layers/geojson.h"
+#include "compiler/commands/layers/map_layers.h"
+#include "compiler/commands/layers/scene_layers.h"
 #include "compiler/commands/run_paths.h"
-#include "compiler/commands/scene_layers.h"
 #include "compiler/commands/verb.h"
 #include "compiler/map/locate.h"
 #include "compiler/roads/junctions/layers.h"

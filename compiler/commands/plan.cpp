@@ -7,19 +7,19 @@
 #include <memory>
 
 #include "compiler/commands/compile_request.h"
-#include "compiler/commands/expected_cost.h"
-#include "compiler/commands/plan_file.h"
-#include "compiler/commands/plan_status.h"
-#include "compiler/commands/survey_file.h"
-#include "compiler/commands/task_lists.h"
+#include "compiler/commands/plan/expected_cost.h"
+#include "compiler/commands/plan/plan_file.h"
+#include "compiler/commands/plan/plan_status.h"
+#include "compiler/commands/plan/survey_file.h"
+#include "compiler/commands/plan/task_lists.h"
+#include "compiler/commands/plan/zone_lists.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/zone_lists.h"
 #include "compiler/contract/give_back_memory.h"
-#include "compiler/map/choose_extent.h"
+#include "compiler/map/extent/choose_extent.h"
+#include "compiler/outputs/findings.h"
 #include "compiler/regions/cut_extract.h"
 #include "compiler/regions/radii.h"
 #include "compiler/regions/zones.h"
-#include "compiler/verify/findings.h"
 #include "exporters/file.h"
 #include "exporters/output_folder.h"
 
@@ -155,8 +155,8 @@ Result<Exit> plan_extent(const PlanRequest& request, const CompileSpec& spec, co
   const Result<Survey> surveyed = survey(spec, folder + "/cut/survey.osm.pbf", extent, report, on_progress);
   if (!surveyed) return surveyed.error();
   if (Result<Done> done = write_survey(*surveyed, plan->grid, folder, spec.threads); !done) return done.error();
-  const std::vector<verify::Finding> findings = verify::findings_of(report, surveyed->places, {}, surveyed->header);
-  const std::string diagnosed = verify::findings_json(findings, surveyed->header);
+  const std::vector<outputs::Finding> findings = outputs::findings_of(report, surveyed->places, {}, surveyed->header);
+  const std::string diagnosed = outputs::findings_json(findings, surveyed->header);
   if (Result<Done> done = write_if_changed(survey_findings_path(folder), diagnosed); !done) return done.error();
   describe_regions(*files, surveyed->heights, spec, *plan);
   if (Result<Done> done = write_lists(*plan, folder); !done) return done.error();

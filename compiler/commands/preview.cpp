@@ -6,14 +6,14 @@
 #include <memory>
 #include <optional>
 
-#include "compiler/commands/camera_options.h"
-#include "compiler/commands/frame_names.h"
-#include "compiler/commands/load_cells.h"
-#include "compiler/commands/load_tiles.h"
-#include "compiler/commands/preview_scene.h"
 #include "compiler/commands/stop_on_interrupt.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/view_options.h"
+#include "compiler/commands/view/camera_options.h"
+#include "compiler/commands/view/frame_names.h"
+#include "compiler/commands/view/load_cells.h"
+#include "compiler/commands/view/load_tiles.h"
+#include "compiler/commands/view/preview_scene.h"
+#include "compiler/commands/view/view_options.h"
 #include "compiler/contract/parse.h"
 #include "compiler/spec.h"
 #include "preview/camera/cell_view.h"

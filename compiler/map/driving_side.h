@@ -2,7 +2,7 @@
 #pragma once
 
 #include "compiler/map/cross_section.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::map {
 

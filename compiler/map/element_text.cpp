@@ -8,8 +8,8 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/utf8.h"
+#include "compiler/map/buildings/part_outlines.h"
 #include "compiler/map/features.h"
-#include "compiler/map/part_outlines.h"
 #include "compiler/source/osm_data.h"
 
 namespace citykiln::map {

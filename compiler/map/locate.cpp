@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "compiler/map/assumed_layers.h"
+#include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
-#include "compiler/map/map_box.h"
 
 namespace citykiln::map {
 namespace {

@@ -1,9 +1,9 @@
 #include <utility>
 
-#include "compiler/map/building_tags.h"
-#include "compiler/map/coincident_footprints.h"
+#include "compiler/map/buildings/building_tags.h"
+#include "compiler/map/buildings/coincident_footprints.h"
+#include "compiler/map/buildings/part_outlines.h"
 #include "compiler/map/feature_readers.h"
-#include "compiler/map/part_outlines.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {

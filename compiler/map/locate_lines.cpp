@@ -1,7 +1,7 @@
 #include <array>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_tags.h"
+#include "compiler/map/buildings/building_tags.h"
 #include "compiler/map/for_each_line.h"
 #include "compiler/map/plant_tags.h"
 #include "compiler/map/read_lamp_tags.h"

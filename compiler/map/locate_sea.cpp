@@ -6,7 +6,7 @@
 namespace citykiln::map {
 namespace {
 
-// The sea is closed along a box this much wider than the region, which puts its sides out of sight.
+// The sea is closed along a box this much wider than the extent, which puts its sides out of sight.
 constexpr double kBeyond_m = 256;
 
 }  // namespace

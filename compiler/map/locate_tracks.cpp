@@ -5,10 +5,10 @@
 #include "compiler/map/for_each_line.h"
 #include "compiler/map/lanes/lane_tags.h"
 #include "compiler/map/lanes/lanes.h"
+#include "compiler/map/lanes/track_points.h"
+#include "compiler/map/lanes/track_rules.h"
 #include "compiler/map/plant_tags.h"
 #include "compiler/map/road_region.h"
-#include "compiler/map/track_points.h"
-#include "compiler/map/track_rules.h"
 
 namespace citykiln::map {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "compiler/contract/report.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/source/osm_data.h"
 
 namespace citykiln::map {

@@ -5,15 +5,15 @@
 
 #include "compiler/geometry/clip_polyline.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/clip_ring.h"
+#include "compiler/map/plane/clip_ring.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
 namespace {
 
-// Rings much larger than the region (a lake, a national park) keep their vertices within this distance.
+// Rings much larger than the extent (a lake, a national park) keep their vertices within this distance.
 constexpr double kKeptAround_m = 256;
-// Maximum distance of anything from the region: rings are clipped there, stray nodes of lines are moved there. Longer
+// Maximum distance of anything from the extent: rings are clipped there, stray nodes of lines are moved there. Longer
 // than any real segment, and well within the 524 km in which ground/ computes exactly.
 constexpr double kFarthest_m = 65536;
 

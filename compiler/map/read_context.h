@@ -7,7 +7,7 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/source/osm_data.h"
 
 namespace citykiln::map {

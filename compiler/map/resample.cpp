@@ -10,8 +10,8 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/features.h"
-#include "compiler/map/lonlat_box.h"
-#include "compiler/map/raster_sampler.h"
+#include "compiler/map/plane/lonlat_box.h"
+#include "compiler/map/plane/raster_sampler.h"
 #include "compiler/source/fill_gaps.h"
 
 namespace citykiln::map {
@@ -34,7 +34,7 @@ Vec2 step_for(std::span<const Raster> rasters) {
   return {step_below(finest_m.x), step_below(finest_m.y)};
 }
 
-// A field over the region and one step beyond on every side. @param anchor  A vertex of the grid, possibly far away.
+// A field over the extent and one step beyond on every side. @param anchor A vertex of the grid, possibly far away.
 Heightfield empty_field(const Box2& region, Vec2 step_m, Vec2 anchor) {
   const auto before = [](double v, double step) { return std::floor(v / step) - 1; };
   const auto beyond = [](double v, double step) { return std::ceil(v / step) + 1; };
@@ -46,7 +46,7 @@ Heightfield empty_field(const Box2& region, Vec2 step_m, Vec2 anchor) {
   return field;
 }
 
-// A sample near the region's middle, to kStepUnit_m. Vertices lie on samples there, and nearly so for kilometres
+// A sample near the extent's middle, to kStepUnit_m. Vertices lie on samples there, and nearly so for kilometres
 // around: vertices between samples would cut off summits.
 Vec2 anchor_of(std::span<const RasterSampler> samplers, const Plane& plane, const Box2& region) {
   const LonLat place = plane.backward(region.centre());

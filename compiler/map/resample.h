@@ -5,8 +5,8 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
-#include "compiler/map/heightfield.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/heightfield.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/source/raster.h"
 
 namespace citykiln::map {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::map {
 

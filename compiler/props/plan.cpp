@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "compiler/geometry/clip_polyline.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::props {
 namespace {

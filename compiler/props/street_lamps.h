@@ -20,7 +20,7 @@
 
 namespace citykiln::props {
 
-/// How roads of a class are lit.
+/// The lamps of a class of roads.
 struct Lighting {
   double spacing_m = 0;  ///< 0: no street lamps (rails, runways).
   double height_m = 0;

@@ -13,7 +13,7 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/regions/region.h"
 #include "compiler/regions/region_file.h"
 #include "compiler/source/osm_data.h"

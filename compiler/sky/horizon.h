@@ -1,7 +1,7 @@
 // Conversion of equatorial directions to a place's horizon, and refraction.
 #pragma once
 
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::sky {
 

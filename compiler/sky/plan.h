@@ -4,7 +4,7 @@
 #include <string>
 
 #include "compiler/contract/result.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/sky/recipe.h"
 
 namespace citykiln::sky {

@@ -7,7 +7,7 @@
 #include "compiler/contract/report.h"
 #include "compiler/geometry/profile.h"
 #include "compiler/map/features.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/structures/recipe.h"
 
 namespace citykiln::structures {

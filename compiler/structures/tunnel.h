@@ -7,7 +7,7 @@
 //     |__|___road____|__|
 #pragma once
 
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/structures/generate.h"
 
 namespace citykiln::structures {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/map/heightfield.h"
-#include "compiler/map/raster_sampler.h"
+#include "compiler/map/plane/heightfield.h"
+#include "compiler/map/plane/raster_sampler.h"
 #include "compiler/surroundings/curvature.h"
 #include "compiler/surroundings/fill_unknown.h"
 #include "compiler/surroundings/grid_lines.h"

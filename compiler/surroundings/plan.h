@@ -6,7 +6,7 @@
 
 #include "compiler/contract/result.h"
 #include "compiler/ground/recipe.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/source/raster.h"
 #include "compiler/surroundings/recipe.h"
 

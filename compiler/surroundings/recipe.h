@@ -21,7 +21,7 @@ enum class Cover : std::uint8_t { kLand, kSea, kCount };
 struct Surroundings {
   std::vector<std::int32_t> x_m, y_m;   ///< Coordinates of the lines, plane metres, ascending. Both empty: no grid.
   std::vector<std::int32_t> heights_m;  ///< Above sea level, row by row from the south; 0 at sea.
-  std::vector<Cover> covers;            ///< In the same order.
+  std::vector<Cover> covers;            ///< One per height, in the same order.
   /// The largest and the root mean square vertical distance from samples of heightmaps beyond the extent to the grid.
   /// Counts only heightmaps in degrees. Rounded up to whole metres.
   double error_m = 0, rms_error_m = 0;

@@ -33,10 +33,10 @@ bool is_name_in_tileset(std::string_view name) {
          number_in<int>(name.substr(8, name.size() - 13)).has_value();
 }
 
-void check_report(const RunRecord& record, const exporters::FileList& list, CheckResults& results) {
-  for (const WrittenTile& tile : record.tiles)
+void check_report(const outputs::RunRecord& record, const exporters::FileList& list, CheckResults& results) {
+  for (const outputs::WrittenTile& tile : record.tiles)
     results.files.test(is_listed(list, tile.file.name), tile.file.name + " is in report.json, but not in files.json");
-  for (const WrittenTile& tile : record.usd)
+  for (const outputs::WrittenTile& tile : record.usd)
     results.files.test(is_listed(list, tile.file.name), tile.file.name + " is in report.json, but not in files.json");
   if (record.has_manifest) results.files.test(is_listed(list, "scene.kiln"), "scene.kiln is not in files.json");
 }

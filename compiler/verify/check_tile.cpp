@@ -196,14 +196,14 @@ bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t
   outputs.compress = loaded.record.compress;
   const bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(baked, loaded.scene.header, glb_options_of(outputs), kOneThread);
+      exporters::encode_tile(baked, loaded.scene.header, outputs::glb_options_of(outputs), kOneThread);
   if (loaded.record.layout == Layout::kShared)
     return std::ranges::equal(exporters::share_prototypes(encoded.glb).glb, bytes);
   return std::ranges::equal(encoded.glb, bytes);
 }
 
 Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std::size_t level,
-                             const WrittenFile& file) {
+                             const outputs::WrittenFile& file) {
   const LoadedRun& loaded = tile.loaded;
   const std::string path = loaded.folder + "/" + file.name;
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
@@ -223,7 +223,7 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
 
 }  // namespace
 
-Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels) {
+Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels) {
   const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
   if (!recipes) return recipes.error();
   const scene::Chunk& chunk = recipes->chunk;

@@ -9,17 +9,17 @@
 
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/contract/result.h"
+#include "compiler/outputs/run_report.h"
 #include "compiler/scene/scene.h"
 #include "compiler/verify/check_results.h"
 #include "compiler/verify/check_seams.h"
-#include "compiler/verify/run_report.h"
 
 namespace citykiln::verify {
 
 /// The outputs of a run, without the files of its tiles.
 struct LoadedRun {
   std::string folder;
-  RunRecord record;
+  outputs::RunRecord record;
   scene::Scene scene;
   std::shared_ptr<const bake::PrototypeCache> prototypes;
 };
@@ -35,6 +35,6 @@ struct CheckedTile {
 /// @param levels  The files of the tile, sorted by level; not empty.
 /// Errors: a file that cannot be read; a tile that the manifest does not contain. Memory: one level, and the ground of
 /// all levels with its references.
-Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels);
+Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels);
 
 }  // namespace citykiln::verify

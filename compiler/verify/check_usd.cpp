@@ -255,8 +255,8 @@ void test_facts(const Layer& layer, const BakedTile& tile, const scene::Header& 
 
 // Returns the tile of a level: from its .glb, if the run wrote one without compression, else baked again.
 Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
-                                const WrittenTile& level) {
-  const auto glb = std::ranges::find_if(loaded.record.tiles, [&](const WrittenTile& written) {
+                                const outputs::WrittenTile& level) {
+  const auto glb = std::ranges::find_if(loaded.record.tiles, [&](const outputs::WrittenTile& written) {
     return written.tile == level.tile && written.level == level.level;
   });
   if (glb != loaded.record.tiles.end() && loaded.record.compress == Compress::kNone)
@@ -268,7 +268,7 @@ Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& pre
 std::string folder_of_file(const std::string& path) { return fs::path(path).parent_path().string(); }
 
 Result<Done> check_usd_level(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
-                             const WrittenTile& level, CheckResults& results) {
+                             const outputs::WrittenTile& level, CheckResults& results) {
   const std::string path = loaded.folder + "/" + level.file.name, folder = folder_of_file(path);
   const Result<UsdReadLayer> read_layer = read(path);
   if (!read_layer) return read_layer.error();
@@ -287,7 +287,7 @@ Result<Done> check_usd_level(const LoadedRun& loaded, bake::PreparedTile& prepar
 
 // ---- scene and tiles ----
 
-using LevelsByTile = std::map<scene::TileKey, std::vector<WrittenTile>>;
+using LevelsByTile = std::map<scene::TileKey, std::vector<outputs::WrittenTile>>;
 
 // Returns the payloads of a prim as file names of the run.
 std::vector<std::string> payload_names(const UsdReadPrim& prim, const std::string& folder) {
@@ -297,7 +297,7 @@ std::vector<std::string> payload_names(const UsdReadPrim& prim, const std::strin
   return names;
 }
 
-void test_variants(const UsdReadPrim& root, const std::string& name, std::span<const WrittenTile> levels,
+void test_variants(const UsdReadPrim& root, const std::string& name, std::span<const outputs::WrittenTile> levels,
                    CheckResults& results) {
   const auto found = root.variants.find("level");
   const std::vector<UsdReadPrim> variants = found == root.variants.end() ? std::vector<UsdReadPrim>() : found->second;
@@ -315,8 +315,9 @@ void test_variants(const UsdReadPrim& root, const std::string& name, std::span<c
   }
 }
 
-Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name, std::span<const WrittenTile> levels,
-                              const Numbers& place, CheckResults& results) {
+Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name,
+                              std::span<const outputs::WrittenTile> levels, const Numbers& place,
+                              CheckResults& results) {
   const Result<UsdReadLayer> layer = read(loaded.folder + "/" + name);
   if (!layer) return layer.error();
   const UsdReadPrim* root = exporters::prim_at(*layer, "/tile");
@@ -335,7 +336,7 @@ std::string tile_layer_name(scene::TileKey tile) { return fmt::format("usd/tiles
 
 }  // namespace
 
-Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels) {
+Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels) {
   const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
   if (!recipes) return recipes.error();
   CheckResults results;
@@ -351,7 +352,7 @@ Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
   const Result<UsdReadLayer> layer = read(loaded.folder + "/" + name);
   if (!layer) return layer.error();
   LevelsByTile tiles;
-  for (const WrittenTile& level : loaded.record.usd) tiles[level.tile].push_back(level);
+  for (const outputs::WrittenTile& level : loaded.record.usd) tiles[level.tile].push_back(level);
   std::map<std::string, const UsdReadPrim*> by_payload;
   for (const UsdReadPrim& prim : layer->prims)
     for (const std::string& payload : payload_names(prim, "usd")) by_payload[payload] = &prim;

@@ -16,7 +16,7 @@ namespace citykiln::verify {
 /// attribution.
 /// @param levels  The files of the tile, sorted by level; not empty.
 /// Errors: a layer that cannot be read; a tile that the manifest does not contain. Memory: one level.
-Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels);
+Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels);
 
 /// Tests the layers of the scene and of the tiles: one payload per tile and level, placed at the tile's origin, with
 /// bounds, tolerance, errors and attribution; the finest level is the default. Error: a layer that cannot be read.

@@ -410,9 +410,9 @@ Clearances measure_clearances(const scene::Scene& scene, int threads) {
   return sum;
 }
 
-Clearances explained(Clearances clearances, std::span<const Finding> findings) {
-  std::map<std::pair<OsmId, OsmId>, const Finding*> by_pair;
-  for (const Finding& finding : findings) {
+Clearances explained(Clearances clearances, std::span<const outputs::Finding> findings) {
+  std::map<std::pair<OsmId, OsmId>, const outputs::Finding*> by_pair;
+  for (const outputs::Finding& finding : findings) {
     const Diagnosis& d = finding.diagnosis;
     if (d.code == Code::kClearanceNotMet || d.code == Code::kLayersContradict) by_pair[{d.object, d.other}] = &finding;
   }

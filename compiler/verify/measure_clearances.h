@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "compiler/outputs/findings.h"
 #include "compiler/scene/scene.h"
-#include "compiler/verify/findings.h"
 
 namespace citykiln::verify {
 
@@ -48,6 +48,6 @@ Clearances measure_clearances(const scene::Scene& scene, int threads);
 
 /// Adds to each shortfall the tags that findings state for its pair, and moves the shortfalls of pairs with the finding
 /// kLayersContradict to the contradictions. O(n log n).
-Clearances explained(Clearances clearances, std::span<const Finding> findings);
+Clearances explained(Clearances clearances, std::span<const outputs::Finding> findings);
 
 }  // namespace citykiln::verify

@@ -19,6 +19,6 @@ struct RecipesOfTile {
 /// expected ground.
 /// @param levels  The files of one tile, sorted by level; not empty.
 /// Errors: a tile that the manifest does not contain.
-Result<RecipesOfTile> prepare_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels);
+Result<RecipesOfTile> prepare_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels);
 
 }  // namespace citykiln::verify

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "compiler/outputs/findings.h"
 #include "compiler/verify/check_results.h"
-#include "compiler/verify/findings.h"
 #include "compiler/verify/measure_earthworks.h"
 
 namespace citykiln::verify {
@@ -37,6 +37,7 @@ struct PlacesOfKind {
 /// O(n log n).
 /// @param most  The largest number of places per kind. > 0.
 std::vector<PlacesOfKind> worst_places(const CheckResults& results, std::span<const Earthwork> earthworks,
-                                       std::span<const Finding> findings, const map::Plane& plane, std::size_t most);
+                                       std::span<const outputs::Finding> findings, const map::Plane& plane,
+                                       std::size_t most);
 
 }  // namespace citykiln::verify

@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "compiler/bake/bake_surroundings.h"
+#include "compiler/bake/far/bake_surroundings.h"
 #include "exporters/file.h"
 #include "exporters/gltf/compress_glb.h"
 #include "exporters/gltf/encode_lights.h"

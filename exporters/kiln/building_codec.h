@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "compiler/buildings/recipe.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "exporters/kiln/field_codecs.h"
 
 namespace citykiln::exporters {

@@ -11,7 +11,7 @@
 
 #include "compiler/buildings/style.h"
 #include "compiler/contract/for_each_slot.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/locate.h"
 #include "compiler/sky/air_settings.h"
 #include "exporters/content_hash.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 #include "exporters/tiles3d/oriented_box.h"
 
 namespace citykiln::exporters {

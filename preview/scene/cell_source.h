@@ -8,7 +8,7 @@
 #include <mutex>
 #include <vector>
 
-#include "compiler/bake/bake_cell.h"
+#include "compiler/bake/cells/bake_cell.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::preview {

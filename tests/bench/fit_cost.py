@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the model of compiler/commands/expected_cost.cpp to runs that measure_cost.py measured. By hand:
+"""Fits the model of compiler/commands/plan/expected_cost.cpp to runs that measure_cost.py measured. By hand:
 
     tests/bench/fit_cost.py FITTED.jsonl… [--check HELD_OUT.jsonl…]
 

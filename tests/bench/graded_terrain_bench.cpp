@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "compiler/contract/draw.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/map/locate.h"

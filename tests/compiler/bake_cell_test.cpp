@@ -1,4 +1,4 @@
-#include "compiler/bake/bake_cell.h"
+#include "compiler/bake/cells/bake_cell.h"
 
 #include <gtest/gtest.h>
 

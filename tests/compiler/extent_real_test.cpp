@@ -3,7 +3,7 @@
 #include <map>
 
 #include "compiler/bake/bake.h"
-#include "compiler/bake/ground_beyond.h"
+#include "compiler/bake/ground/ground_beyond.h"
 #include "tests/compiler/real_scenes.h"
 #include "tests/test_files.h"
 

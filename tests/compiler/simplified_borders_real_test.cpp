@@ -3,7 +3,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "compiler/ground/cover/merge_slivers.h"
 #include "compiler/pipeline.h"
 #include "compiler/scene/land_cover.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::exporters {

@@ -20,7 +20,7 @@ double area_of_steps_m2(std::int64_t twice_steps) {
   return static_cast<double>(twice_steps) / 2 * kQuantum_m * kQuantum_m;
 }
 
-// Regions while some are merged into others.
+// The land cover faces (Region) while some are merged into others. Comments here call the faces of the net triangles.
 struct MergingRegions {
   const Delaunay& net;
   std::span<const std::uint32_t> of_face;
@@ -37,7 +37,7 @@ Delaunay triangulate_borders(std::span<const Border> borders) {
   return Delaunay(vertices, edges);
 }
 
-// Returns the polygon on the face's side of its edge i.
+// Returns the polygon on the triangle's side of its edge i.
 std::uint32_t surface_by(std::span<const Border> borders, const Delaunay& net, std::uint32_t face, int i) {
   const auto [from, to] = edge_of(net, face, i);
   const Border key{std::min(from, to), std::max(from, to)};
@@ -45,7 +45,7 @@ std::uint32_t surface_by(std::span<const Border> borders, const Delaunay& net, s
   return from < to ? border->left : border->right;
 }
 
-// Flood-fills a region from one of its faces.
+// Flood-fills a land cover face from one of its triangles.
 Region region_from(Regions& all, std::span<const Border> borders, std::uint32_t start) {
   const auto number = static_cast<std::uint32_t>(all.regions.size());
   Region region;
@@ -77,13 +77,13 @@ std::uint32_t merged_region_of(const MergingRegions& all, std::uint32_t region) 
   return region;
 }
 
-// Returns whether edge i of a face bounds the region the face belongs to now.
+// Returns whether edge i of a triangle bounds the land cover face to which the triangle belongs now.
 bool is_border(const MergingRegions& all, const DelaunayFace& face, std::uint32_t region, int i) {
   if (!face.is_constrained[i]) return false;
   return face.neighbours[i] == kNoFace || merged_region_of(all, all.of_face[face.neighbours[i]]) != region;
 }
 
-// A piece of a region's border, listed under each of its ends.
+// A piece of a face's border, listed under each of its ends.
 struct BorderEnd {
   std::uint32_t vertex, other;
   auto operator<=>(const BorderEnd&) const = default;
@@ -136,7 +136,7 @@ double distance_bound_m(std::span<const Piece> pieces, const std::array<Vec2, 3>
   return std::max(one_m, distance_bound_m(pieces, {tip, middle, v}, enough_m, halvings - 1));
 }
 
-// Returns a face and up to `count` faces about it, breadth first, within one region.
+// Returns a triangle and up to `count` triangles about it, breadth first, within one land cover face.
 std::vector<std::uint32_t> faces_about(const MergingRegions& all, std::uint32_t region, std::uint32_t face,
                                        std::size_t count) {
   std::vector<std::uint32_t> about = {face};
@@ -151,7 +151,7 @@ std::vector<std::uint32_t> faces_about(const MergingRegions& all, std::uint32_t 
   return about;
 }
 
-// Returns the border's pieces at the corners of some faces: in a strip, those of both sides.
+// Returns the border's pieces at the corners of some triangles: in a strip, those of both sides.
 std::vector<Piece> pieces_at(const MergingRegions& all, std::span<const BorderEnd> border,
                              std::span<const std::uint32_t> faces) {
   std::vector<Piece> pieces;
@@ -164,7 +164,7 @@ std::vector<Piece> pieces_at(const MergingRegions& all, std::span<const BorderEn
   return pieces;
 }
 
-// Limits of the proof that a triangle is thin: how often it is halved, and how many faces about it are searched.
+// Limits of the proof that a triangle is thin: how often it is halved, and how many triangles about it are searched.
 constexpr int kHalvings = 12;
 constexpr std::size_t kFacesAbout = 24;
 
@@ -179,8 +179,8 @@ double face_bound_m(const MergingRegions& all, std::span<const BorderEnd> border
                           kHalvings);
 }
 
-// Returns a bound for the largest distance of a region's points to its border; any value above `enough_m` where it is
-// no sliver.
+// Returns a bound for the largest distance of a face's points to its border; any value above `enough_m` if it is no
+// sliver.
 double region_bound_m(const MergingRegions& all, std::uint32_t region, double enough_m) {
   const std::vector<BorderEnd> border = border_of(all, region);
   double perimeter_m = 0;
@@ -197,13 +197,13 @@ double region_bound_m(const MergingRegions& all, std::uint32_t region, double en
   return reach_m;
 }
 
-// A piece of border, and the region beyond it.
+// A piece of border, and the face beyond it.
 struct Shared {
   std::uint32_t region;
   double length_m;
 };
 
-// Returns the neighbour with the longest common border; the region itself if there is none.
+// Returns the neighbour with the longest common border; the face itself if there is none.
 std::uint32_t closest_neighbour(const MergingRegions& all, std::uint32_t region) {
   std::vector<Shared> shared;
   for (const std::uint32_t f : all.regions[region].faces)

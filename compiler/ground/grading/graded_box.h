@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "compiler/geometry/box.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 

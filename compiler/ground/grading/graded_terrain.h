@@ -25,7 +25,7 @@
 #include "compiler/ground/height_layer.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/ground/water/water_height.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "compiler/geometry/vec.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 

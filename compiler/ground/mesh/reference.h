@@ -11,7 +11,7 @@
 #include "compiler/geometry/point_buckets.h"
 #include "compiler/ground/height_layer.h"
 #include "compiler/ground/mesh/height_error.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "compiler/ground/recipe.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::ground {

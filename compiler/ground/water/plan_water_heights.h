@@ -6,7 +6,7 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/ground/recipe.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::ground {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/ground/water/standing_water.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::ground {

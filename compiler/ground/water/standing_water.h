@@ -8,7 +8,7 @@
 #include "compiler/contract/report.h"
 #include "compiler/ground/cover/shared_borders.h"
 #include "compiler/ground/recipe.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 

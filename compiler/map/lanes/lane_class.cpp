@@ -4,8 +4,8 @@
 #include <cassert>
 
 #include "compiler/map/land_cover_class.h"
+#include "compiler/map/lanes/track_rules.h"
 #include "compiler/map/tag_values.h"
-#include "compiler/map/track_rules.h"
 
 namespace citykiln::map {
 namespace {

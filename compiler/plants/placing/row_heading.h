@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "compiler/ground/recipe.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::plants {
 

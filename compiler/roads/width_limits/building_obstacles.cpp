@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::roads {
 namespace {

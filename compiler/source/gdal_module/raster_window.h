@@ -17,7 +17,8 @@ struct PixelWindow {
 /// Errors: a reference system that cannot be converted, a grid that cannot be inverted.
 Result<PixelWindow> window_of(const Raster& raster, const LonLatBox& box);
 
-/// Selects every n-th sample of a window, with the largest n whose samples are not farther apart than `spacing_m`; at least 1.
+/// Selects every n-th sample of a window, with the largest n whose samples are not farther apart than `spacing_m`; at
+/// least 1.
 /// @param raster  Its spacing_m is used.
 PixelWindow thinned(PixelWindow window, const Raster& raster, double spacing_m);
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "tests/compiler/bake/made_border_map.h"
 
 namespace citykiln::bake {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "compiler/contract/report.h"
-#include "compiler/map/lonlat_box.h"
+#include "compiler/map/plane/lonlat_box.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/surroundings/curvature.h"
 #include "compiler/surroundings/grid_lines.h"

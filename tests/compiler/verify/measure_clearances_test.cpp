@@ -58,7 +58,7 @@ TEST(MeasureClearances, FindTheShortfallOfABridgeOverARoad) {
 TEST(MeasureClearances, CountContradictionsOfTheMapApart) {
   const OsmId bridge{OsmType::kWay, 2}, street{OsmType::kWay, 1}, other{OsmType::kWay, 3};
   Clearances measured{2, {{4, bridge, street, {}}, {3, bridge, other, {}}}, {}};
-  const std::vector<Finding> findings = {
+  const std::vector<outputs::Finding> findings = {
       {{Code::kLayersContradict, bridge, 4, {}, street}, {}, {}, {}, "w2: bridge=yes; w1: layer=1"},
       {{Code::kClearanceNotMet, bridge, 3, {}, other}, {}, {}, {}, "w2: bridge=yes; w3: no tags of height"}};
   const Clearances c = explained(measured, findings);

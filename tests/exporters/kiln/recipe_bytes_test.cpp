@@ -10,7 +10,7 @@
 #include "compiler/buildings/rule_attributes.h"
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "exporters/kiln/manifest.h"
 #include "grammars/derivation/derive.h"
 #include "grammars/derivation/form_roofs.h"

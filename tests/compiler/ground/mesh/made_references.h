@@ -8,7 +8,7 @@
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/arrangement.h"
 #include "compiler/ground/mesh/reference.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 

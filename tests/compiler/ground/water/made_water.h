@@ -8,7 +8,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/recipe.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::ground {

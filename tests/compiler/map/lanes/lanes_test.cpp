@@ -587,7 +587,7 @@ TEST(Lanes, WithoutTagsOfLanesTheWholeIsAsWideAsTheTrack) {
     int lanes;
   } classes[] = {
 #define TRACK(key, value, surface, width_m, lanes) {key, value, lanes},
-#include "compiler/map/track_rules.inc"
+#include "compiler/map/lanes/track_rules.inc"
 #undef TRACK
   };
   for (const auto& row : classes)

@@ -1,0 +1,25 @@
+// Joins several baked tiles of one tolerance to one tile, so that a whole map is in one file.
+#pragma once
+
+#include <span>
+
+#include "compiler/bake/baked_tile.h"
+#include "compiler/contract/result.h"
+
+namespace citykiln::bake {
+
+/// How tiles that extend over more than 16 km are treated, where multiples of 2^-10 m are no longer exact in single
+/// precision.
+enum class JoinPrecision {
+  kExact,   ///< They are an error.
+  kRounded  ///< Positions are rounded, by up to 2^-24 of their distance from the origin; error_m grows by that.
+};
+
+/// Joins tiles. Guarantees: triangles and instances keep their places. There is one primitive per key. Each part shows
+/// the texels of its own tile's atlases, which are joined (join_marking_atlases.h, join_facade_atlases.h). The error is
+/// the largest of all.
+/// @param tiles  At least one. The joined tile has the name of the first; its origin is the lowest corner of all.
+/// Errors: tiles over more than 16 km unless rounding is allowed; marking atlases that cannot be joined. O(vertices).
+Result<BakedTile> join_tiles(std::span<const BakedTile> tiles, JoinPrecision precision = JoinPrecision::kExact);
+
+}  // namespace citykiln::bake

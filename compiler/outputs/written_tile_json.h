@@ -1,0 +1,14 @@
+// Writes and reads the entry of a tile in report.json and in the journal of a run.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "compiler/outputs/run_report.h"
+
+namespace citykiln::outputs {
+
+nlohmann::ordered_json json_of(const WrittenTile& tile);
+/// Reads the output of json_of(). Throws an exception of the JSON library if it is malformed.
+WrittenTile written_tile(const nlohmann::ordered_json& json);
+
+}  // namespace citykiln::outputs
