@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "compiler/bake/bake.h"
+#include "compiler/bake_scene.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/bake_scene.h"
 #include "exporters/gltf/glb.h"
 #include "preview/camera/cell_view.h"
 #include "preview/render.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/bake_scene.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
-#include "compiler/bake_scene.h"
 #include "preview/picture/denoise.h"
 #include "preview/render.h"
 
