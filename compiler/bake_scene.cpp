@@ -45,10 +45,10 @@ struct TileInFlight {
 
 }  // namespace
 
-Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
+Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> tolerances_m, int threads, Report& report,
                         const OnProgress& on_progress, const TileHandlers& handlers, std::size_t most_instances) {
-  assert(!ladder_m.empty() && ladder_m.front() > 0 && std::ranges::is_sorted(ladder_m));
-  const std::vector<BakeStep> steps = bake_steps(scene, ladder_m.size(), handlers.exists);
+  assert(!tolerances_m.empty() && tolerances_m.front() > 0 && std::ranges::is_sorted(tolerances_m));
+  const std::vector<BakeStep> steps = bake_steps(scene, tolerances_m.size(), handlers.exists);
   std::vector<Report> reports(steps.size());
   std::vector<TileInFlight> in_flight(scene.chunks.size());
   Result<Done> done = Done{};
@@ -59,7 +59,7 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
     // the first thread that needs the tile prepares it; other threads join that work
     tile.once.call([&] {
       tile.prepared =
-          bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, threads, prototypes, most_instances);
+          bake::prepare(scene.header, scene.chunks[steps[i].tile], tolerances_m, threads, prototypes, most_instances);
     });
     if (!steps[i].level) return;
     const ChunkLevel at{steps[i].tile, *steps[i].level};
@@ -67,7 +67,7 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
   };
   const auto hand_on = [&](std::size_t i) {
     if (!steps[i].level) return true;
-    if (*steps[i].level + 1 == ladder_m.size()) in_flight[steps[i].tile].prepared.reset();
+    if (*steps[i].level + 1 == tolerances_m.size()) in_flight[steps[i].tile].prepared.reset();
     const Report diagnosed = std::exchange(reports[i], {});
     report.append(diagnosed);
     done = handlers.take({steps[i].tile, *steps[i].level}, diagnosed);
@@ -78,11 +78,11 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladde
   return done;
 }
 
-Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
+Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> tolerances_m, int threads, Report& report,
                         const OnProgress& on_progress, const OnBakedTile& take, std::size_t most_instances) {
-  std::vector<std::optional<bake::BakedTile>> slots(scene.chunks.size() * ladder_m.size());
-  const auto slot = [&](ChunkLevel at) -> auto& { return slots[at.chunk * ladder_m.size() + at.level]; };
-  return bake_scene(scene, ladder_m, threads, report, on_progress,
+  std::vector<std::optional<bake::BakedTile>> slots(scene.chunks.size() * tolerances_m.size());
+  const auto slot = [&](ChunkLevel at) -> auto& { return slots[at.chunk * tolerances_m.size() + at.level]; };
+  return bake_scene(scene, tolerances_m, threads, report, on_progress,
                     {.exists = [](ChunkLevel) { return false; },
                      .process = [&](ChunkLevel at, bake::BakedTile&& tile) { slot(at) = std::move(tile); },
                      .take =

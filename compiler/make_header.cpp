@@ -28,14 +28,14 @@ constexpr std::string_view kOsmCredit = "© OpenStreetMap contributors";
 
 /// The land around the region, where the heightmaps cover it.
 Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
-                                                     const scene::Recipes& recipes, const Box2& region) {
-  const source::LonLatBox window = map::lonlat_box_of(region.widened(surroundings::kReach_m), plane);
+                                                     const scene::Recipes& recipes, const Box2& extent) {
+  const source::LonLatBox window = map::lonlat_box_of(extent.widened(surroundings::kReach_m), plane);
   Report repeated;  // discarded: diagnosed for the region already, or lies beyond it
   const Result<std::vector<source::Raster>> rasters =
       source::read_heightmaps(spec.rasters, &window, repeated, surroundings::kSampleSpacing_m);
   if (!rasters) return rasters.error();
   const auto is_sea = [](const ground::LandCoverPolygon& cover) { return cover.surface == map::LandCoverClass::kSea; };
-  surroundings::Place place{.region = region, .tile_m = spec.tile_m};
+  surroundings::Place place{.extent = extent, .tile_m = spec.tile_m};
   std::ranges::copy_if(recipes.surfaces, std::back_inserter(place.sea), is_sea);
   return surroundings::plan(*rasters, plane, place);
 }
@@ -63,10 +63,10 @@ double mean_height_m(const map::Heightfield& heights) {
 
 }  // namespace
 
-Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
                                   const scene::Recipes& recipes) {
   const map::Heightfield& heights = recipes.heights;
-  Result<surroundings::Surroundings> around = plan_surroundings(spec, plane, recipes, region);
+  Result<surroundings::Surroundings> around = plan_surroundings(spec, plane, recipes, extent);
   if (!around) return around.error();
   Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
   if (!sky) return sky.error();
@@ -78,7 +78,7 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
     sky->clouds = std::move(*clouds);
   }
   scene::Header header{.origin = plane.origin(),
-                       .region = region,
+                       .extent = extent,
                        .tile_m = spec.tile_m,
                        .seed = spec.seed,
                        .resampling_error_m = heights.resampling_error_m,

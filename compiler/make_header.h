@@ -16,7 +16,7 @@ namespace citykiln {
 /// The properties of the whole scene, without rules and species.
 /// @param recipes  Its heights and land cover are used: the land around the extent goes on from them.
 /// Errors: heightmaps or cloud files that cannot be read, a time without a sky, tiles in spec.only that the map lacks.
-Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
                                   const scene::Recipes& recipes);
 
 /// Returns the rule files for the styles of the buildings. A file in the spec's folder replaces the shipped file of its

@@ -45,7 +45,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // resample the heightmaps
   timer.enter("terrain heights");
-  Result<map::Heightfield> heights = survey ? survey->heights : read_heights(spec, plane, features.region, report);
+  Result<map::Heightfield> heights = survey ? survey->heights : read_heights(spec, plane, features.extent, report);
   if (!heights) return heights.error();
   recipes.heights = std::move(*heights);
 
@@ -70,10 +70,10 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   timer.enter("bridges and tunnels");
   recipes.structures = structures::plan(features, profiles.off_ground, recipes.heights, report);
   recipes.structures.bridges = structures::find_parapet_gaps(std::move(recipes.structures.bridges));
-  const ground::GradedTerrain graded = grade_whole_map(recipes, features.region);
+  const ground::GradedTerrain graded = grade_whole_map(recipes, features.extent);
   recipes.structures.bridges =
       structures::place_piers(std::move(recipes.structures.bridges), graded, pier_obstacles(recipes, features), report);
-  recipes.structures = structures::within_extent(std::move(recipes.structures), features.region, report);
+  recipes.structures = structures::within_extent(std::move(recipes.structures), features.extent, report);
   timer.enter("buildings");
   recipes.buildings = buildings::plan(features, graded, report);
   timer.enter("plants");
@@ -83,7 +83,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // plan the land around the extent, describe the sky and the sources
   timer.enter("surroundings");
-  Result<scene::Header> header = survey ? survey->header : make_header(spec, plane, features.region, recipes);
+  Result<scene::Header> header = survey ? survey->header : make_header(spec, plane, features.extent, recipes);
   if (!header) return header.error();
 
   // sort all recipes into tiles

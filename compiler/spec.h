@@ -56,8 +56,8 @@ struct Outputs {
   std::size_t lights = 0;  ///< The number of street lamps per tile, brightest first, that are lights in .glb and USD.
   /// If one is set, each tile has one level: the finest of a fixed sequence of tolerances that is within these limits.
   std::optional<std::uint64_t> max_bytes, max_triangles;
-  std::vector<double> ladder_m{kDefaultLevels_m.begin(),
-                               kDefaultLevels_m.end()};  ///< The tolerance of each level, increasing.
+  std::vector<double> tolerances_m{kDefaultLevels_m.begin(),
+                                   kDefaultLevels_m.end()};  ///< The tolerance of each level, increasing.
 };
 
 /// Decides whether a run ends with exit code 2.

@@ -32,7 +32,7 @@ Result<LocatedWaters> locate_waters(const CompileSpec& spec, const std::string& 
 
 /// The waters of an extract without heights, and the places of its elements.
 struct DryWaters {
-  Box2 region;
+  Box2 extent;
   ground::Waters waters;
   std::vector<Polyline> covered;  ///< Waterways in culverts and on aqueducts.
   map::Places places;
@@ -46,7 +46,7 @@ Result<DryWaters> read_dry_waters(const CompileSpec& spec, const std::string& ex
   give_back_memory();
   Report repeated;
   const map::Features& features = located->features;
-  return DryWaters{features.region, plan_dry_waters(features, repeated), ground::covered_waterways(features),
+  return DryWaters{features.extent, plan_dry_waters(features, repeated), ground::covered_waterways(features),
                    std::move(located->places)};
 }
 
@@ -78,13 +78,13 @@ Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const
   if (!dry) return dry.error();
   give_back_memory();
   scene::Recipes recipes;
-  Result<map::Heightfield> heights = read_heights(spec, plane, dry->region, report);
+  Result<map::Heightfield> heights = read_heights(spec, plane, dry->extent, report);
   if (!heights) return heights.error();
   recipes.heights = std::move(*heights);
   ground::Waters waters = ground::plan_water_heights(std::move(dry->waters.surfaces), std::move(dry->waters.streams),
                                                      dry->covered, recipes.heights, report);
   recipes.surfaces = std::move(waters.surfaces);
-  Result<scene::Header> header = make_header(spec, plane, dry->region, recipes);
+  Result<scene::Header> header = make_header(spec, plane, dry->extent, recipes);
   if (!header) return header.error();
   timer.finish();
   return Survey{extent,

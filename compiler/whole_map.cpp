@@ -40,13 +40,13 @@ Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, cons
   return box;
 }
 
-Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
                                       Report& report) {
   if (spec.rasters.empty()) report.add(Code::kNoHeightmap, {});
-  const source::LonLatBox window = map::lonlat_box_of(region, plane);
+  const source::LonLatBox window = map::lonlat_box_of(extent, plane);
   const Result<std::vector<source::Raster>> rasters = source::read_heightmaps(spec.rasters, &window, report);
   if (!rasters) return rasters.error();
-  return map::resample(*rasters, plane, region, report);
+  return map::resample(*rasters, plane, extent, report);
 }
 
 ground::Waters plan_dry_waters(const map::Features& features, Report& report) {
@@ -60,14 +60,14 @@ ground::Waters plan_waters(ground::Waters dry, const map::Features& features, co
                                     ground::covered_waterways(features), heights, report);
 }
 
-ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region) {
+ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& extent) {
   // slopes start at the outlines of junctions, as in tiles, so those of roads are needed too
   const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(cover_recipes_of(recipes));
   return ground::grade_terrain<structures::Span>(recipes.heights,
                                                  {.roads = recipes.roads,
                                                   .streams = recipes.watercourses,
                                                   .surfaces = surfaces,
-                                                  .box = ground::graded_box(region, recipes.heights),
+                                                  .box = ground::graded_box(extent, recipes.heights),
                                                   .has_kerbs = false},
                                                  recipes.structures.bridges, recipes.structures.tunnels);
 }

@@ -26,7 +26,7 @@ bool is_empty(const map::Features& features);
 Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm, Report& report);
 
 /// Returns the heights of the region. Error: heightmaps are given, but none covers any part of the region.
-Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
                                       Report& report);
 
 /// Returns areas and watercourses without heights.
@@ -38,7 +38,7 @@ ground::Waters plan_waters(ground::Waters dry, const map::Features& features, co
                            Report& report);
 
 /// The graded terrain of the whole map, without the rounded street corners, which are made only when baking.
-ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region);
+ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& extent);
 
 /// The land cover of the whole map, in which piers look for free ground. It includes the footprints of building parts.
 std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features);

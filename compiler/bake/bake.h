@@ -28,11 +28,12 @@ namespace citykiln::bake {
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report,
                std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
-/// Bakes all levels of a tile, one for each tolerance in `ladder_m`, in this order. Data that levels share is made
+/// Bakes all levels of a tile, one for each tolerance in `tolerances_m`, in this order. Data that levels share is made
 /// once. The report gets the levels one after another. Memory: all levels at once, which prepare() and bake_prepared()
 /// avoid.
-std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
-                            int threads, Report& report, std::shared_ptr<const PrototypeCache> prototypes = nullptr);
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk,
+                            std::span<const double> tolerances_m, int threads, Report& report,
+                            std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
 /// The value of most_instances for no limit. If a tile has more instances than most_instances, many of its plants
 /// become meshes (stands.h).
@@ -42,13 +43,13 @@ inline constexpr std::size_t kAnyInstances = std::numeric_limits<std::size_t>::m
 struct PreparedTile;
 /// Prepares a tile for bake_prepared().
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
-                                      std::span<const double> ladder_m, int threads,
+                                      std::span<const double> tolerances_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes = nullptr,
                                       std::size_t most_instances = kAnyInstances);
 
 /// Prepares a tile like prepare(), and keeps the reference triangulations for expected_ground_of().
 std::shared_ptr<PreparedTile> prepare_for_check(const scene::Header& header, const scene::Chunk& chunk,
-                                                std::span<const double> ladder_m, int threads,
+                                                std::span<const double> tolerances_m, int threads,
                                                 std::shared_ptr<const PrototypeCache> prototypes = nullptr,
                                                 std::size_t most_instances = kAnyInstances);
 

@@ -81,7 +81,7 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   bake_each(
       baking, Layer::kProps, bands_of(baking), "barrier", report,
       [&](const auto& b) { return bounds_of(b, baking.chunk.heights); },
-      [&](const auto& b) { return generate_within(b, graded, tolerance_m, baking.header.region); });
+      [&](const auto& b) { return generate_within(b, graded, tolerance_m, baking.header.extent); });
   report.append(shared.tree_report);
   bake_tree_pits(baking, shared);
   Placed placed = placed_in(baking, shared);

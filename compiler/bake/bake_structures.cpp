@@ -41,7 +41,7 @@ void generate_spans(const Baking& baking, const std::vector<structures::Span>& s
     ++account.in;
     structures::GeneratedStructure generated = generate(span, baking.tolerance_m);
     const bool is_too_small = has_no_triangles(generated);
-    clip_structure(generated, span.id.osm, baking.header.region, body);
+    clip_structure(generated, span.id.osm, baking.header.extent, body);
     if (has_no_triangles(generated)) {
       report.drop(account, is_too_small ? Code::kBelowTolerance : Code::kOutsideBounds, span.id.osm, 0);
       continue;

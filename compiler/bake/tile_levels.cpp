@@ -112,12 +112,12 @@ void generate_beyond(TileLevel& level, const Box2& box, int threads) {
 }  // namespace
 
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
-                                 std::span<const double> ladder_m, int threads, KeptReferences kept) {
+                                 std::span<const double> tolerances_m, int threads, KeptReferences kept) {
   const Box2 box = scene::box_of(header, chunk.tile);
-  SharedParts shared{header, chunk, ladder_m};
+  SharedParts shared{header, chunk, tolerances_m};
   std::vector<TileLevel> levels;
   std::size_t canopies = 0;
-  for (const double tolerance_m : ladder_m) {
+  for (const double tolerance_m : tolerances_m) {
     assert(tolerance_m > 0);
     TileLevel& level = levels.emplace_back(TileLevel{tolerance_m, shared.at(tolerance_m)});
     level.cover = std::make_shared<scene::LandCover>(scene::land_cover_of(header, chunk, tolerance_m)),

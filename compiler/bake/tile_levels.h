@@ -61,7 +61,7 @@ enum class KeptReferences { kNone, kAll };
 
 /// Returns the levels of a whole tile, without buildings. Cost: generating the ground.
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
-                                 std::span<const double> ladder_m, int threads, KeptReferences kept);
+                                 std::span<const double> tolerances_m, int threads, KeptReferences kept);
 
 /// Returns a level for each part of a tile for a view, with shared data and land cover, but without ground.
 /// @param parts  Result of levels_of_parts().

@@ -71,7 +71,7 @@ struct ViewLevels {
   static constexpr int kNoLevel = std::numeric_limits<int>::max();
 
   View view;
-  Box2 region;  ///< The extent of the scene.
+  Box2 extent;  ///< The extent of the scene.
   int columns = 0, rows = 0;
   std::vector<int> cells{};  ///< Level of each cell of the extent, by column, then row; kNoLevel if no tile covers it.
   int finest = kNoLevel;     ///< The smallest of these.

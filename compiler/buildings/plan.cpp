@@ -299,8 +299,8 @@ Site site_of(const map::Features& features, const ground::GradedTerrain& ground,
 }
 
 // A building belongs to the extent by its centroid, and all parts of an outline with it.
-bool is_in_region(std::size_t i, const Site& site, const Box2& region) {
-  return region.contains(centroid(site.footprints[root_of(i, site.outlines)].polygon));
+bool is_in_region(std::size_t i, const Site& site, const Box2& extent) {
+  return extent.contains(centroid(site.footprints[root_of(i, site.outlines)].polygon));
 }
 
 }  // namespace
@@ -315,7 +315,7 @@ std::vector<Building> plan(const map::Features& features, const ground::GradedTe
     account.in += counts;
     if (footprint.polygon.outer.size() < 3) {
       report.drop(account, Code::kDegenerateRing, footprint.id.osm);
-    } else if (!is_in_region(i, site, features.region)) {
+    } else if (!is_in_region(i, site, features.extent)) {
       report.drop(account, Code::kOutsideBounds, footprint.id.osm);
     } else if (footprint.has_parts) {
       account.merged += counts;

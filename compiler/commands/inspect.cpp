@@ -54,7 +54,7 @@ OrderedJson describe(const scene::Scene& scene) {
   OrderedJson json = {
       {"form", "manifest"},
       {"origin_lonlat_deg", {header.origin.lon_deg, header.origin.lat_deg}},
-      {"region_m", {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y}},
+      {"region_m", {header.extent.min.x, header.extent.min.y, header.extent.max.x, header.extent.max.y}},
       {"tile_m", header.tile_m},
       {"seed", header.seed},
       {"resampling_error_m", header.resampling_error_m},

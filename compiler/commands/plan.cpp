@@ -91,7 +91,7 @@ void describe_regions(const regions::CutFiles& files, const map::Heightfield& he
                          .file = files.regions[i],
                          .terrain_vertices = vertices_near(heights, plan.grid, keys[i]),
                          .expected = {}};
-    region.expected = expected_cost(region, plan.grid.tile_m, spec.outputs.ladder_m);
+    region.expected = expected_cost(region, plan.grid.tile_m, spec.outputs.tolerances_m);
     plan.regions.push_back(region);
   }
   plan.elements = files.report;

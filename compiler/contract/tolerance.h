@@ -7,7 +7,7 @@ namespace citykiln {
 
 /// Tolerances in metres, finest first. The finest stands for the full shape. The levels of a compile are
 /// kDefaultLevels_m (spec.h).
-inline constexpr std::array kDefaultLadder_m = {0.02, 0.1, 0.5, 2.5, 12.5};
+inline constexpr std::array kFinestTolerances_m = {0.02, 0.1, 0.5, 2.5, 12.5};
 
 /// The largest tolerance of a level, in metres. Beyond it nothing of a city is left but the ground.
 inline constexpr double kCoarsest_m = 100;

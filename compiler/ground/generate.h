@@ -34,7 +34,7 @@ namespace citykiln::ground {
 /// The data of a cell that do not depend on the tolerance.
 struct PreparedCell {
   std::vector<FaceHeight> heights;           ///< One per land cover polygon.
-  Regions between_borders;                   ///< The faces between visible borders.
+  CoverFaces faces_between_borders;          ///< The faces between visible borders.
   std::vector<CellBorderPiece> cell_border;  ///< Pieces of the cell's border along which visible borders run.
   Reference reference;                       ///< The triangulation against which heights are measured.
 };

@@ -166,7 +166,7 @@ struct PowerLine {
 
 /// All features, each vector sorted by id, all coordinates snapped to kMapStep_m.
 struct Features {
-  Box2 region;  ///< The extent of the compile: the cells of 128 m that contain the requested box.
+  Box2 extent;  ///< The extent of the compile: the cells of 128 m that contain the requested box.
   std::vector<Track> tracks;
   std::vector<Footprint> footprints;
   std::vector<AreaFeature> areas;  ///< Includes the sea, closed around the extent.

@@ -29,11 +29,11 @@ Box2 region_of(const Plane& plane, const LonLatBox& box) {
          {LonLat{lon, box.south}, LonLat{lon, box.north}, LonLat{box.west, lat}, LonLat{box.east, lat}})
       around.grow(plane.forward(p));
   }
-  Box2 region{{to_cell_down(around.min.x), to_cell_down(around.min.y)},
+  Box2 extent{{to_cell_down(around.min.x), to_cell_down(around.min.y)},
               {to_cell_up(around.max.x), to_cell_up(around.max.y)}};
-  if (region.width() == 0) region.max.x += kCell_m;
-  if (region.height() == 0) region.max.y += kCell_m;
-  return region;
+  if (extent.width() == 0) extent.max.x += kCell_m;
+  if (extent.height() == 0) extent.max.y += kCell_m;
+  return extent;
 }
 
 LonLatBox choose_box(const source::OsmData& osm, const Options& options) {
@@ -50,7 +50,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   assert(box.west <= box.east && box.south <= box.north);
   const ReadContext context{osm, plane, region_of(plane, box), report};
   Features features;
-  features.region = context.region;
+  features.extent = context.extent;
   features.tracks = with_assumed_layers(locate_tracks(context, options.driving_side));
   features.footprints = locate_footprints(context);
   features.areas = locate_areas(context);

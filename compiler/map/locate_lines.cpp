@@ -129,7 +129,7 @@ std::vector<PointFeature> locate_points(const ReadContext& context) {
     const OsmId id{OsmType::kNode, node.id};
     account.in += context.report.counts(id);
     const Vec2 at = context.plane.snapped_forward(node.at);
-    if (!context.region.contains(at)) {
+    if (!context.extent.contains(at)) {
       context.report.drop(account, Code::kOutsideBounds, id);
       continue;
     }

@@ -16,7 +16,7 @@ namespace citykiln::map {
 struct ReadContext {
   const source::OsmData& osm;
   const Plane& plane;
-  Box2 region;
+  Box2 extent;
   Report& report;
 
   std::string_view tag(source::Range tags, std::string_view key) const { return osm.value_of(tags, key); }
@@ -48,7 +48,7 @@ void for_each_near_polygon(const ReadContext& context, OsmId id, const std::vect
   const bool counts = context.report.counts(id);
   account.split += counts ? polygons.size() - 1 : 0;
   for (const LocatedPolygon& polygon : polygons) {
-    if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.region)) {
+    if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.extent)) {
       context.report.drop(account, Code::kOutsideBounds, id);
       continue;
     }

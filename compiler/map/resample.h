@@ -20,7 +20,7 @@ namespace citykiln::map {
 /// @param rasters  Without voids (source::fill_voids()). The first raster that covers a place counts. Elsewhere
 ///                 source::fill_uncovered() takes the nearest height, diagnosed kNoHeight.
 /// Errors: no raster covers any vertex, or a raster's reference system is unknown.
-Result<Heightfield> resample(std::span<const source::Raster> rasters, const Plane& plane, const Box2& region,
+Result<Heightfield> resample(std::span<const source::Raster> rasters, const Plane& plane, const Box2& extent,
                              Report& report);
 
 }  // namespace citykiln::map

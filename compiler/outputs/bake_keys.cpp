@@ -17,12 +17,12 @@ namespace {
 /// compile until it is added here.
 std::string settings_of(const Outputs& outputs) {
   const auto& [folder, manifest, glb, usd, tiles3d, surroundings, geoid, target, split, compress, layout, lights,
-               max_bytes, max_triangles, ladder_m] = outputs;
+               max_bytes, max_triangles, tolerances_m] = outputs;
   static_cast<void>(max_bytes), static_cast<void>(max_triangles);  // tiles that are solved for have no keys
   static_cast<void>(folder), static_cast<void>(manifest), static_cast<void>(glb), static_cast<void>(usd);
   static_cast<void>(tiles3d), static_cast<void>(geoid), static_cast<void>(surroundings);  // written without keys
   return fmt::format("target {} split {} compress {} layout {} lights {} ladder {}", values_of(target).name,
-                     name_of(split), name_of(compress), name_of(layout), lights, fmt::join(ladder_m, ","));
+                     name_of(split), name_of(compress), name_of(layout), lights, fmt::join(tolerances_m, ","));
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ std::vector<std::uint64_t> bake_keys(const scene::Scene& scene, const Outputs& o
       scene.chunks.size(), threads, [&](std::size_t i) { return exporters::hash_of(scene.chunks[i]); });
   std::vector<std::uint64_t> keys;
   for (const std::uint64_t chunk : chunks)
-    for (std::size_t level = 0; level < outputs.ladder_m.size(); ++level)
+    for (std::size_t level = 0; level < outputs.tolerances_m.size(); ++level)
       keys.push_back(
           std::max<std::uint64_t>(1, exporters::content_hash(fmt::format("{} {} {}", common, chunk, level))));
   return keys;

@@ -81,7 +81,7 @@ OrderedJson counts_of(const scene::Scene& scene) {
 
 OrderedJson levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs) {
   OrderedJson levels = OrderedJson::array();
-  for (std::size_t n = 0; n < outputs.ladder_m.size(); ++n) {
+  for (std::size_t n = 0; n < outputs.tolerances_m.size(); ++n) {
     std::uint64_t bytes = 0, triangles = 0;
     double error_m = 0;
     for (const WrittenTile& tile : tiles) {
@@ -91,7 +91,7 @@ OrderedJson levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs
       error_m = std::max(error_m, tile.error_m);
     }
     levels.push_back({{"level", n},
-                      {"tolerance_m", outputs.ladder_m[n]},
+                      {"tolerance_m", outputs.tolerances_m[n]},
                       {"error_m", error_m},
                       {"triangles", triangles},
                       {"bytes", bytes}});
@@ -152,15 +152,16 @@ std::uint64_t WrittenFiles::bytes() const {
 
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
                         const WrittenFiles& written, const Outputs& outputs, const OrderedJson& heights) {
-  assert(std::ranges::all_of(written.tiles, [&](const WrittenTile& t) { return t.level < outputs.ladder_m.size(); }));
+  assert(
+      std::ranges::all_of(written.tiles, [&](const WrittenTile& t) { return t.level < outputs.tolerances_m.size(); }));
   const map::Plane plane(header.origin);
   OrderedJson json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
   json["sources"] = header.sources;
   json["origin"] = {{"lon_deg", header.origin.lon_deg}, {"lat_deg", header.origin.lat_deg}};
-  json["region_m"] = {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y};
-  json["region_deg"] = box_deg_of(header.region, plane);
+  json["region_m"] = {header.extent.min.x, header.extent.min.y, header.extent.max.x, header.extent.max.y};
+  json["region_deg"] = box_deg_of(header.extent, plane);
   json["tile_m"] = header.tile_m;
   json["seed"] = header.seed;
   json["resampling_error_m"] = header.resampling_error_m;

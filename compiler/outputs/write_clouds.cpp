@@ -65,10 +65,10 @@ Result<Done> write_clouds(const scene::Scene& scene, const Outputs& outputs, int
                           exporters::OutputFolder& folder, std::vector<WrittenFile>& files,
                           std::vector<std::string>& notes) {
   const auto& layers = scene.header.sky.clouds;
-  const Box2& extent = scene.header.region;
+  const Box2& extent = scene.header.extent;
   if (layers.empty() || extent.is_empty() || !(outputs.glb || outputs.usd)) return Done{};
   const sky::CloudMeasures measures = sky::measures_over(layers, extent);
-  const double cell = cell_m(measures, outputs.ladder_m.back());
+  const double cell = cell_m(measures, outputs.tolerances_m.back());
   const std::vector<sky::LayerParticles> particles = sky::clouds_over(layers, extent, cell / 2, threads);
   CloudWriter writer(folder, files);
   if (outputs.glb) {

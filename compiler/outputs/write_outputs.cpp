@@ -122,7 +122,7 @@ class TileWriter {
     whole_.resize(keys_.size());
     if (outputs_.layout == Layout::kEmbedded && !outputs_.usd) whole_ = whole_tiles(scene_, keys_, threads_, folder_);
     ready_.resize(keys_.size());
-    return bake_scene(scene_, outputs_.ladder_m, threads_, report_, on_progress,
+    return bake_scene(scene_, outputs_.tolerances_m, threads_, report_, on_progress,
                       {.exists = [&](ChunkLevel at) { return whole_[index(at)].has_value(); },
                        .process =
                            [&](ChunkLevel at, bake::BakedTile&& baked) {
@@ -221,7 +221,7 @@ class TileWriter {
                           : line + fmt::format("; {} tiles are above the limit at the coarsest level", too_large);
   }
 
-  std::size_t index(ChunkLevel at) const { return at.chunk * outputs_.ladder_m.size() + at.level; }
+  std::size_t index(ChunkLevel at) const { return at.chunk * outputs_.tolerances_m.size() + at.level; }
 
   Result<Done> write(ChunkLevel at, const Report& diagnosed, WrittenOutputs& written) {
     return write_ready(at, std::exchange(ready_[index(at)], {}), diagnosed, keys_[index(at)], written);
@@ -282,7 +282,7 @@ class TileWriter {
 
 Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
                                      exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress) {
-  assert(std::ranges::is_sorted(outputs.ladder_m));
+  assert(std::ranges::is_sorted(outputs.tolerances_m));
   WrittenOutputs written;
   if (outputs.manifest) {
     on_progress("write", 0);

@@ -102,10 +102,10 @@ std::vector<InnerLevel> inner_levels(double coarsest_m, int height) {
 }
 
 /// The levels of tiles, and those that only inner tiles are made of.
-std::vector<double> all_levels_m(std::vector<double> ladder_m, std::span<const InnerLevel> inner) {
+std::vector<double> all_levels_m(std::vector<double> tolerances_m, std::span<const InnerLevel> inner) {
   for (const InnerLevel& level : inner)
-    if (level.bake_m && *level.bake_m > ladder_m.back()) ladder_m.push_back(*level.bake_m);
-  return ladder_m;
+    if (level.bake_m && *level.bake_m > tolerances_m.back()) tolerances_m.push_back(*level.bake_m);
+  return tolerances_m;
 }
 
 /// Bakes a scene and writes the contents of its tile tree, each as soon as all that it is made of is baked.
@@ -118,9 +118,9 @@ class TreeWriter {
         threads_(threads),
         folder_(folder),
         tree_(exporters::quadtree_of(scene.header, scene.chunks)),
-        own_levels_(outputs.ladder_m.size()),
-        inner_(inner_levels(outputs.ladder_m.back(), tree_.root.height)),
-        levels_m_(all_levels_m(outputs.ladder_m, inner_)),
+        own_levels_(outputs.tolerances_m.size()),
+        inner_(inner_levels(outputs.tolerances_m.back(), tree_.root.height)),
+        levels_m_(all_levels_m(outputs.tolerances_m, inner_)),
         slots_(scene.chunks.size() * levels_m_.size()) {}
 
   Result<TilesetTile> write(Report& report, const OnProgress& on_progress) {
@@ -296,7 +296,7 @@ Result<Done> add_surroundings(const scene::Scene& scene, const ContentMaker& mak
                               TilesetTile& root, std::vector<WrittenFile>& files) {
   std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene, bake::EarthCurve::kNone);
   if (!tile) return Done{};
-  Content content = maker.content_of(std::move(*tile), scene.header.region.centre(), "surroundings.glb");
+  Content content = maker.content_of(std::move(*tile), scene.header.extent.centre(), "surroundings.glb");
   const std::string name = "3dtiles/" + content.tile.content;
   if (const Result<Done> done = folder.write(name, content.glb); !done) return done;
   files.push_back({name, content.glb.size()});
@@ -305,7 +305,7 @@ Result<Done> add_surroundings(const scene::Scene& scene, const ContentMaker& mak
 }
 
 Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs) {
-  return map::read_geoid(outputs.geoid, header.region, map::Plane(header.origin));
+  return map::read_geoid(outputs.geoid, header.extent, map::Plane(header.origin));
 }
 
 }  // namespace

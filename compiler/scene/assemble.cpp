@@ -289,7 +289,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
 }  // namespace
 
 Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads) {
-  assert(header.tile_m > 0 && header.region.width() > 0 && header.region.height() > 0);
+  assert(header.tile_m > 0 && header.extent.width() > 0 && header.extent.height() > 0);
   const TileGrid grid(header);
   const JunctionCovers junctions = junction_covers(recipes, threads);
   const Sorted sorted = sort_by_tile(grid, recipes, junctions.surfaces);

@@ -41,7 +41,7 @@ inline constexpr double kHalo_m = 48;
 /// The properties of the whole scene.
 struct Header {
   map::LonLat origin;    ///< The origin of the plane.
-  Box2 region;           ///< The compiled part of the plane: whole cells of map::kCell_m.
+  Box2 extent;           ///< The compiled part of the plane: whole cells of map::kCell_m.
   double tile_m = 1024;  ///< A whole multiple of map::kCell_m.
   std::uint64_t seed = 0;
   double resampling_error_m = 0;  ///< The largest vertical error of the heightfield against the heightmaps.

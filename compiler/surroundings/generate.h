@@ -24,7 +24,7 @@ struct BorderGround {
 /// The extent, its tiles and the materials of the land around them.
 struct Neighbourhood {
   bool is_curved = true;  ///< True: land is lowered by the Earth's curvature. False: flat, to be bent afterwards.
-  Box2 region;            ///< The extent; land beyond it is lowered.
+  Box2 extent;            ///< The extent; land beyond it is lowered.
   std::function<bool(Vec2)> is_in_tile;         ///< True if a tile covers the cell of the grid with this centre.
   std::function<BorderGround(Vec2)> on_border;  ///< The ground of the tiles at a place on their border.
   std::function<materials::SurfaceMaterial(Vec3, Vec3)> land_at;  ///< The material of land by place and unit normal.

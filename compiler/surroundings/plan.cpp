@@ -46,15 +46,15 @@ std::vector<bool> sample(std::span<const RasterSampler> samplers, const map::Pla
   return known;
 }
 
-bool knows_far_places(const Surroundings& around, const std::vector<bool>& known, const Box2& region) {
+bool knows_far_places(const Surroundings& around, const std::vector<bool>& known, const Box2& extent) {
   for (std::size_t row = 0; row < around.rows(); ++row)
     for (std::size_t column = 0; column < around.columns(); ++column)
-      if (known[around.index(column, row)] && away_m(region, around.vertex(column, row)) >= kLeastKnown_m) return true;
+      if (known[around.index(column, row)] && away_m(extent, around.vertex(column, row)) >= kLeastKnown_m) return true;
   return false;
 }
 
 bool is_sea(const Place& place, Vec2 p, bool is_known, std::int32_t height_m) {
-  if (!place.region.contains(p)) return is_known && height_m <= 0;
+  if (!place.extent.contains(p)) return is_known && height_m <= 0;
   return std::ranges::any_of(place.sea, [&](const auto& sea) { return ground::winding_number(sea, p) > 0; });
 }
 
@@ -93,7 +93,7 @@ void measure(const source::Raster& raster, std::span<const RasterSampler> earlie
       const map::LonLat at{g[0] + g[1] * c + g[2] * r, g[3] + g[4] * c + g[5] * r};
       const Vec2 p = plane.forward(at);
       const float height_m = raster.at(c, r);
-      if (!box.contains(p) || place.region.contains(p) || !map::is_height(height_m) || is_hidden(earlier, at)) continue;
+      if (!box.contains(p) || place.extent.contains(p) || !map::is_height(height_m) || is_hidden(earlier, at)) continue;
       const double sample_m = !place.sea.empty() ? std::max(0.0f, height_m) : height_m;
       errors.add(sample_m - height_m_at(around, p));
     }
@@ -115,13 +115,13 @@ Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Pl
   if (rasters.empty()) return Surroundings();
   const Result<std::vector<RasterSampler>> samplers = map::samplers_of(rasters);
   if (!samplers) return samplers.error();
-  Surroundings around{.x_m = lines_for(place.region.min.x, place.region.max.x, place.tile_m),
-                      .y_m = lines_for(place.region.min.y, place.region.max.y, place.tile_m),
+  Surroundings around{.x_m = lines_for(place.extent.min.x, place.extent.max.x, place.tile_m),
+                      .y_m = lines_for(place.extent.min.y, place.extent.max.y, place.tile_m),
                       .heights_m = {},
                       .covers = {}};
   if (around.columns() > kMostLines || around.rows() > kMostLines) return Surroundings();
   const std::vector<bool> known = sample(*samplers, plane, !place.sea.empty(), around);
-  if (!knows_far_places(around, known, place.region)) return Surroundings();
+  if (!knows_far_places(around, known, place.extent)) return Surroundings();
   around.covers.assign(around.heights_m.size(), Cover::kLand);
   if (!place.sea.empty()) find_sea(place, known, around);
   fill_unknown(known, around);

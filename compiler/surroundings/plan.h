@@ -20,7 +20,7 @@ inline constexpr double kLeastKnown_m = 1000;
 
 /// The extent that the grid surrounds.
 struct Place {
-  Box2 region;                                  ///< The extent.
+  Box2 extent;                                  ///< The extent.
   double tile_m = 1024;                         ///< Side of its tiles.
   std::vector<ground::LandCoverPolygon> sea{};  ///< Sea in the extent. Empty: there is no sea around it either.
 };

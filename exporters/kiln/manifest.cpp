@@ -132,9 +132,9 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   std::vector<flatbuffers::Offset<flatbuffers::String>> sources, attributions;
   for (const std::string& text : h.sources) sources.push_back(builder.CreateString(text));
   for (const std::string& text : h.attributions) attributions.push_back(builder.CreateString(text));
-  const std::vector<std::int32_t> region = {
-      static_cast<std::int32_t>(h.region.min.x), static_cast<std::int32_t>(h.region.min.y),
-      static_cast<std::int32_t>(h.region.max.x), static_cast<std::int32_t>(h.region.max.y)};
+  const std::vector<std::int32_t> extent = {
+      static_cast<std::int32_t>(h.extent.min.x), static_cast<std::int32_t>(h.extent.min.y),
+      static_cast<std::int32_t>(h.extent.max.x), static_cast<std::int32_t>(h.extent.max.y)};
   const auto sky = sky_of(builder, h.sky);
   const auto index = index_of(builder, scene, frames);
   // NaN: there is none
@@ -142,7 +142,7 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species);
   const auto around = surroundings_of(builder, h.around);
   builder.Finish(fbs::CreateHeaderDirect(builder, kGeneratorVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
-                                         &region, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
+                                         &extent, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
                                          kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m,
                                          &rules, &species, around));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
@@ -196,13 +196,13 @@ std::size_t size_of(const Rules* rules) {
   return size;
 }
 
-bool is_whole_cells(const Box2& region, double tile_m) {
+bool is_whole_cells(const Box2& extent, double tile_m) {
   const auto whole = [](double v) { return std::floor(v / map::kCell_m) * map::kCell_m == v; };
   // 500 km to each side: no plane is wider
   constexpr double kWidest_m = 524288;
-  return whole(region.min.x) && whole(region.min.y) && whole(region.max.x) && whole(region.max.y) &&
-         region.width() > 0 && region.height() > 0 && region.min.x >= -kWidest_m && region.min.y >= -kWidest_m &&
-         region.max.x <= kWidest_m && region.max.y <= kWidest_m && std::isfinite(tile_m) && tile_m >= map::kCell_m &&
+  return whole(extent.min.x) && whole(extent.min.y) && whole(extent.max.x) && whole(extent.max.y) &&
+         extent.width() > 0 && extent.height() > 0 && extent.min.x >= -kWidest_m && extent.min.y >= -kWidest_m &&
+         extent.max.x <= kWidest_m && extent.max.y <= kWidest_m && std::isfinite(tile_m) && tile_m >= map::kCell_m &&
          tile_m <= 2 * kWidest_m && whole(tile_m);
 }
 
@@ -280,11 +280,11 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   scene::Header header;
   header.origin = {h.origin_lon_deg(), h.origin_lat_deg()};
   const auto& r = *h.region_m();
-  header.region = {{static_cast<double>(r[0]), static_cast<double>(r[1])},
+  header.extent = {{static_cast<double>(r[0]), static_cast<double>(r[1])},
                    {static_cast<double>(r[2]), static_cast<double>(r[3])}};
   header.tile_m = h.tile_m(), header.seed = h.seed(), header.resampling_error_m = h.resampling_error_m();
   const bool has_origin = std::abs(header.origin.lon_deg) <= 180 && std::abs(header.origin.lat_deg) <= 90;
-  if (!has_origin || !is_whole_cells(header.region, header.tile_m) || !std::isfinite(header.resampling_error_m))
+  if (!has_origin || !is_whole_cells(header.extent, header.tile_m) || !std::isfinite(header.resampling_error_m))
     return damaged;
   std::optional<sky::Sky> sky = plain(*h.sky());
   if (!sky) return damaged;

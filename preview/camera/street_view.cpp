@@ -19,13 +19,14 @@ constexpr double kApart_m = 12;
 // The score of a view: length along the street, walls on both sides, and space between them.
 double worth(const ViewProbe& look, Vec3 eye, int direction) {
   constexpr double kFarEnough_m = 150, kNearEnough_m = 60, kTooNear_m = 15, kWide_m = 9;
-  const double ahead = look.walk_m(eye, level(direction), kFarEnough_m);
+  const double ahead = look.walk_m(eye, horizontal(direction), kFarEnough_m);
   if (ahead < kTooNear_m) return 0;
   double room = kWide_m;
-  for (const int aside : {-6, -4, 4, 6}) room = std::min(room, look.sight_m(eye, level(direction + aside), kWide_m));
+  for (const int aside : {-6, -4, 4, 6})
+    room = std::min(room, look.sight_m(eye, horizontal(direction + aside), kWide_m));
   int walls = 0;
   for (const int aside : {-4, -3, -2, -1, 1, 2, 3, 4})
-    walls += look.meets_building(eye, unit(level(direction + aside) + Vec3{0, 0, 0.12}), kNearEnough_m) ? 1 : 0;
+    walls += look.meets_building(eye, unit(horizontal(direction + aside) + Vec3{0, 0, 0.12}), kNearEnough_m) ? 1 : 0;
   // squared, so that alleys, which show two walls only, score low
   return ahead * (1 + walls) * room * room;
 }
@@ -45,7 +46,7 @@ Camera street_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid
     if (look.sight_m(eye, {0, 0, 1}, 100) < 100 || look.room_m(eye, kElbowRoom_m) < kElbowRoom_m) continue;
     for (int direction = 0; direction < kDirections; ++direction) {
       const double value = worth(look, eye, direction);
-      if (value > most) most = value, best = {eye, eye + level(direction) * 40 + Vec3{0, 0, 2}, kFov_deg};
+      if (value > most) most = value, best = {eye, eye + horizontal(direction) * 40 + Vec3{0, 0, 2}, kFov_deg};
     }
   }
   return best;

@@ -14,7 +14,7 @@ namespace citykiln::preview {
 inline constexpr int kDirections = 24;
 
 /// The unit vector of a level direction 0 … kDirections - 1, counter-clockwise from east. Other numbers wrap around.
-Vec3 level(int direction);
+Vec3 horizontal(int direction);
 
 /// Rays in a world. Positions are plane metres, directions are unit vectors.
 struct ViewProbe {

@@ -123,7 +123,7 @@ void expect_same(const scene::Scene& scene, const bake::View& view, std::size_t 
 // By night, seen from a roof: fine and coarse levels, grass, lamps, facade textures.
 TEST(BakeCell, CellsTogetherAreTheTownForAView) {
   const scene::Scene scene = town();
-  expect_same(scene, view_above(scene, scene.header.region.centre(), 12), 1000);
+  expect_same(scene, view_above(scene, scene.header.extent.centre(), 12), 1000);
 }
 
 // Bridges, a tunnel, woods, a river, ground under buildings at the edge of the extent.
@@ -131,7 +131,7 @@ TEST(BakeCellReal, CellsTogetherAreAVillageForAView) {
   if (!std::filesystem::exists(real_data("andorra/N42E001.hgt"))) GTEST_SKIP() << "no real data";
   const scene::Scene scene =
       scene_from_files(real_data("andorra/cut-canillo-village.osm.pbf"), real_data("andorra/N42E001.hgt"), "");
-  expect_same(scene, view_above(scene, scene.header.region.centre(), 50), 1000, 30);
+  expect_same(scene, view_above(scene, scene.header.extent.centre(), 50), 1000, 30);
 }
 
 }  // namespace

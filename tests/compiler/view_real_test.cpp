@@ -61,7 +61,7 @@ std::vector<Seen> seen_village(const scene::Scene& scene, const bake::ViewLevels
 
 // Fifty metres above the middle of the village.
 bake::View view_of(const scene::Scene& scene) {
-  const Vec2 middle = scene.header.region.centre();
+  const Vec2 middle = scene.header.extent.centre();
   double ground_m = 0;
   for (const scene::Chunk& chunk : scene.chunks)
     if (scene::box_of(scene.header, chunk.tile).contains(middle)) ground_m = map::height_m_at(chunk.heights, middle);

@@ -58,7 +58,7 @@ class SceneMaker {
   /// Returns two tiles side by side, one of coarse points, one of fine ones.
   scene::Scene scene() {
     scene::Header h;
-    h.origin = {7.25, 43.5}, h.region = {{-128, 0}, {128, 128}}, h.tile_m = 128, h.seed = dice_();
+    h.origin = {7.25, 43.5}, h.extent = {{-128, 0}, {128, 128}}, h.tile_m = 128, h.seed = dice_();
     h.resampling_error_m = 0.125;
     h.sky = {"2024-06-21T12:00:00Z", {0.6, 0, 0.8}, 2.6};
     h.sky.to_sun = {629146 * 0x1p-20, 0, 838861 * 0x1p-20};

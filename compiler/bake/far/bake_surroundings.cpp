@@ -14,18 +14,18 @@ namespace {
 
 // Whole metres, in the middle of the extent.
 Vec3 surroundings_origin(const scene::Header& header) {
-  const Vec2 middle = header.region.centre();
+  const Vec2 middle = header.extent.centre();
   return {std::floor(middle.x), std::floor(middle.y), std::floor(header.sky.ground_m)};
 }
 
 std::vector<materials::MaterialMesh> meshes_of(const scene::Scene& scene, bool is_curved) {
   const scene::GroundLookup lookup(scene);
   const FarLand land = far_land_of(lookup, scene.header);
-  const Box2& region = scene.header.region;
+  const Box2& extent = scene.header.extent;
   return surroundings::generate(
       scene.header.around,
       {.is_curved = is_curved,
-       .region = region,
+       .extent = extent,
        .is_in_tile = [&](Vec2 place) { return lookup.is_in_tile(place); },
        .on_border =
            [&](Vec2 place) {
@@ -34,7 +34,7 @@ std::vector<materials::MaterialMesh> meshes_of(const scene::Scene& scene, bool i
            },
        .land_at =
            [&](Vec3 at, Vec3 normal) {
-             const double drop_m = is_curved ? surroundings::drop_m(surroundings::away_m(region, in_plan(at))) : 0;
+             const double drop_m = is_curved ? surroundings::drop_m(surroundings::away_m(extent, in_plan(at))) : 0;
              return look_of(land, at + Vec3{0, 0, drop_m}, normal);
            }});
 }

@@ -126,7 +126,7 @@ EdgeCover cover_at(const FarLand& land, Vec2 place) {
   const int low = std::min(static_cast<int>(at), count - 1);
   const EdgeCover own = mixed(land.ring[static_cast<std::size_t>(low)],
                               land.ring[static_cast<std::size_t>((low + 1) % count)], std::clamp(at - low, 0.0, 1.0));
-  const double away_m = surroundings::away_m(land.header.region, place);
+  const double away_m = surroundings::away_m(land.header.extent, place);
   return mixed(own, land.mean, away_m / (away_m + kEdgeFade_m));
 }
 

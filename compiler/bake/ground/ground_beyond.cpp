@@ -116,9 +116,9 @@ Box2 in_both(const Box2& a, const Box2& b) {
 
 std::vector<Box2> ground_beyond(const scene::Header& header, const scene::Chunk& chunk) {
   std::vector<Box2> footprints = footprint_boxes(chunk);
-  std::erase_if(footprints, [&](const Box2& box) { return contains(header.region, box); });
+  std::erase_if(footprints, [&](const Box2& box) { return contains(header.extent, box); });
   std::vector<Box2> all;
-  for (const auto& [zone, is_sideways] : zones_beyond(scene::box_of(header, chunk.tile), header.region)) {
+  for (const auto& [zone, is_sideways] : zones_beyond(scene::box_of(header, chunk.tile), header.extent)) {
     std::vector<Box2> boxes;
     for (const Box2& footprint : footprints) {
       const Box2 whole{{odd_below(footprint.min.x), odd_below(footprint.min.y)},

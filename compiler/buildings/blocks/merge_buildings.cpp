@@ -290,8 +290,8 @@ void add_wall(Mesh& wall, GridPoint a, GridPoint b, std::uint32_t group, std::ui
   if (at_a.foot_m < at_a.roof_m) wall.triangles.push_back({low_a, high_b, high_a});
 }
 
-void raise(std::vector<Block>& blocks, const ground::Regions& plan, const Heights& heights) {
-  const auto group_of = [&](std::uint32_t f) { return plan.regions[plan.of_face[f]].surface; };
+void raise(std::vector<Block>& blocks, const ground::CoverFaces& plan, const Heights& heights) {
+  const auto group_of = [&](std::uint32_t f) { return plan.cover_faces[plan.of_face[f]].surface; };
   for (std::uint32_t f = 0; f < plan.of_face.size(); ++f) {
     const std::uint32_t group = group_of(f);
     if (group == kFree) continue;
@@ -333,7 +333,7 @@ std::vector<Block> merge_buildings(std::span<const Building> buildings, std::spa
 
   std::vector<Block> blocks;
   for (const std::vector<std::uint32_t>& members : groups.members) blocks.push_back({members, {}, {}});
-  raise(blocks, ground::regions_between(outlines.borders), {plan, buildings, groups, sizes});
+  raise(blocks, ground::faces_between(outlines.borders), {plan, buildings, groups, sizes});
   return blocks;
 }
 

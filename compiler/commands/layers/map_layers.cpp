@@ -38,7 +38,7 @@ LayerFeature* add_flat_polygons(Layer& layer, ObjectId id, std::string kind, std
 Layer mapped_areas(const map::Features& features) {
   Layer layer;
   for (const map::AreaFeature& area : features.areas) {
-    const std::vector<Polygon> inside = united_in(copied_rings(area.polygon), features.region);
+    const std::vector<Polygon> inside = united_in(copied_rings(area.polygon), features.extent);
     LayerFeature* feature = add_flat_polygons(layer, area.id, class_of(area.surface), inside);
     if (feature == nullptr) continue;
     add_name(feature->properties, features, area.id);

@@ -92,14 +92,14 @@ OwnWeights own_facts(const PlannedRegion& region, double tile_m, double share, d
 
 }  // namespace
 
-ExpectedCost expected_cost(const PlannedRegion& region, double tile_m, std::span<const double> ladder_m) {
+ExpectedCost expected_cost(const PlannedRegion& region, double tile_m, std::span<const double> tolerances_m) {
   const auto around = facts_around(region);
   const auto own = own_facts(region, tile_m, 1, 1);
   // tiles are baked one after the other; the fullest of n counts as n^0.5 of the mean, but woods fill tiles evenly
   const double tiles = std::max<double>(1, region.tiles);
   const auto of_a_tile = own_facts(region, tile_m, 1 / std::sqrt(tiles), 1 / tiles);
   double time_share = kSharedTime, most_mb = 0, sum_mb = 0, output_mb = 0;
-  for (const double tolerance_m : ladder_m) {
+  for (const double tolerance_m : tolerances_m) {
     const LevelCost& cost = cost_at(tolerance_m);
     const double level_mb = weighted(cost.memory_mb, of_a_tile);
     time_share += cost.time_share, output_mb += weighted(cost.output_mb, own);

@@ -13,6 +13,6 @@ namespace citykiln::commands {
 /// objects within the region, times the share of its levels. Memory is that of planning plus that of baking the fullest
 /// tile: that of the level that needs most, and half of what the other levels need. Bytes are the sum over the levels.
 /// A tolerance counts as the nearest measured one. Accuracy: see the source.
-ExpectedCost expected_cost(const PlannedRegion& region, double tile_m, std::span<const double> ladder_m);
+ExpectedCost expected_cost(const PlannedRegion& region, double tile_m, std::span<const double> tolerances_m);
 
 }  // namespace citykiln::commands

@@ -6,7 +6,7 @@ namespace citykiln::commands {
 namespace {
 
 bool is_below_land(const scene::Header& header, Vec3 p) {
-  const double drop_m = surroundings::drop_m(surroundings::away_m(header.region, in_plan(p)));
+  const double drop_m = surroundings::drop_m(surroundings::away_m(header.extent, in_plan(p)));
   return p.z < surroundings::height_m_at(header.around, in_plan(p)) - drop_m;
 }
 

@@ -37,8 +37,8 @@ Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_pr
   Loaded loaded;
   loaded.header = scene->header, loaded.manifest_path = *path;
   Report report;
-  const std::vector<double> ladder_m = {request.tolerance_m.value_or(0.1)};
-  const Result<Done> baked = bake_scene(*scene, ladder_m, request.threads, report, on_progress,
+  const std::vector<double> tolerances_m = {request.tolerance_m.value_or(0.1)};
+  const Result<Done> baked = bake_scene(*scene, tolerances_m, request.threads, report, on_progress,
                                         [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
                                           loaded.tiles.push_back(tile);
                                           return Done{};

@@ -89,7 +89,7 @@ struct Page {
 
 void Page::add(const verify::PlacesOfKind& kind, const verify::WorstPlace& place) {
   html += "<figure>";
-  if (needs_picture(run.scene.header.region, place)) {
+  if (needs_picture(run.scene.header.extent, place)) {
     const std::string name = fmt::format("pictures/{:04}.png", shots.size());
     const std::string tile = place.file.empty() ? "" : run.folder + "/" + place.file;
     shots.push_back({*place.at, extent_m_of(kind, place), kind.on_roofs, tile, folder + "/" + name});

@@ -12,7 +12,7 @@
 namespace citykiln::ground {
 
 /// A face between borders: a connected set of triangles of one land cover polygon.
-struct Region {
+struct CoverFace {
   std::uint32_t surface = 0;
   std::uint32_t merged_into = 0;     ///< The face it was merged into; its own index while it stays.
   std::int64_t twice_area = 0;       ///< Twice its area, in square grid steps.
@@ -22,16 +22,16 @@ struct Region {
 };
 
 /// All faces between borders, triangulated. They do not depend on the tolerance.
-struct Regions {
+struct CoverFaces {
   Delaunay net;
-  std::vector<std::uint32_t> of_face;  ///< For each triangle of the net, an index into `regions`.
-  std::vector<Region> regions;
+  std::vector<std::uint32_t> of_face;  ///< For each triangle of the net, an index into `cover_faces`.
+  std::vector<CoverFace> cover_faces;
 };
 
 /// Triangulates borders and finds the faces between them. The result depends on the set of borders, not on their order.
 /// O(n log n).
 /// @param borders  Borders that meet only at their ends, including the cell's own.
-Regions regions_between(std::span<const Border> borders);
+CoverFaces faces_between(std::span<const Border> borders);
 
 struct MergedSlivers {
   std::vector<Border> borders;  ///< The remaining borders, sorted, with the polygons that are beside them now.
@@ -51,7 +51,7 @@ struct MergedSlivers {
 /// Depends on the set of borders only. O(n log n), times the neighbours merged into one face.
 /// Method: in a constrained Delaunay triangulation of the borders a triangle is thin if its corners are close to one
 /// piece of border that starts at them, or if both of its halves are thin.
-MergedSlivers merge_slivers(const Regions& between, double thickness_m,
+MergedSlivers merge_slivers(const CoverFaces& between, double thickness_m,
                             const std::function<bool(std::uint32_t)>& may_merge);
 MergedSlivers merge_slivers(std::span<const Border> borders, double thickness_m,
                             const std::function<bool(std::uint32_t)>& may_merge);

@@ -161,7 +161,7 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
   const GradedTerrain graded = grade_terrain(terrain.heights, {.roads = profiles.roads,
                                                                .streams = terrain.streams,
                                                                .surfaces = terrain.waters,
-                                                               .box = graded_box(features.region, terrain.heights),
+                                                               .box = graded_box(features.extent, terrain.heights),
                                                                .has_kerbs = false,
                                                                .decks = spans.decks,
                                                                .bores = spans.bores});

@@ -57,14 +57,14 @@ Result<LonLatBox> choose_extent(const OsmData& osm, const std::optional<LonLatBo
   return clipped;
 }
 
-Result<Done> is_worth_baking(const Box2& region, const OsmData& osm, bool has_box) {
-  const double area_m2 = region.width() * region.height();
+Result<Done> is_worth_baking(const Box2& extent, const OsmData& osm, bool has_box) {
+  const double area_m2 = extent.width() * extent.height();
   const bool is_sparse = !has_box && area_m2 > kSparseFrom_m2 && static_cast<double>(nodes_in(osm)) < area_m2 * 1e-6;
-  if (region.width() <= kMaxSide_m && region.height() <= kMaxSide_m && !is_sparse) return Done{};
+  if (extent.width() <= kMaxSide_m && extent.height() <= kMaxSide_m && !is_sparse) return Done{};
   return Error{osm.file_name,
                fmt::format("the area to compile measures {:.0f} x {:.0f} km and holds {} nodes; give a part of it, of "
                            "at most {:.0f} km a side, with --bbox W,S,E,N",
-                           region.width() / 1000, region.height() / 1000, nodes_in(osm), kMaxSide_m / 1000)};
+                           extent.width() / 1000, extent.height() / 1000, nodes_in(osm), kMaxSide_m / 1000)};
 }
 
 }  // namespace citykiln::map

@@ -24,7 +24,7 @@ inline constexpr double kFarLarger_deg = 0.1;
 /// Returns an error for an extent that would be baked for hours without showing much: with a side over kMaxSide_m, or,
 /// if has_box is false, larger than kSparseFrom_m2 with less than one node per square kilometre.
 /// @param has_box  True if the user or the map's header states a box.
-Result<Done> is_worth_baking(const Box2& region, const source::OsmData& osm, bool has_box);
+Result<Done> is_worth_baking(const Box2& extent, const source::OsmData& osm, bool has_box);
 
 /// The longest side of an extent: ground/ computes exactly within twice this distance of the origin.
 inline constexpr double kMaxSide_m = 0x1p18, kSparseFrom_m2 = 2.5e9;

@@ -14,7 +14,7 @@
 
 #include "compiler/map/lanes/lanes.h"
 #include "compiler/map/read_context.h"
-#include "compiler/map/road_region.h"
+#include "compiler/map/road_guidelines.h"
 
 namespace citykiln::map {
 
@@ -42,7 +42,7 @@ struct LaneTags {
   OsmId id;
   source::Range tags;
   DrivingSide side;
-  RoadRegion region = RoadRegion::kElsewhere;
+  RoadGuidelines guidelines = RoadGuidelines::kElsewhere;
   Traffic traffic = Traffic::kTwoWay;
 
   std::string_view operator()(std::string_view key) const { return context.tag(tags, key); }

@@ -59,8 +59,8 @@ TaggedSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
 }  // namespace
 
 TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side,
-                                RoadRegion region) {
-  LaneTags lane_tags{context, id, tags, side, region};
+                                RoadGuidelines guidelines) {
+  LaneTags lane_tags{context, id, tags, side, guidelines};
   lane_tags.traffic = traffic_of(lane_tags);
   const LaneClass lane_class = lane_class_of(lane_tags);
   if (lane_class.is_road) return road_section(lane_tags, lane_class);

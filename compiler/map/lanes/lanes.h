@@ -24,7 +24,7 @@
 
 #include "compiler/map/cross_section.h"
 #include "compiler/map/read_context.h"
-#include "compiler/map/road_region.h"
+#include "compiler/map/road_guidelines.h"
 
 namespace citykiln::map {
 
@@ -45,6 +45,6 @@ struct TaggedSection {
 };
 /// Returns the cross-section and its sources; default widths and numbers of lanes follow a set of guidelines.
 TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side,
-                                RoadRegion region = RoadRegion::kElsewhere);
+                                RoadGuidelines guidelines = RoadGuidelines::kElsewhere);
 
 }  // namespace citykiln::map

@@ -25,7 +25,7 @@ map::Heightfield random_hills() {
 // Two by two tiles of four by four cells.
 scene::Scene scene_of_four_tiles() {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {2 * kHillyTile_m, 2 * kHillyTile_m}};
+  scene.header.extent = {{0, 0}, {2 * kHillyTile_m, 2 * kHillyTile_m}};
   scene.header.tile_m = kHillyTile_m;
   for (const scene::TileKey tile : scene::tiles_of(scene.header)) {
     scene.chunks.emplace_back().tile = tile;

@@ -32,7 +32,7 @@ map::Footprint square_block(std::int64_t id, double x, double y, double size, do
 
 map::Features features_of(std::vector<map::Footprint> footprints) {
   map::Features f;
-  f.region = {{-128, -128}, {128, 128}};
+  f.extent = {{-128, -128}, {128, 128}};
   f.footprints = std::move(footprints);
   return f;
 }

@@ -158,7 +158,7 @@ inline std::string text_of(const Features& f) {
     return c ? fmt::format("{}.{}.{}", (*c)[0], (*c)[1], (*c)[2]) : std::string("-");
   };
   const auto material = [](const std::optional<materials::Material>& m) { return m ? static_cast<int>(*m) : -1; };
-  text += fmt::format("region {:a}:{:a} {:a}:{:a}\n", f.region.min.x, f.region.min.y, f.region.max.x, f.region.max.y);
+  text += fmt::format("region {:a}:{:a} {:a}:{:a}\n", f.extent.min.x, f.extent.min.y, f.extent.max.x, f.extent.max.y);
   for (const Track& t : f.tracks) {
     text += fmt::format("track {} {} {:a} {} {} {}{}{}{}", id(t.id), values_of(t.surface).name,
                         carriageway_width_m(t.section), t.layer, static_cast<int>(t.passage), t.is_oneway, t.is_lit,

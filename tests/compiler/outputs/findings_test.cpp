@@ -10,7 +10,7 @@ namespace {
 scene::Header header_with_origin() {
   scene::Header header;
   header.origin = {7, 43};
-  header.region = {{-1024, -1024}, {1024, 1024}};
+  header.extent = {{-1024, -1024}, {1024, 1024}};
   header.tile_m = 512;
   header.attributions = {"© OpenStreetMap contributors"};
   return header;

@@ -23,7 +23,7 @@ WrittenFiles two_tiles() {
 
 std::string report_of(Report& report, const WrittenFiles& written) {
   scene::Header header;
-  header.region = {{-1024, 0}, {1024, 3072}};
+  header.extent = {{-1024, 0}, {1024, 3072}};
   header.tile_m = 1024;
   return report_json(header, {}, report, written, {}, {});
 }

@@ -17,7 +17,7 @@ namespace citykiln::surroundings {
 namespace {
 
 const map::LonLat kOrigin{1.52, 42.51};
-const Place kPlace{.region = {{-1664, -1664}, {2048, 896}}, .tile_m = 1024};
+const Place kPlace{.extent = {{-1664, -1664}, {2048, 896}}, .tile_m = 1024};
 
 // A raster in degrees that reaches some 80 km to all sides, or less.
 template <typename Height>
@@ -77,7 +77,7 @@ TEST(PlanSurroundings, StatesTheLargestErrorAgainstAllSamplesBeyondTheExtent) {
     for (int c = 0; c < rasters[0].columns; ++c) {
       const auto& g = rasters[0].from_grid;
       const Vec2 p = plane.forward({g[0] + g[1] * c, g[3] + g[5] * r});
-      if (!around.box().contains(p) || kPlace.region.contains(p)) continue;
+      if (!around.box().contains(p) || kPlace.extent.contains(p)) continue;
       const double error_m = std::abs(height_m_at(around, p) - rasters[0].at(c, r));
       largest_m = std::max(largest_m, error_m), sum_m2 += error_m * error_m, ++count;
     }
@@ -143,7 +143,7 @@ TEST(PlanSurroundings, SeaStaysSeaAndOnlyWhereThereIsACoast) {
     const bool is_south = around.vertex(0, i / around.columns()).y < -26000;
     EXPECT_EQ(around.covers[i] == Cover::kSea, around.heights_m[i] == 0);
     const Vec2 p = around.vertex(i % around.columns(), i / around.columns());
-    EXPECT_TRUE(!kPlace.region.contains(p) || (around.covers[i] == Cover::kSea) == bay.contains(p))
+    EXPECT_TRUE(!kPlace.extent.contains(p) || (around.covers[i] == Cover::kSea) == bay.contains(p))
         << p.x << " " << p.y;
     EXPECT_TRUE(!is_south || around.covers[i] == Cover::kSea) << i;
     seas += around.covers[i] == Cover::kSea;
@@ -157,7 +157,7 @@ TEST(PlanSurroundingsReal, AndorraIsWithinItsStatedErrors) {
   const std::string path = real_data("andorra/N42E001.hgt");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
   const map::Plane plane(kOrigin);
-  const source::LonLatBox window = map::lonlat_box_of(kPlace.region.widened(kReach_m), plane);
+  const source::LonLatBox window = map::lonlat_box_of(kPlace.extent.widened(kReach_m), plane);
   Report report;
   std::vector<source::RasterSpec> specs(1);
   specs[0].path = path;
@@ -176,7 +176,7 @@ TEST(PlanSurroundingsReal, AndorraIsWithinItsStatedErrors) {
     for (int c = 0; c < raster.columns; ++c) {
       const auto& g = raster.from_grid;
       const Vec2 p = plane.forward({g[0] + g[1] * c, g[3] + g[5] * r});
-      const double away = away_m(kPlace.region, p);
+      const double away = away_m(kPlace.extent, p);
       if (away == 0 || !around.box().contains(p)) continue;
       const double error_m = height_m_at(around, p) - raster.at(c, r);
       EXPECT_LE(std::abs(error_m), around.error_m);

@@ -30,7 +30,7 @@ const Polyline kAlong = {{100, 500}, {900, 500}}, kBesideRoad = {{500, 100}, {50
 
 scene::Scene scene_on_level_land(scene::Chunk chunk) {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {1024, 1024}};
+  scene.header.extent = {{0, 0}, {1024, 1024}};
   chunk.heights = {{-64, -64}, {64, 64}, 19, 19, std::vector<std::int32_t>(361, 0), 0};
   scene.chunks = {std::move(chunk)};
   return scene;

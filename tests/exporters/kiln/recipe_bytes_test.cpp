@@ -28,7 +28,7 @@ scene::Scene scene_of(const std::vector<Building>& all) {
   const auto tile_at = [&](double m) { return static_cast<std::int32_t>(std::floor(m / scene.header.tile_m)); };
   for (const Building& building : all) {
     const Vec2 anchor = building.footprint.outer.front();
-    scene.header.region.grow(anchor);
+    scene.header.extent.grow(anchor);
     const scene::TileKey tile{tile_at(anchor.x), tile_at(anchor.y)};
     chunks[tile].tile = tile;
     chunks[tile].buildings.push_back(building);
@@ -81,7 +81,7 @@ map::Footprint house(std::int64_t id, double& x, double y, const Draw& dice) {
 std::vector<Building> town(int rows, int houses_in_row) {
   const Draw dice(1, StableId{1}, "town");
   map::Features features;
-  features.region = {{-0x1p16, -0x1p16}, {0x1p16, 0x1p16}};
+  features.extent = {{-0x1p16, -0x1p16}, {0x1p16, 0x1p16}};
   std::int64_t id = 1'000'000;
   for (int row = 0; row < rows; ++row) {
     double x = 0;

@@ -28,7 +28,7 @@ ground::LandCoverPolygon land_cover_on(std::int64_t id, LandCoverClass cover, co
 scene::Scene slope() {
   scene::Scene scene;
   scene::Header& header = scene.header;
-  header.origin = {1.5, 42.5}, header.region = kRegion, header.tile_m = 256, header.sky.time = "2026-06-21T12:00";
+  header.origin = {1.5, 42.5}, header.extent = kRegion, header.tile_m = 256, header.sky.time = "2026-06-21T12:00";
   header.around = {.x_m = surroundings::lines_for(-128, 128, 256),
                    .y_m = surroundings::lines_for(-128, 128, 256),
                    .heights_m = {},
@@ -40,7 +40,7 @@ scene::Scene slope() {
   header.around.covers.assign(header.around.heights_m.size(), surroundings::Cover::kLand);
   scene::Chunk chunk;
   chunk.tile = {0, 0};
-  header.region = {{0, 0}, {256, 256}}, header.around.x_m = surroundings::lines_for(0, 256, 256);
+  header.extent = {{0, 0}, {256, 256}}, header.around.x_m = surroundings::lines_for(0, 256, 256);
   header.around.y_m = header.around.x_m;
   chunk.heights = {.min = {-64, -64}, .step_m = {64, 64}, .columns = 7, .rows = 7, .heights = {}};
   for (int j = 0; j < 7; ++j)
@@ -61,7 +61,7 @@ TEST(BakeSurroundings, JoinsTheTerrainOfTheTile) {
   for (const Primitive& primitive : tile->primitives)
     for (const Float3& offset : primitive.positions) {
       const Vec3 p = tile->origin + widened(offset);
-      if (surroundings::away_m(scene.header.region, in_plan(p)) > 0) continue;
+      if (surroundings::away_m(scene.header.extent, in_plan(p)) > 0) continue;
       ++on_border;
       const double above_m = p.z - map::height_m_at(scene.chunks[0].heights, in_plan(p));
       EXPECT_LT(std::min(std::abs(above_m), std::abs(above_m + 12)), 0.01);

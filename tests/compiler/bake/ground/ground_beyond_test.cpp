@@ -9,9 +9,9 @@
 namespace citykiln::bake {
 namespace {
 
-scene::Header header_of_region(Box2 region) {
+scene::Header header_of_region(Box2 extent) {
   scene::Header header;
-  header.region = region, header.tile_m = 1024;
+  header.extent = extent, header.tile_m = 1024;
   return header;
 }
 
@@ -60,16 +60,16 @@ std::vector<Box2> with_swapped_axes(std::vector<Box2> boxes) {
 
 TEST(GroundBeyond, OfTwoTilesMeetsOnTheLineBetweenThem) {
   std::mt19937 dice(5);
-  const Box2 region{{-1024, -512}, {1024, 1024}};
+  const Box2 extent{{-1024, -512}, {1024, 1024}};
   std::size_t met = 0;
   for (int round = 0; round < 300; ++round) {
     const std::vector<Box2> all = footprints(dice);
-    const auto west = sides_on_line(ground_beyond(header_of_region(region), chunk_of({-1, -1}, all))),
-               east = sides_on_line(ground_beyond(header_of_region(region), chunk_of({0, -1}, all)));
+    const auto west = sides_on_line(ground_beyond(header_of_region(extent), chunk_of({-1, -1}, all))),
+               east = sides_on_line(ground_beyond(header_of_region(extent), chunk_of({0, -1}, all)));
     EXPECT_EQ(west, east);
     met += west.size();
     // the same with x and y exchanged
-    const scene::Header sideways = header_of_region(with_swapped_axes(region));
+    const scene::Header sideways = header_of_region(with_swapped_axes(extent));
     EXPECT_EQ(sides_on_line(with_swapped_axes(ground_beyond(sideways, chunk_of({-1, -1}, with_swapped_axes(all))))),
               west);
     EXPECT_EQ(sides_on_line(with_swapped_axes(ground_beyond(sideways, chunk_of({-1, 0}, with_swapped_axes(all))))),

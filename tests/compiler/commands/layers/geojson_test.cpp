@@ -108,7 +108,7 @@ TEST(GeoJson, PropertiesAreWhatTheMapSays) {
 TEST(GeoJson, PolygonsThatCrossThemselvesAreMended) {
   map::Features features = one_of_each();
   features.footprints[0].polygon = {{{0, 0}, {16, 16}, {16, 0}, {0, 16}}, {}};
-  features.region = {{0, 0}, {128, 128}};
+  features.extent = {{0, 0}, {128, 128}};
   features.areas.push_back({{{OsmType::kWay, 3}, 0}, {{{-64, 8}, {64, 8}, {64, 24}, {-64, 24}}, {}}, {}, 2048});
   const Result<Layer> buildings = layer_of(features, "buildings"), areas = layer_of(features, "areas");
   ASSERT_EQ(buildings->size(), 1u);
@@ -119,7 +119,7 @@ TEST(GeoJson, PolygonsThatCrossThemselvesAreMended) {
 
 TEST(GeoJson, RoadsOfSeveralTilesAreOneWithHeights) {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {256, 128}}, scene.header.tile_m = 128;
+  scene.header.extent = {{0, 0}, {256, 128}}, scene.header.tile_m = 128;
   roads::Road road;
   road.id = {{OsmType::kWay, 7}, 0};
   road.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3};

@@ -36,7 +36,7 @@ scene::Scene town() {
 }
 
 preview::Camera camera_above(const scene::Scene& scene, double above_m) {
-  const Vec2 place = scene.header.region.centre();
+  const Vec2 place = scene.header.extent.centre();
   double ground_m = 0;
   for (const scene::Chunk& chunk : scene.chunks)
     if (scene::box_of(scene.header, chunk.tile).contains(place)) ground_m = map::height_m_at(chunk.heights, place);

@@ -181,7 +181,7 @@ TEST(MergeSlivers, NothingInNothingOut) { EXPECT_TRUE(merge_slivers({}, 1, all_m
 
 TEST(MergeSlivers, RegionsServeManyTolerances) {
   const auto borders = borders_of(wavy_surfaces(3, 50, 1), kWavyCell);
-  const Regions between = regions_between(borders);
+  const CoverFaces between = faces_between(borders);
   for (const double thickness_m : {2.0, 0.1, 1.0, 2.0}) {
     const MergedSlivers one = merge_slivers(between, thickness_m, all_may),
                         other = merge_slivers(borders, thickness_m, all_may);

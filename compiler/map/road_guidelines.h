@@ -7,15 +7,15 @@
 
 namespace citykiln::map {
 
-enum class RoadRegion : std::uint8_t {
+enum class RoadGuidelines : std::uint8_t {
   kElsewhere,  ///< Widths of continental Europe.
   kNorthAmerica,
   kBritishIsles,
   kJapan,
 };
 
-/// Returns the guidelines by the rings of road_region.inc. The land border is accurate to 20 km; at sea borders lie
+/// Returns the guidelines by the rings of road_guidelines.inc. The land border is accurate to 20 km; at sea borders lie
 /// anywhere between the coasts. O(rings).
-RoadRegion road_region_at(LonLat place);
+RoadGuidelines guidelines_at(LonLat place);
 
 }  // namespace citykiln::map

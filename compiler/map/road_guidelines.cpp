@@ -1,4 +1,4 @@
-#include "compiler/map/road_region.h"
+#include "compiler/map/road_guidelines.h"
 
 #include <vector>
 
@@ -9,14 +9,14 @@ namespace {
 
 // The border of the lands with one set of guidelines. x is the longitude, y the latitude.
 struct RegionBorder {
-  RoadRegion region;
+  RoadGuidelines guidelines;
   Ring ring;
 };
 
 const std::vector<RegionBorder>& region_borders() {
   static const std::vector<RegionBorder> all = {
-#define ROAD_REGION(region, ...) {RoadRegion::region, {__VA_ARGS__}},
-#include "compiler/map/road_region.inc"
+#define ROAD_REGION(guidelines, ...) {RoadGuidelines::guidelines, {__VA_ARGS__}},
+#include "compiler/map/road_guidelines.inc"
 #undef ROAD_REGION
   };
   return all;
@@ -24,10 +24,10 @@ const std::vector<RegionBorder>& region_borders() {
 
 }  // namespace
 
-RoadRegion road_region_at(LonLat place) {
+RoadGuidelines guidelines_at(LonLat place) {
   for (const RegionBorder& border : region_borders())
-    if (winding_number(border.ring, {place.lon_deg, place.lat_deg}) != 0) return border.region;
-  return RoadRegion::kElsewhere;
+    if (winding_number(border.ring, {place.lon_deg, place.lat_deg}) != 0) return border.guidelines;
+  return RoadGuidelines::kElsewhere;
 }
 
 }  // namespace citykiln::map
