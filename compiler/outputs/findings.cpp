@@ -15,10 +15,10 @@
 namespace citykiln::outputs {
 namespace {
 
-/// Returns the tile that covers a place; empty outside the region.
+/// Returns the tile that covers a place; empty outside the extent.
 std::optional<scene::TileKey> tile_at(const scene::Header& header, Vec2 at) {
-  const Box2& region = header.region;
-  if (at.x < region.min.x || at.x > region.max.x || at.y < region.min.y || at.y > region.max.y) return std::nullopt;
+  const Box2& extent = header.extent;
+  if (at.x < extent.min.x || at.x > extent.max.x || at.y < extent.min.y || at.y > extent.max.y) return std::nullopt;
   return scene::TileKey{static_cast<std::int32_t>(std::floor(at.x / header.tile_m)),
                         static_cast<std::int32_t>(std::floor(at.y / header.tile_m))};
 }

@@ -236,7 +236,7 @@ class TileWriter {
     if (!outputs_.glb) return Done{};
     if (Result<Done> done = write_shared(ready.shared, written.files.files); !done) return done;
     if (key == 0) return folder_.write(ready.record.file.name, ready.glb);
-    return folder_.write(ready.record.file.name, ready.glb, key, verify::text_of(TileNote{ready.record, diagnosed}));
+    return folder_.write(ready.record.file.name, ready.glb, key, text_of(TileNote{ready.record, diagnosed}));
   }
 
   // Writes the files that no tile before has written.

@@ -85,7 +85,7 @@ void profiles_of_a_country(benchmark::State& state) {
   const map::Features features = map::locate(osm, plane, box, {}, report);
   std::vector<source::Raster> rasters;
   rasters.push_back(source::fill_voids(*source::read_raster(*source::parse_raster_spec(dem), nullptr), report));
-  const map::Heightfield heights = *map::resample(rasters, plane, features.region, report);
+  const map::Heightfield heights = *map::resample(rasters, plane, features.extent, report);
   const std::vector<roads::Road> roads = roads::plan(features, report);
   const std::vector<roads::Junction> junctions = roads::plan_junctions(roads, report);
   for (auto _ : state)

@@ -17,7 +17,7 @@ TEST(RegionGrid, EveryTileOfTheExtentIsInOneRegion) {
   for (const RegionKey region : regions_of(kGrid))
     for (const scene::TileKey tile : tiles_of(kGrid, region)) tiles.insert(tile);
   scene::Header header;
-  header.region = kGrid.extent, header.tile_m = kGrid.tile_m;
+  header.extent = kGrid.extent, header.tile_m = kGrid.tile_m;
   const std::vector<scene::TileKey> all = scene::tiles_of(header);
   EXPECT_EQ(std::vector(tiles.begin(), tiles.end()), all);
 }
