@@ -10,9 +10,6 @@
 
 namespace citykiln::exporters {
 
-inline constexpr const char* kFileListName = "files.json";
-inline constexpr const char* kStagingName = ".new";  ///< The folder of a run in progress (output_folder.h).
-
 struct ListedFile {
   std::string name;  ///< The path relative to the folder: "glb/0_0_L1.glb".
   /// Size, and content_hash() as text. The hash is empty for a file whose bytes differ between equal runs, such as

@@ -36,8 +36,6 @@
 
 namespace citykiln::exporters {
 
-inline constexpr const char* kKeysName = "keys.jsonl";
-
 /// The earlier runs whose files a run may reuse. kInterrupted: an interrupted run. kFinished: also the finished run in
 /// the folder; the new run then leaves its own keys for the next.
 enum class TakesOver { kInterrupted, kFinished };

@@ -22,6 +22,7 @@
 #include "compiler/verify/worst_places.h"
 #include "exporters/file.h"
 #include "exporters/kiln/manifest.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::commands {
 namespace {
@@ -32,7 +33,7 @@ constexpr double kNoJump_m = 0.01;
 Result<verify::LoadedRun> open_run(const std::string& folder) {
   Result<outputs::RunRecord> record = outputs::read_report(folder);
   if (!record) return record.error();
-  Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
+  Result<scene::Scene> scene = exporters::read_manifest(folder + "/" + exporters::kManifestName, {});
   if (!scene) return scene.error();
   auto prototypes = std::make_shared<const bake::PrototypeCache>(scene->header);
   return verify::LoadedRun{
@@ -121,10 +122,11 @@ struct CheckRequest {
 };
 
 Result<std::vector<outputs::Finding>> read_findings(const std::string& folder) {
-  const Result<std::vector<std::byte>> bytes = exporters::read_file(folder + "/findings.json");
+  const std::string path = folder + "/" + exporters::kFindingsName;
+  const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
   auto findings = outputs::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-  if (!findings) return Error{folder + "/findings.json", findings.error().message};
+  if (!findings) return Error{path, findings.error().message};
   return findings;
 }
 

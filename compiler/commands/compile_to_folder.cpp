@@ -13,6 +13,7 @@
 #include "compiler/outputs/write_outputs.h"
 #include "compiler/verify/heights_json.h"
 #include "exporters/output_folder.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::commands {
 namespace {
@@ -75,7 +76,7 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
   const std::string report = outputs::report_json(header, compiled->scene, compiled->report, written->files,
                                                   spec.outputs, verify::heights_json(heights));
   const std::string timing = outputs::timing_json(costs, spec.threads);
-  if (const Result<Done> done = folder->write_varying("timing.json", exporters::bytes_of(timing)); !done)
+  if (const Result<Done> done = folder->write_varying(exporters::kTimingName, exporters::bytes_of(timing)); !done)
     return done.error();
   if (const Result<Done> done = outputs::commit_outputs(*written, report, header, *folder); !done) return done.error();
 

@@ -32,14 +32,13 @@
 #include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
+#include "exporters/run_files.h"
 #include "exporters/usd/usd_names.h"
 
 namespace citykiln::commands {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string kTilesetFolder = "3dtiles/";
 
 /// A file of the run, and where a region has it.
 struct PlacedFile {
@@ -69,7 +68,7 @@ void add_texts(const std::vector<Text>& more, std::vector<Text>& texts) {
 
 /// Error: a region whose header differs from the others' in more than rules and species.
 Result<Done> add_scene(const std::string& folder, const PlannedRegion& region, Gathered& all) {
-  Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
+  Result<scene::Scene> scene = exporters::read_manifest(folder + "/" + exporters::kManifestName, {});
   if (!scene) return scene.error();
   if (scene->chunks.size() != region.tiles)
     return Error{folder, fmt::format("has {} of {} tiles", scene->chunks.size(), region.tiles)};
@@ -88,12 +87,14 @@ Result<Done> add_scene(const std::string& folder, const PlannedRegion& region, G
 /// Returns the name that a file of a region has in the whole; empty if the whole writes its own. Several regions can
 /// have contents of 3D Tiles with equal names, for parts of the same inner tile.
 std::optional<std::string> name_in_whole(const std::string& name, const std::string& region) {
-  static const std::set<std::string> kOwn = {"scene.kiln",  "report.json",        "findings.json",
-                                             "timing.json", exporters::kKeysName, exporters::kUsdSceneName};
+  static const std::set<std::string> kOwn = {exporters::kManifestName, exporters::kReportName,
+                                             exporters::kFindingsName, exporters::kTimingName,
+                                             exporters::kKeysName,     exporters::kUsdSceneName};
+  static const std::string kTilesets = std::string(exporters::kTilesetFolder) + "/";
   if (kOwn.contains(name)) return std::nullopt;
-  if (!name.starts_with(kTilesetFolder)) return name;
+  if (!name.starts_with(kTilesets)) return name;
   if (name.ends_with(".json")) return std::nullopt;
-  return kTilesetFolder + region + "/" + name.substr(kTilesetFolder.size());
+  return kTilesets + region + "/" + name.substr(kTilesets.size());
 }
 
 /// Files that regions have in common, such as clouds, count once. Error: a listed file that is missing or damaged.
@@ -138,7 +139,7 @@ void add_region_ledger(const Report& region, Gathered& all) {
 Result<Done> add_trees(const std::string& folder, const std::string& name, std::span<const scene::TileKey> own,
                        const Outputs& outputs, Gathered& all) {
   if (outputs.tiles3d) {
-    Result<exporters::TilesetTile> tree = read_tileset(folder + "/3dtiles", name + "/");
+    Result<exporters::TilesetTile> tree = read_tileset(folder + "/" + exporters::kTilesetFolder, name + "/");
     if (!tree) return tree.error();
     all.tilesets.push_back(std::move(*tree));
   }
@@ -160,7 +161,7 @@ Result<Done> add_region(const Plan& plan, const PlannedRegion& region, const std
   if (!record) return record.error();
   if (Result<Done> done = add_files(folder, to_string(region.key), all); !done) return done;
   if (Result<Done> done = add_scene(folder, region, all); !done) return done;
-  if (Result<Done> done = add_findings(folder + "/findings.json", all); !done) return done;
+  if (Result<Done> done = add_findings(folder + "/" + exporters::kFindingsName, all); !done) return done;
   const std::vector<scene::TileKey> own = regions::tiles_of(plan.grid, region.key);
   if (Result<Done> done = add_trees(folder, to_string(region.key), own, outputs, all); !done) return done;
   add_region_ledger(record->ledger, all);
@@ -254,8 +255,8 @@ Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(path);
   if (!folder) return folder.error();
   const std::vector<std::byte> manifest = exporters::encode_manifest(all.scene, spec.threads);
-  if (Result<Done> done = folder->write("scene.kiln", manifest); !done) return done;
-  all.files.files.push_back({"scene.kiln", manifest.size()});
+  if (Result<Done> done = folder->write(exporters::kManifestName, manifest); !done) return done;
+  all.files.files.push_back({exporters::kManifestName, manifest.size()});
   std::set<std::string> tiles;
   for (const outputs::WrittenTile& tile : all.files.tiles) tiles.insert(tile.file.name);
   for (const outputs::WrittenTile& tile : all.files.usd) tiles.insert(tile.file.name);

@@ -20,6 +20,7 @@
 #include "exporters/gltf/material_names.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
+#include "exporters/run_files.h"
 #include "exporters/settle_folder.h"
 
 namespace citykiln::commands {
@@ -168,7 +169,7 @@ Result<Done> write_findings(const InspectRequest& request) {
   if (!std::filesystem::is_directory(folder, none))
     return Error{request.path, "has no findings; expected the folder of a run, or the scene.kiln in it"};
   if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
-  const Result<std::vector<std::byte>> findings = exporters::read_file(folder + "/findings.json");
+  const Result<std::vector<std::byte>> findings = exporters::read_file(folder + "/" + exporters::kFindingsName);
   if (!findings) return findings.error();
   return exporters::write_file(request.geojson_path, *findings);
 }

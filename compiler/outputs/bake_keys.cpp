@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/program_version.h"
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/kiln/manifest.h"
@@ -29,7 +30,7 @@ std::string settings_of(const Outputs& outputs) {
 
 std::uint64_t program_hash() {
   const Result<std::vector<std::byte>> executable = exporters::read_file("/proc/self/exe");
-  return executable ? exporters::content_hash(*executable) : exporters::content_hash("citykiln " CITYKILN_VERSION);
+  return executable ? exporters::content_hash(*executable) : exporters::content_hash(kProgramVersion);
 }
 
 std::vector<std::uint64_t> bake_keys(const scene::Scene& scene, const Outputs& outputs, int threads) {

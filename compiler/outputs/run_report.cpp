@@ -11,9 +11,11 @@
 #include <set>
 
 #include "compiler/bake/bake.h"
+#include "compiler/contract/program_version.h"
 #include "compiler/map/plane/lonlat_box.h"
 #include "compiler/outputs/ledger_json.h"
 #include "compiler/outputs/written_tile_json.h"
+#include "exporters/run_files.h"
 #include "exporters/settle_folder.h"
 
 namespace citykiln::outputs {
@@ -133,7 +135,7 @@ RunRecord record_of(const OrderedJson& report) {
   // reports of older versions have no such key
   if (const auto layout = parse_layout(report.value("layout", "embedded")); layout) record.layout = *layout;
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
-  for (const OrderedJson& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
+  for (const OrderedJson& file : report.at("files")) record.has_manifest |= file.at("file") == exporters::kManifestName;
   add_ledger(report.at("ledger"), record.ledger);
   for (const auto& [name, account] : record.ledger.ledger())
     if (!account.balances()) record.unbalanced.push_back(name);
@@ -156,7 +158,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
       std::ranges::all_of(written.tiles, [&](const WrittenTile& t) { return t.level < outputs.tolerances_m.size(); }));
   const map::Plane plane(header.origin);
   OrderedJson json;
-  json["program"] = "citykiln " CITYKILN_VERSION;
+  json["program"] = kProgramVersion;
   json["attribution"] = header.attributions;
   json["sources"] = header.sources;
   json["origin"] = {{"lon_deg", header.origin.lon_deg}, {"lat_deg", header.origin.lat_deg}};
@@ -233,7 +235,7 @@ bool is_violated(const Strictness& strict, const Report& report) {
 
 Result<RunRecord> read_report(const std::string& folder) {
   if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
-  const std::string path = folder + "/report.json";
+  const std::string path = folder + "/" + exporters::kReportName;
   std::ifstream file(path, std::ios::binary);
   if (!file && exporters::has_unfinished_run(folder))
     return Error{folder, "holds an unfinished run; repeat the command that writes it"};

@@ -1,6 +1,7 @@
 #include "compiler/outputs/usd_outputs.h"
 
 #include "exporters/gltf/encode_tile.h"
+#include "exporters/run_files.h"
 #include "exporters/usd/usd_names.h"
 
 namespace citykiln::outputs {

@@ -1,9 +1,12 @@
 #include "compiler/outputs/write_clouds.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "exporters/gltf/encode_clouds.h"
+#include "exporters/run_files.h"
 #include "exporters/usd/encode_cloud_layer.h"
 #include "exporters/vdb/encode_vdb.h"
 
@@ -53,7 +56,7 @@ std::vector<exporters::CloudMeshes> meshes_of(std::span<const sky::LayerParticle
 Result<Done> write_usd_clouds(std::span<const sky::LayerParticles> layers, Vec3 origin, double voxel_m,
                               CloudWriter& writer, std::vector<std::string>& notes) {
   const auto vdb = exporters::encode_vdb(sky::cloud_voxels(layers, origin, voxel_m));
-  if (!vdb) notes.push_back("note: no usd/clouds.vdb: " + to_string(vdb.error()));
+  if (!vdb) notes.push_back(fmt::format("note: no {}: {}", exporters::kVdbName, to_string(vdb.error())));
   if (vdb)
     if (const Result<Done> done = writer.write(exporters::kVdbName, *vdb); !done) return done;
   return writer.write(exporters::kUsdCloudsName, exporters::encode_cloud_layer(layers, bool(vdb)));

@@ -24,6 +24,7 @@
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/shared_layout.h"
 #include "exporters/kiln/manifest.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::outputs {
 namespace {
@@ -242,7 +243,7 @@ class TileWriter {
   // Writes the files that no tile before has written.
   Result<Done> write_shared(const std::vector<exporters::SharedFile>& shared, std::vector<WrittenFile>& files) {
     for (const exporters::SharedFile& file : shared) {
-      const std::string name = "glb/" + file.name;
+      const std::string name = std::string(exporters::kGlbFolder) + "/" + file.name;
       if (std::ranges::find(files, name, &WrittenFile::name) != files.end()) continue;
       const Result<WrittenFile> done = write_output(name, file.bytes, folder_);
       if (!done) return done.error();
@@ -286,7 +287,8 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
   WrittenOutputs written;
   if (outputs.manifest) {
     on_progress("write", 0);
-    const Result<WrittenFile> file = write_output("scene.kiln", exporters::encode_manifest(scene, threads), folder);
+    const Result<WrittenFile> file =
+        write_output(exporters::kManifestName, exporters::encode_manifest(scene, threads), folder);
     if (!file) return file.error();
     written.files.files.push_back(*file);
   }
@@ -314,8 +316,8 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
 Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& report_json, const scene::Header& header,
                             exporters::OutputFolder& folder) {
   const std::string findings = findings_json(written.findings, header);
-  if (Result<Done> done = folder.write("findings.json", exporters::bytes_of(findings)); !done) return done;
-  if (Result<Done> done = folder.write("report.json", exporters::bytes_of(report_json)); !done) return done;
+  if (Result<Done> done = folder.write(exporters::kFindingsName, exporters::bytes_of(findings)); !done) return done;
+  if (Result<Done> done = folder.write(exporters::kReportName, exporters::bytes_of(report_json)); !done) return done;
   return folder.commit();
 }
 

@@ -18,6 +18,7 @@
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/plane/geoid.h"
 #include "exporters/gltf/encode_tile.h"
+#include "exporters/run_files.h"
 #include "exporters/tiles3d/quadtree.h"
 #include "exporters/tiles3d/tileset.h"
 
@@ -32,6 +33,11 @@ struct Content {
   std::vector<std::byte> glb{};
   TilesetTile tile;
 };
+
+/// Returns the path of a tile's content relative to the folder of the run.
+std::string name_in_run(const TilesetTile& tile) {
+  return fmt::format("{}/{}", exporters::kTilesetFolder, tile.content);
+}
 
 /// Makes contents of baked tiles.
 class ContentMaker {
@@ -168,7 +174,7 @@ class TreeWriter {
   }
 
   Result<Done> put(Content&& content, std::vector<TilesetTile>& tiles) {
-    const std::string name = "3dtiles/" + content.tile.content;
+    const std::string name = name_in_run(content.tile);
     if (const Result<Done> done = folder_.write(name, content.glb); !done) return done;
     files.push_back({name, content.glb.size()});
     tiles.push_back(std::move(content.tile));
@@ -296,8 +302,8 @@ Result<Done> add_surroundings(const scene::Scene& scene, const ContentMaker& mak
                               TilesetTile& root, std::vector<WrittenFile>& files) {
   std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene, bake::EarthCurve::kNone);
   if (!tile) return Done{};
-  Content content = maker.content_of(std::move(*tile), scene.header.extent.centre(), "surroundings.glb");
-  const std::string name = "3dtiles/" + content.tile.content;
+  Content content = maker.content_of(std::move(*tile), scene.header.extent.centre(), exporters::kSurroundingsContent);
+  const std::string name = name_in_run(content.tile);
   if (const Result<Done> done = folder.write(name, content.glb); !done) return done;
   files.push_back({name, content.glb.size()});
   root = joined_with_surroundings(std::move(root), std::move(content.tile));

@@ -17,6 +17,7 @@
 #include "compiler/contract/for_each_slot.h"
 #include "exporters/file.h"
 #include "exporters/gltf/glb.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::verify {
 namespace {
@@ -257,7 +258,7 @@ void find_sides(const bake::BakedTile& tile, const scene::Header& header, Checke
 CheckedContent check_content(const LoadedRun& run, const ContentReference& reference) {
   CheckedContent content;
   CheckResults& results = content.results;
-  const std::string path = run.folder + "/3dtiles/" + reference.uri;
+  const std::string path = run.folder + "/" + exporters::kTilesetFolder + "/" + reference.uri;
   const auto bytes = exporters::read_file(path);
   const Result<bake::BakedTile> tile =
       bytes ? exporters::decode_glb(*bytes, reference.uri) : Result<bake::BakedTile>(bytes.error());
@@ -319,12 +320,14 @@ ReadTileset read_tileset(const std::string& json, const std::string& name, Check
 }
 
 void check_tileset(const LoadedRun& run, int threads, CheckResults& results) {
-  if (!std::filesystem::exists(run.folder + "/3dtiles/tileset.json")) return;
-  const ReadTileset read = Reader(run.folder + "/3dtiles/", results).read("tileset.json");
+  const std::string folder = run.folder + "/" + exporters::kTilesetFolder + "/";
+  if (!std::filesystem::exists(folder + exporters::kTilesetName)) return;
+  const ReadTileset read = Reader(folder, results).read(exporters::kTilesetName);
   const double out_m = transform_error_m(run.scene.header.origin, read.transform);
   results.tileset.test(out_m < 0.001, fmt::format("the root's transform is {} m from the frame of the origin", out_m));
   for (const std::string& credit : run.scene.header.attributions)
-    results.tileset.test(read.attribution.find(credit) != std::string::npos, "tileset.json does not name " + credit);
+    results.tileset.test(read.attribution.find(credit) != std::string::npos,
+                         std::string(exporters::kTilesetName) + " does not name " + credit);
   const auto contents = for_each_slot<CheckedContent>(
       read.contents.size(), threads, [&](std::size_t i) { return check_content(run, read.contents[i]); });
   for (const CheckedContent& content : contents) add(results, content.results);

@@ -15,6 +15,7 @@
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/leaf_backs.h"
+#include "exporters/run_files.h"
 #include "exporters/usd/read_layer.h"
 #include "exporters/usd/usd_names.h"
 
@@ -308,7 +309,7 @@ void test_variants(const UsdReadPrim& root, const std::string& name, std::span<c
   for (std::size_t n = 0; n < std::min(variants.size(), levels.size()); ++n) {
     const UsdReadPrim& variant = variants[n];
     results.usd_scene.test(variant.path == fmt::format("L{}", levels[n].level) &&
-                               payload_names(variant, "usd/tiles") == std::vector{levels[n].file.name} &&
+                               payload_names(variant, exporters::kUsdTileFolder) == std::vector{levels[n].file.name} &&
                                is_number(variant.custom_data, "tolerance_m", levels[n].tolerance_m) &&
                                is_number(variant.custom_data, "error_m", levels[n].error_m),
                            fmt::format("{}: the variant {} is not level {}", name, variant.path, n));
@@ -332,8 +333,6 @@ Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name,
   return Done{};
 }
 
-std::string tile_layer_name(scene::TileKey tile) { return fmt::format("usd/tiles/{}.usda", to_string(tile)); }
-
 }  // namespace
 
 Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels) {
@@ -348,14 +347,14 @@ Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const out
 
 Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
   CheckResults results;
-  const std::string name = "usd/scene.usda";
+  const std::string name = exporters::kUsdSceneName;
   const Result<UsdReadLayer> layer = read(loaded.folder + "/" + name);
   if (!layer) return layer.error();
   LevelsByTile tiles;
   for (const outputs::WrittenTile& level : loaded.record.usd) tiles[level.tile].push_back(level);
   std::map<std::string, const UsdReadPrim*> by_payload;
   for (const UsdReadPrim& prim : layer->prims)
-    for (const std::string& payload : payload_names(prim, "usd")) by_payload[payload] = &prim;
+    for (const std::string& payload : payload_names(prim, exporters::kUsdFolder)) by_payload[payload] = &prim;
   // the land around the map is not one of the tiles
   if (by_payload.erase(exporters::kUsdSurroundingsName) > 0)
     results.usd_scene.test(bool{read(loaded.folder + "/" + exporters::kUsdSurroundingsName)},
@@ -365,7 +364,7 @@ Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
       texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
       name + " has another attribution");
   for (const auto& [tile, levels] : tiles) {
-    const std::string file = tile_layer_name(tile);
+    const std::string file = exporters::usd_tile_name(tile);
     const auto prim = by_payload.find(file);
     results.usd_scene.test(prim != by_payload.end(), fmt::format("{} has no payload {}", name, file));
     if (prim == by_payload.end()) continue;

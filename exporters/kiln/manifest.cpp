@@ -11,6 +11,7 @@
 
 #include "compiler/buildings/style.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/program_version.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/locate.h"
 #include "compiler/sky/air_settings.h"
@@ -32,7 +33,6 @@ using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
 constexpr std::uint16_t kMajor = 3, kMinor = 1;
-constexpr const char* kGeneratorVersion = "0.1.0";
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
     "1.0; see https://www.openstreetmap.org/copyright";
@@ -141,10 +141,10 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
   const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species);
   const auto around = surroundings_of(builder, h.around);
-  builder.Finish(fbs::CreateHeaderDirect(builder, kGeneratorVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
-                                         &extent, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
-                                         kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m,
-                                         &rules, &species, around));
+  builder.Finish(fbs::CreateHeaderDirect(builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent,
+                                         h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions, kLicence,
+                                         index, dictionary.empty() ? nullptr : &dictionary, snow_line_m, &rules,
+                                         &species, around));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -408,7 +408,7 @@ Error made_by_another(const std::string& name, ByteSpan frame, const std::string
   return {name,
           fmt::format("{}: made by citykiln{}, and this is {}; compile the map again (citykiln compile MAP -o OUT), "
                       "or bake it with that version",
-                      difference, version, kGeneratorVersion)};
+                      difference, version, kVersion)};
 }
 
 // The frame of the header, after checks of magic number, version, size and checksum.

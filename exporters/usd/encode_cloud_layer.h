@@ -23,7 +23,4 @@ namespace citykiln::exporters {
 /// @param has_volume  True if clouds.vdb is written beside the layer.
 std::vector<std::byte> encode_cloud_layer(std::span<const sky::LayerParticles> layers, bool has_volume);
 
-inline constexpr const char* kUsdCloudsName = "usd/clouds.usdc";
-inline constexpr const char* kVdbName = "usd/clouds.vdb";
-
 }  // namespace citykiln::exporters

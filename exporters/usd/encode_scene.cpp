@@ -8,6 +8,7 @@
 
 #include "compiler/geometry/mathematics.h"
 #include "compiler/sky/recipe.h"
+#include "exporters/run_files.h"
 #include "exporters/usd/encode_level.h"
 #include "exporters/usd/text_writer.h"
 #include "exporters/usd/usd_lights.h"

@@ -20,8 +20,4 @@ std::string usd_identifier(std::string_view text);
 std::string usd_tile_name(scene::TileKey tile);
 std::string usd_level_name(scene::TileKey tile, std::size_t level);
 
-inline constexpr const char* kUsdSceneName = "usd/scene.usda";
-inline constexpr const char* kUsdSurroundingsName = "usd/surroundings.usdc";
-inline constexpr const char* kUsdTextureFolder = "usd/textures/";
-
 }  // namespace citykiln::exporters

@@ -14,6 +14,7 @@
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/file_list.h"
+#include "exporters/run_files.h"
 #include "exporters/settle_folder.h"
 
 namespace citykiln::commands {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "exporters/file.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::commands {
 namespace {
@@ -65,9 +66,9 @@ class TilesetReader {
 
 Result<TilesetTile> read_tileset(const std::string& folder, const std::string& prefix) {
   try {
-    return TilesetReader(folder, prefix).read("tileset.json");
+    return TilesetReader(folder, prefix).read(exporters::kTilesetName);
   } catch (const Json::exception&) {
-    return Error{folder + "/tileset.json", "is not a tileset written by citykiln"};
+    return Error{folder + "/" + exporters::kTilesetName, "is not a tileset written by citykiln"};
   }
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "exporters/run_files.h"
+
 namespace citykiln::commands {
 namespace {
 
@@ -25,7 +27,7 @@ std::string build_ninja(const Plan& plan, const std::string& program) {
         fmt::format("build state/{0}.json: region cut/{0}.osm.pbf | plan.json survey/{0}.kiln\n  region = {0}\n", name);
     states += fmt::format(" $\n  state/{}.json", name);
   }
-  text += fmt::format("\nbuild out/report.json: gather{}\ndefault out/report.json\n", states);
+  text += fmt::format("\nbuild out/{0}: gather{1}\ndefault out/{0}\n", exporters::kReportName, states);
   return text;
 }
 

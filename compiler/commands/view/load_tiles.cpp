@@ -20,6 +20,7 @@
 #include "compiler/outputs/run_report.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::commands {
 namespace {
@@ -81,7 +82,7 @@ Result<Done> find_backdrop(const fs::path& folder, Loaded& loaded) {
     loaded.backdrop = std::move(*given), loaded.tiles.erase(given);
     return Done{};
   }
-  const fs::path beside = folder / "surroundings.glb";
+  const fs::path beside = folder / exporters::kSurroundingsContent;
   std::error_code none;
   if (!fs::exists(beside, none)) return Done{};
   Result<bake::BakedTile> tile = exporters::read_glb(beside.string());
@@ -118,7 +119,7 @@ Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_prog
     if (tile.level == level && is_asked_for) paths.push_back(folder + "/" + tile.file.name);
   }
   if (paths.empty()) return Error{folder, fmt::format("has none of the requested tiles at level {} as .glb", level)};
-  return read_files(paths, fs::path(folder) / "scene.kiln", on_progress);
+  return read_files(paths, fs::path(folder) / exporters::kManifestName, on_progress);
 }
 
 double from_coarse(double error_m) { return std::abs(std::log(std::max(error_m, 1e-6) / kCoarseTile_m)); }
@@ -159,7 +160,8 @@ Result<TileTree> tree_of_run(const LoadRequest& request, const outputs::RunRecor
   for (const outputs::WrittenTile& tile : record.tiles)
     if (request.only.empty() || std::ranges::binary_search(request.only, tile.tile)) levels[tile.tile].push_back(&tile);
   if (levels.empty()) return Error{folder, "has none of the requested tiles"};
-  TileTree tree{.root = {.error_m = std::numeric_limits<double>::infinity()}, .manifest_path = folder + "/scene.kiln"};
+  TileTree tree{.root = {.error_m = std::numeric_limits<double>::infinity()},
+                .manifest_path = folder + "/" + exporters::kManifestName};
   for (const auto& [key, of_tile] : levels) {
     on_progress("read coarse tiles", static_cast<double>(tree.coarse.size()) / static_cast<double>(levels.size()));
     if (const Result<Done> added = add_tile(of_tile, folder, tree); !added) return added.error();
@@ -179,7 +181,8 @@ Result<TileTree> tree_of_tileset(const LoadRequest& request, const std::string& 
   if (!request.only.empty()) return Error{"--only", "cannot be used with 3D Tiles, whose inner tiles join several"};
   Result<TileNode> root = read_tileset_tree(folder);
   if (!root) return root.error();
-  TileTree tree{.root = std::move(*root), .manifest_path = folder + "/../scene.kiln", .is_on_ellipsoid = true};
+  TileTree tree{
+      .root = std::move(*root), .manifest_path = folder + "/../" + exporters::kManifestName, .is_on_ellipsoid = true};
   tree.coarse_paths = contents_of(tree.root, [](const TileNode& node) { return node.error_m <= kCoarseTile_m; });
   if (tree.coarse_paths.empty()) return Error{folder, "has a tileset without contents"};
   Result<std::vector<bake::BakedTile>> coarse = read_all(tree.coarse_paths, on_progress);
@@ -191,7 +194,7 @@ Result<TileTree> tree_of_tileset(const LoadRequest& request, const std::string& 
 
 bool has_tileset(const fs::path& folder) {
   std::error_code none;
-  return fs::exists(folder / "tileset.json", none);
+  return fs::exists(folder / exporters::kTilesetName, none);
 }
 
 }  // namespace
@@ -213,10 +216,10 @@ Result<TileTree> read_tile_tree(const LoadRequest& request, const OnProgress& on
   const std::string& folder = request.paths.front();
   if (has_tileset(folder)) return tree_of_tileset(request, folder, on_progress);
   const Result<outputs::RunRecord> record = outputs::read_report(folder);
-  if (!record && has_tileset(folder + "/3dtiles")) return tree_of_tileset(request, folder + "/3dtiles", on_progress);
+  if (record && !record->tiles.empty()) return tree_of_run(request, *record, on_progress);
+  const std::string tilesets = folder + "/" + exporters::kTilesetFolder;
+  if (has_tileset(tilesets)) return tree_of_tileset(request, tilesets, on_progress);
   if (!record) return record.error();
-  if (!record->tiles.empty()) return tree_of_run(request, *record, on_progress);
-  if (has_tileset(folder + "/3dtiles")) return tree_of_tileset(request, folder + "/3dtiles", on_progress);
   return Error{folder, "has no .glb tiles and no 3D Tiles; give its scene.kiln, or write tiles with --emit glb"};
 }
 
@@ -256,7 +259,7 @@ Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progr
     return Error{"--level", "is for .glb tiles; of 3D Tiles --pixel-error chooses the levels"};
   if (is_folder) return read_folder(request, on_progress);
   // the manifest of OUT/glb/0_0_L0.glb is OUT/scene.kiln
-  return read_files(request.paths, fs::path(first).parent_path() / ".." / "scene.kiln", on_progress);
+  return read_files(request.paths, fs::path(first).parent_path() / ".." / exporters::kManifestName, on_progress);
 }
 
 }  // namespace citykiln::commands

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exporters/file.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::commands {
 namespace {
@@ -82,7 +83,7 @@ class TilesetTreeReader {
 Result<TileNode> read_tileset_tree(const std::string& folder) {
   TilesetTreeReader reader(folder);
   try {
-    return reader.read("tileset.json", 0);
+    return reader.read(exporters::kTilesetName, 0);
   } catch (const Wrong& wrong) {
     return Error{folder + "/" + reader.file(), wrong.what + "; expected a tileset written by citykiln"};
   } catch (const Json::exception&) {
