@@ -74,8 +74,8 @@ struct CompileSpec {
   std::string map_path;
   std::vector<source::RasterSpec> rasters;  ///< At each place the first heightmap that covers it is used.
   map::Options map;
-  double tile_m = 1024;              ///< A multiple of map::kCell_m.
-  std::vector<scene::TileKey> only;  ///< If not empty, only these tiles are compiled.
+  double tile_m = map::kDefaultTile_m;  ///< A multiple of map::kCell_m.
+  std::vector<scene::TileKey> only;     ///< If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
   std::optional<double> snow_line_m;  ///< Land above it is covered by snow.
   std::string rules_folder;        ///< A folder of rule files that replace shipped ones of the same name; "" for none.

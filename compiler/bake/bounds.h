@@ -7,6 +7,7 @@
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/mesh.h"
 #include "compiler/geometry/placement.h"
+#include "compiler/ground/grading/road_influence.h"
 #include "compiler/map/plane/heightfield.h"
 #include "compiler/props/recipe.h"
 #include "compiler/structures/recipe.h"
@@ -15,7 +16,7 @@ namespace citykiln::bake {
 
 /// The margin by which graded ground may be above or below the terrain. Cuts and banks meet the terrain within this
 /// distance in plan, so they hardly ever differ from it by more.
-inline constexpr double kGraded_m = 16;
+inline constexpr double kGraded_m = ground::kGrading_m;
 
 /// A closed box of the plane, and a closed interval of heights.
 struct Bounds {

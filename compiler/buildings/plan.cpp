@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 
@@ -81,6 +82,16 @@ struct Site {
 // The footprint whose ground the heights of footprint i are measured from: its outline, or itself.
 std::size_t root_of(std::size_t i, std::span<const std::uint32_t> outlines) {
   return outlines[i] == map::kNoOutline ? i : outlines[i];
+}
+
+// The index of each part's outline.
+std::vector<std::uint32_t> outline_indices(std::span<const map::Footprint> footprints) {
+  std::map<ObjectId, std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < footprints.size(); ++i) numbers.emplace(footprints[i].id, i);
+  std::vector<std::uint32_t> outlines;
+  for (const map::Footprint& footprint : footprints)
+    outlines.push_back(footprint.outline ? numbers.at(*footprint.outline) : map::kNoOutline);
+  return outlines;
 }
 
 // By outline: whether height=* is stated for it or one of its parts. All parts are measured from one height, so that
@@ -287,7 +298,7 @@ std::vector<map::Footprint> extended_to_ground(std::vector<map::Footprint> footp
 
 Site site_of(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
   std::vector<std::vector<SharedWall>> shared = shared_walls(features.footprints);
-  std::vector<std::uint32_t> outlines = map::part_outlines(features.footprints);
+  std::vector<std::uint32_t> outlines = outline_indices(features.footprints);
   std::vector<bool> have_height = have_tagged_height(features.footprints, outlines);
   return {.ground = ground,
           .footprints = extended_to_ground(features.footprints, shared, features.tracks, report),

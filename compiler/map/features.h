@@ -23,6 +23,8 @@ namespace citykiln::map {
 
 /// The side of the ground's cells. The extent and every tile consist of whole cells.
 inline constexpr double kCell_m = 128;
+/// The side of a tile unless the spec sets another.
+inline constexpr double kDefaultTile_m = 8 * kCell_m;
 
 /// A tagged colour, sRGB.
 using Srgb = std::array<std::uint8_t, 3>;
@@ -75,8 +77,10 @@ struct Footprint {
   ObjectId id;
   Polygon polygon;
   bool is_part = false;
-  bool has_parts = false;           ///< True for an outline that its building:parts replace: it is not built.
-  double height_m = 0;              ///< Height above the ground, by tags, levels or class. > min_height_m.
+  std::optional<ObjectId>
+      outline;             ///< The outline that a part belongs to (buildings/part_outlines.h); none if outside.
+  bool has_parts = false;  ///< True for an outline that its building:parts replace: it is not built.
+  double height_m = 0;     ///< Height above the ground, by tags, levels or class. > min_height_m.
   bool has_roof_in_height = false;  ///< True if height_m includes the roof (height=*); else the roof comes on top.
   double min_height_m = 0;
   double levels = 0;            ///< Storeys below the roof, counted from the ground; 0: unknown.

@@ -27,6 +27,8 @@ struct Lighting {
   LampKind kind{};
 };
 Lighting lighting_of(map::LandCoverClass surface);
+/// The largest Lighting::height_m.
+inline constexpr double kTallestStreetLamp_m = 12;
 
 /// A lamp with its position.
 struct StreetLamp {

@@ -81,7 +81,7 @@ Vec2 direction_at(const Axes& axes, Vec2 p) {
   double nearest_m = kMaxRoad_m;
   for (const std::uint32_t i : boxes_about(axes.grid, p)) {
     const auto [a, b] = axes.segments[i];
-    const double distance_m = distance(p, nearest_point(a, b, p));
+    const double distance_m = distance_to_segment(a, b, p);
     if (distance_m >= nearest_m || a == b) continue;
     nearest_m = distance_m, along = unit(b - a);
   }

@@ -23,7 +23,7 @@ namespace citykiln::regions {
 // | chunk of a tile        | scene::kHalo_m                 |     48 | ground, footprints, woods around the tile      |
 // | woods                  | plants::kInfluenceRadius_m     |     48 | candidates of blue noise; within kHalo_m       |
 // | plants' obstacles      | plants::kObstacleInfluence_m   |     16 | hedges, rows, corridors                        |
-// | roads of a chunk       | kRoadArms_m                    |     56 | arms of the junctions of the tile              |
+// | roads of a chunk       | scene::kRoadHalo_m             |     56 | arms of the junctions of the tile              |
 // | junctions              | roads::kJunctionRadius_m       |     24 | nodes that are one junction                    |
 // | pieces of roads        | roads::kJunctionHalo_m         |     32 | junctions that end a stretch                   |
 // | running water          | ground::kMaxInfluence_m        |   1008 | the axis that gives a bank its height          |
@@ -38,9 +38,6 @@ namespace citykiln::regions {
 // water, profiles of running water, and the heights that fill places without a heightmap. The header's fields also come
 // from the survey, except rules and species: a region lists those that it uses.
 
-/// How far beyond its tile a chunk holds roads, in metres (scene/assemble.cpp).
-inline constexpr double kRoadArms_m = 56;
-
 /// The radius of one storey of bridges: two ramps of 850 m, as a railway needs (plan_profiles.h).
 inline constexpr double kStoreyRadius_m = 1700;
 
@@ -48,12 +45,12 @@ inline constexpr double kStoreyRadius_m = 1700;
 /// bridges of these, and the bridges that cross them. A whole number of cells of 128 m.
 inline constexpr double kRegionHalo_m = 10240;
 
-static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + roads::kLongestFitted_m +
-                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m + kStoreyRadius_m +
-                                   ground::kKnotStretch_m);
-static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + roads::kLongestFitted_m +
-                                   ground::kLongestApproach_m + ground::kApproach_m + ground::kProfileRadius_m +
-                                   ground::kSpanEndRadius_m);
+static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
+                                   roads::kLongestFitted_m + ground::kProfileRadius_m + ground::kSpanEndRadius_m +
+                                   kStoreyRadius_m + ground::kKnotStretch_m);
+static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
+                                   roads::kLongestFitted_m + ground::kLongestApproach_m + ground::kApproach_m +
+                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 
 }  // namespace citykiln::regions

@@ -21,10 +21,10 @@ std::string to_string(RegionKey region);
 
 /// The division of an extent into regions and tiles.
 struct RegionGrid {
-  Box2 extent;              ///< Whole cells of map::kCell_m.
-  double tile_m = 1024;     ///< A whole multiple of map::kCell_m.
-  double region_m = 16384;  ///< A whole multiple of tile_m.
-  double halo_m = 0;        ///< The width of the data around a region that are compiled with it.
+  Box2 extent;                          ///< Whole cells of map::kCell_m.
+  double tile_m = map::kDefaultTile_m;  ///< A whole multiple of map::kCell_m.
+  double region_m = 16384;              ///< A whole multiple of tile_m.
+  double halo_m = 0;                    ///< The width of the data around a region that are compiled with it.
 };
 
 /// Checks the sizes. Error: the region's side is not a whole multiple of the tile's.

@@ -67,9 +67,6 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
   return tiles;
 }
 
-// The distance beyond its tile up to which a chunk holds roads: the arms of every junction of the tile are among them.
-constexpr double kRoadHalo_m = 56;
-
 struct Sorted {
   ByTile surfaces, roads, junctions, watercourses, near_buildings, buildings, bridges, tunnels, trees, tree_rows,
       corridors, barriers, lamps;

@@ -37,12 +37,14 @@ std::string to_string(TileKey tile);
 /// The width of the ground around its tile that a chunk holds, in whole metres: the largest distance over which
 /// neighbours influence an object (plants).
 inline constexpr double kHalo_m = 48;
+/// The distance beyond its tile up to which a chunk holds roads: the arms of every junction of the tile are among them.
+inline constexpr double kRoadHalo_m = 56;
 
 /// The properties of the whole scene.
 struct Header {
-  map::LonLat origin;    ///< The origin of the plane.
-  Box2 extent;           ///< The compiled part of the plane: whole cells of map::kCell_m.
-  double tile_m = 1024;  ///< A whole multiple of map::kCell_m.
+  map::LonLat origin;                   ///< The origin of the plane.
+  Box2 extent;                          ///< The compiled part of the plane: whole cells of map::kCell_m.
+  double tile_m = map::kDefaultTile_m;  ///< A whole multiple of map::kCell_m.
   std::uint64_t seed = 0;
   double resampling_error_m = 0;  ///< The largest vertical error of the heightfield against the heightmaps.
   sky::Sky sky;
@@ -58,7 +60,7 @@ struct Header {
 /// The recipes of one tile, which can be baked without any other chunk. Each vector is sorted by id.
 ///
 /// Objects that cross a tile's border:
-/// - Surfaces, roads, watercourses and footprints are in every chunk whose tile, widened by kHalo_m (56 m for roads),
+/// - Surfaces, roads, watercourses and footprints are in every chunk whose tile, widened by kHalo_m (kRoadHalo_m),
 ///   they touch. They are trimmed to it.
 /// - Junctions are in every chunk whose tile is within 32 m (roads::kJunctionHalo_m).
 /// - Bridges and tunnels are whole in every chunk whose tile, widened by kHalo_m, they can grade. They are also in the

@@ -6,6 +6,7 @@
 
 #include "compiler/contract/result.h"
 #include "compiler/ground/recipe.h"
+#include "compiler/map/features.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/source/raster.h"
 #include "compiler/surroundings/recipe.h"
@@ -21,7 +22,7 @@ inline constexpr double kLeastKnown_m = 1000;
 /// The extent that the grid surrounds.
 struct Place {
   Box2 extent;                                  ///< The extent.
-  double tile_m = 1024;                         ///< Side of its tiles.
+  double tile_m = map::kDefaultTile_m;          ///< Side of its tiles.
   std::vector<ground::LandCoverPolygon> sea{};  ///< Sea in the extent. Empty: there is no sea around it either.
 };
 

@@ -13,6 +13,7 @@
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/ground/profiles/crossings.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/scene/graded_terrain.h"
@@ -172,17 +173,6 @@ bool are_joined(const Network& network, const Place& a, const Place& b) {
   return joined;
 }
 
-Vec2 nearest_on(Vec2 a, Vec2 b, Vec2 p) {
-  return a + (b - a) * std::clamp(dot(p - a, b - a) / std::max(dot(b - a, b - a), 1e-9), 0.0, 1.0);
-}
-
-double distance_to(const Polyline& axis, Vec2 p) {
-  double least_m = kFar_m;
-  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-    least_m = std::min(least_m, distance(p, nearest_on(axis[i], axis[i + 1], p)));
-  return least_m;
-}
-
 /// True if a bridge or tunnel reaches the ground close to another line, or a bridge continues there as a tunnel.
 bool lands_on(const Network& network, const Place& on, const RoadLine& other) {
   if (on.line->kind == Kind::kGround) return false;
@@ -190,7 +180,7 @@ bool lands_on(const Network& network, const Place& on, const RoadLine& other) {
   bool lands = false;
   walk(network, on, Follow::kOffGround, [&](std::size_t place, double) {
     const bool is_landing = network.is_on_ground[place] || (network.is_deck_end[place] && network.is_bore_end[place]);
-    lands |= is_landing && distance_to(other.road->axis, network.places[place]) < reach_m;
+    lands |= is_landing && distance_to_polyline(other.road->axis, network.places[place]) < reach_m;
     return !lands;
   });
   return lands;
@@ -208,11 +198,9 @@ bool leads_to(const Network& network, const Place& on_ground, std::span<const Ve
 }
 
 std::optional<Vec2> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const double area = cross(b - a, d - c);
-  if (area == 0) return std::nullopt;
-  const double s = cross(c - a, d - c) / area, t = cross(c - a, b - a) / area;
-  if (s < 0 || s > 1 || t < 0 || t > 1) return std::nullopt;
-  return a + (b - a) * s;
+  const auto shares = crossing_shares(a, b, c, d);
+  if (!shares) return std::nullopt;
+  return a + (b - a) * shares->first;
 }
 
 /// The largest clearance shortfall between two objects.
@@ -307,7 +295,7 @@ class Measurer {
     for (const std::uint32_t s : boxes_about(grid_, box.widened(here.line->half_m() + kWidest_m))) {
       const Place& other = segments_[s];
       if (other.line == here.line || is_a_path_of_ground(*other.line)) continue;
-      const Place foot{other.line, other.segment, nearest_on(other.from(), other.to(), here.at)};
+      const Place foot{other.line, other.segment, nearest_point(other.from(), other.to(), here.at)};
       const double apart_m = distance(here.at, foot.at);
       if (apart_m >= here.line->half_m() + other.line->half_m()) continue;
       if (are_side_by_side(*here.line, *other.line, apart_m)) continue;
@@ -327,7 +315,7 @@ class Measurer {
     for (const RoadLine& line : lines_)
       if (&line != &beside && line.kind != Kind::kGround && line.rank() == beside.rank())
         for (const Vec2 end : {line.road->axis.front(), line.road->axis.back()})
-          if (distance_to(beside.road->axis, end) < kWidest_m) ends.push_back(end);
+          if (distance_to_polyline(beside.road->axis, end) < kWidest_m) ends.push_back(end);
     return ends;
   }
 

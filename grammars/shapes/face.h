@@ -58,7 +58,6 @@ void each_vertex(const Face& face, Visitor with) {
   each_vertex(const_cast<Face&>(face), [&](const Vec3& p) { with(p); });
 }
 
-double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b);
 std::size_t vertex_count(std::span<const Face> faces);
 
 /// A right-handed frame of a face's plane: the origin is the first point, x is along the first edge that is not

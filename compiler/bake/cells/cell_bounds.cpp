@@ -8,12 +8,13 @@
 #include "compiler/ground/plan.h"
 #include "compiler/map/locate.h"
 #include "compiler/plants/generate.h"
+#include "compiler/props/street_lamps.h"
 
 namespace citykiln::bake {
 namespace {
 
-// Lamps of streets (props/street_lamps.cpp).
-constexpr double kTallestStreetLamp_m = 12.5;
+// Lamps of streets, whose arms rise above the lamp's height.
+constexpr double kStreetLampTop_m = props::kTallestStreetLamp_m + 0.5;
 // Crowns are at most as wide as plants are tall; arms of lamps and tree pits are shorter.
 constexpr double kCrown_m = plants::kTallestPlant_m / 2, kBeside_m = 4;
 
@@ -73,7 +74,7 @@ class CellBoxes {
     bounds.high_m += kGraded_m + cell.level.tolerance_m;
     const bool has_plants = may_have_plants(box);
     bounds.plan = bounds.plan.widened(has_plants ? kCrown_m : kBeside_m);
-    bounds.high_m += has_plants ? plants::kTallestPlant_m : std::max(kTallestStreetLamp_m, tallest_lamp_m(box));
+    bounds.high_m += has_plants ? plants::kTallestPlant_m : std::max(kStreetLampTop_m, tallest_lamp_m(box));
     return bounds;
   }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compiler/bake/tiles/weld.h"
+#include "compiler/contract/disjoint_sets.h"
 #include "compiler/simplify/decimate.h"
 #include "compiler/simplify/distance_bound.h"
 
@@ -78,29 +79,21 @@ bool is_part(const Primitive& p) {
 // The part of each position: parts are connected sets of triangles of all primitives but terrain and plants.
 struct Parts {
   PositionNumbers places;
-  std::vector<Index> parent;
+  DisjointSets sets;
 
   explicit Parts(const BakedTile& tile) {
     for (const Primitive& p : tile.primitives)
       if (is_part(p))
         for (const FaceOf& t : p.triangles)
-          for (std::size_t i = 1; i < 3; ++i) join(number(p.positions[t[0]]), number(p.positions[t[i]]));
+          for (std::size_t i = 1; i < 3; ++i) sets.join(number(p.positions[t[0]]), number(p.positions[t[i]]));
   }
-  Index find(Index i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  }
-  Index part_at(const Float3& p) { return find(places.of(p)); }
+  Index part_at(const Float3& p) { return sets.find(places.of(p)); }
 
  private:
   Index number(const Float3& p) {
     const Index i = places.of(p);
-    if (i == parent.size()) parent.push_back(i);
+    if (i == sets.size()) sets.add();
     return i;
-  }
-  void join(Index i, Index j) {
-    i = find(i), j = find(j);
-    parent[std::max(i, j)] = std::min(i, j);
   }
 };
 

@@ -12,6 +12,7 @@
 #include "compiler/contract/tolerance.h"
 #include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/point_buckets.h"
+#include "compiler/geometry/segment.h"
 
 namespace citykiln::ground {
 namespace {
@@ -109,13 +110,6 @@ struct Piece {
   Vec2 a, b;
 };
 
-double distance_m(const Piece& piece, Vec2 p) {
-  const Vec2 along = piece.b - piece.a;
-  const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(p - piece.a, along) / squared, 0.0, 1.0) : 0;
-  return distance(p, piece.a + along * share);
-}
-
 // Returns a bound for the largest distance of a triangle's points to the nearest of some pieces. The distance to one
 // piece is convex, so it is largest at a corner. Where that is too far, the triangle is halved: its halves may be near
 // different pieces.
@@ -123,8 +117,8 @@ double distance_bound_m(std::span<const Piece> pieces, const std::array<Vec2, 3>
                         int halvings) {
   double reach_m = std::numeric_limits<double>::infinity();
   for (const Piece& piece : pieces) {
-    const double farthest_m =
-        std::max({distance_m(piece, corners[0]), distance_m(piece, corners[1]), distance_m(piece, corners[2])});
+    double farthest_m = 0;
+    for (const Vec2 p : corners) farthest_m = std::max(farthest_m, distance_to_segment(piece.a, piece.b, p));
     reach_m = std::min(reach_m, farthest_m);
   }
   if (reach_m <= enough_m || halvings == 0) return reach_m;

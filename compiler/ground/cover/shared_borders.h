@@ -26,8 +26,7 @@ std::vector<Edge> edges_between(std::span<const LandCoverPolygon> surfaces, std:
 std::vector<std::pair<std::uint32_t, std::uint32_t>> shared_borders(std::span<const LandCoverPolygon> surfaces,
                                                                     std::span<const std::uint32_t> members);
 
-/// Returns for each number below `count` the lowest number of its group. Numbers of a pair are in one group
-/// (union-find).
+/// Returns for each number below `count` the lowest number of its group. Numbers of a pair are in one group.
 std::vector<std::uint32_t> groups_of(std::size_t count, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
 
 }  // namespace citykiln::ground

@@ -25,9 +25,7 @@ constexpr double kUntaggedRoof_m = 3;
 
 double distance_to_border_m(const Polygon& polygon, Vec2 p) {
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (const Ring* ring : rings_of(polygon))
-    for (std::size_t i = 0; i < ring->size(); ++i)
-      nearest_m = std::min(nearest_m, distance(p, nearest_point((*ring)[i], (*ring)[(i + 1) % ring->size()], p)));
+  for (const Ring* ring : rings_of(polygon)) nearest_m = std::min(nearest_m, distance_to_ring(*ring, p));
   return nearest_m;
 }
 
@@ -108,8 +106,9 @@ std::vector<Footprint> without_duplicates(std::vector<Footprint> footprints, Acc
   return without(std::move(footprints), is_left_out, account, report);
 }
 
-std::vector<Footprint> without_enclosed_parts(std::vector<Footprint> footprints, Account& account, Report& report) {
-  const std::vector<std::uint32_t> outlines = part_outlines(footprints);
+std::vector<Footprint> without_enclosed_parts(std::vector<Footprint> footprints,
+                                              std::span<const std::uint32_t> outlines, Account& account,
+                                              Report& report) {
   std::vector<bool> is_left_out(footprints.size(), false);
   for (std::size_t i = 0; i < footprints.size(); ++i) {
     if (outlines[i] == kNoOutline || footprints[outlines[i]].has_parts) continue;

@@ -1,6 +1,8 @@
 // Drops footprints that would be built in the same place: duplicates, and parts inside an outline that is built, too.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "compiler/contract/report.h"
@@ -18,7 +20,10 @@ std::vector<Footprint> without_duplicates(std::vector<Footprint> footprints, Acc
 
 /// Mends parts whose outline is built, too (has_parts is false). A part within the heights of its outline is dropped,
 /// kDuplicateBuilding; a part that is higher begins at the outline's eaves. O(n).
-std::vector<Footprint> without_enclosed_parts(std::vector<Footprint> footprints, Account& account, Report& report);
+/// @param outlines  part_outlines() of the footprints.
+std::vector<Footprint> without_enclosed_parts(std::vector<Footprint> footprints,
+                                              std::span<const std::uint32_t> outlines, Account& account,
+                                              Report& report);
 
 inline constexpr double kSameOutline_m = 0.5;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/geometry/segment.h"
 #include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::roads {
@@ -91,13 +92,6 @@ void add_beside_segment(ObstacleSearch& search, std::span<const Steps> passages,
   if (const auto right = clipped(*edge, -edge->a.y, -edge->b.y)) add_edge(search, passages, *right, false);
 }
 
-double distance_to_edge(const Edge& edge, Vec2 p) {
-  const Vec2 along = edge.b - edge.a;
-  const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(p - edge.a, along) / squared, 0.0, 1.0) : 0;
-  return distance(p, edge.a + along * share);
-}
-
 // The smallest half width whose mitre touches an edge: the minimum along the edge of the larger of two linear
 // functions.
 double least_of_larger(double f_a, double f_b, double g_a, double g_b) {
@@ -117,7 +111,7 @@ void add_at(ObstacleSearch& search, std::span<const Steps> passages, double alon
 void add_beside_bend(ObstacleSearch& search, std::span<const Steps> passages, Vec2 at, double along_m, Vec2 before,
                      Vec2 after, const Edge& wall) {
   if (dot(before, after) <= 0) {
-    const double half = distance_to_edge(wall, at);
+    const double half = distance_to_segment(wall.a, wall.b, at);
     add_at(search, passages, along_m, half, true), add_at(search, passages, along_m, half, false);
     return;
   }
