@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/scratch_folder.h"
 
 namespace citykiln::outputs {
@@ -25,7 +27,7 @@ std::string report_of(Report& report, const WrittenFiles& written) {
   scene::Header header;
   header.extent = {{-1024, 0}, {1024, 3072}};
   header.tile_m = 1024;
-  return report_json(header, {}, report, written, {}, {});
+  return report_json(header, {}, report, written, {}, nlohmann::ordered_json::object());
 }
 
 TEST(RunReport, ReadsBackTheTilesItWrote) {

@@ -66,7 +66,7 @@ struct BorderFace {
   auto operator<=>(const BorderFace&) const = default;
 };
 
-inline std::vector<BorderFace> faces_between(std::span<const Border> borders) {
+inline std::vector<BorderFace> border_faces_between(std::span<const Border> borders) {
   std::vector<GridPoint> vertices;
   for (const Border& b : borders) vertices.insert(vertices.end(), {b.a, b.b});
   std::ranges::sort(vertices);
@@ -176,7 +176,7 @@ inline double sampled_distance_m(const OldRun& run, const Border& now) {
 inline void expect_simplified(std::span<const Border> old, const SimplifiedBorders& now, double tolerance_m,
                               const Box2& cell) {
   EXPECT_TRUE(no_two_cross(now.borders));
-  const auto faces_before = faces_between(old), faces_after = faces_between(now.borders);
+  const auto faces_before = border_faces_between(old), faces_after = border_faces_between(now.borders);
   EXPECT_EQ(faces_by_surface(faces_before), faces_by_surface(faces_after));
   double area_m2 = 0;
   for (const BorderFace& face : faces_after) area_m2 += face.area_m2;

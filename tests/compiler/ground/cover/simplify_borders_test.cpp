@@ -178,7 +178,7 @@ TEST(SimplifyBorders, AnIslandStaysInItsLake) {
   const auto borders = borders_with({lake, {island[0], island[1], island[2]}});
   const SimplifiedBorders now = simplify_borders(borders, 30, nowhere);
   expect_simplified(borders, now, 30, kWavyCell);
-  EXPECT_EQ(faces_between(now.borders).size(), 3u);
+  EXPECT_EQ(border_faces_between(now.borders).size(), 3u);
 }
 
 TEST(SimplifyBorders, NothingInNothingOut) { EXPECT_TRUE(simplify_borders({}, 1, nowhere).borders.empty()); }
