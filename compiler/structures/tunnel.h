@@ -12,11 +12,9 @@
 
 namespace citykiln::structures {
 
-/// True if a tunnel lies under the terrain: at least kMinCoveredShare of its ceiling is below the terrain, not counting
-/// kPortal_m behind each portal. If nothing else is left, its middle counts.
+/// True if a tunnel lies under the terrain: at least ground::kMinCoveredShare of its ceiling is below the terrain, not
+/// counting ground::kPortalLength_m behind each portal. If nothing else is left, its middle counts.
 bool is_underground(const Span& tunnel, const map::Heightfield& heights);
-
-inline constexpr double kPortal_m = 16, kMinCoveredShare = 0.6;
 
 /// Generates a tunnel at a tolerance, > 0: road, walls and ceiling that face inwards, open at portals and joints,
 /// closed at free ends. Frames around portals are closed. A tunnel that is not is_bored has no mesh. Cannot fail.

@@ -1,11 +1,15 @@
 // The three classes that the codecs of a chunk work on: Writer, Reader, and a probe that finds the step of its points.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -13,10 +17,27 @@
 #include "compiler/contract/utf8.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/map/locate.h"
-#include "exporters/kiln/chunk_streams.h"
 #include "exporters/kiln/streams.h"
 
 namespace citykiln::exporters {
+
+/// The names of the streams of a chunk, one per property, in the order of a chunk.
+inline constexpr std::array kStreamNames = {
+#define STREAM(name) name,
+#include "exporters/kiln/chunk_streams.inc"
+#undef STREAM
+};
+
+/// The number of a stream, made from its name, such as "knot height". An unknown name does not compile.
+struct Stream {
+  std::size_t number;
+  consteval Stream(const char* name)  // NOLINT: implicit, so that names read as names
+      : number(
+            static_cast<std::size_t>(std::ranges::find(kStreamNames, std::string_view(name)) - kStreamNames.begin())) {
+    if (number == kStreamNames.size()) throw "a name of the list";
+  }
+  const char* name() const { return kStreamNames[number]; }
+};
 
 inline constexpr std::size_t kMaxReserve = 1u << 12;
 // The plane extends 80 degrees of longitude from its origin: 16 000 km.

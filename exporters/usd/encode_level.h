@@ -26,7 +26,7 @@ struct UsdLevel {
 ///         Asphalt …              and a PointInstancer (usd_meshes.h)
 ///         instances/meshes
 ///       materials                usd_materials.h
-///       features                 usd_features.h
+///       features                 a table: one array attribute for each column
 ///
 /// @param tile  Its primitives and instanced meshes are sorted by layer.
 /// @param texture_folder  The path from the layer, with a slash at the end: "../textures/".

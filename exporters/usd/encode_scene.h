@@ -21,7 +21,7 @@ struct UsdTile {
   scene::TileKey tile;
   Vec3 origin;                             ///< Plane metres.
   std::vector<UsdTileLevel> levels;        ///< Finest first; not empty.
-  std::vector<bake::PlacedLamp> lights{};  ///< Lamps to write as lights (usd_lights.h), at any time of day.
+  std::vector<bake::PlacedLamp> lights{};  ///< Lamps to write as lights, at any time of day.
 };
 
 /// Returns the luminance in cd/m² that stands for a radiance of 1 in USD: that of a white surface that faces the sun at

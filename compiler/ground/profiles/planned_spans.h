@@ -7,6 +7,10 @@
 
 namespace citykiln::ground {
 
+/// The least share of a bore's ceiling that is below the terrain, not counting kPortalLength_m at both ends, and the
+/// spacing of samples.
+inline constexpr double kMinCoveredShare = 0.6, kPortalLength_m = 16, kCoverSample_m = 4;
+
 struct PlannedSpans {
   std::vector<roads::Road> decks;  ///< Bridges; the land is below them.
   std::vector<roads::Road> bores;  ///< Tunnels whose ceiling is below the terrain for most of their length.

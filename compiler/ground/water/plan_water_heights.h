@@ -19,8 +19,7 @@ struct Waters {
 /// Decides the heights of all water of a map.
 ///
 /// @param covered  Axes of culverts and aqueducts, downstream: they connect rivers.
-/// Method: standing_water.h, river_network.h, river_uphill.h, river_heights.h, river_depth.h, river_profile.h,
-/// river_areas.h.
+/// Method: standing_water.h, river_network.h, river_heights.h, river_depth.h, river_profile.h, river_areas.h.
 /// Guarantees:
 /// - Standing water is level. Polygons with a common border have one level, unless their shores differ by more than
 ///   kDam_m. The sea is at 0.
