@@ -36,8 +36,8 @@ struct SceneContext {
 /// The rules of the building's style refine its mass model (mass_model.h) down to the tolerance. Without rules for the
 /// style the result is the mass model itself. A building lower than the tolerance, roof structures included, has no
 /// mesh, and its height is the error. Tints and random draws of rules depend on the seed and the id, not on `night`.
-/// Diagnoses: a flat roof in place of another (kRoofFallback), rule errors (kRuleErrors). tolerance_m > 0. Cost: that
-/// of the derivation.
+/// Diagnoses: a flat roof in place of another (kRoofFallback), rule errors (kRuleErrors), models and textures of rules,
+/// which are not drawn (kRuleWithoutEffect). tolerance_m > 0. Cost: that of the derivation.
 GeneratedBuilding generate(const Building& building, const Rulebook& rulebook, SceneContext context, double tolerance_m,
                            Report& report);
 
