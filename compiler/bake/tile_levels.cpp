@@ -16,7 +16,7 @@ namespace {
 void add_hedges(const scene::Chunk& chunk, const plants::PlacingContext& land, plants::PlacedPlants& placed) {
   for (const props::Barrier& barrier : chunk.barriers)
     if (barrier.kind == map::BarrierKind::kHedge)
-      plants::add_hedge({barrier.axis, barrier.height_m, barrier.id.osm}, land, placed);
+      plants::place_hedge(placed, {barrier.axis, barrier.height_m, barrier.id.osm}, land);
 }
 
 std::vector<Placement> joined(const plants::PlacedPlants& placed) {

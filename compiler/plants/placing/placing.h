@@ -60,6 +60,10 @@ void place_plant(PlacedPlants& placed, const PlacingContext& context, Species sp
 void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
                        Vec2 along, const Draw& draw, OsmId feature);
 
+/// Returns places at equal distances of about `spacing_m` along an axis, including its ends; the ends of a closed axis
+/// are one place. The axis is longer than 0.
+std::vector<Vec2> spaced_along(const Polyline& axis, double spacing_m);
+
 /// True if the box without its upper sides contains a position.
 bool is_in_half_open(const Box2& box, Vec2 p);
 
@@ -104,7 +108,7 @@ struct HedgeLine {
 };
 
 /// Adds the pieces of a hedge along its axis, each as long as it is high. Ignores land cover. O(length).
-void add_hedge(const HedgeLine& hedge, const PlacingContext& context, PlacedPlants& placed);
+void place_hedge(PlacedPlants& placed, const HedgeLine& hedge, const PlacingContext& context);
 
 /// Obstacles with a spatial index.
 struct ObstacleIndex {
