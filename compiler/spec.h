@@ -26,7 +26,8 @@
 namespace citykiln {
 
 /// The tolerances of the default levels of detail, finest first, in metres. None is more than five times the one before
-/// it, which skirts rely on (bake/skirt.h). Each level has at least an eighth of the triangles of the level before it.
+/// it, which skirts rely on (bake/ground/skirt.h). Each level has at least an eighth of the triangles of the level
+/// before it.
 inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, 12.5};
 
 /// Compression of meshes in .glb files (exporters/gltf/compression.h).

@@ -10,7 +10,7 @@
 
 namespace citykiln::lsystems {
 
-/// Compiles a text in the notation of lsystems/README.md.
+/// Compiles a text in the notation of lsystems/notation.md.
 ///
 /// @param file  The name in messages.
 /// @param given  Values that replace those of #define; other names are ignored.

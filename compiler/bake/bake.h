@@ -71,7 +71,7 @@ BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, 
 std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std::size_t level);
 
 /// Bakes a tile for one viewpoint, as one part per tolerance, finest first; all parts together are the tile
-/// (commands/join_tiles.h). Each part states its largest error in pixels. Dropped objects are not counted, as they are
+/// (tiles/join_tiles.h). Each part states its largest error in pixels. Dropped objects are not counted, as they are
 /// too small to be seen. Each of n parts may have most_instances / n instances. Cannot fail. Cost: linear in the
 /// objects of the parts.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,

@@ -21,7 +21,7 @@ namespace citykiln::outputs {
 /// - Above the tiles is a quadtree over the extent. The tolerance of an inner tile is twice that of its children. Up to
 ///   4/3 kCoarsest_m an inner tile is joined from tiles that are baked at 3/4 of its tolerance. Above that it is joined
 ///   from its children, without objects near the terrain. The other quarter of the tolerance is spent on decimating the
-///   terrain (bake/simplify_tile.h), unless the tile is very wide for its tolerance, as above levels of 2.5 m.
+///   terrain (bake/tiles/simplify_tile.h), unless the tile is very wide for its tolerance, as above levels of 2.5 m.
 /// - error_m of each tile is that of its content, and larger than those of its children.
 /// - With Outputs::surroundings the root has no content and two children: the tree and the land around it.
 ///

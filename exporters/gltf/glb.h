@@ -23,7 +23,7 @@ struct GlbOptions {
   Compression compression = Compression::kNone;  ///< Must be one that the target's reader supports.
   bool has_exact_pictures = false;               ///< Images are PNG only, even if the target's reader supports more.
   std::span<const bake::PlacedLamp> lights{};    ///< Lamps to write as lights (encode_lights.h), at any time of day.
-  bool is_on_ellipsoid = false;  ///< The tile is bent (bake/bend.h): extras name its frame instead of the plane.
+  bool is_on_ellipsoid = false;  ///< The tile is bent (bake/far/bend.h): extras name its frame instead of the plane.
 };
 
 /// Returns the .glb of a tile.

@@ -12,7 +12,7 @@ namespace citykiln::exporters {
 using Axes = std::array<Vec3, 3>;
 
 /// The points whose coordinates along the axes are in closed intervals. Frame: that of a run on the ellipsoid
-/// (map/globe.h), metres. The default is empty.
+/// (map/plane/globe.h), metres. The default is empty.
 struct OrientedBox {
   Axes axes{};
   std::array<double, 3> low, high;

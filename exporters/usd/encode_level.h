@@ -10,7 +10,7 @@
 
 namespace citykiln::exporters {
 
-/// Crates are half the size and several times faster to read (README.md); text is for people and tests.
+/// Crates are half the size and several times faster to read (usd.md); text is for people and tests.
 enum class UsdForm { kText, kCrate };
 
 struct UsdLevel {

@@ -28,7 +28,7 @@ struct UsdTile {
 /// the zenith.
 double usd_unit_luminance_cd_m2();
 
-/// The layer kUsdSurroundingsName, which holds the land around the scene (bake/bake_surroundings.h).
+/// The layer kUsdSurroundingsName, which holds the land around the scene (bake/far/bake_surroundings.h).
 struct UsdSurroundings {
   Vec3 origin;       ///< Plane metres.
   UsdBounds bounds;  ///< Metres from `origin`.

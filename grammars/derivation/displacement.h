@@ -1,4 +1,4 @@
-// Upper bounds of the distance by which rules move a surface. grammars/README.md ("Levels of detail") derives them.
+// Upper bounds of the distance by which rules move a surface. grammars/cga.md ("Levels of detail") derives them.
 #pragma once
 
 #include <limits>

@@ -10,8 +10,8 @@ namespace citykiln::bake {
 /// The largest sag of a straight edge, as a share of the tile's tolerance.
 inline constexpr double kSagShare = 0.02;
 
-/// Returns the tile in the frame of `globe` (map/globe.h). Heights above the ellipsoid are the tile's heights plus the
-/// geoid's. The origin is in that frame, too, in whole metres.
+/// Returns the tile in the frame of `globe` (map/plane/globe.h). Heights above the ellipsoid are the tile's heights
+/// plus the geoid's. The origin is in that frame, too, in whole metres.
 ///
 /// - Edges are halved until map::sag_m() is at most kSagShare of the tolerance. New vertices have the mean of the
 /// edge's

@@ -35,7 +35,7 @@ struct LoadRequest {
 struct Loaded {
   std::vector<bake::BakedTile> tiles;         ///< Sorted by tile.
   std::optional<scene::Header> header;        ///< From the given manifest, or the one beside the .glb folder.
-  std::optional<bake::BakedTile> backdrop{};  ///< The land around (bake/bake_surroundings.h), if it was read.
+  std::optional<bake::BakedTile> backdrop{};  ///< The land around (bake/far/bake_surroundings.h), if it was read.
   std::string manifest_path{};                ///< The manifest of the header; "" for none.
 };
 
