@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every link in a page leads to a file and a heading, and compiler/settings.md lists every setting."""
+"""Every link in a page leads to a file and a heading, ARCHITECTURE.md names what exists, and compiler/settings.md lists every setting."""
 import re
 import subprocess
 import sys
@@ -39,6 +39,15 @@ class Links(unittest.TestCase):
                 if page.suffix == ".md" and anchor not in anchors_of(page):
                     dead.append(f"{document.relative_to(ROOT)}: {target}#{anchor}")
         self.assertEqual(dead, [], "\n" + "\n".join(dead))
+
+    def test_names_in_the_architecture_exist(self):
+        page = (ROOT / "ARCHITECTURE.md").read_text()
+        listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+        files = set(re.findall(r"[\w/]*\w+\.(?:h|cpp|inc|cga|py|txt|md)\b", page))
+        self.assertGreater(len(files), 50)
+        self.assertEqual([name for name in files if not any(f"/{path}".endswith(f"/{name}") for path in listed)], [])
+        code = "\n".join((ROOT / path).read_text() for path in listed if re.match(r"compiler/.*\.(h|cpp|inc)$", path))
+        self.assertEqual([name for name in re.findall(r"`(k[A-Z]\w+)`", page) if not re.search(rf"\b{name}\b", code)], [])
 
     def test_settings_are_listed_in_their_order(self):
         settings = re.findall(r'^    \{"([a-z-]+)", ', (ROOT / "compiler" / "spec.cpp").read_text(), re.MULTILINE)
