@@ -35,7 +35,7 @@ Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, cons
   if (!box) return box;
   const map::Plane plane(spec.map.origin.value_or(map::default_origin(*box)));
   const bool has_box = spec.map.bbox || osm.header_box;
-  const Result<Done> worthwhile = map::is_worth_baking(map::region_of(plane, *box), osm, has_box);
+  const Result<Done> worthwhile = map::check_worth_baking(map::extent_of(plane, *box), osm, has_box);
   if (!worthwhile) return worthwhile.error();
   return box;
 }

@@ -22,7 +22,7 @@ namespace citykiln {
 bool is_empty(const map::Features& features);
 
 /// Returns the box to compile: spec.map.bbox, the map's own box, or that of its elements.
-/// Error: the box is so large and empty that a typing error is likely (map::is_worth_baking()).
+/// Error: the box is so large and empty that a typing error is likely (map::check_worth_baking()).
 Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm, Report& report);
 
 /// Returns the heights of the region. Error: heightmaps are given, but none covers any part of the region.

@@ -32,7 +32,7 @@ Result<std::optional<FileList>> read_file_list(const std::string& path);
 /// The differences between a folder and its list, sorted by name.
 struct FolderState {
   std::vector<std::string> missing;  ///< Listed files that the folder lacks.
-  std::vector<std::string> changed;  ///< Files whose size or hash differs from the list's.
+  std::vector<std::string> changed;  ///< Files whose size or hash differs from the listed one.
   std::vector<std::string> strange;  ///< Files and folders that are not listed. Names of folders end in "/".
 };
 
@@ -44,7 +44,7 @@ FolderState compare_folder(const std::string& folder, const FileList& list, int 
 /// Returns FolderState::strange as compare_folder() finds it, but reads no file.
 std::vector<std::string> strange_files(const std::string& folder, const FileList& list);
 
-/// True if a file exists and, where its entry has a hash, has that size and hash.
+/// True if a file exists and, if its entry has a hash, has the size and the hash of the entry.
 bool is_whole(const std::string& folder, const ListedFile& file);
 
 }  // namespace citykiln::exporters

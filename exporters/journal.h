@@ -14,7 +14,7 @@ namespace citykiln::exporters {
 /// A complete file of a run in progress.
 struct StagedFile {
   ListedFile file;
-  /// A hash of all inputs that determine the bytes. 0: no key, and a later run does not reuse the file.
+  /// A hash of all inputs that determine the bytes. 0: there is no key, so later runs cannot reuse the file.
   std::uint64_t key = 0;
   std::string note;  ///< Facts about the file for a run that reuses it, UTF-8.
 };

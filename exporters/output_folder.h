@@ -40,12 +40,12 @@ namespace citykiln::exporters {
 /// the folder; the new run then leaves its own keys for the next.
 enum class TakesOver { kInterrupted, kFinished };
 
-/// Writes the files of one run. Destroyed without commit(), it leaves OUT as it was. If .new holds files with keys, it
-/// stays for the next run; else it is removed, together with the folders that were made.
+/// Writes the files of one run. An object destroyed without commit() leaves OUT as it was. If .new holds files with
+/// keys, .new stays for the next run; else .new is removed, together with the folders that were made.
 class OutputFolder {
  public:
-  /// Makes the folder if it is missing, and finishes an interrupted commit. Errors: a folder that cannot be made or
-  /// written; another process that is writing a run into it.
+  /// Opens a folder: makes it if it is missing, and finishes an interrupted commit. Errors: a folder that cannot be
+  /// made or written; another process that is writing a run into it.
   static Result<OutputFolder> open(const std::string& path, TakesOver takes_over = TakesOver::kInterrupted);
   ~OutputFolder();
   OutputFolder(OutputFolder&& other) noexcept;

@@ -9,8 +9,8 @@
 namespace citykiln::exporters {
 
 /// Moves the files of a finished run from .new into the folder, if there is such a run. Waits for another process that
-/// does so. Interrupted at any moment, it can be called again. Call it before reading a run's folder. Errors: files
-/// that cannot be renamed or removed.
+/// does so. After an interruption at any moment, the function can be called again. It must be called before a run's
+/// folder is read. Errors: files that cannot be renamed or removed.
 Result<Done> settle(const std::string& folder);
 
 /// Does the work of settle() for a caller that holds the lock of the folder.

@@ -24,9 +24,10 @@ struct Limits {
   std::uint64_t work = 4'000'000'000;  ///< Tested rules, and executed instructions of their conditions and values.
 };
 
+/// The inputs of a derivation beside the L-system.
 struct DeriveOptions {
-  std::optional<int> steps = {};           ///< Default: the file's.
-  std::optional<std::uint64_t> seed = {};  ///< Default: the file's.
+  std::optional<int> steps = {};           ///< The number of steps; empty: the number in the file.
+  std::optional<std::uint64_t> seed = {};  ///< The seed of random numbers; empty: the seed in the file.
   StableId plant{};                        ///< The key of the plant's random numbers.
   Limits limits = {};
   Environment environment = {};
@@ -40,6 +41,7 @@ struct Warning {
   std::uint64_t times = 0;
 };
 
+/// The member of Limits that ended a derivation.
 enum class LimitKind : std::uint8_t { kSymbols, kWritten, kSteps, kWork };
 
 /// The limit that ended a derivation. The derivation then has the last complete string.
@@ -49,6 +51,7 @@ struct LimitExceeded {
   int step = 0;  ///< The step that was not completed, from 1.
 };
 
+/// The result of derive() or interpret().
 struct Derivation {
   ModuleString string;
   int steps = 0;              ///< Completed steps.
@@ -61,7 +64,8 @@ struct Derivation {
 ///
 /// Applies the first rule of a module that matches (contexts, then condition). If that rule has a probability, one rule
 /// is drawn from it and all later matching rules with a probability, with the probabilities as weights. A module
-/// without a matching rule is copied. % removes the rest of its branch in the step after it is written.
+/// without a matching rule is copied. The module % removes the rest of its branch in the step after the one that wrote
+/// it.
 ///
 /// Guarantees: deterministic on any machine; random numbers are functions of (seed, plant, step, position in the
 /// string); brackets are balanced; every value is finite. An undefined value (1/0) becomes 0, with a warning; a limit
@@ -69,7 +73,7 @@ struct Derivation {
 /// if rules have contexts.
 Derivation derive(const LSystem& system, const DeriveOptions& options = {});
 
-/// Applies the interpretation rules up to their depth. Returns the string for the turtle.
+/// Applies the interpretation rules up to their depth (`maximum depth` of the file). Returns the string for the turtle.
 ///
 /// @param string  The result of derive() with this system.
 Derivation interpret(const LSystem& system, const ModuleString& string, const DeriveOptions& options = {});

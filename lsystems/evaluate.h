@@ -1,4 +1,4 @@
-// Evaluates expressions in successors, conditions and probabilities.
+// Evaluates expressions in successors, conditions and probabilities. A slot is the place of a parameter of a rule.
 #pragma once
 
 #include "lsystems/lsystem.h"
@@ -16,6 +16,8 @@ inline constexpr int kStackLimit = 64;
 /// @param slots  The values of the rule's parameters.
 double run(const Instruction* code, std::uint32_t count, const double* slots, RandomSource& random);
 
+/// Returns the value of an expression; common forms need no code.
+/// @param slots  The values of the rule's parameters.
 inline double evaluate(const LSystem& system, const Value& value, const double* slots, RandomSource& random) {
   switch (value.form) {
     case ValueForm::kConstant:

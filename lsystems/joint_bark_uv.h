@@ -1,4 +1,5 @@
-// Texture coordinates of bark on stems and joints.
+// Texture coordinates of bark on stems and joints. A joint is a smooth surface between the rings of three or more
+// stems; a turn is a full circle about a stem.
 #pragma once
 
 #include <array>
@@ -15,17 +16,17 @@ struct BarkWrap {
   double u(double turn) const { return at + per_turn * turn; }
 };
 
-/// The start of u: rings that begin half a side earlier still have u > 0.
+/// The value of u at the first point of a ring. With it, rings that begin half a side earlier still have u > 0.
 inline constexpr double kFirst = 1;
 
 /// Returns the wrap of the stem that continues above a joint.
-/// @param turn  The turn of the arriving stem at the first point of the joint's lower ring.
+/// @param turn  The angle about the arriving stem, in turns, at the first point of the joint's lower ring.
 BarkWrap continue_wrap(const BarkWrap& arriving, double turn, double per_turn);
 
-/// The texture coordinates of a joint. Wraps are in the order of its rings.
+/// The texture coordinates of a joint.
 struct JointBarkUv {
   const Joint& joint;
-  std::array<BarkWrap, 2 + kMostSideStems> wrap{};
+  std::array<BarkWrap, 2 + kMostSideStems> wrap{};    ///< In the order of Joint::rings.
   std::array<double, 2 + kMostSideStems> sleeve_m{};  ///< The length from the box to the ring of a side stem.
 
   /// Returns u in texture periods and v in metres from the root.

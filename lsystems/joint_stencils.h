@@ -1,4 +1,5 @@
-// Stencils of joints: the mesh topology and the weights of cage points for each combination of open sides and level.
+// Stencils of joints: the mesh of a joint, with each vertex as a weighted sum of cage points (control points). They
+// depend only on the number of sides and on which sides of the box have stems.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,9 @@ inline constexpr double kRoundness = 0.0006;
 /// The range of v on the box.
 inline constexpr double kBoxLow = 1 / 3.0, kBoxHigh = 2 / 3.0;
 
+/// The stencils for one number of sides and one combination of side stems.
 struct JointStencils {
+  /// The share of a cage point in a vertex's position and in the two tangents there.
   struct Weight {
     std::uint32_t point = 0;
     double position = 0, tangent_1 = 0, tangent_2 = 0;

@@ -1,4 +1,5 @@
-// A compiled L-system: modules are numbers, productions and expressions are rows of flat arrays.
+// A compiled L-system: modules are numbers, productions and expressions are rows of flat arrays. A slot is the place of
+// a parameter of a rule.
 //
 //   A(l,w) : l > 0.1 -> !(w)F(l)[&(45)A(l*0.6,w)]A(l*0.9,w)       one Rule: predecessor, condition, successor
 //   └pred┘   └cond─┘    └kinds: ! F [ & A ] A ; values: w l 45 l*0.6 w l*0.9 w
@@ -32,6 +33,7 @@ enum class TurtleOp : std::uint8_t {
   kQueryShade,     ///< ?S(s)
 };
 
+/// A kind of modules: a name with a number of parameters.
 struct ModuleKind {
   std::string name;  ///< "F", "+", "~L", "?H", "internode".
   std::uint8_t arity = 0;
@@ -82,6 +84,7 @@ struct Successor {
   std::uint32_t code = 0;  ///< The number of instructions of its values.
 };
 
+/// A production: predecessor, contexts, condition or probability, and successor.
 struct Rule {
   TextPosition place;
   Kind predecessor = 0;

@@ -10,15 +10,16 @@
 
 namespace citykiln::lsystems {
 
+/// A string that modules are appended to.
 struct ModuleBuffer {
   ModuleString room;  ///< The allocated arrays, whose first `size` and `value_count` entries are the string.
   std::size_t size = 0, value_count = 0;
-  std::size_t most = 0;  ///< The limit of symbols; that of values is four times as large.
+  std::size_t most = 0;  ///< The limit of symbols. The limit of values is four times as large.
 
   std::span<const Kind> kinds() const { return {room.kinds.data(), size}; }
   std::span<const double> values() const { return {room.values.data(), value_count}; }
 
-  /// Makes room for more symbols and values. Returns false if the limit does not allow it.
+  /// Allocates memory for more symbols and values. Returns false if their number would exceed the limit.
   bool make_room(std::size_t symbols, std::size_t values) {
     if (size + symbols <= room.kinds.size() && value_count + values <= room.values.size())
       return size + symbols <= most;

@@ -17,9 +17,11 @@ struct PartMesh {
   std::vector<Triangle> triangles;
 };
 
+/// Bark and leaves of a plant, with the error of the bark and counts.
 struct PlantMesh {
   /// Closed if vertices of one position are merged. u runs around the stem (TubeOptions::bark_m), v along it in metres;
-  /// both are continuous along a stem and through joints, except for whole texture periods and where side stems begin.
+  /// both are continuous along a stem and through joints, except for jumps by whole texture periods, and at the
+  /// beginnings of side stems.
   PartMesh bark;
   PartMesh leaf;  ///< Open surfaces; u across and v along the leaf, from 0 to 1.
 

@@ -7,7 +7,7 @@
 
 namespace citykiln::lsystems {
 
-/// The number of random draws that one production may use at a position.
+/// The number of random numbers that one production may use for a module.
 inline constexpr std::uint32_t kDrawsPerModule = 16;
 
 /// The random numbers of one module.

@@ -12,8 +12,8 @@ namespace citykiln::lsystems {
 
 /// Compiles a text in the notation of lsystems/notation.md.
 ///
-/// @param file  The name in messages.
-/// @param given  Values that replace those of #define; other names are ignored.
+/// @param file  The name of the file in error messages.
+/// @param given  Values that replace the values of #define lines, by name; names without a #define are ignored.
 ///
 /// Guarantees: brackets are balanced in the axiom, in every successor, and so in every derived string.
 /// Errors: the first position where the text is invalid, with the text that was expected; a text longer than

@@ -1,5 +1,6 @@
-// The state of the .lsys reader: position, first error, and the system read until now. An error moves the position to
-// the end, so that all functions in progress return.
+// The state of the .lsys reader: position, first error, and the part of the L-system that is read already. An error
+// moves the position to the end of the text, so that all functions in progress return. A slot is the place of a
+// parameter of the current rule.
 #pragma once
 
 #include <map>
@@ -17,6 +18,7 @@ namespace citykiln::lsystems {
 /// Returns a position as "file:line:column".
 std::string position_name(std::string_view file, TextPosition place);
 
+/// The state of the reader.
 struct Reader {
   std::string_view text;  ///< Comments are replaced by spaces.
   std::string file;
@@ -39,9 +41,9 @@ struct Reader {
   bool starts_with(std::string_view word) const { return text.substr(at, end - at).substr(0, word.size()) == word; }
   bool done() const { return at >= end; }
   void skip_space();
-  /// Skips space, and the word if it is next. Returns true if it was.
+  /// Skips space, and the word if it is next. Returns true if the word was next.
   bool accept(std::string_view word);
-  /// Skips the word, or fails with "expected 'word' why, found …".
+  /// Skips the word and returns true, or fails with "expected 'word' why, found …".
   bool expect(std::string_view word, std::string_view why);
 
   TextPosition place() const { return position_at(at); }

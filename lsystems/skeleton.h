@@ -1,4 +1,5 @@
-// The skeleton of a plant: segments, polygons, and instances of named shapes.
+// The skeleton of a plant: segments (straight pieces of stems), polygons, and instances of named shapes such as leaves.
+// A turtle draws it: a moving position with three directions.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ inline constexpr std::int32_t kNoParent = -1;
 struct Segment {
   TurtleFrame start;
   double length = 0;
-  /// The parent's end_radius if the segment continues the parent's axis, else its own end_radius.
+  /// The parent's end_radius if the segment continues the parent's axis, else end_radius of this segment.
   double start_radius = 0;
   double end_radius = 0;
   std::int32_t colour = 0;
@@ -35,13 +36,13 @@ struct Segment {
 struct FlatPolygon {
   std::uint32_t first = 0, count = 0;  ///< The range in Skeleton::vertices, at least three.
   std::int32_t colour = 0;
-  std::int32_t parent = kNoParent;  ///< The last segment before its {.
+  std::int32_t parent = kNoParent;  ///< The last segment before the polygon's {.
   std::int32_t order = 0;           ///< The order of the branch with its {.
 };
 
 /// A named shape with a frame: ~X, @O, @o.
 struct Instance {
-  Kind kind = 0;  ///< Its name in LSystem::kinds names the shape.
+  Kind kind = 0;  ///< Index into LSystem::kinds, whose name is the name of the shape.
   TurtleFrame frame;
   double size = 1;
   std::int32_t colour = 0;

@@ -22,10 +22,11 @@ struct LeafSurface {
   std::vector<Triangle> triangles;
 };
 
+/// The settings of mesh_plant().
 struct TubeOptions {
   double tolerance_m = 0.02;  ///< ≥ 0; sides are at most kMostSides.
   double flare = 0.6;         ///< The widening of the trunk's foot, in radii; 0: none.
-  /// By Instance::kind. A kind without a surface is drawn as a kite of four corners.
+  /// The surface of each Instance::kind. A kind without a surface gets a kite of four corners.
   std::span<const LeafSurface> surfaces;
   bool instances = true;  ///< Instances are meshed.
   /// The period of the bark texture. u counts metres of the texture. A whole number of periods is around each stem, as
@@ -38,9 +39,9 @@ inline constexpr int kMostSides = 64;
 /// Meshes a skeleton.
 ///
 /// The mesh approximates a surface that does not depend on the tolerance: the lines that join equal angles of two
-/// circles, the limit surface of a cage at joints, and flat discs at ends. Leaves out leaves no larger than the
-/// tolerance, and stems no thicker that carry nothing thicker. A joint has the arriving stem, the continuing one and at
-/// most kMostSideStems others.
+/// circles, the limit surface of a cage at joints, and flat discs at ends. Leaves no larger than the tolerance are left
+/// out, and so are stems no thicker than the tolerance with all their branches, unless a branch is thicker. A joint has
+/// the arriving stem, the continuing stem and at most kMostSideStems side stems.
 ///
 /// Guarantees: the bark is closed and oriented (each edge is used as often in one direction as in the other); error_m
 /// bounds the distance to the surface, and is at most the tolerance except at sharp bends and if kMostSides are too
@@ -49,7 +50,7 @@ inline constexpr int kMostSides = 64;
 /// segments. Cost: O(segments and corners); a concave polygon of c corners costs c³ at worst, beyond kMostClipped
 /// corners O(c).
 PlantMesh mesh_plant(const Skeleton& skeleton, const TubeOptions& options = {});
-/// Meshes a skeleton into `mesh` and reuses its memory: mapping new pages costs as much as filling them.
+/// Meshes a skeleton into `mesh`, whose memory is reused.
 void mesh_plant(const Skeleton& skeleton, const TubeOptions& options, PlantMesh& mesh);
 
 inline constexpr std::size_t kMostClipped = 256;

@@ -1,4 +1,5 @@
-// Interprets a string of modules by a turtle, which draws a skeleton.
+// Interprets a string of modules by a turtle (a moving position with three directions), which draws a skeleton: stems,
+// polygons and instances.
 #pragma once
 
 #include "lsystems/environment.h"
@@ -15,7 +16,7 @@ namespace citykiln::lsystems {
 /// numbers beyond kWalkLimit, branches deeper than kBranchLimit. O(modules).
 Skeleton walk(const LSystem& system, const ModuleString& interpreted);
 
-/// A derivation and its skeleton.
+/// A derived plant: the string and the skeleton.
 struct Plant {
   Derivation derivation;
   Skeleton skeleton;
@@ -23,7 +24,7 @@ struct Plant {
 /// Grows a plant: derive(), interpret() and walk().
 Plant grow(const LSystem& system, const DeriveOptions& options = {});
 
-/// Returns the answers to a string's queries in order: three numbers for ?P, one for ?H and ?S.
+/// Returns the answers to a string's queries in order: three numbers for ?P, one each for ?H and ?S.
 std::vector<double> answers_to(const LSystem& system, const ModuleString& interpreted, const Environment& environment);
 
 inline constexpr double kWalkLimit = 1e9;            ///< The largest length, angle or width.

@@ -5,18 +5,22 @@
 
 namespace citykiln::lsystems {
 
-/// Rotates two of the three directions and leaves the third unchanged, as do the next two functions.
+/// Rotates the heading towards `left`, about `up`.
 /// @param turn  {cosine, sine} of the angle.
 inline void turn_left(TurtleFrame& frame, Vec2 turn) {
   const Vec3 heading = frame.heading;
   frame.heading = heading * turn.x + frame.left * turn.y;
   frame.left = frame.left * turn.x - heading * turn.y;
 }
+/// Rotates the heading away from `up`, about `left`.
+/// @param turn  {cosine, sine} of the angle.
 inline void pitch_down(TurtleFrame& frame, Vec2 turn) {
   const Vec3 heading = frame.heading;
   frame.heading = heading * turn.x - frame.up * turn.y;
   frame.up = frame.up * turn.x + heading * turn.y;
 }
+/// Rotates `up` towards `left`, about the heading.
+/// @param turn  {cosine, sine} of the angle.
 inline void roll_left(TurtleFrame& frame, Vec2 turn) {
   const Vec3 left = frame.left;
   frame.left = left * turn.x - frame.up * turn.y;

@@ -6,6 +6,7 @@
 
 namespace citykiln::preview {
 
+/// A cell of a grid: column and row.
 struct GridPlace {
   int x = 0, y = 0;
 };

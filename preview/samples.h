@@ -18,10 +18,12 @@ struct SampleGrid {
   int log2_samples = 0;  ///< Samples per pixel, rounded up.
 };
 
-/// The smallest grid for a picture. Sizes and samples below 1 count as 1.
+/// Returns the smallest grid for a picture. Sizes and samples below 1 count as 1.
+/// @param samples  The number of samples per pixel.
 SampleGrid grid_of(int width, int height, int samples);
 
-/// All samples of one pixel. Not thread-safe. Cost: log2_side hashes for each dimension that is used.
+/// The samples of one pixel. A dimension is the number of a decision of a path, such as the direction of its first
+/// reflection. Not thread-safe. Cost: log2_side hashes for each dimension that is used.
 ///
 /// Method: Owen-scrambled Sobol points in the order of a shuffled Morton curve. Every aligned square of pixels has
 /// evenly distributed points too, and the remaining error looks like fine grain instead of clumps. Source: Ahmed,
@@ -31,7 +33,9 @@ class PixelSamples {
  public:
   PixelSamples(std::uint64_t seed, std::uint32_t x, std::uint32_t y, SampleGrid grid);
 
-  /// The point of a sample in a dimension, which stands for two dimensions of Sobol's sequence.
+  /// Returns the point of a sample in a dimension. One dimension here is two dimensions of Sobol's sequence.
+  /// @param sample     From 0, below the grid's number of samples.
+  /// @param dimension  From 0.
   UnitPair pair(std::uint32_t sample, std::uint32_t dimension) const;
 
  private:
@@ -46,10 +50,11 @@ class PixelSamples {
   mutable std::uint32_t found_ = 0;
 };
 
-/// The points of one path, dimension by dimension.
+/// The random numbers of one path.
 class PathDraw {
  public:
   PathDraw(const PixelSamples& pixel, std::uint32_t sample) : pixel_(&pixel), sample_(sample) {}
+  /// Returns the point of the path's next dimension.
   UnitPair next() { return pixel_->pair(sample_, dimension_++); }
 
  private:

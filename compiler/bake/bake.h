@@ -1,4 +1,5 @@
-// Bakes one tile of a scene: at a tolerance, at several (the levels of detail), or for a viewpoint.
+// Bakes one tile of a scene, which means to generate its meshes from its recipes: at one tolerance, at several (levels
+// of detail), or for a viewpoint. A chunk holds the recipes of one tile, a header the properties of the whole scene.
 #pragma once
 
 #include <limits>
@@ -17,47 +18,49 @@
 
 namespace citykiln::bake {
 
-/// Bakes a tile: a pure function of header, chunk and tolerance. Objects smaller than the tolerance are dropped in the
-/// accounts "bake/bridge", "bake/tunnel", "bake/building", "bake/tree", "bake/barrier", "bake/lamp" (mapped lamps) and
-/// "bake/derived lamp" (lamps along lit streets).
+/// Bakes a tile at a tolerance: a pure function of header, chunk and tolerance. Objects smaller than the tolerance are
+/// dropped in the accounts "bake/bridge", "bake/tunnel", "bake/building", "bake/tree", "bake/barrier", "bake/lamp"
+/// (mapped lamps) and "bake/derived lamp" (lamps along lit streets).
 ///
-/// @param tolerance_m  > 0.
-/// @param prototypes   The prototypes of this header, which tiles may share. Null: plants are generated for this call.
-///                     The functions below take it alike.
+/// @param tolerance_m  Largest deviation, > 0.
+/// @param prototypes   Shared meshes of plants, for all tiles of this header. Null: they are made for this call.
+///                     Parameter of all functions below.
+///
 /// Cannot fail. Cost: linear in the objects that are baked, n log n in the ground's vertices.
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report,
                std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
 /// Bakes all levels of a tile, one for each tolerance in `tolerances_m`, in this order. Data that levels share is made
-/// once. The report gets the levels one after another. Memory: all levels at once, which prepare() and bake_prepared()
-/// avoid.
+/// once. The report gets the levels one after another. All levels are in memory at once; prepare() and bake_prepared()
+/// avoid this.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk,
                             std::span<const double> tolerances_m, int threads, Report& report,
                             std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
-/// The value of most_instances for no limit. If a tile has more instances than most_instances, many of its plants
-/// become meshes (stands.h).
+/// The value of most_instances for no limit. `most_instances` is the number of instances (plants and lamps) above which
+/// a tile's plants become merged meshes (stands.h).
 inline constexpr std::size_t kAnyInstances = std::numeric_limits<std::size_t>::max();
 
-/// The data that the levels of a tile share, and the ground of each level that is not baked yet.
+/// A tile whose levels can be baked one by one: the data that levels share, and the ground of each level that is not
+/// baked yet.
 struct PreparedTile;
-/// Prepares a tile for bake_prepared().
+/// Prepares a tile: makes the shared data and the ground of all levels.
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
                                       std::span<const double> tolerances_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes = nullptr,
                                       std::size_t most_instances = kAnyInstances);
 
-/// Prepares a tile like prepare(), and keeps the reference triangulations for expected_ground_of().
+/// Prepares a tile like prepare(), and keeps the ground at full detail for expected_ground_of().
 std::shared_ptr<PreparedTile> prepare_for_check(const scene::Header& header, const scene::Chunk& chunk,
                                                 std::span<const double> tolerances_m, int threads,
                                                 std::shared_ptr<const PrototypeCache> prototypes = nullptr,
                                                 std::size_t most_instances = kAnyInstances);
 
-/// The ground that a level approximates. Levels may share its parts.
+/// The ground at full detail that a level approximates, for measuring errors. Levels may share its members.
 struct ExpectedGround {
   std::shared_ptr<const ground::GradedTerrain> graded;
   std::shared_ptr<const scene::LandCover> cover;
-  CellReferences references;  ///< In the order of cells_of().
+  CellReferences references;  ///< Triangulations at full detail, one per cell, in the order of cells_of().
 };
 
 /// Returns the ground that a level approximates, for a tile from prepare_for_check(). The level must not be baked yet.
@@ -67,13 +70,14 @@ ExpectedGround expected_ground_of(const PreparedTile& prepared, std::size_t leve
 /// thread.
 BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report);
 
-/// The ground of each cell of a level that is not baked yet.
+/// Returns the ground of each cell of a level that is not baked yet.
 std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std::size_t level);
 
-/// Bakes a tile for one viewpoint, as one part per tolerance, finest first; all parts together are the tile
-/// (tiles/join_tiles.h). Each part states its largest error in pixels. Dropped objects are not counted, as they are
-/// too small to be seen. Each of n parts may have most_instances / n instances. Cannot fail. Cost: linear in the
-/// objects of the parts.
+/// Bakes a tile for one viewpoint, as one part per tolerance, finest first. All parts together are the tile
+/// (bake/tiles/join_tiles.h joins them). Each part states its largest error in pixels. Dropped objects are not counted,
+/// as they are too small to be seen. Each of n parts may have most_instances / n instances. Cannot fail. Cost: linear
+/// in the objects of the parts.
+/// @param view  Tolerances of all cells for the viewpoint.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,
                             std::shared_ptr<const PrototypeCache> prototypes = nullptr,
                             std::size_t most_instances = kAnyInstances);

@@ -1,4 +1,4 @@
-// Bakes the buildings of a tile. Levels with facade textures share the meshes from which these are rendered; all
+// Bakes the buildings of a tile. Levels with facade textures render them from meshes that all these levels share; all
 // textures of a level are on one atlas.
 #pragma once
 

@@ -9,8 +9,10 @@
 
 namespace citykiln::bake {
 
-/// Adds the level's cells with their materials and skirts, then the structures. A tile that shows markings gets the
-/// atlas of TileLevel::markings, or, without these, an atlas of its own markings. Single cells get no atlas.
-void bake_ground(Baking& baking, const TileLevel& level, std::vector<Built> structures);
+/// Adds the ground of the level's cells (128 m squares) with materials and skirts, then the structures. If the tile has
+/// markings, it gets the atlas TileLevel::markings or, if that is null, an atlas of its own markings. A single cell
+/// gets no atlas.
+/// @param structures  Result of generate_structures().
+void bake_ground(Baking& baking, const TileLevel& level, std::vector<GeneratedSpan> structures);
 
 }  // namespace citykiln::bake

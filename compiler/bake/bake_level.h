@@ -1,4 +1,5 @@
-// Bakes one level of a tile from its ground and recipes. All functions of bake.h and bake_cell.h use it.
+// Bakes one level of detail of a tile from its generated ground and the recipes of its objects. All functions of bake.h
+// and bake_cell.h use it.
 #pragma once
 
 #include "compiler/bake/baked_cell.h"
@@ -13,7 +14,7 @@ struct LevelRequest {
   const scene::Chunk& chunk;         ///< For a cell, a chunk with the cell's objects only.
   const TilePart* part = nullptr;    ///< The part of a view; null: the whole tile.
   const CellBaking* cell = nullptr;  ///< The cell, which gets the plants (baked_cell.h); null: a whole tile or part.
-  std::size_t most_instances;
+  std::size_t most_instances;        ///< If the tile has more instances, many of its plants become meshes (stands.h).
 };
 
 /// Bakes a level. Objects smaller than the tolerance are dropped and reported.

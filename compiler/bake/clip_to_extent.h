@@ -26,7 +26,8 @@ namespace citykiln::bake {
 void clip_to_extent(std::span<materials::MaterialMesh* const> meshes, const Box2& extent);
 
 /// Clips a solid body, whose meshes together are closed, like clip_to_extent(). Returns the faces in the extent's sides
-/// that close the rest. An open border is closed by a straight line from its end to its begin.
+/// that close the remaining body. Where the body was open, a straight line from end to begin of the open border closes
+/// the face.
 Mesh clip_solid_to_extent(std::span<materials::MaterialMesh* const> meshes, const Box2& extent);
 
 }  // namespace citykiln::bake

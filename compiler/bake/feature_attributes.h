@@ -1,4 +1,5 @@
-// Attributes of features: class, name, height and tags of baked objects, for programs that look objects up.
+// Attributes of features (map elements of baked objects): class, name, height and tags, for programs that look objects
+// up.
 #pragma once
 
 #include <span>

@@ -24,6 +24,7 @@ enum class Layer : std::uint8_t {
 
 /// The name of a layer: "ground", "roads", "water", "buildings", "structures", "props" or "plants".
 std::string_view name_of(Layer layer);
+/// Returns the layer with a name; nothing for other texts.
 std::optional<Layer> layer_named(std::string_view name);
 
 /// The layer of a face of the ground.

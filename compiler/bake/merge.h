@@ -1,4 +1,5 @@
-// Merges meshes into primitives: one per key, in single precision about an origin.
+// Merges meshes into primitives: one primitive for each combination of layer, material and image (PrimitiveKey), in
+// single precision about an origin.
 #pragma once
 
 #include <map>
@@ -11,19 +12,21 @@
 
 namespace citykiln::bake {
 
-/// The primitive of each key.
+/// Primitives by key.
 using PrimitiveMap = std::map<PrimitiveKey, Primitive>;
 
-/// Adds a mesh to its key's primitive. A mesh without normals gets those of its triangles. Vertices of the mesh with
-/// equal position (single precision), normal, colour and uv become one. Triangles that are degenerate in single
-/// precision are left out. A mesh without triangles adds nothing.
-/// @param feature  The feature of all vertices.
+/// Adds a mesh to the primitive with its key. A mesh without normals gets the normals of its triangles. Vertices of the
+/// mesh that agree in position (single precision), normal, colour and uv become one. Triangles that are degenerate in
+/// single precision are left out.
+/// @param origin   Origin of the tile, plane metres.
+/// @param feature  Index of the map element, for all vertices.
 void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint32_t feature);
 
 /// The primitives that have triangles, sorted by key.
 std::vector<Primitive> primitives_of(PrimitiveMap&& merged);
 
-/// The primitives of an instanced mesh, about the mesh's own origin. They have no features, as each instance has one.
+/// Returns the primitives of a mesh for instancing, about the mesh's own origin. They have no features, as each
+/// instance has one.
 std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes, Layer layer);
 
 /// The textures of all materials of primitives and instanced meshes with uvs, sorted by material.

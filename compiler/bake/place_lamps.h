@@ -11,10 +11,10 @@
 
 namespace citykiln::bake {
 
-/// Street lamps, mapped ones first.
+/// Street lamps of a tile.
 struct Lamps {
-  std::vector<props::StreetLamp> standing;
-  std::size_t mapped = 0;  ///< Number of mapped lamps.
+  std::vector<props::StreetLamp> standing;  ///< Mapped lamps first, then lamps along lit streets.
+  std::size_t mapped = 0;                   ///< Number of mapped lamps.
 };
 
 /// Returns the lamps in a box: mapped lamps, then lamps along lit streets.
@@ -28,7 +28,7 @@ struct PlacedLamp {
   props::Luminaire light{};
 };
 
-/// Returns the lamps of a tile, placed as in fine levels. Cost: grading the terrain of the tile.
+/// Returns the lamps of a tile on the ground of fine levels. Cost: grading the terrain of the tile.
 std::vector<PlacedLamp> lamps_of(const scene::Header& header, const scene::Chunk& chunk);
 
 /// The lamps with the largest luminous flux, at most `most`, in the given order; on a tie the first ones.

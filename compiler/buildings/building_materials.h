@@ -7,11 +7,12 @@
 
 namespace citykiln::buildings {
 
+/// The materials of walls and roof.
 struct BuildingMaterials {
   materials::Material wall{}, roof{};
 };
 
-/// Buildings higher than this and without a tagged material have glass facades.
+/// The height above which buildings without a tagged material have glass facades.
 inline constexpr double kGlassTower_m = 60;
 
 /// Returns the materials of a footprint: the tagged ones, else by class, height and roof form (building_materials.inc).

@@ -13,11 +13,12 @@ namespace citykiln::buildings {
 
 /// Mapped entrances and addresses, with a spatial index.
 struct MappedDoors {
-  std::vector<Vec2> at;
-  std::vector<bool> is_entrance;  ///< An entrance; else an address.
+  std::vector<Vec2> at;           ///< Plane metres.
+  std::vector<bool> is_entrance;  ///< True: an entrance. False: an address.
   BoxGrid grid;
 };
 
+/// Returns the entrances and addresses among the points of a map.
 MappedDoors index_doors(std::span<const map::PointFeature> points);
 
 /// Returns FacadeEdge::doors for each edge of the outer ring. A door lies in the edge nearest to its point and at most

@@ -15,6 +15,7 @@ struct TexturedFace {
   materials::MaterialMesh mesh;
 };
 
+/// The faces of a building at a level, with baked textures where they need one.
 struct FacadeMeshes {
   std::vector<materials::MaterialMesh> meshes;  ///< Faces of one colour: one mesh per material and tint, sorted.
   std::vector<TexturedFace> textured_faces;     ///< In the order of the terminals.
@@ -30,7 +31,7 @@ struct FacadeMeshes {
 /// A face becomes
 /// - two rails along its longer sides, if it is a rectangle that the detailed model covers to less than half (a
 ///   railing) and this stays within the tolerance;
-/// - a mesh of one material, if one covers all of it (95 % of a roof);
+/// - a mesh of one material, if this material covers the whole face (of a roof, 95 %);
 /// - a mesh of the mean colour, if it has fewer than kMinTexels texels or is one texel wide, and emits no light;
 /// - else a textured face, with normals if texels are smaller than 2 m.
 /// Faces that the detailed model does not cover and faces of more than kMaxTexelsPerFace texels keep the terminal's

@@ -15,6 +15,7 @@
 
 namespace citykiln::buildings {
 
+/// The meshes of a building at a tolerance.
 struct GeneratedBuilding {
   std::vector<materials::MaterialMesh> meshes;
   double error_m = 0;  ///< Hausdorff distance, both ways, between visible surfaces and the building at tolerance 0.
@@ -26,8 +27,8 @@ struct SceneContext {
   std::uint64_t seed = 0;
   /// Set while it is dark: the rules' attribute `night` is true, and some windows are lit (lit_windows.h).
   std::optional<WeekTime> night{};
-  /// The result is a source of blocks (blocks/certified_blocks.h): low buildings are kept, and none has facade
-  /// textures.
+  /// The result is a source of blocks (blocks/certified_blocks.h): low buildings are generated too, and no building has
+  /// facade textures.
   bool is_for_blocks = false;
 };
 

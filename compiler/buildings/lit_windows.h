@@ -37,8 +37,9 @@ double lit_share(Use use, WeekTime time);
 /// Returns the share of windows that are lit, on average over many buildings of a use.
 double lit_window_share(Use use, WeekTime time);
 
-/// Returns a function that answers kIsLit for the middle of a shape's scope, in O(1). @param building  Must outlive the
-/// function.
+/// Returns a function that answers OcclusionQuery::kIsLit: true if the window at the middle of a shape's scope is lit.
+/// O(1) per query.
+/// @param building  Must outlive the function.
 grammars::Occlusion lit_windows(const Building& building, WeekTime time, std::uint64_t seed);
 
 /// True if lamps are on in the shops of a building's ground floor.

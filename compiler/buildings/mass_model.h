@@ -29,7 +29,8 @@ struct MassModel {
 ///
 /// Guarantees: walls, party walls, foundation, roof and floor form a closed surface, vertex to vertex if no storey is
 /// buried; buildings on the ground are open at the bottom. With Detail::kPartyWallOpenings, party walls in one plane
-/// with the neighbour's are left out. Roofs replaced by flat ones are diagnosed kRoofFallback. Accepts any building.
+/// with the neighbour's are left out. A roof that is replaced by a flat roof gets a diagnosis kRoofFallback. Accepts
+/// any building.
 MassModel mass_model_of(const Building& building, double tolerance_m, Report& report);
 
 /// Returns the start shape for the rules: walls (kSide, kInside), gables (kVertical), roof planes (kTop), rims and

@@ -14,7 +14,8 @@ struct SharedWall {
   std::uint32_t edge = 0;       ///< Index into the outer ring.
   double from_m = 0, to_m = 0;  ///< Distances along the edge, from_m < to_m. Snapped; exact at shared corners.
   std::uint32_t neighbour = 0;  ///< Index of the other footprint.
-  bool is_coplanar = false;     ///< The distance is at most kCoplanar_m; else at most kTouching_m.
+  /// True: the distance between the walls is at most kCoplanar_m. False: at most kTouching_m.
+  bool is_coplanar = false;
 };
 
 /// The largest distance between walls that touch, and between walls in one plane (1.5 steps of the map's 2^-7 m grid).

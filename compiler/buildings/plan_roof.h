@@ -16,10 +16,10 @@ struct RoofContext {
 /// Returns the roof of a footprint.
 ///
 /// The form is the tagged one, else by class and size: houses have gabled and hipped roofs, halls low gables, large
-/// buildings and parts flat roofs. height_m is the tagged one, else by pitch (roofs::expected_rise_m). It is limited by
-/// the building's height if that includes the roof; snapped, > 0 unless flat. Ridges of attached houses run along the
-/// street. Detached small buildings have overhanging eaves. Random draws depend only on the footprint's id. O(n²) in
-/// the footprint's vertices.
+/// buildings and parts flat roofs. height_m is the tagged height, else it follows from the pitch
+/// (roofs::expected_rise_m). It is limited by the building's height if that includes the roof; a multiple of 2^-10 m, >
+/// 0 unless the roof is flat. Ridges of attached houses run along the street. Detached small buildings have overhanging
+/// eaves. Random draws depend only on the footprint's id. O(n²) in the footprint's vertices.
 roofs::RoofShape plan_roof(const map::Footprint& footprint, const RoofContext& context);
 
 }  // namespace citykiln::buildings

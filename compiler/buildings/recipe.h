@@ -1,4 +1,5 @@
-// The recipe of a building: a footprint extruded between two heights, with a roof and a facade style.
+// The recipe of a building: a footprint extruded between two heights, with a roof and a facade style. A snapped
+// coordinate is rounded to the grid of the plane, 2^-10 m.
 #pragma once
 
 #include <cstdint>
@@ -38,13 +39,15 @@ struct FacadeEdge {
 struct PartyWall {
   std::uint32_t edge = 0;       ///< Index into the outer ring.
   double from_m = 0, to_m = 0;  ///< Distances along the edge, from_m < to_m. Snapped.
-  double top_m = 0;        ///< The eaves of the neighbour, whose walls begin no higher than this building's. Snapped.
+  /// The height of the neighbour's eaves. The neighbour's walls begin no higher than this building's walls. Snapped.
+  double top_m = 0;
   bool is_hidden = false;  ///< Both walls lie in one plane, so neither is visible.
   /// The wall above top_m has windows, since both buildings are parts of one building.
   bool has_windows_above = false;
   bool operator==(const PartyWall&) const = default;
 };
 
+/// The recipe of a building or building part.
 struct Building {
   ObjectId id;
   Polygon footprint;             ///< Plane metres, snapped.
@@ -53,7 +56,7 @@ struct Building {
   double top_m = 0;              ///< The highest point of the roof. > bottom_m. Snapped.
   bool stands_on_ground = true;  ///< False if min_height lifts it off the ground.
   materials::Material wall{}, roof{};
-  /// The tagged colours; if unset, the material's, varied by the seed.
+  /// The tagged colours; if unset, the colour of the material, varied by the seed.
   std::optional<map::Srgb> wall_colour, roof_colour;
   /// The roof. height_m is the rise from the eaves to top_m, 0 for flat roofs; angle and levels are not set. Snapped.
   roofs::RoofShape roof_shape;

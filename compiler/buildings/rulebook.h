@@ -22,11 +22,11 @@ struct RuleText {
 /// Returns the rule files of grammars/rules, which are compiled into the program. Sorted by name.
 std::span<const RuleText> shipped_rules();
 
-/// Returns the rule files that the styles need, imports included, sorted by name. The error names the first rule that
-/// does not parse, with file, line and column.
+/// Returns the rule files that the styles need, imports included, sorted by name. Error: the first rule that does not
+/// parse, with file, line and column.
 Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span<const RuleText> available);
 
-/// The parsed rules by style; kPlain has none.
+/// The parsed rules by style; Style::kPlain has no rules.
 using Rulebook = std::map<Style, grammars::Program>;
 
 /// Parses the rules of every style. Leaves out styles whose files are missing or do not parse. Cost: linear in the

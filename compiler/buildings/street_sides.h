@@ -19,6 +19,7 @@ struct Streets {
   BoxGrid grid;
 };
 
+/// Returns the streets of a map.
 Streets index_streets(std::span<const map::Track> tracks);
 
 /// Returns true for each edge of the outer ring that faces a street: a kerb lies within 14 m (pavement and front

@@ -1,4 +1,5 @@
-// Makes meshes of a derivation: triangulates the faces of terminals and groups them by material and tint.
+// Makes meshes of a derivation (the result of facade rules): triangulates the faces of its terminals and groups them by
+// material and tint.
 #pragma once
 
 #include <vector>
@@ -22,7 +23,7 @@ void add_face(const grammars::Face& face, Mesh& mesh);
 /// added by one overload.
 void add_face(const grammars::Face& face, materials::MaterialMesh& mesh);
 
-/// Returns the terminals' faces as one mesh per material and tint, sorted by these.
+/// Returns the terminals' faces as one mesh per material and tint, sorted by material and tint.
 ///
 /// Guarantees: triangles are planar and counter-clockwise seen from outside. The vertices of a simple face are its
 /// points, bit for bit, and its triangles have its area. Texture coordinates run along the lower edge of a face and up

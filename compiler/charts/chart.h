@@ -129,7 +129,7 @@ Result<std::vector<Chart>> chart_sky(const ChartRequest& request);
 /// scattering, relative to the light by path tracing; and the time of paths relative to that of CloudField.
 Result<std::vector<Chart>> chart_cloud(const ChartRequest& request);
 
-/// Compiles the first map of the request. Errors: no map; those of compile().
+/// Compiles the first map of the request. Errors: no map, or an error of compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);
 
 /// Returns the exponent p of the power law y = c x^p fitted to the points (all positive) by least squares of

@@ -161,7 +161,7 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
   recipes.ledger.tests = 1;
   for (const std::string& account : loaded->record.unbalanced) recipes.ledger.test_all(0, false, account);
   check_recipes(loaded->scene, request.threads, recipes);
-  recipes.clearances = verify::explained(std::move(recipes.clearances), *findings);
+  recipes.clearances = verify::with_findings(std::move(recipes.clearances), *findings);
   Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
   if (!results) return results.error();
   if (const Result<Done> done = check_usd(*loaded, request.threads, *results); !done) return done.error();

@@ -68,7 +68,7 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
       },
       [&] { heights.recipes = verify::measure_heights(compiled->scene, spec.threads); });
   if (!written) return written.error();
-  heights.recipes.clearances = verify::explained(std::move(heights.recipes.clearances), findings);
+  heights.recipes.clearances = verify::with_findings(std::move(heights.recipes.clearances), findings);
   written->findings.insert(written->findings.begin(), findings.begin(), findings.end());
   std::vector<StageCost> costs = compiled->costs;
   for (StageCost& cost : timer.finish()) costs.push_back(std::move(cost));

@@ -1,4 +1,5 @@
-// Compiles a map, or a region of a plan, and writes its outputs to a folder.
+// Compiles a map, or a region of a plan, and writes its outputs to a folder. A plan divides a large map into regions
+// that are compiled separately.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,9 @@ struct Compiled {
 };
 
 /// Compiles a map, writes the outputs that the spec asks for to its folder, and prints a summary. Afterwards the folder
-/// holds this run, or, after an error, the earlier run.
+/// holds this run or, after an error, the earlier run.
+/// @param compile_map  Makes the scene.
+/// @param takes_over   The runs whose finished tiles may be reused.
 Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& compile_map, const Console& console,
                                    exporters::TakesOver takes_over = exporters::TakesOver::kInterrupted);
 

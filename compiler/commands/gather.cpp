@@ -266,7 +266,7 @@ Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string
   }
   if (Result<Done> done = write_roots(all, spec.outputs, *folder); !done) return done;
   verify::HeightReport heights{verify::measure_heights(all.scene, spec.threads), {}};
-  heights.recipes.clearances = verify::explained(std::move(heights.recipes.clearances), all.findings);
+  heights.recipes.clearances = verify::with_findings(std::move(heights.recipes.clearances), all.findings);
   const std::string report = outputs::report_json(all.scene.header, all.scene, report_of(all), all.files, spec.outputs,
                                                   verify::heights_json(heights));
   outputs::WrittenOutputs written{.files = all.files, .findings = all.findings, .solved = {}};

@@ -63,11 +63,11 @@ Result<Plan> make_plan(const PlanRequest& request, const CompileSpec& spec, cons
             .regions = {},
             .elements = {}};
   for (const auto& [setting, text] : request.compile.given) plan.settings.emplace_back(setting->name, text);
-  plan.grid = {.extent = map::region_of(plane, extent),
+  plan.grid = {.extent = map::extent_of(plane, extent),
                .tile_m = spec.tile_m,
                .region_m = request.region_m,
                .halo_m = request.halo_m};
-  if (const Result<Done> sound = regions::is_sound(plan.grid); !sound) return sound.error();
+  if (const Result<Done> sound = regions::check_grid(plan.grid); !sound) return sound.error();
   if (plan.grid.extent.width() > map::kMaxSide_m || plan.grid.extent.height() > map::kMaxSide_m)
     return Error{spec.map_path, fmt::format("the area measures {:.0f} x {:.0f} km; give a part of at most {:.0f} km a "
                                             "side with --bbox W,S,E,N",

@@ -1,5 +1,4 @@
-// The verbs of the command line as tables: options, and a function that runs the verb. Only command_line.cpp includes
-// the command line parser.
+// The verbs of the command line (such as `compile`) as tables: options, and a function that runs the verb.
 #pragma once
 
 #include <functional>
@@ -40,6 +39,7 @@ struct Verb {
   std::vector<std::string> examples{};                      ///< Complete command lines for the help.
 };
 
+/// Returns the verb of this name, here and below.
 Verb compile_verb();
 Verb bake_verb();
 Verb preview_verb();
@@ -55,11 +55,11 @@ struct NumberRange {
   bool is_closed = false;
 };
 
-/// Returns a function that stores the text. The reference must outlive the option, here and below.
+/// Returns a function that stores the text in a variable. The variable must outlive the option, here and below.
 Take store_text(std::string& text);
 /// Returns a function that appends the text to a list.
 Take append_text(std::vector<std::string>& texts);
-/// Returns a function that stores a number of the range.
+/// Returns a function that stores a number, if it is in the range.
 Take store_number(double& number, NumberRange range);
 Take store_number(std::optional<double>& number, NumberRange range);
 /// Returns a function that stores a tolerance: metres above 0, at most kCoarsest_m.

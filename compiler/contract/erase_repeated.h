@@ -7,8 +7,8 @@
 
 namespace citykiln {
 
-/// Erases all but the first of consecutive elements with equal keys. O(n). Stands in for std::ranges::unique, which
-/// clang 14 cannot compile in this library.
+/// Erases all but the first of consecutive elements with equal keys. O(n). (clang 14 cannot compile std::ranges::unique
+/// of this library.)
 /// @param key  A member or function whose values are compared.
 template <typename T, typename Key>
 void erase_repeated(std::vector<T>& all, Key key) {

@@ -11,7 +11,7 @@ namespace citykiln {
 /// `work(i)` must write to slot i only.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
-/// The number of indices in progress per thread. It is more than 1 so that others continue while one takes long.
+/// The number of indices in progress per thread. It is more than 1 so that threads continue while one index takes long.
 inline constexpr int kInFlightPerThread = 4;
 
 /// Calls `make(i)` in parallel. Calls `take(i)` in order, one at a time, each after make(i) has finished. At most
@@ -20,8 +20,8 @@ void for_each_in_order(std::size_t count, int threads, const std::function<void(
                        const std::function<bool(std::size_t)>& take);
 
 /// Calls both functions, which must be independent of each other. With threads = 0, threads that have no work in the
-/// parallel loops of `work` start on `background`, and the rest of it runs after `work`. With any other number of
-/// threads `background` runs after `work`.
+/// parallel loops of `work` begin with `background`, and the rest of `background` runs after `work`. With any other
+/// number of threads `background` runs after `work`.
 void run_concurrently(int threads, const std::function<void()>& work, const std::function<void()>& background);
 
 /// Returns make(0) … make(count - 1), computed in parallel.

@@ -9,9 +9,9 @@
 
 namespace citykiln {
 
-/// Returns freed memory to the system. Otherwise glibc keeps it, which can be several times what a stage holds after
-/// many threads have freed small objects. Does nothing with other C libraries. Cost: linear in the free blocks, some
-/// milliseconds.
+/// Returns freed memory to the system. glibc keeps freed memory otherwise; after many threads have freed small objects,
+/// this can be several times the memory in use. Does nothing with other C libraries. Cost: linear in the free blocks,
+/// some milliseconds.
 inline void give_back_memory() {
 #if defined(__GLIBC__)
   malloc_trim(0);

@@ -16,7 +16,7 @@
 
 namespace citykiln {
 
-/// Whether nothing was lost, the object was changed, or the object is not in the outputs.
+/// The effect of a finding: nothing was lost, the object was changed, or the object is not in the outputs.
 enum class Severity : std::uint8_t { kNote, kMended, kDropped };
 
 /// The rows of diagnosis_codes.inc.
@@ -37,8 +37,8 @@ struct Diagnosis {
   OsmId object;
   double size = 0;                              ///< In the unit that the code's text states; 0 if it states none.
   std::optional<std::array<double, 2>> at_m{};  ///< The place, in metres in the plane; empty: where `object` is.
-  OsmId other{};      ///< The second object of a finding about two; OsmType::kNone: about one.
-  std::string tag{};  ///< The tag of a finding about one, such as "width=wide"; valid UTF-8.
+  OsmId other{};      ///< The second object of a finding about two objects; else of OsmType::kNone.
+  std::string tag{};  ///< The tag of a finding about a tag, such as "width=wide", valid UTF-8; else empty.
 };
 
 /// The counts of one kind of objects in one stage. They balance if in + split = out + merged + dropped.
@@ -54,8 +54,9 @@ struct Account {
 
 /// The diagnoses and the ledger of a run. Parallel loops fill one Report per slot and append them in order.
 ///
-/// A report can be limited to a set of objects (limit_to). It then ignores diagnoses of all others: each region of a
-/// plan reports the objects that it owns, and the reports of all regions add up to the report of a single run.
+/// A report can be limited to a set of objects (limit_to). It then ignores diagnoses of all other objects. A plan in
+/// regions uses this: each region reports the objects that it owns, and the reports of all regions add up to the report
+/// of a single run.
 class Report {
  public:
   void add(const Diagnosis& diagnosis) {
@@ -72,7 +73,7 @@ class Report {
   /// Adds a diagnosis of a place (x, y in the plane) that belongs to no single object.
   void add_at(Code code, std::array<double, 2> at_m, double size) { add({code, {}, size, at_m}); }
 
-  /// Limits later diagnoses and counts to these objects, sorted by id. Earlier ones stay.
+  /// Limits later diagnoses and counts to these objects, sorted by id. Earlier diagnoses are kept.
   void limit_to(std::vector<OsmId> objects) { limit_ = std::move(objects); }
   /// Ends the limit.
   void lift_limit() { limit_.reset(); }
@@ -86,11 +87,13 @@ class Report {
   /// as long as the report.
   Account& account(std::string_view stage, std::string_view kind);
 
+  /// Appends the diagnoses and adds the counts of another report.
   void append(const Report& other);
 
   const std::vector<Diagnosis>& diagnoses() const { return diagnoses_; }
   /// Returns the accounts by "stage/kind".
   const std::map<std::string, Account, std::less<>>& ledger() const { return ledger_; }
+  /// Returns the number of diagnoses of each code.
   std::map<Code, std::uint64_t> counts() const;
   bool balances() const;
 

@@ -8,6 +8,7 @@
 
 namespace citykiln {
 
+/// The type of an OSM element.
 enum class OsmType : std::uint8_t { kNone, kNode, kWay, kRelation };
 
 /// An element of the OSM file. `id` is negative for elements that an editor has not uploaded.

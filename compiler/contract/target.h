@@ -24,7 +24,7 @@ enum class Instancing : std::uint8_t { kExtension, kNodes };
 struct TargetValues {
   std::string_view name;  ///< The value of --target, such as "generic".
   Instancing instancing{};
-  std::size_t most_nodes = 0;  ///< More instances than this make a tile slow; 0: no limit.
+  std::size_t most_nodes = 0;  ///< The number of instances above which a tile is slow; 0: no limit.
   bool reads_quantised = false, reads_draco = false, reads_meshopt = false;
   bool reads_texture_transform = false;
   bool reads_webp = false;
@@ -33,6 +33,7 @@ struct TargetValues {
   std::string_view tested_with;  ///< "Blender 3.4"; empty for an untested preset.
 };
 
+/// Returns the row of a target.
 const TargetValues& values_of(Target target);
 
 /// Returns the target with a name such as "blender"; empty if there is none.

@@ -46,15 +46,16 @@ struct OwnedSegment {
   std::int32_t winding = 1;
 };
 
-/// The change of `owner`'s winding number when one crosses an edge from its right to its left (seen from a to b).
+/// The difference of `owner`'s winding number on the left of an edge less the one on its right (seen from a to b).
 struct WindingStep {
   std::uint32_t owner = 0;
   std::int32_t winding = 0;
 };
 
 struct ArrangedEdge {
-  std::uint32_t a = 0, b = 0;          ///< Indices into Arrangement::vertices, a < b.
-  std::uint32_t first = 0, count = 0;  ///< Its range of Arrangement::steps. Empty: cell border that no ring follows.
+  std::uint32_t a = 0, b = 0;  ///< Indices into Arrangement::vertices, a < b.
+  /// The edge's range of Arrangement::steps. Empty: a part of the cell's border that no ring follows.
+  std::uint32_t first = 0, count = 0;
 };
 
 struct Arrangement {

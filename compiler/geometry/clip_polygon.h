@@ -8,14 +8,14 @@
 
 namespace citykiln {
 
-/// The area where the winding numbers of the rings add up to more than zero, as valid polygons.
+/// Returns the area where the winding numbers of the rings add up to more than zero, as valid polygons.
 ///
-/// Guarantees: as overlay(): rings are simple and touch each other at vertices only; no vertex is farther than 2^-10 m
-/// from the rings. Accepts any rings. Cost: as overlay(), edges².
+/// Guarantees: rings are simple and touch each other at vertices only; no vertex is farther than 2^-10 m from the
+/// rings. Accepts any rings. Cost: O(edges²).
 std::vector<Polygon> united(std::span<const Ring> rings);
 
-/// The part of united(rings) in a box. Edges on the box's border have a vertex at each whole multiple of 128 m, so that
-/// they stay nearly straight in other projections.
+/// Returns the part of united(rings) in a box. Edges on the box's border have a vertex at each whole multiple of 128 m,
+/// so that they stay nearly straight in other projections.
 /// @param box  Corners on the plane's grid. Boxes side by side give polygons that share the edges between them.
 std::vector<Polygon> united_in(std::span<const Ring> rings, const Box2& box);
 

@@ -13,6 +13,7 @@
 
 namespace citykiln {
 
+/// The number of a face where there is none.
 inline constexpr std::uint32_t kNoFace = 0xffffffffu;
 
 /// A face of the triangulation. Vertices are counter-clockwise. Neighbour i and edge i lie opposite to vertex i.
@@ -36,8 +37,8 @@ class Delaunay {
   const std::vector<GridPoint>& vertices() const;
   const std::vector<DelaunayFace>& faces() const;
 
-  /// The face that a new point at p would split (one of two if p is on an edge), searched from face `near`. kNoFace if
-  /// p is a vertex, lies on a constrained edge, or lies outside.
+  /// Returns the face that a new point at p would split (one of two if p is on an edge), searched from face `near`.
+  /// kNoFace if p is a vertex, lies on a constrained edge, or lies outside.
   std::uint32_t face_to_split(GridPoint p, std::uint32_t near) const;
 
   /// Inserts a point into the face that face_to_split() found, as the last vertex. Returns the new and changed faces,
@@ -45,7 +46,8 @@ class Delaunay {
   std::span<const std::uint32_t> insert(GridPoint p, std::uint32_t face);
 
   /// Flips edge i of a face, which must not be constrained; the quadrilateral of its two faces must be strictly convex.
-  /// The result may not be Delaunay; insert() restores that around inserted points. Returns the two faces.
+  /// The result may not be a Delaunay triangulation; insert() restores this property around inserted points. Returns
+  /// the two faces.
   std::span<const std::uint32_t> flip(std::uint32_t face, int i);
 
  private:

@@ -14,6 +14,7 @@
 
 namespace citykiln {
 
+/// The result of moving the border of a polygon.
 struct OffsetPolygon {
   std::vector<Polygon> moved;               ///< The polygon with moved border; none, one or several.
   std::vector<std::vector<Polygon>> bands;  ///< Between old and new border: one per edge of outer, then of each hole.

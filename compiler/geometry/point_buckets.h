@@ -48,15 +48,15 @@ PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, Gri
 /// Removes a point. O(points in its bucket).
 void remove_point(PointBuckets& buckets, std::uint32_t index, GridPoint place);
 
-/// The index of the point nearest to p; on a tie the first by (x, y). There must be at least one point. O(1) expected
-/// for evenly spread points.
+/// Returns the index of the point nearest to p; on a tie the first by (x, y). There must be at least one point. O(1)
+/// expected for evenly spread points.
 std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p);
 
 /// An interval of x in grid steps; empty if low > high.
 struct XInterval {
   std::int64_t low, high;
 };
-/// The x interval of a triangle's part with y in low_y … high_y, widened by a few steps.
+/// Returns the x interval of a triangle's part with y in low_y … high_y, widened by a few steps.
 XInterval x_interval_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y);
 
 /// Calls visit(index) for every point within a grid step of a triangle (in x and y), and for some points farther away,

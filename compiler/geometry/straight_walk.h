@@ -17,10 +17,11 @@ struct FinePoint {
 };
 inline constexpr int kFineStepsLog2 = 20;  ///< log2 of the fine steps in one step of the grid.
 
+/// Returns the fine point nearest to a point in plane metres.
 FinePoint fine_point(Vec2 p);
 inline FinePoint fine_point(GridPoint p) { return {p.x << kFineStepsLog2, p.y << kFineStepsLog2}; }
 
-/// A number with the sign of the turn a, b, c: positive to the left, 0 if they are on one line. Exact.
+/// Returns a number with the sign of the turn a, b, c: positive to the left, 0 if the points are on one line. Exact.
 int side_of(FinePoint a, FinePoint b, FinePoint c);
 
 /// Returns for each vertex its clockwise-most face: from there, counter-clockwise steps reach all faces of the vertex.
@@ -39,13 +40,16 @@ inline constexpr std::uint32_t kNoVertex = 0xffffffffu;
 struct StraightWalk {
   TriangulationView ground;
   FinePoint from, to;
-  std::uint32_t face = kNoFace;      ///< The current face; at the end a face that contains `to` (closed).
+  /// The current face; at the end a face that contains `to` in its interior or on its border.
+  std::uint32_t face = kNoFace;
   std::uint32_t vertex = kNoVertex;  ///< The current vertex, if the walk is at one.
   std::uint32_t before = kNoFace;    ///< The face before the last crossed edge, if the walk is not at a vertex.
 };
 
+/// Returns a walk from a vertex of the triangulation, before its first step.
 StraightWalk walk_from_vertex(const TriangulationView& ground, std::uint32_t vertex, FinePoint to);
-/// @param face  A face that contains `from` (closed).
+/// Returns a walk from any point, before its first step.
+/// @param face  A face that contains `from` in its interior or on its border.
 StraightWalk walk_from_face(const TriangulationView& ground, std::uint32_t face, FinePoint from, FinePoint to);
 
 /// An edge that the walk crosses (p to its right, q to its left), a vertex on the line (p == q), or the end of the

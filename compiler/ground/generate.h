@@ -31,7 +31,7 @@
 
 namespace citykiln::ground {
 
-/// The data of a cell that do not depend on the tolerance.
+/// The data of a cell that do not depend on the tolerance. A cell is a square of ground that is meshed on its own.
 struct PreparedCell {
   std::vector<FaceHeight> heights;           ///< One per land cover polygon.
   CoverFaces faces_between_borders;          ///< The faces between visible borders.

@@ -1,5 +1,5 @@
-// Height layers: for each kind of land cover, the ground's height is one function of the place. If faces of two layers
-// meet at different heights, a vertical face joins them: a kerb, a quay, a retaining wall.
+// Height layers: each kind of land cover follows one height function of the place. Where faces of two layers meet at
+// different heights, a vertical face joins them: a kerb, a quay, a retaining wall.
 #pragma once
 
 #include <array>
@@ -28,18 +28,19 @@ inline double layer_height_m(const Heights& heights, HeightLayer layer) {
   return heights[static_cast<std::size_t>(layer)];
 }
 
-/// Returns the layer of a polygon. Areas of a road's class (squares, car parks) lie on the land, as they have no
-/// profile; so do paths without one.
+/// Returns the layer of a polygon. Areas with a road's class (squares, car parks), and paths without a profile of
+/// heights, lie on the land.
 HeightLayer layer_of(const LandCoverPolygon& surface);
 
-/// The height of a face: its layer's, or the level of standing water, which applies to the whole face even if its shore
-/// has been simplified.
+/// The height of a face: the height of its layer or, for standing water, one level for the whole face, even where its
+/// shore has been simplified.
 struct FaceHeight {
   HeightLayer layer = HeightLayer::kLand;
   std::optional<double> level_m;
 
   bool operator==(const FaceHeight&) const = default;
 };
+/// Returns the height rule of a polygon's faces.
 FaceHeight face_height_of(const LandCoverPolygon& surface);
 
 inline double layer_height_m(const Heights& heights, const FaceHeight& face) {

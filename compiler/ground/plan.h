@@ -18,7 +18,7 @@ std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report
 /// Returns waterways at ground level as strips, sorted by id. Ledger "ground/waterway".
 std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report);
 
-/// Returns the axes of waterways in culverts and on aqueducts, sorted by id. They connect rivers.
+/// Returns the axes of waterways in culverts and on aqueducts, sorted by id, directed downstream. They connect rivers.
 std::vector<Polyline> covered_waterways(const map::Features& features);
 
 }  // namespace citykiln::ground

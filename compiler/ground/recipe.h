@@ -1,4 +1,4 @@
-// The ground's recipes: land cover polygons. Heights of the terrain are in map::Heightfield.
+// Recipes of the ground: land cover polygons. map::Heightfield holds the heights of the terrain.
 #pragma once
 
 #include <cstdint>
@@ -21,16 +21,16 @@ struct LandCoverPolygon {
   std::vector<Ring> rings;    ///< Plane metres, snapped.
   std::uint32_t piece = 0;    ///< Number of a road's piece (roads/pieces): 1, 2 … along it; 0 for other polygons.
   std::optional<double> level_m{};  ///< Plane height of standing water, a multiple of kProfileQuantum_m.
-  bool is_graded = false;           ///< True if it is part of a road with a profile, and lies at its height.
+  bool is_graded = false;           ///< True if it belongs to a road with a profile, which decides its height.
   bool operator==(const LandCoverPolygon&) const = default;
 };
 
-/// Values of area_m2 for strips and junctions: strips lie over areas of their priority, and junctions over strips,
-/// except junctions that a road passes through.
+/// Values of area_m2 for strips of roads and for junctions. They put strips above areas of their priority, and
+/// junctions above strips; a junction through which a road's lanes run (kPassedJunctionArea_m2) lies below strips.
 inline constexpr std::uint32_t kJunctionArea_m2 = 0, kStripArea_m2 = 1, kPassedJunctionArea_m2 = 2;
 
-/// The largest distance between stations along a road. Heights are decided at stations, and lines across the road there
-/// are edges of the ground. It is short enough for the shortest vertical curves of streets.
+/// The largest distance between stations, the places along a road at which its height is decided. Lines across the road
+/// at stations are edges of the ground. It is short enough for the shortest vertical curves of streets.
 inline constexpr double kStation_m = 16;
 
 /// True if `a` lies on top of `b`: a strict total order for different ids, classes and pieces.

@@ -1,4 +1,4 @@
-// The texture atlas of a tile: its facade pictures, packed side by side.
+// The texture atlas of a tile: its facade pictures (baked textures of building faces), packed side by side.
 //
 //     +---------+------+---+    each picture has a frame of one or two texels that
 //     | +-----+ | +--+ |...|    repeats its outermost texels; frames begin at even
@@ -23,7 +23,7 @@ inline constexpr std::uint64_t kMaxAtlasTexels = std::uint64_t{1} << 22;
 /// texels that its cells have when baked alone.
 inline constexpr std::uint64_t kMaxViewAtlasTexels = std::uint64_t{1} << 24;
 
-/// Images of one size that do not repeat. All are empty if there is no atlas.
+/// The images of an atlas, of one size, which do not repeat. All are empty if there is no atlas.
 struct Atlas {
   materials::TextureImage colour;    ///< sRGB reflectance.
   materials::TextureImage surface;   ///< Linear, as in glTF: occlusion (always 255), roughness, metalness.

@@ -19,7 +19,7 @@
 
 namespace citykiln::impostor {
 
-/// Images that do not repeat.
+/// The images of a cutout, which do not repeat.
 struct Cutout {
   materials::TextureImage colour{};     ///< sRGB reflectance.
   std::vector<std::uint8_t> opacity{};  ///< One per texel of `colour`.

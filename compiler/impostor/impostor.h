@@ -61,7 +61,7 @@ struct Impostor {
   Picture picture;
   /// The material of most covered samples, the first among equals; default if no sample is covered.
   materials::SurfaceMaterial dominant{};
-  double dominant_share = 0;  ///< Its share of the covered samples.
+  double dominant_share = 0;  ///< The share of the covered samples that show `dominant`.
 };
 
 /// Renders a model. texel_m, columns and rows > 0.

@@ -27,7 +27,8 @@ struct PackedBoxes {
   std::uint32_t columns = 0, rows = 0;
 };
 
-/// Packs boxes. Their sides are > 0.
+/// Packs boxes into an image.
+/// @param boxes  With sides > 0.
 ///
 /// Method: shelf packing by decreasing height, into the width that gives the least area, and among equal areas the
 /// squarest image. Guarantees: boxes do not overlap; if the sides of all boxes are multiples of a power of two, so are

@@ -23,6 +23,7 @@ struct Texel {
   auto operator<=>(const Texel&) const = default;
 };
 
+/// True if the texel emits light.
 inline bool emits(const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; }
 
 struct Picture {
@@ -34,6 +35,7 @@ struct Picture {
 /// A sum of texels, weighted by their covered samples.
 class TexelSum {
  public:
+  /// Adds a texel.
   void add(const Texel& texel);
   /// Returns the mean, rounded once; Texel{} if nothing is covered.
   /// @param texels  The number of texels added: `shown` is the mean over them, rounded up.
@@ -48,7 +50,8 @@ class TexelSum {
 /// Returns the mean of all covered samples; Texel{} if there are none. O(texels).
 Texel mean(const Picture& picture);
 
-/// Returns the picture at half the resolution, rounded up: each texel is the mean of the four it covers. O(texels).
+/// Returns the picture at half the resolution, with sizes rounded up: each texel is the mean of the four texels that it
+/// covers. O(texels).
 Picture halved(const Picture& picture);
 
 /// Fills texels without covered samples with the mean of the picture, for texture filtering. O(texels).

@@ -16,10 +16,11 @@ struct CoastWay {
   std::int64_t first_node = 0, last_node = 0;
 };
 
+/// The sea inside a box.
 struct Sea {
   std::vector<Polygon> polygons;
-  std::vector<OsmId>
-      open_ends;  ///< Ways with an end inside the box that no other way joins; it is extended straight to a side.
+  /// Coastline ways with an end inside the box that no other way continues. Such an end is extended straight to a side.
+  std::vector<OsmId> open_ends;
 };
 
 /// Returns the sea inside a box.

@@ -11,6 +11,7 @@
 
 namespace citykiln::map {
 
+/// The use of a lane.
 enum class LaneKind : std::uint8_t {
   kDriving,
   kBus,
@@ -37,6 +38,7 @@ enum LaneTurn : std::uint16_t {
 #undef TURN_ALIAS
 };
 
+/// One lane of a way.
 struct Lane {
   LaneKind kind{};
   LaneDirection way = LaneDirection::kBoth;
@@ -46,6 +48,7 @@ struct Lane {
   bool operator==(const Lane&) const = default;
 };
 
+/// The lanes of a way.
 struct CrossSection {
   std::vector<Lane> lanes;   ///< Left to right, seen along the way. At least one is not raised, at most 42 in all.
   double axis_offset_m = 0;  ///< Distance of the way from the left edge of the carriageway (the lanes that are not
@@ -53,6 +56,7 @@ struct CrossSection {
   bool operator==(const CrossSection&) const = default;
 };
 
+/// The side of the road on which traffic drives.
 enum class DrivingSide : std::uint8_t { kRight, kLeft };
 
 /// The width of all lanes that are not raised.

@@ -1,4 +1,5 @@
-// The readers that locate() calls, one for each kind of feature. Each keeps an account "map/<kind>" in the ledger.
+// Reads the features of the map, one function for each kind, for locate(). Each keeps an account "map/<kind>" in the
+// ledger.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace citykiln::map {
 
-/// Reads ways with a row in track_rules.inc, their lanes (lanes.h) and their marked nodes (track_points.h).
-/// @param side  The driving side; without it, driving_side_at() the first node of each way.
+/// Reads ways that have a row in track_rules.inc, their lanes (lanes.h) and their marked nodes (track_points.h).
+/// @param side  The driving side; if empty, driving_side_at() the first node of each way.
 std::vector<Track> locate_tracks(const ReadContext& context, std::optional<DrivingSide> side);
 std::vector<Footprint> locate_footprints(const ReadContext& context);  ///< building=*, building:part=*.
 std::vector<AreaFeature> locate_areas(const ReadContext& context);     ///< By area_rules.inc, without the sea.

@@ -29,6 +29,7 @@ inline constexpr double kDefaultTile_m = 8 * kCell_m;
 /// A tagged colour, sRGB.
 using Srgb = std::array<std::uint8_t, 3>;
 
+/// Where a way runs: on the ground, on a bridge, or in a tunnel.
 enum class Passage : std::uint8_t { kGround, kBridge, kTunnel };
 
 /// The meaning of a marked node of a way.
@@ -82,10 +83,10 @@ struct Footprint {
   bool has_parts = false;  ///< True for an outline that its building:parts replace: it is not built.
   double height_m = 0;     ///< Height above the ground, by tags, levels or class. > min_height_m.
   bool has_roof_in_height = false;  ///< True if height_m includes the roof (height=*); else the roof comes on top.
-  double min_height_m = 0;
-  double levels = 0;            ///< Storeys below the roof, counted from the ground; 0: unknown.
-  bool has_roof_shape = false;  ///< True if roof:shape is tagged.
-  roofs::RoofShape roof;        ///< The tagged values, levels as height; no overhang.
+  double min_height_m = 0;          ///< Height of its lower end above the ground.
+  double levels = 0;                ///< Storeys below the roof, counted from the ground; 0: unknown.
+  bool has_roof_shape = false;      ///< True if roof:shape is tagged.
+  roofs::RoofShape roof;            ///< The tagged values, levels as height; no overhang.
   std::optional<Srgb> wall_colour, roof_colour;
   std::optional<materials::Material> wall_material, roof_material;
   std::uint8_t building_class = 0;  ///< A BuildingClass.
@@ -111,6 +112,7 @@ struct Waterway {
   Passage passage = Passage::kGround;
 };
 
+/// The form of a barrier.
 enum class BarrierKind : std::uint8_t { kWall, kFence, kHedge, kRetainingWall, kGuardRail, kCityWall };
 
 /// The name of a kind in output files, such as "RetainingWall".
@@ -119,6 +121,7 @@ constexpr std::string_view name_of(BarrierKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+/// A wall, fence, hedge or similar as a line.
 struct Barrier {
   ObjectId id;
   Polyline axis;
@@ -126,6 +129,7 @@ struct Barrier {
   double height_m = 0, width_m = 0;
 };
 
+/// The form of a point object.
 enum class PointKind : std::uint8_t {
   kTree,  ///< A tree or shrub.
   kStreetLamp,
@@ -143,6 +147,7 @@ enum class PointKind : std::uint8_t {
   kAddress    ///< A house number.
 };
 
+/// An object that is mapped as a point.
 struct PointFeature {
   ObjectId id;
   Vec2 at;

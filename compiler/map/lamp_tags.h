@@ -38,6 +38,7 @@ struct LampTags {
   bool operator==(const LampTags&) const = default;
 };
 
+/// A row of lamp_types.inc.
 struct LampTypeValues {
   std::uint16_t temperature_k;  ///< Colour temperature; 0: it depends on the road (props/luminaires.inc).
   std::uint32_t most_lm;        ///< Largest luminous flux of one luminaire.

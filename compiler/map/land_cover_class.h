@@ -37,14 +37,16 @@ enum class LandCoverGroup : std::uint8_t {
   kBuilding
 };
 
+/// A row of land_cover_classes.inc.
 struct LandCoverValues {
   std::string_view name;  ///< Such as "ConiferousForest".
   LandCoverGroup group;
-  std::uint8_t
-      priority;  ///< Where polygons overlap, the higher priority wins, then the smaller area, then the lower id.
+  /// Where polygons overlap, the higher priority wins, then the smaller area, then the lower id.
+  std::uint8_t priority;
   materials::Material material;
 };
 
+/// Returns the row of a class.
 const LandCoverValues& values_of(LandCoverClass surface);
 
 }  // namespace citykiln::map

@@ -19,7 +19,7 @@ double to_cell_up(double v) { return std::ceil(v / kCell_m) * kCell_m; }
 }  // namespace
 
 // The sides of the box are curves in the plane, so points along them are included.
-Box2 region_of(const Plane& plane, const LonLatBox& box) {
+Box2 extent_of(const Plane& plane, const LonLatBox& box) {
   constexpr int kSteps = 8;
   Box2 around;
   for (int i = 0; i <= kSteps; ++i) {
@@ -48,7 +48,7 @@ LonLat default_origin(const LonLatBox& box) {
 Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox& box, const Options& options,
                 Report& report) {
   assert(box.west <= box.east && box.south <= box.north);
-  const ReadContext context{osm, plane, region_of(plane, box), report};
+  const ReadContext context{osm, plane, extent_of(plane, box), report};
   Features features;
   features.extent = context.extent;
   features.tracks = with_assumed_layers(locate_tracks(context, options.driving_side));

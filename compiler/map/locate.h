@@ -10,6 +10,7 @@
 
 namespace citykiln::map {
 
+/// Settings of locate() and choose_box().
 struct Options {
   std::optional<source::LonLatBox> bbox;    ///< The box to compile. Default: the map's own box (map_box.h).
   std::optional<LonLat> origin;             ///< Origin of the plane. Default: the box's centre, rounded to 0.01°.
@@ -23,8 +24,8 @@ source::LonLatBox choose_box(const source::OsmData& osm, const Options& options)
 /// Returns the default origin of a box: its centre, rounded to 0.01°.
 LonLat default_origin(const source::LonLatBox& box);
 
-/// Returns the extent for a box: the box of all cells of kCell_m that it touches.
-Box2 region_of(const Plane& plane, const source::LonLatBox& box);
+/// Returns the extent for a box in degrees: the box, in the plane, of all cells of kCell_m (128 m) that it touches.
+Box2 extent_of(const Plane& plane, const source::LonLatBox& box);
 
 /// Puts every element into the plane and reads its tags by the tables of the .inc files.
 ///

@@ -14,8 +14,10 @@ enum class PlantKind : std::uint8_t {
 #include "lsystems/species/species.inc"
 };
 
+/// The type of leaves.
 enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };
 
+/// Tags of one plant or wood.
 struct PlantTags {
   PlantKind kind{};
   LeafType leaves{};

@@ -109,7 +109,7 @@ Passage tagged_passage(const ReadContext& context, source::Range tags) {
 
 bool is_near(const ReadContext& context, const Polyline& line) { return box_of(line).touches(context.extent); }
 
-void tell_cut(const ReadContext& context, OsmId id, const Polyline& line) {
+void diagnose_cut(const ReadContext& context, OsmId id, const Polyline& line) {
   const Box2 box = box_of(line);
   if (context.extent.contains(box.min) && context.extent.contains(box.max)) return;
   double outside_m = length_m(line);

@@ -28,19 +28,22 @@ struct LocatedLine {
   std::vector<std::int64_t> node_ids;   ///< The OSM node of each point.
   std::vector<std::uint32_t> vertices;  ///< Index of the point of each node of the way.
 };
+/// Returns the way in the plane.
 LocatedLine located(const ReadContext& context, const source::Way& way);
 
-/// A polygon of an area with the number of its part: snapped, without repeated points, oriented, trimmed to the
-/// surroundings of the extent. located() leaves out polygons without area.
+/// One polygon of an area, with its number: snapped, without repeated points, oriented, and trimmed to the surroundings
+/// of the extent.
 struct LocatedPolygon {
   std::uint32_t part = 0;
   Polygon polygon;
   double area_m2 = 0;  ///< Area before trimming.
 };
+/// Returns the polygons of an area; polygons without area are left out.
 std::vector<LocatedPolygon> located(const ReadContext& context, const source::Area& area);
 
-/// Calls visit(polygon) for each polygon whose box touches the extent. Drops the others, kOutsideBounds, and an area
-/// without polygons, kDegenerateRing.
+/// Calls visit(polygon) for each polygon whose box touches the extent. Others are dropped, kOutsideBounds; an area
+/// without polygons is dropped, kDegenerateRing.
+/// @param account  The account in which the area is counted.
 template <typename Visit>
 void for_each_near_polygon(const ReadContext& context, OsmId id, const std::vector<LocatedPolygon>& polygons,
                            Account& account, Visit visit) {
@@ -57,8 +60,10 @@ void for_each_near_polygon(const ReadContext& context, OsmId id, const std::vect
   }
 }
 
-/// Returns parse(text), which is an optional; nothing for an empty text. Diagnosed: kBadTagValue of `key` if parse
-/// returns nothing.
+/// Returns the value that `parse` reads from a text; nothing for an empty or unreadable text. An unreadable one is
+/// diagnosed kBadTagValue.
+/// @param key    The key of the tag that contains the text.
+/// @param parse  A function from text to an optional value.
 template <typename Parse>
 auto parsed_text(const ReadContext& context, OsmId id, std::string_view key, std::string_view text, Parse parse)
     -> decltype(parse(text)) {
@@ -68,19 +73,20 @@ auto parsed_text(const ReadContext& context, OsmId id, std::string_view key, std
   return parsed;
 }
 
-/// Returns parsed_text() of the whole value of a key.
+/// Returns parsed_text() of the value of a key.
 template <typename Parse>
 auto parsed_tag(const ReadContext& context, OsmId id, source::Range tags, std::string_view key, Parse parse) {
   return parsed_text(context, id, key, context.tag(tags, key), parse);
 }
 
-/// Returns the number in a text, a part of the value of `key`, or nothing if it is empty. Diagnosed: kBadTagValue for a
-/// text that is no number or outside least … most.
+/// Returns the number in a text; nothing for an empty text. A text that is no number, or a number outside least to
+/// most, is diagnosed kBadTagValue and gives nothing.
+/// @param key  The key of the tag that contains the text.
 std::optional<double> number_within(const ReadContext& context, OsmId id, std::string_view key, std::string_view text,
                                     double least, double most);
 
-/// Returns the length in a tag, or nothing if the tag is missing. Diagnosed: kBadTagValue if it is unreadable or
-/// outside least … most.
+/// Returns the length in a tag in metres; nothing if the tag is missing. An unreadable length, or one outside least_m
+/// to most_m, is diagnosed kBadTagValue and gives nothing.
 std::optional<double> tagged_length_m(const ReadContext& context, OsmId id, source::Range tags, std::string_view key,
                                       double least_m, double most_m);
 
@@ -94,6 +100,6 @@ Passage tagged_passage(const ReadContext& context, source::Range tags);
 bool is_near(const ReadContext& context, const Polyline& line);
 
 /// Diagnoses kCutAtBounds if a line leaves the extent.
-void tell_cut(const ReadContext& context, OsmId id, const Polyline& line);
+void diagnose_cut(const ReadContext& context, OsmId id, const Polyline& line);
 
 }  // namespace citykiln::map

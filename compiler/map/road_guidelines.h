@@ -1,4 +1,4 @@
-// The set of guidelines by which roads are built at a place.
+// Chooses the set of guidelines (national rules for lane widths) by which roads are built at a place.
 #pragma once
 
 #include <cstdint>

@@ -25,12 +25,14 @@ struct MaterialValues {
   float variation;  ///< Largest relative change of brightness from object to object.
 };
 
+/// Returns the row of a material.
 const MaterialValues& values_of(Material material);
 
-/// The luminance of an emission of 1, about that of the ceiling of a lit room.
+/// The luminance of an emission of 1: about the luminance of the ceiling of a lit room.
 inline constexpr double kEmission_cd_m2 = 100;
 
-/// The light that a material emits (emission_table.inc): linear RGB, 0…1 of kEmission_cd_m2; 0 for most materials.
+/// Returns the light that a material emits (emission_table.inc): linear RGB, 0…1 of kEmission_cd_m2; 0 for most
+/// materials.
 std::array<float, 3> emission_of(Material material);
 inline bool emits(Material material) { return emission_of(material) != std::array<float, 3>{}; }
 

@@ -19,6 +19,7 @@ enum class ColourSource : std::uint8_t {
   kByCutout         ///< The prototype's cutout (impostor/cutout.h), which has opacity too.
 };
 
+/// A mesh whose triangles have one material and belong to one map element.
 struct MaterialMesh {
   Mesh mesh;
   Material material{};

@@ -21,7 +21,8 @@ struct Field {
   }
 };
 
-/// Numbers of lattice cells along u (across) and v (along) of a square: {8, 2} stretches the noise along v.
+/// The numbers of waves (cells of the noise's lattice) along u (across) and v (along) of a square: {8, 2} stretches the
+/// noise along v.
 struct WaveCounts {
   std::uint32_t across = 1, along = 1;
 };
@@ -38,8 +39,8 @@ Field layered_noise(std::uint32_t side_px, WaveCounts first, int octaves, double
 
 /// Cellular noise: a square split into irregular cells.
 struct Cells {
-  Field chance;   ///< A random number 0 … 1 for each cell, constant in the cell.
-  Field to_edge;  ///< 0 at the edges of a cell, rising inwards to about 1 in its middle.
+  Field chance;   ///< By texel: a random number 0 … 1 of the cell that contains the texel.
+  Field to_edge;  ///< By texel: 0 at the edges of cells, rising inwards to about 1 in the middle of a cell.
 };
 
 /// Returns cells around `across` × `across` points, one in each square of a grid. Guarantees as for gradient_noise().

@@ -12,10 +12,10 @@
 
 namespace citykiln::materials {
 
-/// A multiple of the periods of all textures: texture coordinates are reduced by whole multiples of it.
+/// A common multiple of the periods of all textures. Texture coordinates are reduced by whole multiples of this length.
 inline constexpr double kTexturePeriod_m = 64;
-/// Texture coordinates are multiples of this, so that neighbouring tiles agree to the last bit in single precision, and
-/// in 16 bits.
+/// The grid step of texture coordinates, so that neighbouring tiles agree to the last bit in single precision, and in
+/// 16 bits.
 inline constexpr double kTextureCoordinateStep_m = 0x1p-8;
 
 struct Texture {
@@ -27,7 +27,7 @@ struct Texture {
   bool operator==(const Texture&) const = default;
 };
 
-/// The image of colours, or that of normals if the material has one colour.
+/// Returns the image of colours, or the image of normals if the material has one colour.
 inline const TextureImage& shown_image(const Texture& texture) {
   return texture.colour.texels.empty() ? texture.normal : texture.colour;
 }
@@ -62,7 +62,7 @@ Texture texture_of(Material material, double tolerance_m, std::uint64_t seed);
 std::vector<Texture> textures_of(std::span<const Material> materials, double tolerance_m, std::uint64_t seed);
 
 /// Returns the factor by which the texture's colours are multiplied so that their mean, in linear light, is the
-/// material's colour: 0 … 1, near 1. For a texture without colours it is the material's colour.
+/// material's colour: 0 … 1, near 1. For a texture without colours, returns the material's colour.
 std::array<double, 3> colour_factor(const Texture& texture);
 
 }  // namespace citykiln::materials

@@ -11,7 +11,8 @@
 
 namespace citykiln::materials {
 
-/// Thread-safe. A texture is a function of the seed and the arguments. Memory: up to 3 MB per texture.
+/// A cache of textures. Thread-safe. A texture is a function of the seed and the arguments. Memory: up to 3 MB per
+/// texture.
 class TextureCache {
  public:
   explicit TextureCache(std::uint64_t seed) : seed_(seed) {}

@@ -14,8 +14,9 @@
 
 namespace citykiln::materials {
 
-/// Largest size that graphics cards support, and a limit for memory.
+/// The largest width and height of an image that graphics cards support, in texels.
 inline constexpr std::uint32_t kMaxImageSide_px = 16384;
+/// The largest number of texels of an image, a limit for memory.
 inline constexpr std::uint64_t kMaxImageTexels = std::uint64_t{1} << 26;
 
 struct TextureImage {

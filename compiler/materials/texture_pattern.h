@@ -5,6 +5,7 @@
 
 namespace citykiln::materials {
 
+/// The patterns, named after what they look like.
 enum class TexturePattern : std::uint8_t {
   kBlades,   ///< Short grass.
   kTufts,    ///< Long grass, shrubs.

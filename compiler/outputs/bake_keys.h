@@ -16,11 +16,9 @@ namespace citykiln::outputs {
 std::uint64_t program_hash();
 
 /// Returns a key for every chunk and level, at the index `chunk * levels + level`. It is a hash of the scene's header,
-/// the chunk's recipes, the settings that change the bytes of tiles, the level, and the program. Equal keys mean equal
-/// bytes of the .glb, except with probability 2^-64; none is 0. Cost: that of encoding the manifest without
+/// the chunk's recipes, the settings that change the bytes of tiles, the level, and the program's executable. Equal
+/// keys mean equal bytes of the .glb, except with probability 2^-64; no key is 0. Cost: encoding the manifest without
 /// compression.
-///
-/// The executable's bytes are part of the key, so that a changed program never reuses the tiles of an earlier one.
 std::vector<std::uint64_t> bake_keys(const scene::Scene& scene, const Outputs& outputs, int threads);
 
 }  // namespace citykiln::outputs

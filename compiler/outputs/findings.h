@@ -1,4 +1,4 @@
-// findings.json: all diagnoses of a run, each with its place, as GeoJSON.
+// findings.json: all diagnoses of a run, each with its place, as GeoJSON. A finding is a diagnosis with its place.
 #pragma once
 
 #include <cstddef>
@@ -25,11 +25,14 @@ struct Finding {
 };
 
 /// Returns the diagnoses of compiling as findings.
+/// @param places      Places of the elements that diagnoses name.
+/// @param layer_tags  Tags of ways that pass over each other.
 std::vector<Finding> findings_of(const Report& report, const map::Places& places, const map::LayerTags& layer_tags,
                                  const scene::Header& header);
 
-/// Returns the diagnoses made while one tile was baked at one level as findings. The place is that of the diagnosis,
-/// else that of its object in the chunk, else the tile's centre.
+/// Returns the diagnoses made while one tile was baked at one level as findings. The place of a finding is the place of
+/// the diagnosis, else of its object in the chunk, else the tile's centre.
+/// @param level  Index of the level.
 std::vector<Finding> findings_of(const Report& report, const scene::Header& header, const scene::Chunk& chunk,
                                  std::size_t level);
 

@@ -1,4 +1,5 @@
-// Writes and reads the ledger of a run as JSON, for report.json and for plans.
+// Writes and reads the ledger of a run as JSON, for report.json and for plans. The ledger has an account for each kind
+// of object and stage, with numbers of objects: in + split = out + merged + dropped.
 #pragma once
 
 #include <map>
@@ -9,7 +10,8 @@
 
 namespace citykiln::outputs {
 
-/// Returns the code with a name. Throws an exception of the JSON library if this program does not have the name.
+/// Returns the diagnosis code with a name. Throws an exception of the JSON library if this program does not have the
+/// name.
 Code known_code(const std::string& name);
 
 /// Returns a JSON object with a member per account: in, split, out, merged, and the dropped objects by code.

@@ -44,9 +44,10 @@ struct WrittenFiles {
 };
 
 /// Returns the report as JSON. It contains no times, folders or thread counts, so that equal inputs give equal bytes.
-/// @param heights  The consistency of heights (verify/heights_json.h).
+/// @param heights  The consistency of heights: result of verify::heights_json().
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
                         const WrittenFiles& written, const Outputs& outputs, const nlohmann::ordered_json& heights);
+/// Returns the time and memory of each stage as JSON.
 std::string timing_json(std::span<const StageCost> costs, int threads);
 
 /// Returns the settings of a run as types of the .glb exporter.

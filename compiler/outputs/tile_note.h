@@ -1,4 +1,5 @@
-// The entry of a finished tile in a run's journal. A later run that reuses the tile reports it from this entry.
+// The entry of a finished tile in a run's journal, the list of tiles written up to now. If an interrupted run is
+// continued, the tile is reused and reported from this entry.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Writes USD: the layers of levels, tiles and scene, and the textures that they share.
+// Writes USD: the layers (files) of levels, tiles and scene, and the textures that they share.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace citykiln::outputs {
 
-/// An encoded level of a tile, to be written after the levels before it.
+/// An encoded level of a tile. Levels are written in order.
 struct ReadyUsd {
   exporters::UsdLevel encoded;
   Vec3 origin;
@@ -33,6 +33,8 @@ class UsdWriter {
  public:
   UsdWriter(const scene::Header& header, exporters::OutputFolder& folder) : header_(header), folder_(folder) {}
 
+  /// Writes a level and its new textures.
+  /// @param written  Receives the names and sizes of files, here and below.
   Result<Done> write(const ReadyUsd& ready, WrittenFiles& written);
   /// Writes the layer of the land around the scene, to which finish() refers.
   Result<Done> write_surroundings(const bake::BakedTile& tile, WrittenFiles& written);

@@ -20,7 +20,8 @@ namespace citykiln::outputs {
 struct WrittenOutputs {
   WrittenFiles files;
   std::vector<Finding> findings;  ///< The findings of baking.
-  std::string solved;  ///< A line about the tolerances that max_bytes or max_triangles led to; empty without limits.
+  std::string solved;  ///< A line of text with the tolerances that were chosen to keep max_bytes or max_triangles;
+                       ///< empty without these limits.
   std::vector<std::string> notes{};  ///< Lines for the user.
   std::size_t taken_over = 0;        ///< Tiles of an earlier run that were reused instead of baked.
 };

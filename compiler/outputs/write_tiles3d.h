@@ -14,19 +14,21 @@
 
 namespace citykiln::outputs {
 
-/// Bakes a scene and writes 3dtiles/tileset.json with its contents.
+/// Bakes a scene and writes 3dtiles/tileset.json with its contents. An inner tile is a tile of the tree above the tiles
+/// of the scene.
 ///
-/// - The levels of a tile are a chain from coarse to fine. A level whose stated error is not larger than that of the
-///   next finer level is left out.
-/// - Above the tiles is a quadtree over the extent. The tolerance of an inner tile is twice that of its children. Up to
-///   4/3 kCoarsest_m an inner tile is joined from tiles that are baked at 3/4 of its tolerance. Above that it is joined
-///   from its children, without objects near the terrain. The other quarter of the tolerance is spent on decimating the
-///   terrain (bake/tiles/simplify_tile.h), unless the tile is very wide for its tolerance, as above levels of 2.5 m.
-/// - error_m of each tile is that of its content, and larger than those of its children.
+/// - The levels of a tile are a chain from coarse to fine. A level whose stated error is not larger than the error of
+///   the next finer level is left out.
+/// - Above the tiles is a quadtree over the extent. The tolerance of an inner tile is twice the tolerance of its
+///   children. Up to 4/3 kCoarsest_m an inner tile is joined from tiles that are baked at 3/4 of its tolerance. Above
+///   that it is joined from its children, without objects near the terrain. The other quarter of the tolerance is spent
+///   on decimating the terrain (bake/tiles/simplify_tile.h), unless the tile is very wide for its tolerance, as above
+///   levels of 2.5 m.
+/// - error_m of each tile is the error of its content, and larger than the errors of its children.
 /// - With Outputs::surroundings the root has no content and two children: the tree and the land around it.
 ///
-/// Adds to `report` the objects that levels drop, unless .glb files are written too and count them; and kNoGeoidHeight.
-/// Memory: that of bake_scene(), and the coarse levels of tiles and nodes whose parents are not complete yet.
+/// Adds to `report` kNoGeoidHeight and the objects that levels drop, unless .glb files are written too and count these.
+/// Memory: bake_scene(), and the coarse levels of tiles and nodes whose parents are not complete yet.
 Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
                                                exporters::OutputFolder& folder, Report& report,
                                                const OnProgress& on_progress);

@@ -1,4 +1,5 @@
-// Generates the plants in a box: placements of prototypes, from recipes.
+// Generates the plants in a box from recipes: places of prototypes. A prototype is one of the few distinct plants of a
+// species; plants are scaled copies of its mesh.
 #pragma once
 
 #include "compiler/plants/placing/placing.h"

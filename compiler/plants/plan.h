@@ -12,6 +12,7 @@
 
 namespace citykiln::plants {
 
+/// All plant recipes of a map.
 struct Plants {
   std::vector<Tree> trees;                   ///< Sorted by id.
   std::vector<Wood> woods;                   ///< Sorted by surface.

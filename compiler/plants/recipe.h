@@ -1,5 +1,5 @@
-// Recipes of plants: single trees and tree rows with positions; woods and plantings as a density on a land-cover
-// polygon.
+// Recipes of plants: single trees and tree rows with positions; woods and plantings as a density on a land cover
+// polygon. A species mix is one species, or a plant community from which each plant's species is drawn (species_mix.h).
 #pragma once
 
 #include <cstdint>

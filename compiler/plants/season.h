@@ -16,6 +16,7 @@ inline constexpr Month kMidsummer{6};
 /// text without a month.
 Month month_for(std::string_view time, double latitude_deg);
 
+/// The state of a plant in a month.
 struct SeasonState {
   double leaf_share = 1;         ///< The share of the leaves that are present; 0: bare twigs.
   double young = 0, turned = 0;  ///< The shares of the young and turned leaf colours in the leaf colour.

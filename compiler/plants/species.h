@@ -9,12 +9,14 @@
 
 namespace citykiln::plants {
 
+/// Rows of species.inc.
 enum class Species : std::uint8_t {
 #define SPECIES(name, ...) name,
 #include "lsystems/species/species.inc"
   kCount
 };
 
+/// The form of leaves.
 enum class LeafForm : std::uint8_t { kBroad, kNeedle, kPalm, kBlade };
 
 /// Linear reflectance of red, green and blue in thousandths.

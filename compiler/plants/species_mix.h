@@ -64,8 +64,9 @@ Habitat habitat_at(double latitude_deg, Vec2 at, double height_m, Vec3 normal, b
 /// Draws the species of one plant. Members of a community are weighted by share, belt, slope, water and groups. If the
 /// altitude is in no member's belt, the member with the nearest belt is chosen.
 ///
-/// @param chance  Uniform in [0, 1).
-Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double chance);
+/// @param seed    The seed of the scene, which decides where groups of a species stand.
+/// @param uniform  A uniform random number in [0, 1).
+Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double uniform);
 
 /// Returns the height of trees as a share of their height in the valley. It falls towards the tree line.
 double height_factor(const Habitat& habitat);

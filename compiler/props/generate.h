@@ -12,6 +12,7 @@
 
 namespace citykiln::props {
 
+/// The meshes of a prop, and their distance from the prop in full detail.
 struct GeneratedProp {
   std::vector<materials::MaterialMesh> meshes;
   double error_m = 0;
@@ -22,11 +23,11 @@ struct GeneratedProp {
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m);
 
 /// Generates a lamp of 1 m height, to be scaled by height_m: its foot at the origin, its arm 0.21 m long along +x.
-/// Every part is closed; at most 80 triangles. The error is that of the scaled lamp and within the tolerance. A lamp
-/// that is not higher than the tolerance gets no mesh, and its height is the error. height_m > 0.
+/// Every part is closed; at most 80 triangles. GeneratedProp::error_m is the error of the scaled lamp, within the
+/// tolerance. A lamp that is not higher than the tolerance gets no mesh, and its height is the error. height_m > 0.
 GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m);
 
-/// Places a lamp on the ground, with +x in the direction it faces.
+/// Returns the placement of a lamp on the ground, with +x in the direction that the lamp faces.
 Placement place(const StreetLamp& lamp, const ground::GradedTerrain& ground);
 
 }  // namespace citykiln::props

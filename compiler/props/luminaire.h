@@ -28,18 +28,18 @@ struct Luminaire {
   bool operator==(const Luminaire&) const = default;
 };
 
-/// Returns the light of a lamp: its tags, else values of its type (map/lamp_types.inc), else of its kind and height
-/// (luminaires.inc). A lamp on a wall, a wire or a high mast shines down. height_m >= 0.
+/// Returns the light of a lamp: the values of its tags, else of its type (map/lamp_types.inc), else of its kind and
+/// height (luminaires.inc). A lamp on a wall, a wire or a high mast shines down. height_m >= 0.
 Luminaire luminaire_of(LampKind kind, double height_m, const map::LampTags& tags = {});
 
-/// The kind of a lamp with a mount, or `otherwise` if the mount does not determine it.
+/// Returns the kind of a lamp with a mount, or `otherwise` if the mount does not determine the kind.
 LampKind kind_of(map::LampMount mount, LampKind otherwise);
 
 /// Returns the integral over all directions of a beam's relative intensity, which is 1 on its axis, in steradians.
 /// Lumen divided by it are the candela on the axis.
 double beam_sr(Beam beam);
 
-/// The sine of the highest angle above the horizontal at which a lantern shines.
+/// The sine of the highest angle above the horizontal at which a lantern (Beam::kLantern) shines.
 inline constexpr double kLanternRise = 0.5;
 
 /// Returns the middle of a lamp's glass, plane metres.

@@ -8,11 +8,13 @@
 
 namespace citykiln::props {
 
+/// The props of a map.
 struct Props {
   std::vector<Barrier> barriers;  ///< Sorted by id.
   std::vector<Lamp> lamps;        ///< Sorted by id.
 };
 
+/// True if a barrier is a hedge.
 bool has_hedges(const Props& props);
 
 /// Returns the props of a map. Barriers are cut 4 m outside of the extent; their parts are numbered. Ledger

@@ -7,6 +7,7 @@
 
 namespace citykiln::props {
 
+/// A wall, fence or hedge along a line.
 struct Barrier {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped.
@@ -15,6 +16,7 @@ struct Barrier {
   bool operator==(const Barrier&) const = default;
 };
 
+/// A mapped street lamp.
 struct Lamp {
   ObjectId id;
   Vec2 at;

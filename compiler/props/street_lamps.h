@@ -26,6 +26,7 @@ struct Lighting {
   double height_m = 0;
   LampKind kind{};
 };
+/// Returns the lamps of the roads of a class.
 Lighting lighting_of(map::LandCoverClass surface);
 /// The largest Lighting::height_m.
 inline constexpr double kTallestStreetLamp_m = 12;
@@ -41,8 +42,8 @@ struct StreetLamp {
   bool operator==(const StreetLamp&) const = default;
 };
 
-/// Returns the lamps of a road that stand in a box (lower sides inclusive, upper sides exclusive). Does not test what
-/// else is there. None if the road is not lit.
+/// Returns the lamps of a road that stand in a box (lower sides inclusive, upper sides exclusive). Other objects at
+/// these places are not tested. Empty if the road is not lit.
 ///
 /// On carriageways wider than 9 m they alternate between the sides. Otherwise they stand on the side with a pavement,
 /// or, if both or neither have one, on the side of traffic. They stand 0.5 m behind the kerb and any raised cycle

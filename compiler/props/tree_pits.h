@@ -19,7 +19,7 @@ namespace citykiln::props {
 
 struct TreePit {
   Vec2 at;            ///< The tree, plane metres.
-  Vec2 along;         ///< Direction of two of its sides, length 1.
+  Vec2 along;         ///< Direction of two sides of the pit, length 1.
   double side_m = 0;  ///< Including the edging.
   OsmId feature;      ///< The tree.
   bool operator==(const TreePit&) const = default;

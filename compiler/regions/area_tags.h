@@ -12,6 +12,7 @@ bool describes_area(const osmium::TagList& tags);
 /// True if an element can become water: a waterway, a coastline, or an area of water.
 bool describes_water(const osmium::TagList& tags);
 
+/// True for natural=coastline.
 bool is_coastline(const osmium::TagList& tags);
 
 /// True for a relation of type multipolygon (it may have its tags on its outer ways), and for a boundary that

@@ -28,7 +28,8 @@ struct Cut {
   int threads = 0;
 };
 
-/// The files that were written: those of the regions in the order of regions_of(), and that of the survey.
+/// Counts of the files that were written. `regions` has the order of regions_of(); `survey` is the file with coastlines
+/// and waters of the whole extent.
 struct CutFiles {
   std::vector<RegionFile> regions;
   RegionFile survey;

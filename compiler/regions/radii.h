@@ -41,8 +41,9 @@ namespace citykiln::regions {
 /// The radius of one storey of bridges: two ramps of 850 m, as a railway needs (plan_profiles.h).
 inline constexpr double kStoreyRadius_m = 1700;
 
-/// The sum along the longest chain of dependences: a tile, the roads and junctions of its chunk, their profiles, the
-/// bridges of these, and the bridges that cross them. A whole number of cells of 128 m.
+/// The width of the data around a region that it is compiled with: at least the sum of radii along the longest chain of
+/// dependences, which is a tile, the roads and junctions of its chunk, their profiles, the bridges of these, and the
+/// bridges that cross them. A whole number of cells of 128 m.
 inline constexpr double kRegionHalo_m = 10240;
 
 static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +

@@ -1,4 +1,4 @@
-// Regions: squares of whole tiles that are compiled by separate tasks. No object ends at the side of a region.
+// Regions: squares of whole tiles that are compiled by separate tasks. Objects are not cut at the side of a region.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct RegionKey {
 /// Returns the key as a text, such as "3_-2".
 std::string to_string(RegionKey region);
 
-/// The division of an extent into regions and tiles.
+/// The division of an extent (the box that is compiled) into regions and tiles.
 struct RegionGrid {
   Box2 extent;                          ///< Whole cells of map::kCell_m.
   double tile_m = map::kDefaultTile_m;  ///< A whole multiple of map::kCell_m.
@@ -27,8 +27,8 @@ struct RegionGrid {
   double halo_m = 0;                    ///< The width of the data around a region that are compiled with it.
 };
 
-/// Checks the sizes. Error: the region's side is not a whole multiple of the tile's.
-Result<Done> is_sound(const RegionGrid& grid);
+/// Returns an error if the region's side is not a whole multiple of the tile's.
+Result<Done> check_grid(const RegionGrid& grid);
 
 /// Returns all regions that the extent touches, sorted.
 std::vector<RegionKey> regions_of(const RegionGrid& grid);

@@ -12,7 +12,8 @@ class OSMObject;
 
 namespace citykiln::regions {
 
-/// The contents of one file. "Own" counts are of what lies within the region itself, without its halo.
+/// The contents of one file. Members that begin with own_ count only the region itself, without its halo, the data
+/// around it.
 struct RegionFile {
   std::uint64_t bytes = 0;
   std::uint64_t nodes = 0, ways = 0, relations = 0;  ///< Nodes in files have tags.

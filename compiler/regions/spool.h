@@ -11,12 +11,13 @@
 
 namespace citykiln::regions {
 
-/// Appends elements to many files. Memory: kSpoolBuffer_bytes per file. The files stay until remove().
+/// Appends elements to many files. Memory: kSpoolBuffer_bytes per file. The files stay until remove() is called.
 class Spools {
  public:
   /// @param folder  Must exist. The spools are its files 0, 1, …
   Spools(std::string folder, std::size_t count);
 
+  /// Appends an element to a spool, by the spool's number.
   void add(std::size_t spool, const osmium::OSMObject& object);
 
   /// Writes the elements that are still in memory. Error: the first write that failed since construction.
@@ -25,6 +26,7 @@ class Spools {
   /// Returns the elements of a spool. Error: a file that cannot be read.
   Result<osmium::memory::Buffer> read(std::size_t spool) const;
 
+  /// Deletes the files.
   void remove() const;
 
  private:
@@ -36,6 +38,7 @@ class Spools {
   bool failed_ = false;
 };
 
+/// The number of bytes that a spool collects in memory before it writes them.
 inline constexpr std::size_t kSpoolBuffer_bytes = 65536;
 
 }  // namespace citykiln::regions

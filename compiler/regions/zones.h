@@ -1,6 +1,6 @@
-// Zones: an extent that is too wide for one plane is cut into boxes of longitude and latitude, each with a plane of its
-// own. Inside a zone tiles meet byte for byte. The coordinates that two zones give a place on their common side are at
-// most kZoneAgreement_m apart on the Earth.
+// Divides an extent that is too wide for one plane (map projection) into zones: boxes of longitude and latitude, each
+// with a plane of its own. Inside a zone tiles meet byte for byte. The coordinates that two zones give a place on their
+// common side are at most kZoneAgreement_m apart on the Earth.
 #pragma once
 
 #include <string>

@@ -14,20 +14,21 @@
 
 namespace citykiln::roads {
 
-/// Ways longer than this keep their widths, so that objects farther away than this never change a road.
+/// Longer ways keep their widths, so that no object farther away than this changes a road.
 inline constexpr double kLongestFitted_m = 512;
 
-/// Returns the tracks, with the cross-sections of streets on the ground fitted between trees, hydrants, posts, masts,
+/// Returns the tracks. The cross-sections of streets on the ground are fitted between trees, hydrants, posts, masts,
 /// rows of trees, walls, fences and hedges.
 ///
 /// A section does not vary along the way, and changes only if the width of its carriageway is not tagged. The kerb
-/// stays kTreeFromKerb_m away from trees and kThingFromKerb_m from other objects. Objects for which even the narrowest
-/// lanes leave no room are ignored, and so are walls that cross the way: by the map they are inside the road.
+/// keeps kTreeFromKerb_m from trees and kThingFromKerb_m from other objects. Objects for which even the narrowest lanes
+/// leave no room are ignored, and so are walls that cross the way, since the map puts them inside the road.
 ///
 /// The order of features does not matter. O(n log n).
 std::vector<map::Track> fit_assumed_widths(const map::Features& features);
 
-/// Distances from the kerb: half a trunk and a kerb stone; a lamp post or a wall and a kerb stone.
+/// Distances of objects from the kerb: half a trunk and a kerb stone for trees; a lamp post or a wall and a kerb stone
+/// for others.
 inline constexpr double kTreeFromKerb_m = 0.5, kThingFromKerb_m = 0.25;
 
 }  // namespace citykiln::roads

@@ -1,4 +1,4 @@
-// Outlines strips of ground along an axis, as rings.
+// Outlines roads, and strips of ground along an axis, as rings (polygons without holes).
 #pragma once
 
 #include <optional>

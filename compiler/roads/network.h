@@ -1,4 +1,4 @@
-// The road network: nodes that several axes share, and the arms that leave the nodes.
+// The road network: nodes, the places that axes of several roads share, and arms, the roads that leave a node.
 #pragma once
 
 #include <cstdint>
@@ -33,23 +33,24 @@ struct Node {
   std::vector<Arm> arms;  ///< Sorted.
 };
 
-/// Returns the radius of the disk about the node of these arms, or 0 if the node is not circular: 5 m for a mini
-/// roundabout, 6 m for a turning circle (track points of the roads), at least 1.5 m more than half the widest arm, and
-/// at most 12 m. O(arms).
+/// Returns the radius of the disk of ground about the node of these arms: 5 m for a mini roundabout, 6 m for a turning
+/// circle (track points of the roads), but at least 1.5 m more than half the widest arm, and at most 12 m. 0 if the
+/// node is neither. O(arms).
 double disk_radius_m(std::span<const Road> roads, std::span<const Arm> arms);
 
-/// Returns all nodes with at least three arms, with two arms that do not continue each other (their widths differ, or
-/// the turn is more than a right angle), or that are circular.
+/// Returns the nodes at which a junction may be needed: with at least three arms, with two arms that do not continue
+/// each other (their widths differ, or the turn is more than a right angle), or with a disk (disk_radius_m()).
 ///
 /// Axes meet only if they share a vertex, so a bridge does not meet the road below it. Sorted by position, then family.
 /// O(n log n) in vertices.
 std::vector<Node> find_nodes(std::span<const Road> roads);
 
-/// Returns the ends of each road's strip: joined if exactly one other end of a road of its family continues it. O(n log
+/// Returns the ends of each road. An end is joined if exactly one other end of a road of its family lies there. O(n log
 /// n) in vertices.
 std::vector<StripEnds> ends_of(std::span<const Road> roads);
 
-/// Two arms that continue each other at a node without a third arm: of two roads, or both ends of a loop.
+/// Two arms that continue each other at a place without a third arm. They belong to two roads, or are both ends of a
+/// loop.
 struct Joint {
   Arm a, b;
 };

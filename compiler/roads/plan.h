@@ -13,7 +13,7 @@ namespace citykiln::roads {
 Road road_of(const map::Track& track);
 
 /// Returns the roads of all tracks on the ground, sorted by id. Ledger "roads/track": tracks on bridges and in tunnels
-/// count as merged, since they become structures. O(n).
+/// become structures and count as merged. O(n).
 std::vector<Road> plan(const map::Features& features, Report& report);
 
 /// Returns the ids of the ways that are tagged to lead through buildings, sorted. O(n).

@@ -1,4 +1,5 @@
 // Road recipes: an axis and the lanes on either side of it. Bridges and tunnels are structures (structures/recipe.h).
+// The whole way is the OSM way of which the axis may be a part; "along" means distance from its first point.
 #pragma once
 
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace citykiln::roads {
 
-/// A strip of ground along an axis.
+/// A strip of ground along an axis, such as a watercourse.
 struct Strip {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped, at least two points.
@@ -25,11 +26,13 @@ struct Strip {
   bool operator==(const Strip&) const = default;
 };
 
-/// A point of the largest distance that buildings allow between the road's edge and its middle, on one side.
+/// The largest distance of the road's edge from its middle that buildings allow, on one side, at one distance along the
+/// way.
 struct WidthLimit {
   double at_m = 0;       ///< Distance along the whole way; a multiple of 1/4 m.
   double half_m = 0;     ///< Largest distance of the edge from the carriageway's middle; a multiple of 1/32 m, > 0.
-  bool is_wall = false;  ///< True if the limit runs straight from the previous point, else it widens by kTaper between.
+  bool is_wall = false;  ///< True if the limit is a straight line from the previous point; false if it widens as fast
+                         ///< as kTaper allows in between.
   bool operator==(const WidthLimit&) const = default;
 };
 
@@ -40,6 +43,7 @@ struct WidthLimits {
   bool operator==(const WidthLimits&) const = default;
 };
 
+/// A road, path or railway on the ground.
 struct Road {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped, at least two points.
@@ -47,8 +51,9 @@ struct Road {
   map::CrossSection section;
   map::DrivingSide side{};
   bool is_lit = false, is_link = false, is_roundabout = false;
-  double start_along_m = 0;             ///< Distance of the axis' first point along the whole way; multiple of 2^-10.
-  std::vector<map::TrackPoint> points;  ///< Sorted; vertices index this axis.
+  double start_along_m = 0;  ///< Distance of the axis' first point along the whole way; multiple of 2^-10.
+  /// Marked nodes such as crossings, sorted; TrackPoint::vertex is an index into this axis.
+  std::vector<map::TrackPoint> points;
   WidthLimits width_limits;
   Profile profile{};  ///< Heights along the axis, set by ground::plan_profiles(). Empty before that, and for roads on
                       ///< terrain that is not graded.
@@ -69,8 +74,8 @@ double raised_right_m(const Road& road);
 double paved_left_m(const Road& road);
 double paved_right_m(const Road& road);
 
-/// The distance of each vertex along the whole way. Lengths of segments are rounded to 2^-10 m, so a trimmed part has
-/// the same distances. O(n).
+/// The distance of each vertex of the axis along the whole way. Lengths of segments are rounded to 2^-10 m, so that a
+/// trimmed road has the same distances as the whole one. O(n).
 std::vector<double> distances_along(const Road& road);
 /// The distance of each vertex of any axis along the whole way.
 /// @param start_along_m  Length of the way before the axis begins.
@@ -82,7 +87,7 @@ inline int priority_of(const Road& road) { return map::values_of(road.surface).p
 /// The largest distance of any point of the road from its axis, pavements and tips of mitres included.
 double max_offset_m(const Road& road);
 
-/// The strip between the kerbs, without width limits.
+/// The strip of ground between the kerbs, without width limits.
 Strip carriageway_of(const Road& road);
 
 }  // namespace citykiln::roads

@@ -1,4 +1,4 @@
-// Divides the recipes of the whole extent into one chunk per tile.
+// Divides the recipes of the whole extent (the box that is compiled) into chunks: the recipes of one tile each.
 #pragma once
 
 #include <span>

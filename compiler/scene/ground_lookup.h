@@ -13,7 +13,8 @@ struct GroundPlace {
   map::LandCoverClass cover{};
 };
 
-/// Answers queries for a scene with at least one chunk. Refers to the scene, which must outlive it.
+/// Answers queries for a scene with at least one chunk (the recipes of one tile). Refers to the scene, which must
+/// outlive it.
 class GroundLookup {
  public:
   explicit GroundLookup(const Scene& scene);

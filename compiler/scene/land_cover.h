@@ -1,4 +1,5 @@
-// Makes the land cover of a chunk or of the whole map: polygons of land cover classes, from recipes.
+// Makes the land cover of a chunk (the recipes of one tile) or of the whole map: polygons of land cover classes, from
+// recipes.
 #pragma once
 
 #include <span>
@@ -13,10 +14,10 @@ namespace citykiln::scene {
 struct LandCover {
   /// Sorted by id, class and piece; each combination occurs once.
   std::vector<ground::LandCoverPolygon> surfaces;
-  /// Pieces of roads; LandCoverPolygon::piece is 1 plus the index. Piece::layout is an index into `layouts`. Each
-  /// Piece::run belongs to one road.
+  /// Pieces of roads: the parts of a road's lane strips with constant markings. LandCoverPolygon::piece is 1 plus an
+  /// index into this vector, Piece::layout an index into `layouts`. Each Piece::run belongs to one road.
   std::vector<roads::Piece> pieces;
-  /// The layouts of marked pieces. Some may be equal.
+  /// The marking layouts (patterns of painted lines) of marked pieces. Some may be equal.
   std::vector<roads::MarkingLayout> layouts;
 };
 
@@ -34,8 +35,8 @@ struct CoverRecipes {
   std::vector<ground::LandCoverPolygon> footprints;
 };
 
-/// Returns the polygons with each road as one surface, at any tolerance. Used for clearances, which must be equal on
-/// all levels.
+/// Returns the polygons with each road as one surface, whatever the tolerance. Clearances are measured with these, so
+/// that they are equal on all levels.
 std::vector<ground::LandCoverPolygon> coarse_land_cover(const CoverRecipes& recipes);
 std::vector<ground::LandCoverPolygon> coarse_land_cover(const Chunk& chunk);
 

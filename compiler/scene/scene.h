@@ -34,8 +34,8 @@ struct TileKey {
 /// Returns the key as a text, such as "3_-2".
 std::string to_string(TileKey tile);
 
-/// The width of the ground around its tile that a chunk holds, in whole metres: the largest distance over which
-/// neighbours influence an object (plants).
+/// The width of the margin around its tile from which a chunk holds recipes, in whole metres. It is the largest
+/// distance over which neighbours influence an object (plants).
 inline constexpr double kHalo_m = 48;
 /// The distance beyond its tile up to which a chunk holds roads: the arms of every junction of the tile are among them.
 inline constexpr double kRoadHalo_m = 56;
@@ -53,7 +53,7 @@ struct Header {
   std::optional<double> snow_line_m{};         ///< Land above this height, in the heightmaps' datum, is under snow.
   std::vector<buildings::RuleText> rules{};    ///< The rule files of the buildings' styles, sorted by name.
   std::vector<plants::SpeciesText> species{};  ///< The files of the plants' species, sorted by name.
-  surroundings::Surroundings around{};         ///< The land and sea beyond the region; may be empty.
+  surroundings::Surroundings around{};         ///< The land and sea beyond the extent; may be empty.
   bool operator==(const Header&) const = default;
 };
 
@@ -105,14 +105,16 @@ plants::Month month_of(const Header& header);
 /// Returns the time of the week if it is dark, which decides which windows are lit; empty by day.
 std::optional<buildings::WeekTime> night_of(const Header& header);
 
-/// Returns the part of the region that belongs to a tile.
+/// Returns the part of the extent that belongs to a tile.
 Box2 box_of(const Header& header, TileKey tile);
-/// True if an object anchored at a place belongs to a tile. Places outside the region belong to the nearest tile.
+/// True if an object belongs to a tile because the tile contains its anchor. An anchor outside the extent belongs to
+/// the nearest tile.
+/// @param anchor  The place of the object that decides: its centroid or first point, plane metres.
 bool is_anchored(const Header& header, TileKey tile, Vec2 anchor);
-/// Returns the keys of all tiles that the region touches, sorted.
+/// Returns the keys of all tiles that the extent touches, sorted.
 std::vector<TileKey> tiles_of(const Header& header);
-/// Returns the chunk's junctions whose first node lies in its tile. Each junction of a scene is in this list of one
-/// chunk.
+/// Returns the chunk's junctions whose first node lies in its tile. Each junction of a scene belongs to exactly one
+/// chunk in this way.
 std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk);
 
 }  // namespace citykiln::scene

@@ -8,6 +8,7 @@
 
 namespace citykiln::simplify {
 
+/// The precision and the limits of a search.
 struct BoundOptions {
   double precision_m;  ///< > 0. The bound exceeds the distance by no more than this, or is least_m.
   double least_m = 0;  ///< Lower limit of the bound: no smaller distance is resolved, which is faster.
@@ -15,9 +16,10 @@ struct BoundOptions {
   double most_m = std::numeric_limits<double>::infinity();
 };
 
+/// A bound, and the place that determines it.
 struct DistanceBound {
   double distance_m;
-  Vec3 at{};  ///< Where it was found: a point of `from` whose distance is within precision_m of it; unset if least_m.
+  Vec3 at{};  ///< A point of `from` whose distance is within precision_m of distance_m; unset if distance_m is least_m.
 };
 
 /// Returns an upper bound of the distance from any point of `from` to `to`: least_m if `from` is empty, else infinite

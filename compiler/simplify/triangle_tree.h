@@ -15,12 +15,13 @@ struct Corners {
   Vec3 a, b, c;
 };
 
-/// The corners of all triangles of a mesh, in order.
+/// Returns the corners of all triangles of a mesh, in order.
 std::vector<Corners> corners_of(const Mesh& mesh);
 
-/// The distance of a point from a closed triangle.
+/// Returns the distance of a point from a closed triangle.
 double distance_m(Vec3 p, const Corners& triangle);
 
+/// Triangles in a tree of boxes.
 class TriangleTree {
  public:
   struct Nearest {
@@ -35,6 +36,7 @@ class TriangleTree {
   const Corners& triangle(std::uint32_t i) const { return triangles_[i]; }
 
   /// @param guess  Any triangle of the tree; a near one makes the search faster.
+  /// Returns the triangle nearest to p. O(log n) for triangles spread evenly.
   Nearest nearest(Vec3 p, std::uint32_t guess = 0) const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace citykiln::sky {
 
-/// The luminance that radiance 1 stands for: about the mean of a clear sky at noon.
+/// The luminance, in cd/m², of a radiance of 1: about the mean of a clear sky at noon.
 inline constexpr double kUnitLuminance_cd_m2 = 6250;
 
 /// The moon as the eye sees it.
@@ -23,12 +23,14 @@ struct MoonDisk {
 
 /// A sky prepared for many queries. Radiances are linear RGB in kUnitLuminance_cd_m2.
 struct SkyModel {
-  Vec3 to_sun{0, 0, 1};       ///< Direction to the light that throws shadows: the sun, or by night the moon.
-  Rgb sun_radiance{};         ///< Radiance of that light's disk; 0 if neither is up.
+  Vec3 to_sun{0, 0, 1};  ///< Direction to the light that throws shadows: the sun, or by night the moon.
+  /// Radiance of the disk in the direction to_sun; 0 if neither sun nor moon is above the horizon.
+  Rgb sun_radiance{};
   double sun_cos_radius = 1;  ///< Cosine of the disk's angular radius.
-  std::vector<std::shared_ptr<const SkyDome>> domes{};  ///< The sun's dome, and by night the moon's too.
-  Rgb everywhere{};                                     ///< Radiance from all directions above the horizon: airglow.
-  Rgb white_ground{};                                   ///< Radiance of level white ground at sea level.
+  /// Tables of the sky lit by the sun, and by night also by the moon.
+  std::vector<std::shared_ptr<const SkyDome>> domes{};
+  Rgb everywhere{};    ///< Radiance from all directions above the horizon: airglow.
+  Rgb white_ground{};  ///< Radiance of level white ground at sea level.
   double ground_albedo = 0.2;
   MoonDisk moon{};
   std::vector<Star> stars{};               ///< Stars above the horizon; none by day.
@@ -43,13 +45,14 @@ struct SkyModel {
 SkyModel generate(const Sky& sky, double eye_height_m = 0, std::span<const GroundLight> lamps = {});
 
 /// Returns the radiance of the sky in a direction (unit vector), without the disks of sun and moon. Below the horizon
-/// it is that of the ground behind the air.
+/// it is the radiance of the ground behind the air.
 Rgb radiance(const SkyModel& model, Vec3 direction);
 
-/// The radiance of level ground with the sky's albedo, at sea level.
+/// Returns the radiance of level ground with the sky's albedo, at sea level.
 Rgb ground_radiance(const SkyModel& model);
 
-/// Returns the air between the eye and a surface in a direction (unit vector).
+/// Returns the effect of the air between the eye and a surface in a direction (unit vector): the share of light that
+/// passes, and the light that is added.
 AirPath air(const SkyModel& model, Vec3 direction, double distance_m);
 
 }  // namespace citykiln::sky

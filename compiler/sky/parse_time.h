@@ -1,4 +1,4 @@
-// Dates and times.
+// Parses dates and times.
 #pragma once
 
 #include <string>

@@ -14,6 +14,7 @@ struct PreethamSky {
   Rgb zenith{};  ///< Y (kcd/m²), x and y at the zenith, divided by the Perez function there.
 };
 
+/// Returns the sky for a direction to the sun (unit vector) and a turbidity (2 clear, 10 hazy).
 PreethamSky preetham_sky(Vec3 to_sun, double turbidity);
 
 /// Returns the radiance of the sky in a direction (unit vector, z >= 0), without the sun's disk: linear sRGB, kcd/m².

@@ -14,8 +14,8 @@ struct Star {
   Rgb illuminance;  ///< Illuminance outside of the atmosphere, lx; linear sRGB.
 };
 
-/// The apparent direction of a star: its position in the frame of J2000.0, turned for the hour and the year, and lifted
-/// by refraction. Gives equal bits on every CPU.
+/// Returns the apparent direction of a star {east, north, up}: its position in the frame of J2000.0, rotated to the
+/// place and time of the sky, and lifted by refraction. Gives equal bits on every CPU.
 Vec3 star_direction(const Sky& sky, double right_ascension_deg, double declination_deg);
 
 /// Returns the stars of bright_stars.inc that are above the horizon, brightest first.

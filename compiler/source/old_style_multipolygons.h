@@ -1,5 +1,5 @@
-// Multipolygons of the old style, whose tags are on their outer ways. OpenStreetMap had them until 2017, and some
-// extracts still do.
+// Converts multipolygons of the old style, whose tags are on their outer ways. OpenStreetMap had them until 2017, and
+// some extracts still do.
 #pragma once
 
 #include "compiler/contract/report.h"

@@ -11,7 +11,7 @@
 
 namespace citykiln::source {
 
-/// Pointers into the buffers, each vector sorted by id.
+/// Pointers to the elements in libosmium's buffers, each vector sorted by id.
 struct Elements {
   std::vector<const osmium::Node*> nodes;  ///< With a valid location.
   std::vector<osmium::Way*> ways;

@@ -9,9 +9,9 @@
 
 namespace citykiln::source {
 
-/// Returns the ids of the elements whose place `owns` accepts, sorted. The place of a way is that of its first node
-/// with a location; the place of a relation is that of its first member way with a place. Elements without a place are
-/// in no result. O(n log n).
+/// Returns the ids of the elements whose place `owns` accepts, sorted. The place of a way is its first node with a
+/// location; the place of a relation is the place of its first member way that has one. Elements without a place are
+/// never included. O(n log n).
 /// @param elements  Ways must hold the locations of their nodes.
 std::vector<OsmId> owned_elements(const Elements& elements, const OwnsPlace& owns);
 

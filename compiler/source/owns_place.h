@@ -5,7 +5,7 @@
 
 namespace citykiln::source {
 
-/// True if a place, in degrees, belongs to the part.
+/// A function that is true if a place, in degrees, belongs to the part.
 using OwnsPlace = std::function<bool(double lon, double lat)>;
 
 }  // namespace citykiln::source

@@ -1,5 +1,5 @@
-// Frees the buffers of a decoded file while their elements are copied, so that the file and its copy are not both in
-// memory.
+// Frees the buffers of a decoded file while its elements are copied, so that the file and the copy are never both
+// complete in memory.
 #pragma once
 
 #include <cstddef>

@@ -11,12 +11,12 @@ inline constexpr int kSpikeInfluence = 10;
 
 /// Replaces spikes by voids. Call it before fill_voids(), which fills them.
 ///
-/// A spike is a sample, or a subset of a block of two by two samples, whose heights all lie on the same side of every
-/// height that their neighbours predict. Predictions are made on the four lines through a sample: interpolated between
-/// the nearest samples outside the spike, and extrapolated from the two samples on each side (across at most one void).
-/// The distance to the nearest predicted height must be more than 12 m plus half the sample spacing for each sample of
-/// the spike's width (with SRTM at 67 m, 45 m for 1 sample and 79 m for 2). It must also be more than five times the
-/// median bend of the surrounding land, which is the distance of a sample from the mean of its two neighbours.
+/// A spike is one sample, or some samples of a two by two block, that all lie above, or all below, every height that
+/// their neighbours predict. Predictions are made on the four lines through a sample: interpolated between the nearest
+/// samples outside the spike, and extrapolated from the two samples on each side (across at most one void). The
+/// distance to the nearest predicted height must be more than 12 m plus half the sample spacing, times the spike's
+/// width in samples (with SRTM at 67 m, 45 m for 1 sample and 79 m for 2). It must also be more than five times the
+/// median bend of the surrounding land; a sample's bend is its distance from the mean of its two neighbours.
 ///
 /// Guarantees: a sample stays if any line of neighbours leads up or down to it, as at summits, ridges, cliffs, shores,
 /// and towers more than two samples wide. A sample with fewer than five known neighbours of eight stays. Samples change

@@ -139,7 +139,7 @@ GeneratedStructure generate(const Span& bridge, double tolerance_m) {
       simplify_ribs(all, shape.left_m + kParapet_m, shape.right_m + kParapet_m, kRibShare * tolerance_m);
   Budget budget{kPartShare * tolerance_m};
   const DeckDetail detail = detail_of(shape, tolerance_m, budget);
-  if (detail.has_parapets) few.ribs = split_at_gaps(bridge, few.ribs);
+  if (detail.has_parapets) few.ribs = with_gap_ribs(bridge, few.ribs);
   add_deck(bridge, few.ribs, shape, detail, tolerance_m, generated);
   add_railings(bridge, few.ribs, shape, budget, generated);
   add_supports(bridge, few.ribs, shape, budget, generated);

@@ -11,11 +11,11 @@
 
 namespace citykiln::structures {
 
-/// Decks whose roads differ in height by less than this form one surface.
+/// Two decks whose roads differ in height by less than this are one surface.
 inline constexpr double kSameSurface_m = 0.6;
 
-/// Returns the bridges with their parapet gaps, from samples every 0.25 m. The gaps do not depend on the order of the
-/// bridges. O(length · decks near).
+/// Returns the bridges with their parapet gaps. Edges are sampled every 0.25 m. The gaps do not depend on the order of
+/// the bridges. O(length · decks near).
 std::vector<Span> find_parapet_gaps(std::vector<Span> bridges);
 
 }  // namespace citykiln::structures

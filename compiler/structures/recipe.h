@@ -1,4 +1,5 @@
-// Structure recipes: bridges and tunnels.
+// Recipes of bridges and tunnels. A recipe is plain data from which a mesh is generated later. A span is one bridge or
+// one tunnel: the whole length of an OSM way that leaves the ground.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +18,7 @@ enum class EndKind : std::uint8_t {
   kCount
 };
 
+/// One end of a span.
 struct SpanEnd {
   EndKind kind{};
   Vec2 beyond{};     ///< kGround, kJoint: the next point of the road or span that continues. Plane metres, snapped.
@@ -37,13 +39,14 @@ struct ParapetGap {
   bool operator==(const ParapetGap&) const = default;
 };
 
-/// The road of a bridge or tunnel, over the whole length of its way. Its profile is the height of the road's top.
+/// A bridge or a tunnel: its road over the whole length of the way. The profile states the height of the road's top.
 struct Span : roads::Road {
   SpanEnd from, to;                               ///< At the first and the last point of the axis.
   std::vector<Pier> piers;                        ///< Bridges: sorted by at_m, unique.
   std::vector<ParapetGap> left_gaps, right_gaps;  ///< Bridges: sorted, disjoint.
-  bool is_bored = false;                          ///< Tunnels: false if they do not lie under the terrain.
-  std::int8_t layer = 0;  ///< Layer of the track, -10 to 10: the higher one is above where two spans cross.
+  bool is_bored = false;  ///< Tunnels: true if the tunnel lies under the terrain (is_underground() in tunnel.h). Others
+                          ///< have no mesh.
+  std::int8_t layer = 0;  ///< The layer tag, -10 to 10. Where two spans cross, the one with the higher layer is above.
   bool operator==(const Span&) const = default;
 };
 

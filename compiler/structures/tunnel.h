@@ -1,4 +1,5 @@
-// Meshes of tunnels: the inside of a bore and the frames of its portals.
+// Generates the meshes of tunnels: the inside of the bore, and the frames around its portals. A span is one bridge or
+// one tunnel as a recipe: a road with a profile of heights (recipe.h).
 //
 //         ___________
 //      __|___________|__   frame, in front of the portal

@@ -34,8 +34,8 @@ struct Neighbourhood {
 /// graded ground beside a road is up to a few metres off the terrain.
 inline constexpr double kBorderStep_m = 16, kSkirt_m = 12;
 
-/// The surface of all cells that no tile covers: one mesh for each material, with normals and tints per vertex. A
-/// triangle is sea if all its corners are sea, else land. Positions are multiples of 2^-7 m. Same bytes on every CPU.
+/// Returns the surface of all cells that no tile covers: one mesh for each material, with normals and tints per vertex.
+/// A triangle is sea if all its corners are sea, else land. Positions are multiples of 2^-7 m. Same bytes on every CPU.
 ///
 /// Guarantees: no gap between two cells; on the border of tiles the heights of on_border(). O(n).
 /// @param around  Not empty; its lines include the borders of tiles.

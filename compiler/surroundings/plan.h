@@ -13,10 +13,11 @@
 
 namespace citykiln::surroundings {
 
-/// Heightmaps finer than this are thinned to about this spacing around the extent: that of 3 arc seconds.
+/// The spacing of height samples around the extent, to which finer heightmaps are thinned: about 3 arc seconds.
 inline constexpr double kSampleSpacing_m = 95;
 
-/// If no heightmap covers a vertex at this distance from the extent or beyond, there are no surroundings.
+/// The distance from the extent up to which heights alone are not worth a grid: without a known height at this distance
+/// or beyond, there are no surroundings.
 inline constexpr double kLeastKnown_m = 1000;
 
 /// The extent that the grid surrounds.
@@ -33,7 +34,7 @@ struct Place {
 ///   beside wide cells if the extent has no sea.
 /// - Vertices that no heightmap covers are extrapolated by fill_unknown(), so that nothing ends in a wall.
 /// - If the extent has sea, vertices outside of it with heights up to 0 are sea, as heightmaps of 1 to 3 arc seconds
-///   are 0 at sea. Inside the extent its coastline decides.
+/// are 0 at sea. Inside the extent, the mapped coastline decides.
 ///
 /// Error: a heightmap's reference system is unknown. Same bytes on every CPU. Cost: 0.4 µs a sample.
 /// @param rasters  Without voids, in the order of precedence.

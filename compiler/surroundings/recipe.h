@@ -46,10 +46,11 @@ inline constexpr double kFarthest_m = 0x1p20, kHighest_m = 10000;
 /// The largest number of lines each way.
 inline constexpr std::size_t kMostLines = 4096;
 
-/// The height of the grid at a place; outside of the grid, the height at the nearest place in it. O(log n).
+/// Returns the height of the grid at a place; outside of the grid, the height at the nearest place of the grid. O(log
+/// n).
 /// @param around  Not empty.
 double height_m_at(const Surroundings& around, Vec2 place);
-/// The cover of the vertex south-west of a place; outside of the grid, of a vertex on its border.
+/// Returns the cover of the vertex south-west of a place; outside of the grid, of a vertex on its border.
 Cover cover_at(const Surroundings& around, Vec2 place);
 
 }  // namespace citykiln::surroundings

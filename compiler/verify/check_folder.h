@@ -7,9 +7,9 @@
 
 namespace citykiln::verify {
 
-/// Tests that every listed file has its size and hash, that report.json names listed files, and that no other file in
-/// the folder has a name that a run gives. Lists the other files in results.strange. Cost: reads every file. Error: a
-/// files.json that is not a list of files.
+/// Tests that every file that files.json lists has its size and hash, that report.json names listed files, and that no
+/// other file in the folder has a name that a run gives. Adds the other files to results.strange. Cost: reads every
+/// file. Error: a files.json that is not a list of files.
 Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& results);
 
 /// True for names that a run gives to files, such as "scene.kiln", "glb/3_-2_L0.glb" or "report.json".

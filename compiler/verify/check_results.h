@@ -32,12 +32,13 @@ struct Failure {
       : text(std::move(line)), at(place), ids(std::move(of)), size(how_far), file(std::move(in_file)) {}
 };
 
-/// A guarantee, the number of tests of it, and the tests that failed.
+/// A guarantee, the number of its tests, and the tests that failed.
 struct Check {
-  std::string claim;
+  std::string claim;  ///< The guarantee as a sentence.
   std::uint64_t tests = 0;
   std::vector<Failure> failures;
 
+  /// Counts one test, and stores the failure if the test does not hold. test_all() counts several.
   void test(bool holds, const Failure& failure) { test_all(1, holds, failure); }
 
   void test_all(std::uint64_t count, bool hold, const Failure& failure) {

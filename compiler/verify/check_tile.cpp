@@ -180,9 +180,9 @@ void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std:
   const Trunks trunks = measure_trunks(level, tile.cover);
   tile.results().trunks.test_all(trunks.trees, trunks.misplaced == 0,
                                  {fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
-                                              trunks.trees, to_string(trunks.worst), trunks.at.x, trunks.at.y),
+                                              trunks.trees, to_string(trunks.first), trunks.at.x, trunks.at.y),
                                   trunks.at,
-                                  {trunks.worst},
+                                  {trunks.first},
                                   static_cast<double>(trunks.misplaced),
                                   name});
 }

@@ -30,8 +30,9 @@ struct CheckedTile {
   std::vector<Borders> borders;  ///< The borders of each level.
 };
 
-/// Checks all levels of one tile on one thread. The ground is sampled at samples_a_side() of the faces of file and
-/// references, the references at 512 by 512 places.
+/// Checks all levels of one tile on one thread. The ground is compared at random places: a number that follows from the
+/// faces of file and reference (samples_a_side()), and 512 by 512 for the reference. A reference is the ground at full
+/// detail.
 /// @param levels  The files of the tile, sorted by level; not empty.
 /// Errors: a file that cannot be read; a tile that the manifest does not contain. Memory: one level, and the ground of
 /// all levels with its references.

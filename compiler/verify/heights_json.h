@@ -9,7 +9,7 @@
 
 namespace citykiln::verify {
 
-/// The consistency of heights: of the recipes, and of the planned lines if the run compiled a map.
+/// Measures of the heights in recipes, and of planned profiles if the run compiled a map.
 struct HeightReport {
   HeightMeasures recipes;
   std::optional<ground::ProfileMeasures> planned{};

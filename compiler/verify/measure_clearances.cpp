@@ -398,7 +398,7 @@ Clearances measure_clearances(const scene::Scene& scene, int threads) {
   return sum;
 }
 
-Clearances explained(Clearances clearances, std::span<const outputs::Finding> findings) {
+Clearances with_findings(Clearances clearances, std::span<const outputs::Finding> findings) {
   std::map<std::pair<OsmId, OsmId>, const outputs::Finding*> by_pair;
   for (const outputs::Finding& finding : findings) {
     const Diagnosis& d = finding.diagnosis;

@@ -17,12 +17,12 @@
 
 namespace citykiln::verify {
 
-/// A crossing that misses the wanted clearance by more than ground::kShortfallMargin_m.
+/// A crossing whose clearance is smaller than wanted by more than ground::kShortfallMargin_m.
 struct ClearanceShortfall {
-  double missing_m = 0;
+  double missing_m = 0;  ///< Wanted clearance minus actual clearance.
   OsmId upper, lower;
   Vec2 at;
-  std::string tags{};  ///< The tags of both ways that decide which is above; empty if no finding names the pair.
+  std::string tags{};  ///< Tags that decide which of both ways is above, as text; empty if no finding names both ways.
 };
 
 /// The crossings of a scene.
@@ -46,8 +46,9 @@ struct Clearances {
 /// once, in the tile that contains it.
 Clearances measure_clearances(const scene::Scene& scene, int threads);
 
-/// Adds to each shortfall the tags that findings state for its pair, and moves the shortfalls of pairs with the finding
-/// kLayersContradict to the contradictions. O(n log n).
-Clearances explained(Clearances clearances, std::span<const outputs::Finding> findings);
+/// Adds to each shortfall the tags that findings state for its two ways, and moves shortfalls with the finding
+/// kLayersContradict to Clearances::contradictions. O(n log n).
+/// @param findings  Diagnoses of the run (outputs/findings.h).
+Clearances with_findings(Clearances clearances, std::span<const outputs::Finding> findings);
 
 }  // namespace citykiln::verify

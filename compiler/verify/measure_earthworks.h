@@ -22,7 +22,7 @@ struct Earthwork {
 /// half a metre. Bridges and tunnels are left out. O(length).
 std::vector<Earthwork> measure_earthworks(const scene::Header& header, const scene::Chunk& chunk);
 
-/// Joins the lists of several tiles to one cut and one fill per way, the largest first.
+/// Merges the lists of several tiles: keeps for each way the deepest cut and the highest fill. The largest come first.
 std::vector<Earthwork> combined(std::vector<Earthwork> all);
 
 /// Returns all cuts and fills of a scene, joined. O(length).

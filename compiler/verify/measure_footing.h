@@ -1,5 +1,5 @@
-// Measures the gaps between buildings and the ground: the lower ends of walls against the ground at the building's
-// corners.
+// Measures the gaps between buildings and the ground: the height of the lower ends of walls above the ground at the
+// buildings' corners.
 #pragma once
 
 #include <cstdint>

@@ -94,7 +94,7 @@ BorderEdges border_edges(const bake::BakedTile& tile, double at, Coordinate coor
   BorderEdges edges;
   for_each_ground_triangle(tile, [&](const Corners& t, OsmId) {
     const bool is_upright = twice_area(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0;
-    std::vector<BorderEdge>& kind = is_upright ? edges.upright : edges.ground;
+    std::vector<BorderEdge>& kind = is_upright ? edges.vertical : edges.ground;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = t[i], b = t[(i + 1) % 3];
       if (coordinate(a) != at || coordinate(b) != at || in_plan(a) == in_plan(b)) continue;
@@ -102,7 +102,7 @@ BorderEdges border_edges(const bake::BakedTile& tile, double at, Coordinate coor
     }
   });
   std::ranges::sort(edges.ground);
-  std::ranges::sort(edges.upright);
+  std::ranges::sort(edges.vertical);
   return edges;
 }
 
@@ -169,7 +169,7 @@ bool borders_match(const BorderEdges& own, const BorderEdges& other) {
   const std::vector<BorderEdge> here = only_in(own.ground, other.ground), there = only_in(other.ground, own.ground);
   return std::ranges::equal(here, there, [&](const BorderEdge& a, const BorderEdge& b) {
     return are_above_each_other(a, b) &&
-           (std::ranges::binary_search(own.upright, b) || std::ranges::binary_search(other.upright, a));
+           (std::ranges::binary_search(own.vertical, b) || std::ranges::binary_search(other.vertical, a));
   });
 }
 

@@ -25,8 +25,9 @@ std::vector<GroundFace> ground_faces(const bake::BakedTile& tile);
 /// The limits of the number of squares along each side of a tile's sampling grid: 4,096 to 1,048,576 samples.
 inline constexpr int kFewestSamplesASide = 64, kMostSamplesASide = 1024;
 
-/// Returns the number of squares along each side of a grid with two samples per compared face, within the limits above.
-/// A tile with few faces has few places that differ.
+/// Returns the number of squares along each side of a sampling grid that has two samples per face, within the limits
+/// above.
+/// @param faces  Number of faces that are compared. Fewer faces have fewer places at which they can differ.
 int samples_a_side(std::size_t faces);
 
 /// The result of sampling the ground from above.
@@ -52,16 +53,16 @@ using BorderEdge = std::array<Vec3, 2>;
 
 /// The border edges on one side of a tile, sorted.
 struct BorderEdges {
-  std::vector<BorderEdge> ground;   ///< Edges of triangles that are visible from above.
-  std::vector<BorderEdge> upright;  ///< Edges of vertical triangles in the border plane: vertical faces and skirts.
+  std::vector<BorderEdge> ground;    ///< Edges of triangles that are visible from above.
+  std::vector<BorderEdge> vertical;  ///< Edges of vertical triangles in the border plane: walls and skirts.
 };
 
 /// Returns the edges of ground triangles on the line x = at (or y = at), without vertical edges.
 BorderEdges border_edges_along_x(const bake::BakedTile& tile, double at);
 BorderEdges border_edges_along_y(const bake::BakedTile& tile, double at);
 
-/// True if the ground of neighbouring tiles fits: both have the same edges, or, where a border between surfaces runs
-/// along the tile border, a vertical face of one of them closes the difference.
+/// True if the ground of two neighbouring tiles meets without gaps: both have the same edges on their common side or,
+/// where a border between surfaces runs along that side, a vertical face of one tile closes the difference.
 bool borders_match(const BorderEdges& own, const BorderEdges& other);
 
 }  // namespace citykiln::verify

@@ -14,8 +14,8 @@ struct Lakes {
   std::uint64_t waters = 0;     ///< Standing waters with a face in the tile.
   std::uint64_t not_level = 0;  ///< Waters with a corner that deviates by more than rounding.
   double largest_m = 0;         ///< The largest deviation, in metres.
-  OsmId worst{};
-  Vec2 at{};  ///< The place of the largest deviation.
+  OsmId worst{};                ///< The water with the largest deviation.
+  Vec2 at{};                    ///< The place of the largest deviation.
 };
 
 /// Combines two measurements: adds counts and keeps the larger deviation.

@@ -8,7 +8,7 @@
 
 namespace citykiln::verify {
 
-/// Lengths of roads, and how much of them is too steep.
+/// Lengths of roads, and of their parts that are too steep.
 struct Grades {
   double length_m = 0;  ///< The length of graded roads on the ground, and of bridges and tunnels of the same classes.
   double over_m = 0;    ///< The part of it that exceeds the class's grade limit by more than the rounding of heights.
@@ -29,7 +29,7 @@ struct Jumps {
 /// at a road or at each other. Roads without a profile have no heights and are skipped. O(n log n).
 Jumps measure_jumps(const scene::Scene& scene);
 
-/// Watercourses, and how many of them flow uphill.
+/// Numbers of watercourses, and of watercourses that flow uphill.
 struct Rises {
   std::uint64_t streams = 0, rising = 0;
   double largest_m = 0;

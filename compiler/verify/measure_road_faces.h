@@ -11,10 +11,10 @@ namespace citykiln::verify {
 
 /// The gaps between road profiles and the ground.
 struct RoadFaces {
-  std::uint64_t places = 0;
+  std::uint64_t places = 0;  ///< Number of sampled places.
   double largest_gap_m = 0;  ///< Between the road's profile and the ground, with kerbs taken into account.
-  OsmId worst{};
-  Vec2 at;
+  OsmId worst{};             ///< The road with the largest gap.
+  Vec2 at;                   ///< The place of the largest gap.
 };
 
 /// Combines two measurements: adds counts and keeps the larger gap.
@@ -26,6 +26,7 @@ using RoadSurfaceAt = std::function<std::vector<double>(const roads::Road& road,
 /// Samples the axes of all roads with profiles every few metres inside the box, except near other roads, where heights
 /// are blended. O(n log n).
 /// @param has_kerbs  True if the tolerance has kerbs.
+/// @param faces_at   Gives the heights of the ground to compare with.
 RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool has_kerbs, const RoadSurfaceAt& faces_at);
 
 }  // namespace citykiln::verify

@@ -1,4 +1,4 @@
-// Finds tree trunks on roads, railways, buildings and water.
+// Finds trees whose trunks stand on a road, a railway, a building or water, where none may stand.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@ namespace citykiln::verify {
 
 /// The trunks of a tile.
 struct Trunks {
-  std::uint64_t trees = 0;      ///< Number of trunks measured.
-  std::uint64_t misplaced = 0;  ///< Trunks in a wrong place.
+  std::uint64_t trees = 0;      ///< Number of trunks tested.
+  std::uint64_t misplaced = 0;  ///< Number of trunks on roads, railways, buildings or water.
   Vec2 at;                      ///< The place of the first misplaced trunk.
-  OsmId worst{};                ///< The tree or wood of that trunk.
+  OsmId first{};                ///< The tree or wood of the first misplaced trunk.
 };
 
-/// Measures the tile's instances with the name of a species that has a trunk, such as "oak_3"; hedges and grass have
-/// none. O(instances).
+/// Tests every instanced plant of a tile that has a trunk, which excludes hedges, grass and reed. Plants are recognised
+/// by the name of their mesh, such as "oak_3". Pedestrian streets may have trees. O(instances).
+/// @param map  Land cover of the tile.
 Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& map);
 
 }  // namespace citykiln::verify

@@ -1,4 +1,4 @@
-// Prepares a tile of a run for comparison with a new bake of its recipes.
+// Prepares a tile of a run, so that its files can be compared with a new bake of its recipes.
 #pragma once
 
 #include <memory>

@@ -8,8 +8,8 @@
 
 namespace citykiln::verify {
 
-/// A water with at least one polygon that has a level. A riverbank relation can have standing and running parts: an
-/// outline without a waterway in it is level, the others follow their waterway.
+/// The polygons of one OSM element with standing water. A riverbank relation can have standing and running parts: an
+/// outline without a waterway in it is level, other outlines follow their waterway.
 struct WaterParts {
   std::vector<const ground::LandCoverPolygon*> level;  ///< Polygons with a level; the chunk must outlive this.
   bool runs = false;                                   ///< True if a polygon of the id has no level.

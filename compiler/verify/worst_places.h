@@ -19,9 +19,9 @@ struct WorstPlace {
   double size = 0;           ///< In the unit that the kind's text states.
   std::string text;          ///< Details; may be empty.
   std::optional<Vec2> at{};  ///< Plane metres.
-  std::string
-      file{};  ///< The file of the tile in whose mesh it is, relative to the run's folder; empty: it is in the recipes.
-  bool is_usual = false;  ///< At most half of the limit of its kind: it needs no picture.
+  /// The file of the tile in whose mesh it is, relative to the run's folder; empty: it is in the recipes.
+  std::string file{};
+  bool is_usual = false;  ///< True if the size is at most half of the limit of its kind, so that no picture is needed.
 };
 
 /// All places of one kind.

@@ -13,7 +13,7 @@
 
 namespace citykiln::exporters {
 
-/// A .glb with the error that it states, which includes that of packing.
+/// A .glb with the error that it states, which includes the error of packing.
 struct EncodedTile {
   std::vector<std::byte> glb;
   double error_m = 0;

@@ -5,8 +5,8 @@
 
 namespace citykiln::exporters {
 
-/// True if the normals are those of the faces: at each triangle's corners they are within 1° of its own normal. Ignores
-/// triangles less than 1 mm high. O(n).
+/// True if the normals at the corners of each triangle are within 1° of the triangle's normal. Ignores triangles less
+/// than 1 mm high. O(n).
 bool is_flat(const bake::Primitive& primitive);
 
 /// Returns a primitive without normals. Connected triangles share vertices that differed only in their normals.

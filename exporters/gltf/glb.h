@@ -57,7 +57,7 @@ std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Head
 
 /// Reads a tile from a .glb that encode_glb wrote, for any target. decode_glb(encode_glb(tile)) == tile if the file is
 /// not packed and has exact pictures, and for Split::kBuilding if features ascend in the primitives of buildings, as
-/// bake() writes them. Errors: anything else. No bytes make it crash (fuzzed).
+/// bake() writes them. Errors: bytes that encode_glb() does not write. No bytes make the function crash (fuzzed).
 /// @param name  The name of the file in error messages.
 Result<bake::BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name);
 

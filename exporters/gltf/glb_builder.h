@@ -22,7 +22,7 @@ struct MaterialKey {
   bake::PrimitiveKey primitive;                 ///< has_uvs is false if the uvs show no image.
   const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it; else null.
   const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one; else null.
-  bool has_backs = false;                       ///< Both sides have faces of their own (leaf_backs.h).
+  bool has_backs = false;                       ///< Both sides have their own faces (leaf_backs.h).
   materials::Tint tint = materials::kNoTint;    ///< Multiplies the base colour (plant_tints.h).
   bool operator==(const MaterialKey&) const = default;
 };
@@ -56,8 +56,7 @@ struct GlbBuilder {
     return static_cast<int>(model.bufferViews.size()) - 1;
   }
 
-  /// True if uvs are in metres, which KHR_texture_transform scales. Else they are in units of the image's size, which
-  /// all readers understand.
+  /// True if uvs are in metres, which KHR_texture_transform scales; false if uvs are in units of the image's size.
   bool has_uvs_in_metres() const { return options.compression != Compression::kNone; }
 
   PictureFormats pictures() const {

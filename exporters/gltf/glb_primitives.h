@@ -15,7 +15,7 @@ std::vector<nlohmann::json*> primitives_of(nlohmann::json& gltf);
 /// Returns the distinct meshes of instances (plants, lamps), in the order of nodes.
 std::vector<std::size_t> instanced_meshes(const nlohmann::json& gltf);
 
-/// Returns the accessors of a primitive: those of its attributes in their order, then that of its indices.
+/// Returns the accessors of a primitive: one for each attribute, in their order, then the accessor of its indices.
 std::vector<nlohmann::json*> accessors_of(nlohmann::json& gltf, const nlohmann::json& primitive);
 
 /// Returns the buffer view of an accessor.

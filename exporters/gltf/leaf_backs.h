@@ -11,8 +11,8 @@
 
 namespace citykiln::exporters {
 
-/// Primitives with more triangles, which are for near views, stay single-faced and doubleSided, since twice as many
-/// would be slow.
+/// The number of triangles above which a primitive has no back sides and is doubleSided instead: it is for near views,
+/// and twice as many triangles would be slow.
 inline constexpr std::size_t kMostTrianglesWithBacks = 2000;
 /// The opacity in COLOR_0 that marks vertices of back sides.
 inline constexpr std::uint8_t kBackOpacity = 254;

@@ -9,8 +9,7 @@
 
 namespace citykiln::exporters {
 
-/// Returns the largest of a plant's tints in each channel. Returns kNoTint on an atlas, and for other layers, whose
-/// materials all tiles share.
+/// Returns the largest of a plant's tints in each channel; kNoTint for primitives on an atlas or of other layers.
 materials::Tint largest_tint(const bake::Primitive& p);
 
 /// Returns a tint as a share of the largest one, in 255ths, rounded to the nearest. Keeps opacity.

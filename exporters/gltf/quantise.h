@@ -7,8 +7,8 @@
 
 namespace citykiln::exporters {
 
-/// An upper bound of the distance by which single precision has moved a position: half of the last bit along each axis.
-/// Ignores coordinates on the grid of kQuantum_m, which are exact, such as those of the ground.
+/// Returns an upper bound of the distance by which single precision has moved a position: half of the last bit along
+/// each axis. Ignores coordinates on the grid of kQuantum_m, such as coordinates of the ground, which are exact.
 double rounding_m(std::span<const bake::Primitive> primitives);
 
 /// Returns the tile on the grids of packed meshes (compression.h). error_m grows by the longest move of a position, at

@@ -10,6 +10,7 @@
 
 namespace citykiln::exporters {
 
+/// The primitives of each building, and the rest.
 struct SplitBuildings {
   std::map<std::uint32_t, std::vector<bake::Primitive>> buildings;  ///< By feature: the index into BakedTile::features.
   std::vector<bake::Primitive> rest;  ///< Primitives without features, or in which a triangle has several.

@@ -1,4 +1,4 @@
-// Reads and writes the fields of buildings (field_codecs.h).
+// Reads and writes the fields of buildings. `io` is a Writer or a Reader (chunk_io.h); each function does both.
 #pragma once
 
 #include <cstdint>

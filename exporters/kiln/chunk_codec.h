@@ -1,4 +1,5 @@
-// Encodes a chunk of the scene as named streams, and decodes it.
+// Encodes a chunk of the scene (the recipes of one tile) as named streams, and decodes it. A stream has the values of
+// one property.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +22,9 @@ std::span<const char* const> stream_names();
 /// Encodes a chunk. Lossless for coordinates that are multiples of 2^-10 m.
 Streams encode_chunk(const scene::Chunk& chunk);
 
-/// Decodes a chunk. Returns std::nullopt if a stream is missing, too short or too long, or holds a value that no chunk
-/// can have (an unknown enumerator, a grid of the wrong size, an axis of one point).
+/// Decodes a chunk. Returns std::nullopt, and sets `wrong` to the name of the stream, if a stream is missing, too short
+/// or too long, or holds a value that no chunk can have (an unknown enumerator, a grid of the wrong size, an axis of
+/// one point).
 std::optional<scene::Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, std::string& wrong);
 
 }  // namespace citykiln::exporters

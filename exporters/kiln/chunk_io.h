@@ -1,4 +1,5 @@
-// The three classes that the codecs of a chunk work on: Writer, Reader, and a probe that finds the step of its points.
+// The three classes that the codecs of a chunk work on: Writer, Reader, and a probe that finds the grid step of its
+// points. A chunk holds the recipes of one tile; a stream is the sequence of values of one property in a chunk.
 #pragma once
 
 #include <algorithm>
@@ -167,7 +168,7 @@ struct Reader {
   }
 };
 
-/// Finds the step of a chunk's points. Writes nothing.
+/// Finds the grid step of a chunk's points: kMapStep_m, or kQuantum_m if a point is not on that grid. Writes nothing.
 struct PointStepProbe {
   static constexpr bool kReads = false;
   double point_step_m = kMapStep_m;

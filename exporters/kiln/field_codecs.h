@@ -1,4 +1,5 @@
-// Reads and writes fields that many objects of a chunk have: enumerators, lists, ids, lines, profiles.
+// Reads and writes fields that many objects of a chunk (the recipes of one tile) have: enumerators, lists, ids, lines,
+// profiles. A knot is a vertex of a height profile; a stream is the sequence of values of one property.
 //
 // Each function both writes and reads: `io` is a Writer or a Reader (chunk_io.h). A reader fails on values that no
 // chunk can have.

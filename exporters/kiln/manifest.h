@@ -16,18 +16,22 @@ namespace citykiln::exporters {
 /// Encodes a scene. Deterministic and lossless: decode_manifest(encode_manifest(scene)) == scene.
 std::vector<std::byte> encode_manifest(const scene::Scene& scene, int threads);
 
-/// Decodes a manifest. Errors: anything but a complete manifest of this major version. No bytes make it crash (fuzzed).
+/// Decodes a manifest. Errors: bytes that are not a complete manifest of this major version. No bytes make the function
+/// crash (fuzzed).
 /// @param name  The name of the file in error messages.
 /// @param only  If not empty, only the chunks of these tiles are decoded; a missing tile is an error.
 Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std::string& name,
                                      std::span<const scene::TileKey> only);
 
 /// Hashes all properties of a header, or all recipes of a chunk. The hash does not depend on the other chunks of the
-/// scene. Cost: that of encoding without compression.
+/// scene. Cost: as encoding without compression.
 std::uint64_t hash_of(const scene::Header& header);
 std::uint64_t hash_of(const scene::Chunk& chunk);
 
+/// Writes a scene to a file. Errors: a file that cannot be written.
 Result<Done> write_manifest(const scene::Scene& scene, const std::string& path, int threads);
+/// Reads a scene from a file, with the errors of decode_manifest().
+/// @param only   If not empty, only the chunks of these tiles are read; a missing tile is an error.
 Result<scene::Scene> read_manifest(const std::string& path, std::span<const scene::TileKey> only);
 
 }  // namespace citykiln::exporters

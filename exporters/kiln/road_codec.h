@@ -1,4 +1,5 @@
-// Reads and writes the fields of roads, junctions, watercourses, bridges and tunnels (field_codecs.h).
+// Reads and writes the fields of roads, junctions, watercourses, bridges and tunnels in a chunk (the recipes of one
+// tile). `io` is a Writer or a Reader (chunk_io.h); each function does both. A span is a bridge or tunnel.
 #pragma once
 
 #include <span>

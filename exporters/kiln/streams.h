@@ -1,4 +1,5 @@
-// Streams of variable-length integers. A manifest has one per property, which keeps it small and safe to read.
+// Streams of variable-length integers. A manifest has one stream for each property, which keeps it small and safe to
+// read.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +28,7 @@ class StreamWriter {
   std::int64_t last_ = 0;
 };
 
-/// Reads the streams that StreamWriter writes. Past the end, and for numbers beyond 64 bits, it returns zeros and
+/// Reads the streams that StreamWriter writes. Past the end, and for numbers beyond 64 bits, functions return 0 and
 /// good() is false.
 class StreamReader {
  public:

@@ -15,6 +15,7 @@ struct SurroundingsStreams {
 };
 
 /// @param around  Not empty.
+/// Returns the land around the extent as streams.
 SurroundingsStreams encode_surroundings(const surroundings::Surroundings& around);
 
 /// Decodes the four streams. Returns std::nullopt if a stream ends early or late, or there are more lines than

@@ -1,4 +1,5 @@
-// Reads and writes the texts of OSM elements: names, each once per chunk, and tags.
+// Reads and writes the texts of OSM elements in a chunk (the recipes of one tile): names, each once per chunk, and
+// tags. `io` is a Writer or a Reader (chunk_io.h).
 #pragma once
 
 #include <map>

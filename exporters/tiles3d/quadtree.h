@@ -10,8 +10,8 @@
 
 namespace citykiln::exporters {
 
-/// A node. It holds the tiles whose numbers, counted from Quadtree::first and divided by 2^height, are x and y. A node
-/// of height 0 is one tile.
+/// A node of the tree, which contains the tiles whose numbers, counted from Quadtree::first and divided by 2^height,
+/// are x and y. A node of height 0 is one tile.
 struct NodeKey {
   int height = 0;
   std::int32_t x = 0, y = 0;

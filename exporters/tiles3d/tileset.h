@@ -12,10 +12,11 @@ namespace citykiln::exporters {
 
 /// A tile of the tileset. When its children are shown, they replace its content.
 struct TilesetTile {
-  OrientedBox box;         ///< Contains the content and the children's boxes.
-  double error_m = 0;      ///< Certified distance between the content and the full shape; greater than the children's.
-  std::string content{};   ///< The path of its file relative to 3dtiles/; empty: no content.
-  double tolerance_m = 0;  ///< The tolerance for which the content was made; 0 without content.
+  OrientedBox box;  ///< Contains the content and the children's boxes.
+  /// Certified distance between the content and the full shape; greater than the errors of the children.
+  double error_m = 0;
+  std::string content{};     ///< The path of its file relative to 3dtiles/; empty: no content.
+  double tolerance_m = 0;    ///< The tolerance for which the content was made; 0 without content.
   double plant_error_m = 0;  ///< The error of plants, which is stated and not certified.
   std::vector<TilesetTile> children{};
 };

@@ -10,7 +10,8 @@
 
 namespace citykiln::exporters {
 
-/// Compresses bytes: a byte 0 (one chunk), then a block of LZ4. @param bytes  Fewer than 2^30.
+/// Compresses bytes: writes a byte 0 (one chunk), then a block of LZ4.
+/// @param bytes  Fewer than 2^30.
 std::vector<std::byte> compress_bytes(std::span<const std::byte> bytes);
 
 /// Compresses numbers. Writes the commonest difference of neighbours, a code of two bits for each difference (the
@@ -18,7 +19,8 @@ std::vector<std::byte> compress_bytes(std::span<const std::byte> bytes);
 /// "USDC File Format Specification", integer compression. O(n log n).
 std::vector<std::byte> compress_integers(std::span<const std::int32_t> numbers);
 
-/// The inverse functions. Errors: bytes that do not unpack to exactly this size or count. No bytes make them crash.
+/// Decompresses the result of compress_bytes(); decompress_integers() is the inverse of compress_integers(). Errors:
+/// bytes that do not unpack to exactly this size or count. No bytes make these functions crash.
 Result<std::vector<std::byte>> decompress_bytes(std::span<const std::byte> packed, std::size_t size);
 Result<std::vector<std::int32_t>> decompress_integers(std::span<const std::byte> packed, std::size_t count);
 

@@ -46,7 +46,7 @@ enum class CrateSpec : std::int32_t { kAttribute = 1, kPrim = 6, kPseudoRoot = 7
 inline constexpr std::uint64_t kCrateArray = std::uint64_t{1} << 63, kCrateInlined = std::uint64_t{1} << 62,
                                kCrateCompressed = std::uint64_t{1} << 61, kCratePayload = (std::uint64_t{1} << 48) - 1;
 
-/// Arrays of fewer integers are not compressed.
+/// The least number of integers in an array that is compressed.
 inline constexpr std::size_t kCrateLeastCompressed = 16;
 
 /// Flags of lists of tokens and paths.

@@ -12,7 +12,7 @@
 
 namespace citykiln::exporters {
 
-/// Writes values at once and the tables in finish(). Deterministic.
+/// A writer of a crate. It writes values at once, and the tables in finish(). Deterministic.
 class CrateWriter final : public LayerWriter {
  public:
   explicit CrateWriter(const UsdLayerHead& head);

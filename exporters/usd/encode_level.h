@@ -10,9 +10,11 @@
 
 namespace citykiln::exporters {
 
-/// Crates are half the size and several times faster to read (usd.md); text is for people and tests.
+/// The form of a layer. Crates (binary) are half the size and several times faster to read (usd.md); text is for
+/// people and tests.
 enum class UsdForm { kText, kCrate };
 
+/// A layer with its textures.
 struct UsdLevel {
   std::vector<std::byte> layer;
   std::vector<UsdFile> textures;  ///< Names contain a hash of the bytes: equal names mean equal bytes.

@@ -10,7 +10,7 @@
 
 namespace citykiln::exporters {
 
-/// A level of a tile, as the layers state it.
+/// A level of a tile (the tile at one tolerance), as the layers state it.
 struct UsdTileLevel {
   double tolerance_m = 0, error_m = 0, plant_error_m = 0;
   UsdBounds bounds;  ///< Metres from the tile's origin.
@@ -24,8 +24,8 @@ struct UsdTile {
   std::vector<bake::PlacedLamp> lights{};  ///< Lamps to write as lights, at any time of day.
 };
 
-/// Returns the luminance in cd/m² that stands for a radiance of 1 in USD: that of a white surface that faces the sun at
-/// the zenith.
+/// Returns the luminance in cd/m² of a radiance of 1 in USD: the luminance of a white surface that faces the sun at the
+/// zenith.
 double usd_unit_luminance_cd_m2();
 
 /// The layer kUsdSurroundingsName, which holds the land around the scene (bake/far/bake_surroundings.h).
@@ -46,8 +46,8 @@ std::vector<std::byte> encode_tile_layer(const UsdTile& tile, const scene::Heade
 /// Light: a white surface that faces the sun at the zenith reflects a radiance of 1. customData of the sun has its
 /// illuminance in lux under a clear sky: 127,500 exp(-0.21 m) for the relative air mass m. Source: IES Lighting
 /// Handbook, 9th edition, 8-6; Kasten and Young, "Revised optical air mass tables", Applied Optics 28, 1989.
-/// @param tiles  Sorted. @param around  A payload beside the tiles, which the scene's bounds do not include; null:
-/// none.
+/// @param tiles    Sorted.
+/// @param around  The land around the scene, a payload outside of the scene's bounds; null: none.
 std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene::Header& header,
                                     const UsdSurroundings* around = nullptr);
 

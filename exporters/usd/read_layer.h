@@ -1,4 +1,5 @@
-// Reads USD layers, as text or as crates, without composing them. `check` uses it: it shares no code with the writers.
+// Reads USD layers, as text (.usda) or as crates (binary, .usdc), without composing them. The command `check` verifies
+// outputs with these functions, which share no code with the writers.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +21,7 @@ struct UsdReadValue {
 };
 using UsdReadDictionary = std::map<std::string, UsdReadValue>;
 
+/// A prim (an object of a layer) that was read.
 struct UsdReadPrim {
   std::string path, type;
   UsdReadDictionary values{};                           ///< The values of attributes, by name.
@@ -34,6 +36,7 @@ struct UsdReadPrim {
   bool operator==(const UsdReadPrim&) const = default;
 };
 
+/// A layer that was read.
 struct UsdReadLayer {
   std::string default_prim, up_axis;
   double meters_per_unit = 0;
@@ -43,12 +46,12 @@ struct UsdReadLayer {
 };
 
 /// Reads the parts of USD that citykiln writes: def prims, attributes without time samples, payloads, variants. Skips
-/// other metadata. Errors: anything else, or damage. No bytes make it crash (fuzzed). Memory: proportional to the
-/// unpacked content.
+/// other metadata. Errors: other content, or damage. No bytes make the function crash (fuzzed). Memory: proportional to
+/// the unpacked content.
 /// @param name  The name of the file in error messages.
 Result<UsdReadLayer> read_usd_layer(std::span<const std::byte> bytes, const std::string& name);
 
-/// Reads a layer in one of the two forms, with the errors of read_usd_layer().
+/// Reads a layer in one form: a crate (binary), or text. Errors as for read_usd_layer().
 Result<UsdReadLayer> read_crate(std::span<const std::byte> bytes);
 Result<UsdReadLayer> read_usd_text(std::string_view text);
 

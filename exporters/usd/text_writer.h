@@ -7,8 +7,8 @@
 
 namespace citykiln::exporters {
 
-/// Writes numbers with the fewest digits that give the same bits when read. Deterministic. Source: OpenUSD, "USD ASCII
-/// format".
+/// A writer of a text layer. It writes numbers with the fewest digits that give the same bits when read. Deterministic.
+/// Source: OpenUSD, "USD ASCII format".
 class TextWriter final : public LayerWriter {
  public:
   explicit TextWriter(const UsdLayerHead& head);

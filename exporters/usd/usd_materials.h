@@ -7,11 +7,12 @@
 
 namespace citykiln::exporters {
 
-/// Returns the path of a primitive's material. write_materials() writes it later.
+/// Returns the path of a primitive's material, which write_materials() will write.
 /// @param cutout  The result of shared_cutout() for an instanced mesh; else null.
 std::string material_path(UsdBuilder& b, const bake::Primitive& p, const impostor::Cutout* cutout);
 
-/// Returns the level's copy of a cutout, and adds it if it is new; null if the cutout has no texels.
+/// Returns the first cutout of the level that equals this one, and adds this one if there is none; null if it has no
+/// texels.
 const impostor::Cutout* shared_cutout(UsdBuilder& b, const impostor::Cutout& cutout);
 
 /// Returns the image that a primitive's uvs refer to; null if there is none.
@@ -25,7 +26,7 @@ const materials::TextureImage* image_of(const UsdBuilder& b, const bake::Primiti
 /// | with an image          | the image times the mean tint of the mesh: no node of the preview surface         |
 /// |                        | multiplies a texture with a primvar                                               |
 ///
-/// Roughness, metalness, emission, opacity and normals are those of the .glb; v of `st` points up in the image.
+/// Roughness, metalness, emission, opacity and normals are equal to the .glb's; v of `st` points up in the image.
 void write_materials(UsdBuilder& b);
 
 }  // namespace citykiln::exporters

@@ -8,7 +8,8 @@
 
 namespace citykiln::exporters {
 
-/// Writes a Mesh prim for each primitive as a child of the open prim, named after its material. Returns their bounds.
+/// Writes a Mesh prim for each primitive as a child of the open prim, named after its material. Returns the bounds of
+/// the prims.
 ///
 /// | attribute                    | value                                                                          |
 /// |------------------------------|--------------------------------------------------------------------------------|

@@ -1,8 +1,11 @@
-// Derives a building from a program and its first shape.
+// Derives a building: applies the rules of a program to a first shape until only terminals are left. A shape is a
+// surface with a local frame (its scope); a node is one application of a rule to a shape; a terminal is a shape without
+// a rule.
 //
-//   Lot ─ extrude, comp(f) ─┬─ Facade ─ split(y) ─┬─ Floor ─ split(x) ─┬─ Wall          Every leaf is a terminal. At a
-//                           ├─ Facade ─ …         └─ Floor ─ …         ├─ Window ─ …    tolerance, so is every node
-//                           └─ Roof                                    └─ Wall          that moves the surface less.
+//   Lot ─ extrude, comp(f) ─┬─ Facade ─ split(y) ─┬─ Floor ─ split(x) ─┬─ Wall          Every leaf is a terminal. So
+//   is,
+//                           ├─ Facade ─ …         └─ Floor ─ …         ├─ Window ─ …    at a tolerance, a node whose
+//                           └─ Roof                                    └─ Wall          detail is within the tolerance.
 #pragma once
 
 #include <cstdint>
@@ -18,29 +21,30 @@
 
 namespace citykiln::grammars {
 
-/// Limits are counts rather than seconds, so every machine stops at the same shape. They are about twenty times the
-/// needs of the largest shipped building.
+/// Limits of a derivation. They are counts rather than seconds, so every machine stops at the same shape. They are
+/// about twenty times the needs of the largest shipped building.
 struct Limits {
   int depth = 96;                    ///< The depth of nested rules.
   std::uint64_t shapes = 200'000;    ///< The number of shapes in the derivation.
   std::uint64_t steps = 20'000'000;  ///< The number of operations, evaluated values and processed vertices.
 };
 
+/// The start, the inputs and the level of detail of a derivation.
 struct DeriveOptions {
   std::string start;                        ///< The first rule; "" for the start rule of the program.
   std::map<std::string, Value> attributes;  ///< Values of `attr` by name; constants cannot be replaced.
   std::uint64_t seed = 0;
   double tolerance_m = 0;  ///< 0: all detail; else nodes whose detail moves the surface by at most this are simplified.
   bool keep_start = false;  ///< The node of the start rule is never simplified.
-  /// A node is simplified only if everything in it that is wider than the tolerance has one appearance.
+  /// A node is simplified only if all its terminals that are wider than the tolerance have one appearance.
   bool keep_appearances = false;
-  /// Terminals and reports get ids and paths. Without them more nodes are equal, so derivation is faster.
+  /// Terminals and reports get ids and paths. Derivation is faster without ids and paths, since more nodes are equal.
   bool ids = true;
   bool memoise = true;  ///< Shapes that differ only by a rigid motion are derived once (memo.h).
   /// A node is simplified before it is derived if displacement_bound.h shows that its detail is within the tolerance.
-  /// It keeps its own appearance; its detail is not counted and makes no reports or warnings. With keep_appearances
-  /// this applies only if no descendant may change the appearance; pieces of a split that are no wider than the
-  /// tolerance are then merged into a neighbour (merge_pieces.h).
+  /// Such a node keeps its own appearance; its detail is not counted and makes no reports or warnings. With
+  /// keep_appearances, a node is simplified early only if no descendant may change the appearance; pieces of a split
+  /// that are no wider than the tolerance are then merged into a neighbour (merge_pieces.h).
   bool prune_early = false;
   Limits limits;
   Occlusion occlusion;  ///< Null: there are no neighbours, entrances or lamps.
@@ -53,6 +57,7 @@ struct PathNode {
   std::string rule;
 };
 
+/// A shape without a rule, or the simplified result of a node: a part of the derived building.
 struct Terminal {
   StableId id{};                 ///< stable_id(id of the parent, name, ordinal among the parent's children).
   std::string name;              ///< The name of the shape: "Wall".
@@ -62,12 +67,12 @@ struct Terminal {
   std::optional<TextureProjection> texture;
   std::string asset;  ///< The instance of i("…") that fills the scope; "" for none.
   Scope scope;
-  bool simplified = false;  ///< Replaces the result of its rule, which is within the tolerance.
-  double error_m = 0;       ///< If simplified: an upper bound of the Hausdorff distance between both surfaces.
+  bool simplified = false;  ///< The terminal replaces the detail of its rule, which is within the tolerance.
+  double error_m = 0;       ///< If simplified: an upper bound of the Hausdorff distance from the detailed surface.
   double out_m = 0;         ///< If simplified: no point of the detailed surface is farther than this from `faces`.
 };
 
-/// One report(name, value).
+/// A value that the rules reported by CGA's report(name, value).
 struct Reported {
   std::string name;
   Value value;
@@ -81,9 +86,10 @@ struct Warning {
   std::uint64_t times = 0;
 };
 
+/// The member of Limits that ended a shape.
 enum class LimitKind : std::uint8_t { kDepth, kShapes, kSteps };
 
-/// A limit that ended shapes: the first rule at which it did, and their number.
+/// A limit that ended shapes, with the first rule that the limit ended.
 struct LimitHit {
   LimitKind kind = LimitKind::kDepth;
   std::string rule;
@@ -91,22 +97,27 @@ struct LimitHit {
   std::uint64_t times = 0;  ///< The number of shapes that the limit ended.
 };
 
+/// The result of derive().
 struct Derivation {
   std::vector<Terminal> terminals;  ///< Depth first, in the order of the rules.
   std::vector<PathNode> paths;
   std::vector<Appearance> appearances;
   std::vector<Reported> reports;  ///< The reports of all detail, at any tolerance, except in nodes pruned early.
+  /// The texts that the rules printed by CGA's print(), in order.
   std::vector<std::string> printed;
-  std::vector<Warning> warnings;  ///< Sorted by position.
-  std::vector<LimitHit> limits;   ///< At most one of each kind.
-  std::uint64_t shapes = 0, steps = 0;
-  std::uint64_t copied = 0;  ///< The number of shapes that were copied instead of derived.
+  std::vector<Warning> warnings;        ///< Sorted by position.
+  std::vector<LimitHit> limits;         ///< At most one of each kind.
+  std::uint64_t shapes = 0, steps = 0;  ///< The counts that Limits bounds.
+  std::uint64_t copied = 0;             ///< The number of shapes that were copied instead of derived.
   double error_m = 0;  ///< The largest error of the terminals. It bounds the distance to the derivation at tolerance 0.
 };
 
-/// Returns the first shape for a footprint: a horizontal face at `height_m`, with scope x along edge `front` of the
-/// outer ring, y up, and z outward from that edge. `street` lists the edges along streets. A footprint of fewer than
-/// three corners gives no faces.
+/// Returns the first shape of a derivation, for a footprint: a horizontal face at `height_m`, with scope x along an
+/// edge, y up, and z outward from that edge. A footprint of fewer than three corners gives no faces.
+/// @param footprint  Plane metres.
+/// @param height_m   The z of the face, in the frame of the plane.
+/// @param front      The index of the outer ring's edge along which x runs.
+/// @param street     The indices of the outer ring's edges along streets.
 Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId id,
           const std::vector<std::size_t>& street = {});
 
@@ -114,14 +125,15 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
 ///
 /// @param options  tolerance_m >= 0.
 /// Guarantees: deterministic on any machine. A random number depends only on the seed, the id of its shape, its purpose
-/// and its index. The Hausdorff distance between the union of all terminals and that at tolerance 0 is at most error_m
-/// <= tolerance_m; an asset counts as its scope.
+/// and its index. The Hausdorff distance between the union of all terminals and the union of the terminals at tolerance
+/// 0 is at most error_m <= tolerance_m; an asset counts as its scope.
 /// Bad input: a statement that cannot be carried out makes a warning and has no effect. A shape at a limit becomes a
 /// terminal. The stack stays under 2 MB.
-/// Cost: that of all detail at any tolerance, less the savings of `memoise` and `prune_early`.
+/// Cost: the cost of deriving all detail, at any tolerance, less the savings of `memoise` and `prune_early`.
 Derivation derive(const Program& program, const Shape& initial, const DeriveOptions& options);
 
-/// Returns the names of a path: "Lot/Facade/Floor".
+/// Returns the rule names from the start to a node: "Lot/Facade/Floor".
+/// @param path  An index into Derivation::paths.
 std::string path_name(const Derivation& derivation, std::uint32_t path);
 /// Returns a warning as a line: "old_town_house.cga:12:5: message".
 std::string warning_line(const Program& program, const Warning& warning);

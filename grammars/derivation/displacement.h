@@ -1,4 +1,6 @@
-// Upper bounds of the distance by which rules move a surface. grammars/cga.md ("Levels of detail") derives them.
+// Upper bounds of the distance by which rules move a surface, computed from the children of a derivation node up to the
+// node itself. A node is one application of a rule to a shape; its children are the shapes to which it applies further
+// rules. grammars/cga.md ("Levels of detail") derives the bounds.
 #pragma once
 
 #include <limits>
@@ -19,16 +21,17 @@ struct Displacement {
 
 inline constexpr double kUnbounded_m = std::numeric_limits<double>::infinity();
 
-/// The displacement of a followed by b, A → B → C, by the triangle inequality.
+/// Returns the displacement of a followed by b, A → B → C, by the triangle inequality.
 inline Displacement operator+(Displacement a, Displacement b) { return {a.out_m + b.out_m, a.back_m + b.back_m}; }
 
-/// The displacement of an affine map of faces: the largest distance between a vertex and its image.
+/// Returns the displacement of an affine map of faces: the largest distance between a vertex and its image.
 Displacement affine_displacement(std::span<const Face> from, std::span<const Face> to);
 
-/// A displacement that bounds any two surfaces within the convex hulls of these points: the largest distance between a
-/// point of each. O(n m).
+/// Returns a displacement that bounds any two surfaces within the convex hulls of these points: the largest distance
+/// between a point of each. O(n m).
 Displacement any_displacement(std::span<const Vec3> from, std::span<const Vec3> to);
 
+/// Returns the vertices of all rings of the faces.
 Ring3 vertices_of(std::span<const Face> faces);
 
 /// The displacements and extent of a child, from which combine() computes the parent's.
@@ -36,8 +39,8 @@ struct ChildTrace {
   Displacement before;      ///< From the parent's surface to the shape from which the child was cut.
   Displacement own;         ///< From the child's surface to the result of its derivation.
   bool vanished = false;    ///< The result is empty: NIL, or a component that no selector takes.
-  std::uint32_t group = 0;  ///< Children with one number were cut from one shape and together cover it.
-  bool filled = false;      ///< `vertices` are the ring of a face without holes.
+  std::uint32_t group = 0;  ///< Children with equal numbers were cut from one shape and together cover that shape.
+  bool filled = false;      ///< `vertices` are the outer ring of a face without holes.
   /// If vanished: points whose convex hull contains the child's surface. Else: the first ring of that surface.
   Ring3 vertices;
 };
@@ -46,8 +49,9 @@ struct ChildTrace {
 struct VisibleAppearances {
   enum class Count : std::uint8_t { kNone, kOne, kMany };
   Count count = Count::kNone;
-  std::uint32_t appearance = 0;  ///< The appearance if count is kOne.
+  std::uint32_t appearance = 0;  ///< The appearance if count is kOne: an index into Derivation::appearances.
 
+  /// Adds the appearances of another result.
   void add(VisibleAppearances more) {
     if (more.count == Count::kNone) return;
     const bool is_same = count == Count::kOne && more.count == Count::kOne && appearance == more.appearance;
@@ -60,9 +64,9 @@ struct VisibleAppearances {
 /// The displacement between a node's surface and its result, and the appearances of the result.
 struct NodeTrace {
   Displacement moved = {};
-  bool vanished = true;
+  bool vanished = true;  ///< The result has no surface.
   VisibleAppearances seen =
-      {};  ///< If there are many, `moved` is not used: neither the node nor its ancestors are simplified.
+      {};  ///< With count kMany, `moved` is undefined: neither the node nor its ancestors are simplified.
 };
 
 /// Returns the trace of a node from the traces of its children.

@@ -1,4 +1,5 @@
-// Bounds the distance by which a body of a rule can move a surface, from the rules alone, before a derivation.
+// Bounds the distance by which a body (the statements of a rule) can move a surface, from the rules alone, before a
+// derivation.
 //
 // This is an abstract interpretation of the rules: numbers are intervals, every branch whose condition may hold counts,
 // and a displacement without a known bound is infinite. The result is an upper bound of the displacement that
@@ -26,12 +27,13 @@ struct NumberRange {
   bool operator==(const NumberRange&) const = default;
 };
 
-/// The ranges of parameters and locals, by slot.
+/// The ranges of a rule's parameters, followed by the ranges of its locals.
 using NumberRanges = std::vector<NumberRange>;
 
+/// A bound of the displacement by a body.
 struct DisplacementBound {
   Displacement moved = {kUnbounded_m, kUnbounded_m};
-  bool survives = false;  ///< The result surely has a surface. If not, `moved.back_m` is undefined.
+  bool survives = false;  ///< True if the result has a surface for certain. If false, `moved.back_m` is undefined.
 };
 
 /// A value of KnownBound::attributes: the bound holds for any attributes.
@@ -45,7 +47,7 @@ struct KnownBound {
   std::uint32_t next = 0;  ///< 1 + index into BoundTable::found of the body's next bound; 0 for the last.
 };
 
-/// All bounds computed until now.
+/// All bounds computed in a derivation until now.
 struct BoundTable {
   std::vector<KnownBound> found;
   /// By Body::number: 1 + index of the body's newest bound in `found`; 0 for none.
@@ -54,21 +56,23 @@ struct BoundTable {
   std::uint32_t evaluations = 0;
 };
 
-/// Returns the bound of a body applied to a face for which is_flat() holds. Derives nothing and draws no random
+/// Returns the bound of a body applied to a face for which is_flat() holds, without a derivation and without random
 /// numbers. Guarantee: the measured displacement is never larger, unless a limit ends the derivation. A displacement
 /// above the tolerance may be returned as infinite. O(bodies that the body can lead to), once for each distinct set of
 /// arguments.
+/// @param execution  The node in which the body would be applied.
+/// @param arguments  The ranges of the node's parameters and locals: ranges_of().
 DisplacementBound displacement_bound(Execution& execution, const NumberRanges& arguments, const Body& body);
 
-/// Returns the parameters and locals of a node, as arguments of displacement_bound() for the bodies in it.
+/// Returns the values of a node's parameters and locals as ranges, for displacement_bound().
 NumberRanges ranges_of(const Execution& execution);
 
 /// True for one planar face whose normal is along the scope's z or y.
 bool is_flat(const Shape& shape);
 
 /// Returns the bound of the displacement of the node's shape by a body, if it is within the tolerance and the node need
-/// not be derived (DeriveOptions::prune_early). Returns std::nullopt for bodies that divide nothing, since their
-/// successors are tried.
+/// not be derived (DeriveOptions::prune_early). Returns std::nullopt for a body that divides nothing: each rule that
+/// such a body applies is tested by itself.
 std::optional<Displacement> bound_within_tolerance(Execution& execution, const Body& body);
 
 }  // namespace citykiln::grammars

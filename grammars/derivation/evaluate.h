@@ -1,10 +1,13 @@
-// Evaluates expressions for a shape.
+// Evaluates expressions of CGA rules for a shape: attributes, conditions, random choices. A slot is the place of a
+// parameter or local of a rule.
 #pragma once
 
 #include "grammars/derivation/run.h"
 
 namespace citykiln::grammars {
 
+/// The state that an expression reads and changes: the derivation, its shape, the values of parameters and locals, and
+/// the source of random numbers.
 struct Context {
   Run& run;
   const Shape& shape;
@@ -13,6 +16,7 @@ struct Context {
   int depth = 0;  ///< The depth of nested expressions, including calls of functions.
 };
 
+/// Returns the context of a node that is being derived. The context refers to `execution`.
 inline Context context_of(Execution& execution) {
   return {execution.run, execution.shape, execution.slots, execution.random};
 }
@@ -30,10 +34,10 @@ inline constexpr int kMostDepth = 600;
 /// @param attribute  An index into Program::attributes.
 Value attribute_value(std::uint32_t attribute, Context& context);
 
-/// Draws a random number, uniform in [0, 1).
+/// Draws a random number, uniform in [0, 1), from the context's source.
 double draw_unit(Context& context);
 
-/// Returns the index of the branch that a case or a list of percentages selects; -1 for none.
+/// Returns the index in Body::branches of the branch that a case or a list of percentages selects; -1 for none.
 /// @param body  A body of kind kCase or kChance.
 int chosen_branch(const Body& body, Context& context);
 

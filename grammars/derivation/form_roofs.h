@@ -12,7 +12,7 @@ namespace citykiln::grammars {
 /// overhangs on any footprint. Triangles of one plane become one face. It returns std::nullopt for roofs that became
 /// flat, angles and heights that are not positive, overhangs below 0 or above 100 m, and footprints farther than 256 km
 /// from the origin.
-/// @param tolerance_m  The tolerance of generate_roof(), > 0. The error of the derivation does not include the roof's.
+/// @param tolerance_m   The tolerance of generate_roof(), > 0. Derivation::error_m does not include the error of roofs.
 RoofBuilder form_roofs(double tolerance_m);
 
 /// Returns the faces of a roof whose eaves plane is z = 0. Triangles of one plane become one face. Tags: kTop (roof

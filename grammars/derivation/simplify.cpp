@@ -35,10 +35,10 @@ std::size_t vertices_from(const Run& run, std::size_t first) {
 
 void add_areas(const Run& run, std::size_t i, AppearanceAreas& areas_m2) {
   const Terminal& terminal = run.out.terminals[i];
-  if (run.origins[i].stands_for == 0) {
+  if (run.origins[i].replaced_areas == 0) {
     areas_m2[terminal.appearance] += area_m2_of(terminal);
   } else {
-    for (const auto& [appearance, m2] : run.tables.appearance_areas[run.origins[i].stands_for])
+    for (const auto& [appearance, m2] : run.tables.appearance_areas[run.origins[i].replaced_areas])
       areas_m2[appearance] += m2;
   }
 }

@@ -18,11 +18,12 @@ enum class FunctionKind : std::uint8_t {
 /// The data on which a shape value depends: the shape alone, its position, or its number in a split or comp.
 enum class DependsOn : std::uint8_t { kShape, kPosition, kSplit, kComp };
 
+/// A row of functions.inc or shape_values.inc.
 struct BuiltinRow {
   const char* name;
   const char* arguments;  ///< The column of functions.inc; "" for shape values.
   FunctionKind kind;      ///< kPure for shape values.
-  const char* text;
+  const char* text;       ///< One line of documentation.
 };
 
 std::span<const BuiltinRow> builtin_functions();

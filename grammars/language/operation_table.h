@@ -13,10 +13,11 @@
 
 namespace citykiln::grammars {
 
+/// The selectors { … } after an operation: none, sizes (as in split), or parts (as in comp).
 enum class SelectorKind : std::uint8_t { kNone, kSizes, kParts };
 
-/// The part of the current shape that an operation changes. After any change the shape needs a successor, or becomes a
-/// terminal.
+/// The part of the current shape that an operation changes. After any change the shape must be passed to a rule, or
+/// becomes a terminal.
 enum class Alters : std::uint8_t {
   kNothing,
   kAppearance,
@@ -49,7 +50,7 @@ struct OperationRow {
   const char* text;  ///< One line of documentation.
 };
 
-/// True for '0.5, a share of the scope's size.
+/// True for an expression such as '0.5, a share of the scope's size.
 inline bool is_share(const Expression& e) { return e.kind == ExpressionKind::kUnary && e.op == Operator::kShare; }
 
 /// True if the statement is set() of an attribute of the program rather than of a material value. Names must be

@@ -1,4 +1,4 @@
-// Resolves the names of a program.
+// Resolves the names of a program: finds the attribute, function, rule, parameter or word that each name refers to.
 #pragma once
 
 #include <optional>

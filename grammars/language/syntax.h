@@ -70,7 +70,7 @@ struct Expression {
 struct Local {
   std::string name;
   Expression value;
-  std::uint32_t slot = 0;
+  std::uint32_t slot = 0;  ///< The place of the value among the parameters and locals of a rule or function.
 };
 
 struct Branch;
@@ -84,12 +84,14 @@ struct Body {
   BodyKind kind = BodyKind::kStatements;
   std::vector<Statement> statements;
   std::vector<Branch> branches;  ///< The last may be `else`.
-  std::uint32_t number = 0;      ///< A number of its own, less than Program::bodies.
+  std::uint32_t number = 0;      ///< The body's number, less than Program::bodies; each body has another one.
   // set by analyse_bodies()
-  bool divides = false;                  ///< One of its own statements has selectors, so it makes several shapes.
-  bool changes_appearance = false;       ///< A descendant may change its appearance.
-  bool depends_on_street = false;        ///< The result may depend on which edges face a street.
-  std::uint64_t displacement_slots = 0;  ///< Bit i: slot i may affect the displacement of the surface.
+  /// A statement of the body itself (not of a nested body) has selectors, so it makes several shapes.
+  bool divides = false;
+  bool changes_appearance = false;  ///< The rules that follow from the body may change the appearance.
+  bool depends_on_street = false;   ///< The result may depend on which edges face a street.
+  /// Bit i: slot i (a parameter or local) may affect the displacement of the surface.
+  std::uint64_t displacement_slots = 0;
 };
 
 struct Branch {

@@ -11,14 +11,14 @@ namespace citykiln::grammars {
 #include "grammars/language/operations.inc"
 #undef OPERATION
 
-/// Smaller sizes are treated as zero: they are invisible, and not safe to divide by.
+/// The size below which sizes are treated as zero: they are invisible, and not safe to divide by.
 inline constexpr double kSmallest_m = 1e-6;
 
 /// Returns the word of an argument, or "" if it is not a word.
 inline std::string_view word_of(const Argument& argument) {
   return argument.word ? std::string_view(argument.word->text) : std::string_view();
 }
-/// Returns the i-th argument in metres (or degrees); `otherwise` if there are fewer.
+/// Returns the i-th argument in metres (or degrees); `otherwise` if there are fewer arguments.
 inline double number_or(Arguments arguments, std::size_t i, double otherwise) {
   return i < arguments.size() ? metres(arguments[i]) : otherwise;
 }

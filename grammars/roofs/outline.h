@@ -7,11 +7,12 @@
 
 namespace citykiln::roofs {
 
-/// Returns the polygon without repeated points, spikes, crossed slivers and rings without area. The outer ring is
-/// counter-clockwise, holes are clockwise. Empty if the outer ring has no area.
+/// Returns the polygon without repeated points, spikes, slivers that cross themselves, and rings without area. The
+/// outer ring is counter-clockwise, holes are clockwise. Empty if the outer ring has no area.
 Polygon cleaned(const Polygon& footprint);
 
-/// True if no ring crosses or touches itself or another and the outer ring is counter-clockwise. Exact. O(n²).
+/// True if no ring crosses or touches itself or another and the outer ring is counter-clockwise. Computed exactly.
+/// O(n²).
 bool is_simple_polygon(const Polygon& polygon);
 
 /// True if the polygon is one simple ring without right turns.
@@ -22,11 +23,11 @@ bool is_convex(const Polygon& polygon);
 std::vector<Polygon> split_into_simple(const Polygon& footprint);
 
 /// Returns the polygon without corners that are within drop_m of the result, which straightens walls with small bends.
-/// The result may cross itself where rings were closer than that.
+/// The result may cross itself where rings were closer than drop_m.
 Polygon simplified(const Polygon& polygon, double drop_m);
 
-/// Returns the outline of the footprint and all positions within overhang_m of its walls, with sharp corners (at most
-/// twice the overhang out), on the 2^-10 m grid. Empty if the footprint is not simple or touches the outline.
+/// Returns the outline of the footprint and all positions within overhang_m of its walls, with sharp corners (cut at
+/// twice the overhang), on the 2^-10 m grid. Empty if the footprint is not simple or touches the outline.
 Polygon offset_eaves(const Polygon& footprint, double overhang_m);
 
 }  // namespace citykiln::roofs

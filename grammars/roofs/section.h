@@ -1,6 +1,6 @@
-// Cross sections: the rise of a roof from its eaves to its top, as a polyline.
+// Sections: cross-sections of roofs, as polylines from the eaves to the top.
 //
-//        .--        dome, round: an arc; mansard, gambrel: a knee; hipped: straight
+//        .--        dome, round: an arc; mansard, gambrel: with a knee; hipped: straight
 //      /
 //     |
 #pragma once
@@ -20,23 +20,27 @@ struct Section {
   double error_m = 0;  ///< Bounds the distance between the roofs of the polyline and of the curve, in metres.
 };
 
-/// Returns the section of a roof that is drawn along a line. The error is the distance of arcs from their chords.
+/// Returns the section of a roof that is extruded along a line (strips.h). The error is the distance of arcs from their
+/// chords.
 ///
 /// @param span_m  The distance from the eaves to the ridge, in plan. > 0.
 /// @param rise_m  The height of the ridge over the eaves. > 0.
-/// Guarantees: x and y never decrease; error_m <= tolerance_m unless that needs more than 256 corners. Arcs are those
-/// of a circle if rise_m <= span_m, else of an ellipse. They are halved until they are flat enough, which needs only
-/// square roots, so the result is equal on every machine.
+/// Guarantees: x and y never decrease; error_m <= tolerance_m unless that needs more than 256 corners. Arcs are
+/// circular if rise_m <= span_m, else elliptic. Arcs are halved until the chords are within the tolerance, which needs
+/// only square roots, so the result is equal on every machine.
 Section section_along(Form form, double span_m, double rise_m, double tolerance_m);
 
-/// Returns the section of a roof over inset facets. Its sides meet at any angle, so the error is measured vertically,
-/// which does not depend on the angle. Else like section_along().
-/// @param knee  The knee of a mansard roof, if it is not the default.
+/// Returns the section of a roof over a straight skeleton (inset_facets.h). The sides of such a roof meet at any angle,
+/// so the error is measured vertically, which does not depend on the angle. Parameters and guarantees are equal to
+/// section_along().
+/// @param knee  The knee of a mansard roof, as shares of span and rise, if it is not the default.
 Section section_over_skeleton(Form form, double span_m, double rise_m, double tolerance_m,
                               std::optional<Vec2> knee = {});
 
-/// Returns the section of a roof over an apex. x is the distance from the apex relative to that of the eaves, from 1 to
-/// 0; in an onion it exceeds 1. The error is that at the farthest corner, reach_m from the apex.
+/// Returns the section of a roof over an apex (apex.h). x is the distance from the apex divided by the distance of the
+/// eaves from the apex, from 1 to 0; in an onion x exceeds 1. The error is valid for the corner of the footprint that
+/// is farthest from the apex.
+/// @param reach_m  The distance from the apex to that corner, in plan.
 Section section_over_apex(Form form, double span_m, double reach_m, double rise_m, double tolerance_m);
 
 }  // namespace citykiln::roofs

@@ -12,7 +12,8 @@
 
 namespace citykiln::grammars {
 
-/// The kind of a face, for comp(f), set by the operation that made it. kNone: its direction decides.
+/// The kind of a face, which selectors of comp(f) test. It is set by the operation that made the face. kNone: the
+/// direction of the face decides.
 enum class FaceTag : std::uint8_t { kNone, kTop, kSide, kBottom, kVertical, kInside, kBorder };
 
 /// A planar polygon in plane metres, z up. Seen from the side to which the normal points, the outer ring is
@@ -32,7 +33,7 @@ struct CutPlane {
   double offset_m = 0;
 };
 
-/// Points nearer to a plane than this count as on it: 6e-8 m, above the rounding error of coordinates up to 100 km.
+/// The distance below which a point counts as on a plane: 6e-8 m, above the rounding error of coordinates up to 100 km.
 inline constexpr double kOnPlane_m = 0x1p-24;
 
 /// Returns a vector along the normal whose length is twice the area (Newell). O(n).
@@ -41,9 +42,11 @@ Vec3 area_vector_m2(const Face& face);
 /// Returns the unit normal of the outer ring; {0, 0, 0} for a face without area.
 Vec3 normal_of(const Face& face);
 double area_m2(const Face& face);
+/// Returns the face seen from its other side: rings in reverse order.
 Face reversed(const Face& face);
-/// Returns the extent of the corners along the normal; 0 if it is at most kOnPlane_m. It bounds the distance between
-/// two triangulations of a face: roof planes have rounded corners and are planar only to about a millimetre. O(n).
+/// Returns the extent of the corners along the normal; 0 if it is at most kOnPlane_m. This extent bounds the distance
+/// between two triangulations of the face. Roof planes have rounded corners and are planar only to about a millimetre.
+/// O(n).
 double bend_m(const Face& face);
 
 /// Calls `with` on every vertex.
@@ -67,11 +70,12 @@ struct FaceFrame {
   Vec2 to_plane(Vec3 p) const { return {dot(p - origin, x), dot(p - origin, y)}; }
   Vec3 to_space(Vec2 p) const { return origin + x * p.x + y * p.y; }
 };
+/// Returns the frame of a face's plane.
 FaceFrame frame_of(const Face& face);
 /// Returns the face in the coordinates of the frame.
 Polygon flat(const Face& face, const FaceFrame& frame);
-/// Returns a polygon of the frame as a face in space. Points within `snap_m` of a vertex of `like` become that vertex,
-/// bit for bit.
+/// Returns a polygon in coordinates of the frame as a face in space. Points within `snap_m` of a vertex of `like`
+/// become that vertex, bit for bit.
 Face lifted(const Polygon& polygon, const FaceFrame& frame, const Face& like, double snap_m);
 
 }  // namespace citykiln::grammars

@@ -15,6 +15,7 @@ struct Scope {
   std::array<Vec3, 3> axis = {Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}};
   std::array<double, 3> size_m = {0, 0, 0};
 
+  /// Returns the point with these coordinates along the axes, relative to the origin.
   Vec3 to_space(double x_m, double y_m, double z_m) const {
     return origin + axis[0] * x_m + axis[1] * y_m + axis[2] * z_m;
   }
@@ -33,11 +34,12 @@ std::array<Vec3, 3> axes_of(const Face& face);
 /// Returns the axes of a face whose normal is known.
 std::array<Vec3, 3> axes_of(const Face& face, Vec3 normal);
 
-/// The axis of the scope that is nearest to a direction, and whether it points against it.
+/// The axis of a scope that is most nearly parallel to a direction.
 struct NearestAxis {
-  int axis = 0;
-  bool against = false;
+  int axis = 0;          ///< Index into Scope::axis.
+  bool against = false;  ///< The axis and the direction point in opposite directions.
 };
+/// Returns the axis that is most nearly parallel to a direction.
 NearestAxis nearest_axis(const Scope& scope, Vec3 direction);
 
 }  // namespace citykiln::grammars

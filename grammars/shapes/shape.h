@@ -1,4 +1,5 @@
-// Shapes, to which rules are applied: faces in a scope, with an appearance and inherited values.
+// Shapes, to which the rules of a CGA grammar are applied: faces in a scope (an oriented box), with an appearance and
+// inherited values. A node is one application of a rule to a shape.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace citykiln::grammars {
 
-/// The material of a surface as set by rules. The caller of derive() gives names their look.
+/// The material of a surface as set by rules. The caller of derive() decides how a name is rendered.
 struct Appearance {
   std::string name;                     ///< material.name, e.g. "brick"; "" if no rule has set it.
   std::string colour_map;               ///< texture("…").
@@ -30,16 +31,17 @@ struct TextureProjection {
   bool operator==(const TextureProjection&) const = default;
 };
 
-/// The number of a shape among the `total` parts of a split or comp. Successors inherit it.
+/// The index of a shape among the `total` parts of a split or comp. Shapes made from this shape inherit the index.
 struct SiblingIndex {
   double index = 0, total = 0;
-  /// The derivation node to which it was assigned (Shape::node); ~0 until that node exists.
+  /// The node to which the index was assigned (Shape::node); ~0 until that node exists.
   std::uint32_t since_node = ~0u;
 };
 
 /// The values of attributes changed by set(), by index into Program::attributes.
 using AttributeSet = std::map<std::uint32_t, Value>;
 
+/// The current state of a node: its surface, scope and attributes.
 struct Shape {
   StableId id{};  ///< Set for the first shape of a derivation; Run::id_of() computes the others.
   Scope scope;
@@ -51,11 +53,11 @@ struct Shape {
   std::uint32_t appearance = 0;
   std::uint32_t projection = 0;  ///< A texture projection that is set up but not applied yet.
   std::uint32_t texture = 0;     ///< The texture projection applied to the surface.
-  std::uint32_t attributes = 0;
-  std::uint32_t node = 0;  ///< Index into Run::nodes.
+  std::uint32_t attributes = 0;  ///< The changed attributes (AttributeSet).
+  std::uint32_t node = 0;        ///< Index into Run::nodes.
 };
 
-/// Returns a copy of everything but the faces, which a successor inherits.
+/// Returns a copy without faces, for a shape that is made from this one.
 inline Shape inherited_from(const Shape& from) {
   return {.id = from.id,
           .scope = from.scope,

@@ -11,7 +11,7 @@
 
 namespace citykiln::grammars {
 
-/// Areas in square metres, by the index of the appearance.
+/// Areas in square metres, by index into Tables::appearances.
 using AppearanceAreas = std::map<std::uint32_t, double>;
 
 struct AppearanceHash {
@@ -24,8 +24,9 @@ struct Tables {
   /// In the order of creation; may contain duplicates.
   std::vector<TextureProjection> textures = {TextureProjection{}};
   std::vector<AttributeSet> attribute_sets = {AttributeSet{}};
+  /// The areas of the details that simplified terminals replace.
   std::vector<AppearanceAreas> appearance_areas = {AppearanceAreas{}};
-  /// Never iterated, so its order has no effect.
+  /// The index of each appearance. Never iterated, so its order has no effect.
   std::unordered_map<Appearance, std::uint32_t, AppearanceHash> appearance_of = {{Appearance{}, 0}};
   std::map<AttributeSet, std::uint32_t> attribute_set_of = {{AttributeSet{}, 0}};
 

@@ -20,16 +20,16 @@ struct Camera {
   Vec3 eye, look_at;
   double vertical_fov_deg = 45;
   double lens_radius_m = 0;  ///< 0: a pinhole, everything is in focus.
-  /// Distance from the eye to the plane in focus; 0: that of look_at.
+  /// Distance from the eye to the plane in focus; 0: the distance of look_at.
   double focus_m = 0;
-  /// The pose when the shutter closes. The camera moves there evenly. Empty: it is at rest.
+  /// The pose when the shutter closes. The camera moves there at constant speed. Empty: the camera is at rest.
   std::optional<Pose> shutter_end{};
 };
 
 /// Returns a camera that shows a scene from a view by name: "overview" (from the south-east, all of it), "street",
 /// "top", "north", "south", "east", "west", "low"; and "square", "river", "hilltop", "roofs", "skyline", which a scene
-/// may lack (place_views.h). A function of the tiles' content. Errors: an unknown name, with the known ones in the
-/// message; a scene without such a place.
+/// may lack (place_views.h). The camera depends only on the tiles' content. Errors: an unknown name, with the known
+/// ones in the message; a scene without such a place.
 Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name);
 
 }  // namespace citykiln::preview

@@ -20,7 +20,7 @@ struct Film {
   double vertical_fov_deg = 60;
 };
 
-/// The length of a polyline.
+/// Returns the length of a polyline.
 double length_m(std::span<const Vec3> line);
 
 /// Returns cameras at equal distances from the first to the last point of a line. A single frame is at the first point.
@@ -29,8 +29,8 @@ double length_m(std::span<const Vec3> line);
 /// @param line  Plane metres. At least 1 point.
 std::vector<Camera> cameras_along(std::span<const Vec3> line, const Film& film);
 
-/// Returns cameras on a circle around `first.look_at`, counter-clockwise from above. The first is `first`, the last is
-/// one step before it.
+/// Returns cameras on a circle around `first.look_at`, counter-clockwise from above. The first camera is `first`; the
+/// last one is a step before it.
 std::vector<Camera> turntable(const Camera& first, const Film& film);
 
 }  // namespace citykiln::preview

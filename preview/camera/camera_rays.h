@@ -6,6 +6,7 @@
 
 namespace citykiln::preview {
 
+/// A ray of a camera.
 struct CameraRay {
   Vec3 from, direction;  ///< Plane metres; unit.
 };
@@ -15,6 +16,7 @@ struct CameraRay {
 struct ViewAxes {
   Vec3 forward, right, up;
 };
+/// Returns the axes of a view.
 ViewAxes axes_of(const Pose& pose);
 
 /// The rays of a camera whose picture has a given size.
@@ -26,9 +28,9 @@ class CameraRays {
   CameraRays(const Camera& camera, int width, int height);
 
   /// Returns a ray through a point of the picture in pixels, x to the right and y down from the top left corner. A thin
-  /// lens draws one pair of `draw`, a moving camera another; a pinhole at rest draws none.
+  /// lens takes one pair of random numbers from `draw`, a moving camera another; a pinhole at rest takes none.
   CameraRay through(double x, double y, PathDraw& draw) const;
-  /// The angle of a pixel in the middle of the picture, in radians.
+  /// Returns the angle of a pixel in the middle of the picture, in radians.
   double pixel_rad() const { return 2 * half_height_ / height_; }
 
  private:

@@ -9,9 +9,9 @@
 
 namespace citykiln::preview {
 
-/// True if a material is that of walls or roofs.
+/// True for materials of walls and roofs.
 bool is_built(materials::Material material);
-/// True if a material is that of streets.
+/// True for materials of streets.
 bool is_street(materials::Material material);
 
 /// A grid of 96 by 96 columns over the positions of all primitives, without instances. A scene without positions has a
@@ -20,15 +20,15 @@ class SceneGrid {
  public:
   explicit SceneGrid(std::span<const bake::BakedTile> tiles);
 
-  /// The lowest and the highest point of every column that has any. All land has the same weight, however dense its
-  /// mesh is.
+  /// Returns the lowest and the highest point of every column that contains positions. So all land has the same weight,
+  /// however dense its mesh is.
   std::vector<Vec3> points() const;
-  /// The core: the middle of the most densely built place of some 300 m, at the height of its ground. Where nothing is
-  /// built, it is the middle of the scene.
+  /// Returns the core: the middle of the most densely built square of some 300 m, at the height of the ground. If
+  /// nothing is built, the middle of the scene.
   Vec3 core_point() const { return core_; }
-  /// The highest point of the column at a place; -infinity outside the scene.
+  /// Returns the highest z of the column at a place (plane metres); -infinity outside the scene.
   double highest_m(Vec2 at) const;
-  /// The lowest point of the column at a place; -infinity outside the scene.
+  /// Returns the lowest z of the column at a place (plane metres); -infinity outside the scene.
   double lowest_m(Vec2 at) const;
 
  private:

@@ -26,30 +26,34 @@ struct CloudLight {
   Rgb ground{};  ///< Mean radiance from below.
 };
 
+/// Returns the light that falls on clouds under a sky.
 CloudLight light_on_clouds(const sky::SkyModel& model);
 
-/// The phase function of Henyey and Greenstein, per steradian; `g` is the mean cosine.
+/// Returns the phase function of Henyey and Greenstein, per steradian.
+/// @param cosine   The cosine of the angle of deflection.
+/// @param g       The mean cosine.
 double henyey_greenstein(double cosine, double g);
 
 /// The mean cosine of scattering by droplets (0.85 for visible light, Liou 2002).
 inline constexpr double kDropletAsymmetry = 0.85;
 
-/// Layers of clouds with the light in each particle. Thread-safe; the same bits for any number of threads.
+/// Layers of clouds with the light in each particle (a sphere of droplets). Thread-safe; the same bits for any number
+/// of threads.
 ///
 /// Method: light that is scattered many times goes mostly forwards (Harris, Lastra, "Real-Time Cloud Rendering",
 /// Eurographics 2001). Therefore the sun's light in each particle is a sum of a few terms, each less attenuated on the
 /// way from the sun, and less directed, than the one before (Wrenninge, Kulla, Lundqvist, "Oz: The Great and
-/// Volumetric", SIGGRAPH 2013 talks). Its factors are fitted to paths through clouds (cloud_paths.h). The light of sky
-/// and ground is that of a plane layer of the same optical depth above and below (two-stream approximation, Bohren
-/// 1987). The light along a ray is that of the spheres that it passes. Where several overlap it is their weighted mean,
-/// with weights that are 0 at their surfaces. Layers shade each other.
+/// Volumetric", SIGGRAPH 2013 talks). The factors of the terms are fitted to paths through clouds (cloud_paths.h). The
+/// light of sky and ground is computed for a plane layer of the same optical depth above and below (two-stream
+/// approximation, Bohren 1987). The light along a ray is the light of the spheres that it passes. Where spheres overlap
+/// it is their weighted mean, with weights that are 0 at their surfaces. Layers shade each other.
 class CloudField {
  public:
   /// Makes the clouds of all layers around an eye. Cost: O(n log n) in the particles.
   /// @param eye  Plane metres.
-  /// @param finest  See CloudSpheres.
+  /// @param finest   The vertical radius of the smallest particles, as an angle at the eye in radians.
   CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest, int threads);
-  /// Makes one layer of given particles.
+  /// Makes one layer of given particles, in the layer's frame (sky::LayerFrame).
   CloudField(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, const CloudLight& light,
              CloudEdges edges);
 
@@ -57,15 +61,16 @@ class CloudField {
   /// @param from  Plane metres; z above sea level.
   /// @param direction  Unit vector.
   CloudPath along(Vec3 from, Vec3 direction, double distance_m) const;
-  /// The share of the sun's light that reaches a place, straight or scattered by less than the width of a shadow's
-  /// blurred edge.
+  /// Returns the share of the sun's light that reaches a place, straight or scattered by less than the width of a
+  /// shadow's blurred edge.
+  /// @param from  Plane metres; z above sea level.
   double sun_passed(Vec3 from) const;
   std::size_t particles() const;
   std::size_t clouds() const;
   const CloudLight& light() const { return light_; }
   std::size_t layers() const { return layers_.size(); }
   const CloudSpheres& spheres(std::size_t layer) const { return layers_[layer].spheres; }
-  /// The base of the lowest layer; infinite without layers.
+  /// Returns the base of the lowest layer above sea level; infinite without layers.
   double lowest_m() const;
 
  private:

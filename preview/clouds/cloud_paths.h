@@ -16,24 +16,27 @@ namespace citykiln::preview {
 /// Scatterings after which a path ends. Droplets absorb nothing, so a path may stay in a cloud for long.
 inline constexpr int kMostScatterings = 1000;
 
-/// Returns one sample of the light that clouds send along a ray of a given length, with all orders of scattering up to
-/// `most`. `passed` is 0 or 1.
+/// Returns one sample of the light that clouds send along a ray of a given length, with up to `most` scatterings.
+/// `passed` is 0 or 1.
 ///
 /// Method: distances to droplets by delta tracking (Woodcock et al. 1965), directions by Henyey and Greenstein's phase
 /// function. Each droplet adds sunlight, and the path's end adds the mean light of sky or ground. No light is absorbed.
-/// Unbiased, but for orders beyond `most`.
-/// @param random  Returns independent numbers in [0, 1).
+/// Unbiased, except for light that is scattered more often than `most`.
+/// @param random  A function that returns independent uniform random numbers in [0, 1).
 template <typename Random>
 CloudPath cloud_path(const CloudField& field, Vec3 from, Vec3 direction, double distance_m, int most, Random random);
 
-/// The distance to the next droplet, at random; infinite where the ray leaves the clouds, or goes on for `most_m`.
+/// Returns a random distance to the next droplet on the ray; infinite if the ray leaves the clouds, or is longer than
+/// `most_m`, before it.
 template <typename Random>
 double free_path(const CloudField& field, Vec3 from, Vec3 direction, double most_m, Random& random);
 
-/// Returns a direction that is scattered by Henyey and Greenstein's phase function.
+/// Returns a random direction into which light is scattered by Henyey and Greenstein's phase function.
+/// @param g       The mean cosine of the angle of deflection.
+/// @param chance  Two uniform random numbers in [0, 1).
 Vec3 scattered(Vec3 direction, double g, UnitPair chance);
 
-/// A generator of random numbers whose seed is a ray. Rays of different samples differ, and so do their numbers.
+/// A generator of uniform random numbers in [0, 1) whose seed is a ray, so that each ray has other numbers.
 class RayChance {
  public:
   RayChance(Vec3 from, Vec3 direction);

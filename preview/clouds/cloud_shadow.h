@@ -8,16 +8,17 @@
 
 namespace citykiln::preview {
 
-/// A table of the share of the sun's light that passes clouds, at places of a level plane below them all. A place below
-/// the plane has the share of the point where its ray to the sun meets the plane. Thread-safe.
+/// A table of the share of the sun's light that passes clouds, at places of a level plane below them all. The share at
+/// a place below the plane is the share at the point where the ray from the place to the sun meets the plane.
+/// Thread-safe.
 class CloudShadow {
  public:
-  /// Makes two tables of 256 by 256 cells about a place. Cells of 32 m are about as wide as a shadow's blurred edge for
-  /// clouds 3 km up; cells of 256 m cover more ground. Where the sun is low (z < 0.05) there are no tables. Cost: a
-  /// hundred thousand rays. Same bits for any number of threads.
+  /// Computes two tables of 256 by 256 cells about the place `middle`. Cells of 32 m are about as wide as a shadow's
+  /// blurred edge for clouds 3 km up; cells of 256 m cover more ground. Where the sun is low (z < 0.05) there are no
+  /// tables. Cost: a hundred thousand rays. Same bits for any number of threads.
   CloudShadow(const CloudField& field, Vec3 to_sun, Vec2 middle, int threads);
 
-  /// The share of the sun's light at a place; empty above the plane and outside of the tables.
+  /// Returns the share of the sun's light at a place (plane metres); empty above the plane and outside of the tables.
   std::optional<double> passed(Vec3 from) const;
 
  private:

@@ -12,45 +12,48 @@ namespace citykiln::preview {
 
 /// The part of a ray inside of one sphere. Distances along the ray are in plane metres, begin < end.
 struct SpherePart {
-  double begin, end;    ///< The part above the layer's base and in front of the ray's begin.
+  double begin, end;    ///< The part above the layer's base and in front of the ray's origin.
   double enter, leave;  ///< The whole chord of the line that the ray lies on.
   double scale;         ///< At distance t, (t - enter) (leave - t) scale is 1 - (distance from the middle / radius)².
   std::uint32_t sphere;
 };
 
-/// The density inside of spheres: even, or falling towards their surfaces, whose outlines then cannot be seen.
+/// The density inside of spheres: constant, or falling towards the surface, so that the outlines of spheres are
+/// invisible.
 enum class CloudEdges { kSharp, kSoft };
 
-/// The spheres of one layer of clouds in an Embree scene. Thread-safe.
+/// The spheres (sky::CloudParticle) of one layer of clouds in an Embree scene. Thread-safe.
 class CloudSpheres {
  public:
-  /// Makes the clouds of a layer around an eye, with soft edges. Each cloud has particles as fine as pixels need: down
-  /// to a vertical radius of `finest` (radians) times its distance from the eye, but not below 12 m.
+  /// Generates the clouds of a layer around an eye (plane metres), with soft edges. Each cloud has particles as fine as
+  /// pixels need: down to a vertical radius of `finest` (radians) times its distance from the eye, but not below 12 m.
   CloudSpheres(const sky::CloudLayer& layer, Vec3 eye, double finest);
+  /// Takes given particles, in the layer's frame (sky::LayerFrame).
   CloudSpheres(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, CloudEdges edges);
   ~CloudSpheres();
   CloudSpheres(CloudSpheres&&) noexcept;
   CloudSpheres& operator=(CloudSpheres&&) = delete;
 
-  /// Finds all parts of a ray inside of spheres and above the layer's base, sorted by where they begin. They may
+  /// Sets `parts` to all parts of a ray inside of spheres and above the layer's base, sorted by `begin`. Parts may
   /// overlap.
   /// @param from  Plane metres; z above sea level.
   /// @param direction  Unit vector.
   void parts_of(Vec3 from, Vec3 direction, double distance_m, std::vector<SpherePart>& parts) const;
-  /// The optical depth from a place to infinity, as if edges were sharp.
+  /// Returns the optical depth from a place (plane metres) to infinity, as if edges were sharp.
   double optical_depth(Vec3 from, Vec3 direction) const;
-  /// The density at a distance along a ray, relative to the middle of clouds, 0 to 1. It is 1 inside of sharp spheres.
-  /// In soft spheres it is the sum over all that contain the place; below a sphere's surface it rises to about 1 over a
-  /// quarter of the radius, at least 8 m and at most 25 m.
+  /// Returns the density at a distance along a ray, relative to the middle of clouds, 0 to 1. Inside of sharp spheres
+  /// the density is 1. The density of a soft sphere rises from 0 at its surface to about 1 within a quarter of the
+  /// radius, at least 8 m and at most 25 m; the densities of overlapping spheres are added.
+  /// @param parts  The result of parts_of() for the ray.
   double density(std::span<const SpherePart> parts, double at_m) const;
-  /// The density that a soft sphere adds, divided by 1 - (distance from its middle / radius)².
+  /// Returns the factor f of a soft sphere, whose density is f · (1 - (distance from its middle / radius)²).
   double edge_density(std::size_t sphere) const;
 
   std::size_t size() const { return spheres_.size(); }
   std::size_t clouds() const { return clouds_; }
-  /// The centre of a sphere in plane metres.
+  /// Returns the centre of a sphere in plane metres.
   Vec3 centre(std::size_t sphere) const { return frame_.out_of(spheres_[sphere].centre); }
-  /// The radius of a sphere across the wind, in metres.
+  /// Returns the radius of a sphere across the wind, in metres.
   double radius_m(std::size_t sphere) const { return spheres_[sphere].radius_m; }
   double extinction_per_m() const { return extinction_per_m_; }
   double base_m() const { return frame_.base_m; }
@@ -73,8 +76,8 @@ class CloudSpheres {
   RTCScene scene_ = nullptr;
 };
 
-/// The largest distance from the eye at which clouds are made. Beyond it, air or the Earth's curve hides them: a cloud
-/// base of 1,500 m sets behind the horizon at 140 km, but at 40 km it is two degrees high.
+/// The largest distance from the eye at which clouds are generated. Beyond it, air or the Earth's curve hides them: a
+/// cloud base of 1,500 m sets behind the horizon at 140 km, but at 40 km it is two degrees high.
 inline constexpr double kFarthestCloud_m = 40000;
 
 }  // namespace citykiln::preview

@@ -9,26 +9,27 @@
 
 namespace citykiln::preview {
 
-/// The method for clouds that are seen directly or in mirrors: CloudField's approximation, or one path of light through
-/// the droplets for each ray (cloud_paths.h), which is noisy.
+/// The method for clouds that are seen directly or in mirrors: an approximation (CloudField), or one random path of
+/// light through the droplets for each ray (cloud_paths.h), which is exact but noisy.
 enum class CloudMethod { kApproximate, kPaths };
 
 /// All clouds of a picture, with their tables. Thread-safe; the same bits for any number of threads.
 class Clouds {
  public:
   /// @param eye  Plane metres.
-  /// @param finest  See CloudSpheres.
+  /// @param finest   The vertical radius of the smallest particles of clouds, as an angle at the eye in radians.
   Clouds(std::span<const sky::CloudLayer> layers, const sky::SkyModel& model, Vec3 eye, double finest,
          CloudMethod method, int threads);
 
-  /// The clouds that a ray of the camera, or of a mirror, sees.
+  /// Returns the clouds that a ray of the camera, or of a mirror, sees.
   /// @param from  Plane metres; z above sea level.
   /// @param direction  Unit vector.
   CloudPath seen(Vec3 from, Vec3 direction, double distance_m) const;
-  /// The effect of clouds, and of the air before them, on skylight that falls on a surface from a direction. Below the
-  /// clouds it is read from a table.
+  /// Returns the effect of clouds, and of the air before them, on skylight that falls on a surface from a direction.
+  /// Below the clouds it is read from a table.
   CloudVeil falling(Vec3 from, Vec3 direction) const;
-  /// The share of the sun's light that reaches a place. Below the clouds and near the eye it is read from a table.
+  /// Returns the share of the sun's light that reaches a place. Below the clouds and near the eye it is read from a
+  /// table.
   double sun_passed(Vec3 from) const;
 
  private:

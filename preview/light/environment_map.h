@@ -1,4 +1,4 @@
-// A panorama of the light around a scene.
+// An environment map: a panorama of the light around a scene.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// A tree over many light sources. For a place it samples one of them, about in proportion to the light that it sends
-// there.
+// A tree over many light sources. For a place it samples one source, with a probability about in proportion to the
+// light that the source sends to the place.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,25 @@ namespace citykiln::preview {
 
 /// Bounds of a light source, or of a group: its place and the directions in which it shines.
 struct LightBounds {
-  Vec3 low, high;         ///< A box around it.
+  Vec3 low, high;         ///< A box around the source.
   Vec3 axis{0, 0, 1};     ///< Unit: the axis of the cone of its surfaces' normals.
   double spread_rad = 0;  ///< Half angle of that cone.
-  /// Largest angle between a normal and the light that leaves; at most a right angle for surfaces.
+  /// Largest angle between a normal and a direction of emitted light; at most a right angle for surfaces.
   double reach_rad = 0;
-  double flux = 0;  ///< Luminous flux of a matt surface that is as bright along its normal, in any unit. >= 0.
-  /// True for a source that is equally bright in all directions within reach_rad, as a lantern is. False for one whose
-  /// brightness falls with the cosine, as a surface's does.
+  /// Luminous flux of a matt surface that is as bright along its normal as the source, in any unit. >= 0.
+  double flux = 0;
+  /// True for a source that is equally bright in all directions within reach_rad, such as a lantern. False for a source
+  /// whose brightness falls with the cosine from the normal, such as a surface.
   bool is_even = false;
 };
 
-/// Returns bounds of both sources. They are even if one of them is.
+/// Returns bounds of both sources. is_even is true if it is true for one of them.
 LightBounds joined(const LightBounds& a, const LightBounds& b);
 
 /// A sampled source.
 struct LightChoice {
-  std::uint32_t light = 0;
-  double probability = 0;
+  std::uint32_t light = 0;  ///< The index of the source.
+  double probability = 0;   ///< The probability with which the source was chosen.
 };
 
 /// A tree from which light sources are sampled.
@@ -47,11 +48,12 @@ class LightTree {
   explicit LightTree(std::span<const LightBounds> lights);
 
   bool is_empty() const { return nodes_.empty(); }
-  /// Samples a source for a place. Empty: no source lights it.
-  /// @param normal  Normal of a surface that receives light from above it alone; zero: light from everywhere counts.
-  /// @param chance  In [0, 1).
+  /// Samples a source for a place. Empty: no source lights the place.
+  /// @param at      The place that receives light.
+  /// @param normal  Unit normal of a surface that receives light only from its front. Zero: from all directions.
+  /// @param chance   A uniform random number in [0, 1).
   std::optional<LightChoice> choose(Vec3 at, Vec3 normal, double chance) const;
-  /// The probability with which choose() gives this source.
+  /// Returns the probability with which choose() gives this source.
   double probability(std::uint32_t light, Vec3 at, Vec3 normal) const;
 
  private:

@@ -1,12 +1,13 @@
-// Lit windows of buildings that are not generated yet. A point on a pane is sampled, and the ray towards it finds out
-// whether the surface that it hits there shines.
+// Samples lit windows of buildings whose meshes are not generated yet. A pane is the rectangle of a lit window, known
+// from the recipe of the building. A direction to a point on a pane is sampled; the ray in this direction then finds
+// the surface that it hits, which shines or does not.
 //
 //     place ·-------- ray --------> | pane, known from recipes
 //                                  o|  the ray's hit on the building, generated at any tolerance
 //
 // Each direction belongs to at most one pane, which is a function of the ray and its hit. A sample counts only if its
-// direction belongs to the pane that was chosen, so each direction has one density. Lit windows without a pane here,
-// such as those in roofs, are still hit by chance.
+// direction belongs to the chosen pane, so each direction has one density. Lit windows without a pane, such as windows
+// in roofs, light a place only by rays that happen to hit them.
 #pragma once
 
 #include <cstdint>
@@ -29,6 +30,7 @@ struct PaneSample {
   double pdf = 0;          ///< Density per steradian. > 0.
 };
 
+/// The index of a pane where there is none.
 inline constexpr std::uint32_t kNoPane = std::numeric_limits<std::uint32_t>::max();
 
 /// The lit panes of buildings, from which directions are sampled. Immutable and thread-safe. Memory: some 250 bytes a
@@ -40,13 +42,18 @@ class PaneLights {
   PaneLights(std::span<const LitPane> panes, Vec3 origin);
 
   bool is_empty() const { return tree_.is_empty(); }
-  /// Samples a direction from a place to a pane. Empty: no pane is turned towards it.
-  /// @param normal  See LightTree::choose().
+  /// Samples a direction from a place to a pane. Empty: no pane faces the place.
+  /// @param at      The place that receives light, in the frame of the world.
+  /// @param normal  Unit normal of a surface at the place, which receives light only from its front. Zero: from all
+  /// directions.
+  /// @param chance  A uniform random number in [0, 1), for the pane.
+  /// @param point   Two uniform random numbers in [0, 1), for the point on the pane.
   std::optional<PaneSample> sample(Vec3 at, Vec3 normal, double chance, UnitPair point) const;
-  /// The pane that a direction from a place belongs to: among those of the hit's building, the one that the ray crosses
-  /// nearest to the hit, within 1.5 m. kNoPane if there is none. O(panes of the building).
+  /// Returns the index of the pane that a direction from a place belongs to: among the panes of the building that was
+  /// hit, the pane that the ray crosses nearest to the hit, within 1.5 m. kNoPane if there is none. O(panes of the
+  /// building).
   std::uint32_t pane_of(const Hit& hit, Vec3 at, Vec3 direction) const;
-  /// The density, per steradian, with which sample() gives this pane and direction; 0 for kNoPane.
+  /// Returns the density, per steradian, with which sample() gives this pane and direction; 0 for kNoPane.
   double pdf(std::uint32_t pane, Vec3 at, Vec3 normal, Vec3 direction) const;
 
  private:

@@ -18,27 +18,28 @@ struct RenderStatistics {
   bool is_complete = true;                  ///< False if rendering was stopped before all samples were taken.
 };
 
-/// The first surfaces in a picture, which guide filters and compositing. Row by row from the top, as the picture. Each
-/// is a mean over the samples of a pixel, which are filtered like its colour.
+/// The first surfaces in a picture, which guide filters and compositing. Row by row from the top, as the picture.
+/// Albedo, normal and depth are means over the samples of a pixel, weighted like its colour.
 struct Guides {
   std::vector<float> albedo;  ///< 3 a pixel, linear; 0 for the sky.
   std::vector<float> normal;  ///< 3 a pixel: x east, y north, z up; shorter than 1 where surfaces differ.
   /// Mean distance from the viewer over the samples that meet a surface; infinity if none does.
   std::vector<float> depth_m;
   std::vector<float> variance;  ///< Estimated variance of the pixel's mean luminance.
-  std::vector<OsmId> feature;   ///< The OSM object of most samples if one has more than half, else one of those seen.
+  /// The OSM object of more than half of the samples; if there is none, one of the objects that they meet.
+  std::vector<OsmId> feature;
 };
 
 /// Linear RGB, row by row from the top.
 struct Image {
   int width = 0, height = 0;
   std::vector<float> rgb{};
-  Guides guides{};                       ///< Empty unless asked for (Options::has_guides).
+  Guides guides{};                       ///< Empty unless Options::has_guides.
   std::vector<std::uint32_t> samples{};  ///< Samples of each pixel; empty if guides are.
   RenderStatistics statistics{};
 };
 
-/// Facts that are written into a picture's file, by name.
+/// A fact that is written into a picture's file.
 struct Metadata {
   std::string name, value;
 };

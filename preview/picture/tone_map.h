@@ -6,9 +6,9 @@
 
 namespace citykiln::preview {
 
-/// Returns 8 bit sRGB of linear RGB radiance: a fixed exposure, then a filmic curve that keeps hues near white. It is
-/// the same for every picture, so that pictures can be compared. Negative values and those that are not finite count as
-/// black.
+/// Returns 8 bit sRGB of linear RGB radiance: a fixed exposure, then a filmic curve that keeps hues near white. The
+/// mapping does not depend on the picture, so that pictures can be compared. Values that are negative or not finite
+/// count as black.
 /// @param rounding  Added before the fraction of a byte is cut off. In [0, 1).
 std::array<std::uint8_t, 3> tone_map(const float* rgb, double rounding = 0.5);
 

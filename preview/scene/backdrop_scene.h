@@ -1,12 +1,13 @@
-// The land around a scene, in an Embree scene of its own. Rays are tested against it after the scene itself.
+// The backdrop: the land around a scene, in an Embree scene of its own. Rays are tested against it after the scene
+// itself.
 #pragma once
 
 #include "preview/scene/baked_scene.h"
 
 namespace citykiln::preview {
 
-/// The land around a scene in Embree. Immutable. Rays that end above Backdrop::clear, or leave it above all land, do
-/// not enter Embree, so in streets the land around costs a few multiplications a ray.
+/// The backdrop in Embree. Immutable. A ray that stays over Backdrop::clear, where there is no backdrop, or is above
+/// all land when it leaves that box, is not tested in Embree. Rays in streets therefore cost a few multiplications.
 class BackdropScene {
  public:
   /// @param backdrop  Has a tile, which must outlive this object.
@@ -15,8 +16,9 @@ class BackdropScene {
 
   const SceneGeometry& geometry() const { return scene_.geometry(); }
   std::size_t bytes() const { return scene_.bytes(); }
-  /// True if land is nearer than the ray's end. The ray then has that hit.
+  /// True if land is nearer than the ray's end. `found` is then updated to the hit on the land.
   bool intersect(RTCRayHit& found) const;
+  /// True if land is between the ends of the ray.
   bool is_blocking(RTCRay& ray) const;
 
  private:

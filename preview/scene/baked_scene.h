@@ -7,16 +7,16 @@
 
 namespace citykiln::preview {
 
-/// Baked tiles in Embree. Refers to the tiles, which must outlive it.
+/// Baked tiles in Embree. Refers to the tiles, which must outlive this object.
 class BakedScene {
  public:
   /// @param origin  The world's origin in plane metres.
   BakedScene(RTCDevice device, std::span<const bake::BakedTile> tiles, Vec3 origin);
 
   const SceneGeometry& geometry() const { return geometry_; }
-  /// The shining triangles, indexed by Hit::emitter, without those of instances.
+  /// Returns the triangles that shine, indexed by Hit::emitter, without triangles of instances.
   std::span<const Emitter> emitters() const { return emitters_; }
-  /// The bytes of corners, instances and textures, without the tiles and Embree's hierarchies.
+  /// Returns the bytes of corners, instances and textures, without the tiles and Embree's hierarchies.
   std::size_t bytes() const;
 
  private:

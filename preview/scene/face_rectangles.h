@@ -13,8 +13,8 @@ namespace citykiln::preview {
 ///
 /// @param primitive  Has uvs: metres on the image.
 ///
-/// Guarantees: the rectangles depend on the size of texels and on uvs relative to whole texels, so a face has an equal
-/// rectangle wherever its picture lies on an atlas. Total. O(vertices + triangles).
+/// Guarantees: the rectangles depend only on the size of texels and on uvs relative to whole texels, so a face has an
+/// equal rectangle wherever its picture lies on an atlas. Accepts any uvs. O(vertices + triangles).
 std::vector<TexelRectangle> face_rectangles(const bake::Primitive& primitive, const materials::TextureImage& image);
 
 }  // namespace citykiln::preview

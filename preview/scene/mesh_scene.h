@@ -9,7 +9,7 @@
 
 namespace citykiln::preview {
 
-/// A mesh in Embree. Immutable. Refers to the primitives and textures, which must outlive it.
+/// A mesh in Embree. Immutable. Refers to the primitives and textures, which must outlive this object.
 class MeshScene {
  public:
   /// @param marking_atlas  The atlas of the mesh's tile; null: none.
@@ -21,16 +21,17 @@ class MeshScene {
   MeshScene(const MeshScene&) = delete;
   MeshScene& operator=(const MeshScene&) = delete;
 
-  /// True if another mesh is equal, triangle by triangle, and has equal images.
+  /// True if `mesh` is equal to this one, triangle by triangle, and has equal images.
   bool is_of(const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
              std::span<const MaterialTexture* const> materials) const;
 
   RTCScene scene() const { return scene_; }
   const std::vector<MeshPart>& parts() const { return parts_; }
   const std::shared_ptr<const CutoutTexture>& cutout() const { return cutout_; }
+  /// Returns the lowest corner of the mesh's box; high() returns the highest.
   Vec3 low() const { return low_; }
   Vec3 high() const { return high_; }
-  /// The bytes of the copied positions, without primitives and Embree's hierarchy.
+  /// Returns the bytes of the copied positions, without primitives and Embree's hierarchy.
   std::size_t bytes() const;
 
  private:

@@ -1,4 +1,4 @@
-// An image for rays, filtered over the ray's footprint.
+// An image for rays, filtered over the footprint of a ray: the part of the image that the ray covers.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@ namespace citykiln::preview {
 /// The part of an image that a ray covers: an ellipse about `centre`, `across_m` wide and elongated along `along`.
 struct TextureFootprint {
   Vec2 centre;            ///< Metres on the image.
-  Vec2 along;             ///< From the centre to the far end; zero: a disk.
+  Vec2 along;             ///< From the centre to the far end of the ellipse; zero: a disk.
   double across_m = 0;    ///< Diameter; 0: single texels.
-  bool is_rough = false;  ///< True if the nearest texel of the nearest level is good enough.
+  bool is_rough = false;  ///< True: the value of one texel suffices, without interpolation.
 };
 
 /// The meaning of texels.
@@ -49,13 +49,13 @@ class MipTexture {
                       WrapMode sides = WrapMode::kClamp, std::size_t levels = kAllLevels);
 
   const materials::TextureImage& image() const { return *image_; }
-  std::size_t bytes() const;  ///< Levels and the image.
-  /// The mean over a footprint: linear reflectance, numbers, or the normal. Footprints that are not finite give the
-  /// mean of the image.
+  std::size_t bytes() const;  ///< The bytes of the levels and the image.
+  /// Returns the mean over a footprint: linear reflectance, numbers, or the normal. Footprints that are not finite give
+  /// the mean of the image.
   std::array<double, 3> mean(const TextureFootprint& footprint) const;
-  /// The mean over a footprint on a part of the image. The part's outermost texels continue it on all sides, so no
-  /// other texels count, but for those under a coarser level's texel that the part shares. Requires levels with exactly
-  /// half the columns and rows of the finer one; the image does not repeat.
+  /// Returns the mean over a footprint on a part of the image. The part is continued on all sides by its outermost
+  /// texels, so texels outside of it have no effect, except those that share a texel of a coarser level with the part.
+  /// Requires that each level has exactly half the columns and rows of the finer one; the image does not repeat.
   std::array<double, 3> mean(const TextureFootprint& footprint, const TexelRectangle& part) const;
 
  private:

@@ -1,4 +1,6 @@
-// The scattering of light by surfaces: glTF's metals and coated matt surfaces, water, panes of glass, and leaves.
+// The scattering of light by surfaces (BSDF): glTF's metals and coated matt surfaces, water, panes of glass, and
+// leaves. A lobe is a part of the scattering from which directions are sampled: the microfacets of the coat, or the
+// matt body below it.
 #pragma once
 
 #include "preview/rgb.h"
@@ -33,31 +35,30 @@ struct Scattering {
 class Bsdf {
  public:
   /// @param to_eye  Unit, on the side of the surface's normals.
-  /// @param least_alpha  Narrower lobes are widened to this.
+  /// @param least_alpha  The least width of microfacets; narrower ones are widened to it.
   Bsdf(const SurfacePoint& surface, Vec3 to_eye, double least_alpha);
 
-  /// The scattering of light from a direction.
+  /// Returns the scattering towards the eye of light from a direction.
   Scattering scattering(Vec3 from) const;
-  /// The BSDF times cosine of the body alone, without the light that facets reflect once.
+  /// Returns the BSDF times cosine of the body alone, without the light that facets reflect once.
   Rgb matt(Vec3 from) const { return of_body(dot(outside_, from), dot(frame_.z, from)); }
-  /// Makes the caller sample both lobes, one direction each, instead of one of them. The density is then the sum of
-  /// both.
+  /// Declares that the caller samples both lobes, one direction each, instead of one of them. The density is then the
+  /// sum over both lobes.
   void split();
   bool is_split() const { return facets_share_ + body_share_ > 1.5; }
   /// Samples one of the lobes.
-  /// @param lobe  Chooses the lobe. In [0, 1).
+  /// @param lobe  A uniform random number in [0, 1), which chooses the lobe.
   BsdfSample sample(double lobe, UnitPair chance) const;
   BsdfSample sample_facets(UnitPair chance) const;
   /// Samples the matt body.
-  /// @param side  Chooses the side of leaves. In [0, 1).
+  /// @param side  A uniform random number in [0, 1), which chooses the side of a leaf.
   BsdfSample sample_body(double side, UnitPair chance) const;
 
-  /// True if light passes to the other side.
+  /// True if light passes to the other side, as in leaves.
   bool is_two_sided() const { return through_ > 0; }
-  /// The width of the microfacets; 1 for leaves.
+  /// Returns the width of the microfacets; 1 for leaves.
   double alpha() const { return facets_.alpha; }
-  /// The radiance that facets reflect towards the eye under even light of 1, which is the brightness of a mirror's
-  /// picture.
+  /// Returns the radiance that facets reflect towards the eye under even light of 1.
   const Rgb& facets_energy() const { return energy_; }
 
  private:

@@ -10,6 +10,7 @@ namespace citykiln::preview {
 struct Frame {
   Vec3 x, y, z;
 
+  /// Converts a direction to the frame; out_of() converts it back.
   Vec3 into(Vec3 v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
   Vec3 out_of(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
 };
@@ -25,16 +26,16 @@ Frame frame_about(Vec3 normal);
 struct Microfacets {
   double alpha = 1;  ///< > 0.
 
-  /// The density of facet normals, per steradian (D).
+  /// Returns the density of facet normals, per steradian (D).
   double density(Vec3 facet) const;
-  /// The share of facets that are visible from a direction (G1).
+  /// Returns the share of facets that are visible from a direction (G1).
   double seen(Vec3 from) const;
-  /// The share of facets that are visible from both directions (G2).
+  /// Returns the share of facets that are visible from both directions (G2).
   double seen(Vec3 from, Vec3 other) const;
-  /// Samples the normal of a facet that is seen from a direction (Heitz, "Sampling the GGX Distribution of Visible
-  /// Normals", JCGT 7(4), 2018).
+  /// Returns a sample of the normals of facets that are visible from a direction (Heitz, "Sampling the GGX Distribution
+  /// of Visible Normals", JCGT 7(4), 2018).
   Vec3 sample(Vec3 from, UnitPair chance) const;
-  /// The density of sample(), per steradian.
+  /// Returns the density of sample(), per steradian.
   double pdf(Vec3 facet, Vec3 from) const;
 
  private:

@@ -20,8 +20,10 @@ class SingleReflections {
  public:
   explicit SingleReflections(double alpha);
 
+  /// Returns the reflection for a direction towards the eye.
+  /// @param cosine  The cosine of the angle between this direction and the normal, in (0, 1].
   SingleReflection at(double cosine) const;
-  /// The mean for even light from all directions above.
+  /// Returns the mean for even light from all directions above.
   SingleReflection mean() const;
 
  private:

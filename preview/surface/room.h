@@ -1,4 +1,4 @@
-// Rooms behind window panes. Tiles do not hold them: they are boxes, made from the pane that a ray passes.
+// Rooms behind window panes. Tiles have no rooms: a room is a box that is computed from the pane that a ray passes.
 #pragma once
 
 #include <optional>
@@ -20,14 +20,16 @@ struct Pane {
 /// of a vertical rectangle with sides of at least 0.2 m.
 std::optional<Pane> pane_of(const Vec3 (&triangle)[3]);
 
-/// A path of light through the pane to a surface of the room, and from there, perhaps by one more surface, to the eye.
-/// `weight` does not include the two passes through the pane.
+/// A path of light from outside through the pane to a surface of the room, and from there, perhaps by one more surface,
+/// to the eye.
 struct RoomWay {
   Vec3 from{}, direction{};  ///< A point of the pane, and the unit direction, outward, from which light comes.
-  Rgb weight{};              ///< Radiance towards the eye per radiance from there, divided by the density; 0: no light.
-  Vec3 seen_at{};            ///< The first surface of the room that the eye sees.
-  Rgb albedo{};              ///< Its reflectance.
-  Vec3 normal{};             ///< Its unit normal, into the room.
+  /// Radiance towards the eye per radiance from `direction`, divided by the density, without the losses in the glass;
+  /// 0: no light.
+  Rgb weight{};
+  Vec3 seen_at{};  ///< The first surface of the room that the eye sees.
+  Rgb albedo{};    ///< The reflectance at seen_at.
+  Vec3 normal{};   ///< The unit normal at seen_at, into the room.
 };
 
 /// Follows a ray into a room and out again.

@@ -5,7 +5,7 @@
 
 namespace citykiln::preview {
 
-/// A wavy surface as one pixel sees it.
+/// The waves in the footprint of a pixel: the part of the surface that it covers.
 struct Waves {
   Vec3 normal{0, 0, 1};     ///< Unit normal of the waves that are longer than the footprint.
   double slope_spread = 0;  ///< Variance, in one direction, of the slope of all shorter waves.

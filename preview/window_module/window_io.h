@@ -21,7 +21,7 @@ struct CitykilnInput {
 void* citykiln_open_window(int width, int height, const char* title, char* error, int error_size);
 
 /// Shows 8 bit sRGB pixels, row by row from the top, in the middle of the window, as large as their aspect ratio
-/// allows, and fills `input`. A null picture keeps the one before.
+/// allows, and fills `input`. If `rgb` is null, the window keeps its picture.
 void citykiln_show(void* window, const unsigned char* rgb, int width, int height, struct CitykilnInput* input);
 
 /// Closes a window that was opened.

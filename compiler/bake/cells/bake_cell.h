@@ -1,4 +1,5 @@
-// Bakes the cells of a tile one by one for a viewpoint, for programs that generate only the cells that they need.
+// Bakes the cells of a tile (128 m squares of ground with their objects) one by one for a viewpoint, for programs that
+// generate only the cells that they need.
 //
 //     prepare_cells()                data of the whole tile: graded terrain, placed plants, markings; objects by cell
 //       └ bake_cell(tile, cell)      the cell's ground, and the objects whose bounds' centre lies in the cell
@@ -18,17 +19,19 @@ namespace citykiln::bake {
 /// A tile whose cells can be baked. Immutable.
 struct CellTile;
 
-/// Prepares a tile. The result refers to header, chunk and view, which must outlive it. Cost: about a quarter of baking
-/// the tile.
+/// Prepares a tile. Cost: about a quarter of baking the tile.
+/// @param header, chunk, view  Must outlive the result, which refers to them.
+/// @param prototypes           Shared meshes of plants.
 std::shared_ptr<const CellTile> prepare_cells(const scene::Header& header, const scene::Chunk& chunk,
                                               const ViewLevels& view, std::shared_ptr<const PrototypeCache> prototypes);
 
 /// An estimate of the memory of a prepared tile: its arrays, without the recipes that it refers to.
 std::size_t bytes_of(const CellTile& tile);
 
-/// Bakes one cell, by its index in cells_of(). All cells of a tile together have the triangles and instances of bake()
-/// for the view, at the same levels. Objects whose centre lies in no cell of the tile are in the nearest one.
-/// Thread-safe. Cannot fail. Cost: linear in the cell's objects.
+/// Bakes one cell. All cells of a tile together have the triangles and instances of bake() for the same view. An object
+/// belongs to the cell that contains the centre of its bounds, else to the nearest cell. Thread-safe. Cannot fail.
+/// Cost: linear in the cell's objects.
+/// @param cell  Index in cells_of().
 BakedCell bake_cell(const CellTile& tile, std::size_t cell);
 
 /// Returns bounds of each cell's meshes and instances, in the order of cells_of(), from the recipes only. They allow

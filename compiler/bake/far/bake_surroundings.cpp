@@ -35,7 +35,7 @@ std::vector<materials::MaterialMesh> meshes_of(const scene::Scene& scene, bool i
        .land_at =
            [&](Vec3 at, Vec3 normal) {
              const double drop_m = is_curved ? surroundings::drop_m(surroundings::away_m(extent, in_plan(at))) : 0;
-             return look_of(land, at + Vec3{0, 0, drop_m}, normal);
+             return far_material_of(land, at + Vec3{0, 0, drop_m}, normal);
            }});
 }
 

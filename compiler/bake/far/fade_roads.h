@@ -6,10 +6,10 @@
 
 namespace citykiln::bake {
 
-/// Moves each triangle of roads and of ground under buildings to the primitive of the nearest other ground, counted in
-/// triangles, if every point of the triangle is within the tolerance of that primitive. Its vertices get the colour of
-/// that ground and no feature. Triangles are never moved to ground with uvs. error_m grows by the certified distance,
-/// at most the tolerance: shapes stay, but borders of materials move. O(n log n).
+/// Gives each triangle of roads, and of ground under buildings, the material and colour of the nearest other ground,
+/// counted in triangles. A triangle changes only if every point of it is within the tolerance of that ground, and only
+/// to ground without uvs. Its vertices lose their feature. error_m grows by the certified distance, at most the
+/// tolerance: shapes stay, but borders of materials move. O(n log n).
 void fade_roads(BakedTile& tile, double tolerance_m);
 
 }  // namespace citykiln::bake

@@ -185,7 +185,7 @@ FarLand far_land_of(const scene::GroundLookup& lookup, const scene::Header& head
   return land;
 }
 
-materials::SurfaceMaterial look_of(const FarLand& land, Vec3 place, Vec3 normal) {
+materials::SurfaceMaterial far_material_of(const FarLand& land, Vec3 place, Vec3 normal) {
   assert(!land.ring.empty());
   const Vec2 at = in_plan(place);
   const GroundFace face{.surface = map::LandCoverClass::kMeadow, .normal = normal, .centre = place};

@@ -11,7 +11,7 @@ namespace citykiln::bake {
 
 using Colour = std::array<double, 3>;
 
-/// The land cover at the edge in one direction.
+/// The land cover along one direction of a scene's edge. Colours are linear reflectances.
 struct EdgeCover {
   double wood_share = 0;   ///< Share of wood in the land that is not built on.
   Colour open{};           ///< Mean colour of land that is neither wood nor built on.
@@ -19,26 +19,28 @@ struct EdgeCover {
   Colour built{};          ///< Mean colour of these.
 };
 
-/// The land cover at the edge of a scene.
+/// The land cover along the edge of a scene.
 struct FarLand {
   const scene::Header& header;
   Vec2 centre;                  ///< Centre of the edge.
   std::vector<EdgeCover> ring;  ///< Directions at equal steps along the edge, counter-clockwise from east; not empty.
-  EdgeCover mean{};
+  EdgeCover mean{};             ///< The mean of all directions.
 };
 
-/// Samples the land cover along the border of the scene's tiles. Only land of known class counts. If there is none, the
+/// Samples the land cover along the border of the scene's tiles. Only land of known class counts; if there is none, the
 /// result is unknown ground.
+/// @param lookup  Gives the land cover at places of the scene.
 /// @param header  Must outlive the result.
 FarLand far_land_of(const scene::GroundLookup& lookup, const scene::Header& header);
 
 /// The material and tint of land beyond the edge. The material is mostly kScree, which is lighter than vegetation, and
-/// the tint gives it the land's colour; ground lighter than scree is shown as light as scree.
+/// the tint gives it the land's colour. Ground lighter than scree is shown as light as scree.
 /// @param place   Plane metres; z is the height above sea level.
 /// @param normal  Unit length.
-materials::SurfaceMaterial look_of(const FarLand& land, Vec3 place, Vec3 normal);
+materials::SurfaceMaterial far_material_of(const FarLand& land, Vec3 place, Vec3 normal);
 
-/// At this distance from the edge, half the difference between a direction's colour and the mean is left.
+/// The distance from the edge at which half the difference between the colour of a direction and the mean colour is
+/// left.
 inline constexpr double kEdgeFade_m = 2000;
 
 }  // namespace citykiln::bake

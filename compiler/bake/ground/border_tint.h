@@ -1,4 +1,5 @@
-// Blends tints at the borders between areas with soft borders.
+// Blends the tints of areas (random variations of the ground's colour) at soft borders, such as between grass and
+// scrub.
 #pragma once
 
 #include <vector>
@@ -8,17 +9,17 @@
 
 namespace citykiln::bake {
 
-/// Tints of the vertices that several surfaces with soft borders (ground_tint.h) share; undefined at other vertices.
+/// Tints of the vertices that several surfaces with soft borders (ground_tint.h) share.
 struct BorderTints {
-  std::vector<TintFactor> tints;
+  std::vector<TintFactor> tints;  ///< One per vertex; meaningful only where is_shared.
   std::vector<bool> is_shared;
 };
 
-/// Returns for each shared vertex the mean tint of the surfaces about it. On the border of a cell no vertex counts as
-/// shared, as the cells on both sides must agree, and each knows only its own faces.
+/// Returns for each shared vertex the mean tint of the surfaces about it. Vertices on the border of a cell (a 128 m
+/// square) never count as shared: each cell has only its own faces, and both cells must agree.
 ///
-/// Limits: only tints are blended, not the materials' colours and textures, as these would cover large triangles in
-/// their neighbour's colour. The transition is as wide as the triangles at the border.
+/// Limits: only tints are blended, not the materials' colours and textures, which would cover large triangles in their
+/// neighbour's colour. The transition is as wide as the triangles at the border.
 BorderTints border_tints(const ground::GroundMesh& ground, const std::vector<ground::LandCoverPolygon>& surfaces,
                          std::uint64_t seed, plants::Month month = plants::kMidsummer);
 

@@ -22,7 +22,7 @@ struct GroundFace {
 inline constexpr double kSteepCosine = 0.669;
 /// The cosine of the steepest slope on which snow lies, 58°.
 inline constexpr double kSnowCosine = 0.53;
-/// The snow line varies by this height, up and down.
+/// The snow line varies from place to place by up to this height, up and down.
 inline constexpr double kSnowLineSway_m = 40;
 
 /// True for groups of natural land: neither water nor built nor sports ground.

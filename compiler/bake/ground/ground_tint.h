@@ -21,16 +21,16 @@ bool is_paved(map::LandCoverClass surface);
 /// gardens have sharp edges.
 bool has_soft_border(map::LandCoverClass surface);
 
-/// The tint of a surface in a month: of a field's crop (seasonal_tints.inc), or of an area's brightness. Both are drawn
-/// at random by the surface's id. Paved ground has no tint.
+/// The tint of a surface in a month: the tint of a field's crop (seasonal_tints.inc), or the brightness of an area.
+/// Both are drawn at random from the surface's id and the seed. Paved ground has no tint.
 TintFactor surface_tint(const ground::LandCoverPolygon& surface, materials::Material material, std::uint64_t seed,
                         plants::Month month = plants::kMidsummer);
 
 /// The tint of a material in a month (seasonal_tints.inc); 1 for materials that do not change with the season.
 TintFactor seasonal_tint(plants::Month month, materials::Material material);
 
-/// The tint of a place: noise of brightness and, on vegetation, of dryness, with wavelengths of 35 to 300 m. A function
-/// of the place, so that tiles agree.
+/// The tint of a place: noise of brightness and, on vegetation, of dryness, with wavelengths of 35 to 300 m. It depends
+/// on the place and the seed only, so neighbouring tiles agree.
 TintFactor place_tint(Vec2 place_m, materials::Material material, std::uint64_t seed);
 
 /// The product of both tints, in the form of vertex colours (COLOR_0).

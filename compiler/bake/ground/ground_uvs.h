@@ -11,17 +11,18 @@
 
 namespace citykiln::bake {
 
-/// The direction of u on a surface: east, or, for materials with rows, a random direction by the surface's id; rows run
-/// along v.
+/// Returns the direction of u on a surface. It is east or, for materials with rows (such as fields), a random direction
+/// that depends on the surface's id; rows run along v.
 Vec2 texture_direction(ObjectId surface, materials::Material material, std::uint64_t seed);
 
-/// Returns uv on land: metres along the direction (unit length), and to its left. Functions of this file return
+/// Returns uv on land: metres along `direction` (u), and metres to its left (v). All functions of this file return
 /// multiples of materials::kTextureCoordinateStep_m.
+/// @param direction  Unit length.
 Vec2 uv_on_land(Vec2 at, Vec2 direction);
 /// Returns uv on a steep face: metres east or north, whichever is nearer to the wall's direction, and metres up.
 Vec2 uv_on_wall(Vec3 at, Vec3 normal);
 
-/// The nearest multiple of materials::kTextureCoordinateStep_m.
+/// Returns the nearest multiple of materials::kTextureCoordinateStep_m.
 Vec2 on_grid(Vec2 uv);
 
 /// The multiple of materials::kTexturePeriod_m to subtract from a triangle's uvs, so that they are less than a period

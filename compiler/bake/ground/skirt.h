@@ -11,13 +11,13 @@
 
 namespace citykiln::bake {
 
-/// The depth of a skirt in tolerances: the sum of both tiles' errors if the next level is at most five times coarser,
-/// as in the default levels.
+/// The depth of a skirt, in tolerances of its tile. It covers the errors of both tiles if the coarser one has at most
+/// five times the tolerance, as in the default levels.
 inline constexpr double kSkirtDepthTolerances = 6;
 
-/// Adds vertical faces, facing outwards, below every edge in the border of the tile. Their vertices have the normals,
-/// tints and uvs of the vertices above, so that they look like the ground beside them. They are not part of the
-/// ground's certified error. O(triangles).
+/// Adds outward-facing vertical faces below every edge of the surface that lies in the tile's border. Their vertices
+/// repeat the normals, tints and uvs of the vertices above, so that they look like the ground beside them. Skirts are
+/// not part of the ground's certified error. O(triangles).
 void add_skirt(materials::MaterialMesh& surface, const Box2& tile, double depth_m);
 
 }  // namespace citykiln::bake

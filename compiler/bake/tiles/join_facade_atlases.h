@@ -1,4 +1,5 @@
-// Joins the facade atlases of several tiles to one. They are stacked in columns, each as high as an image may be.
+// Joins the facade atlases of several tiles to one. Atlases are stacked in columns; each column is as high as an image
+// may be.
 #pragma once
 
 #include <span>
@@ -12,7 +13,8 @@ namespace citykiln::bake {
 /// The joined atlas, and where each input is in it.
 struct JoinedFacadeAtlases {
   impostor::Atlas atlas;
-  /// The transform of texture coordinates: at_m + scale · uv. The scale is not 1 for tiles with other texel sizes.
+  /// The transform of an input's texture coordinates: at_m + scale · uv. The scale is not 1 for inputs with another
+  /// texel size.
   struct Place {
     Vec2 at_m;
     double scale = 1;

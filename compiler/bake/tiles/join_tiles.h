@@ -8,10 +8,10 @@
 
 namespace citykiln::bake {
 
-/// How tiles that extend over more than 16 km are treated, where multiples of 2^-10 m are no longer exact in single
-/// precision.
+/// Treatment of tiles that extend over more than 16 km, where single precision no longer holds multiples of 2^-10 m
+/// exactly.
 enum class JoinPrecision {
-  kExact,   ///< They are an error.
+  kExact,   ///< An error.
   kRounded  ///< Positions are rounded, by up to 2^-24 of their distance from the origin; error_m grows by that.
 };
 

@@ -1,4 +1,5 @@
-// Welds primitives to one mesh that shares vertices by position, for decimation.
+// Welds primitives (triangles by material) to one mesh whose vertices are shared by position, for decimation: removing
+// vertices within a tolerance.
 #pragma once
 
 #include <map>
@@ -10,11 +11,12 @@
 
 namespace citykiln::bake {
 
-/// Numbers positions in the order of their first use. Equal positions get the same number.
+/// Numbers positions in the order of their first use, from 0. Equal positions get one number.
 struct PositionNumbers {
   std::map<Float3, std::uint32_t> numbers;
   std::vector<Float3> positions;
 
+  /// Returns the number of a position.
   std::uint32_t of(const Float3& p) {
     const auto [found, is_new] = numbers.emplace(p, static_cast<std::uint32_t>(positions.size()));
     if (is_new) positions.push_back(p);
@@ -22,21 +24,23 @@ struct PositionNumbers {
   }
 };
 
-/// The result of welded(). Labels are indices of primitives. Vertices at which a primitive has several uvs are locked,
-/// as a seam runs there.
+/// The result of welded(). The label of a triangle is the index of its primitive. A vertex is locked, so that
+/// decimation keeps it, if a primitive has several uvs there, which is a seam of its texture.
 struct WeldedPrimitives {
   simplify::LabelledMesh mesh;
   std::vector<std::map<std::uint32_t, std::uint32_t>> vertex_at;  ///< By primitive: its first vertex at each position.
 };
 
-/// Welds the primitives for which `is_in` is true. Triangles that are degenerate after welding are left out. O(n log
-/// n).
+/// Welds the primitives that `is_in` selects. Triangles that are degenerate after welding are left out. O(n log n).
 WeldedPrimitives welded(std::span<const Primitive> primitives, bool (*is_in)(const Primitive&));
 
 /// The primitive with only these triangles and their vertices, in the order of their first use.
 Primitive with_triangles(const Primitive& from, std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Returns the triangles of a decimated mesh that belong to a primitive, with the primitive's own vertices.
+/// Returns the triangles of a decimated mesh that belong to one primitive, with that primitive's own vertices.
+/// @param from    The primitive before welding.
+/// @param source  Result of welded().
+/// @param label   Index of the primitive.
 Primitive decimated_primitive(const Primitive& from, const WeldedPrimitives& source, std::uint32_t label,
                               const simplify::DecimatedMesh& decimated);
 

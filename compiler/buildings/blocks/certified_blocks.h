@@ -1,4 +1,5 @@
-// Blocks with a certified error: a block too far from its buildings is divided again.
+// Blocks with a certified error. A block is a prism that replaces neighbouring buildings of similar height. A block too
+// far from its buildings is divided again.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +19,14 @@ struct BlockSources {
   std::span<const simplify::Corners> ground;  ///< The ground of the level.
 };
 
+/// The blocks, and the buildings that are not replaced.
 struct CertifiedBlocks {
   std::vector<Block> blocks;
-  std::vector<std::uint32_t> kept;  ///< Buildings that belong to no block: their shapes stay.
+  std::vector<std::uint32_t> kept;  ///< Indices of buildings that belong to no block, and are shown by their shapes.
   double error_m = 0;               ///< Certified error, at most the tolerance.
 };
 
-/// Returns the tolerance of BlockSources::shapes for a tolerance of blocks.
+/// Returns the tolerance at which BlockSources::shapes are generated, for a tolerance of blocks.
 double block_source_tolerance_m(double tolerance_m);
 
 /// Returns blocks that stand for the buildings.

@@ -16,9 +16,9 @@ namespace citykiln::buildings {
 
 /// The role of a building in merging.
 enum class BlockRole : std::uint8_t {
-  kMerged,  ///< It may be merged with neighbours. Small blocks are left out.
-  kAlone,   ///< It is a block of its own.
-  kAbsent   ///< It is in no block, and its area is free.
+  kMerged,  ///< The building may be merged with neighbours. Small blocks are left out.
+  kAlone,   ///< The building is a block of its own.
+  kAbsent   ///< The building is in no block, and other buildings may take its area.
 };
 
 /// The share of the tolerance that each step of merging may use.

@@ -16,7 +16,8 @@ namespace citykiln::commands {
 /// The properties of a feature as JSON, in the order in which they are added: `,"name":"Rue Grimaldi"`.
 class Properties {
  public:
-  /// Adds a text; an empty one is left out. @param value  Valid UTF-8.
+  /// Adds a text; an empty one is left out.
+  /// @param value  Valid UTF-8.
   void add(std::string_view name, std::string_view value);
   void add(std::string_view name, const char* value) { add(name, std::string_view(value)); }
   /// Adds a number with the fewest digits that preserve it.
@@ -34,6 +35,7 @@ class Properties {
   std::string json_;
 };
 
+/// The geometry of a feature.
 enum class GeometryKind { kPoint, kLine, kPolygon };
 
 /// One feature of a layer.
@@ -50,7 +52,7 @@ struct LayerFeature {
 /// The features of one layer.
 using Layer = std::vector<LayerFeature>;
 
-/// Returns the points with height 0, for features without has_z.
+/// Returns points as the coordinates of a feature without has_z; z is 0.
 std::vector<Vec3> flat(std::span<const Vec2> points);
 /// Returns polygons as the parts of a feature without has_z.
 std::vector<std::vector<std::vector<Vec3>>> flat(std::span<const Polygon> polygons);

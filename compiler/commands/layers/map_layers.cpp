@@ -23,7 +23,7 @@ Layer mapped_roads(const map::Features& features) {
     add_name(road.properties, features, track.id);
     add_section(road.properties, track.section);
     add_surface(road.properties, track.surface);
-    add_place(road.properties, track.layer, track.passage);
+    add_layer_and_passage(road.properties, track.layer, track.passage);
     road.properties.add("oneway", track.is_oneway), road.properties.add("lit", track.is_lit);
   }
   return layer;
@@ -93,7 +93,7 @@ void add_junctions(const roads::RoadLayer& network, const map::Features& feature
     LayerFeature* junction = add_flat_polygons(layer, main.id, class_of(main.surface), outlines[j]);
     if (junction == nullptr) continue;
     add_name(junction->properties, features, main.id);
-    add_place(junction->properties, network.layer, network.passage);
+    add_layer_and_passage(junction->properties, network.layer, network.passage);
   }
 }
 

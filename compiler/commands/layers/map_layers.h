@@ -9,9 +9,10 @@
 
 namespace citykiln::commands {
 
-/// Returns the layer `name` (layer_names()) of a map, without heights: each object once. Areas end at the border of the
-/// extent. Junctions of bridges and tunnels follow those of the ground. Polygons are valid (OGC Simple Features).
-/// Error: an unknown name.
+/// Returns a layer of a map, without heights, each object once. Areas end at the border of the extent. Junctions of
+/// bridges and tunnels follow the junctions on the ground. Polygons are valid (OGC Simple Features). Error: an unknown
+/// name.
+/// @param name  One of layer_names().
 Result<Layer> layer_of(const map::Features& features, const std::string& name);
 
 }  // namespace citykiln::commands

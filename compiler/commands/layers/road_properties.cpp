@@ -24,7 +24,7 @@ void add_surface(Properties& properties, map::LandCoverClass surface) {
   properties.add("surface", materials::values_of(map::values_of(surface).material).name);
 }
 
-void add_place(Properties& properties, int layer, map::Passage passage) {
+void add_layer_and_passage(Properties& properties, int layer, map::Passage passage) {
   properties.add("layer", layer);
   properties.add("bridge", passage == map::Passage::kBridge);
   properties.add("tunnel", passage == map::Passage::kTunnel);

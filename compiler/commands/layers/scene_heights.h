@@ -1,4 +1,5 @@
-// The heights of the ground of a whole manifest, from the graded terrain of its tiles.
+// The heights of the ground of a whole manifest (a compiled scene), from the graded terrain of its tiles: the terrain
+// after roads and water have cut into it.
 #pragma once
 
 #include <vector>
@@ -16,10 +17,10 @@ struct SceneHeights {
 /// Grades the terrain of all tiles.
 SceneHeights heights_of(const scene::Scene& scene);
 
-/// Returns the height at which objects on the ground stand at p (ground::land_m): that of the land, and on roads that
-/// of the tops of their kerbs. Outside all tiles it is that of the terrain in the nearest tile. O(roads near).
+/// Returns the height at which objects stand at p: the height of the land, on roads of the kerbs' tops; outside all
+/// tiles the height of the terrain in the nearest tile. O(roads near).
 double land_m(const SceneHeights& heights, Vec2 p);
-/// Returns the height of a face of the ground at p, for water that of its surface.
+/// Returns the height of a ground face at p: the height of its height layer or, for standing water, the water's level.
 double face_m(const SceneHeights& heights, Vec2 p, const ground::FaceHeight& face);
 
 }  // namespace citykiln::commands

@@ -81,7 +81,7 @@ void add_road(const Context& context, const roads::Road& road, int layer_number,
     context.add_name(feature.properties, road.id);
     add_section(feature.properties, road.section);
     add_surface(feature.properties, road.surface);
-    add_place(feature.properties, layer_number, passage);
+    add_layer_and_passage(feature.properties, layer_number, passage);
     feature.properties.add("lit", road.is_lit);
   }
   layer.back().parts.push_back({lifted_axis(context, road)});

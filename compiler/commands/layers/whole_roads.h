@@ -1,4 +1,4 @@
-// Puts the roads of a manifest together again from the pieces in its chunks.
+// Joins the pieces of roads in the chunks of a manifest (the recipes of one tile each) to whole roads.
 #pragma once
 
 #include <vector>

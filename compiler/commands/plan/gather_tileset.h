@@ -1,4 +1,5 @@
-// Joins the tilesets of regions to one tileset.
+// Reads the 3D Tiles of the regions of a plan, and joins them to one tree. A region is a part of the map that was
+// compiled on its own.
 #pragma once
 
 #include <string>
@@ -15,7 +16,8 @@ namespace citykiln::commands {
 /// Errors: a file that cannot be read or is not such a tileset.
 Result<exporters::TilesetTile> read_tileset(const std::string& folder, const std::string& prefix);
 
-/// Returns a root without content above several trees, so that all are shown. Its error is twice the largest of theirs.
+/// Returns a tile without content whose children are the given trees, so that all of them are shown. Its geometric
+/// error is twice the largest error of its children.
 /// @param trees  Not empty; a single tree is returned unchanged.
 exporters::TilesetTile joined_trees(std::vector<exporters::TilesetTile>&& trees);
 

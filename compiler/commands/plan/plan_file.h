@@ -1,4 +1,5 @@
-// The folder of a plan:
+// Reads and writes plan.json, and names the files in the folder of a plan. A plan divides a large map into regions,
+// squares of whole tiles that separate tasks compile.
 //
 //     PLAN/plan.json           settings, extent, regions with their expected cost
 //     PLAN/build.ninja         tasks for Ninja; submit.sh for Slurm
@@ -24,18 +25,19 @@
 
 namespace citykiln::commands {
 
-/// The expected cost of a task (expected_cost.h).
+/// The expected cost of a task: time on one core, largest memory, and size of all outputs (expected_cost.h).
 struct ExpectedCost {
   double seconds = 0;
   std::uint64_t memory_bytes = 0, output_bytes = 0;
 };
 
-/// A region of a plan, with the counts that its cost is estimated from.
+/// A region of a plan, with the counts from which its cost is estimated.
 struct PlannedRegion {
   regions::RegionKey key;
   std::size_t tiles = 0;
-  regions::RegionFile file;
-  std::size_t terrain_vertices = 0;  ///< The number of vertices of its heights, with the halo.
+  regions::RegionFile file;  ///< Counts of the map elements in the region's file.
+  /// Number of heights of the region and its halo, the data around it that it is compiled with.
+  std::size_t terrain_vertices = 0;
   ExpectedCost expected;
 };
 
@@ -61,11 +63,13 @@ Result<CompileRequest> request_of(const Plan& plan);
 /// Returns the region named "X_Y". Error: the plan has no such region.
 Result<PlannedRegion> region_named(const Plan& plan, const std::string& name);
 
-/// Returns a function that is true for the places that a region owns. The region reports the elements there
-/// (source/owned_elements.h).
+/// Returns a function that is true for places in the region, or outside the extent and nearest to it. The region
+/// reports the elements there (source/owned_elements.h).
 source::OwnsPlace owned_places(const Plan& plan, const map::Plane& plane, regions::RegionKey region);
 
+/// Returns the path of the file with the region's elements.
 std::string cut_path(const std::string& plan_folder, regions::RegionKey region);
+/// Returns the folder of the region's outputs.
 std::string outputs_path(const std::string& plan_folder, regions::RegionKey region);
 /// Returns the path of the diagnoses that belong to no region, in the format of findings.json.
 std::string survey_findings_path(const std::string& plan_folder);

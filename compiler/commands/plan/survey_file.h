@@ -1,4 +1,5 @@
-// PLAN/survey/X_Y.kiln: the facts that a region cannot derive from its own data, as a manifest of one chunk.
+// PLAN/survey/X_Y.kiln: facts that region X_Y of a plan cannot find in its own data, as a manifest (scene file) of one
+// chunk. The survey finds them in the whole map, such as levels of lakes and coastlines.
 #pragma once
 
 #include <string>
@@ -8,9 +9,9 @@
 
 namespace citykiln::commands {
 
-/// Writes a file per region, unless the file already has these bytes. It holds the header of the survey, and a chunk
-/// with the key of the region's first tile and the heights and waters within the region's halo. Errors: a file that
-/// cannot be written. Memory: the survey, and the part of one region.
+/// Writes a file per region, unless the file already has these bytes. It holds the header of the survey, and one chunk
+/// with the key of the region's first tile and the heights and waters in the region and its halo (the data around it
+/// that it is compiled with). Errors: a file that cannot be written. Memory: the survey, and the part of one region.
 Result<Done> write_survey(const Survey& survey, const regions::RegionGrid& grid, const std::string& plan_folder,
                           int threads);
 

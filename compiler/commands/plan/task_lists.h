@@ -13,7 +13,7 @@ std::string shell_quoted(const std::string& text);
 /// Escapes a path for either side of a build statement of Ninja. A line break, which Ninja cannot express, becomes a
 /// space.
 std::string ninja_path(const std::string& path);
-/// Escapes a command for a rule of Ninja.
+/// Escapes a command for a rule of a Ninja file.
 std::string ninja_command(const std::string& command);
 
 /// Returns the scripts of a plan by file name. They are run in the folder of the plan, which can be moved.

@@ -15,6 +15,8 @@
 
 namespace citykiln::commands {
 
+/// Returns the folder of a zone, which is the plan of the zone. A zone is a part of a wide extent with a plane of its
+/// own.
 std::string zone_path(const std::string& plan_folder, const std::string& zone);
 
 /// Returns the files of the folder by name. Zones are compiled one after the other, the regions of each in parallel.

@@ -46,8 +46,9 @@ struct CameraRequest {
 /// Returns the options, which store their values in the request. It must outlive them.
 std::vector<Option> camera_options(CameraRequest& request);
 
-/// Returns the cameras of all frames; a single camera unless a film is requested. Errors: points without a ground or a
-/// plane to refer to, options that contradict each other, a path that cannot be read.
+/// Returns the cameras of all frames; a single camera unless a film is requested. Errors: a point above the ground
+/// where there is no ground; longitude and latitude without a scene that defines the plane; options that contradict
+/// each other; a path that cannot be read.
 Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, const PreviewScene& scene,
                                                 const Console& console);
 

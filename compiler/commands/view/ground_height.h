@@ -14,8 +14,8 @@ namespace citykiln::commands {
 /// if there is none. O(triangles of these layers).
 std::optional<double> ground_height_m(std::span<const bake::BakedTile> tiles, Vec2 place);
 
-/// Returns the height of the graded terrain at a place, in plane metres; empty outside all tiles. Cost: that of grading
-/// the terrain of one tile.
+/// Returns the height of the graded terrain (the terrain after roads and water have cut into it) at a place, in plane
+/// metres; empty outside all tiles. Cost: grading the terrain of one tile.
 std::optional<double> ground_height_m(const scene::Scene& scene, Vec2 place);
 
 }  // namespace citykiln::commands

@@ -1,5 +1,5 @@
-// Loads a manifest for rendering from its recipes: cells of the ground, with the objects on them, are generated when
-// rays meet them.
+// Loads a manifest (a compiled scene) for rendering from its recipes. A cell is a 128 m square of ground with the
+// objects on it; it is generated when the first ray meets it.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,8 @@ struct Viewing {
   int width_px = 0, height_px = 0;  ///< The size of each picture. > 0.
 };
 
-/// Returns the eyes of all pictures; for a moving camera also the eye at the end of the motion.
+/// Returns the viewpoints of all pictures; for a moving camera also the viewpoint at the end of the motion.
+/// @param pixel_error  The largest error in a picture, in pixels.
 Viewers viewers_of(const Viewing& viewing, double pixel_error);
 
 /// Returns 2 GB, or half of the machine's memory if that is less.
@@ -49,8 +50,8 @@ Result<scene::Scene> read_scene(const LoadRequest& request);
 /// Bakes coarse tiles of a scene, from which named views are chosen.
 std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads);
 
-/// Returns the cells of a scene, as fine as the pictures need. For a single camera at rest, cells that are not in the
-/// picture and cast no shadow into it may have errors up to unseen_deg.
+/// Returns the cells of a scene, as fine as the pictures need. For a single camera at rest, cells that are neither in
+/// the picture nor cast a shadow into it may have errors up to unseen_deg.
 std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const Viewing& viewing,
                                                      const CellRequest& request);
 

@@ -1,4 +1,4 @@
-// Loads baked tiles: bakes a manifest, or reads .glb files or a run's folder.
+// Loads baked tiles: bakes a manifest (a compiled scene), or reads .glb files or the folder of a run.
 #pragma once
 
 #include <optional>
@@ -31,7 +31,7 @@ struct LoadRequest {
   int threads = 0;
 };
 
-/// The tiles, and what else is known of their scene.
+/// The tiles of a request, and their scene's header and surroundings.
 struct Loaded {
   std::vector<bake::BakedTile> tiles;         ///< Sorted by tile.
   std::optional<scene::Header> header;        ///< From the given manifest, or the one beside the .glb folder.
@@ -51,17 +51,17 @@ struct TileTree {
   std::vector<bake::BakedTile> coarse{};  ///< The tiles of `coarse_paths`: the level of each tile nearest to 2.5 m.
 };
 
-/// Reads the list of a folder's .glb tiles, or its 3D Tiles if it has no others, and coarse tiles. The box of a .glb
-/// tile is that of its coarse level, widened by the error. Errors: a folder without a finished run, without tiles, or
-/// without the requested ones.
+/// Reads the list of a folder's .glb tiles (or of its 3D Tiles, if it has no .glb tiles), and the coarse tiles. The box
+/// of a .glb tile is the box of its coarse level, widened by the error. Errors: a folder without a finished run,
+/// without tiles, or without the requested ones.
 Result<TileTree> read_tile_tree(const LoadRequest& request, const OnProgress& on_progress);
 
-/// Returns the header of a manifest; empty if the file is missing or has none of the tiles. The inner tiles of a
-/// tileset are not in a manifest.
+/// Returns the header of a manifest; empty if the file is missing or holds none of the tiles. No manifest holds the
+/// inner tiles of a tileset.
 std::optional<scene::Header> header_of(const std::string& manifest_path, std::span<const bake::BakedTile> tiles);
 
-/// Reads the contents of a tree at these paths (contents_of()). Reuses those among the coarse tiles, and frees the
-/// other coarse tiles.
+/// Reads the contents of a tree at these paths (result of contents_of()). Coarse tiles among them are reused; the other
+/// coarse tiles are freed.
 Result<Loaded> load_contents(TileTree& tree, const std::vector<std::string>& paths, const OnProgress& on_progress);
 
 /// Loads the tiles of a request. Errors: files that cannot be read, a folder without the requested tiles and level,

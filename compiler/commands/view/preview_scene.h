@@ -59,13 +59,14 @@ struct SceneRequest {
 /// Loads the scene of a request. Errors: those of load_tiles(); a time that does not parse.
 Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnProgress& on_progress);
 
-/// Reads the tiles of `scene.tree`, each at the coarsest level whose error is at most the pixel error in every picture;
-/// without cameras at the finest level. Sets sky and lamps. Does nothing for other scenes. Errors: those of reading.
+/// Reads the tiles of `scene.tree`: for each place the coarsest level whose error is at most the pixel error in every
+/// picture; without cameras the finest level. Then sets sky and lamps. Does nothing for other scenes. Errors: files
+/// that cannot be read.
 Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const Viewing& viewing,
                          const OnProgress& on_progress);
 
-/// Removes the land around if it would hide the scene from a camera outside the tiles (hidden_by_land.h). Returns true
-/// if it does. Views are chosen for the tiles alone.
+/// Removes the land around the tiles if it would hide them from a camera outside the tiles (hidden_by_land.h). Returns
+/// true if it was removed. Named views are chosen without regard to the land around.
 bool leave_out_hiding_land(PreviewScene& scene, std::span<const preview::Camera> cameras);
 
 /// Returns one line with the number of tiles at each tolerance.

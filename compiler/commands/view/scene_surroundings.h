@@ -17,7 +17,8 @@ preview::Surroundings surroundings_of(const scene::Scene& scene);
 /// Returns the ground that continues the edge of the chunks, even if the header has a grid around them.
 preview::Surroundings plain_around(const scene::Scene& scene);
 
-/// Returns fog up to the height below which this share of the scene's terrain lies, 0 to 1.
+/// Returns fog that reaches up to a height.
+/// @param share  Share of the scene's terrain that lies below this height, 0 to 1.
 preview::Fog fog_of(const scene::Scene& scene, double share);
 
 }  // namespace citykiln::commands

@@ -36,9 +36,10 @@ inline constexpr NumberRange kFieldsOfView_deg{0, 180};
 /// Returns the height of the ground at a place, in plane metres; empty outside the scene.
 using GroundHeight = std::function<std::optional<double>(Vec2)>;
 
-/// Returns a point in plane metres that was given in the plane or by longitude and latitude; empty if neither was
-/// given. Errors: longitude and latitude without a header, which defines the plane; a height above the ground where
-/// there is none.
+/// Returns a point in plane metres; empty if neither argument is given. Errors: longitude and latitude without a
+/// header, which defines the plane; a height above the ground where there is no ground.
+/// @param in_plane, lonlat  The point in plane metres, or as longitude, latitude and height. At most one is given.
+/// @param ground_m          The height of the ground.
 Result<std::optional<Vec3>> point_of(const std::optional<GivenPoint>& in_plane, const std::optional<GivenPoint>& lonlat,
                                      const std::optional<scene::Header>& header, const GroundHeight& ground_m);
 

@@ -1,4 +1,4 @@
-// The page of a run's worst places: index.html, with pictures.
+// Writes a page of the places of a run with the largest errors: index.html, with pictures.
 #pragma once
 
 #include <span>

@@ -30,7 +30,7 @@ inline bool is_before(const Border& one, const Border& other) {
 /// Returns the ends of borders, sorted, without repeats.
 std::vector<GridPoint> ends_of(std::span<const Border> borders);
 
-/// The ends of edge i of a triangulation's face. The face lies to the left of the edge.
+/// Returns the ends of edge i, 0 to 2, of a triangulation's face. The face lies to the left of the edge.
 inline std::pair<GridPoint, GridPoint> edge_of(const Delaunay& net, std::uint32_t face, int i) {
   const auto& v = net.faces()[face].vertices;
   return {net.vertices()[v[(i + 1) % 3]], net.vertices()[v[(i + 2) % 3]]};

@@ -1,4 +1,4 @@
-// A spatial index of land cover polygons, for the polygon at a place and the distance to the next one.
+// A spatial index of land cover polygons: finds the topmost polygon at a place and the distance to the nearest border.
 #pragma once
 
 #include <cstdint>
@@ -21,16 +21,16 @@ struct BucketEntry {
   Box2 edges;  ///< The box of these edges, not cut to the bucket.
 };
 
-/// Polygons sorted into square buckets of a box. Refers to the polygons, which must outlive it. The sides of buckets do
-/// not lie on the plane's grid, so that no vertex lies on them.
+/// Polygons sorted into buckets, the squares of a grid over a box. Refers to the polygons, which must outlive it. The
+/// sides of buckets do not lie on the plane's grid, so that no vertex lies on them.
 struct LandCoverIndex : BucketGrid {
   struct Edge {
     Vec2 a, b;
   };
   std::span<const LandCoverPolygon> surfaces;
   Box2 box;
-  std::vector<std::uint32_t>
-      bucket_starts;  ///< columns · rows + 1 offsets into `entries`, which go from the top down in each bucket.
+  /// columns · rows + 1 offsets into `entries`, which go from the top down in each bucket.
+  std::vector<std::uint32_t> bucket_starts;
   std::vector<BucketEntry> entries;
   std::vector<bool> is_far;  ///< Per bucket: true if all polygons are farther away than kIndexNear_m.
   std::vector<Edge> edges;   ///< Edges of all entries, in the order of `entries`.
@@ -52,8 +52,10 @@ LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, cons
 std::uint32_t land_cover_at(const LandCoverIndex& map, Vec2 p);
 
 /// Returns the distance from p to the nearest border of a polygon whose class has at least this priority, at most
-/// `reach_m`; 0 if such a polygon covers p. p must lie in the box; borders outside of it do not count. O(edges in the
-/// buckets within reach_m); O(1) if no polygon lies within kIndexNear_m and reach_m is no larger.
+/// `reach_m`; 0 if such a polygon covers p.
+/// @param p        A place in the box; borders outside of the box do not count.
+/// @param reach_m  Largest distance that is searched.
+/// O(edges in the buckets within reach_m); O(1) if no polygon lies within kIndexNear_m and reach_m is no larger.
 double clearance_m(const LandCoverIndex& map, Vec2 p, int priority, double reach_m);
 
 }  // namespace citykiln::ground

@@ -1,5 +1,5 @@
-// Merges faces that are too thin to see at a tolerance into a neighbour: kerbs, gaps between areas drawn twice, distant
-// paths. simplify_borders() never drops a face.
+// Merges faces that are too thin to see at a tolerance into a neighbour, such as kerbs, gaps between areas drawn twice,
+// and distant paths. simplify_borders() never drops a face, so this step precedes it.
 #pragma once
 
 #include <functional>

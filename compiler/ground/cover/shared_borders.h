@@ -13,8 +13,8 @@ namespace citykiln::ground {
 /// Two points, the lower first.
 using Edge = std::pair<Vec2, Vec2>;
 
-/// Returns the edges with different members on both sides, sorted; no edges of members that lie on top of each other.
-/// O(n log n).
+/// Returns the edges along which two different member polygons meet, sorted. Edges with the same member on both sides,
+/// or where members lie on top of each other, are left out. O(n log n).
 /// @param members  Indices of polygons.
 std::vector<Edge> edges_between(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members);
 

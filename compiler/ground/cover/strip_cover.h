@@ -1,4 +1,5 @@
-// Makes land cover polygons of roads and watercourses, and trims polygons to a box.
+// Makes land cover polygons of roads and watercourses, and trims polygons to a box. A strip is a piece of ground along
+// an axis.
 #pragma once
 
 #include "compiler/geometry/box.h"
@@ -7,9 +8,10 @@
 
 namespace citykiln::ground {
 
-/// Returns the polygon of running water.
+/// Returns the polygon of a watercourse.
 LandCoverPolygon surface_of(const roads::Strip& stream);
 /// Returns the polygon between a road's kerbs.
+/// @param ends  Connections to other roads at both ends.
 LandCoverPolygon surface_of(const roads::Road& road, const roads::StripEnds& ends);
 /// Returns the polygon of a road with its pavements and other raised lanes, of which the part beside the carriageway is
 /// visible. It has no rings if the road has no raised lanes.

@@ -11,7 +11,8 @@
 
 namespace citykiln::ground {
 
-/// The largest error of lines and faces of the reference against samples of the graded terrain; on roads it is smaller.
+/// The largest error of the reference (a cell's ground at full detail, as a triangulation) against samples of the
+/// graded terrain. On roads the error is smaller.
 inline constexpr double kReferenceError_m = 0.0625;
 
 /// Limits for splitting a line.
@@ -21,12 +22,13 @@ struct SplitLimits {
   double error_m = kReferenceError_m;
 };
 
-/// Returns points of the line from a to b near a cell, in order, without the line's ends: places where grading bends
-/// the ground on any layer, so that no piece is off by more than limits.error_m unless it is shorter than shortest_m;
-/// and the ends of each piece that crosses from cell to cell. Bends of the terrain itself do not count, as they have
-/// lines of their own. The points are snapped to the 2^-10 m grid, depend only on the line and on recipes within
-/// kGrading_m of the cell, and are the same in both directions, so the cells on both sides of a crossing agree.
-/// O(length).
+/// Returns points of the line from a to b near a cell, in order, without the line's ends: the places where grading
+/// bends the ground on any height layer, and the ends of each sampled piece that crosses from cell to cell. Between
+/// neighbouring points the ground is linear within limits.error_m, unless they are closer than limits.shortest_m. Bends
+/// of the terrain itself do not count, since the terrain's grid lines are edges of the reference.
+///
+/// The points are snapped to the 2^-10 m grid, depend only on the line and on recipes within kGrading_m of the cell,
+/// and are the same in both directions, so the cells on both sides of a crossing agree. O(length).
 std::vector<Vec2> bend_points_along(GradedHeights& heights, Vec2 a, Vec2 b, const Box2& cell,
                                     const SplitLimits& limits = {});
 

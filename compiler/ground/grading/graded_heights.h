@@ -1,5 +1,5 @@
-// A cache of graded heights for one cell. It helps because rings share corners, grading lines share ends, and both are
-// sampled again when they are triangulated.
+// A cache of heights of the graded terrain (the terrain after roads and water have cut into it) for one cell. Rings
+// share corners and grading lines share ends, and both are sampled again when they are triangulated.
 #pragma once
 
 #include <bit>
@@ -24,7 +24,7 @@ class GradedHeights {
  public:
   explicit GradedHeights(const GradedTerrain& graded) : graded_(graded) {}
 
-  /// Returns sample_heights() at p, bit for bit. The reference stays valid. O(1) for places sampled before.
+  /// Returns sample_heights() at p, equal in every bit. The reference stays valid. O(1) for places sampled before.
   const HeightSample& at(Vec2 p) {
     const auto [found, is_new] = samples_.try_emplace(p);
     if (is_new) found->second = sample_heights(graded_, p);

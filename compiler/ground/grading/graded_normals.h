@@ -1,5 +1,5 @@
-// A cache of normals of the graded terrain. It helps because a normal needs four height samples, and layers and levels
-// of a cell share most vertices.
+// A cache of normals of the graded terrain (the terrain after roads and water have cut into it). A normal needs four
+// height samples, and layers and levels of a cell share most vertices.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// The graded terrain: heights as functions of the place, one per layer, where roads and water cut into the terrain.
+// The graded terrain: heights as functions of the place, one per height layer, where roads and water cut into the
+// terrain.
 //
 //     terrain ─ ─ ─ ─ ─.                   the land is the terrain, clamped between two slopes that start at the edge
 //                   .    ╲ cut             of every road: it is never above the one nor below the other. They are as
@@ -76,21 +77,22 @@ GradedTerrain grade_terrain(map::Heightfield terrain, GradingInputs parts, std::
 /// layers have the land's height. O(roads near).
 Heights heights_at(const GradedTerrain& graded, Vec2 p);
 
-/// Heights at a place, and the terrain before grading.
+/// Heights of all layers at a place, and the height of the terrain before grading.
 struct HeightSample {
   Heights heights;
   double terrain_m = 0;
 };
 HeightSample sample_heights(const GradedTerrain& graded, Vec2 p);
 
-/// Returns the height at which objects stand on the ground: that of the land, on roads that of the kerbs' tops.
+/// Returns the height at which objects stand on the ground: the height of the land; on roads the height of the kerbs'
+/// tops.
 double land_m(const GradedTerrain& graded, Vec2 p);
 
 /// Returns one normal per layer, of unit length, smoothed over 2 · kNormalStep_m. Without grading these are the
 /// terrain's own normals, smoothed over its grid squares.
 std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p);
 
-/// True if the graded terrain in the box may differ from the terrain.
+/// True if a road, a structure or water may change the terrain in the box.
 bool has_grading(const GradedTerrain& graded, const Box2& box);
 
 }  // namespace citykiln::ground

@@ -47,17 +47,18 @@ struct SegmentLine {
   std::uint32_t first_knot = 0, knot_count = 0;  ///< The knots of the road's profile along the segment.
 };
 
+/// The segments of all roads that have a profile or kerbs, with a spatial index.
 struct RoadInfluenceIndex {
   std::vector<GradedSegment> segments;  ///< In the order of roads.
   std::vector<SegmentLine> lines;       ///< One per segment.
   std::vector<Profile> profiles;        ///< One per road with segments; empty: the road follows the terrain.
-  std::vector<Box2> reaches;            ///< Per segment the box that contains its influence.
+  std::vector<Box2> reaches;            ///< Per segment the box in which it influences heights.
   BoxGrid grid;                         ///< Grid of these boxes.
-  BoxGrid near;                         ///< Finer grid of these boxes; its buckets have only segments within range.
+  BoxGrid near;  ///< Finer grid of these boxes; its buckets list only segments whose edges are within kGrading_m.
 };
 
-/// Returns height and tilt of the segment's road, which must have a profile, at a share of the segment's length. O(log
-/// knots of the segment).
+/// Returns height and tilt of the segment's road, which must have a profile. O(log knots of the segment).
+/// @param share  Position along the segment, 0 to 1.
 Knot knot_on(const RoadInfluenceIndex& field, std::uint32_t segment, double share);
 
 /// Indexes the segments of roads that have a profile or kerbs.

@@ -25,9 +25,9 @@ inline constexpr double kPortal_m = 12, kPortalSlope = 1.5, kPortalSideSlope = 2
 /// Returns the height of a bore from its road to its ceiling, which depends on the class of the road or rail.
 double bore_height_m(const roads::Road& road);
 
-/// An index of decks or of bores.
+/// An index of decks, or of bores (bored tunnels).
 struct SpanInfluenceIndex {
-  RoadInfluenceIndex field;
+  RoadInfluenceIndex field;      ///< Their roads.
   std::vector<double> long_m;    ///< Length of each way.
   std::vector<double> height_m;  ///< Result of bore_height_m() for each way.
 };
@@ -36,10 +36,10 @@ SpanInfluenceIndex index_span_influence(std::span<const roads::Road> spans);
 /// Returns the greatest height of the land at p below the decks near it; infinity if there are none. O(segments near).
 double max_land_under_decks_m(const SpanInfluenceIndex& decks, Vec2 p);
 
-/// The limits that bores near a place set to the land.
+/// The limits that bores near a place set to the height of the land.
 struct BoreCover {
   double least_m;       ///< The smallest height of the land; minus infinity without a bore near.
-  double higher_m = 0;  ///< The slopes beside roads below roof_m start this much higher up.
+  double higher_m = 0;  ///< Height by which the slopes beside roads below roof_m start above these roads.
   double roof_m = 0;    ///< Height of the bore's roof, cover included.
 };
 BoreCover bore_cover_at(const SpanInfluenceIndex& bores, Vec2 p);

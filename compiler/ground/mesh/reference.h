@@ -1,6 +1,7 @@
-// The reference: the graded terrain of one cell at full detail, linear on every face of one triangulation, with one
-// height per layer. The error of coarser meshes is their largest vertical distance from it. This is at a vertex of the
-// overlay of both triangulations, so evaluating these vertices is exact, as in height_error.h.
+// The reference of a cell: the graded terrain at full detail, linear on every face of one triangulation, with one
+// height per vertex and height layer (height_layer.h). The error of a coarser mesh is its largest vertical distance
+// from the reference. The largest distance is at a vertex of the overlay of both triangulations, so comparing these
+// vertices is exact.
 #pragma once
 
 #include <array>
@@ -36,11 +37,11 @@ Reference reference_of(Delaunay&& triangulation, std::vector<Heights>&& heights,
 /// @param terrain  Must outlive the reference.
 Reference reference_of(const map::Heightfield& terrain, const Box2& cell);
 
-/// Returns the height at p, which is moved into the closed cell first. Exact at vertices; on an edge a function of the
-/// edge only, hence the same from both sides and in both cells of a border. O(1) expected.
+/// Returns the height at p, which is moved into the closed cell first. Exact at vertices. On an edge the height depends
+/// on the edge only, so it is equal from both sides, and in both cells of a border. O(1) expected.
 double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer);
 
-/// A place of a mesh, and the reference's face that contains it, so that it need not be searched for each edge.
+/// A place, and the face of the reference that contains it. Storing the face saves searching it again.
 struct Place {
   Vec2 at;
   std::uint32_t face = kNoFace;  ///< kNoFace if the reference is the terrain.
@@ -49,12 +50,12 @@ struct Place {
 /// Finds the face at p, which must lie in the closed cell. O(1) expected.
 Place place_at(const Reference& reference, Vec2 p);
 
-/// Returns height_m_at() for all layers, bit for bit. O(1).
+/// Returns height_m_at() for all layers. O(1).
 Heights heights_at(const Reference& reference, const Place& place);
 
-/// Returns the largest error along an edge from a to b (on the 2^-10 m grid, in the closed cell), without its ends: at
-/// its crossings with edges of the reference, and at vertices on it. Both directions give the same result. O(faces
-/// crossed).
+/// Returns the point with the largest error along an edge from a to b (on the 2^-10 m grid, in the closed cell),
+/// without its ends. Errors are measured where the edge crosses edges of the reference or passes its vertices. Both
+/// directions give the same result. O(faces crossed).
 WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer layer);
 
 /// An end of an edge, with its face.
@@ -64,17 +65,17 @@ struct EdgeEnd {
 };
 WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer);
 
-/// Returns the largest error along an edge, such that both cells of a common border get the same bits, whether graded
-/// or not. The terrain is evaluated at the vertices that a triangulation would have, up to half a grid step off its
-/// diagonals. This function decides the splitting of borders; worst_on_edge() measures errors.
+/// Returns the point with the largest error along an edge on the cell's border, such that both cells get equal bits,
+/// whether graded or not: terrain is evaluated at the vertices that a triangulation of it would have, up to half a grid
+/// step off its diagonals. Splitting of borders uses this function; worst_on_edge() measures errors.
 WorstPoint worst_on_shared_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer);
 
-/// Returns the largest error at vertices of the reference inside a triangle (in plan, counter-clockwise, corners on the
-/// 2^-10 m grid), without its edges. O(vertices in the buckets it touches).
+/// Returns the point with the largest error among the reference's vertices inside a triangle (in plan,
+/// counter-clockwise, corners on the 2^-10 m grid), without its edges. O(vertices in the buckets it touches).
 WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& corners, HeightLayer layer);
 
-/// Returns the corners of the linear piece that contains p: a rectangle of the terrain, or a face with its last corner
-/// twice. O(1) expected.
+/// Returns the corners of the part of the reference that contains p and is linear: a square of the terrain's grid, or a
+/// face with its last corner repeated. O(1) expected.
 std::array<Vec2, 4> corners_about(const Reference& reference, Vec2 p);
 
 /// Returns the place of the reference's vertex nearest to p; on a tie the first one by place. O(1) expected.

@@ -1,4 +1,5 @@
-// Splits borders so that their heights follow the reference.
+// Splits borders between land cover polygons so that their heights follow the reference (the graded terrain of a cell
+// at full detail).
 #pragma once
 
 #include <span>
@@ -15,9 +16,10 @@ struct SplitBorders {
 };
 
 /// Splits borders until their errors are within the tolerances.
-/// @param heights  One per polygon; kNoLandCover lies on the land.
+/// @param borders  Borders inside the cell, and the cell's own.
+/// @param heights  Height layer or water level of each polygon. Faces without a polygon lie on the land.
 /// @param sides_m  Tolerances on the cell's border, for all layers.
-/// @param inner_m  Tolerance of other borders, for the layers on both sides; standing water needs no points.
+/// @param inner_m  Tolerance of other borders, for the layers on both sides. Standing water needs no points.
 /// Guarantees: the points of a border depend only on its ends and on the heights along it, so both cells of a common
 /// border split it alike; other borders get no point on the cell's border. O(points + edges of the reference crossed).
 SplitBorders split_borders(const Reference& reference, std::span<const Border> borders,

@@ -9,16 +9,16 @@
 
 namespace citykiln::ground {
 
-/// A path is an approach if it begins within this distance, along paths, of the end of a bridge or tunnel: a storey of
-/// 5.5 m at 3/8, twice.
+/// A path is an approach if it begins within this distance, along paths, of the end of a bridge or tunnel: twice the
+/// length in which a ramp of grade 3/8 climbs a storey of 5.5 m.
 inline constexpr double kApproach_m = 32;
 /// Longer paths lead elsewhere and stay on the ground.
 inline constexpr double kLongestApproach_m = 2048;
 
-/// Returns per track true if it is an approach: it is on the ground, of a class without profiles, and connected by map
-/// nodes to the end of a bridge or tunnel that no other bridge or tunnel continues, or crossed by a bridge. A path
-/// connected to a node where a bridge or tunnel continues is none. Does not depend on the order of tracks. Depends on
-/// tracks within both constants above. O(n log n) in vertices.
+/// Returns for each track true if it is an approach path: it is on the ground, its class has no profiles, and it is
+/// crossed by a bridge or connected by map nodes to the end of a bridge or tunnel that no other bridge or tunnel
+/// continues. The order of tracks does not matter. Depends on tracks within kApproach_m and kLongestApproach_m. O(n log
+/// n) in vertices.
 std::vector<bool> approach_paths(const map::Features& features);
 
 }  // namespace citykiln::ground

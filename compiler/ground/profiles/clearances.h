@@ -15,10 +15,10 @@
 
 namespace citykiln::ground {
 
-/// Rounds of lifting. In stacks of more layers, the topmost ones may keep a shortfall.
+/// Rounds of raising bridges. In stacks of more storeys the topmost bridges may keep a shortfall.
 inline constexpr int kLiftRounds = 4;
-/// The largest lift for one crossing, plus kClearanceOverRail_m for each storey below it: a clear height, and the same
-/// again for a cutting that the heightmap does not show.
+/// The largest lift of a bridge for one crossing (a clear height, and as much again for a cutting that the heightmap
+/// does not show), plus kClearanceOverRail_m for each storey below the bridge.
 inline constexpr double kMaxLift_m = 12;
 /// The largest lowering of a path on the ground under a bridge. There may be water beside it.
 inline constexpr double kMaxPathLowering_m = 2.5;
@@ -29,11 +29,12 @@ inline constexpr double kRampShare = 0.75;
 
 /// Returns new heights by node.
 ///
-/// @param heights  Tunnels are lowered until this terrain covers them. nullptr: lines move for crossings only.
+/// @param heights  The terrain: tunnels are lowered until it covers them. Null: lines move for crossings only.
+/// @param z_m      Heights by node before this step.
 ///
 /// Guarantees: lines move for crossings only, except tunnels with too little cover; pinned nodes stay; on level ground,
-/// lines within their limits stay within them; on slopes, ramps may be 3/8 steeper than the limit, so that they end
-/// (limit_grades() follows). Cannot fail. Radius of influence: one ramp per storey.
+/// lines within their grade limits stay within them; on slopes, ramps may be 3/8 steeper than the limit, so that they
+/// end (limit_grades() follows). Cannot fail. Radius of influence: one ramp per storey.
 std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
                                     const map::Heightfield* heights, std::span<const double> z_m);
 

@@ -21,9 +21,9 @@ inline constexpr double kClearanceOverRoad_m = 5.5, kClearanceOverRail_m = 6.5, 
 /// kClearanceOverDitch_m, since roads do not climb over culverts.
 inline constexpr double kClearanceOverWater_m = 2, kRiver_m = 8, kClearanceOverDitch_m = 0.5;
 
-/// Shortfalls up to this are not reported: the deck may be thinner by that.
+/// Smaller shortfalls (missing clearances) are not reported: the deck may be thinner by as much.
 inline constexpr double kShortfallMargin_m = 0.25;
-/// Lines do not move for shortfalls up to this, which are rounding.
+/// Lines move only for shortfalls above this, which is rounding.
 inline constexpr double kMinShortfall_m = 0.01;
 
 /// Returns the clearance from surface to surface of one line over another, or over water of a width.
@@ -37,7 +37,7 @@ inline constexpr double kJoined_m = 96, kPathJoins = 3, kRailJoins = 0.5;
 /// A path this near to a tunnel's mouth passes in front of it.
 inline constexpr double kMouth_m = 3;
 
-/// A place where one line should clear another.
+/// A place where one line should have clearance over another. `kNone` as a way is a line that is not in the graph.
 struct Crossing {
   std::uint32_t upper = 0, lower = kNone;  ///< Ways of the graph; kNone: a line that is not in it.
   double upper_at_m = 0, lower_at_m = 0;   ///< Distances along the ways.

@@ -8,11 +8,11 @@
 
 namespace citykiln::ground {
 
-/// Diagnoses kTooSteep and kTunnelLowered for the lines whose heights a graph decides. In a graph of Lines::kGraded
-/// these are all but bridges and tunnels of paths, whose heights are preliminary; in one of Lines::kPaths these are the
-/// bridges and tunnels of paths.
+/// Diagnoses kTooSteep and kTunnelLowered for the lines whose heights the graph decides. In a graph of Lines::kGraded
+/// these are all lines except bridges and tunnels of paths, whose heights are preliminary there; in a graph of
+/// Lines::kPaths these are the bridges and tunnels of paths.
 ///
-/// @param lines_m  Initial heights by node: those of the terrain, off the ground those of the line between the ends.
+/// @param lines_m  Initial heights by node: the terrain, off the ground the line between the ends.
 /// @param z_m      Planned heights by node.
 void diagnose_profiles(const ProfileGraph& graph, std::span<const double> lines_m, std::span<const double> z_m,
                        Report& report);

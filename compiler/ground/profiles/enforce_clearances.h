@@ -1,13 +1,11 @@
 // Restores the clearance of crossings that junction planes and grade limits have reduced. It is the last step of
-// planning heights.
+// planning heights. A junction plane is the plane on which the roads of a junction lie; its nodes move together.
 //
-//                  o  + shortfall            a way rises by the shortfall of its crossing, and connected ways by as
-//                  much
-//           ___---' '---___                  as their limits need; junction planes move as a whole
-//     -----'               '-----
+//   ___---'o'---___     the way rises by the shortfall of its crossing (o), connected ways as far as their grade
+//                       limits require
 //
-// Bridges rise, tunnels fall and roads dip under bridges that could not rise, twice; then roads, paths and tunnels rise
-// over tunnels that could not fall.
+// First bridges rise, tunnels fall, and roads dip under bridges that could not rise; this is done twice. Then roads,
+// paths and tunnels rise over tunnels that could not fall.
 #pragma once
 
 #include <span>
@@ -29,13 +27,14 @@ inline constexpr double kMaxGroundMove_m = 2.5;
 
 /// Returns heights by node at which crossings have their clearance.
 ///
-/// @param ground_m  Heights before any clearing. Lines on the ground are lowered below them by no more than
-///                  lowering_caps() allows.
+/// @param ground_m  Heights by node before bridges were raised and tunnels lowered. Lines on the ground are lowered
+///                  below them by no more than lowering_caps() allows.
+/// @param z_m       The heights to change, by node.
 ///
-/// Guarantees: only ways connected with a crossing with a shortfall move; all nodes of a junction plane move by the
-/// same height; ways within 1 + kRampFade times their limits stay within that, ways on level ground within the limits;
-/// pinned nodes stay. If a shortfall cannot be removed this way, it remains. Cannot fail. Radius of influence: one ramp
-/// of kMaxEnforced_m per round. O(n log n) in nodes that move.
+/// Guarantees: only ways connected with a crossing that has a shortfall move; all nodes of a junction plane move by the
+/// same height; ways within 1 + kRampFade times their grade limits stay within these, ways on level ground within the
+/// limits; pinned nodes stay. A shortfall that cannot be removed this way remains. Cannot fail. Radius of influence:
+/// one ramp of kMaxEnforced_m per round. O(n log n) in nodes that move.
 std::vector<double> enforce_clearances(const ProfileGraph& graph, std::span<const Crossing> crossings,
                                        std::span<const double> ground_m, std::span<const double> z_m);
 

@@ -1,5 +1,5 @@
-// Limits grades, exactly and locally, by the mean of the highest admissible heights below the given ones and the lowest
-// admissible heights above them.
+// Limits grades. Each height becomes the mean of two heights: the highest that keeps the limits and lies below the
+// given ones, and the lowest that keeps the limits and lies above them.
 //
 //          ╱╲        S          U(x) = min over y of S(y) + cost(y, x)     L(x) = max over y of S(y) - cost(y, x)
 //        ╱----╲     (U+L)/2     cost: the sum of limit · length on the way from y to x. Both keep the limits, and so
@@ -26,13 +26,14 @@ struct GradeInfluence {
   double radius_m = kGradeInfluence_m, max_m = kMaxEarthwork_m;
 };
 
-/// Returns U of the figure by node: the greatest heights not above the given ones that keep the limits within the
-/// influence.
+/// Returns for each node U of the figure: the greatest heights that keep the limits and are not above the given ones.
+/// @param influence  Limits the distance and the height by which one place changes others.
 std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeInfluence influence);
 
 /// Returns heights by node with limited grades. Pinned nodes stay, so they limit their neighbourhood.
 ///
-/// @param steepness  A factor by node on the limit of legs to it, besides the graph's own scale; empty: 1.
+/// @param steepness  For each node a factor on the limits of legs (edges) that lead to it; empty: 1. The graph's own
+///                   limit_scale applies, too.
 ///
 /// Guarantees: legs keep their limits and junction planes stay planes, unless that needs more than GradeInfluence;
 /// heights within the limits stay. Cannot fail. Cost: the legs within the influence of legs that are too steep.

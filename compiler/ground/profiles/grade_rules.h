@@ -5,6 +5,7 @@
 
 namespace citykiln::ground {
 
+/// The limits of one class.
 struct GradeRule {
   double limit = 0;     ///< Largest rise over run.
   double smooth_m = 0;  ///< Smoothing length: profiles do not follow waves shorter than about six times this.

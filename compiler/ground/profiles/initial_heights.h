@@ -1,4 +1,5 @@
-// Initial heights of stations: the filtered terrain on the ground; on bridges and in tunnels a line between their ends.
+// Initial heights of stations, the places along roads and rails at which heights are decided: the filtered terrain on
+// the ground; on bridges and in tunnels a line between their ends.
 #pragma once
 
 #include <vector>
@@ -7,11 +8,11 @@
 
 namespace citykiln::ground {
 
-/// Roads do not run over steep summits: a vertex of the terrain whose difference from the median of the 24 about it is
-/// more than this times the grid step is replaced by that median. Broken samples ("spikes") have been removed before,
-/// by source/spikes_to_voids.
+/// A vertex of the terrain is filtered as a steep summit if it differs from the median of the 24 vertices about it by
+/// more than this times the grid step. The median replaces it, since roads do not run over steep summits. Broken
+/// samples ("spikes") have been removed before, by source/spikes_to_voids.
 inline constexpr double kMaxSummitSlope = 0.75;
-/// Smaller differences are never filtered, since on fine grids they are trees and houses.
+/// Smaller differences are never filtered. On fine grids they are trees and houses.
 inline constexpr double kMinSummit_m = 16;
 
 /// The largest distance along bridges or tunnels at which their ends are searched.
@@ -23,9 +24,9 @@ inline constexpr double kTunnelCover_m = 7, kPathTunnelCover_m = 4.5;
 /// Returns the terrain's height at p, with steep summits replaced. Depends on vertices within three grid steps. O(1).
 double filtered_height_m(const map::Heightfield& heights, Vec2 p);
 
-/// Returns heights by node. A node off the ground has the mean of the heights of ground nodes within kSpanEndRadius_m
-/// along bridges or tunnels, weighted by inverse distance (between two ends that is the straight line). Without such
-/// nodes a bridge lies on the ground and a tunnel kTunnelCover_m below it, no steeper than its limit.
+/// Returns heights by node. A node of a bridge or tunnel has the mean of the heights of the ground nodes within
+/// kSpanEndRadius_m along bridges or tunnels, weighted by inverse distance; between two ends this is the straight line.
+/// Without such nodes a bridge lies on the ground and a tunnel kTunnelCover_m below it, no steeper than its limit.
 std::vector<double> initial_heights(const ProfileGraph& graph, const map::Heightfield& heights);
 
 /// Sets the heights of nodes off the ground from those of ground nodes, as initial_heights() does.

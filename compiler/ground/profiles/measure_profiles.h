@@ -9,6 +9,7 @@
 
 namespace citykiln::ground {
 
+/// Lengths and grades of all lines of one class.
 struct GradeMeasure {
   map::LandCoverClass surface{};
   double length_m = 0;
@@ -16,6 +17,7 @@ struct GradeMeasure {
   double steepest = 0;  ///< Largest rise over run, of runs of 2 m or more.
 };
 
+/// The measures of all profiles. A knot is a point of a profile, which is linear between knots.
 struct ProfileMeasures {
   std::vector<GradeMeasure> classes;  ///< One for each class that occurs, sorted by class.
   double length_m = 0, over_m = 0;    ///< Sums over roads and rails, without paths.
@@ -28,6 +30,7 @@ struct ProfileMeasures {
   std::uint64_t contradictions = 0;  ///< Pairs with a shortfall and contradictory layers; not counted as shortfalls.
 };
 
+/// Measures all profiles of a map.
 ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles);
 
 }  // namespace citykiln::ground

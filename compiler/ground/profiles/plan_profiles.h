@@ -28,41 +28,44 @@
 
 namespace citykiln::ground {
 
-/// The radius of influence without bridges and tunnels: the sum of the steps' radii (smoothing, planes twice, limits
-/// twice). Each storey of bridges or tunnels adds two ramps, 850 m for a railway and half of that for a road, and the
-/// radii of planes and limits again; each round of enforce_clearances() adds one more ramp. Ends of bridges and tunnels
-/// are searched within kSpanEndRadius_m.
+/// The distance within which data can change a height, without bridges and tunnels: the sum of the steps' radii
+/// (smoothing, planes twice, limits twice). Each storey of bridges or tunnels adds two ramps, 850 m for a railway and
+/// half as much for a road, and the radii of planes and limits again; each round of enforce_clearances() adds one more
+/// ramp. Ends of bridges and tunnels are searched within kSpanEndRadius_m.
 inline constexpr double kProfileRadius_m = 2560;
 
-/// The shortfall of one line over another, over water, or under a path on the ground.
+/// The missing clearance of one line over another, over water, or under a path on the ground.
 struct ClearanceShortfall {
   OsmId upper, lower;
   double shortfall_m = 0;         ///< The largest one; <= 0 if there is enough clearance everywhere.
   bool is_contradictory = false;  ///< Result of layers_contradict().
 };
 
+/// The planned heights of all lines. A profile is a list of knots, heights at distances along a line, linear in
+/// between.
 struct Profiles {
   std::vector<roads::Road> roads;   ///< The given roads, with their profiles.
   std::vector<Profile> off_ground;  ///< One per track that leaves the ground, in the order of features.tracks.
   std::vector<ClearanceShortfall> shortfalls;  ///< One per pair, sorted by ids.
 };
 
-/// Returns the profile of a way.
+/// Returns the profile of a way of the graph.
 const Profile& profile_of(const Profiles& profiles, const GraphWay& way);
 
 /// Returns the height of a way at a distance along it; 0 without profile.
 double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 
 /// Plans all profiles.
-/// @param streams      Streams with their profiles; a stream without one lies on the terrain.
+/// @param streams      Watercourses with their profiles; a stream without one lies on the terrain.
 /// @param waters       Water polygons; polygons without a level are ignored.
-/// @param limit_scale  Factor on all grade limits; for charts.
+/// @param heights      The terrain.
+/// @param limit_scale  Factor on all grade limits, for charts.
 ///
-/// Guarantees: ways have the same height at a common node, within kKnotError_m; nodes of one junction lie on one plane;
-/// a bridge with enough clearance lies on the smooth line between its ends; a summit of 20 to 500 m at a single vertex
-/// of the terrain moves no profile by more than 8 m; a road of at most kKnotStretch_m at height 0 on terrain at height
-/// 0, well beyond kGrading_m from anything at other heights, has no knots. Does not depend on the order of tracks and
-/// roads. Reports kTooSteep, kClearanceNotMet or kLayersContradict, kCrossingWithoutOrder, kTunnelLowered,
+/// Guarantees: ways have equal heights at a common node, within kKnotError_m; nodes of one junction lie on one plane; a
+/// bridge with enough clearance lies on the smooth line between its ends; a summit of 20 to 500 m at a single vertex of
+/// the terrain moves no profile by more than 8 m; a road of at most kKnotStretch_m at height 0 on terrain at height 0,
+/// well beyond kGrading_m from anything at other heights, has no knots. The order of tracks and roads does not matter.
+/// Reports kTooSteep, kClearanceNotMet or kLayersContradict, kCrossingWithoutOrder, kTunnelLowered,
 /// kBridgeWithoutGround. Cannot fail. Depends on data within kProfileRadius_m.
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,

@@ -1,4 +1,4 @@
-// Selects the bridges and tunnels with planned profiles that grade the terrain.
+// Selects the bridges and tunnels that limit the height of the land: land lies below decks and above bores.
 #pragma once
 
 #include <vector>
@@ -11,6 +11,7 @@ namespace citykiln::ground {
 /// spacing of samples.
 inline constexpr double kMinCoveredShare = 0.6, kPortalLength_m = 16, kCoverSample_m = 4;
 
+/// Bridges and tunnels as roads with profiles.
 struct PlannedSpans {
   std::vector<roads::Road> decks;  ///< Bridges; the land is below them.
   std::vector<roads::Road> bores;  ///< Tunnels whose ceiling is below the terrain for most of their length.

@@ -1,4 +1,5 @@
-// The graph of all lines with profiles: stations along the lines, joined at common nodes.
+// The graph of all lines with height profiles: stations along roads, rails, bridges and tunnels, joined at common
+// nodes. A station is a place along a line at which its height is decided.
 //
 //     ground ──●──·──·──●══·══●── ground      ● map node shared by ways, or a way's end   · station between them
 //                       ║
@@ -19,8 +20,8 @@ namespace citykiln::ground {
 /// The station spacing for Lines::kPaths, small enough for paths to follow banks and kerbs.
 inline constexpr double kPathStation_m = 4;
 
-/// Each way has a station and a knot at every multiple of this, so the places of its stations and knots depend on no
-/// data farther away along it.
+/// Each way has a station and a knot (a point of its profile) at every multiple of this distance. So the places of
+/// stations and knots depend on no data farther away along the way.
 inline constexpr double kKnotStretch_m = 1024;
 
 /// The distance beyond a junction's cut after which a road follows its own profile again.
@@ -34,21 +35,25 @@ struct Leg {
   double length_m = 0;
 };
 
+/// A station of one way, or a place that several ways share. Heights are stored by node.
 struct GraphNode {
   Vec2 at;                    ///< Plane metres.
   bool is_on_ground = false;  ///< True if it belongs to a way on the ground.
-  bool is_pinned = false;     ///< Stays on the ground: a bridge or tunnel meets a path there that follows the ground.
+  bool is_pinned = false;     ///< True if its height stays on the ground: a bridge or tunnel meets a path there that
+                              ///< follows the ground.
   bool is_free_end = false;   ///< Pinned, but may rise or fall: the end of a bridge or tunnel that meets nothing, or
                               ///< that of a tunnel that meets only approach paths.
-  std::uint32_t junction = kNone;  ///< The junction plane that it lies on.
-  std::uint32_t first_leg = 0, legs = 0;
+  std::uint32_t junction = kNone;         ///< The junction on whose plane the node lies.
+  std::uint32_t first_leg = 0, legs = 0;  ///< The node's legs in ProfileGraph::legs.
 };
 
+/// A node of a way, with its distance along the way.
 struct Station {
   double at_m = 0;  ///< Distance along its way from the beginning; not rounded.
   std::uint32_t node = 0;
 };
 
+/// A line of the graph: one track of the map.
 struct GraphWay {
   const map::Track* track = nullptr;
   std::uint32_t road = kNone;          ///< Index into the given roads; kNone off the ground.
@@ -93,7 +98,8 @@ bool leaves_ground(const map::Track& track);
 ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
                       std::span<const roads::Junction> junctions, Lines lines = Lines::kGraded);
 
-/// Returns the height at a distance along a way, for heights by node.
+/// Returns the height at a distance along a way.
+/// @param z_m  Heights by node.
 double height_along(const ProfileGraph& graph, const GraphWay& way, std::span<const double> z_m, double at_m);
 
 /// Returns the index among the way's stations of the station before a distance along it, at most the last but one.

@@ -12,7 +12,8 @@ inline constexpr double kCrest_m = 1, kFoot_m = 0.5;
 
 inline constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
-/// Returns the drop of a ramp with a round crest at the place where a straight ramp has dropped by `cost_m`.
+/// Returns how far a ramp with a round crest has dropped where the straight ramp of the same grade has dropped by
+/// `cost_m`.
 inline double drop_m(double cost_m) {
   if (cost_m <= 0) return 0;
   return cost_m < kCrest_m ? cost_m * cost_m / (2 * kCrest_m) : cost_m - kCrest_m / 2;

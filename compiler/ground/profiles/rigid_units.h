@@ -1,4 +1,5 @@
-// Rigid units: nodes that move together. These are the nodes of a junction plane, or a single node.
+// Rigid units: sets of nodes of the profile graph whose heights change together. A unit is all nodes of one junction
+// plane (the plane on which a junction's roads lie), or a single other node.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct RigidUnits {
   explicit RigidUnits(const ProfileGraph& graph);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(first.size() - 1); }
+  /// The nodes of a unit.
   std::span<const std::uint32_t> members(std::uint32_t unit) const {
     return std::span(nodes).subspan(first[unit], first[unit + 1] - first[unit]);
   }

@@ -17,12 +17,15 @@ namespace citykiln::ground {
 inline constexpr double kWindow_m = 512, kWindowBlend_m = 64, kHalo_m = 192;
 inline constexpr double kSmoothRadius_m = kWindow_m + 2 * kWindowBlend_m + kHalo_m;
 
-/// Data that differ from the result by this have half the weight (Cauchy's weights).
+/// The distance from the result at which data have half the weight (Cauchy's weights).
 inline constexpr double kRobustScale_m = 4;
 
 /// Returns heights by node that minimise the sum of (z - data)² dx + l⁴ z''² dx along ways that continue each other. l
-/// is the class's smoothing length, on the ground at least 3/4 of the terrain's longer step `step_m`. Weights: 1 on the
-/// ground, 1/20 off it, 10,000 for pinned nodes; outliers get less weight in two more rounds.
+/// is the class's smoothing length, on the ground at least 3/4 of `step_m`. Weights: 1 on the ground, 1/20 off it,
+/// 10,000 for pinned nodes (whose heights are fixed); outliers get less weight in two more rounds.
+///
+/// @param data_m  Heights by node to approximate.
+/// @param step_m  The longer grid step of the terrain.
 ///
 /// Guarantees: constant data stay; adding a constant to the data adds it to the result. O(n log n), Eigen's
 /// SimplicialLDLT per window.

@@ -12,16 +12,16 @@
 
 namespace citykiln::ground {
 
-/// A given height of a node, and the cost of each metre below and above it. Both are > 0; the sum of all costs must be
-/// below 2^62.
+/// A height that a node should have, and the costs of a metre of the result below it and above it. Both costs are > 0;
+/// the sum of all costs must be below 2^62.
 struct WeightedHeight {
   double height_m = 0;
   std::int64_t below = 0, above = 0;
 };
 
-/// A flow network without cycles.
+/// A network of watercourses without cycles.
 struct FlowGraph {
-  std::vector<std::vector<WeightedHeight>> given;      ///< For each node at least one.
+  std::vector<std::vector<WeightedHeight>> given;      ///< For each node its given heights, at least one.
   std::vector<std::vector<std::uint32_t>> downstream;  ///< For each node its downstream neighbours, of lower number.
   std::vector<bool> is_sea;                            ///< Nodes that keep the height 0.
 };

@@ -10,6 +10,7 @@
 
 namespace citykiln::ground {
 
+/// Numbers of waters and their largest deviations, in metres.
 struct WaterMeasures {
   std::size_t streams = 0, standing = 0;
   std::size_t streams_that_rise = 0;  ///< Streams that rise along their axis, or to another at a common vertex.
@@ -23,8 +24,8 @@ struct WaterMeasures {
 WaterMeasures measure_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                              const map::Heightfield& heights);
 
-/// Returns the height of a stream's water at a distance along its whole way; without profile, the terrain's height at
-/// `there`.
+/// Returns the height of a stream's water at a distance along its whole way.
+/// @param there  The place at that distance; a stream without profile has the terrain's height there.
 double water_at_station_m(const roads::Strip& stream, double at_m, Vec2 there, const map::Heightfield& heights);
 
 }  // namespace citykiln::ground

@@ -1,4 +1,5 @@
-// Assigns to areas of running water the streams whose axes determine their heights.
+// Assigns to each area of running water (a riverbank polygon) the streams whose axes determine its heights. The
+// influence radius of a stream is the distance from its axis within which its profile gives heights.
 #pragma once
 
 #include <span>
@@ -10,19 +11,21 @@
 
 namespace citykiln::ground {
 
-/// The largest influence radius of a stream. Areas with a bank farther from every axis count as areas without axis.
+/// The largest influence radius of a stream. An area with a bank farther than this from every axis counts as without
+/// axis.
 inline constexpr double kMaxInfluence_m = 1008;
 /// Influence radii are multiples of this.
 inline constexpr double kInfluenceStep_m = 16;
 
 struct RiverAreas {
-  std::vector<double>
-      reach_m;  ///< Per stream its influence radius, a multiple of kInfluenceStep_m; 0 if it runs in no area.
-  std::vector<bool>
-      has_no_axis;  ///< Per polygon: true for a river's area if no stream in it or its neighbours is near enough.
+  /// Per stream its influence radius, a multiple of kInfluenceStep_m; 0 if it runs in no area.
+  std::vector<double> reach_m;
+  /// Per polygon: true for a river's area if no stream in it or its neighbours is near enough.
+  std::vector<bool> has_no_axis;
 };
 
 /// Assigns streams to areas. Areas that share borders share streams.
+/// @param box  Banks outside this box do not count.
 ///
 /// Guarantees: every place on a bank within the box is within 0.8 times the radius of a stream. O(n log n) in vertices
 /// and axes, plus banks times the axes with similar x.

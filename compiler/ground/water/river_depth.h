@@ -13,12 +13,14 @@ inline constexpr double kMaxDitchDepth_m = 6, kMaxStreamDepth_m = 10, kMaxRiverD
 /// through.
 inline constexpr double kSustained = 2;
 
-/// Returns the constant above for the width of a watercourse.
+/// Returns the largest usual depth, one of the constants above, of a watercourse of this width.
 double max_depth_m(double width_m);
 
-/// Returns the greatest distance d for which all stations of a stretch longer than run_m are at least d below, or at
-/// least d above, the terrain; 0 if there is no such stretch. Stations in standing water and off the terrain end a
-/// stretch. O(stations · stations within run_m).
+/// Returns the greatest distance d for which all stations of a stretch longer than run_m are at least d below, or all
+/// at least d above, the terrain; 0 if there is no such stretch. Stations in standing water and off the terrain end a
+/// stretch.
+/// @param run_m  Shortest length of a stretch.
+/// O(stations · stations within run_m).
 double sustained_depth_m(const RiverNetwork& network, const RiverLine& line, const RiverHeights& heights, double run_m);
 
 }  // namespace citykiln::ground

@@ -1,4 +1,4 @@
-// Finds the heights of all nodes of a river network.
+// Finds the heights of all nodes of a river network: places along watercourses, and lakes as one node each.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace citykiln::ground {
 
-/// The cost of a metre of water above the terrain; a metre below costs 1. A higher cost means less water that stands
-/// above pits, and deeper cuts beside them.
+/// The cost of a metre of water above the terrain, if a metre below costs 1. With a higher cost less water stands above
+/// pits of the terrain, and cuts beside the pits are deeper.
 inline constexpr int kAboveCost = 3;
 /// The largest depth that smoothing adds.
 inline constexpr double kMaxSmoothing_m = 4;
@@ -20,11 +20,14 @@ struct RiverHeights {
 
 /// Fits heights that never rise downstream to the terrain, then smooths them.
 ///
-/// Method: (1) Cycles are contracted to one node and so become level, as downstream is an order only without cycles.
-/// (2) fit_descending() with kAboveCost, so that a level part of a river is at the lower quartile of its terrain. (3)
-/// Rounds in which a node moves towards the lowest node upstream and the highest node downstream, which keeps heights
-/// descending. Smoothing never lifts water above all terrain upstream of it, and cuts at most kMaxSmoothing_m deeper;
-/// standing water, springs and ends stay.
+/// @param seas  For each standing water: true if it is the sea.
+///
+/// Method: (1) Each cycle is contracted to one node and so becomes level, since downstream is an order only without
+/// cycles. (2) fit_descending() with kAboveCost, so that a level part of a river is at the lower quartile of its
+/// terrain. (3) Rounds in which a node moves towards the lowest node upstream and the highest node downstream, which
+/// keeps heights descending. Smoothing never lifts water above all terrain upstream of it, and cuts at most
+/// kMaxSmoothing_m deeper; standing water, springs and ends stay.
+///
 /// Guarantees: no node is lower than a node downstream of it; the sea is at 0. Priorities: descent, then levels of
 /// standing water, then the terrain. A pit of width w lowers the river beside it by no more than its bed falls over
 /// kAboveCost · w. O(n log² n).

@@ -1,4 +1,5 @@
-// The network of waterways: stations along them with the terrain's heights, joined at common vertices and lakes.
+// The network of waterways: stations along them with the terrain's heights, joined at common vertices and lakes. A
+// station is a place along a waterway at which a height is fitted; a node is one or several stations of equal height.
 //
 //   ~o~~o~~o~~o~~•~~o~~o~~[  lake  ]~~o~~o~~•      stations: o on the way, • where lines meet or end,
 //                 \~o~~o~~/                        [ ] where one enters and leaves; a lake is one node
@@ -21,12 +22,14 @@ struct RiverNode {
   bool is_known() const { return weight_mm > 1; }
 };
 
+/// A place along a line.
 struct RiverStation {
   double at_m = 0;  ///< Distance along the line.
   std::uint32_t node = 0;
   bool is_pinned = false;  ///< True at ends, junctions and shores: it becomes a knot. Others are at multiples of 1/8 m.
 };
 
+/// The stations of one waterway.
 struct RiverLine {
   std::vector<RiverStation> stops;  ///< With strictly increasing at_m, from one end of the line to the other.
 };
@@ -40,9 +43,11 @@ struct RiverNetwork {
 
 /// Builds the network. Lines meet at common vertices. Stations are half a grid step of the terrain apart, at least 8 m.
 ///
-/// @param covered  Axes of culverts and aqueducts, which connect rivers; directed downstream, like streams.
-/// Does not depend on the order of lines, except for node numbers. O(n log n) in vertices and stations, plus streams
-/// times waters.
+/// @param covered   Axes of culverts and aqueducts, which connect rivers, directed downstream.
+/// @param surfaces  Land cover, with the polygons of `waters`.
+///
+/// The order of lines decides only the numbers of nodes. O(n log n) in vertices and stations, plus streams times
+/// waters.
 RiverNetwork make_river_network(std::span<const roads::Strip> streams, std::span<const Polyline> covered,
                                 std::span<const LandCoverPolygon> surfaces, const StandingWaters& waters,
                                 const map::Heightfield& heights);

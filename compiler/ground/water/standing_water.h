@@ -15,7 +15,7 @@ namespace citykiln::ground {
 /// The share of a shore that may be below its water. Heightmaps are coarse and have pits, but no lake is above most of
 /// its shore.
 inline constexpr double kShoreQuantile = 0.2;
-/// Waters with a common border are one unless their shores differ by more than this, which means that there is a dam.
+/// Polygons with a common border are one water if their shores differ by at most this. A larger difference means a dam.
 inline constexpr double kDam_m = 10;
 
 inline constexpr std::uint32_t kNoWater = 0xffffffffu;

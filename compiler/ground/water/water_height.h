@@ -20,7 +20,8 @@ namespace citykiln::ground {
 /// The level of standing water applies up to this distance from its shore, farther than simplification moves any shore.
 inline constexpr double kStandingInfluence_m = 32;
 
-/// Returns the influence radius of a stream, which covers more than its own strip, and its river's area.
+/// Returns the influence radius of a stream: the distance from its axis within which its profile gives heights. It
+/// contains the stream's own strip, and the area of its river.
 double reach_m(const roads::Strip& stream);
 
 /// An index of water recipes. Contains copies of them; can be moved, not copied.

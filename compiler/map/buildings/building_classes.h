@@ -14,6 +14,7 @@ enum class BuildingClass : std::uint8_t {
   kCount
 };
 
+/// A row of building_classes.inc.
 struct BuildingValues {
   std::string_view name;
   double height_m;  ///< The default height; 0: it follows from the footprint's area.

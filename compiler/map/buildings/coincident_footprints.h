@@ -25,6 +25,7 @@ std::vector<Footprint> without_enclosed_parts(std::vector<Footprint> footprints,
                                               std::span<const std::uint32_t> outlines, Account& account,
                                               Report& report);
 
+/// The largest distance between two outlines that coincide.
 inline constexpr double kSameOutline_m = 0.5;
 
 }  // namespace citykiln::map

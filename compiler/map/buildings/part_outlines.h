@@ -1,4 +1,4 @@
-// Finds the building that each building:part belongs to.
+// Finds the building outline to which each building:part belongs.
 #pragma once
 
 #include <cstdint>

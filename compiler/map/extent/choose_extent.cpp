@@ -29,7 +29,7 @@ LonLatBox in_both(const LonLatBox& a, const LonLatBox& b) {
 double area_deg2(const LonLatBox& box) { return (box.east - box.west) * (box.north - box.south); }
 
 bool is_far_larger(const LonLatBox& box, const LonLatBox& map) {
-  const auto exceeds = [](double side, double of_map) { return side > kFarLarger_deg && side > 2 * of_map; };
+  const auto exceeds = [](double side, double of_map) { return side > kNeverClipped_deg && side > 2 * of_map; };
   return exceeds(box.east - box.west, map.east - map.west) || exceeds(box.north - box.south, map.north - map.south);
 }
 
@@ -57,7 +57,7 @@ Result<LonLatBox> choose_extent(const OsmData& osm, const std::optional<LonLatBo
   return clipped;
 }
 
-Result<Done> is_worth_baking(const Box2& extent, const OsmData& osm, bool has_box) {
+Result<Done> check_worth_baking(const Box2& extent, const OsmData& osm, bool has_box) {
   const double area_m2 = extent.width() * extent.height();
   const bool is_sparse = !has_box && area_m2 > kSparseFrom_m2 && static_cast<double>(nodes_in(osm)) < area_m2 * 1e-6;
   if (extent.width() <= kMaxSide_m && extent.height() <= kMaxSide_m && !is_sparse) return Done{};

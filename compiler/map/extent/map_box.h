@@ -1,4 +1,5 @@
-// The box of a map: the one in its header, or that of its nodes without nodes that lie far away by mistake.
+// Finds the box of a map: the box in its header, else the box of its nodes without stray nodes, which lie far away by
+// mistake.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +9,14 @@
 
 namespace citykiln::map {
 
+/// A node that does not count for the box.
 struct StrayNode {
   std::int64_t id = 0;
   double away_deg = 0;  ///< Distance from the map's box in longitude or latitude, whichever is larger.
   auto operator<=>(const StrayNode&) const = default;
 };
 
+/// The box of a map, in degrees.
 struct MapBox {
   source::LonLatBox box;
   std::vector<StrayNode> strays;  ///< Sorted by id; none for a map with a box in its header.
@@ -29,6 +32,7 @@ struct MapBox {
 /// or a town has hundreds. O(n log n).
 MapBox map_box(const source::OsmData& osm);
 
+/// The width of the empty margin around a group.
 inline constexpr double kGroupCell_deg = 0.05;
 
 }  // namespace citykiln::map

@@ -17,6 +17,7 @@ struct LaneClass {
   double width_m_of(double counted) const;
 };
 
+/// Returns the lane class of a way.
 LaneClass lane_class_of(const LaneTags& tags);
 
 /// Widths of lane_rules.inc, metres.

@@ -1,4 +1,4 @@
-// The number of lanes of a road, by flow.
+// Counts the lanes of a road, by direction of traffic (flow).
 #pragma once
 
 #include "compiler/map/lanes/lane_class.h"
@@ -20,8 +20,9 @@ struct LaneCounts {
 };
 
 /// Returns the counts by lanes, lanes:forward, lanes:backward, lanes:both_ways, centre_turn_lane and the lengths of the
-/// lists, with the precedence of lanes.h. There is at least one lane, and at most kMaxLanes per flow and
-/// kMaxLanesOfRoad in all. Diagnosed: kBadTagValue for contradictions.
+/// …:lanes lists, with the precedence of lanes.h. There is at least one lane, at most kMaxLanes per flow and
+/// kMaxLanesOfRoad in all. Contradictions are diagnosed kBadTagValue.
+/// @param lists  The …:lanes lists of each flow.
 LaneCounts lane_counts_of(const LaneTags& tags, const LaneClass& lane_class, const PerFlow<LaneList>& lists);
 
 }  // namespace citykiln::map

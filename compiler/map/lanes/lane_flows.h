@@ -1,4 +1,5 @@
-// The moving lanes of a road: all lanes except its roadsides.
+// Reads the moving lanes of a road from its tags: all lanes except the roadsides (parking, pavements and similar). A
+// flow is the traffic in one direction of the way.
 #pragma once
 
 #include <vector>
@@ -7,13 +8,15 @@
 
 namespace citykiln::map {
 
-/// Lanes of each flow from the middle of the road outwards. share_widths() sets widths that are 0.
+/// The moving lanes. The lists of `flows` run from the middle of the road outwards. A width of 0 is set by
+/// share_widths().
 struct MovingLanes {
   PerFlow<std::vector<Lane>> flows;
   std::vector<Lane> middle;
-  PerFlow<bool> has_cycle_lane;  ///< True if bicycle:lanes names one: cycleway=lane does not add another.
-  double counted = 0;            ///< LaneCounts::counted, plus bus lanes that lanes=* does not count.
-  bool is_tagged = false;        ///< LaneCounts::is_tagged.
+  PerFlow<bool> has_cycle_lane;  ///< True if bicycle:lanes lists a cycle lane; cycleway=lane then adds no second one.
+  double counted = 0;  ///< The number of lanes from which default widths follow (LaneCounts::counted), plus bus lanes
+                       ///< that lanes=* does not count.
+  bool is_tagged = false;  ///< LaneCounts::is_tagged.
 
   /// Returns all lanes: the middle ones, then each flow outwards.
   std::vector<Lane*> all();

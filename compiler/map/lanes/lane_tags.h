@@ -1,4 +1,4 @@
-// A road's tags by direction of traffic and by roadside, independent of the driving side.
+// Reads a road's tags by direction of traffic and by side, for both driving sides.
 //
 // The two flows of a road are mirror images. Every lane list in this folder runs from the middle of the road outwards,
 // and the roadside of a flow is the one beside its outer lane. So one implementation serves both flows and both driving
@@ -18,6 +18,7 @@
 
 namespace citykiln::map {
 
+/// The traffic in one direction: along the way, or against it.
 enum class Flow : std::uint8_t { kForward, kBackward };  ///< Along the way, and against it.
 inline constexpr std::array kFlows = {Flow::kForward, Flow::kBackward};
 
@@ -26,7 +27,7 @@ inline LaneDirection way_of(Flow flow) {
   return flow == Flow::kForward ? LaneDirection::kForward : LaneDirection::kBackward;
 }
 
-/// The flows that a road has.
+/// The directions in which a road is used.
 enum class Traffic : std::uint8_t { kTwoWay, kForward, kBackward, kInTurns /* oneway=reversible, alternating */ };
 
 /// One value for each flow.
@@ -37,6 +38,7 @@ struct PerFlow {
   const T& operator[](Flow flow) const { return values[static_cast<std::size_t>(flow)]; }
 };
 
+/// The tags of one way.
 struct LaneTags {
   const ReadContext& context;
   OsmId id;
@@ -62,9 +64,9 @@ struct LaneTags {
 
   /// Returns ":forward" or ":backward".
   static std::string_view suffix(Flow flow) { return flow == Flow::kForward ? ":forward" : ":backward"; }
-  /// Returns "left" or "right": the roadside of a flow.
+  /// Returns the side of the road on which a flow drives: "left" or "right", as seen along the way.
   std::string_view roadside(Flow flow) const;
-  /// The value of key:<side><suffix>, else of key:both<suffix>; "" if neither is tagged.
+  /// The value of key:<side><suffix> for the side of a flow, else of key:both<suffix>; "" if neither is tagged.
   std::string_view beside(Flow flow, std::string_view key, std::string_view suffix = "") const;
   /// The key that applies to the lanes of one flow: key+":forward" or key+":backward"; if that is not tagged and the
   /// road is one-way in this direction, the key alone.
@@ -72,10 +74,10 @@ struct LaneTags {
   /// The entries of a list "a|b|c" for one flow's lanes, from the middle of the road outwards; empty if not tagged.
   std::vector<std::string_view> list_along(Flow flow, const std::string& key) const;
 
-  /// A tagged number of lanes, least … kMaxLanes. Other values are diagnosed and give nothing.
+  /// A tagged number of lanes, `least` to kMaxLanes; nothing if the key is not tagged. Other values are diagnosed.
   std::optional<double> count(const std::string& key, double least) const;
-  /// The tagged width of a roadside lane, 0.1 … 20 m; for verges also verge:width. Bad values are not diagnosed here,
-  /// since one value may apply to both sides (diagnose_widths_beside()).
+  /// The tagged width of a lane on the side of a flow, 0.1 to 20 m; for verges also verge:width. Bad values are not
+  /// diagnosed here, since one value may apply to both sides (diagnose_widths_beside()).
   std::optional<double> width_beside(Flow flow, std::string_view key) const;
 };
 

@@ -9,11 +9,11 @@
 
 namespace citykiln::map {
 
-/// A mark of a node; a node may have several.
+/// A mark of a node, such as a crossing; a node may have several.
 struct NodeMark {
   std::int64_t node_id = 0;
   TrackPointKind kind{};
-  std::int8_t facing = 0;
+  std::int8_t facing = 0;  ///< 1 for traffic along the way, -1 against it, 0 for both or unknown.
   auto operator<=>(const NodeMark&) const = default;
 };
 

@@ -7,6 +7,7 @@
 
 namespace citykiln::map {
 
+/// A row: tags of ways, and their class and lanes.
 struct TrackRow {
   std::string_view key, value;
   LandCoverClass surface;

@@ -1,4 +1,4 @@
-// Clips rings that extend far beyond the extent.
+// Clips rings to a box, for areas such as seas that continue far outside the compiled extent.
 #pragma once
 
 #include <span>
@@ -7,15 +7,16 @@
 
 namespace citykiln::map {
 
-/// Returns the part of a ring inside a box as one ring. Where the ring leaves the box, the result follows the box's
-/// sides to the place where the ring returns; it may run to and fro along a side without enclosing area.
+/// Returns the part of a ring inside a box as one ring. Where the ring leaves the box, the result follows the sides of
+/// the box to the place where the ring returns. It may run to and fro along a side without enclosing area. Empty if
+/// less than a triangle is left.
 ///
-/// @param box  Corners on the plane's grid.
+/// @param ring  Plane metres, without a repeated last point.
+/// @param box   Corners are multiples of kMapStep_m (1/128 m).
 ///
-/// Guarantees: points in the box keep their winding numbers, except within kMapStep_m of its sides and of cut edges, as
-/// new points are snapped to the plane's grid; no point lies outside the box; a ring inside the box is returned
-/// unchanged. Empty if less than a triangle is left. O(n). Source: Sutherland, Hodgman, "Reentrant polygon clipping",
-/// 1974.
+/// Guarantees: a ring inside the box is returned unchanged; no point of the result lies outside the box; new points are
+/// multiples of kMapStep_m, so winding numbers of points in the box change only within kMapStep_m of the box's sides
+/// and of cut edges. O(n). Source: Sutherland, Hodgman, "Reentrant polygon clipping", 1974.
 Ring clip_ring(std::span<const Vec2> ring, const Box2& box);
 
 }  // namespace citykiln::map

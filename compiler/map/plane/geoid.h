@@ -21,7 +21,7 @@ struct Geoid {
   bool operator==(const Geoid&) const = default;
 };
 
-/// The grid step that read_geoid() returns. GeographicLib's own grids have steps of 1' (1.8 km) or more.
+/// The grid step of the result of read_geoid(). GeographicLib's own grids have steps of 1' (1.8 km) or more.
 inline constexpr double kGeoidStep_m = 1024;
 
 /// The height of the geoid above the ellipsoid at a point of the plane.

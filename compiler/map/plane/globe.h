@@ -40,9 +40,9 @@ class Globe {
 /// The smallest radius of curvature of the ellipsoid: along the meridian at the equator.
 inline constexpr double kLeastRadius_m = 6335439.0;
 
-/// An upper bound of the sag of a bent line: the distance between a straight line of the plane that is bent, and the
-/// straight line between its bent ends. It is (length)² / (8 kLeastRadius_m), times 1.2 for lines that climb while the
-/// vertical turns.
+/// Returns an upper bound of the sag of a line: the largest distance between a straight line of the plane after it is
+/// bent onto the ellipsoid, and the straight line between its bent ends. It is length² / (8 kLeastRadius_m), times 1.2
+/// for lines that climb while the vertical turns.
 /// @param length_m  Length in three dimensions; at most 100 km.
 double sag_m(double length_m);
 

@@ -1,4 +1,4 @@
-// Heightfields: piecewise-linear surfaces over a grid that is aligned to the plane's axes.
+// Heightfields: piecewise linear surfaces over a grid whose sides are parallel to the plane's axes.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace citykiln::map {
 
-/// The quantum of heights.
+/// The step of stored heights.
 inline constexpr double kHeightQuantum_m = 0x1p-6;
 
 /// Steps and vertex positions are multiples of this, so that every vertex, and every point a whole 128th of the way
 /// from one vertex to another, lies on the grid of the plane.
 inline constexpr double kStepUnit_m = 0x1p-3;
 
-/// Vertex (i, j) lies at (min.x + i step_m.x, min.y + j step_m.y). Each cell is split by its diagonal from south-west
-/// to north-east.
+/// A grid of heights. Vertex (i, j) lies at (min.x + i step_m.x, min.y + j step_m.y), plane metres. Each cell of the
+/// grid is split by its diagonal from south-west to north-east.
 struct Heightfield {
   Vec2 min;
   Vec2 step_m{64, 64};                ///< East and north; whole multiples of kStepUnit_m.

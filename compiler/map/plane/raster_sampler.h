@@ -1,4 +1,4 @@
-// Samples heights of rasters at places.
+// Samples heights of rasters (heightmaps) at places.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,7 @@ namespace citykiln::map {
 /// Values beyond this are no heights: they would overflow differences of 32-bit quanta.
 inline constexpr double kMostHeight_m = 0x1p20;
 
+/// True for values that can be heights.
 template <typename Real>
 bool is_height(Real height_m) {
   return std::abs(height_m) <= kMostHeight_m;

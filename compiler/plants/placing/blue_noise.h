@@ -1,5 +1,5 @@
-// Blue noise: evenly spaced samples. They depend only on hashes and the density nearby, so any part of the plane can be
-// computed on its own. Distances are measured on the ground, not in projection.
+// Blue noise: evenly spaced random samples. They depend only on hashes and the density nearby, so any part of the plane
+// can be computed on its own. Distances are measured on the ground, not in plan.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,7 @@ struct SampleDensity {
   std::uint32_t owner = 0;  ///< A number of the caller's, copied to samples.
 };
 
+/// A position that was chosen.
 struct Sample {
   Vec2 at;  ///< Plane metres, snapped.
   StableId id;

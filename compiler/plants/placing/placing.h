@@ -1,4 +1,5 @@
-// The data and functions that the steps of placing plants share: single trees, tree rows, woods, plantings, hedges.
+// The data and functions that the steps of placing plants share: single trees, tree rows, woods, plantings, hedges. A
+// prototype is one of the few distinct plants of a species; plants are scaled copies of its mesh.
 #pragma once
 
 #include <map>
@@ -67,9 +68,11 @@ std::vector<Vec2> spaced_along(const Polyline& axis, double spacing_m);
 /// True if the box without its upper sides contains a position.
 bool is_in_half_open(const Box2& box, Vec2 p);
 
-/// True if the topmost land cover at a position is a carriageway, rail, building or water. Pedestrian streets are free.
+/// True if the topmost land cover at a position is a carriageway, rail, building or water, where no plant stands.
+/// Pedestrian streets may have plants.
 bool is_blocked_ground(const ground::LandCoverIndex& map, Vec2 p);
 
+/// Returns the growing conditions at a position.
 Habitat habitat_of(const PlacingContext& context, Vec2 p);
 
 /// A mapped tree, or a tree of a row, of which woods keep clear.
@@ -77,6 +80,7 @@ struct Obstacle {
   Vec2 at;
   double radius_m = 0;  ///< The clearance to trunks of woods: half of the crown's width, and room for another crown.
 };
+/// Returns Obstacle::radius_m for a plant, at most kMostClearance_m.
 double crown_clearance_m(Species species, double height_m);
 inline constexpr double kMostClearance_m = 7;
 
@@ -88,10 +92,12 @@ std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> tr
 std::vector<Obstacle> place_rows(PlacedPlants& placed, std::span<const TreeRow> rows, std::vector<Obstacle> trees,
                                  const PlacingContext& context);
 
+/// Places the trees of woods.
+/// @param trees  Obstacles: mapped trees and trees of rows, which trees of woods keep clear of.
 void place_woods(PlacedPlants& placed, std::span<const Wood> woods, std::span<const Obstacle> trees,
                  std::span<const PowerLineCorridor> corridors, const PlacingContext& context);
 
-/// Places all plantings but those of blades.
+/// Places all plantings (plants in rows) except blades: grass, reed and corn.
 /// @param trees  Obstacles, which leave gaps in the rows.
 void place_plantings(PlacedPlants& placed, std::span<const Planting> plantings, std::span<const Obstacle> trees,
                      const PlacingContext& context);
@@ -115,7 +121,9 @@ struct ObstacleIndex {
   std::span<const Obstacle> all;
   BoxGrid grid;
 };
+/// Builds the index.
 ObstacleIndex index_obstacles(std::span<const Obstacle> all);
+/// True if a position is nearer to an obstacle than its radius.
 bool is_near_obstacle(const ObstacleIndex& obstacles, Vec2 p);
 
 }  // namespace citykiln::plants

@@ -1,4 +1,5 @@
-// Looks up the woods of a tile by position: species mix, density and tree heights. Also corridors without trees.
+// Looks up the woods of a tile by position: species mix, density and tree heights. Also looks up power-line corridors,
+// where no trees grow.
 #pragma once
 
 #include "compiler/plants/placing/blue_noise.h"
@@ -6,6 +7,7 @@
 
 namespace citykiln::plants {
 
+/// Woods with the data for queries. Refers to woods and context, which must outlive it.
 struct WoodMap {
   std::span<const Wood> woods;
   const PlacingContext& context;
@@ -38,6 +40,7 @@ struct CorridorIndex {
 };
 /// Indexes the corridors that touch the box.
 CorridorIndex index_corridors(std::span<const PowerLineCorridor> corridors, const Box2& box);
+/// True if a position lies in a power-line corridor.
 bool is_in_corridor(const CorridorIndex& corridors, Vec2 p);
 
 }  // namespace citykiln::plants

@@ -1,4 +1,5 @@
-// Canopies: at coarse levels a closed wood is one surface over its crowns, instead of a hull for each tree.
+// Canopies: at coarse levels a closed wood is one surface over its crowns, instead of a hull (a mesh of a few
+// triangles) for each tree.
 //
 //            _   __
 //          _/ \_/  \_         vertices of a lattice, as high as the trees there (crown_average.h); on the ground where
@@ -17,12 +18,14 @@ namespace citykiln::plants {
 /// The width of a cell. A tile's side is a multiple of it; land cover is known two cells beyond the tile.
 inline constexpr double kCanopyCell_m = 16;
 
+/// The canopies of the woods in a box.
 struct Canopy {
   std::vector<materials::MaterialMesh> meshes;  ///< One per wood, plane metres, with normals and tints.
   double error_m = 0;  ///< The stated (not certified) error of the trees that remove_trees_below() removes.
   Box2 box{};
   int columns = 0;             ///< The number of cells from west to east.
-  std::vector<bool> is_whole;  ///< By cell, row by row from the south-west: all four vertices are raised.
+  std::vector<bool> is_whole;  ///< By cell, row by row from the south-west: true if all four vertices are raised, so
+                               ///< that the canopy replaces the trees.
   std::vector<double> tops_m;  ///< By vertex, row by row from the south-west: the height of a raised vertex, else 0.
 };
 
@@ -38,7 +41,7 @@ Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorrido
                    const PlacingContext& context, double tolerance_m, Month month);
 
 /// Removes the trees of woods that stand in cells of Canopy::is_whole. Sets canopy.error_m to the largest distance from
-/// their tops to the canopy, and at least to half of their height, since the middle of a trunk lies between ground and
+/// their tops to the canopy, but at least to half of their height, since the middle of a trunk lies between ground and
 /// canopy.
 void remove_trees_below(Canopy& canopy, std::span<const Wood> woods, PlacedPlants& placed);
 

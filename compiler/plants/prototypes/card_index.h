@@ -1,4 +1,4 @@
-// Finds cards by position, with a grid of their centres.
+// Finds cards by position, with a grid of their centres. A card is a rectangle with a picture of leaves (foliage.h).
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,8 @@ struct CardIndex {
   std::vector<Entry> entries{};
 };
 
-/// Returns the number of the grid cell of a position, in the order of layers, rows and columns.
+/// Returns the number of the grid cell that contains a position, in the order of layers, rows and columns.
+/// @param dy, dz  Offset in rows and layers to another cell.
 inline std::uint64_t grid_cell(Vec3 place, double cell_m, int dy = 0, int dz = 0) {
   constexpr double kOffset = 1 << 20;
   const auto step = [&](double v) { return static_cast<std::uint64_t>(std::floor(v / cell_m) + kOffset); };

@@ -92,7 +92,7 @@ CrownAverage crown_average_at(const WoodMap& woods, Vec2 p, Month month) {
   const Habitat habitat = habitat_at(context.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p), false);
   const Colour ground = ground_of(woods, wood);
   const Draw draw(context.seed, id_of_place(p), "canopy");
-  mix.chance = draw.unit(0);
+  mix.uniform = draw.unit(0);
   for (std::uint32_t i = 0; i < kTrees; ++i)
     add_tree(mix, wood, habitat, context.seed, Draw(context.seed, stable_id(id_of_place(p), "tree", i), "canopy"),
              month, ground);

@@ -1,4 +1,4 @@
-// Foliage: the leaves of a plant as rectangular cards.
+// Foliage: the leaves of a plant as cards, rectangles with the picture of a spray (a twig with its leaves).
 //
 //         across
 //      +---------->      a card shows the picture of a spray, or is an opaque blade;
@@ -37,9 +37,11 @@ struct CentreBounds {
 };
 CentreBounds bounds_of(std::span<const Card> cards);
 
+/// Returns the area of a card.
 double area_of(const Card& card);
 /// Returns the distance from a position to the rectangle.
 double distance(const Card& card, Vec3 place);
+/// Returns the corners of a card.
 std::array<Vec3, 4> corners_of(const Card& card);
 
 /// The leaves of a plant, in the skeleton's units.
@@ -49,7 +51,9 @@ struct Foliage {
   Vec3 crown_centre;
 };
 
-/// Returns a card for each instance of a skeleton, and cards of equal area for its polygons, in shades of `tint`. O(n).
+/// Returns a card for each leaf instance of a grown skeleton, and cards of equal area for its polygons, in shades of
+/// `tint`. O(n).
+/// @param system  The L-system that names the instances.
 Foliage foliage_of(const lsystems::LSystem& system, const lsystems::Skeleton& skeleton, materials::Tint tint);
 
 }  // namespace citykiln::plants

@@ -14,7 +14,7 @@
 
 namespace citykiln::plants {
 
-/// The picture of a card (sprays.h): a spray or a clump of sprays, a fruit, or a blade.
+/// The key of a picture. A spray is a twig with its leaves, a clump is several sprays (sprays.h).
 struct LeafPicture {
   std::string_view spray;  ///< "" for blades; kAnyFruit for fruit.
   bool is_clump = false;   ///< Always false for fruit and blades.
@@ -23,6 +23,7 @@ struct LeafPicture {
   auto operator<=>(const LeafPicture&) const = default;
 };
 
+/// The value of LeafPicture::spray for all round fruit.
 inline constexpr std::string_view kAnyFruit = "fruit";
 
 /// The part of the image that shows a picture: its top left corner and its size.
@@ -30,6 +31,7 @@ struct LeafPlace {
   Vec2 at_m, size_m;
 };
 
+/// The image, and the place of each picture in it.
 struct LeafAtlas {
   impostor::Cutout cutout;
   std::map<LeafPicture, LeafPlace> places;

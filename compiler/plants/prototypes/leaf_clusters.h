@@ -10,6 +10,7 @@
 
 namespace citykiln::plants {
 
+/// The new cards and their error.
 struct Clusters {
   std::vector<Card> cards;
   /// A bound of the Hausdorff distance between the union of the given cards and that of the new ones.

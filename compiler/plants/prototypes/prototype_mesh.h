@@ -1,4 +1,5 @@
-// The levels of detail of a grown plant, as meshes of a plant 1 m tall (levels.md).
+// The levels of detail of a grown plant, as meshes of a plant 1 m tall (levels.md). A card is a rectangle with a
+// picture of leaves.
 //
 //     tolerance / height   … 0.28    stems as tubes, leaves as cards, merged within the tolerance (leaf_clusters.h)
 //                     0.28 … 1       a hull of 12 triangles (crown_hull.h)
@@ -16,6 +17,7 @@ namespace citykiln::plants {
 /// The least tolerances of the hull and of a hedge's box, as shares of the height.
 inline constexpr double kHullFrom = 0.28, kBoxFrom = 0.12;
 
+/// The mesh of a plant 1 m tall at one tolerance.
 struct PrototypeMesh {
   /// The origin is at the foot of the trunk, z up; 1 m tall in summer. Empty: the plant is left out.
   std::vector<materials::MaterialMesh> meshes;
@@ -26,7 +28,8 @@ struct PrototypeMesh {
 /// Returns the mesh of a plant that keeps the tolerance when scaled to `height_m`. Empty with error 1 if the tolerance
 /// is at least the height; empty without error if the season leaves no plant.
 ///
-/// @param atlas  The atlas of the month for which the plant was grown.
+/// @param grown                  The plant's stems and leaves.
+/// @param atlas                  The leaf pictures of the month for which the plant was grown.
 /// @param height_m, tolerance_m  > 0.
 ///
 /// Error: certified in both directions for stems and leaf cards, except that stems with a radius below the tolerance

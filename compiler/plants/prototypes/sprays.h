@@ -9,14 +9,16 @@
 
 namespace citykiln::plants {
 
-/// The number of texels along a spray, whose length is 1. With a texel on each side it fills a cell of a cutout.
+/// The number of texels along a spray. Together with one texel on each side it fills a cell of a cutout (an image with
+/// transparency).
 inline constexpr std::uint32_t kSprayTexels = 62;
+/// The size of a texel, as a share of the spray's length.
 inline constexpr double kSprayTexel = 1.0 / kSprayTexels;
 
 /// Returns the width of a spray of length 1; 1 for an unknown name.
 double width_of_spray(std::string_view name);
 
-/// True if a name means round fruit, as every name does that is not a spray's.
+/// True if a name is not the name of a spray: all other names stand for round fruit.
 bool is_fruit(std::string_view name);
 
 /// Returns the picture of a spray: leaves on both sides of a twig with its tip at the top, in three shades of grey that
@@ -28,7 +30,8 @@ bool is_fruit(std::string_view name);
 impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share = 1,
                                    bool is_clump = false);
 
-/// The number of sprays in a clump, and the area that a clump covers relative to a single spray (mean of species).
+/// The number of sprays in a clump, and the leaf area of a clump divided by that of a single spray (mean of the
+/// species).
 inline constexpr int kClumpSprays = 24;
 inline constexpr double kClumpLeaves = 1.75;
 

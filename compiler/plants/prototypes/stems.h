@@ -6,6 +6,7 @@
 
 namespace citykiln::plants {
 
+/// Stems as a mesh, in the skeleton's units.
 struct StemMesh {
   Mesh mesh;
   std::vector<Vec2> uvs;  ///< One per position, as in lsystems::PlantMesh::bark; empty if bark_m is 0.

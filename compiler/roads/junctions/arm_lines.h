@@ -1,4 +1,5 @@
-// Straight lines that approximate arms near their junction, for bearings, corners and overlaps.
+// Straight lines that approximate arms (roads that leave a junction) near the junction, for bearings, corners and
+// overlaps.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,7 @@
 
 namespace citykiln::roads {
 
+/// An arm as a straight line.
 struct ArmLine {
   Vec2 from, along;                ///< `along` is a unit vector.
   double left_m = 0, right_m = 0;  ///< Distances to the kerbs, seen along the arm.
@@ -34,8 +36,8 @@ struct Corner {
   double sine = 1, cosine = 0;               ///< Sine and cosine of the angle between the arms.
 };
 
-/// Returns the corner between two arms, or nothing if they are more than 160 degrees apart: such a corner needs neither
-/// rounding nor a cut. Both lengths are infinite if the arms run side by side and overlap.
+/// Returns the corner between two arms; nothing if the angle between them is over 160 degrees, as such a corner needs
+/// neither rounding nor a cut. Both lengths are infinite if the arms run side by side and overlap.
 std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next);
 
 }  // namespace citykiln::roads

@@ -1,4 +1,5 @@
-// Merges nodes that a driver takes for one junction.
+// Merges nodes that a driver takes for one junction. A node is a place where roads meet; a link is the part of a road
+// from one node to the next; an arm is a road that leaves a node.
 #pragma once
 
 #include <cstdint>

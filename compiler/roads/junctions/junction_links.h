@@ -1,4 +1,5 @@
-// Links: parts of roads from one node to the next.
+// Links: parts of roads from one node to the next. A node is a place where roads meet; an arm is a road that leaves a
+// node.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ struct Link {
   std::uint32_t arm = 0;         ///< The index of the arm at the link's other end, among that node's arms.
 };
 
-/// Finds the node at a vertex of a road. Refers to roads and nodes.
+/// Finds the next node along a road. Refers to roads and nodes, which must outlive it.
 class NodeIndex {
  public:
   NodeIndex(std::span<const Road> roads, std::span<const Node> nodes);

@@ -1,5 +1,6 @@
-// Traces the outline of a junction as one ring: for each arm out along its right edge, across its cut, back along its
-// left edge, and along the corner to the next arm.
+// Traces the outline of a junction as one ring: for each arm (a road that leaves the junction) out along its right
+// edge, across its cut (the line where the junction ends), back along its left edge, and along the corner to the next
+// arm.
 #pragma once
 
 #include <optional>
@@ -13,17 +14,21 @@ namespace citykiln::roads {
 
 /// The arms of a junction in the forms that its outline needs.
 struct JunctionArms {
-  std::vector<ArmLine> lines;        ///< One for each arm.
-  std::vector<ArmPath> paths;        ///< One for each arm.
-  std::vector<std::uint32_t> next;   ///< For each arm the next one, by next_at_node().
-  std::vector<std::uint32_t> order;  ///< Indices of arms counter-clockwise, without links inside the junction.
-  std::vector<double> disks_m;       ///< One for each node: the radius of its disk, 0 if it is not circular.
+  std::vector<ArmLine> lines;       ///< Straight line of each arm.
+  std::vector<ArmPath> paths;       ///< Axis and widths of each arm near the junction.
+  std::vector<std::uint32_t> next;  ///< For each arm the index of the next one counter-clockwise at its node.
+  /// Indices of arms counter-clockwise, without roads between two nodes of the junction.
+  std::vector<std::uint32_t> order;
+  /// For each node the radius of its disk (a turning circle or mini roundabout); 0 if it has none.
+  std::vector<double> disks_m;
 };
+/// Returns the forms of a junction's arms.
+/// @param arms  The entry of arms_of() for this junction; parameter of all functions here.
 JunctionArms junction_arms(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
 
-/// Returns the outline of a junction of one node that is not circular, if tracing it gives a valid one: a simple
-/// counter-clockwise ring, snapped, about the node, that covers the union of stroke_pieces(). Nothing if edges do not
-/// meet as expected; the caller then computes that union. O(n²) in some thirty points.
+/// Returns the outline of a junction of one node without a disk: a simple counter-clockwise ring, snapped, about the
+/// node, that covers the union of stroke_pieces(). Nothing if edges do not meet as expected; the caller then computes
+/// that union. O(n²) in some thirty points.
 std::optional<Ring> trace_outline(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                   const JunctionArms& junction_arms);
 
@@ -31,8 +36,8 @@ std::optional<Ring> trace_outline(const Junction& junction, std::span<const Road
 std::optional<Ring> trace_outline_unchecked(const Junction& junction, std::span<const Road> roads,
                                             std::span<const Arm> arms, const JunctionArms& junction_arms);
 
-/// Returns the rings that are united if trace_outline() fails: arms up to their cuts, links inside, a disk about each
-/// open or circular node, rounded corners. Counter-clockwise, snapped.
+/// Returns rings whose union is the junction: arms up to their cuts, links inside, a disk about each open or circular
+/// node, rounded corners. Counter-clockwise, snapped. They are used if trace_outline() fails.
 std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                 const JunctionArms& junction_arms);
 

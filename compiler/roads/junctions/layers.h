@@ -27,11 +27,11 @@ struct RoadLayer {
 /// Sorts all tracks off the ground into layers, each track into exactly one. Layers are sorted by number, then passage;
 /// none is empty.
 ///
-/// The layer of a way is the minimum over all ways of its passage that are connected to it by shared nodes, so distant
-/// ways can change it. A bridge without layer=* (or with 0) counts as 1, a tunnel as -1. Junctions depend on nearby
-/// roads only. No junction spans an abutment or a tunnel portal: the two roads end there.
+/// The layer of a way is the lowest layer of all ways of its passage that are connected to it by shared nodes, so
+/// distant ways can change it. A bridge without layer=* (or with 0) counts as 1, a tunnel as -1. Junctions depend on
+/// nearby roads only. No junction contains an abutment or a tunnel portal: roads end there.
 ///
-/// Junctions of one layer may lie above each other if a connected bridge passes over itself. outline_junctions() gives
+/// Junctions of one layer may lie above each other if a connected bridge passes over itself; outline_junctions() gives
 /// the shared area to one of them. Ledger "roads/junction_off_ground": nodes in, junctions out, nodes that share a
 /// junction merged. Diagnosed as by plan_junctions(). O(n log n) in vertices off the ground.
 std::vector<RoadLayer> plan_layers(const map::Features& features, Report& report);

@@ -13,14 +13,17 @@
 
 namespace citykiln::roads {
 
-/// True for two arms of streets that turn by less than 30 degrees. Stairs and paths change their width abruptly.
+/// True for two streets that meet at a node and turn by less than 30 degrees there. Paths and stairs change their width
+/// abruptly instead.
+/// @param lines  Lines of the arms (roads leaving the node).
 bool is_taper(Family family, std::span<const ArmLine> lines);
 
 /// Returns the length along which an arm tapers towards the other: at least 1 m.
 double taper_length_m(const ArmPath& arm, const ArmPath& other);
 
-/// Returns the area from cut to cut along both axes as a counter-clockwise ring, snapped. Nothing if an axis bends too
+/// Returns the area from cut to cut along both arms as a counter-clockwise ring, snapped; nothing if an axis bends too
 /// sharply or a cut is 0. The ring may cross itself, which the caller must check. O(n).
+/// @param cut_m, other_cut_m  Distances from the node, along each arm, at which the junction ends.
 std::optional<Ring> taper_ring(const ArmPath& arm, double cut_m, const ArmPath& other, double other_cut_m);
 
 }  // namespace citykiln::roads

@@ -42,13 +42,14 @@ struct MarkingLayout {
   Control control = Control::kNone;
   map::DrivingSide side = map::DrivingSide::kRight;
   bool has_kerb_left = true, has_kerb_right = true;  ///< Larger roads without kerbs (out of town) get edge lines.
-  double gauge_m = kStandardGauge_m;                 ///< Gauge of kRail lanes.
+  double gauge_m = kStandardGauge_m;                 ///< Distance between the rails of kRail lanes.
 };
 
 /// A total order over all members; doubles by std::strong_order.
 std::strong_ordering operator<=>(const MarkingLayout& a, const MarkingLayout& b);
 inline bool operator==(const MarkingLayout& a, const MarkingLayout& b) { return (a <=> b) == 0; }
 
+/// The width of the strip: the sum of its lanes.
 double width_m(const MarkingLayout& layout);
 /// The value of u at the left side of each lane, then the strip's width: lanes.size() + 1 numbers.
 std::vector<double> lane_sides_m(const MarkingLayout& layout);

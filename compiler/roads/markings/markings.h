@@ -1,4 +1,5 @@
-// Markings: the marks on a strip of road.
+// Markings: the painted marks on a strip of road. A strip is a set of neighbouring lanes of one kind; its layout has
+// all data that determine its marks (marking_layout.h).
 //
 //     |  . | : | . |  bays, lane lines, centre line     Conventions of the Vienna Convention on Road Signs and Signals,
 //     |__._|_:_|^._|  stop line, arrows                 all white. Dimensions from the German RMS-1, with dash patterns

@@ -1,4 +1,5 @@
-// The parts of marks_of(). Each function adds the marks of one kind for traffic towards the layout's end, if any.
+// The parts of marks_of(). Each function adds painted marks of one kind to a strip of road; where direction matters,
+// for traffic towards the end of the strip's layout.
 #pragma once
 
 #include "compiler/roads/markings/mark.h"
@@ -10,6 +11,7 @@ namespace citykiln::roads {
 void add_tints(const MarkingLayout& layout, Marks& marks);
 /// Adds lines between neighbouring lanes, along edges, and in two-way cycle tracks.
 void add_lane_lines(const MarkingLayout& layout, Marks& marks);
+/// Adds diagonal lines on buffers.
 void add_hatching(const MarkingLayout& layout, Marks& marks);
 /// Adds lines of parking bays, except within 6 m of a junction.
 void add_bays(const MarkingLayout& layout, Marks& marks);
@@ -19,8 +21,11 @@ void add_stop_lines(const MarkingLayout& layout, Marks& marks);
 void add_arrows(const MarkingLayout& layout, Marks& marks);
 /// Adds bicycle and BUS symbols.
 void add_symbols(const MarkingLayout& layout, Marks& marks);
+/// Adds the bars of a zebra crossing.
 void add_zebra(const MarkingLayout& layout, Marks& marks);
+/// Adds the two broken lines of a signalled crossing.
 void add_crossing(const MarkingLayout& layout, Marks& marks);
+/// Adds rails and sleepers.
 void add_rails(const MarkingLayout& layout, Marks& marks);
 
 }  // namespace citykiln::roads

@@ -14,6 +14,7 @@
 
 namespace citykiln::roads {
 
+/// A face of the street network that becomes an island.
 struct TrafficIsland {
   ObjectId id;  ///< The lowest id of the streets around it.
   map::LandCoverClass surface{};
@@ -23,10 +24,10 @@ struct TrafficIsland {
 /// The maximum extent of an island in x and y.
 inline constexpr double kWidestIsland_m = 48;
 
-/// Returns the faces of the network of streets (residential or higher) that are islands: of at most 300 m² between
-/// axes, or of any area within a roundabout up to kWidestIsland_m. Faces over 80 m² within roundabouts are planted.
-/// Sorted by id. A face whose ring crosses itself, because streets cross without a common vertex, is no island. O(n log
-/// n).
+/// Returns the faces between axes of streets (of class residential or higher) that are islands: faces of at most 300 m²
+/// and, within a roundabout, faces of any area up to kWidestIsland_m wide. Faces over 80 m² within roundabouts are
+/// planted. Sorted by id. A face whose ring crosses itself, because streets cross without a common vertex, is no
+/// island. O(n log n).
 std::vector<TrafficIsland> islands_of(std::span<const Road> roads);
 
 }  // namespace citykiln::roads

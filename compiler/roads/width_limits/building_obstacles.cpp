@@ -194,7 +194,7 @@ void find_passages(ObstacleSearch& search, std::size_t segment, const Polygon& f
 
 // The pairs of footprint and segment that come near each other, sorted by footprint.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_near(const Road& road,
-                                                                const StandingFootprints& footprints) {
+                                                                const ObstructingFootprints& footprints) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   const double reach_m = max_offset_m(road);
   for (std::uint32_t segment = 0; segment + 1 < road.axis.size(); ++segment) {
@@ -207,14 +207,14 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_near(const Road& road
 
 }  // namespace
 
-StandingFootprints::StandingFootprints(std::span<const map::Footprint> footprints) : footprints_(footprints) {
+ObstructingFootprints::ObstructingFootprints(std::span<const map::Footprint> footprints) : footprints_(footprints) {
   constexpr double kBucket_m = 32;
   for (std::uint32_t i = 0; i < footprints.size(); ++i)
     if (obstructs(footprints[i])) indices_.push_back(i), boxes_.push_back(box_of(footprints[i].polygon.outer));
   grid_ = grid_of(boxes_, kBucket_m);
 }
 
-std::vector<std::uint32_t> StandingFootprints::near(const Box2& box) const {
+std::vector<std::uint32_t> ObstructingFootprints::near(const Box2& box) const {
   std::vector<std::uint32_t> found;
   for (const std::uint32_t i : boxes_about(grid_, box))
     if (boxes_[i].touches(box)) found.push_back(indices_[i]);
@@ -222,7 +222,7 @@ std::vector<std::uint32_t> StandingFootprints::near(const Box2& box) const {
 }
 
 BuildingObstacles find_building_obstacles(const Road& road, const StripEnds& ends,
-                                          const StandingFootprints& footprints) {
+                                          const ObstructingFootprints& footprints) {
   assert(road.axis.size() >= 2);
   const double kerb_left = left_m(road), kerb_right = right_m(road), half = (kerb_left + kerb_right) / 2;
   ObstacleSearch search{road,

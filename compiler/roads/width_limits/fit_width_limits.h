@@ -1,4 +1,4 @@
-// Approximates a limit that is sampled at every step by a few limit points.
+// Approximates a width limit, which is sampled at every step along a road, by a few limit points.
 #pragma once
 
 #include <cstdint>

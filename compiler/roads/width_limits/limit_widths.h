@@ -21,16 +21,17 @@ namespace citykiln::roads {
 /// Returns the roads with width limits. Only streets and paths get limits.
 ///
 /// @param junctions          Junctions of these roads, planned at full width.
-/// @param footprints         In any order. Open roofs, buildings with kHeadroom_m of clearance and outlines that parts
-///                           replace do not limit a road, nor do buildings near the place where the axis runs into
-///                           them.
-/// @param through_buildings  Sorted ids of the ways tagged to lead through buildings: never kBuildingOnRoad.
+/// @param footprints         In any order. Open roofs, buildings with kHeadroom_m of clearance, and outlines that parts
+///                           replace do not limit a road. A building into which the axis runs does not limit the road
+///                           near that place.
+/// @param through_buildings  Sorted ids of the ways tagged to lead through buildings. kBuildingOnRoad is never
+///                           diagnosed for these.
 ///
 /// Guarantees: edges stay out of footprints, apart from snapping, unless the minimum width (narrowed_section.h) or a
-/// junction's cut prevents it; no edge turns by more than kTaper, nor steps by more than kUnit_m at a joint of two
-/// roads; a road without a building in its strip stays unchanged; a limit depends on no data farther along the roads
-/// than 1 / kTaper times half the road's width and a block of 64 m, nor farther across than max_offset_m(); the order
-/// of roads and footprints does not matter. Diagnosed, once a road: kRoadNarrowed, kBuildingOnRoad. O(n log n).
+/// junction's cut prevents it; no edge turns by more than kTaper, or jumps by more than kUnit_m at a joint of two
+/// roads; a road without a building in its strip stays unchanged. A limit depends on no data farther along the roads
+/// than 1 / kTaper times half the road's width and a block of 64 m, or farther across than max_offset_m(). The order of
+/// roads and footprints does not matter. Diagnosed, once a road: kRoadNarrowed, kBuildingOnRoad. O(n log n).
 std::vector<Road> limit_widths(std::vector<Road> roads, std::span<const Junction> junctions,
                                std::span<const map::Footprint> footprints, std::span<const OsmId> through_buildings,
                                Report& report);

@@ -28,7 +28,7 @@ inline constexpr double kMinCarriageway_m = 2.5;
 /// The width that a path keeps: one person with a pram.
 inline constexpr double kMinPath_m = 1;
 
-/// True for lanes that narrow before the others of the carriageway: parking, shoulders and buffers.
+/// True for lanes that narrow first: parking, shoulders and buffers.
 bool is_soft(map::LaneKind kind);
 
 /// The minimum distance from the carriageway's middle to either kerb.
@@ -36,7 +36,7 @@ double min_half_width_m(const Road& road);
 
 /// The maximum distances of the outer edges from the axis; infinite without a limit.
 struct MaxOffsets {
-  double left_m, right_m;
+  double left_m, right_m;  ///< Left and right of the axis, metres.
 };
 
 /// Returns the limits at a distance along the whole way (distances_along()). They change by at most kTaper. O(log n) in
@@ -66,11 +66,12 @@ struct NarrowedSection {
 /// up to road_edges_at() and are continuous along the road.
 NarrowedSection narrowed_section_at(const Road& road, double along_m);
 
-/// The edges of lanes at full width, and as width limits move them. Offsets from the axis, to the left positive.
+/// The edges of a road's lanes at full width, and their positions within the width limits. Offsets from the axis, to
+/// the left positive.
 struct LaneEdges {
   std::vector<double> whole_m, moved_m;  ///< From the left edge to the right one: one more than lanes.
 
-  /// Returns the offset to which width limits move an offset of the full road. It keeps its share of its lane.
+  /// Returns where the width limits move a point at an offset of the full road. It keeps its share of its lane's width.
   double moved(double offset_m) const;
 };
 LaneEdges lane_edges_at(const Road& road, double along_m);

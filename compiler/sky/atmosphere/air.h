@@ -22,8 +22,9 @@ struct Coefficients {
 
 /// The air of a sky. Densities fall exponentially with height, except ozone, which is a layer from 10 to 40 km.
 struct Air {
-  double aerosols_550_per_m;  ///< Extinction at sea level: 3.912 / visibility (Koschmieder) less that of molecules.
-  double aerosols_height_m;   ///< Scale height of aerosols, with which the column has the sky's turbidity.
+  /// Extinction at sea level: 3.912 / visibility (Koschmieder) less the extinction of molecules.
+  double aerosols_550_per_m;
+  double aerosols_height_m;  ///< Scale height of aerosols, with which the column has the sky's turbidity.
   double ground_albedo;
 };
 
@@ -34,12 +35,15 @@ Air air_of(const Sky& sky);
 /// Returns the densities at a height.
 /// @param height_m  Above sea level. Air below sea level is as at sea level.
 Densities densities_at(const Air& air, double height_m);
+/// Returns the coefficients at a wavelength.
 Coefficients coefficients_at(const Air& air, double nm);
 
-/// Phase functions: scattering by direction, per steradian, with an integral of 1 over the sphere. Molecules: Rayleigh.
-/// Aerosols: Henyey and Greenstein.
-inline constexpr double kForward = 0.76;  ///< Mean cosine of aerosols.
+/// The mean cosine of scattering by aerosols.
+inline constexpr double kForward = 0.76;  ///< The mean cosine of scattering by aerosols.
+/// Returns the phase function of molecules (Rayleigh) at the cosine of the angle of deflection: scattering per
+/// steradian, with an integral of 1 over the sphere.
 double molecules_phase(double cosine);
+/// Returns the phase function of aerosols (Henyey and Greenstein), in the same terms.
 double aerosols_phase(double cosine);
 
 }  // namespace citykiln::sky

@@ -1,4 +1,4 @@
-// Light at twelve wavelengths. Between them it is taken to be linear.
+// Light at twelve wavelengths (bands). Between these, light is interpolated linearly.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ inline constexpr Bands filled(float value) {
   return bands;
 }
 
-/// The wavelength of a band: evenly spaced from 395 to 725 nm.
+/// Returns the wavelength of a band: evenly spaced from 395 to 725 nm.
 inline double nm_of(int band) { return 395 + 30.0 * band; }
 
 /// Extinction and scattering of air by band, per metre at density 1.
@@ -30,7 +30,7 @@ struct BandCoefficients {
 };
 BandCoefficients band_coefficients(const Air& air);
 
-/// Columns of air: densities times metres.
+/// Columns of air along a ray: the integral of the density of each component over the length, in metres.
 struct Columns {
   float molecules = 0, aerosols = 0, ozone = 0;
 };
@@ -48,7 +48,7 @@ inline float exponential_below(float x) {
   return e * scale;
 }
 
-/// The share of light that passes columns of air.
+/// Returns the share of light that passes columns of air.
 inline Bands transmitted(const BandCoefficients& c, const Columns& columns) {
   Bands share;
   for (int b = 0; b < kBands; ++b)
@@ -57,8 +57,8 @@ inline Bands transmitted(const BandCoefficients& c, const Columns& columns) {
   return share;
 }
 
-/// The colour of light: linear sRGB in klx, where the sun outside of the atmosphere has 128; negative outside of the
-/// gamut.
+/// Returns the colour of light: linear sRGB in klx, where the sun outside of the atmosphere has 128; negative outside
+/// of the gamut.
 Rgb rgb_of(const Bands& light);
 
 }  // namespace citykiln::sky

@@ -1,4 +1,4 @@
-// The light that air scatters into a ray, summed up step by step.
+// The light that air scatters into a ray, summed up step by step (marched). The source is sun or moon.
 #pragma once
 
 #include "compiler/geometry/vec.h"
@@ -32,28 +32,31 @@ struct AirRay {
 /// A place on a ray.
 struct PlaceOnRay {
   double height_m, source_cosine;  ///< Height above sea level, and cosine of the source's zenith angle there.
-  double up, along;                ///< The ray's direction there: its z, and its x towards the azimuth of the source.
+  /// The ray's direction in the frame of the place: its z, and its x towards the azimuth of the source.
+  double up, along;
 };
+/// Returns the place at a distance along a ray.
 PlaceOnRay place_on(const AirRay& ray, double way_m);
 
 /// The light that is scattered into a ray.
 struct MarchedSources {
   bool has_direct = true;                 ///< True if direct light of the source is scattered.
-  const ScatteredField* field = nullptr;  ///< Light that was scattered before; null: none.
+  const ScatteredField* field = nullptr;  ///< Light that was scattered before, which is scattered again; null: none.
 };
 
 /// Adds the light of one step along a ray, with the air of the step's middle.
 void march(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, double from_m, double to_m,
            MarchedLight& light);
 
-/// Marches until the ray leaves the air or meets the sea, in steps that grow with the distance.
+/// Returns the light along a ray until it leaves the air or meets the sea, in `steps` steps that grow with the
+/// distance.
 MarchedLight march_out(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, int steps);
 
-/// The direct light of the source at a place: the irradiance of a surface that faces it.
+/// Returns the direct light of the source at a place: the irradiance of a surface that faces the source.
 Bands direct_light(const LitAir& lit, double height_m, double source_cosine);
 
-/// The phase function of the light that aerosols scatter twice, without the degrees up to 4, which a ScatteredField
-/// holds: the narrow glow about the source. Per steradian.
+/// Returns the phase function, per steradian, of light that aerosols scatter twice, without its spherical harmonics up
+/// to degree 4, which a ScatteredField holds: the narrow glow about the source.
 double aerosols_glow(double cosine);
 
 }  // namespace citykiln::sky

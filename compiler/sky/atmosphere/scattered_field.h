@@ -15,7 +15,7 @@ struct LitAir;
 inline constexpr int kMoments = 15;
 using Moments = std::array<Bands, kMoments>;
 
-/// The harmonics in a direction {x, y, z}, not normalised: 1; z, x; ...
+/// The values of the harmonics in a direction, not normalised: 1; z, x; ...
 using MomentBasis = std::array<double, kMoments>;
 MomentBasis moment_basis(double z, double x);
 inline constexpr std::array<int, kMoments> kMomentDegrees = {0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4};
@@ -28,18 +28,18 @@ inline constexpr std::array<double, kMoments> kAdditionFactors = {1,    1,     1
 /// The scattered light about a place.
 ///
 /// Method: successive orders of scattering. At nodes in height and zenith angle radiance is gathered from all
-/// directions, by rays through the field of the sweep before, and kept as spherical harmonics. These hold all light
-/// that molecules scatter (Rayleigh's phase function has degree 2). They lack only one part of the light of aerosols:
-/// the narrow glow about the source after two or more scatterings.
+/// directions, by rays through the field of the previous order, and kept as spherical harmonics. They represent all
+/// light that molecules scatter (Rayleigh's phase function has degree 2), and the light of aerosols except the narrow
+/// glow about the source after two or more scatterings.
 class ScatteredField {
  public:
   /// Computes the field. Cost: 0.1 s.
   /// @param source_angle_rad  Zenith angle of the source at the middle of the field.
   ScatteredField(const LitAir& lit, double source_angle_rad);
 
-  /// The moments at a place; outside of the nodes those of the nearest node.
+  /// Returns the moments at a place; outside of the nodes, the moments of the nearest node.
   Moments at(double height_m, double source_cosine) const;
-  /// The irradiance of level ground at sea level, without the source's direct light.
+  /// Returns the irradiance of level ground at sea level, without the source's direct light.
   Bands ground_irradiance(double source_cosine) const;
 
  private:

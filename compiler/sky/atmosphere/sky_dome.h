@@ -24,19 +24,19 @@ class SkyDome {
   /// @param irradiance  The source's irradiance outside of the atmosphere, relative to the sun's.
   SkyDome(const LitAir& lit, Vec3 to_source, double eye_height_m, double irradiance);
 
-  /// The radiance of the sky in a unit direction, without the source's disk; below the horizon that of the horizon.
-  /// O(1).
+  /// Returns the radiance of the sky in a unit direction, without the source's disk; below the horizon, the radiance at
+  /// the horizon. O(1).
   Rgb radiance(Vec3 direction) const;
-  /// The air along a ray from the eye up to a distance, at most 200 km. O(1).
+  /// Returns the effect of the air along a ray from the eye up to a distance, at most 200 km. O(1).
   AirPath air(Vec3 direction, double distance_m) const;
 
-  /// The direct light of the source at the eye: the illuminance, in klx, of a surface that faces it.
+  /// Returns the direct light of the source at the eye: the illuminance, in klx, of a surface that faces the source.
   Rgb direct() const { return direct_; }
-  /// The illuminance of level ground at sea level, klx.
+  /// Returns the illuminance of level ground at sea level, klx.
   Rgb ground() const { return ground_; }
   /// True if a ray from the eye meets the sea.
   bool sees_sea(Vec3 direction) const { return direction.z < horizon_cosine(eye_height_m_); }
-  /// The distance at which such a ray meets the sea.
+  /// Returns the distance at which a ray for which sees_sea() holds meets the sea.
   double sea_m(Vec3 direction) const { return way_m(eye_height_m_, direction.z); }
 
  private:

@@ -20,8 +20,8 @@ struct GroundLight {
   double temperature_k = 3000;
 };
 
-/// The largest distance of lamps that count. By Walker's law, brightness about distance^-2.5, a town at 30 km gives the
-/// eye a thousandth of the glow that it has inside.
+/// The largest distance of lamps that count, in metres. By Walker's law, brightness about distance^-2.5, a town at 30
+/// km gives a thousandth of the glow inside the town.
 inline constexpr double kGlowRadius_m = 30000;
 
 /// The sky glow that an eye sees. Radiances are in klx per steradian (kcd/m²), linear sRGB. Immutable and thread-safe.
@@ -38,9 +38,9 @@ class TownGlow {
   /// @param eye_height_m  Above the lamps and the sea.
   TownGlow(const Air& air, std::span<const GroundLight> lights, double eye_height_m);
 
-  /// The radiance in a unit direction; below the horizon that of the horizon. O(1).
+  /// Returns the radiance in a unit direction; below the horizon, the radiance at the horizon. O(1).
   Rgb radiance(Vec3 direction) const;
-  /// The illuminance of level ground, klx.
+  /// Returns the illuminance of level ground, klx.
   Rgb ground() const { return ground_; }
 
  private:

@@ -9,7 +9,7 @@ class OGRSpatialReference;
 
 namespace citykiln::source::gdal {
 
-/// The value of Raster::system_wkt for a system; "" for longitude and latitude on WGS84.
+/// Returns the value of Raster::system_wkt (well-known text) for a system; "" for longitude and latitude on WGS84.
 std::string system_wkt_of(const OGRSpatialReference& system);
 
 /// The system of Web Mercator tiles (EPSG:3857).

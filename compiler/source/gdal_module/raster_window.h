@@ -6,7 +6,8 @@
 
 namespace citykiln::source::gdal {
 
-/// Columns column + stride · i for i below `columns`, rows in the same way; no columns if no sample is needed.
+/// The samples at columns column + stride · i for all i from 0 below `columns`, and at rows chosen in this way; no
+/// columns if no sample is needed.
 struct PixelWindow {
   int column = 0, row = 0, columns = 0, rows = 0;
   int stride = 1;  ///< 1: every sample.

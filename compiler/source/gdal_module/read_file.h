@@ -1,4 +1,4 @@
-// Opens a heightmap with the few GDAL drivers needed, locates its samples, cuts the window and reads it.
+// Reads a heightmap with the few GDAL drivers needed, cut to a window.
 #pragma once
 
 #include "compiler/contract/result.h"

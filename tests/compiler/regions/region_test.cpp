@@ -44,9 +44,9 @@ TEST(RegionGrid, FarPlacesAreNearNoRegion) {
 }
 
 TEST(RegionGrid, ARegionIsAWholeMultipleOfATile) {
-  EXPECT_TRUE(is_sound(kGrid));
-  EXPECT_FALSE(is_sound({.extent = kGrid.extent, .tile_m = 512, .region_m = 700}));
-  EXPECT_FALSE(is_sound({.extent = kGrid.extent, .tile_m = 512, .region_m = 256}));
+  EXPECT_TRUE(check_grid(kGrid));
+  EXPECT_FALSE(check_grid({.extent = kGrid.extent, .tile_m = 512, .region_m = 700}));
+  EXPECT_FALSE(check_grid({.extent = kGrid.extent, .tile_m = 512, .region_m = 256}));
 }
 
 }  // namespace

@@ -61,14 +61,14 @@ TEST(MeasureClearances, CountContradictionsOfTheMapApart) {
   const std::vector<outputs::Finding> findings = {
       {{Code::kLayersContradict, bridge, 4, {}, street}, {}, {}, {}, "w2: bridge=yes; w1: layer=1"},
       {{Code::kClearanceNotMet, bridge, 3, {}, other}, {}, {}, {}, "w2: bridge=yes; w3: no tags of height"}};
-  const Clearances c = explained(measured, findings);
+  const Clearances c = with_findings(measured, findings);
   EXPECT_EQ(c.crossings, 2u);
   ASSERT_EQ(c.shortfalls.size(), 1u);
   EXPECT_EQ(c.shortfalls[0].lower, other);
   EXPECT_EQ(c.shortfalls[0].tags, "w2: bridge=yes; w3: no tags of height");
   ASSERT_EQ(c.contradictions.size(), 1u);
   EXPECT_EQ(c.contradictions[0].lower, street);
-  EXPECT_EQ(explained(measured, {}).shortfalls.size(), 2u);
+  EXPECT_EQ(with_findings(measured, {}).shortfalls.size(), 2u);
 }
 
 TEST(MeasureClearances, TakeTheHigherLayerAsUpper) {

@@ -90,7 +90,8 @@ template <typename Measure>
 double mean_of(const FarLand& land, Vec2 middle, double height_m, Vec3 normal, Measure measure) {
   double sum = 0;
   for (int i = 0; i < 400; ++i)
-    sum += measure(look_of(land, at_height(middle + Vec2{(i % 20) * 211.0, (i / 20) * 197.0}, height_m), normal));
+    sum +=
+        measure(far_material_of(land, at_height(middle + Vec2{(i % 20) * 211.0, (i / 20) * 197.0}, height_m), normal));
   return sum / 400;
 }
 
@@ -108,8 +109,8 @@ TEST(FarLand, GoesOnAsAtTheEdgeThenTurnsToMeadowRockAndSnow) {
   EXPECT_LT(mean_of(land, {-4500, 0}, 3100, level, green_to_red), 1.15);
   EXPECT_LT(mean_of(land, {-4500, 0}, 1000, unit(Vec3{2, 0, 1}), green_to_red), 1);
   scene.header.snow_line_m = 2800;
-  EXPECT_EQ(look_of(land, {-4500, 0, 3000}, level).material, Material::kSnow);
-  EXPECT_EQ(look_of(land, {-4500, 0, 2600}, level).material, Material::kScree);
+  EXPECT_EQ(far_material_of(land, {-4500, 0, 3000}, level).material, Material::kSnow);
+  EXPECT_EQ(far_material_of(land, {-4500, 0, 2600}, level).material, Material::kScree);
 }
 
 }  // namespace

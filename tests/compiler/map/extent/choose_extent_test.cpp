@@ -83,11 +83,11 @@ TEST(ChooseExtent, ABoxInTheOtherOrderIsAnErrorThatSaysSo) {
 
 TEST(ChooseExtent, AnAreaThatWouldTakeHoursIsRefused) {
   const source::OsmData osm = village();
-  EXPECT_TRUE(is_worth_baking({{0, 0}, {1024, 1024}}, osm, false));
+  EXPECT_TRUE(check_worth_baking({{0, 0}, {1024, 1024}}, osm, false));
   // a box that a user or a header states may hold few nodes
-  EXPECT_TRUE(is_worth_baking({{0, 0}, {60000, 60000}}, osm, true));
-  EXPECT_FALSE(is_worth_baking({{0, 0}, {60000, 60000}}, osm, false));
-  EXPECT_FALSE(is_worth_baking({{0, 0}, {600000, 1024}}, osm, true));
+  EXPECT_TRUE(check_worth_baking({{0, 0}, {60000, 60000}}, osm, true));
+  EXPECT_FALSE(check_worth_baking({{0, 0}, {60000, 60000}}, osm, false));
+  EXPECT_FALSE(check_worth_baking({{0, 0}, {600000, 1024}}, osm, true));
 }
 
 }  // namespace
