@@ -18,11 +18,11 @@ namespace citykiln::buildings {
 ///
 /// height=* is measured from the lowest ground along the walls. If it is not tagged, storeys count from the mean ground
 /// along the walls that face a street (street_sides.h), or from the highest ground if no wall does; storeys are added
-/// below, down to the lowest ground. All parts of an outline (map/buildings/part_outlines.h) are measured from the outline's
-/// ground: from the lowest, if height=* is tagged for one of them. A building on the ground whose eaves are less than
-/// kMinWallAboveGround_m above its highest ground is raised (kHeightRaised). Walls extend kFoundation_m below the
-/// lowest ground. A building that min_height lifts but nothing supports (vertical_support.h) is extended to the ground
-/// (kUnsupportedBuilding). The result does not depend on the order of the footprints. Accepts any footprints.
+/// below, down to the lowest ground. All parts of an outline (map/buildings/part_outlines.h) are measured from the
+/// outline's ground: from the lowest, if height=* is tagged for one of them. A building on the ground whose eaves are
+/// less than kMinWallAboveGround_m above its highest ground is raised (kHeightRaised). Walls extend kFoundation_m below
+/// the lowest ground. A building that min_height lifts but nothing supports (vertical_support.h) is extended to the
+/// ground (kUnsupportedBuilding). The result does not depend on the order of the footprints. Accepts any footprints.
 std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report);
 
 }  // namespace citykiln::buildings

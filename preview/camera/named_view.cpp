@@ -30,7 +30,8 @@ double worth(const ViewProbe& look, Vec3 eye, int direction) {
   const double ahead = look.walk_m(eye, horizontal(direction), kFarEnough_m);
   if (ahead < kTooNear_m) return 0;
   double room = kWide_m;
-  for (const int aside : {-6, -4, 4, 6}) room = std::min(room, look.sight_m(eye, horizontal(direction + aside), kWide_m));
+  for (const int aside : {-6, -4, 4, 6})
+    room = std::min(room, look.sight_m(eye, horizontal(direction + aside), kWide_m));
   int walls = 0;
   for (const int aside : {-4, -3, -2, -1, 1, 2, 3, 4})
     walls += look.meets_building(eye, unit(horizontal(direction + aside) + Vec3{0, 0, 0.12}), kNearEnough_m) ? 1 : 0;

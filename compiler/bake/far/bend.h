@@ -11,8 +11,8 @@ namespace citykiln::bake {
 inline constexpr double kSagShare = 0.02;
 
 /// Returns the tile in the frame of `globe`: the run's local frame on the ellipsoid, x east, y north, z up
-/// (map/plane/globe.h). Heights above the ellipsoid are the tile's heights plus the geoid's. The origin is in that frame,
-/// too, in whole metres.
+/// (map/plane/globe.h). Heights above the ellipsoid are the tile's heights plus the geoid's. The origin is in that
+/// frame, too, in whole metres.
 ///
 /// - Edges are halved until the sag (the distance of the straight edge from the bent one, map::sag_m()) is at most
 ///   kSagShare of the tolerance. A new vertex has the mean of the uvs, colours and normals of the edge's ends.
