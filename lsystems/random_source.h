@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 namespace citykiln::lsystems {
 
@@ -12,8 +12,8 @@ inline constexpr std::uint32_t kDrawsPerModule = 16;
 
 /// The random numbers of one module.
 struct RandomSource {
-  const Draw* draw = nullptr;  ///< The draws of the step.
-  std::uint32_t place = 0;     ///< The module's position in the string that is rewritten.
+  const RandomSequence* draw = nullptr;  ///< The draws of the step.
+  std::uint32_t place = 0;               ///< The module's position in the string that is rewritten.
   std::uint32_t drawn = 0;
 
   /// Returns a number uniform in [0, 1).

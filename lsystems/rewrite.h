@@ -33,7 +33,7 @@ enum class Rewritten : std::uint8_t { kSame, kChanged, kTooLong, kTooMuchWork };
 /// Rewrites `in` into `out`. Returns kTooLong if the result exceeds out.most symbols, and kTooMuchWork if work_left
 /// reaches 0; `out` is then incomplete.
 /// @param chance  The random numbers of this pass.
-Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const Draw& chance, ModuleBuffer& out);
+Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const RandomSequence& chance, ModuleBuffer& out);
 
 /// Appends a successor to `out`. Returns false if the successor exceeds out.most symbols.
 bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, RandomSource& random,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/map/plant_kind.h"
 #include "compiler/plants/species.h"

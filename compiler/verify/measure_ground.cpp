@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/tolerance.h"
 
 namespace citykiln::verify {
@@ -50,7 +50,7 @@ struct Lattice {
 
 Lattice lattice_of(const Box2& box, int a_side) {
   Lattice lattice{box, a_side, {}, {}, {}};
-  const Draw draw(0, StableId{0}, "samples of the ground");
+  const RandomSequence draw(0, StableId{0}, "samples of the ground");
   std::uint32_t dice = 0;
   for (int j = 0; j < a_side; ++j)
     for (int i = 0; i < a_side; ++i) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "grammars/derivation/derive.h"
 #include "grammars/derivation/displacement.h"
 #include "grammars/derivation/displacement_bound.h"

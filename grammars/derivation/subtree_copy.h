@@ -27,7 +27,7 @@ struct DerivationNode {
 /// A random number drawn for a shape to select one of a few branches of a rule.
 struct RandomDraw {
   std::uint32_t node = 0;    ///< The node of the shape for which the number is drawn.
-  std::uint32_t index = 0;   ///< The index passed to Draw::unit().
+  std::uint32_t index = 0;   ///< The index passed to RandomSequence::unit().
   double scale = 1;          ///< The factor by which the rule multiplies the number.
   double low = 0, high = 0;  ///< low <= number · scale < high. Every number in this interval selects the same branch.
 };

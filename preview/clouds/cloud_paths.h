@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "preview/clouds/cloud_field.h"
 #include "preview/samples.h"
 
@@ -43,7 +43,7 @@ class RayChance {
   double operator()() { return draw_.unit(next_++); }
 
  private:
-  Draw draw_;
+  RandomSequence draw_;
   std::uint32_t next_ = 0;
 };
 

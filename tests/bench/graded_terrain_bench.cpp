@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "compiler/bake/ground/ground_cells.h"
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/resample.h"
@@ -64,7 +64,7 @@ void graded_heights(benchmark::State& state) {
   const scene::Chunk& chunk = busiest(scene);
   const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, 0.1);
   const Box2 box = scene::box_of(scene.header, chunk.tile);
-  const Draw draw(1, StableId{1}, "places");
+  const RandomSequence draw(1, StableId{1}, "places");
   std::uint32_t i = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(

@@ -8,7 +8,7 @@
 
 #include "compiler/bake/view_levels.h"
 #include "compiler/contract/detail_tolerances.h"
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/pipeline.h"
 #include "compiler/scene/graded_terrain.h"
@@ -117,7 +117,7 @@ std::vector<Edge> edges_on_line(const ground::GroundMesh& ground, double Vec3::*
 }
 
 TEST_F(ViewReal, RandomPlacesAreWithinTheRequestedPixelError) {
-  const Draw draw(7, StableId{8}, "places");
+  const RandomSequence draw(7, StableId{8}, "places");
   std::uint32_t dice = 0;
   std::map<double, int> places;
   for (const Seen& s : seen) {

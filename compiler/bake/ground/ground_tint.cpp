@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/materials/noise.h"
 
 namespace citykiln::bake {
@@ -113,7 +113,7 @@ TintFactor seasonal_tint(plants::Month month, Material material) {
 
 TintFactor surface_tint(const LandCoverPolygon& surface, Material material, std::uint64_t seed, plants::Month month) {
   if (is_paved(surface.surface)) return {};
-  const Draw draw(seed, stable_id(surface.id), "ground tint");
+  const RandomSequence draw(seed, stable_id(surface.id), "ground tint");
   const double level = 1 - values_of(material).variation * draw.unit(0);
   const TintFactor plain{level, level, level};
   if (material == Material::kFarmland) return times(plain, crop_in(month, draw.below(std::size(kCrops), 1)));

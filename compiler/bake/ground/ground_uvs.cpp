@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/map/locate.h"
 #include "compiler/materials/texture.h"
@@ -28,7 +28,7 @@ Vec2 periods_below_place(Vec2 place) {
 
 Vec2 texture_direction(ObjectId surface, materials::Material material, std::uint64_t seed) {
   if (!has_rows(material)) return {1, 0};
-  return direction_of(Draw(seed, stable_id(surface), "rows").unit(0));
+  return direction_of(RandomSequence(seed, stable_id(surface), "rows").unit(0));
 }
 
 Vec2 uv_on_land(Vec2 at, Vec2 direction) { return on_grid({dot(at, direction), cross(direction, at)}); }

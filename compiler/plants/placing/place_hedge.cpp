@@ -9,7 +9,7 @@ void place_hedge(PlacedPlants& placed, const HedgeLine& hedge, const PlacingCont
   for (std::uint32_t piece = 1; piece < ends.size(); ++piece) {
     const Vec2 from = ends[piece - 1], to = ends[piece], middle = snapped((from + to) * 0.5);
     if (from == to || !is_in_half_open(context.box, middle)) continue;
-    const Draw draw(context.seed, stable_id(stable_id(ObjectId{hedge.feature, 0}), "piece", piece), "hedge");
+    const RandomSequence draw(context.seed, stable_id(stable_id(ObjectId{hedge.feature, 0}), "piece", piece), "hedge");
     place_plant_along(placed, context, Species::kHedge, middle, hedge.height_m, unit(to - from), draw, hedge.feature);
   }
 }

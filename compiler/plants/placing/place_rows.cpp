@@ -16,7 +16,7 @@ constexpr double kCrownSpacing = 0.95, kLeastSpacing_m = 2, kMostSpacing_m = 14;
 constexpr double kAbout_m = 8;
 
 // All trees of a row have the species drawn at its middle.
-Species species_of_row(const TreeRow& row, const PlacingContext& context, const Draw& draw) {
+Species species_of_row(const TreeRow& row, const PlacingContext& context, const RandomSequence& draw) {
   return draw_species(row.species_mix, habitat_of(context, row.axis[row.axis.size() / 2]), context.seed,
                       draw.unit(kSpeciesDraw));
 }
@@ -28,7 +28,7 @@ double spacing_m_of(const TreeRow& row, Species species, double height_m) {
 
 void place_row(PlacedPlants& placed, const TreeRow& row, const ObstacleIndex& mapped, const PlacingContext& context,
                std::vector<Obstacle>& trees) {
-  const Draw of_row(context.seed, stable_id(row.id), "row");
+  const RandomSequence of_row(context.seed, stable_id(row.id), "row");
   const Species species = species_of_row(row, context, of_row);
   const double mean_m = row.height_m > 0 ? row.height_m : default_height_m(species);
   const double spacing_m = spacing_m_of(row, species, mean_m);
@@ -41,7 +41,7 @@ void place_row(PlacedPlants& placed, const TreeRow& row, const ObstacleIndex& ma
       return distance(mapped.all[i].at, at) < std::min(spacing_m / 2, mapped.all[i].radius_m);
     });
     if (is_mapped) continue;
-    const Draw draw(context.seed, stable_id(stable_id(row.id), "tree", number), "tree");
+    const RandomSequence draw(context.seed, stable_id(stable_id(row.id), "tree", number), "tree");
     const double height_m = mean_m * draw.between(1 - kRowHeightSpread, 1 + kRowHeightSpread, kHeightDraw);
     trees.push_back({at, crown_clearance_m(species, height_m)});
     if (is_in_half_open(context.box, at)) place_plant(placed, context, species, at, height_m, draw, row.id.osm);

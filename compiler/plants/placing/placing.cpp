@@ -37,7 +37,7 @@ std::vector<Vec2> spaced_along(const Polyline& axis, double spacing_m) {
 }
 
 void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
-                       Vec2 along, const Draw& draw, OsmId feature) {
+                       Vec2 along, const RandomSequence& draw, OsmId feature) {
   assert(species < Species::kCount && height_m > 0);
   const auto variant = static_cast<std::uint8_t>(draw.unit(kVariantDraw) * kVariants);
   const Vec3 foot = snapped(at_height(at, land_m(context.ground, at)));
@@ -49,7 +49,7 @@ void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Spec
 }
 
 void place_plant(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
-                 const Draw& draw, OsmId feature) {
+                 const RandomSequence& draw, OsmId feature) {
   place_plant_along(placed, context, species, at, height_m, direction_of(draw.unit(kYawDraw)), draw, feature);
 }
 

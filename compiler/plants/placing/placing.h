@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/report.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/placement.h"
@@ -55,11 +55,11 @@ enum DrawIndex : std::uint32_t {
 
 /// Adds a plant at a position in the plane, with its foot on the graded terrain.
 void place_plant(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
-                 const Draw& draw, OsmId feature);
+                 const RandomSequence& draw, OsmId feature);
 /// Adds a plant as place_plant() does, but turned to a direction.
 /// @param along  A unit vector.
 void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
-                       Vec2 along, const Draw& draw, OsmId feature);
+                       Vec2 along, const RandomSequence& draw, OsmId feature);
 
 /// Returns places at equal distances of about `spacing_m` along an axis, including its ends; the ends of a closed axis
 /// are one place. The axis is longer than 0.

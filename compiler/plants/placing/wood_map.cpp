@@ -58,7 +58,7 @@ SampleDensity density_at(const WoodMap& woods, Vec2 p) {
   return density;
 }
 
-double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const Draw& draw) {
+double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const RandomSequence& draw) {
   return wood.height_m * std::min(values_of(species).height_m / kTall_m, 1.4) * height_factor(habitat) *
          draw.between(1 - kWoodHeightSpread, 1 + kWoodHeightSpread, kHeightDraw);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/trig.h"
 
 namespace citykiln::sky {
@@ -30,7 +30,7 @@ bool is_inside(Vec3 p, const CloudParticle& sphere) {
 
 // Spheres side by side: a large one in the middle, and rings of smaller and lower ones that fill the outline.
 std::vector<CloudParticle> first_level(const CloudLayer& layer, const Cloud& cloud) {
-  const Draw draw(layer.seed, cloud.id, "heap");
+  const RandomSequence draw(layer.seed, cloud.id, "heap");
   const double tallest_m = cloud.height_m * 0.62;
   const double middle_m = std::min(tallest_m, cloud.radius_m * 0.75);
   const auto sits = [&](Vec2 offset, double radius_m) {
@@ -63,7 +63,7 @@ struct Grown {
 double add_on(std::uint64_t seed, const Grown& on, const std::vector<CloudParticle>& heaps, double finest_m,
               std::vector<Grown>& next) {
   double left_out_m = 0;
-  const Draw draw(seed, on.id, "particles");
+  const RandomSequence draw(seed, on.id, "particles");
   const double turn = draw.unit(0), root_m = on.sphere.radius_m;
   for (std::uint32_t i = 0; i < kOnEach; ++i) {
     const CloudParticle grown{on.sphere.centre + place_on_sphere(i, turn) * (root_m * 0.92),
@@ -151,7 +151,7 @@ double optical_depth(CloudKind kind, const CloudParticles& particles, Vec3 from,
 
 double optical_depth_error(const CloudLayer& layer, const Cloud& cloud, double coarse_m, double finest_m, int rays) {
   const CloudParticles fine = generate_cloud(layer, cloud, finest_m), coarse = generate_cloud(layer, cloud, coarse_m);
-  const Draw draw(layer.seed, cloud.id, "rays");
+  const RandomSequence draw(layer.seed, cloud.id, "rays");
   const double around_m = cloud.radius_m * 1.5 + cloud.height_m;
   double largest = 0;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(rays); ++i) {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/trig.h"
 
@@ -44,7 +44,7 @@ Cloud cloud_at(const CloudLayer& layer, const LayerFrame& frame, std::int64_t co
   const StableId whole = stable_id(ObjectId{{OsmType::kNone, static_cast<std::int64_t>(layer.kind)}}),
                  in_row = stable_id(whole, "row", static_cast<std::uint64_t>(row)),
                  id = stable_id(in_row, "cloud", static_cast<std::uint64_t>(column));
-  const Draw draw(layer.seed, id, "place");
+  const RandomSequence draw(layer.seed, id, "place");
   Cloud cloud;
   cloud.id = id;
   if (draw.unit(0) >= kept_share(layer.cover)) return cloud;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/strip_cover.h"
@@ -29,7 +29,7 @@ struct MadeBorderMap {
 
 /// Random numbers in the order of calls.
 struct Dice {
-  Draw draw;
+  RandomSequence draw;
   std::uint32_t next = 0;
 
   double between(double low, double high) { return draw.between(low, high, next++); }
@@ -187,7 +187,7 @@ inline void turn_map(MadeBorderMap& map) {
 
 /// Returns the map of a seed.
 inline MadeBorderMap made_border_map(std::uint64_t seed) {
-  BorderMapMaker maker{{Draw(seed, StableId{7}, "map about a border")}};
+  BorderMapMaker maker{{RandomSequence(seed, StableId{7}, "map about a border")}};
   constexpr double kShares[] = {0.1, 0.3, 0.6, 0.9};
   maker.share_beside = kShares[maker.dice.below(4)];
   maker.add_terrain();

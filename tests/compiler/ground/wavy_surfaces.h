@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/arrangement.h"
 #include "compiler/ground/recipe.h"
 
@@ -18,7 +18,7 @@ inline std::vector<LandCoverPolygon> wavy_surfaces(std::uint64_t seed, int count
                                               map::LandCoverClass::kLake, map::LandCoverClass::kResidentialRoad,
                                               map::LandCoverClass::kBuilding};
   std::vector<LandCoverPolygon> surfaces;
-  const Draw draw(seed, StableId{20}, "surfaces");
+  const RandomSequence draw(seed, StableId{20}, "surfaces");
   std::uint32_t next = 0;
   for (int s = 0; s < count; ++s) {
     const Vec2 centre{draw.between(-140, 12, next), draw.between(-12, 140, next + 1)};

@@ -8,7 +8,7 @@
 
 #include "compiler/buildings/mass_model.h"
 #include "compiler/buildings/rule_attributes.h"
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "exporters/kiln/manifest.h"
@@ -62,7 +62,7 @@ TEST(RecipeBytesReal, OfChicagosBuildingsAreUnder150Each) {
 // ---- a made-up town
 
 // A house of a row that runs along a street, no two of one size.
-map::Footprint house(std::int64_t id, double& x, double y, const Draw& dice) {
+map::Footprint house(std::int64_t id, double& x, double y, const RandomSequence& dice) {
   const auto at = [&](std::uint32_t index) { return 8 * static_cast<std::uint32_t>(id) + index; };
   const double width_m = snapped_to(0x1p-7, dice.between(22, 32, at(0)));
   const double depth_m = snapped_to(0x1p-7, dice.between(16, 20, at(1)));
@@ -79,7 +79,7 @@ map::Footprint house(std::int64_t id, double& x, double y, const Draw& dice) {
 
 // Streets of rows, back to back, in blocks of eight houses.
 std::vector<Building> town(int rows, int houses_in_row) {
-  const Draw dice(1, StableId{1}, "town");
+  const RandomSequence dice(1, StableId{1}, "town");
   map::Features features;
   features.extent = {{-0x1p16, -0x1p16}, {0x1p16, 0x1p16}};
   std::int64_t id = 1'000'000;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 namespace citykiln::bake {
 namespace {
@@ -11,7 +11,7 @@ using impostor::Atlas;
 using materials::TextureImage;
 
 Atlas made_atlas(std::uint64_t seed, double texel_m, std::uint32_t columns, std::uint32_t rows) {
-  const Draw draw(seed, StableId{}, "atlas");
+  const RandomSequence draw(seed, StableId{}, "atlas");
   Atlas atlas{{texel_m, columns, rows, {}}, {texel_m, columns, rows, {}}, {}, {}};
   for (std::uint32_t i = 0; i < columns * rows; ++i) {
     atlas.colour.texels.push_back({static_cast<std::uint8_t>(draw.below(256, 2 * i)), 7, 9});

@@ -33,7 +33,7 @@ TEST(MergeSlivers, WhatChangedWasNearABorder) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const auto borders = borders_of(wavy_surfaces(seed, 50, 1), kWavyCell);
     const MergedSlivers now = merge_slivers(borders, 2, all_may);
-    const Draw draw(seed, StableId{21}, "places");
+    const RandomSequence draw(seed, StableId{21}, "places");
     int changed = 0;
     constexpr int kPlaces = 20000;
     for (std::uint32_t i = 0; i < kPlaces; ++i) {

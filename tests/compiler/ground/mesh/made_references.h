@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/arrangement.h"
 #include "compiler/ground/mesh/reference.h"
 #include "compiler/map/plane/heightfield.h"
@@ -21,7 +21,7 @@ inline Delaunay triangulated(const Arrangement& arrangement) {
 /// A reference of crossing segments, some of them along lines of a grid, and of points on the cell's border, with
 /// random heights.
 inline Reference random_reference(const Box2& cell, std::uint64_t seed, int segments, double height_m) {
-  const Draw draw(seed, StableId{7}, "segments");
+  const RandomSequence draw(seed, StableId{7}, "segments");
   std::vector<OwnedSegment> borders;
   for (int s = 0; s < segments; ++s) {
     const auto place = [&](std::uint32_t i) {
@@ -34,7 +34,7 @@ inline Reference random_reference(const Box2& cell, std::uint64_t seed, int segm
   }
   const Arrangement arrangement = arrange(borders, {}, cell);
   std::vector<Heights> heights;
-  const Draw metres(seed, StableId{8}, "heights");
+  const RandomSequence metres(seed, StableId{8}, "heights");
   for (std::uint32_t i = 0; i < arrangement.vertices.size() * 4; i += 4)
     heights.push_back({height_m * metres.unit(i), height_m * metres.unit(i + 1), height_m * metres.unit(i + 2),
                        height_m * metres.unit(i + 3)});

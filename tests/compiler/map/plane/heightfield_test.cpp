@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::map {
@@ -82,7 +82,7 @@ TEST(Heightfield, HeightsDoNotDependOnWhereTheFieldBegins) {
     const Vec2 sw = field.vertex(55, 40), ne = field.vertex(80, 60);
     const Heightfield window = window_of(field, {sw, ne});
     ASSERT_LT(window.columns, 40);
-    const Draw draw(1, StableId{1}, "places");
+    const RandomSequence draw(1, StableId{1}, "places");
     for (std::uint32_t i = 0; i < 20000; ++i) {
       Vec2 p{draw.between(sw.x, ne.x, 2 * i), draw.between(sw.y, ne.y, 2 * i + 1)};
       if (i % 2 == 0) p = snapped(p);
@@ -102,7 +102,7 @@ TEST(Heightfield, TheCellHoldsThePoint) {
   Heightfield field = hills(40, 30);
   field.min = {-21 * 1.875, 5 * 92.0}, field.step_m = {1.875, 92};
   const Box2 box = field.box();
-  const Draw draw(2, StableId{1}, "places");
+  const RandomSequence draw(2, StableId{1}, "places");
   for (std::uint32_t i = 0; i < 20000; ++i) {
     Vec2 p{draw.between(box.min.x, box.max.x, 2 * i), draw.between(box.min.y, box.max.y, 2 * i + 1)};
     // beside the lines too

@@ -1,6 +1,6 @@
 // Philox4x32-10 with the constants of Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3",
 // SC 2011, section 4.3.
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 #include <cassert>
 
@@ -31,18 +31,18 @@ Counter philox4x32_10(Counter counter, Key key) {
   return counter;
 }
 
-Draw::Draw(std::uint64_t seed, StableId object, const char* purpose) {
+RandomSequence::RandomSequence(std::uint64_t seed, StableId object, const char* purpose) {
   assert(purpose != nullptr && *purpose != '\0');
   const auto id = static_cast<std::uint64_t>(stable_id(object, purpose, 0));
   key_ = {low(seed), high(seed)};
   object_ = {low(id), high(id)};
 }
 
-double Draw::unit(std::uint32_t index) const {
+double RandomSequence::unit(std::uint32_t index) const {
   return philox4x32_10({index, 0, object_[0], object_[1]}, key_)[0] * 0x1p-32;
 }
 
-std::uint32_t Draw::below(std::uint32_t count, std::uint32_t index) const {
+std::uint32_t RandomSequence::below(std::uint32_t count, std::uint32_t index) const {
   assert(count > 0);
   const std::uint32_t bits = philox4x32_10({index, 0, object_[0], object_[1]}, key_)[0];
   return static_cast<std::uint32_t>(std::uint64_t{bits} * count >> 32);

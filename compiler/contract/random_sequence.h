@@ -14,10 +14,10 @@ namespace citykiln {
 std::array<std::uint32_t, 4> philox4x32_10(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
 
 /// The random numbers of one object for one purpose.
-class Draw {
+class RandomSequence {
  public:
   /// @param purpose  A short constant, such as "tint", that separates this use of the object's numbers from others.
-  Draw(std::uint64_t seed, StableId object, const char* purpose);
+  RandomSequence(std::uint64_t seed, StableId object, const char* purpose);
 
   /// Returns the `index`-th number, uniform in [0, 1), a multiple of 2^-32.
   double unit(std::uint32_t index) const;
