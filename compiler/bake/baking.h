@@ -62,7 +62,7 @@ struct Baking {
 
 /// Generates every object of one kind that belongs to the baked part, adds its meshes to a layer and its error to the
 /// tile. An object that gives no mesh at this tolerance is dropped, kBelowTolerance.
-/// @param kind                 Account "bake/<kind>" of the ledger.
+/// @param kind                 The objects are counted in the account "bake/<kind>" of the report's ledger.
 /// @param bounds_of, generate  Functions of an object; generate() returns meshes and error_m.
 template <typename Object, typename BoundsOf, typename Generate>
 void bake_each(Baking& baking, Layer layer, const std::vector<Object>& objects, const char* kind, Report& report,

@@ -17,9 +17,9 @@ enum class Layer : std::uint8_t {
   kWater,       ///< Seas, lakes, rivers.
   kBuildings,   ///< Buildings.
   kStructures,  ///< Bridges with their roads, tunnels, stairs.
-  kProps,       ///< Walls, fences, hedges as bands, street lamps, tree pits.
-  kPlants,      ///< Trees, hedges, grass, canopies of woods.
-  kCount
+  kProps,       ///< Walls, fences, street lamps, tree pits; at coarse tolerances hedges, as bands along their lines.
+  kPlants,      ///< Trees, grass, canopies of woods; at fine tolerances hedges, as single plants.
+  kCount        ///< The number of layers.
 };
 
 /// The name of a layer: "ground", "roads", "water", "buildings", "structures", "props" or "plants".
@@ -27,7 +27,7 @@ std::string_view name_of(Layer layer);
 /// Returns the layer with a name; nothing for other texts.
 std::optional<Layer> layer_named(std::string_view name);
 
-/// The layer of a face of the ground.
+/// The layer of a face of the ground with a class of land cover.
 Layer layer_of(map::LandCoverClass surface);
 
 /// A mesh and the layer it belongs to.

@@ -29,8 +29,11 @@ struct BakedPrototype {
   double error_per_m = 0;         ///< Error of a plant per metre of its height.
 };
 
-/// The grown plants that a cache keeps for making further meshes: all (2 MB each), or the last few.
-enum class KeptPlants { kAll, kRecent };
+/// The grown plants that a cache keeps for making further meshes.
+enum class KeptPlants {
+  kAll,    ///< All: 2 MB each.
+  kRecent  ///< The last few.
+};
 
 /// A thread-safe cache of meshes. Its const functions change only the cache: a mesh is a function of the header's
 /// species and of the arguments of prototype(). Memory: at a tolerance of 0.02 m some 2 MB per mesh.

@@ -62,7 +62,10 @@ struct TileLevel {
 
 /// Choice to keep the cells' reference triangulations (the ground at full detail) after the ground is generated, so
 /// that files can be compared with them. They need as much memory as the finest ground.
-enum class KeptReferences { kNone, kAll };
+enum class KeptReferences {
+  kNone,  ///< They are dropped.
+  kAll    ///< They are kept.
+};
 
 /// Returns one level per tolerance for a whole tile, with ground but without buildings. Cost: generating the ground.
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,

@@ -12,7 +12,8 @@
 
 namespace citykiln::buildings {
 
-/// A rule file as the manifest stores it.
+/// A rule file: rules of a grammar by which buildings of one style get walls, windows and roofs. The manifest, the file
+/// with a compiled scene, stores the rules that the scene uses.
 struct RuleText {
   std::string name;  ///< The name used in imports: "old_town_house.cga", "parts/window.cga".
   std::string text;
@@ -22,8 +23,8 @@ struct RuleText {
 /// Returns the rule files of grammars/rules, which are compiled into the program. Sorted by name.
 std::span<const RuleText> shipped_rules();
 
-/// Returns the rule files that the styles need, imports included, sorted by name. Error: the first rule that does not
-/// parse, with file, line and column.
+/// Returns the rule files that the styles need, imports included, sorted by name. Errors: a file that is not
+/// among `available`; the first rule that does not parse, with file, line and column.
 Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span<const RuleText> available);
 
 /// The parsed rules by style; Style::kPlain has no rules.

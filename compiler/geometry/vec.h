@@ -1,4 +1,5 @@
-// 2D and 3D vectors. Frames and units are stated at each use; plane metres if nothing is stated.
+// 2D and 3D vectors. Frames and units are stated at each use. If nothing is stated, they are metres on the map plane
+// ("plane metres"): x east, y north, z up (compiler/map/plane/plane.h).
 #pragma once
 
 #include <cmath>

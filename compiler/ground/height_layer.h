@@ -1,4 +1,5 @@
-// Height layers: each kind of land cover follows one height function of the place. Where faces of two layers meet at
+// Height layers: the ground has several heights at each place of the map, each a function of the place. Each kind of
+// land cover follows one of these functions. Where faces of two layers meet at
 // different heights, a vertical face joins them: a kerb, a quay, a retaining wall.
 #pragma once
 
@@ -11,17 +12,19 @@
 
 namespace citykiln::ground {
 
+/// The height functions.
 enum class HeightLayer : std::uint8_t {
   kLand,         ///< The terrain, cut and filled beside roads and water.
   kRoad,         ///< The height of kerbs' tops: pavements, verges, islands, roads without kerbs.
   kCarriageway,  ///< The height between kerbs, below their tops.
-  kWater,
-  kCount
+  kWater,        ///< The surface of rivers, lakes and the sea.
+  kCount         ///< The number of layers.
 };
 
+/// The number of layers as a size.
 inline constexpr auto kHeightLayers = static_cast<std::size_t>(HeightLayer::kCount);
 
-/// Plane heights in metres at one place, one per layer.
+/// Heights in metres above the map plane at one place, one per layer: index with HeightLayer or use layer_height_m().
 using Heights = std::array<double, kHeightLayers>;
 
 inline double layer_height_m(const Heights& heights, HeightLayer layer) {

@@ -1,4 +1,6 @@
-// Plans land cover: polygons of mapped areas and strips of watercourses, without heights.
+// Plans land cover without heights: polygons of mapped areas, and watercourses as strips. A strip is an axis with a
+// width on each side. Both are recipes: plain data from which the ground is generated later. Objects are counted in the
+// ledger, a list of accounts of the objects that go into a stage, come out of it or are dropped (contract/report.h).
 #pragma once
 
 #include <vector>

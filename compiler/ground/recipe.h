@@ -1,4 +1,5 @@
-// Recipes of the ground: land cover polygons. map::Heightfield holds the heights of the terrain.
+// Recipes of the ground, plain data from which its mesh is generated later: land cover polygons. A strip is the polygon
+// of a road or watercourse: an axis with a width on each side. map::Heightfield holds the heights of the terrain.
 #pragma once
 
 #include <cstdint>

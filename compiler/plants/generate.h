@@ -1,5 +1,5 @@
-// Generates the plants in a box from recipes: places of prototypes. A prototype is one of the few distinct plants of a
-// species; plants are scaled copies of its mesh.
+// Generates the plants in a box from recipes, plain data about trees, woods and rows: places of prototypes. A prototype
+// is one of the few distinct plants of a species; plants are scaled copies of its mesh.
 #pragma once
 
 #include "compiler/plants/placing/placing.h"
@@ -22,7 +22,8 @@ struct PlantRecipes {
 /// are blue noise (blue_noise.h) and keep clear of mapped trees, rows and corridors. A plant does not depend on data
 /// beyond kInfluenceRadius_m. A single tree up to 8 m inside a carriageway or railway, or up to 2 m inside a building
 /// or water, moves to half a metre beside it (kTreeMoved); one deeper inside is dropped (kTreeOnRoad). Trees of rows
-/// are left out there. Single trees are counted in the ledger "bake/tree". O(n log n).
+/// are left out there. Single trees are counted in the account "bake/tree" of the report's
+/// ledger (contract/report.h). O(n log n).
 PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report);
 
 /// The largest density of blades. Blades are grass, reed and corn, with one plant per tuft. Only tolerances with

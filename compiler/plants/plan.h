@@ -1,4 +1,4 @@
-// Plans plants: makes recipes from tags and land cover.
+// Plans plants: makes recipes, plain data from which plants are placed later, from tags and land cover.
 #pragma once
 
 #include <span>

@@ -24,7 +24,7 @@ struct SeasonState {
 };
 
 /// Returns the state of a prototype in a month, by the species' `months`. In a month of turning leaves, the turned
-/// share differs between variants.
+/// share differs between variants, the differently grown plants of the species.
 SeasonState season_state_of(Prototype prototype, Month month);
 
 }  // namespace citykiln::plants

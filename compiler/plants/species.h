@@ -17,7 +17,12 @@ enum class Species : std::uint8_t {
 };
 
 /// The form of leaves.
-enum class LeafForm : std::uint8_t { kBroad, kNeedle, kPalm, kBlade };
+enum class LeafForm : std::uint8_t {
+  kBroad,   ///< Flat leaves of broad-leaved trees and shrubs.
+  kNeedle,  ///< Needles of conifers.
+  kPalm,    ///< Fronds of palms.
+  kBlade    ///< Blades of grass, reed and corn.
+};
 
 /// Linear reflectance of red, green and blue in thousandths.
 using Thousandths = std::array<int, 3>;
@@ -45,7 +50,7 @@ constexpr const SpeciesValues& values_of(Species species) {
   return kSpecies[static_cast<std::size_t>(species)];
 }
 
-/// The number of different plants of one species.
+/// The number of variants: plants of one species that are grown differently.
 inline constexpr int kVariants = 8;
 
 /// One plant of a species. Trees that share a prototype are instances of one mesh.

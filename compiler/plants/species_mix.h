@@ -1,5 +1,5 @@
-// Species mixes: a recipe names one species, or a plant community from which each plant's species is drawn by habitat
-// and chance.
+// Species mixes: the recipe (planned data) of a tree or wood names one species, or a plant community from which each
+// plant's species is drawn by habitat and chance.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Regions: squares of whole tiles that are compiled by separate tasks. Objects are not cut at the side of a region.
+// Regions: squares of whole tiles that are compiled by separate tasks. Objects that cross the border of a region are
+// not cut: each region is compiled with all data within a distance of its border (RegionGrid::halo_m).
 #pragma once
 
 #include <string>
@@ -21,13 +22,13 @@ std::string to_string(RegionKey region);
 
 /// The division of an extent (the box that is compiled) into regions and tiles.
 struct RegionGrid {
-  Box2 extent;                          ///< Whole cells of map::kCell_m.
-  double tile_m = map::kDefaultTile_m;  ///< A whole multiple of map::kCell_m.
-  double region_m = 16384;              ///< A whole multiple of tile_m.
+  Box2 extent;                          ///< All sides lie on multiples of map::kCell_m.
+  double tile_m = map::kDefaultTile_m;  ///< The side of a tile: a whole multiple of map::kCell_m.
+  double region_m = 16384;              ///< The side of a region: a whole multiple of tile_m.
   double halo_m = 0;                    ///< The width of the data around a region that are compiled with it.
 };
 
-/// Returns an error if the region's side is not a whole multiple of the tile's.
+/// Returns an error if region_m is not a whole multiple of tile_m. Other members are not checked.
 Result<Done> check_grid(const RegionGrid& grid);
 
 /// Returns all regions that the extent touches, sorted.

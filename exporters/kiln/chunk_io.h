@@ -40,13 +40,19 @@ struct Stream {
   const char* name() const { return kStreamNames[number]; }
 };
 
+/// The largest number of objects for which a reader reserves memory before it has read them.
 inline constexpr std::size_t kMaxReserve = 1u << 12;
-// The plane extends 80 degrees of longitude from its origin: 16 000 km.
+/// The largest coordinate or length. The plane extends 80 degrees of longitude from its origin: 16 000 km.
 inline constexpr double kMaxCoordinate_m = 0x1p25;
 
-// A point that several rings and lines share is written once. Its code says where it is in the list of the chunk's
-// points: appended, next to the last one used (rings follow shared borders forwards or backwards), or a jump away.
-enum PointCode : std::uint64_t { kNewPoint, kNextPoint, kPreviousPoint, kFirstJump };
+/// The place of a point in the list of the chunk's points. A point that several rings and lines share is written once.
+/// Rings follow shared borders forwards or backwards, so most shared points are neighbours of the last one used.
+enum PointCode : std::uint64_t {
+  kNewPoint,       ///< Appended to the list; its coordinates follow.
+  kNextPoint,      ///< The point after the last one used.
+  kPreviousPoint,  ///< The point before the last one used.
+  kFirstJump       ///< Elsewhere; the distance in the list follows.
+};
 
 // Points of the map are multiples of kMapStep_m. If any point of a chunk is finer, all are written in steps of
 // kQuantum_m.

@@ -23,8 +23,8 @@ std::vector<std::byte> encode_manifest(const scene::Scene& scene, int threads);
 Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std::string& name,
                                      std::span<const scene::TileKey> only);
 
-/// Hashes all properties of a header, or all recipes of a chunk. The hash does not depend on the other chunks of the
-/// scene. Cost: as encoding without compression.
+/// Hashes all properties of a header, or all recipes (planned objects of one tile) of a chunk. The hash does not depend
+/// on the other chunks of the scene. Cost: as encoding without compression.
 std::uint64_t hash_of(const scene::Header& header);
 std::uint64_t hash_of(const scene::Chunk& chunk);
 

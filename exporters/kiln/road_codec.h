@@ -27,6 +27,7 @@ void serialise(auto& io, map::Lane& l) {
   io.number("lane turns", l.turns);
 }
 
+/// A road kind: properties that many roads share (road_kinds.h).
 void serialise(auto& io, RoadKind& k) {
   enumerator(io, "road surface", k.surface, map::LandCoverClass::kCount);
   const bool drives_left = k.side == map::DrivingSide::kLeft;
@@ -64,6 +65,7 @@ void start_offset(auto& io, double& value) {
     if (value > kMaxCoordinate_m) io.fail("start offset"), value = 0;
 }
 
+/// A road, with the number of its kind.
 void serialise(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::uint32_t& number) {
   id(io, r.id);
   points(io, "road points", r.axis, 2);
@@ -93,6 +95,7 @@ struct KindsOfChunk {
   }
 };
 
+/// The road kinds of a chunk: a Writer collects them from its roads.
 template <typename Io>
 KindsOfChunk kinds_of_chunk(Io& io, const scene::Chunk& c) {
   KindsOfChunk all;
@@ -124,6 +127,7 @@ void serialise(auto& io, roads::WidthLimit& limit, const roads::WidthLimit* befo
   }
 }
 
+/// The width limits of one side of a road.
 void width_limits(auto& io, std::vector<roads::WidthLimit>& side) {
   std::size_t i = 0;
   list(io, "width limits", side, 0, [&](roads::WidthLimit& limit) {
@@ -149,6 +153,7 @@ void narrowings(Io& io, std::vector<roads::Road>& roads) {
   });
 }
 
+/// The roads of a chunk, then their width limits.
 template <typename Io>
 void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
   list(io, "roads", roads, 0, [&](roads::Road& r) { kinds.road(io, r); });
@@ -158,6 +163,7 @@ void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
 // The unit of Strip::reach_m.
 inline constexpr double kReachStep_m = 16;
 
+/// A strip: a watercourse, as an axis with a width on each side.
 void serialise(auto& io, roads::Strip& s) {
   id(io, s.id);
   points(io, "road points", s.axis, 2);
@@ -172,6 +178,7 @@ void serialise(auto& io, roads::Strip& s) {
     if (s.reach_m > kMaxCoordinate_m) io.fail("water influence"), s.reach_m = 0;
 }
 
+/// A junction.
 void serialise(auto& io, roads::Junction& j) {
   enumerator(io, "junction family", j.family, roads::Family::kOther);
   points(io, "junction places", j.nodes, 1);
@@ -181,6 +188,7 @@ void serialise(auto& io, roads::Junction& j) {
   });
 }
 
+/// The end of a bridge or tunnel.
 void serialise(auto& io, structures::SpanEnd& end) {
   enumerator(io, "span ends", end.kind, structures::EndKind::kCount);
   if (end.kind == structures::EndKind::kGround || end.kind == structures::EndKind::kJoint) io.point(end.beyond);
@@ -223,6 +231,7 @@ void layer(auto& io, std::int8_t& value) {
   value = static_cast<std::int8_t>(above + kLowest);
 }
 
+/// A bridge or tunnel.
 void serialise(auto& io, structures::Span& s, KindsOfChunk& kinds) {
   kinds.road(io, s);
   serialise(io, s.from), serialise(io, s.to);

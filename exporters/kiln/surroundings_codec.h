@@ -10,6 +10,7 @@
 
 namespace citykiln::exporters {
 
+/// The streams: positions of the grid's columns and rows, heights, and classes of land cover.
 struct SurroundingsStreams {
   std::vector<std::uint8_t> x, y, heights, covers;
 };

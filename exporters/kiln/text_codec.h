@@ -37,6 +37,7 @@ void name(auto& io, NameList& list, std::string& value) {
   value = list.names[number];
 }
 
+/// The texts of all elements of a chunk, sorted by id.
 void texts(auto& io, std::vector<map::ElementText>& all) {
   NameList names;
   std::optional<OsmId> before;

@@ -12,7 +12,8 @@
 
 namespace citykiln::exporters {
 
-/// A writer of a crate. It writes values at once, and the tables in finish(). Deterministic.
+/// A writer of a crate. Each value is added to the file when write() is called; the tables that refer to values are
+/// added by finish(). Deterministic.
 class CrateWriter final : public LayerWriter {
  public:
   explicit CrateWriter(const UsdLayerHead& head);
@@ -23,11 +24,11 @@ class CrateWriter final : public LayerWriter {
   std::vector<std::byte> finish() override;
 
  private:
-  using Fields = std::vector<std::int32_t>;  ///< Numbers of fields.
+  using Fields = std::vector<std::int32_t>;  ///< Indices into field_list_.
 
   struct Node {
-    std::int32_t token;  ///< Negative for properties.
-    std::int32_t depth;
+    std::int32_t token;  ///< Index into token_list_; its negative for properties.
+    std::int32_t depth;  ///< Depth in the tree of paths.
   };
   struct Spec {
     std::int32_t path, fields;

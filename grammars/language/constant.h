@@ -1,4 +1,5 @@
-// Finds functions that have one value for all shapes of a derivation.
+// Marks the functions of a rule file whose value is the same for all shapes of a derivation, the tree of shapes that
+// the rules make from one building. Such a value is computed once.
 #pragma once
 
 #include "grammars/language/syntax.h"

@@ -13,11 +13,12 @@
 
 namespace citykiln::roofs {
 
-/// A polyline from the eaves to the top. x is the distance inward, 0 at the eaves and 1 at the ridge; y is the height,
-/// 0 to 1.
+/// A polyline from the eaves to the top. x is the distance inward, 0 at the eaves and 1 at the ridge, except in the
+/// result of section_over_apex(). y is the height, 0 to 1.
 struct Section {
   std::vector<Vec2> corners;
-  double error_m = 0;  ///< Bounds the distance between the roofs of the polyline and of the curve, in metres.
+  double error_m = 0;  ///< Bounds the distance in metres between the roof made from the polyline and the
+                       ///< roof made from the exact curve.
 };
 
 /// Returns the section of a roof that is extruded along a line (strips.h). The error is the distance of arcs from their
@@ -31,15 +32,15 @@ struct Section {
 Section section_along(Form form, double span_m, double rise_m, double tolerance_m);
 
 /// Returns the section of a roof over a straight skeleton (inset_facets.h). The sides of such a roof meet at any angle,
-/// so the error is measured vertically, which does not depend on the angle. Parameters and guarantees are equal to
-/// section_along().
+/// so the error is the largest vertical distance, which is equal for every angle. Parameters and guarantees are equal
+/// to section_along().
 /// @param knee  The knee of a mansard roof, as shares of span and rise, if it is not the default.
 Section section_over_skeleton(Form form, double span_m, double rise_m, double tolerance_m,
                               std::optional<Vec2> knee = {});
 
-/// Returns the section of a roof over an apex (apex.h). x is the distance from the apex divided by the distance of the
-/// eaves from the apex, from 1 to 0; in an onion x exceeds 1. The error is valid for the corner of the footprint that
-/// is farthest from the apex.
+/// Returns the section of a roof over an apex (apex.h). Here x is measured the other way: it is the distance from the
+/// apex as a share of the distance between apex and eaves, so it falls from 1 at the eaves to 0 at the apex. In an
+/// onion x exceeds 1. The error is valid for the corner of the footprint that is farthest from the apex.
 /// @param reach_m  The distance from the apex to that corner, in plan.
 Section section_over_apex(Form form, double span_m, double reach_m, double rise_m, double tolerance_m);
 

@@ -12,16 +12,23 @@
 
 namespace citykiln::grammars {
 
-/// The kind of a face, which selectors of comp(f) test. It is set by the operation that made the face. kNone: the
-/// direction of the face decides.
-enum class FaceTag : std::uint8_t { kNone, kTop, kSide, kBottom, kVertical, kInside, kBorder };
+/// The kind of a face, which selectors of comp(f) test. It is set by the operation that made the face.
+enum class FaceTag : std::uint8_t {
+  kNone,      ///< No tag: selectors test the direction of the face.
+  kTop,       ///< A roof plane, however steep.
+  kSide,      ///< A gable of a roof.
+  kBottom,    ///< The floor below a roof.
+  kVertical,  ///< A face that selectors treat as vertical; no operation sets it at present.
+  kInside,    ///< The inner part that setback() leaves of a face.
+  kBorder     ///< A band that setback() cuts off, or a rim or underside of a roof's overhang.
+};
 
-/// A planar polygon in plane metres, z up. Seen from the side to which the normal points, the outer ring is
-/// counter-clockwise and holes are clockwise.
+/// A planar polygon, in metres on the map plane with z up. Seen from the side to which the normal points, the outer
+/// ring is counter-clockwise and holes are clockwise.
 struct Face {
-  Ring3 outer;
-  std::vector<Ring3> holes;
-  FaceTag tag = FaceTag::kNone;
+  Ring3 outer;                             ///< The outer border.
+  std::vector<Ring3> holes;                ///< The borders of holes.
+  FaceTag tag = FaceTag::kNone;            ///< Its kind.
   bool street = false;                     ///< The face is a wall along a street.
   std::vector<std::uint8_t> street_edges;  ///< By edge of `outer`: 1 if it is along a street; empty: none is.
   bool operator==(const Face&) const = default;
@@ -45,8 +52,8 @@ double area_m2(const Face& face);
 /// Returns the face seen from its other side: rings in reverse order.
 Face reversed(const Face& face);
 /// Returns the extent of the corners along the normal; 0 if it is at most kOnPlane_m. This extent bounds the distance
-/// between two triangulations of the face. Roof planes have rounded corners and are planar only to about a millimetre.
-/// O(n).
+/// between two triangulations of the face. The coordinates of roof planes are rounded, so these planes are planar only
+/// to about a millimetre. O(n).
 double bend_m(const Face& face);
 
 /// Calls `with` on every vertex.

@@ -8,7 +8,7 @@ namespace citykiln::preview {
 
 /// A ray of a camera.
 struct CameraRay {
-  Vec3 from, direction;  ///< Plane metres; unit.
+  Vec3 from, direction;  ///< The origin, in metres on the map plane with z up; a unit vector.
 };
 
 /// Unit vectors of a view: forward, right and up. If eye and look_at coincide, forward is north. A view straight up or
@@ -27,8 +27,9 @@ class CameraRays {
  public:
   CameraRays(const Camera& camera, int width, int height);
 
-  /// Returns a ray through a point of the picture in pixels, x to the right and y down from the top left corner. A thin
-  /// lens takes one pair of random numbers from `draw`, a moving camera another; a pinhole at rest takes none.
+  /// Returns a ray through a point of the picture in pixels, x to the right and y down from the top left corner. A
+  /// moving camera takes one pair of random numbers from `draw`, for the time; a thin lens takes one pair, for the
+  /// point on the lens; a pinhole at rest takes none.
   CameraRay through(double x, double y, PathDraw& draw) const;
   /// Returns the angle of a pixel in the middle of the picture, in radians.
   double pixel_rad() const { return 2 * half_height_ / height_; }

@@ -1,13 +1,13 @@
 // Samples lit windows of buildings whose meshes are not generated yet. A pane is the rectangle of a lit window, known
-// from the recipe of the building. A direction to a point on a pane is sampled; the ray in this direction then finds
-// the surface that it hits, which shines or does not.
+// from the recipe of the building: plain data that states its shape and rules but holds no triangles. A direction to a
+// point on a pane is sampled; the ray in this direction then finds the surface that it hits, which shines or does not.
 //
 //     place ·-------- ray --------> | pane, known from recipes
 //                                  o|  the ray's hit on the building, generated at any tolerance
 //
-// Each direction belongs to at most one pane, which is a function of the ray and its hit. A sample counts only if its
-// direction belongs to the chosen pane, so each direction has one density. Lit windows without a pane, such as windows
-// in roofs, light a place only by rays that happen to hit them.
+// Each direction belongs to at most one pane; pane_of() finds it from the ray and its hit alone. A sample counts only
+// if its direction belongs to the chosen pane, so each direction has one density. Lit windows without a pane, such as
+// windows in roofs, light a place only by rays that happen to hit them.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ inline constexpr std::uint32_t kNoPane = std::numeric_limits<std::uint32_t>::max
 class PaneLights {
  public:
   PaneLights() = default;
-  /// @param origin  The world's origin in plane metres.
+  /// @param origin  The world's origin in metres on the map plane, z up.
   PaneLights(std::span<const LitPane> panes, Vec3 origin);
 
   bool is_empty() const { return tree_.is_empty(); }

@@ -14,7 +14,10 @@ inline constexpr scene::TileKey kSurroundingsTile{std::numeric_limits<std::int32
                                                   std::numeric_limits<std::int32_t>::max()};
 
 /// Choice to lower heights by the Earth's curvature, or not, for a tile that bend.h maps to the ellipsoid.
-enum class EarthCurve { kAsSeen, kNone };
+enum class EarthCurve {
+  kAsSeen,  ///< Heights beyond the extent are lowered, for a flat tile.
+  kNone     ///< Heights stay, for a tile that bend.h maps.
+};
 /// Returns the land and sea around the scene's chunks as one level; nothing if the header has no surroundings.
 ///
 /// - At the borders of tiles, heights are those of their terrain. Beyond the extent, kAsSeen lowers them by the Earth's

@@ -1,5 +1,5 @@
-// Welds primitives (triangles by material) to one mesh whose vertices are shared by position, for decimation: removing
-// vertices within a tolerance.
+// Welds primitives to one mesh whose vertices are shared by position. A primitive holds the triangles of one material.
+// The welded mesh can be decimated, which means to remove vertices within a tolerance.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@ namespace citykiln::bake {
 
 /// Numbers positions in the order of their first use, from 0. Equal positions get one number.
 struct PositionNumbers {
-  std::map<Float3, std::uint32_t> numbers;
-  std::vector<Float3> positions;
+  std::map<Float3, std::uint32_t> numbers;  ///< The number of each position.
+  std::vector<Float3> positions;            ///< The position of each number.
 
   /// Returns the number of a position.
   std::uint32_t of(const Float3& p) {
@@ -24,11 +24,13 @@ struct PositionNumbers {
   }
 };
 
-/// The result of welded(). The label of a triangle is the index of its primitive. A vertex is locked, so that
-/// decimation keeps it, if a primitive has several uvs there, which is a seam of its texture.
+/// The result of welded(). The label of a triangle is the index of its primitive in the span given to welded(),
+/// where primitives that are not selected count too. A vertex is locked, so that decimation keeps it, if a primitive
+/// has several uvs there, which is a seam of its texture.
 struct WeldedPrimitives {
   simplify::LabelledMesh mesh;
-  std::vector<std::map<std::uint32_t, std::uint32_t>> vertex_at;  ///< By primitive: its first vertex at each position.
+  /// One map per primitive, from a vertex of `mesh` to the primitive's own first vertex at that position.
+  std::vector<std::map<std::uint32_t, std::uint32_t>> vertex_at;
 };
 
 /// Welds the primitives that `is_in` selects. Triangles that are degenerate after welding are left out. O(n log n).

@@ -49,8 +49,8 @@ std::vector<GridPoint> ring_joints(const NearbyCover& layers, const Arrangement&
 std::vector<Border> visible_borders(const Partition& partition, std::span<const GridPoint> joints);
 
 /// Returns the pieces of the cell's border along which rings run, each with the neighbouring cell's polygon there. This
-/// polygon is found by partitioning a strip beyond the border with the same rings, lines and points. O(polygons) per
-/// piece.
+/// polygon is found by partitioning a narrow rectangle beyond the border with the same rings, lines and points.
+/// O(polygons) per piece.
 /// @param all  The arrangement of the cell.
 std::vector<CellBorderPiece> cell_border_pieces(const NearbyCover& layers,
                                                 std::span<const std::pair<GridPoint, GridPoint>> lines,

@@ -23,12 +23,13 @@ struct SplitLimits {
 };
 
 /// Returns points of the line from a to b near a cell, in order, without the line's ends: the places where grading
-/// bends the ground on any height layer, and the ends of each sampled piece that crosses from cell to cell. Between
-/// neighbouring points the ground is linear within limits.error_m, unless they are closer than limits.shortest_m. Bends
-/// of the terrain itself do not count, since the terrain's grid lines are edges of the reference.
+/// bends the ground on any height layer (land, road, carriageway or water, height_layer.h), and the ends of each
+/// sampled piece that crosses from cell to cell. Between neighbouring points the ground is linear within
+/// limits.error_m, unless they are closer than limits.shortest_m. Bends of the terrain itself do not count, since the
+/// terrain's grid lines are edges of the reference.
 ///
-/// The points are snapped to the 2^-10 m grid, depend only on the line and on recipes within kGrading_m of the cell,
-/// and are the same in both directions, so the cells on both sides of a crossing agree. O(length).
+/// The points are snapped to the 2^-10 m grid, depend only on the line and on roads and water within kGrading_m of the
+/// cell, and are the same in both directions, so the cells on both sides of a crossing agree. O(length).
 std::vector<Vec2> bend_points_along(GradedHeights& heights, Vec2 a, Vec2 b, const Box2& cell,
                                     const SplitLimits& limits = {});
 

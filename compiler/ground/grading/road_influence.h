@@ -1,10 +1,16 @@
-// Road influence: the heights of roads as functions of the place. The height near one road is that of its profile at
-// the nearest point of the axis, tilted by the profile's tilt. If strips overlap, their heights are blended, so roads
-// have no steps.
+// Road influence: the height that roads give to the ground near them. The profile of a road states its height along its
+// axis, and its tilt across. The height that one road gives to a place is that of its profile at the nearest point of
+// the axis, tilted.
+//
+// Where several roads are near, their heights are averaged with weights. So roads of similar height join without a
+// step. If one road is clearly higher (by some 0.5 m), both keep their own heights, and a wall joins them beside the
+// higher road's edge (kWallTop_m, kWallFoot_m).
 //
 //        A's own height     blended     B's own height
 //     |---------------------|=======|---------------------|
-//     weights: 1 on a road's own axis, 0 at its edge
+//
+// The weight of a road is about 1 on its axis and falls smoothly to below 0.001 at kBlend_m beyond its edge. Beyond
+// that the small rest falls with the cube of the distance, so the nearest road decides.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +27,11 @@ namespace citykiln::ground {
 /// The height of a kerb's top above the carriageway; 10 to 15 cm are usual.
 inline constexpr double kKerbRise_m = 0.125;
 
-/// The radius of influence of a road, from its edge: every cut and bank meets the terrain within it.
+/// The distance from a road's edge within which the road changes the ground: every cut and bank meets the terrain
+/// there.
 inline constexpr double kGrading_m = 16;
 
-/// The distance beside a road's edge over which its height is blended with those of other roads.
+/// The distance beyond a road's edge up to which its height is blended with those of other roads.
 inline constexpr double kBlend_m = 1.5;
 
 /// If one of two adjacent roads is higher, a wall stands between them. These are the distances of its top and its foot
@@ -42,8 +49,8 @@ struct GradedSegment {
 
 /// Precomputed values of a segment.
 struct SegmentLine {
-  Vec2 along;  ///< Vector from its beginning to its end.
-  double length2_m2 = 0, length_m = 0;
+  Vec2 along;                                    ///< Vector from its beginning to its end.
+  double length2_m2 = 0, length_m = 0;           ///< The length in plan, squared and as it is.
   std::uint32_t first_knot = 0, knot_count = 0;  ///< The knots of the road's profile along the segment.
 };
 
@@ -54,11 +61,14 @@ struct RoadInfluenceIndex {
   std::vector<Profile> profiles;        ///< One per road with segments; empty: the road follows the terrain.
   std::vector<Box2> reaches;            ///< Per segment the box in which it influences heights.
   BoxGrid grid;                         ///< Grid of these boxes.
-  BoxGrid near;  ///< Finer grid of these boxes; its buckets list only segments whose edges are within kGrading_m.
+  BoxGrid near;  ///< Finer grid of these boxes. A bucket (square of the grid) lists only segments whose edges are
+                 ///< within kGrading_m of the bucket.
 };
 
 /// Returns height and tilt of the segment's road, which must have a profile. O(log knots of the segment).
-/// @param share  Position along the segment, 0 to 1.
+/// @param field    The index.
+/// @param segment  Index into field.segments.
+/// @param share    Position along the segment, 0 to 1.
 Knot knot_on(const RoadInfluenceIndex& field, std::uint32_t segment, double share);
 
 /// Indexes the segments of roads that have a profile or kerbs.
@@ -69,26 +79,28 @@ RoadInfluenceIndex index_road_influence(std::span<const roads::Road> roads, bool
 struct RoadInfluence {
   double z_m = 0;          ///< Height of the road there, at the top of its kerbs.
   double kerb_m = 0;       ///< Depth of the carriageway below z_m.
-  double weight = 0;       ///< Largest on the axis, close to 0 far from the edge.
+  double weight = 0;       ///< Largest on the axis (1.128), below 0.001 from kBlend_m beyond the edge on.
   double beyond_m = 0;     ///< Distance from the road's edge; 0 on the road.
   bool is_graded = false;  ///< False if the road follows the terrain.
 
   bool operator==(const RoadInfluence&) const = default;
 };
 
-/// Returns the influences of segments whose edge is nearer than kGrading_m, in the order of the index's segments.
+/// Returns the influences of the segments whose edge is nearer to p than kGrading_m, in the order of field.segments.
+/// @param field      The index.
 /// @param terrain_m  The terrain's height at p.
 /// @param memory     Memory for the result, so that the many queries do not allocate on the heap.
 std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& field, Vec2 p, double terrain_m,
                                                    std::pmr::memory_resource* memory);
 
-/// Height of the kerbs' tops, and depth of the carriageway below them.
+/// The height of roads at a place.
 struct RoadHeight {
-  double z_m = 0, kerb_m = 0;
+  double z_m = 0, kerb_m = 0;  ///< Height of the kerbs' tops; depth of the carriageway below them.
 };
-/// Blends influences (at least one) by their weights into one continuous height. Roads of about one height are blended
-/// over kBlend_m beside their edges. A road that is clearly higher keeps its height, within a decimetre, up to
-/// kWallTop_m beyond its edge; the lower road has its own height from kWallFoot_m on.
+/// Blends influences (at least one) by their weights into one continuous height. If all heights are within about 6 cm
+/// of their mean, the result is the weighted mean. If they differ by some 0.5 m or more, the higher road keeps its
+/// height, within a decimetre, up to kWallTop_m beyond its edge, and the lower road has its own height from kWallFoot_m
+/// on. Between these two cases the result is interpolated.
 RoadHeight blend(std::span<const RoadInfluence> influences);
 
 }  // namespace citykiln::ground

@@ -1,5 +1,6 @@
-// Builds the mesh of a cell from a triangulation with one height per height layer and vertex: faces at the heights of
-// their layers, and vertical faces where two layers differ.
+// Builds the mesh of a cell from a triangulation whose vertices have one height per height layer: land, road,
+// carriageway and water (height_layer.h): faces at the heights of their layers, and vertical faces where two layers
+// differ.
 //
 //      pavement ───┐ ← a vertical face belongs to the upper face's polygon; if higher than a kerb, it is a wall and
 //                  └─── carriageway                                                   belongs to no polygon

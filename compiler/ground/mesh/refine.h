@@ -21,7 +21,7 @@ struct Refined {
   std::vector<std::uint32_t> off;  ///< Indices of faces with an error above the tolerance.
 };
 
-/// Returns the reference's heights at a place, one per height layer, rounded to 2^-10 m.
+/// Returns the reference's heights at a place, one per height layer (height_layer.h), rounded to 2^-10 m.
 Heights snapped_heights(const Reference& reference, const Place& place);
 
 /// Refines a partition of a cell.

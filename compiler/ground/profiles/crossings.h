@@ -60,9 +60,9 @@ bool layers_contradict(const map::Track& upper, const map::Track& lower);
 
 /// Lines and water that bridges cross and that are not in the graph.
 struct BelowBridges {
-  std::span<const roads::Strip> streams;
-  std::span<const LandCoverPolygon> waters;
-  std::function<double(Vec2)> ground_m;  ///< The height of paths that follow the ground.
+  std::span<const roads::Strip> streams;     ///< Watercourses: an axis with a width on each side.
+  std::span<const LandCoverPolygon> waters;  ///< Areas of water.
+  std::function<double(Vec2)> ground_m;      ///< The height of paths that follow the ground.
 };
 
 /// Finds all crossings. Bridges are above lines on the ground, and these are above tunnels. If two bridges or two

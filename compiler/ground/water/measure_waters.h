@@ -1,4 +1,5 @@
-// Measures whether planned water keeps its guarantees, from its recipes and the terrain only.
+// Measures whether planned water keeps its guarantees, from its recipes (polygons with levels, watercourses with height
+// profiles) and the terrain only.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
-// Bends the plane onto the WGS84 ellipsoid. Results are in one local frame of a run: x east, y north, z up, metres,
-// with its origin on the ellipsoid at the plane's origin. One transform places that frame on the globe.
+// Maps the map plane, a transverse Mercator projection (plane.h), to the WGS84 ellipsoid. Results are in one local
+// frame of a run: x east, y north, z up, metres, with its origin on the ellipsoid at the plane's origin. One transform
+// places that frame on the globe.
 #pragma once
 
 #include <array>
@@ -20,7 +21,7 @@ struct GlobePoint {
 /// (geometry/trig.h), so that every CPU gives the same bits.
 ///
 /// Error of a position: below 1e-6 m within 200 km of the origin and up to 84° of latitude; of an axis: below 2e-7.
-/// Bent lengths are longer than in the plane by a share of at most |z| / kLeastRadius_m.
+/// Lengths on the globe are longer than in the plane by a share of at most |z| / kLeastRadius_m.
 class Globe {
  public:
   explicit Globe(LonLat origin);
@@ -41,8 +42,8 @@ class Globe {
 inline constexpr double kLeastRadius_m = 6335439.0;
 
 /// Returns an upper bound of the sag of a line: the largest distance between a straight line of the plane after it is
-/// bent onto the ellipsoid, and the straight line between its bent ends. It is length² / (8 kLeastRadius_m), times 1.2
-/// for lines that climb while the vertical turns.
+/// mapped to the ellipsoid, and the straight line between its mapped ends. It is 1.2 · length² / (8 kLeastRadius_m).
+/// The factor 1.2 covers sloped lines, along which the direction of the vertical changes.
 /// @param length_m  Length in three dimensions; at most 100 km.
 double sag_m(double length_m);
 

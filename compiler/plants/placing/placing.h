@@ -44,13 +44,13 @@ struct PlacingContext {
 
 /// The indices of a plant's random draws.
 enum DrawIndex : std::uint32_t {
-  kHeightDraw,
-  kSpeciesDraw,
-  kYawDraw,
-  kVariantDraw,
-  kAlongDraw,
-  kAcrossDraw,
-  kKeptDraw
+  kHeightDraw,   ///< The height.
+  kSpeciesDraw,  ///< The species among those of a mix.
+  kYawDraw,      ///< The turn about the vertical.
+  kVariantDraw,  ///< The variant: one of the differently grown plants of its species.
+  kAlongDraw,    ///< The offset along a row or grid.
+  kAcrossDraw,   ///< The offset across it.
+  kKeptDraw      ///< The decision to keep or omit the plant, or to replace a tree at a wood's edge by a bush.
 };
 
 /// Adds a plant at a position in the plane, with its foot on the graded terrain.

@@ -1,4 +1,5 @@
-// The heading of rows: along the contour lines, so that water does not run down between rows.
+// The heading of rows of crops, vines and orchard trees: along the contour lines, so that water does not run down
+// between rows. A heading is a number from 0 to 255: the angle counter-clockwise from east, in 256ths of half a turn.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace citykiln::plants {
 /// if the slope is below 3 %. O(border points).
 std::uint8_t row_heading(const ground::LandCoverPolygon& surface, const map::Heightfield& terrain);
 
-/// Returns the unit direction of a heading.
+/// Returns the unit vector of a heading, x east and y north.
 Vec2 row_direction(std::uint8_t heading);
 
 }  // namespace citykiln::plants
