@@ -121,7 +121,7 @@ TEST(GlbTextureDamage, AChangedByteOfTheJsonIsRefusedOrMakesAnotherTile) {
   const Bytes bytes = encoded(made_textured_tile(3), kExtension);
   const std::size_t end = 20 + json_of(bytes).size();
   ASSERT_GT(end, 0u);
-  for (std::size_t at = 0; at < end; at += 1 + dice() % 5) {
+  for (std::size_t at = 0; at < end; at += 1 + dice() % 12) {
     Bytes changed = bytes;
     changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
     const auto tile = decoded(changed);
