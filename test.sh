@@ -9,6 +9,7 @@
 #   tsan      the unit tests under the thread sanitizer
 #   bench     the benchmarks and tools compile
 #   clones    both commands in clones whose paths are short, long, or hold a space and an umlaut
+# CITYKILN_TURN=N runs an eighth of a group (asan, tsan: one room), another one for each N, as .ci/run does.
 set -eu
 cd "$(dirname "$0")"
 
@@ -45,34 +46,57 @@ run_quick() {
   run_tests release -LE 'full|interop'
 }
 
+turn="${CITYKILN_TURN:-}"
+parts=8
+part="${turn:+-I $((turn % parts + 1)),,$parts}"
+
+# shellcheck disable=SC2086  # two words or none
 run_long() {
   ./setup.sh release test long
-  run_tests release -L full
+  run_tests release -L full $part
 }
 
+# shellcheck disable=SC2086
 run_interop() {
   ./setup.sh release test interop
   [ -d tests/interop/node_modules/cesium ] || install_readers
-  run_tests release -L interop
+  run_tests release -L interop $part
 }
 
-run_lint() { ./setup.sh lint test; }
+# configured PRESET prints the names that ninja can build for the program and its tests.
+configured() {
+  cmake --preset "$1" -DCITYKILN_TESTS=ON >"build/$1.log" || { cat "build/$1.log" >&2; exit 1; }
+  ninja -C "build/$1" -t targets all | cut -d: -f1
+}
+
+# shellcheck disable=SC2046  # many words
+run_lint() {
+  if [ -z "$turn" ]; then ./setup.sh lint test; return; fi
+  cmake --build build/lint --target $(configured lint | awk -v n="$turn" -v of=$parts '/\.o$/ && ++k % of == n % of')
+}
+
+# run_sanitized PRESET OPTIONS… runs the unit tests, or those of one room.
+run_sanitized() {
+  preset="$1"
+  shift
+  if [ -z "$turn" ]; then ./setup.sh "$preset" test; run_tests "$preset" -L '^unit$' "$@"; return; fi
+  room="$(configured "$preset" | grep -x 'test_[a-z0-9]*' | awk -v n="$turn" '{name[NR - 1] = $0} END {print name[n % NR]}')"
+  cmake --build "build/$preset" --target "$room"
+  "build/$preset/$room" --gtest_filter='-*Real.*:*Full.*:*WriteImage*' --gtest_brief=1
+}
 
 run_clang() {
   ./setup.sh clang clang
   CITYKILN="$PWD/build/clang/citykiln" python3 tests/golden/golden_test.py
 }
 
-run_asan() {
-  ./setup.sh asan test
-  run_tests asan -L '^unit$'
-}
+run_asan() { run_sanitized asan; }
 
 # picture writing is left out: the thread sanitizer does not see the locks inside OpenImageIO
-run_tsan() {
-  ./setup.sh tsan test
-  TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" run_tests tsan -L '^unit$' -E WriteImage
-}
+run_tsan() (
+  export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp"
+  run_sanitized tsan -E WriteImage
+)
 
 run_bench() {
   ./setup.sh release test
