@@ -4,10 +4,10 @@
 // of heights by node with a finite influence radius:
 //
 //     initial_heights      the filtered terrain; on bridges and in tunnels the line between their ends
-//     smooth_heights       smooth enough for the class
-//     fit_junction_planes  flat junctions
-//     limit_grades         no steeper than the class allows
-//     clear_crossings      bridges rise, tunnels fall
+//     smooth_heights       smooth enough for the class (smooth_profile.h)
+//     fit_junction_planes  flat junctions (junction_planes.h)
+//     limit_grades         no steeper than the class allows (grade_limits.h, grade_rules.inc)
+//     clear_crossings      bridges rise, tunnels fall (clearances.h)
 //     enforce_clearances   restores clearances that planes and limits have reduced
 //
 // Clearing tilts junctions and makes ramps, so planes and limits are applied again before the last step. The result is
