@@ -274,6 +274,22 @@ TEST(Quantised, EqualVerticesAreSharedAndNoTriangleGoes) {
   EXPECT_EQ(packed.primitives[0].triangles.size(), 2 * triangles);
 }
 
+TEST(Quantised, VerticesOfTrianglesWithoutAnAreaGo) {
+  BakedTile tile = made_tile(1);
+  Primitive& p = tile.primitives[0];
+  const BakedTile expected = quantised(tile);
+  const auto v = static_cast<std::uint32_t>(p.positions.size());
+  for (int copy = 0; copy < 3; ++copy) {
+    for (auto* values : {&p.positions, &p.normals}) values->push_back(Float3{values->back()});
+    p.colours.push_back(materials::Tint{p.colours.back()});
+    if (!p.features.empty()) p.features.push_back(std::uint32_t{p.features.back()});
+    if (!p.uvs.empty()) p.uvs.push_back(bake::Float2{p.uvs.back()});
+  }
+  p.positions[v][0] += 100, p.positions[v + 1][0] += 100, p.positions[v + 2][0] += 200;
+  p.triangles.push_back({v, v + 1, v + 2});
+  EXPECT_EQ(quantised(tile), expected);
+}
+
 TEST(Quantised, TwiceIsOnce) { EXPECT_EQ(quantised(quantised(off_grid(1))), quantised(off_grid(1))); }
 
 TEST(CompressedGlbDamage, EveryTruncationIsRefused) {
