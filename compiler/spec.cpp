@@ -165,6 +165,13 @@ Result<Done> set_split(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+Result<Done> set_layout(CompileSpec& spec, std::string_view text) {
+  const auto layout = layout_named(text);
+  if (!layout) return expected("embedded or shared", text);
+  spec.outputs.layout = *layout;
+  return Done{};
+}
+
 Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
   if (text != "left" && text != "right") return expected("left or right", text);
   spec.map.driving_side = text == "left" ? map::DrivingSide::kLeft : map::DrivingSide::kRight;
@@ -281,7 +288,7 @@ constexpr Setting kSettings[] = {
      [](CompileSpec& spec, std::string_view text) { return put(parse_compress(text), spec.outputs.compress); }},
     {"layout", "embedded|shared",
      "shared: plants, lamps and images of all tiles are files in glb/shared (default: embedded in each .glb)", false,
-     [](CompileSpec& spec, std::string_view text) { return put(parse_layout(text), spec.outputs.layout); }},
+     set_layout},
     {"max-bytes", "N",
      "instead of levels: each .glb is as fine as this many bytes allow, such as 5000000, as target and compression are",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 1), spec.outputs.max_bytes); }},
@@ -451,14 +458,6 @@ Result<double> parse_tolerance(std::string_view text) {
   const auto tolerance_m = number_in<double>(text);
   if (tolerance_m && *tolerance_m > 0 && *tolerance_m <= kCoarsest_m) return *tolerance_m;
   return expected(fmt::format("a tolerance in metres, above 0 and at most {}, such as 0.1", kCoarsest_m), text);
-}
-
-std::string_view name_of(Layout layout) { return layout == Layout::kShared ? "shared" : "embedded"; }
-
-Result<Layout> parse_layout(std::string_view text) {
-  for (const Layout layout : {Layout::kEmbedded, Layout::kShared})
-    if (text == name_of(layout)) return layout;
-  return expected("embedded or shared", text);
 }
 
 Result<std::vector<double>> parse_ladder(std::string_view text) {

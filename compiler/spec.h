@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/contract/layout.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/contract/split.h"
@@ -33,11 +34,6 @@ inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, 12.5};
 enum class Compress { kNone, kQuantize, kDraco, kMeshopt };
 std::string_view name_of(Compress compress);  ///< "none", "quantize", "draco", "meshopt".
 Result<Compress> parse_compress(std::string_view text);
-
-/// Where meshes of prototypes and images are (exporters/gltf/shared_layout.h).
-enum class Layout { kEmbedded, kShared };
-std::string_view name_of(Layout layout);  ///< "embedded", "shared".
-Result<Layout> parse_layout(std::string_view text);
 
 /// The files that a run writes into its folder.
 struct Outputs {

@@ -47,6 +47,10 @@ FORBIDDEN = {
 # Names that do not say what a file holds.
 VAGUE = re.compile(r"(^|_)(util|utils|common|helper|helpers|manager|misc|core|stuff|tools?)(_|$)")
 
+# tinygltf reads .glb files. Writers fill a JSON document, which becomes text once (exporters/gltf/glb_parts.h): these sources alone know it.
+GLTF_READERS = re.compile(r"exporters/gltf/(decode_\w+|glb_reader|tinygltf_\w+)\.(h|cpp)")
+KNOWS_TINYGLTF = re.compile(r"tiny_gltf|tinygltf|TINYGLTF|gltf/glb_reader\.h")
+
 # Functions whose last bits differ between CPUs and C libraries.
 NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
 REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/simplify"] + [room for row in ROWS[4:15] for room in row]
@@ -244,6 +248,14 @@ class Rooms(unittest.TestCase):
                 if NOT_REPRODUCIBLE.search(line.split("//")[0]):
                     violations.append(f"{path}:{number}: {line.strip()}")
         self.assertNone(violations)
+
+    def test_tinygltf_only_reads(self):
+        code = {path: re.sub(r"//.*", "", (ROOT / path).read_text()) for path in sources()}
+        known_by = {path for path in code if KNOWS_TINYGLTF.search(code[path])}
+        readers = {path for path in code if GLTF_READERS.fullmatch(str(path))}
+        self.assertIn(Path("exporters/gltf/decode_glb.cpp"), known_by & readers)
+        self.assertNone([f"{path}: tinygltf is for readers of .glb files" for path in sorted(known_by - readers)] +
+                        [f"{path}: tinygltf writes no glTF here" for path in sorted(readers) if "WriteGltf" in code[path]])
 
     def test_no_comment_says_todo(self):
         violations = []

@@ -84,7 +84,7 @@ Result<FileCost> cost_of(const bake::BakedTile& tile, const scene::Header& heade
   FileCost cost;
   for (int run = 0; run < kEncodingRuns; ++run) {
     const double begin_s = processor_s();
-    const std::vector<std::byte> glb = exporters::encode_glb(tile, header, options);
+    const std::vector<std::byte> glb = exporters::encode_tile(tile, header, options, 1).glb;
     cost.write_s = std::min(cost.write_s, processor_s() - begin_s), cost.bytes = static_cast<double>(glb.size());
     const double read_s = processor_s();
     const Result<bake::BakedTile> back = exporters::decode_glb(glb, "chart");

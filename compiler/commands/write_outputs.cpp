@@ -22,7 +22,6 @@
 #include "compiler/pipeline.h"
 #include "compiler/verify/tile_note.h"
 #include "exporters/gltf/encode_tile.h"
-#include "exporters/gltf/shared_layout.h"
 #include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
@@ -53,12 +52,10 @@ ReadyTile ready_glb(const bake::BakedTile& tile, std::size_t level, const Lights
                     const Outputs& outputs, int threads) {
   exporters::GlbOptions options = verify::glb_options_of(outputs);
   options.lights = lights;
-  exporters::EncodedTile encoded = exporters::encode_tile(tile, header, options, threads);
-  exporters::SharedGlb divided = outputs.layout == Layout::kShared ? exporters::share_prototypes(encoded.glb)
-                                                                   : exporters::SharedGlb{std::move(encoded.glb), {}};
-  const verify::WrittenFile file{exporters::glb_name(tile.tile, level), divided.glb.size()};
-  return {std::move(divided.glb),
-          std::move(divided.files),
+  exporters::EncodedTile encoded = exporters::encode_tile(tile, header, options, threads, outputs.layout);
+  const verify::WrittenFile file{exporters::glb_name(tile.tile, level), encoded.glb.size()};
+  return {std::move(encoded.glb),
+          std::move(encoded.shared),
           {.file = file,
            .tile = tile.tile,
            .level = level,

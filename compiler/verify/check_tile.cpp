@@ -20,7 +20,6 @@
 #include "compiler/verify/water_levels.h"
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"
-#include "exporters/gltf/shared_layout.h"
 
 namespace citykiln::verify {
 namespace {
@@ -196,9 +195,7 @@ bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t
   outputs.compress = loaded.record.compress;
   const bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(baked, loaded.scene.header, glb_options_of(outputs), kOneThread);
-  if (loaded.record.layout == Layout::kShared)
-    return std::ranges::equal(exporters::share_prototypes(encoded.glb).glb, bytes);
+      exporters::encode_tile(baked, loaded.scene.header, glb_options_of(outputs), kOneThread, loaded.record.layout);
   return std::ranges::equal(encoded.glb, bytes);
 }
 

@@ -169,7 +169,7 @@ RunRecord record_of(const OrderedJson& report) {
   if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
   if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
-  if (const auto layout = parse_layout(report.value("layout", "embedded")); layout) record.layout = *layout;
+  if (const auto layout = layout_named(report.value("layout", "embedded")); layout) record.layout = *layout;
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
   for (const OrderedJson& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
   add_ledger(report.at("ledger"), record.ledger);

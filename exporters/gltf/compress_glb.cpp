@@ -229,11 +229,10 @@ void demand(Json& gltf, const char* extension) {
 
 }  // namespace
 
-std::vector<std::byte> compressed_glb(PlainGlb file, Compression compression, int threads) {
+GlbParts compressed_glb(GlbParts plain, Compression compression, int threads) {
   assert(compression != Compression::kNone);
-  GlbParts plain = parts_of(std::move(file));
   GlbParts packed{plain.gltf, {}};
-  if (primitives_of(packed.gltf).empty()) return join_glb(std::move(plain));
+  if (primitives_of(packed.gltf).empty()) return plain;
   copy_other_views(plain, packed);
   if (compression == Compression::kDraco) {
     compress_draco(plain, packed, threads);
@@ -245,7 +244,7 @@ std::vector<std::byte> compressed_glb(PlainGlb file, Compression compression, in
     quantise_attributes(plain, packed, threads);
     demand(packed.gltf, kQuantizationExtension);
   }
-  return join_glb(std::move(packed));
+  return packed;
 }
 
 }  // namespace citykiln::exporters

@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "exporters/gltf/compression.h"
-#include "exporters/gltf/plain_glb.h"
+#include "exporters/gltf/glb_parts.h"
 
 namespace citykiln::exporters {
 
-/// Returns a .glb with packed meshes. Images, tables and instances stay as they are. Same bytes for any number of
+/// Returns a file with packed meshes. Images, tables and instances stay as they are. Same bytes for any number of
 /// threads.
-/// @param file  As encode_glb writes it: each attribute has an accessor with a buffer view of its own. Positions and
+/// @param plain  As encode_glb writes it: each attribute has an accessor with a buffer view of its own. Positions and
 ///              uvs on the grids of packed meshes (quantise.h) stay exact.
 /// @param compression  Not kNone.
-std::vector<std::byte> compressed_glb(PlainGlb file, Compression compression, int threads);
+GlbParts compressed_glb(GlbParts plain, Compression compression, int threads);
 
 /// Returns the plain .glb, with attributes in single precision; nothing where no mesh is packed. Throws a
 /// std::exception where packed data are invalid.

@@ -53,6 +53,7 @@ void add_single(const tinygltf::Node& node, std::size_t features, InstancedMesh&
   out.features.push_back(static_cast<std::uint32_t>(feature));
 }
 
+bool is_light_group(const tinygltf::Node& node) { return node.name == kLightGroup && node.mesh < 0; }
 bool is_extended(const tinygltf::Node& node) { return node.extensions.count("EXT_mesh_gpu_instancing") != 0; }
 // Layers and buildings lie where the tile does.
 bool is_instance(const tinygltf::Node& node) { return is_extended(node) || !node.translation.empty(); }

@@ -19,7 +19,7 @@ namespace citykiln::exporters {
 /// class, osm_id, osm_type; osm_id is that of the mapped lamp, or of the way it lights.
 void add_lights(GlbBuilder& f);
 
-/// Whether a child of the root is the one that add_lights() adds.
-bool is_light_group(const tinygltf::Node& node);
+/// The name of that node, which has no mesh.
+inline constexpr const char* kLightGroup = "lights";
 
 }  // namespace citykiln::exporters

@@ -10,12 +10,12 @@ namespace citykiln::exporters {
 MaterialKey material_key_of(const GlbBuilder& f, const bake::Primitive& p, const impostor::Cutout* cutout);
 
 /// The index of the material with this key, which is added when it is first asked for.
-int material_number(GlbBuilder& f, const MaterialKey& key);
+std::size_t material_number(GlbBuilder& f, const MaterialKey& key);
 
 /// The normal map of a material; null where it has none.
 const materials::TextureImage* normals_of(const GlbBuilder& f, const MaterialKey& key);
 
 /// Adds TEXCOORD_0 and returns its accessor: in units of the image's size, or metres in packed meshes.
-int add_uvs(GlbBuilder& f, const bake::Primitive& p, const MaterialKey& key);
+std::size_t add_uvs(GlbBuilder& f, const bake::Primitive& p, const MaterialKey& key);
 
 }  // namespace citykiln::exporters

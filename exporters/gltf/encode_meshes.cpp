@@ -18,69 +18,51 @@ namespace {
 
 using bake::Float3;
 using bake::Primitive;
-using tinygltf::Value;
+using Json = nlohmann::json;
 
 // So many vertices can be numbered in 16 bits; 65535 is reserved.
 constexpr std::size_t kMostVertices = 65535;
 
-int add_positions(GlbBuilder& f, const std::vector<Float3>& positions) {
-  const int accessor = f.add_turned(positions, TINYGLTF_TYPE_VEC3);
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  std::vector<double> low(3, kFar), high(3, -kFar);
-  for (const Float3& position : positions) {
-    const Float3 p = to_gltf(position);
-    for (std::size_t c = 0; c < 3; ++c)
-      low[c] = std::min<double>(low[c], p[c]), high[c] = std::max<double>(high[c], p[c]);
-  }
-  f.model.accessors.back().minValues = low, f.model.accessors.back().maxValues = high;
-  return accessor;
-}
-
-int add_indices(GlbBuilder& f, const Primitive& p) {
-  constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+std::size_t add_indices(GlbBuilder& f, const Primitive& p) {
   const std::size_t count = p.triangles.size() * 3;
   if (p.positions.size() > kMostVertices)
-    return f.add_accessor(f.add_view(p.triangles, kTarget), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
-                          count);
+    return f.add_accessor(f.add_view(p.triangles, ViewUse::kIndices), Component::kUnsignedInt, 1, count);
   const auto narrow = [](const auto& t) {
     return std::array{static_cast<std::uint16_t>(t[0]), static_cast<std::uint16_t>(t[1]),
                       static_cast<std::uint16_t>(t[2])};
   };
-  return f.add_accessor(f.add_view_of(p.triangles, kTarget, narrow), TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                        TINYGLTF_TYPE_SCALAR, count);
+  return f.add_accessor(f.add_view(p.triangles, ViewUse::kIndices, narrow), Component::kUnsignedShort, 1, count);
 }
 
-int add_colours(GlbBuilder& f, const Primitive& p, const materials::Tint& largest) {
-  const int view = f.add_view_of(p.colours, TINYGLTF_TARGET_ARRAY_BUFFER,
-                                 [&](const materials::Tint& tint) { return share_of(tint, largest); });
-  return f.add_accessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4, p.colours.size(), true);
+std::size_t add_colours(GlbBuilder& f, const Primitive& p, const materials::Tint& largest) {
+  return f.add_attribute(p.colours, ViewUse::kVertices,
+                         [&](const materials::Tint& tint) { return share_of(tint, largest); });
 }
 
-int add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
+std::size_t add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
   std::vector<bake::Float4> tangents = tangents_of(front);
   const std::size_t count = tangents.size();
   // back sides have those of their fronts, as they have their normals
   for (std::size_t i = 0; has_backs && i < count; ++i) tangents.push_back(bake::Float4{tangents[i]});
-  return f.add_turned(tangents, TINYGLTF_TYPE_VEC4);
+  return f.add_turned(tangents, ViewUse::kVertices);
 }
 
-tinygltf::Primitive encoded_primitive(GlbBuilder& f, const Primitive& front, const impostor::Cutout* cutout) {
-  tinygltf::Primitive out;
-  out.mode = TINYGLTF_MODE_TRIANGLES;
+Json encoded_primitive(GlbBuilder& f, const Primitive& front, const impostor::Cutout* cutout) {
   const MaterialKey key = material_key_of(f, front, cutout);
-  out.material = material_number(f, key);
+  Json out = {{"mode", kTrianglesMode}, {"material", material_number(f, key)}};
   const std::optional<Primitive> both = key.has_backs ? std::optional(with_backs(front)) : std::nullopt;
   const Primitive& p = both ? *both : front;
-  out.attributes["POSITION"] = add_positions(f, p.positions);
-  if (!p.normals.empty()) out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
-  out.attributes["COLOR_0"] = add_colours(f, p, key.tint);
-  if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, key);
-  if (normals_of(f, key) != nullptr) out.attributes["TANGENT"] = add_tangents(f, front, key.has_backs);
+  Json& attributes = out["attributes"];
+  attributes["POSITION"] = add_positions(f, p.positions);
+  if (!p.normals.empty()) attributes["NORMAL"] = f.add_turned(p.normals, ViewUse::kVertices);
+  attributes["COLOR_0"] = add_colours(f, p, key.tint);
+  if (!p.uvs.empty()) attributes["TEXCOORD_0"] = add_uvs(f, p, key);
+  if (normals_of(f, key) != nullptr) attributes["TANGENT"] = add_tangents(f, front, key.has_backs);
   if (!p.features.empty()) {
-    out.attributes["_FEATURE_ID_0"] = f.add_as_floats(p.features);
-    out.extensions["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");
+    attributes["_FEATURE_ID_0"] = f.add_as_floats(p.features, ViewUse::kVertices);
+    out["extensions"]["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");
   }
-  out.indices = add_indices(f, p);
+  out["indices"] = add_indices(f, p);
   return out;
 }
 
@@ -98,21 +80,21 @@ void for_each_part(const Primitive& p, Add add) {
   for (const ObjectRun& run : joined_runs(object_runs(p), kMostVertices)) add(part_of(p, run));
 }
 
-Value layer_extras(bake::Layer layer) { return Value(Value::Object{{"layer", Value(std::string(name_of(layer)))}}); }
+Json layer_extras(bake::Layer layer) { return {{"layer", name_of(layer)}}; }
 
 }  // namespace
 
-int add_mesh(GlbBuilder& f, const std::string& name, std::span<const Primitive> primitives,
-             const impostor::Cutout* cutout) {
+std::size_t add_mesh(GlbBuilder& f, const std::string& name, std::span<const Primitive> primitives,
+                     const impostor::Cutout* cutout) {
   assert(!primitives.empty());
   const bake::Layer layer = primitives.front().layer;
   const bool is_one_layer = std::ranges::all_of(primitives, [&](const Primitive& p) { return p.layer == layer; });
-  tinygltf::Mesh mesh;
-  mesh.name = name;
-  if (is_one_layer) mesh.extras = layer_extras(layer);
+  Json mesh = {{"name", name}};
+  if (is_one_layer) mesh["extras"] = layer_extras(layer);
   const auto add = [&](const Primitive& p) {
-    mesh.primitives.push_back(encoded_primitive(f, p, cutout));
-    if (!is_one_layer) mesh.primitives.back().extras = layer_extras(p.layer);
+    Json primitive = encoded_primitive(f, p, cutout);
+    if (!is_one_layer) primitive["extras"] = layer_extras(p.layer);
+    mesh["primitives"].push_back(std::move(primitive));
   };
   for (const Primitive& p : primitives) {
     if (needs_no_normals(f, p, cutout))
@@ -120,16 +102,27 @@ int add_mesh(GlbBuilder& f, const std::string& name, std::span<const Primitive> 
     else
       for_each_part(p, add);
   }
-  f.model.meshes.push_back(std::move(mesh));
-  return static_cast<int>(f.model.meshes.size()) - 1;
+  return f.add("meshes", std::move(mesh));
 }
 
-tinygltf::Value feature_ids(GlbBuilder& f, const char* extension) {
+std::size_t add_positions(GlbBuilder& f, const std::vector<Float3>& positions) {
+  const std::size_t accessor = f.add_turned(positions, ViewUse::kVertices);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+  for (const Float3& position : positions) {
+    const Float3 p = to_gltf(position);
+    for (std::size_t c = 0; c < 3; ++c)
+      low[c] = std::min<double>(low[c], p[c]), high[c] = std::max<double>(high[c], p[c]);
+  }
+  Json& limits = f.file.gltf["accessors"][accessor];
+  limits["min"] = low, limits["max"] = high;
+  return accessor;
+}
+
+Json feature_ids(GlbBuilder& f, const char* extension) {
   f.extensions.insert(extension);
-  const Value::Object ids = {{"featureCount", Value(static_cast<int>(f.tile.features.size()))},
-                             {"attribute", Value(0)},
-                             {"propertyTable", Value(0)}};
-  return Value(Value::Object{{"featureIds", Value(Value::Array{Value(ids)})}});
+  return {{"featureIds",
+           Json::array({{{"featureCount", f.tile.features.size()}, {"attribute", 0}, {"propertyTable", 0}}})}};
 }
 
 }  // namespace citykiln::exporters

@@ -16,6 +16,6 @@ namespace citykiln::exporters {
 ///
 /// With Split::kTile the root has the only mesh that is not instanced. Empty layers are left out. Meshes are numbered
 /// in the order of nodes; the instances of a mesh follow each other.
-void add_nodes(GlbBuilder& f, tinygltf::Node root);
+void add_nodes(GlbBuilder& f, nlohmann::json root);
 
 }  // namespace citykiln::exporters

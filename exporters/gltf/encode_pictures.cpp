@@ -7,13 +7,14 @@ namespace citykiln::exporters {
 namespace {
 
 using bake::InstancedMesh;
-using tinygltf::Value;
+using Json = nlohmann::json;
 
 // Images with one sampler.
 struct ImageGroup {
   int wrap_u, wrap_v;
 };
-constexpr int kClamp = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, kRepeat = TINYGLTF_TEXTURE_WRAP_REPEAT;
+// glTF's numbers
+constexpr int kClamp = 33071, kRepeat = 10497, kLinear = 9729, kLinearMipmapLinear = 9987;
 // Marking atlas (its strips lie side by side, so it repeats along v only), facade atlas, textures, cutouts.
 constexpr ImageGroup kGroups[] = {{kClamp, kRepeat}, {kClamp, kClamp}, {kRepeat, kRepeat}, {kClamp, kClamp}};
 
@@ -50,27 +51,21 @@ std::vector<TileImage> images_of_tile(const GlbBuilder& f) {
   return all;
 }
 
-int add_sampler(GlbBuilder& f, const ImageGroup& group) {
-  tinygltf::Sampler sampler;
-  sampler.wrapS = group.wrap_u, sampler.wrapT = group.wrap_v;
-  sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
-  sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
-  f.model.samplers.push_back(sampler);
-  return static_cast<int>(f.model.samplers.size()) - 1;
+std::size_t add_sampler(GlbBuilder& f, const ImageGroup& group) {
+  return f.add(
+      "samplers",
+      {{"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}, {"wrapS", group.wrap_u}, {"wrapT", group.wrap_v}});
 }
 
-// Adds the texture of the image that is added next.
-void add_texture_of_next_image(GlbBuilder& f, int sampler) {
-  tinygltf::Texture texture;
-  texture.sampler = sampler;
-  const auto source = static_cast<int>(f.model.images.size());
+void add_texture(GlbBuilder& f, std::size_t image, std::size_t sampler) {
+  Json texture = {{"sampler", sampler}};
   if (f.pictures() == PictureFormats::kWebp) {
-    texture.extensions[kWebpExtension] = Value(Value::Object{{"source", Value(source)}});
+    texture["extensions"][kWebpExtension]["source"] = image;
     f.extensions.insert(kWebpExtension);
   } else {
-    texture.source = source;
+    texture["source"] = image;
   }
-  f.model.textures.push_back(texture);
+  f.add("textures", std::move(texture));
 }
 
 }  // namespace
@@ -87,25 +82,25 @@ const impostor::Cutout* cutout_like(const GlbBuilder& f, const impostor::Cutout&
   return found == f.cutouts.end() ? nullptr : *found;
 }
 
-int picture_number(const GlbBuilder& f, const materials::TextureImage* picture) {
+std::size_t picture_number(const GlbBuilder& f, const materials::TextureImage* picture) {
   const std::vector<TileImage> images = images_of_tile(f);
   const auto found = std::ranges::find(images, picture, &TileImage::image);
   assert(found != images.end());
-  return static_cast<int>(found - images.begin());
+  return static_cast<std::size_t>(found - images.begin());
 }
 
 void add_pictures(GlbBuilder& f) {
   const ImageGroup* group = nullptr;
-  int sampler = -1;
+  std::size_t sampler = 0;
   for (const TileImage& each : images_of_tile(f)) {
     if (each.group != group) sampler = add_sampler(f, *(group = each.group));
-    EncodedPicture picture = encode_picture(*each.image, each.opacity, each.content, f.pictures());
-    tinygltf::Image image;
-    image.name = each.name, image.mimeType = picture.mime_type, image.bufferView = f.add_view(picture.bytes, 0);
+    const EncodedPicture picture = encode_picture(*each.image, each.opacity, each.content, f.pictures());
     // KHR_texture_transform's scales are rounded
-    image.extras = Value(Value::Object{{"texel_m", Value(each.image->texel_m)}});
-    add_texture_of_next_image(f, sampler);
-    f.model.images.push_back(image);
+    const std::size_t image = f.add("images", {{"name", each.name},
+                                               {"mimeType", picture.mime_type},
+                                               {"bufferView", f.add_view(picture.bytes, ViewUse::kOther)},
+                                               {"extras", {{"texel_m", each.image->texel_m}}}});
+    add_texture(f, image, sampler);
   }
 }
 

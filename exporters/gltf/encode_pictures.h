@@ -12,7 +12,7 @@ const impostor::Cutout* cutout_like(const GlbBuilder& f, const impostor::Cutout&
 
 /// The texture index of an image. Images without texels are not written and have none.
 /// @param picture  The address of an image of the tile or of a collected cutout.
-int picture_number(const GlbBuilder& f, const materials::TextureImage* picture);
+std::size_t picture_number(const GlbBuilder& f, const materials::TextureImage* picture);
 
 /// Appends all images in the formats of f.pictures(), with samplers: the marking atlas, the facade atlas, colours and
 /// normals of each texture, then of each cutout.

@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 
+#include "exporters/gltf/glb_parts.h"
 #include "exporters/gltf/quantise.h"
 
 namespace citykiln::exporters {
 
 EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
-                        int threads) {
-  if (options.compression == Compression::kNone)
-    return {encode_glb(tile, header, options, threads), tile.error_m, triangles_of(tile)};
-  const bake::BakedTile packed = quantised(tile);
-  return {encode_glb(packed, header, options, threads), packed.error_m, triangles_of(packed)};
+                        int threads, Layout layout) {
+  const bool is_packed = options.compression != Compression::kNone;
+  const bake::BakedTile packed = is_packed ? quantised(tile) : bake::BakedTile{};
+  const bake::BakedTile& written = is_packed ? packed : tile;
+  GlbParts parts = build_glb(written, header, options, threads);
+  SharedGlb glb =
+      layout == Layout::kShared ? share_prototypes(std::move(parts)) : SharedGlb{join_glb(std::move(parts)), {}};
+  return {std::move(glb.glb), std::move(glb.files), written.error_m, triangles_of(written)};
 }
 
 std::string glb_name(scene::TileKey tile, std::size_t level) {

@@ -7,22 +7,24 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/contract/layout.h"
 #include "compiler/scene/scene.h"
-#include "exporters/gltf/compression.h"
 #include "exporters/gltf/glb.h"
+#include "exporters/gltf/shared_layout.h"
 
 namespace citykiln::exporters {
 
 /// A .glb and the error that it states, packing included.
 struct EncodedTile {
   std::vector<std::byte> glb;
+  std::vector<SharedFile> shared;  ///< Files that it refers to, with Layout::kShared.
   double error_m = 0;
   std::uint64_t triangles = 0;  ///< As triangles_of(); packing drops some without an area.
 };
 
-/// Returns the .glb of a tile. Packed tiles are quantised first, so that their stated error holds.
+/// Returns the .glb of a tile. Packed tiles are quantised first (quantise.h), so that their stated error holds.
 EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
-                        int threads);
+                        int threads, Layout layout = Layout::kEmbedded);
 
 /// "glb/3_-2_L0.glb".
 std::string glb_name(scene::TileKey tile, std::size_t level);

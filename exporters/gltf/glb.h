@@ -15,6 +15,8 @@
 
 namespace citykiln::exporters {
 
+struct GlbParts;  // glb_parts.h, with the JSON library
+
 /// How a tile is written.
 struct GlbOptions {
   Target target = Target::kGeneric;
@@ -49,10 +51,13 @@ struct GlbOptions {
 /// @param tile  Its primitives and instanced meshes sorted by layer.
 ///
 /// Guarantees: same input, same bytes, for any number of threads; valid by Khronos' validator with 0 errors and 0
-/// warnings. A packed .glb holds quantised(tile) (quantise.h) and states its error; its vertices and triangles are in
-/// another order, and its normals have kPackedNormalBits.
+/// warnings. Vertices and triangles of a packed .glb are in another order, and its normals have kPackedNormalBits; what
+/// is not on the grids of quantise.h stays in single precision, so encode_tile() quantises first.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
                                   int threads = 1);
+
+/// As encode_glb(), before the parts are joined.
+GlbParts build_glb(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options, int threads);
 
 /// Reads a tile from a .glb that encode_glb wrote, for any target. decode_glb(encode_glb(tile)) == tile where it is not
 /// packed and has exact pictures; with Split::kBuilding where features ascend in the primitives of buildings, as bake()

@@ -1,19 +1,24 @@
-// A glTF model while a tile is written into it.
+// A .glb while a tile is written into it.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_axes.h"
+#include "exporters/gltf/glb_parts.h"
 #include "exporters/gltf/picture_formats.h"
-#include "exporters/gltf/tinygltf_config.h"
+#include "exporters/gltf/vertex_attributes.h"
 
 namespace citykiln::exporters {
 
@@ -27,33 +32,44 @@ struct MaterialKey {
   bool operator==(const MaterialKey&) const = default;
 };
 
-/// The model, and what primitives share.
+/// What a buffer view holds, by glTF's numbers of targets.
+enum class ViewUse : int { kOther = 0, kVertices = 34962, kIndices = 34963 };
+
+/// The file, and what primitives share. Members of objects that have their default value are left out.
 struct GlbBuilder {
   const bake::BakedTile& tile;
   const scene::Header& header;
   const GlbOptions& options;
-  tinygltf::Model model{};          ///< Without its buffer's bytes, which tinygltf would copy several times.
-  std::vector<std::byte> buffer{};  ///< The bytes of its only buffer.
+  GlbParts file{};
   std::set<std::string> extensions{};
   std::vector<MaterialKey> material_keys{};        ///< One per glTF material.
   std::vector<const impostor::Cutout*> cutouts{};  ///< No two are equal.
 
+  /// Appends to a list of the file, such as "nodes", and returns the item's index.
+  std::size_t add(const char* list, nlohmann::json item) {
+    nlohmann::json& items = file.gltf[list];
+    items.push_back(std::move(item));
+    return items.size() - 1;
+  }
+
   /// Appends converted values as a buffer view, aligned to 8 bytes, as property tables require, and returns its index.
   /// Converts 256 values at a time, to save memory.
-  template <typename T, typename Convert>
-  int add_view_of(const std::vector<T>& values, int target, Convert convert) {
+  template <typename T, typename Convert = std::identity>
+  std::size_t add_view(const std::vector<T>& values, ViewUse use, Convert convert = {}) {
+    std::vector<std::byte>& buffer = file.buffer;
     buffer.resize((buffer.size() + 7) / 8 * 8);
-    tinygltf::BufferView view;
-    view.buffer = 0, view.byteOffset = buffer.size(), view.target = target;
-    std::array<decltype(convert(values.front())), 256> some;
+    const std::size_t begin = buffer.size();
+    std::array<std::decay_t<decltype(convert(values.front()))>, 256> some;
     for (std::size_t first = 0; first < values.size(); first += some.size()) {
       const auto from = std::span(values).subspan(first, std::min(some.size(), values.size() - first));
       std::ranges::transform(from, some.begin(), convert);
-      append(std::as_bytes(std::span(some).first(from.size())));
+      const auto bytes = std::as_bytes(std::span(some).first(from.size()));
+      buffer.insert(buffer.end(), bytes.begin(), bytes.end());
     }
-    view.byteLength = buffer.size() - view.byteOffset;
-    model.bufferViews.push_back(view);
-    return static_cast<int>(model.bufferViews.size()) - 1;
+    nlohmann::json view = {{"buffer", 0}, {"byteLength", buffer.size() - begin}};
+    if (begin > 0) view["byteOffset"] = begin;
+    if (use != ViewUse::kOther) view["target"] = static_cast<int>(use);
+    return add("bufferViews", std::move(view));
   }
 
   /// Whether uvs are metres, which KHR_texture_transform scales. Else they are multiples of their image's size, which
@@ -65,37 +81,32 @@ struct GlbBuilder {
     return values_of(options.target).reads_webp ? PictureFormats::kWebp : PictureFormats::kPngAndJpeg;
   }
 
-  void append(std::span<const std::byte> bytes) { buffer.insert(buffer.end(), bytes.begin(), bytes.end()); }
-
-  template <typename T>
-  int add_view(const std::vector<T>& values, int target) {
-    return add_view_of(values, target, [](const T& v) { return v; });
+  /// Colours alone have bytes, of which 255 is 1.
+  std::size_t add_accessor(std::size_t view, Component component, std::size_t width, std::size_t count) {
+    constexpr const char* kTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+    nlohmann::json accessor = {{"bufferView", view},
+                               {"componentType", static_cast<int>(component)},
+                               {"count", count},
+                               {"type", kTypes[width - 1]}};
+    if (component == Component::kUnsignedByte) accessor["normalized"] = true;
+    return add("accessors", std::move(accessor));
   }
 
-  int add_accessor(int view, int component, int type, std::size_t count, bool normalised = false) {
-    tinygltf::Accessor accessor;
-    accessor.bufferView = view, accessor.componentType = component, accessor.type = type, accessor.count = count,
-    accessor.normalized = normalised;
-    model.accessors.push_back(accessor);
-    return static_cast<int>(model.accessors.size()) - 1;
-  }
-
-  template <typename T>
-  int add_attribute(const std::vector<T>& values, int component, int type, int target = TINYGLTF_TARGET_ARRAY_BUFFER,
-                    bool normalised = false) {
-    return add_accessor(add_view(values, target), component, type, values.size(), normalised);
+  /// Adds converted numbers, or arrays of them, as an attribute of vertices or of instances.
+  template <typename T, typename Convert = std::identity>
+  std::size_t add_attribute(const std::vector<T>& values, ViewUse use, Convert convert = {}) {
+    using Type = ElementType<std::decay_t<decltype(convert(values.front()))>>;
+    return add_accessor(add_view(values, use, convert), Type::kComponent, Type::kWidth, values.size());
   }
 
   /// Adds positions, directions or rotations in glTF's axes.
   template <typename T>
-  int add_turned(const std::vector<T>& values, int type, int target = TINYGLTF_TARGET_ARRAY_BUFFER) {
-    const int view = add_view_of(values, target, [](const T& v) { return to_gltf(v); });
-    return add_accessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size());
+  std::size_t add_turned(const std::vector<T>& values, ViewUse use) {
+    return add_attribute(values, use, [](const T& v) { return to_gltf(v); });
   }
 
-  int add_as_floats(const std::vector<std::uint32_t>& numbers, int target = TINYGLTF_TARGET_ARRAY_BUFFER) {
-    const int view = add_view_of(numbers, target, [](std::uint32_t n) { return static_cast<float>(n); });
-    return add_accessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, numbers.size());
+  std::size_t add_as_floats(const std::vector<std::uint32_t>& numbers, ViewUse use) {
+    return add_attribute(numbers, use, [](std::uint32_t n) { return static_cast<float>(n); });
   }
 };
 

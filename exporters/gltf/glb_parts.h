@@ -1,4 +1,4 @@
-// A .glb divided into its JSON and its buffer.
+// A .glb divided into its JSON and its buffer. Writers fill the JSON as a document; join_glb() alone makes it text.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,15 @@
 #include <string_view>
 #include <vector>
 
-#include "exporters/gltf/plain_glb.h"
-
 namespace citykiln::exporters {
 
 struct GlbParts {
-  nlohmann::json gltf;
-  std::vector<std::byte> buffer;
+  nlohmann::json gltf{};            ///< Without the buffer's length.
+  std::vector<std::byte> buffer{};  ///< The bytes of its only buffer in the file.
 };
+
+/// The document of one buffer and one scene, whose root is node 0, without the node.
+nlohmann::json new_gltf();
 
 /// The 32 bit little-endian number at an offset, which must have four bytes.
 std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at);
@@ -26,9 +27,6 @@ std::string_view json_of_glb(std::span<const std::byte> bytes);
 
 /// Divides a .glb. Throws nlohmann's exceptions where the JSON is invalid.
 GlbParts split_glb(std::span<const std::byte> bytes);
-
-/// Reads the JSON of a file whose buffer is apart.
-GlbParts parts_of(PlainGlb plain);
 
 /// Joins the parts and sets the buffer's length. Reuses the buffer's memory for the file.
 std::vector<std::byte> join_glb(GlbParts parts);

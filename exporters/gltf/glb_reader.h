@@ -6,23 +6,13 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "exporters/gltf/format_error.h"
 #include "exporters/gltf/glb_axes.h"
 #include "exporters/gltf/tinygltf_config.h"
 
 namespace citykiln::exporters {
-
-/// The first fault of a file, as "expected …"; decode_glb() turns it into an Error.
-struct FormatError {
-  std::string what;
-};
-
-/// Throws unless the condition holds. @param what  Completes "expected …".
-inline void expect(bool holds, const char* what) {
-  if (!holds) throw FormatError{what};
-}
 
 template <typename T>
 const T& item(const std::vector<T>& items, int index, const char* what) {

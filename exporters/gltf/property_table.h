@@ -23,7 +23,7 @@ namespace citykiln::exporters {
 ///
 /// Columns without a value are left out: name and tags that are all empty, and all of class to tags where the tile has
 /// no attributes.
-tinygltf::Value property_table(GlbBuilder& builder);
+nlohmann::json property_table(GlbBuilder& builder);
 
 /// The name of the node of a feature: "way_1234"; "none" for the none feature.
 std::string feature_name(const bake::BakedTile& tile, std::uint32_t feature);
@@ -32,6 +32,6 @@ std::string feature_name(const bake::BakedTile& tile, std::uint32_t feature);
 /// osm_type is "node", "way" or "relation" and tags is an object. Values that are not known are left out; the none
 /// feature has `feature` alone. `feature` is the row of the property table.
 /// @param feature  Index into tile.features.
-tinygltf::Value extras_of(const bake::BakedTile& tile, std::uint32_t feature);
+nlohmann::json extras_of(const bake::BakedTile& tile, std::uint32_t feature);
 
 }  // namespace citykiln::exporters

@@ -14,10 +14,10 @@
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/gltf/draco_codec.h"
+#include "exporters/gltf/format_error.h"
 #include "exporters/gltf/glb_checks.h"
 #include "exporters/gltf/glb_parts.h"
 #include "exporters/gltf/glb_primitives.h"
-#include "exporters/gltf/glb_reader.h"
 #include "exporters/gltf/meshopt_codec.h"
 
 namespace citykiln::exporters {
@@ -125,7 +125,7 @@ void renumber_views(Json& at, const std::map<std::size_t, std::size_t>& number) 
   if (!at.is_object()) return;
   for (auto& [name, value] : at.items()) {
     const bool is_view = name == "bufferView" || name == "values" || name == "stringOffsets";
-    if (is_view && value.is_number_unsigned())
+    if (is_view && value.is_number_integer())
       value = number.at(value.get<std::size_t>());
     else if (name != "extras")
       renumber_views(value, number);
@@ -199,8 +199,8 @@ struct Embedding {
 
 }  // namespace
 
-SharedGlb share_prototypes(std::span<const std::byte> glb) {
-  Sharing sharing{split_glb(glb)};
+SharedGlb share_prototypes(GlbParts glb) {
+  Sharing sharing{std::move(glb)};
   sharing.to.gltf = sharing.from.gltf;
   Json& gltf = sharing.to.gltf;
   for (const std::size_t mesh : instanced_meshes(gltf)) sharing.move_mesh(sharing.from.gltf["meshes"].at(mesh));

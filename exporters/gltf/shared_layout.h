@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +16,8 @@
 #include "compiler/contract/result.h"
 
 namespace citykiln::exporters {
+
+struct GlbParts;  // glb_parts.h, with the JSON library
 
 struct SharedFile {
   std::string name;  ///< Relative to the folder of the .glb, "shared/0123456789abcdef_4096.bin".
@@ -28,9 +29,9 @@ struct SharedGlb {
   std::vector<SharedFile> files;  ///< By their first use; each name once. Equal names mean equal bytes.
 };
 
-/// Moves the meshes of instanced nodes, and all images but the tile's own atlases, into files.
-/// @param glb  As encode_glb wrote it, packed or not.
-SharedGlb share_prototypes(std::span<const std::byte> glb);
+/// Joins a .glb whose meshes of instanced nodes, and all images but the tile's own atlases, are moved into files.
+/// @param glb  As build_glb() made it, packed or not.
+SharedGlb share_prototypes(GlbParts glb);
 
 /// Whether a .glb may refer to a file by this URI: "shared/", then letters, digits, "_" and ".", no other folder. Only
 /// these are ever opened.

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "compiler/geometry/snap.h"
-#include "exporters/gltf/glb.h"
+#include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/glb_parts.h"
 #include "exporters/gltf/quantise.h"
 #include "tests/exporters/made_tile.h"
@@ -24,7 +24,8 @@ using Bytes = std::vector<std::byte>;
 constexpr Compression kCompressions[] = {Compression::kQuantize, Compression::kDraco, Compression::kMeshopt};
 
 Bytes compressed_glb(const BakedTile& tile, Compression compression, Target target = Target::kThree, int threads = 1) {
-  return encode_glb(tile, {}, {.target = target, .compression = compression, .has_exact_pictures = true}, threads);
+  const GlbOptions options{.target = target, .compression = compression, .has_exact_pictures = true};
+  return encode_tile(tile, {}, options, threads).glb;
 }
 
 BakedTile through(const BakedTile& tile, Compression compression, Target target = Target::kThree) {

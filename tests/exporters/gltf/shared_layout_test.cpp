@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "exporters/file.h"
-#include "exporters/gltf/glb.h"
+#include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/glb_parts.h"
 #include "tests/exporters/made_tile.h"
 
@@ -20,8 +20,8 @@ using Bytes = std::vector<std::byte>;
 constexpr Compression kNoneAndCompressions[] = {Compression::kNone, Compression::kQuantize, Compression::kDraco,
                                                 Compression::kMeshopt};
 
-Bytes glb_for_three(const bake::BakedTile& tile, Compression compression) {
-  return encode_glb(tile, {}, {.target = Target::kThree, .compression = compression});
+EncodedTile tile_for_three(const bake::BakedTile& tile, Compression compression, Layout layout = Layout::kShared) {
+  return encode_tile(tile, {}, {.target = Target::kThree, .compression = compression}, 1, layout);
 }
 
 // A folder that goes with the test.
@@ -29,9 +29,9 @@ struct Folder {
   fs::path path = fs::temp_directory_path() / ("citykiln_shared_" + std::to_string(::getpid()));
   Folder() { fs::create_directories(path / "shared"); }
   ~Folder() { fs::remove_all(path); }
-  std::string write(const SharedGlb& shared) const {
-    for (const SharedFile& file : shared.files) EXPECT_TRUE(write_file((path / file.name).string(), file.bytes));
-    EXPECT_TRUE(write_file((path / "tile.glb").string(), shared.glb));
+  std::string write(const EncodedTile& tile) const {
+    for (const SharedFile& file : tile.shared) EXPECT_TRUE(write_file((path / file.name).string(), file.bytes));
+    EXPECT_TRUE(write_file((path / "tile.glb").string(), tile.glb));
     return (path / "tile.glb").string();
   }
 };
@@ -41,11 +41,11 @@ TEST(SharedLayout, ReadsTheTileThatWasDivided) {
     for (std::uint32_t seed = 0; seed < 4; ++seed)
       for (const bake::BakedTile& tile : {made_tile(seed), made_facade_tile(seed), made_textured_tile(seed)}) {
         const Folder folder;
-        const Bytes whole = glb_for_three(tile, compression);
-        const SharedGlb shared = share_prototypes(whole);
-        EXPECT_FALSE(shared.files.empty());
-        EXPECT_LT(shared.glb.size(), whole.size() + 4096);
-        const auto back = read_glb(folder.write(shared)), expected = decode_glb(whole, "tile.glb");
+        const Bytes whole = tile_for_three(tile, compression, Layout::kEmbedded).glb;
+        const EncodedTile divided = tile_for_three(tile, compression);
+        EXPECT_FALSE(divided.shared.empty());
+        EXPECT_LT(divided.glb.size(), whole.size() + 4096);
+        const auto back = read_glb(folder.write(divided)), expected = decode_glb(whole, "tile.glb");
         ASSERT_TRUE(back) << to_string(back.error());
         EXPECT_EQ(*back, *expected);
       }
@@ -55,11 +55,10 @@ TEST(SharedLayout, TilesWithOnePrototypeReferToOneFile) {
   bake::BakedTile other = made_tile(1);
   other.tile = {7, -3}, other.primitives.pop_back();
   other.instanced[0].translations[0][0] += 1;
-  const SharedGlb a = share_prototypes(glb_for_three(made_tile(1), Compression::kNone)),
-                  b = share_prototypes(glb_for_three(other, Compression::kNone));
-  ASSERT_FALSE(a.files.empty());
-  ASSERT_EQ(a.files.size(), b.files.size());
-  for (std::size_t i = 0; i < a.files.size(); ++i) EXPECT_EQ(a.files[i].name, b.files[i].name);
+  const EncodedTile a = tile_for_three(made_tile(1), Compression::kNone), b = tile_for_three(other, Compression::kNone);
+  ASSERT_FALSE(a.shared.empty());
+  ASSERT_EQ(a.shared.size(), b.shared.size());
+  for (std::size_t i = 0; i < a.shared.size(); ++i) EXPECT_EQ(a.shared[i].name, b.shared[i].name);
 }
 
 TEST(SharedLayout, OnlyPlainNamesInTheFolderAreRead) {
@@ -73,11 +72,11 @@ TEST(SharedLayout, OnlyPlainNamesInTheFolderAreRead) {
 
 // The error of reading a tile whose first external buffer has another URI.
 std::string refusal_of(const Folder& folder, const std::string& uri) {
-  SharedGlb shared = share_prototypes(glb_for_three(made_tile(1), Compression::kNone));
-  GlbParts parts = split_glb(shared.glb);
+  EncodedTile divided = tile_for_three(made_tile(1), Compression::kNone);
+  GlbParts parts = split_glb(divided.glb);
   parts.gltf["buffers"][1]["uri"] = uri;
-  shared.glb = join_glb(std::move(parts));
-  const auto tile = read_glb(folder.write(shared));
+  divided.glb = join_glb(std::move(parts));
+  const auto tile = read_glb(folder.write(divided));
   return tile ? "accepted" : to_string(tile.error());
 }
 
@@ -95,9 +94,9 @@ TEST(SharedLayout, OtherFilesAreRefusedInOneLine) {
 
 TEST(SharedLayout, ACutFileIsRefused) {
   const Folder folder;
-  const SharedGlb shared = share_prototypes(glb_for_three(made_tile(1), Compression::kNone));
-  const std::string path = folder.write(shared);
-  ASSERT_TRUE(write_file((folder.path / shared.files[0].name).string(), Bytes(shared.files[0].bytes.size() - 1)));
+  const EncodedTile divided = tile_for_three(made_tile(1), Compression::kNone);
+  const std::string path = folder.write(divided);
+  ASSERT_TRUE(write_file((folder.path / divided.shared[0].name).string(), Bytes(divided.shared[0].bytes.size() - 1)));
   EXPECT_FALSE(read_glb(path));
 }
 

@@ -1,0 +1,26 @@
+// Where meshes of prototypes and images of a .glb are (exporters/gltf/shared_layout.h).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace citykiln {
+
+enum class Layout : std::uint8_t {
+  kEmbedded,  ///< In the .glb.
+  kShared     ///< In files that many tiles refer to.
+};
+
+inline constexpr std::array<std::string_view, 2> kLayoutNames = {"embedded", "shared"};
+
+inline std::string_view name_of(Layout layout) { return kLayoutNames[static_cast<std::size_t>(layout)]; }
+
+inline std::optional<Layout> layout_named(std::string_view name) {
+  for (std::size_t i = 0; i < kLayoutNames.size(); ++i)
+    if (kLayoutNames[i] == name) return static_cast<Layout>(i);
+  return std::nullopt;
+}
+
+}  // namespace citykiln
