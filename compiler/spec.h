@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/contract/compression.h"
 #include "compiler/contract/layout.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
@@ -30,11 +31,6 @@ namespace citykiln {
 /// it, which skirts rely on (bake/skirt.h); triangles fall by at most eight from one to the next.
 inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, 12.5};
 
-/// Compression of meshes in .glb files (exporters/gltf/compression.h).
-enum class Compress { kNone, kQuantize, kDraco, kMeshopt };
-std::string_view name_of(Compress compress);  ///< "none", "quantize", "draco", "meshopt".
-Result<Compress> parse_compress(std::string_view text);
-
 /// The files that a run writes into its folder.
 struct Outputs {
   std::string folder;
@@ -46,7 +42,7 @@ struct Outputs {
   std::string geoid;          ///< Of map::read_geoid(); "" where no height of the geoid is given.
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
-  Compress compress = Compress::kNone;
+  Compression compress = Compression::kNone;
   Layout layout = Layout::kEmbedded;
   std::size_t lights = 0;  ///< So many street lamps of each tile, the brightest, are lights of .glb and USD files.
   /// Where one is set, each tile has one level, the finest of a fixed sequence of tolerances within these limits.

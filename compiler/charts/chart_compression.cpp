@@ -17,8 +17,6 @@
 namespace citykiln::charts {
 namespace {
 
-using exporters::Compression;
-
 constexpr double kPackedTolerance_m = 0.1;
 /// Tiles that say a finer tolerance keep the map's grid when they are packed, so that only the chart sets the step.
 constexpr double kKeepsGrid_m = 0.05;

@@ -169,7 +169,7 @@ class TileWriter {
     if (!outputs_.glb) return Done{};
     // one small file: not packed, and on no grid of the tiles
     exporters::GlbOptions options = verify::glb_options_of(outputs_);
-    options.compression = exporters::Compression::kNone;
+    options.compression = Compression::kNone;
     const exporters::EncodedTile encoded = exporters::encode_tile(*tile, scene_.header, options, threads_);
     const Result<verify::WrittenFile> file = write_output(exporters::kSurroundingsGlb, encoded.glb, folder_);
     if (!file) return file.error();

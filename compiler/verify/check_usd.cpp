@@ -259,7 +259,7 @@ Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& pre
   const auto glb = std::ranges::find_if(loaded.record.tiles, [&](const WrittenTile& written) {
     return written.tile == level.tile && written.level == level.level;
   });
-  if (glb != loaded.record.tiles.end() && loaded.record.compress == Compress::kNone)
+  if (glb != loaded.record.tiles.end() && loaded.record.compress == Compression::kNone)
     return exporters::read_glb(loaded.folder + "/" + glb->file.name);
   Report ignored;
   return bake::bake_prepared(prepared, number, 1, ignored);

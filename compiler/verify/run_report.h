@@ -14,7 +14,6 @@
 #include "compiler/spec.h"
 #include "compiler/stage_timer.h"
 #include "compiler/verify/measure_heights.h"
-#include "exporters/gltf/compression.h"
 #include "exporters/gltf/glb.h"
 
 namespace citykiln::verify {
@@ -69,7 +68,7 @@ struct RunRecord {
   std::vector<WrittenTile> tiles, usd;
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
-  Compress compress = Compress::kNone;
+  Compression compress = Compression::kNone;
   Layout layout = Layout::kEmbedded;
   bool has_manifest = false;
   Report ledger;                        ///< Without diagnoses.

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "exporters/gltf/compression.h"
+#include "compiler/contract/compression.h"
 #include "exporters/gltf/glb_parts.h"
 
 namespace citykiln::exporters {

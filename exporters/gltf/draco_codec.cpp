@@ -11,7 +11,7 @@
 #include <cstring>
 #include <limits>
 
-#include "exporters/gltf/compression.h"
+#include "exporters/gltf/packed_grids.h"
 
 namespace citykiln::exporters {
 namespace {

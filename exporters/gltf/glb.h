@@ -8,10 +8,10 @@
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/bake/place_lamps.h"
+#include "compiler/contract/compression.h"
 #include "compiler/contract/result.h"
 #include "compiler/contract/split.h"
 #include "compiler/contract/target.h"
-#include "exporters/gltf/compression.h"
 
 namespace citykiln::exporters {
 

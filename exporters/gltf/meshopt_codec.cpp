@@ -6,8 +6,8 @@
 #include <cassert>
 #include <cstring>
 
-#include "exporters/gltf/compression.h"
 #include "exporters/gltf/meshopt_order.h"
+#include "exporters/gltf/packed_grids.h"
 
 namespace citykiln::exporters {
 namespace {

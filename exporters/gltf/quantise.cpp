@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
-#include "exporters/gltf/compression.h"
 #include "exporters/gltf/object_runs.h"
+#include "exporters/gltf/packed_grids.h"
 #include "exporters/gltf/share_vertices.h"
 
 namespace citykiln::exporters {

@@ -11,7 +11,7 @@ namespace citykiln::exporters {
 /// ground is; elsewhere, as on walls, half of the last bit in each direction.
 double rounding_m(std::span<const bake::Primitive> primitives);
 
-/// Returns the tile on the grids of packed meshes (compression.h). error_m grows by the longest move of a position, at
+/// Returns the tile on the grids of packed meshes (packed_grids.h). error_m grows by the longest move of a position, at
 /// most half a step times √3, and by rounding_m(); plant_error_m by that of instances, times their scale.
 ///
 /// - Positions of ground, roads and water stay: they are on the grid of kQuantum_m. Others become multiples of

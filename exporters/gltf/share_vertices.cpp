@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "exporters/gltf/compression.h"
 #include "exporters/gltf/object_runs.h"
+#include "exporters/gltf/packed_grids.h"
 
 namespace citykiln::exporters {
 namespace {

@@ -1,14 +1,9 @@
-// The ways of packing meshes in a .glb, and the grids of packed attributes.
+// The grids of packed attributes.
 #pragma once
 
 #include "compiler/contract/tolerance.h"
 
 namespace citykiln::exporters {
-
-/// kQuantize: KHR_mesh_quantization, integers of 8 and 16 bits, read as they are by graphics cards. kDraco:
-/// KHR_draco_mesh_compression, the smallest. kMeshopt: EXT_meshopt_compression with KHR_mesh_quantization, the fastest
-/// to unpack.
-enum class Compression { kNone, kQuantize, kDraco, kMeshopt };
 
 /// Returns the step of packed positions: 2^-5 m for all tiles and levels from 0.1 m on, so that 16 bits reach 1 km from
 /// a tile's origin; kQuantum_m at finer tolerances. Origins of tiles are whole metres, so the grid is the plane's own,
