@@ -136,7 +136,7 @@ void add_ledger(const Report& region, Gathered& all) {
 Result<Done> add_trees(const std::string& folder, const std::string& name, std::span<const scene::TileKey> own,
                        const Outputs& outputs, Gathered& all) {
   if (outputs.tiles3d) {
-    Result<exporters::TilesetTile> tree = read_tileset(folder + "/3dtiles", name + "/");
+    Result<exporters::TilesetTile> tree = read_region_tileset(folder + "/3dtiles", name + "/");
     if (!tree) return tree.error();
     all.tilesets.push_back(std::move(*tree));
   }

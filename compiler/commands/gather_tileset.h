@@ -13,7 +13,7 @@ namespace citykiln::commands {
 /// @param folder  That contains tileset.json.
 /// @param prefix  Before the names of contents in the result.
 /// Errors: a file that cannot be read or is no such tileset.
-Result<exporters::TilesetTile> read_tileset(const std::string& folder, const std::string& prefix);
+Result<exporters::TilesetTile> read_region_tileset(const std::string& folder, const std::string& prefix);
 
 /// A root without content above several trees, which are shown together. Its error is twice their largest.
 /// @param trees  Not empty; one tree is returned as it is.

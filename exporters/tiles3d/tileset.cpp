@@ -16,8 +16,6 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kSuffix = ".json";
 
-bool is_external(const TilesetTile& tile) { return tile.content.ends_with(kSuffix); }
-
 std::size_t tiles_of(const TilesetTile& tile) {
   std::size_t count = 1;
   for (const TilesetTile& child : tile.children) count += tiles_of(child);
@@ -114,6 +112,8 @@ class Divider {
 };
 
 }  // namespace
+
+bool is_external(const TilesetTile& tile) { return tile.content.ends_with(kSuffix); }
 
 std::vector<TilesetFile> encode_tileset(TilesetTile root, const TilesetFacts& facts) {
   Divider divider(facts);

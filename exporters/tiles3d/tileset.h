@@ -20,6 +20,9 @@ struct TilesetTile {
   std::vector<TilesetTile> children{};
 };
 
+/// Whether a tile's content is another tileset.
+bool is_external(const TilesetTile& tile);
+
 /// What holds for a whole tileset.
 struct TilesetFacts {
   std::array<double, 16> to_earth{};  ///< The root's transform, column by column (map::Globe::to_earth()).
