@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -54,7 +55,7 @@ std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const V
 
 /// One line: what the cells took.
 std::string text_of(const preview::CellCounters& counters, std::size_t budget_bytes);
-/// The same as members of a JSON object, without braces.
-std::string json_of(const preview::CellCounters& counters, std::size_t budget_bytes);
+/// The counts behind that line, and more, as a JSON object.
+nlohmann::ordered_json json_of(const preview::CellCounters& counters, std::size_t budget_bytes);
 
 }  // namespace citykiln::commands
