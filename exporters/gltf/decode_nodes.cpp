@@ -22,16 +22,10 @@ using tinygltf::Value;
 void read_extended_instances(GltfReader& reader, const tinygltf::Node& node, std::size_t features, InstancedMesh& out) {
   const Value& attributes = member(node.extensions.at("EXT_mesh_gpu_instancing"), "attributes");
   const auto accessor = [&](const char* name) { return whole(member(attributes, name)); };
-  out.translations =
-      turned(values_of<Float3>(reader, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
-  out.rotations =
-      turned(values_of<Float4>(reader, accessor("ROTATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4));
-  for (const Float3& s :
-       values_of<Float3>(reader, accessor("SCALE"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
-    out.scales.push_back(s[0]);
-  out.features = as_numbers(
-      values_of<float>(reader, accessor("_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
-      features);
+  out.translations = turned(values_of<Float3>(reader, accessor("TRANSLATION")));
+  out.rotations = turned(values_of<Float4>(reader, accessor("ROTATION")));
+  for (const Float3& s : values_of<Float3>(reader, accessor("SCALE"))) out.scales.push_back(s[0]);
+  out.features = as_numbers(values_of<float>(reader, accessor("_FEATURE_ID_0")), features);
   const std::size_t n = out.translations.size();
   expect(out.rotations.size() == n && out.scales.size() == n && out.features.size() == n,
          "as many values for each instance");

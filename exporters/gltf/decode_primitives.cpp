@@ -17,10 +17,12 @@ using bake::Float3;
 using bake::Primitive;
 using materials::ColourSource;
 
-int attribute(const std::map<std::string, int>& attributes, const char* name) {
-  const auto found = attributes.find(name);
-  expect(found != attributes.end(), "the attributes that citykiln writes");
-  return found->second;
+bool has_attribute(const tinygltf::Primitive& p, const char* name) { return p.attributes.count(name) != 0; }
+
+// The values of an attribute; none where the primitive lacks it.
+template <typename T>
+std::vector<T> attribute_values(GltfReader& reader, const tinygltf::Primitive& p, const char* name) {
+  return has_attribute(p, name) ? values_of<T>(reader, p.attributes.at(name)) : std::vector<T>();
 }
 
 bool has_picture(const tinygltf::Model& model, ColourSource colour_source) {
@@ -36,11 +38,10 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(GltfReader& reader, int a
                       TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
   std::vector<std::uint32_t> indices;
   if (narrow) {
-    const auto values =
-        values_of<std::uint16_t>(reader, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
+    const auto values = values_of<std::uint16_t>(reader, accessor);
     indices.assign(values.begin(), values.end());
   } else {
-    indices = values_of<std::uint32_t>(reader, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
+    indices = values_of<std::uint32_t>(reader, accessor);
   }
   expect(indices.size() % 3 == 0, "three indices a triangle");
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -72,32 +73,20 @@ materials::Tint tint_in(const tinygltf::Value& extras) {
   return tint;
 }
 
-std::vector<materials::Tint> colours_of(GltfReader& reader, int accessor, const materials::Tint& largest) {
-  auto colours =
-      values_of<materials::Tint>(reader, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
-  for (materials::Tint& colour : colours) colour = tint_of(colour, largest);
-  return colours;
-}
-
 Primitive read_primitive(GltfReader& reader, const tinygltf::Primitive& p, std::size_t features) {
+  expect(has_attribute(p, "POSITION") && has_attribute(p, "COLOR_0"), "the attributes that citykiln writes");
   Primitive out;
   const tinygltf::Material& material = item(reader.model.materials, p.material, "a material that exists");
   const bake::PrimitiveKey key = primitive_key_named(material.name);
+  const materials::Tint largest = tint_in(material.extras);
+  const bool has_normals = has_attribute(p, "NORMAL");
   out.material = key.material, out.colour_source = key.colour_source;
-  out.positions = turned(values_of<Float3>(reader, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
-                                           TINYGLTF_TYPE_VEC3));
-  const bool has_normals = p.attributes.count("NORMAL") != 0;
-  if (has_normals)
-    out.normals = turned(values_of<Float3>(reader, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT,
-                                           TINYGLTF_TYPE_VEC3));
-  out.colours = colours_of(reader, attribute(p.attributes, "COLOR_0"), tint_in(material.extras));
-  if (p.attributes.count("TEXCOORD_0") != 0)
-    out.uvs = finite(values_of<Float2>(reader, attribute(p.attributes, "TEXCOORD_0"), TINYGLTF_COMPONENT_TYPE_FLOAT,
-                                       TINYGLTF_TYPE_VEC2));
-  if (p.attributes.count("_FEATURE_ID_0") != 0)
-    out.features = as_numbers(values_of<float>(reader, attribute(p.attributes, "_FEATURE_ID_0"),
-                                               TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
-                              features);
+  out.positions = turned(attribute_values<Float3>(reader, p, "POSITION"));
+  out.normals = turned(attribute_values<Float3>(reader, p, "NORMAL"));
+  out.colours = attribute_values<materials::Tint>(reader, p, "COLOR_0");
+  for (materials::Tint& colour : out.colours) colour = tint_of(colour, largest);
+  out.uvs = finite(attribute_values<Float2>(reader, p, "TEXCOORD_0"));
+  out.features = as_numbers(attribute_values<float>(reader, p, "_FEATURE_ID_0"), features);
   const std::size_t n = out.positions.size();
   expect((!has_normals || out.normals.size() == n) && out.colours.size() == n &&
              (out.features.empty() || out.features.size() == n) && (out.uvs.empty() || out.uvs.size() == n),

@@ -11,6 +11,7 @@
 #include "exporters/gltf/format_error.h"
 #include "exporters/gltf/glb_axes.h"
 #include "exporters/gltf/tinygltf_config.h"
+#include "exporters/gltf/vertex_attributes.h"
 
 namespace citykiln::exporters {
 
@@ -29,11 +30,13 @@ struct GltfReader {
 /// The bytes of a buffer view, which must lie in its buffer.
 std::span<const unsigned char> bytes_of(GltfReader& reader, int view_number);
 
-/// The elements of an accessor, which must have this component type and type.
+/// The elements of an accessor, which must have the component type and width of T.
 template <typename T>
-std::vector<T> values_of(GltfReader& reader, int accessor_number, int component, int type) {
+std::vector<T> values_of(GltfReader& reader, int accessor_number) {
   const tinygltf::Accessor& accessor = item(reader.model.accessors, accessor_number, "an accessor that exists");
-  expect(accessor.componentType == component && accessor.type == type && accessor.byteOffset == 0,
+  constexpr int kType = ElementType<T>::kWidth == 1 ? TINYGLTF_TYPE_SCALAR : int{ElementType<T>::kWidth};
+  expect(accessor.componentType == static_cast<int>(ElementType<T>::kComponent) && accessor.type == kType &&
+             accessor.byteOffset == 0,
          "accessors as citykiln writes them");
   const auto bytes = bytes_of(reader, accessor.bufferView);
   expect(accessor.count <= bytes.size() / sizeof(T), "accessors inside their buffer view");
