@@ -148,7 +148,7 @@ Result<Done> set_target(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
-// More lights than any program takes are a mistake.
+// Rejects numbers that no program can render, which are mistakes.
 Result<Done> set_lights(CompileSpec& spec, std::string_view text) {
   constexpr std::int64_t kMost = 100'000;
   const Result<std::int64_t> count = parse_whole(text, 0);
@@ -281,7 +281,7 @@ constexpr Setting kSettings[] = {
      false, set_emit},
     {"lods", "M,M,...",
      "levels of detail: largest geometric error of each in metres, finest first (default: 0.1,0.5,1.2,2.5,12.5)", false,
-     [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.ladder_m); }},
+     [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.tolerances_m); }},
     {"world", "plane|ellipsoid",
      "shape of the world: ellipsoid for --emit 3dtiles, plane for kiln and glb (default: that of the output)", false,
      set_world},
@@ -454,17 +454,17 @@ Result<double> parse_tolerance(std::string_view text) {
 }
 
 Result<std::vector<double>> parse_ladder(std::string_view text) {
-  std::vector<double> ladder_m;
+  std::vector<double> tolerances_m;
   for (const std::string_view part : split(text, ',')) {
     const Result<double> tolerance_m = parse_tolerance(part);
-    const double last = ladder_m.empty() ? 0 : ladder_m.back();
+    const double last = tolerances_m.empty() ? 0 : tolerances_m.back();
     if (!tolerance_m || !(*tolerance_m > last))
       return expected(
           fmt::format("increasing tolerances in metres, above 0 and at most {}, such as 0.1,0.5,2.5", kCoarsest_m),
           text);
-    ladder_m.push_back(*tolerance_m);
+    tolerances_m.push_back(*tolerance_m);
   }
-  return ladder_m;
+  return tolerances_m;
 }
 
 Result<scene::TileKey> parse_tile(std::string_view text) {

@@ -22,8 +22,7 @@ std::uint64_t peak_resident_bytes() {
   return 0;
 }
 
-/// Resets the high-water mark to the present resident memory (proc(5), clear_refs, 5), so that each stage is measured
-/// separately.
+/// Resets the high-water mark to the present resident memory (proc(5), clear_refs, 5), so that each stage has its own.
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Time and memory of the stages of a run, and progress notifications.
+// Measures the time and memory of the stages of a run, and reports progress.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace citykiln {
 
-/// Time and memory of one stage. Differs between runs.
+/// The time and memory of one stage. Not deterministic.
 struct StageCost {
   std::string stage;
   double seconds = 0;
   std::uint64_t peak_bytes = 0;  ///< Largest resident memory during the stage.
 };
 
-/// Called at the start of a stage and during it, with the completed share of the stage, 0 to 1.
+/// A function that is called at the start of a stage and during it, with the completed share of the stage, 0 to 1.
 using OnProgress = std::function<void(std::string_view stage, double share)>;
 
-/// Measures consecutive stages and notifies a listener of each.
+/// Measures consecutive stages and calls a function at the start of each.
 class StageTimer {
  public:
   explicit StageTimer(OnProgress on_progress) : on_progress_(std::move(on_progress)) {}

@@ -1,4 +1,4 @@
-// A fast 64-bit hash of bytes: XXH64, which notices damage and tells contents apart, but does not stop forgery.
+// A fast 64-bit hash of bytes, XXH64. It detects damage and distinguishes contents; it does not prevent forgery.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace citykiln::exporters {
 
-/// XXH64 with seed 0. Two different contents have the same hash with probability 2^-64. Cost: several GB/s.
+/// Returns XXH64 with seed 0. Two different contents have the same hash with probability 2^-64. Cost: several GB/s.
 /// Source: Yann Collet, "xxHash fast digest algorithm", specification 0.2.0; other programs (`xxhsum -H1`) give the
 /// same value.
 std::uint64_t content_hash(std::span<const std::byte> bytes);
 std::uint64_t content_hash(std::string_view text);
 
-/// 16 hexadecimal digits, as `xxhsum -H1` prints them.
+/// Returns a hash as 16 hexadecimal digits, as `xxhsum -H1` prints it.
 std::string hash_text(std::uint64_t hash);
 
 }  // namespace citykiln::exporters

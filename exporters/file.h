@@ -1,4 +1,4 @@
-// Reads and writes whole files. Half-written files never have their final name.
+// Reads and writes whole files. A file gets its final name only when it is complete.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace citykiln::exporters {
 
 /// Writes a temporary file beside the final name, closes it, then renames it. On any failure (full disk, unwritable
-/// folder) the temporary file is removed, and a file that had the final name before stays.
+/// folder) it removes the temporary file and leaves an earlier file of that name as it was.
 Result<Done> write_file(const std::string& path, std::span<const std::byte> bytes);
 /// Reads a file. Errors: a missing file, a folder, a pipe (its size is unknown).
 Result<std::vector<std::byte>> read_file(const std::string& path);

@@ -8,6 +8,7 @@
 #include "compiler/contract/for_each_slot.h"
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::exporters {
 namespace {

@@ -1,4 +1,4 @@
-// files.json: the list of what a run wrote into its folder, and the comparison of a folder with its list.
+// files.json: the list of the files that a run wrote into its folder, and the comparison of a folder with its list.
 #pragma once
 
 #include <cstdint>
@@ -10,44 +10,41 @@
 
 namespace citykiln::exporters {
 
-inline constexpr const char* kFileListName = "files.json";
-inline constexpr const char* kStagingName = ".new";  ///< The folder of a run in progress (output_folder.h).
-
 struct ListedFile {
-  std::string name;  ///< Relative to the folder, "glb/0_0_L1.glb".
-  /// Size, and content_hash() as text. Empty for a file whose bytes differ between equal runs (times): only its
-  /// presence is checked.
+  std::string name;  ///< The path relative to the folder: "glb/0_0_L1.glb".
+  /// Size, and content_hash() as text. The hash is empty for a file whose bytes differ between equal runs, such as
+  /// times: only the presence of such a file is checked.
   std::uint64_t bytes = 0;
   std::string hash{};
   bool operator==(const ListedFile&) const = default;
 };
 
-/// Sorted by name. The list does not contain files.json itself.
+/// The files of a run, sorted by name, without files.json itself.
 using FileList = std::vector<ListedFile>;
 
-/// The list as JSON: {"files": [{"name": …, "bytes": …, "hash": …}, …]}, one file a line. Deterministic.
+/// Returns the list as JSON, one file a line: {"files": [{"name": …, "bytes": …, "hash": …}, …]}. Deterministic.
 std::string file_list_json(const FileList& list);
 
-/// Reads a list. Errors: a file that is no list, or a name that leads out of the folder ("../x", "/x").
-/// @return Nothing if there is no such file.
+/// Reads a list. Errors: a file that is not such a list, or a name that leads out of the folder ("../x", "/x").
+/// @return std::nullopt if there is no such file.
 Result<std::optional<FileList>> read_file_list(const std::string& path);
 
-/// What is wrong with a folder. Names in each are sorted.
+/// The differences between a folder and its list, sorted by name.
 struct FolderState {
-  std::vector<std::string> missing;  ///< Listed, but not there.
-  std::vector<std::string> changed;  ///< Listed with another size or hash.
-  std::vector<std::string> strange;  ///< Not listed. Folders end in "/".
+  std::vector<std::string> missing;  ///< Listed files that the folder lacks.
+  std::vector<std::string> changed;  ///< Files whose size or hash differs from the listed one.
+  std::vector<std::string> strange;  ///< Files and folders that are not listed. Names of folders end in "/".
 };
 
-/// Compares a folder with a list by reading every listed file. Strange files are looked for in the folder and in the
-/// folders of listed files, not deeper.
-/// @param threads  Of reading; 0: all processors.
+/// Compares a folder with a list by reading every listed file. Looks for files that are not listed in the folder itself
+/// and in the folders of listed files, not deeper.
+/// @param threads  The number of threads that read; 0: one per processor.
 FolderState compare_folder(const std::string& folder, const FileList& list, int threads);
 
-/// The names that are not listed, looked for as in compare_folder(). Reads no file.
+/// Returns FolderState::strange as compare_folder() finds it, but reads no file.
 std::vector<std::string> strange_files(const std::string& folder, const FileList& list);
 
-/// Whether a file has the size and hash of its entry.
+/// True if a file exists and, if its entry has a hash, has the size and the hash of the entry.
 bool is_whole(const std::string& folder, const ListedFile& file);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,4 @@
-// The sources of the data as one text, which formats with one field for them carry.
+// The sources of the data as one text, for formats that have one field for them.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace citykiln::exporters {
 
-/// The attributions in their order, "; " between them.
+/// Returns the attributions in their order, joined by "; ".
 inline std::string joined_attributions(const std::vector<std::string>& attributions) {
   std::string all;
   for (const std::string& attribution : attributions) all += (all.empty() ? "" : "; ") + attribution;

@@ -1,5 +1,5 @@
-// The journal of a run in progress: a line of JSON for each file that is whole, appended after the file has its name.
-// A process that ends at any moment leaves whole lines, and perhaps one torn line at the end, which is not read.
+// The journal of a run in progress: one line of JSON for each complete file, appended after the file has its final
+// name. A process may end at any moment: readers skip a last line that is incomplete.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 
 namespace citykiln::exporters {
 
-/// A whole file of a run in progress.
+/// A complete file of a run in progress.
 struct StagedFile {
   ListedFile file;
-  std::uint64_t key = 0;  ///< Of what the bytes are a function. 0: none; a later run does not take such a file over.
-  std::string note;       ///< What the writer needs to know when it takes the file over. UTF-8.
+  /// A hash of all inputs that determine the bytes. 0: there is no key, so later runs cannot reuse the file.
+  std::uint64_t key = 0;
+  std::string note;  ///< Facts about the file for a run that reuses it, UTF-8.
 };
 
-/// The line of a file, with its end.
+/// Returns the line of a file, with the line feed.
 std::string journal_line(const StagedFile& staged);
 
-/// The files of a journal by name; the last line of a name counts. Lines that are no entries are skipped, so every
-/// text is a journal.
+/// Returns the files of a journal by name; the last line of a name counts. Skips lines that are not entries, so it
+/// accepts any text.
 std::map<std::string, StagedFile> read_journal(const std::string& text);
 
 }  // namespace citykiln::exporters

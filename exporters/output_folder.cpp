@@ -12,6 +12,7 @@
 
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
+#include "exporters/run_files.h"
 #include "exporters/settle_folder.h"
 
 namespace citykiln::exporters {

@@ -1,5 +1,4 @@
-// The folder of a run, and how a run replaces an earlier one in it without a moment at which the folder holds half a
-// run.
+// The output folder of a run. A new run replaces an earlier one in such a way that the folder never holds half a run.
 //
 //     OUT/files.json         the list: name, size and hash of every file of the finished run
 //     OUT/scene.kiln …       its files
@@ -11,17 +10,17 @@
 //     1. write files into .new, a journal line each     OUT is as before; a run with equal keys takes over whole files
 //     2. write .new/files.json                          -
 //     3. rename each file of the new list into OUT      settle() (settle_folder.h) does steps 3 to 5 again
-//     4. remove files that only the old list names      the same
-//     5. rename .new/files.json to OUT, remove .new     the same
+//     4. remove files that only the old list names      as in step 3
+//     5. rename .new/files.json to OUT, remove .new     as in step 3
 //
-// A run that keeps its keys leaves its journal in OUT as keys.jsonl, a listed file; the next run that keeps its keys
-// takes over the files with equal keys, by a second name in .new (hard link).
+// With TakesOver::kFinished the run leaves its journal in OUT as keys.jsonl, a listed file. The next such run reuses
+// the files with equal keys, by hard links in .new.
 //
-// Only files that a list names are replaced or removed. A file of someone else that is in the way is renamed to
-// NAME.old. A key says what the bytes of a file are a function of; equal keys mean equal bytes.
+// Only files that a list names are replaced or removed. Any other file that is in the way is renamed to NAME.old. The
+// key of a file is a hash of all inputs that determine its bytes: equal keys mean equal bytes.
 //
 // The renames need no disk space, and all writing happens before step 2, so a full disk leaves OUT as it was. Files are
-// not flushed to the disk: after a power failure the hashes show which files are whole.
+// not flushed to the disk: after a power failure the hashes show which files are complete.
 #pragma once
 
 #include <cstddef>
@@ -37,18 +36,16 @@
 
 namespace citykiln::exporters {
 
-inline constexpr const char* kKeysName = "keys.jsonl";
-
-/// Which runs' files a run takes over. kFinished: those of the finished run in the folder too, and leaves its keys for
-/// the next.
+/// The earlier runs whose files a run may reuse. kInterrupted: an interrupted run. kFinished: also the finished run in
+/// the folder; the new run then leaves its own keys for the next.
 enum class TakesOver { kInterrupted, kFinished };
 
-/// Writes one run. Ends without commit(): OUT stays as it was; .new stays if it holds files with keys, for the next
-/// run, else it is removed with all folders made.
+/// Writes the files of one run. An object destroyed without commit() leaves OUT as it was. If .new holds files with
+/// keys, .new stays for the next run; else .new is removed, together with the folders that were made.
 class OutputFolder {
  public:
-  /// Makes the folder where it is missing, and finishes an interrupted commit. Errors, before any work is done: a
-  /// folder that cannot be made or written; another process that is writing a run into it.
+  /// Opens a folder: makes it if it is missing, and finishes an interrupted commit. Errors: a folder that cannot be
+  /// made or written; another process that is writing a run into it.
   static Result<OutputFolder> open(const std::string& path, TakesOver takes_over = TakesOver::kInterrupted);
   ~OutputFolder();
   OutputFolder(OutputFolder&& other) noexcept;
@@ -56,30 +53,29 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// The file of this name and key that a run before left whole, verified by its hash; or null. May be called from
-  /// several threads while nothing is written. @param key  Not 0.
+  /// Returns the complete file with this name and key that an earlier run left, after verifying its hash; else null.
+  /// May be called from several threads while nothing is written. @param key  Not 0.
   const StagedFile* find_whole(const std::string& name, std::uint64_t key) const;
-  /// Makes a file that find_whole() returned a file of this run.
+  /// Adds a file that find_whole() returned to this run.
   Result<Done> take_over(const StagedFile& staged);
 
-  /// Writes a file of this run. @param name  Relative to the folder, "glb/0_0_L1.glb".
+  /// Writes a file of this run. @param name  The path relative to the folder: "glb/0_0_L1.glb".
   Result<Done> write(const std::string& name, std::span<const std::byte> bytes, std::uint64_t key = 0,
                      const std::string& note = {});
   /// Writes a file whose bytes differ between equal runs, such as times.
   Result<Done> write_varying(const std::string& name, std::span<const std::byte> bytes);
 
-  /// Makes a whole file that lies elsewhere a file of this run: by a second name of it (hard link), or, on another file
-  /// system, by a copy.
+  /// Adds a complete file from elsewhere to this run, by a hard link, or by a copy if that fails (another file system).
   Result<Done> adopt(const ListedFile& file, const std::string& path);
 
-  /// The files of this run so far, sorted by name.
+  /// Returns the files written or added until now, sorted by name.
   FileList files() const;
-  /// Whether a later run can take over files if this one ends without commit().
+  /// True if a later run can reuse files should this one end without commit().
   bool has_keyed_files() const;
-  /// Whether a run before left files that this one can take over.
+  /// True if an earlier run left files that this one can reuse.
   bool has_earlier_files() const { return has_keyed_files() || !finished_.empty(); }
 
-  /// Replaces the earlier run by this one, steps 2 to 5.
+  /// Replaces the earlier run by this one: steps 2 to 5.
   Result<Done> commit();
 
  private:
@@ -92,15 +88,15 @@ class OutputFolder {
 
   std::string path_, staging_;
   std::vector<std::string> made_folders_;
-  std::map<std::string, StagedFile> staged_;    ///< By name: whole files of an interrupted run and of this run.
-  std::map<std::string, StagedFile> finished_;  ///< By name: of the finished run in the folder.
-  std::map<std::string, ListedFile> files_;     ///< By name: of this run.
+  std::map<std::string, StagedFile> staged_;    ///< By name: complete files of an interrupted run and of this run.
+  std::map<std::string, StagedFile> finished_;  ///< By name: files of the finished run in the folder.
+  std::map<std::string, ListedFile> files_;     ///< By name: files of this run.
   TakesOver takes_over_ = TakesOver::kInterrupted;
   int lock_ = -1, journal_ = -1;  ///< File descriptors.
   bool is_open_ = true;           ///< False once committed or moved from.
 };
 
-/// The bytes of a JSON text.
+/// Views a text as bytes.
 std::span<const std::byte> bytes_of(const std::string& text);
 
 }  // namespace citykiln::exporters

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "exporters/file_list.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::exporters {
 namespace {

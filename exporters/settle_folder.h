@@ -1,4 +1,5 @@
-// Finishes a run whose files are all whole: moves them into its folder by renames (output_folder.h, steps 3 to 5).
+// Finishes a run whose files are all complete: moves them into the output folder by renames (output_folder.h, steps 3
+// to 5).
 #pragma once
 
 #include <string>
@@ -7,20 +8,20 @@
 
 namespace citykiln::exporters {
 
-/// Moves the files of a finished run from .new into the folder, if there is such a run; else does nothing. Waits for
-/// another process that does the same. May end at any moment and be called again. Call before reading a run's folder.
-/// Errors: files that cannot be renamed or removed.
+/// Moves the files of a finished run from .new into the folder, if there is such a run. Waits for another process that
+/// does so. After an interruption at any moment, the function can be called again. It must be called before a run's
+/// folder is read. Errors: files that cannot be renamed or removed.
 Result<Done> settle(const std::string& folder);
 
-/// The same while the caller holds the lock of the folder.
+/// Does the work of settle() for a caller that holds the lock of the folder.
 Result<Done> settle_locked(const std::string& folder);
 
-/// Whether the folder holds files of a run that was interrupted before all were whole.
+/// True if the folder holds files of a run that was interrupted before all were complete.
 bool has_unfinished_run(const std::string& folder);
 
 /// Locks a folder against other runs until the descriptor is closed or the process ends. Folders on file systems
-/// without locks are not protected. @return A file descriptor; or -1 if another process holds the lock and the caller
-/// does not wait. Errors: a folder that cannot be opened.
+/// without locks are not protected. @return A file descriptor; -1 if another process holds the lock and `waits` is
+/// false. Errors: a folder that cannot be opened.
 Result<int> lock_folder(const std::string& folder, bool waits);
 
 }  // namespace citykiln::exporters

@@ -21,7 +21,7 @@ struct DerivationState {
   Derivation result;
   ModuleBuffer now, next;
 
-  Draw chance_of(const char* purpose, int step, int pass) const {
+  RandomSequence chance_of(const char* purpose, int step, int pass) const {
     const StableId of_step = stable_id(options.plant, purpose, static_cast<std::uint64_t>(step));
     return {options.seed.value_or(system.seed), of_step, pass == 0 ? "pass" : fmt::format("pass {}", pass).c_str()};
   }
@@ -64,7 +64,7 @@ struct DerivationState {
 
   void begin(Rewriter& rewriter) {
     next.most = std::min(options.limits.symbols, kMostSymbols);
-    const Draw chance = chance_of("axiom", 0, 0);
+    const RandomSequence chance = chance_of("axiom", 0, 0);
     RandomSource random{&chance, 0, 0};
     if (!write_successor(rewriter, system.axiom, nullptr, random, next)) stop(LimitKind::kSymbols, 0);
     result.written += next.size;

@@ -1,4 +1,4 @@
-// Derivation: from an L-system to the string of modules after n steps.
+// Derives an L-system: rewrites its axiom for n steps to a string of modules.
 //
 //   axiom ── step ──► string ── step ──► string …      a step rewrites all modules in parallel, then decomposes the
 //                                                      result, then answers queries; two buffers alternate
@@ -16,41 +16,45 @@
 
 namespace citykiln::lsystems {
 
-/// Limits of a derivation: counts, not seconds, so that every machine stops at the same module.
+/// Limits of a derivation. They are counts rather than seconds, so every machine stops at the same module.
 struct Limits {
-  std::uint64_t symbols = 8'000'000;    ///< In a string; four times as many values. Capped at 2^27.
-  std::uint64_t written = 400'000'000;  ///< In all strings of a derivation.
+  std::uint64_t symbols = 8'000'000;  ///< Modules in a string, with at most four times as many values. Capped at 2^27.
+  std::uint64_t written = 400'000'000;  ///< Modules in all strings of a derivation together.
   std::uint64_t steps = 100'000;
-  std::uint64_t work = 4'000'000'000;  ///< Rules tested, and instructions of their conditions and values.
+  std::uint64_t work = 4'000'000'000;  ///< Tested rules, and executed instructions of their conditions and values.
 };
 
+/// The inputs of a derivation beside the L-system.
 struct DeriveOptions {
-  std::optional<int> steps = {};           ///< Default: the file's.
-  std::optional<std::uint64_t> seed = {};  ///< Default: the file's.
-  StableId plant{};                        ///< Key of the random numbers.
+  std::optional<int> steps = {};           ///< The number of steps; empty: the number in the file.
+  std::optional<std::uint64_t> seed = {};  ///< The seed of random numbers; empty: the seed in the file.
+  StableId plant{};                        ///< The key of the plant's random numbers.
   Limits limits = {};
   Environment environment = {};
 };
 
-/// Something in the text or string without a defined result, and what was done instead. One for each position and text.
+/// An expression or module without a defined result, with the action taken instead. There is one for each position and
+/// text.
 struct Warning {
   TextPosition place;
   std::string message;
   std::uint64_t times = 0;
 };
 
+/// The member of Limits that ended a derivation.
 enum class LimitKind : std::uint8_t { kSymbols, kWritten, kSteps, kWork };
 
-/// The limit that ended a derivation; its string is then the last complete one.
+/// The limit that ended a derivation. The derivation then has the last complete string.
 struct LimitExceeded {
   LimitKind kind = LimitKind::kSymbols;
   std::uint64_t limit = 0;
-  int step = 0;  ///< The incomplete step, from 1.
+  int step = 0;  ///< The step that was not completed, from 1.
 };
 
+/// The result of derive() or interpret().
 struct Derivation {
   ModuleString string;
-  int steps = 0;              ///< Completed.
+  int steps = 0;              ///< Completed steps.
   std::uint64_t written = 0;  ///< Modules in all strings.
   std::vector<Warning> warnings;
   std::optional<LimitExceeded> limit_exceeded;
@@ -58,24 +62,25 @@ struct Derivation {
 
 /// Rewrites the axiom for a number of steps.
 ///
-/// The first rule of a module that matches (contexts, then condition) is applied. If it has a probability, one of it
-/// and all later matching rules with a probability is drawn, with the probabilities as weights. A module without a
-/// matching rule is copied. % removes the rest of its branch in the step after it is written.
+/// Applies the first rule of a module that matches (contexts, then condition). If that rule has a probability, one rule
+/// is drawn from it and all later matching rules with a probability, with the probabilities as weights. A module
+/// without a matching rule is copied. The module % removes the rest of its branch in the step after the one that wrote
+/// it.
 ///
-/// Guarantees: the same bytes for the same arguments on any machine; random numbers are functions of (seed, plant,
-/// step, position in the string); brackets are balanced; every value is finite. Total: an undefined value (1/0) becomes
-/// 0 and a warning; a limit ends the derivation. Cost: O(modules written), no allocation per module. Memory: two
-/// strings, and 20 bytes a module if rules have contexts.
+/// Guarantees: deterministic on any machine; random numbers are functions of (seed, plant, step, position in the
+/// string); brackets are balanced; every value is finite. An undefined value (1/0) becomes 0, with a warning; a limit
+/// ends the derivation. Cost: O(modules written), no allocation per module. Memory: two strings, and 20 bytes a module
+/// if rules have contexts.
 Derivation derive(const LSystem& system, const DeriveOptions& options = {});
 
-/// Applies the interpretation rules up to their depth. Returns the string for the turtle.
+/// Applies the interpretation rules up to their depth (`maximum depth` of the file). Returns the string for the turtle.
 ///
-/// @param string  Of derive() with the same system.
+/// @param string  The result of derive() with this system.
 Derivation interpret(const LSystem& system, const ModuleString& string, const DeriveOptions& options = {});
 
-/// "x.lsys:12:5: message (3 times)".
+/// Returns a warning as a line: "x.lsys:12:5: message (3 times)".
 std::string warning_line(const LSystem& system, const Warning& warning);
-/// "x.lsys: stopped at step 9: the string would have more than 8000000 symbols".
+/// Returns an exceeded limit as a line: "x.lsys: stopped at step 9: the string would have more than 8000000 symbols".
 std::string limit_line(const LSystem& system, const LimitExceeded& exceeded);
 
 }  // namespace citykiln::lsystems

@@ -1,4 +1,4 @@
-// Functions that answer a plant's queries about its surroundings.
+// Functions that answer the queries of a plant about its surroundings.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace citykiln::lsystems {
 
-/// Points are relative to the plant's foot, z up, in the file's units. Without a function, the ground is flat and
-/// nothing is shaded. Functions must be pure; NaN and infinity count as 0.
+/// The functions for queries. Points are relative to the plant's foot, z up, in the file's units. If a function is
+/// missing, the ground is flat or nothing is shaded. Functions must be pure; NaN and infinity count as 0.
 struct Environment {
   std::function<double(Vec3)> height_above_ground;  ///< ?H(h)
   std::function<double(Vec3)> shade;                ///< ?S(s): from 0, full sun, to 1, dark.

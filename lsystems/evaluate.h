@@ -1,4 +1,4 @@
-// Evaluation of expressions in successors, conditions and probabilities.
+// Evaluates expressions in successors, conditions and probabilities. A slot is the place of a parameter of a rule.
 #pragma once
 
 #include "lsystems/lsystem.h"
@@ -6,16 +6,18 @@
 
 namespace citykiln::lsystems {
 
-/// Largest stack of an expression; the reader rejects expressions that need more.
+/// The largest stack of an expression. The reader rejects expressions that need more.
 inline constexpr int kStackLimit = 64;
 
 /// Evaluates postfix code. Uses only + - * / and the square root, so results have the same bits on every CPU. An
 /// undefined value (1/0, the root of -1) is infinite or NaN. Allocates nothing. O(count).
 ///
-/// @param code   `count` instructions, > 0, of read_value().
-/// @param slots  Values of the rule's parameters.
+/// @param code  `count` instructions, > 0, made by read_value().
+/// @param slots  The values of the rule's parameters.
 double run(const Instruction* code, std::uint32_t count, const double* slots, RandomSource& random);
 
+/// Returns the value of an expression; common forms need no code.
+/// @param slots  The values of the rule's parameters.
 inline double evaluate(const LSystem& system, const Value& value, const double* slots, RandomSource& random) {
   switch (value.form) {
     case ValueForm::kConstant:

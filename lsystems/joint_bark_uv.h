@@ -1,4 +1,5 @@
-// Texture coordinates of bark on stems and joints.
+// Texture coordinates of bark on stems and joints. A joint is a smooth surface between the rings of three or more
+// stems; a turn is a full circle about a stem.
 #pragma once
 
 #include <array>
@@ -8,31 +9,33 @@
 
 namespace citykiln::lsystems {
 
-/// u around a stem in texture periods: `per_turn` periods (a whole number) a turn, beginning at `at`.
+/// The mapping from turns around a stem to u in texture periods: `per_turn` (a whole number) periods per turn, from
+/// `at` on.
 struct BarkWrap {
   double per_turn = 1, at = 0;
   double u(double turn) const { return at + per_turn * turn; }
 };
 
-/// Start of u, so that rings that begin half a side earlier still have u > 0.
+/// The value of u at the first point of a ring. With it, rings that begin half a side earlier still have u > 0.
 inline constexpr double kFirst = 1;
 
-/// The wrap of the stem that continues above a joint.
-/// @param turn  Of the arriving stem, at the first point of the joint's lower ring.
+/// Returns the wrap of the stem that continues above a joint.
+/// @param turn  The angle about the arriving stem, in turns, at the first point of the joint's lower ring.
 BarkWrap continue_wrap(const BarkWrap& arriving, double turn, double per_turn);
 
-/// Wraps of a joint's stems in the order of its rings.
+/// The texture coordinates of a joint.
 struct JointBarkUv {
   const Joint& joint;
-  std::array<BarkWrap, 2 + kMostSideStems> wrap{};
-  std::array<double, 2 + kMostSideStems> sleeve_m{};  ///< Length from the box to the ring of a side stem.
+  std::array<BarkWrap, 2 + kMostSideStems> wrap{};    ///< In the order of Joint::rings.
+  std::array<double, 2 + kMostSideStems> sleeve_m{};  ///< The length from the box to the ring of a side stem.
 
-  /// u in texture periods, v in metres from the root.
+  /// Returns u in texture periods and v in metres from the root.
   Vec2 at(const JointStencils::Vertex& vertex) const;
 };
 
-/// @param wrap  Of the arriving stem, beginning at the lower ring's first point; of continue_wrap(); of the side stems.
-///              Both first ones are moved by the same whole number to begin at kFirst.
+/// Returns the texture coordinates of a joint.
+/// @param wrap  The wraps of the arriving stem, from the lower ring's first point on, of the continuing stem
+/// (continue_wrap()) and of the side stems. The first two are moved by one whole number so that they begin at kFirst.
 JointBarkUv joint_bark_uv(const Joint& joint, const std::array<BarkWrap, 2 + kMostSideStems>& wrap);
 
 }  // namespace citykiln::lsystems

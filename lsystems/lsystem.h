@@ -1,4 +1,5 @@
-// A compiled L-system: modules are numbers, productions and expressions are rows of flat arrays.
+// A compiled L-system: modules are numbers, productions and expressions are rows of flat arrays. A slot is the place of
+// a parameter of a rule.
 //
 //   A(l,w) : l > 0.1 -> !(w)F(l)[&(45)A(l*0.6,w)]A(l*0.9,w)       one Rule: predecessor, condition, successor
 //   └pred┘   └cond─┘    └kinds: ! F [ & A ] A ; values: w l 45 l*0.6 w l*0.9 w
@@ -32,11 +33,12 @@ enum class TurtleOp : std::uint8_t {
   kQueryShade,     ///< ?S(s)
 };
 
+/// A kind of modules: a name with a number of parameters.
 struct ModuleKind {
   std::string name;  ///< "F", "+", "~L", "?H", "internode".
   std::uint8_t arity = 0;
   TurtleOp op = TurtleOp::kNone;
-  bool ignored = false;  ///< Skipped by contexts.
+  bool ignored = false;  ///< Contexts skip the module.
 };
 
 enum class Op : std::uint8_t {
@@ -54,11 +56,11 @@ enum class Op : std::uint8_t {
 /// An instruction of an expression in postfix order.
 struct Instruction {
   Op op = Op::kConstant;
-  std::uint16_t slot = 0;  ///< Of kSlot.
-  double constant = 0;     ///< Of kConstant.
+  std::uint16_t slot = 0;  ///< kSlot: the number of the slot.
+  double constant = 0;     ///< kConstant: its value.
 };
 
-/// Common forms of values are evaluated without code.
+/// The form of a value. Common forms are evaluated without code.
 enum class ValueForm : std::uint8_t { kConstant, kSlot, kSlotTimes, kSlotPlus, kCode };
 
 /// An expression: a parameter of a successor's module, a condition or a probability.
@@ -66,7 +68,7 @@ struct Value {
   ValueForm form = ValueForm::kConstant;
   std::uint16_t slot = 0;
   double constant = 0;
-  std::uint32_t first = 0, count = 0;  ///< For kCode: range of LSystem::code.
+  std::uint32_t first = 0, count = 0;  ///< kCode: the range in LSystem::code.
   TextPosition place;
 };
 
@@ -79,9 +81,10 @@ struct Range {
 struct Successor {
   Range kinds;             ///< Into LSystem::successor_kinds.
   Range values;            ///< Into LSystem::values, in the order of the modules.
-  std::uint32_t code = 0;  ///< Number of instructions of its values.
+  std::uint32_t code = 0;  ///< The number of instructions of its values.
 };
 
+/// A production: predecessor, contexts, condition or probability, and successor.
 struct Rule {
   TextPosition place;
   Kind predecessor = 0;
@@ -89,7 +92,7 @@ struct Rule {
   bool has_condition = false, has_probability = false;
   Value condition, probability;
   Successor successor;
-  /// Slots hold the parameters of the left context, then of the predecessor, then of the right context.
+  /// Slots hold the parameters of the left context, of the predecessor, and of the right context, in this order.
   std::uint16_t predecessor_slot = 0, right_slot = 0, slots = 0;
 };
 
@@ -98,7 +101,7 @@ struct RuleSet {
   std::vector<Rule> rules;     ///< Sorted by predecessor, then in the file's order.
   std::vector<Range> of_kind;  ///< Into `rules`, for each kind.
   bool has_contexts = false;
-  int most_depth = 1;  ///< Passes over its own output; decomposition and interpretation only.
+  int most_depth = 1;  ///< The number of passes over its own output, for decomposition and interpretation.
 };
 
 /// The result of read_lsystem(). Plain data, constant during derivations.
@@ -112,21 +115,21 @@ struct LSystem {
   Successor axiom;
   TextPosition axiom_place;
   RuleSet productions, decomposition, interpretation;
-  Kind push = 0, pop = 0, cut = 0;  ///< Kinds of [ ] %, always present.
-  bool has_cuts = false;            ///< Whether a successor contains %.
+  Kind push = 0, pop = 0, cut = 0;  ///< The kinds of [ ] %, which are always present.
+  bool has_cuts = false;            ///< A successor contains %.
   bool has_queries = false;
 
   // directives
   int steps = 0;
   std::uint64_t seed = 0;
-  double angle_deg = 90;  ///< Default angle of + - & ^ \ /.
-  double step = 1;        ///< Default length of F f G.
-  double width = 0.1;     ///< Initial width.
-  double width_unit = 1;  ///< Length of a width of 1.
-  Vec3 tropism;           ///< {0, 0, -1} is gravity.
-  double elasticity = 0;  ///< Radians that a segment perpendicular to the tropism turns.
-  double height = 0;      ///< Height to which the plant is scaled; 0: no scaling.
-  std::string bark;       ///< Name of a bark material for the renderer, or empty.
+  double angle_deg = 90;  ///< The default angle of + - & ^ \ /.
+  double step = 1;        ///< The default length of F f G.
+  double width = 0.1;     ///< The initial width.
+  double width_unit = 1;  ///< The length of a width of 1.
+  Vec3 tropism;           ///< The direction to which segments turn; {0, 0, -1} is gravity.
+  double elasticity = 0;  ///< The angle in radians by which a segment perpendicular to the tropism turns.
+  double height = 0;      ///< The height to which the plant is scaled; 0: no scaling.
+  std::string bark;       ///< The name of a bark material for the renderer, or empty.
 };
 
 }  // namespace citykiln::lsystems

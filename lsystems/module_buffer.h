@@ -1,4 +1,4 @@
-// A string of modules under construction; its memory is reused for the next one.
+// A string of modules under construction. Its memory is reused for the next string.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,16 @@
 
 namespace citykiln::lsystems {
 
+/// A string that modules are appended to.
 struct ModuleBuffer {
-  ModuleString room;  ///< Allocated arrays; the string is their beginning.
+  ModuleString room;  ///< The allocated arrays, whose first `size` and `value_count` entries are the string.
   std::size_t size = 0, value_count = 0;
-  std::size_t most = 0;  ///< Limit of symbols; of values four times as many.
+  std::size_t most = 0;  ///< The limit of symbols. The limit of values is four times as large.
 
   std::span<const Kind> kinds() const { return {room.kinds.data(), size}; }
   std::span<const double> values() const { return {room.values.data(), value_count}; }
 
-  /// Makes room for more symbols and values; false if the limit does not allow it.
+  /// Allocates memory for more symbols and values. Returns false if their number would exceed the limit.
   bool make_room(std::size_t symbols, std::size_t values) {
     if (size + symbols <= room.kinds.size() && value_count + values <= room.values.size())
       return size + symbols <= most;
@@ -35,7 +36,7 @@ struct ModuleBuffer {
     return true;
   }
 
-  /// Appends a run. make_room() must have succeeded for its size.
+  /// Appends modules. make_room() must have succeeded for their number.
   void append(std::span<const Kind> kinds, std::span<const double> values) {
     if (!kinds.empty()) std::memcpy(room.kinds.data() + size, kinds.data(), kinds.size_bytes());
     if (!values.empty()) std::memcpy(room.values.data() + value_count, values.data(), values.size_bytes());

@@ -12,21 +12,22 @@
 
 namespace citykiln::lsystems {
 
+/// The position of a neighbour that does not exist.
 inline constexpr std::uint32_t kNowhere = ~0u;
 
-/// Neighbours in one string with balanced brackets, or kNowhere. Ignored modules are skipped.
+/// The positions of neighbours in a string with balanced brackets; kNowhere: none. Ignored modules are skipped.
 struct Neighbours {
-  std::vector<std::uint32_t> left;    ///< Left neighbour of each module.
-  std::vector<std::uint32_t> axis;    ///< First module at or after each position, on the same branch.
-  std::vector<std::uint32_t> branch;  ///< First [ at or after each position, before that module.
-  std::vector<std::uint32_t> close;   ///< Matching ] of each [.
-  std::vector<std::uint32_t> value;   ///< First value of each module.
+  std::vector<std::uint32_t> left;    ///< The left neighbour of each module.
+  std::vector<std::uint32_t> axis;    ///< The first module at or after each position on the same branch.
+  std::vector<std::uint32_t> branch;  ///< The first [ at or after each position and before that first module (`axis`).
+  std::vector<std::uint32_t> close;   ///< The matching ] of each [.
+  std::vector<std::uint32_t> value;   ///< The first value of each module.
 };
 
 /// Fills `neighbours`, reusing its memory. O(n).
 void find_neighbours(const LSystem& system, std::span<const Kind> kinds, Neighbours& neighbours);
 
-/// Whether the rule's contexts match at module `at`; if so, fills `slots` with the parameters of contexts and module.
+/// True if the rule's contexts match at module `at`. If so, `slots` gets the parameters of contexts and module.
 ///
 /// The left context is a path towards the root. The right context follows the branch; brackets in it match any branch
 /// that begins there, in order; at most kBranchScan are tried. O(length of the contexts).

@@ -19,7 +19,7 @@ struct Statement {
 
 enum class Section { kProductions, kDecomposition, kInterpretation, kEnd };
 
-// What directives set for the whole file.
+// Values that directives set for the whole file.
 struct FileState {
   Section section = Section::kProductions;
   std::set<std::string> ignored;

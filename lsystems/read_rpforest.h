@@ -1,5 +1,5 @@
-// Reads the files of RPForest (Rudzki 2020): .lsys in its own notation, .honda (Honda's trees), .family (the book's
-// simple leaves).
+// Reads the files of RPForest (Rudzki 2020): .lsys in RPForest's notation, .honda (trees by Honda's model), .family
+// (the simple leaves of "The Algorithmic Beauty of Plants").
 #pragma once
 
 #include <string>
@@ -10,10 +10,11 @@
 
 namespace citykiln::lsystems {
 
-/// Whether a file is RPForest's: by its extension, and for .lsys by its first word, which is no directive of ours.
+/// True if a file is one of RPForest, by its extension, and for .lsys if its first word is not a directive of
+/// lsystems/README.md.
 bool is_rpforest(std::string_view text, std::string_view file);
 
-/// Translates a file to our notation. Entries are a name and its values, in any order.
+/// Translates a file to the notation of lsystems/README.md. Entries are a name and its values, in any order.
 ///
 /// .lsys: N, Axiom, `Prod X > F[+X]…`, TurnAngle (or Angle), PitchAngle, RollAngle, Height, InitRadius; or the oldest
 /// form, N, angle, height, axiom and productions without names. .honda: R1 R2 A0 A2 D Wr. .family: Delta LA RA LB RB
@@ -21,7 +22,7 @@ bool is_rpforest(std::string_view text, std::string_view file);
 /// Errors: an unknown name, a value that is not a number, a missing N, axiom or parameter.
 Result<std::string> rpforest_to_lsystem_text(std::string_view text, std::string_view file);
 
-/// Reads the translation of a file.
+/// Translates a file and reads the translation.
 Result<LSystem> read_rpforest(std::string_view text, std::string_view file);
 
 }  // namespace citykiln::lsystems

@@ -1,5 +1,6 @@
-// State of the .lsys reader: position, first error, and the system so far. An error moves the position to the end, so
-// that all functions in progress return.
+// The state of the .lsys reader: position, first error, and the part of the L-system that is read already. An error
+// moves the position to the end of the text, so that all functions in progress return. A slot is the place of a
+// parameter of the current rule.
 #pragma once
 
 #include <map>
@@ -14,39 +15,40 @@
 
 namespace citykiln::lsystems {
 
-/// "file:line:column".
+/// Returns a position as "file:line:column".
 std::string position_name(std::string_view file, TextPosition place);
 
+/// The state of the reader.
 struct Reader {
   std::string_view text;  ///< Comments are replaced by spaces.
   std::string file;
-  std::size_t at = 0, end = 0;  ///< Position, and end of the current statement.
+  std::size_t at = 0, end = 0;  ///< The position, and the end of the current statement.
   std::vector<std::size_t> line_starts;
   std::optional<Error> failed;
 
   LSystem system;
   std::map<std::pair<std::string, int>, Kind> kind_of;
-  std::map<std::string, double, std::less<>> constants;  ///< Of #define.
-  std::map<std::string, double, std::less<>> given;      ///< The caller's, which replace constants.
-  std::vector<std::string> long_names;                   ///< Of `module`, longest first.
-  std::vector<std::string> slots;                        ///< Parameters of the current rule.
-  int depth = 0;                                         ///< Of nested parentheses.
-  int draws = 0;                                         ///< Random draws of the current rule.
-  bool may_draw = false;                                 ///< Whether random draws are allowed.
-  bool may_query = true;                                 ///< Whether queries are allowed: not in interpretations.
+  std::map<std::string, double, std::less<>> constants;  ///< The values of #define.
+  std::map<std::string, double, std::less<>> given;      ///< The caller's values, which replace constants.
+  std::vector<std::string> long_names;                   ///< The names declared by `module`, longest first.
+  std::vector<std::string> slots;                        ///< The parameters of the current rule.
+  int depth = 0;                                         ///< The depth of nested parentheses.
+  int draws = 0;                                         ///< The number of random draws in the current rule.
+  bool may_draw = false;                                 ///< Random draws are allowed.
+  bool may_query = true;                                 ///< Queries are allowed: everywhere but in interpretations.
 
   char peek(std::size_t ahead = 0) const { return at + ahead < end ? text[at + ahead] : '\0'; }
   bool starts_with(std::string_view word) const { return text.substr(at, end - at).substr(0, word.size()) == word; }
   bool done() const { return at >= end; }
   void skip_space();
-  /// Skips space, and the word if it is next. Returns whether it was.
+  /// Skips space, and the word if it is next. Returns true if the word was next.
   bool accept(std::string_view word);
-  /// Skips the word, or fails with "expected 'word' why, found …".
+  /// Skips the word and returns true, or fails with "expected 'word' why, found …".
   bool expect(std::string_view word, std::string_view why);
 
   TextPosition place() const { return position_at(at); }
   TextPosition position_at(std::size_t byte) const;
-  /// Fails here with "expected what, found …". The first error is kept.
+  /// Fails here with "expected `what`, found …". Keeps the first error.
   void fail_expected(std::string_view what);
   void fail(TextPosition where, std::string message);
 };
@@ -57,7 +59,7 @@ inline bool is_name_letter(char c) { return is_letter(c) || is_digit(c) || c == 
 
 /// Skips space and a name, and returns it; "" if there is none.
 std::string take_name(Reader& reader);
-/// Whether -> or --> is next.
+/// True if -> or --> is next.
 bool at_arrow(const Reader& reader);
 
 /// Reads an expression of parameters, constants, numbers and functions.
@@ -65,13 +67,13 @@ Value read_value(Reader& reader);
 /// Reads a constant expression.
 double read_constant(Reader& reader, std::string_view what);
 
-/// Reads modules with parameter expressions, up to where no module begins.
+/// Reads modules with parameter expressions, up to a position where no module begins.
 Successor read_successor(Reader& reader);
 /// Reads modules with parameter names, which become slots.
 std::vector<Kind> read_pattern(Reader& reader);
 /// Skips space and a module's name, and returns it; "" if there is none.
 std::string take_module_name(Reader& reader);
-/// The kind of a name and arity; adds it if it is new.
+/// Returns the kind of a name and arity, and adds it if it is new.
 Kind kind_named(Reader& reader, const std::string& name, std::size_t arity);
 
 /// Reads a production and appends it to `set`.

@@ -17,7 +17,7 @@ struct Spot {
 struct Step {
   Rewriter& rewriter;
   const ModuleBuffer& in;
-  const Draw& chance;
+  const RandomSequence& chance;
   ModuleBuffer& out;
   RandomSource random;
   const double* slots = nullptr;  // of the rule that was tested last
@@ -171,7 +171,7 @@ bool write_successor(Rewriter& rewriter, const Successor& successor, const doubl
   return true;
 }
 
-Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const Draw& chance, ModuleBuffer& out) {
+Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const RandomSequence& chance, ModuleBuffer& out) {
   out.size = out.value_count = 0;
   if (rewriter.set.has_contexts) find_neighbours(rewriter.system, in.kinds(), rewriter.neighbours);
   Step step{rewriter, in, chance, out, {}};

@@ -10,33 +10,37 @@
 
 namespace citykiln::lsystems {
 
-/// State that is kept between passes.
+/// The state that is kept between passes. A pass rewrites the whole string once.
 struct Rewriter {
   const LSystem& system;
   const RuleSet& set;
   std::vector<Warning>& warnings;
   Neighbours neighbours;
-  std::vector<double> slots;        ///< Parameters of a rule with contexts.
-  std::vector<std::uint8_t> plain;  ///< For each kind: its arity, or kActive if rules or % rewrite it.
-  std::uint64_t work_left = 0;      ///< Remaining Limits::work.
+  std::vector<double> slots;  ///< The parameters of a rule with contexts.
+  /// By kind: its arity if modules of the kind are only copied; kActive if rules or % may change them.
+  std::vector<std::uint8_t> plain;
+  std::uint64_t work_left = 0;  ///< The remaining part of Limits::work.
 };
 
 inline constexpr std::uint8_t kActive = 0xff;
 
+/// Returns the state before the first pass of a rule set.
 Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Warning>& warnings, const Limits& limits);
 
+/// The outcome of a pass.
 enum class Rewritten : std::uint8_t { kSame, kChanged, kTooLong, kTooMuchWork };
 
 /// Rewrites `in` into `out`. Returns kTooLong if the result exceeds out.most symbols, and kTooMuchWork if work_left
 /// reaches 0; `out` is then incomplete.
 /// @param chance  The random numbers of this pass.
-Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const Draw& chance, ModuleBuffer& out);
+Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const RandomSequence& chance, ModuleBuffer& out);
 
-/// Appends a successor. Returns whether it fits.
+/// Appends a successor to `out`. Returns false if the successor exceeds out.most symbols.
 bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, RandomSource& random,
                      ModuleBuffer& out);
 
-/// Counts a warning. At most kMostWarnings different ones are kept; the rest is counted as one without position.
+/// Adds a warning, or counts it again. Keeps at most kMostWarnings different warnings; all others are counted as one
+/// warning without position.
 void add_warning(std::vector<Warning>& warnings, TextPosition place, const char* message);
 inline constexpr std::size_t kMostWarnings = 100;
 

@@ -1,4 +1,4 @@
-// Rings: circles in space that tubes and joints share.
+// Rings: circles in space where tubes and joints meet.
 #pragma once
 
 #include <array>
@@ -8,38 +8,44 @@
 
 namespace citykiln::lsystems {
 
+/// A circle around a stem, at whose points tubes and joints meet.
 struct Ring {
-  Vec3 at, axis{0, 0, 1};  ///< Axis: unit, away from the root.
-  Vec3 x{1, 0, 0};         ///< Direction of the first point; unit, perpendicular to the axis.
+  Vec3 at, axis{0, 0, 1};  ///< The centre, and the axis: a unit vector away from the root.
+  Vec3 x{1, 0, 0};         ///< The direction of the first point: a unit vector perpendicular to the axis.
   double radius = 0;
-  double along_m = 0;  ///< Distance from the root along the stems.
-  double slope = 0;    ///< Decrease of the radius a metre, for normals.
+  double along_m = 0;  ///< The distance from the root along the stems.
+  double slope = 0;    ///< The decrease of the radius per metre, for normals.
   int sides = 4;       ///< 4, 8, … kMostSides.
 };
 
-/// Cosine and sine of multiples of 1 / kMostSides turns.
+/// The cosine and sine of multiples of 1 / kMostSides turns.
 using Circle = std::array<Vec2, kMostSides>;
+/// Returns the table of cosines and sines.
 Circle make_circle();
 
-/// The unit direction from the axis at a turn, counter-clockwise about it.
+/// Returns the unit direction from the axis at a turn about it, counter-clockwise. @param turn  {cosine, sine}.
 /// @param y  axis × x.
 inline Vec3 outward(const Ring& ring, Vec3 y, Vec2 turn) { return ring.x * turn.x + y * turn.y; }
+/// Returns the point of the ring in a direction from its axis.
+/// @param outward  A result of outward().
 inline Vec3 point_on(const Ring& ring, Vec3 outward) { return ring.at + outward * ring.radius; }
+/// Returns the unit normal of the stem's surface in a direction from the axis of the ring.
+/// @param outward  A result of outward().
 inline Vec3 normal_on(const Ring& ring, Vec3 outward) {
   const double scale = 1 / std::sqrt(1 + ring.slope * ring.slope);
   return (outward + ring.axis * ring.slope) * scale;
 }
 
-/// The unit component of v perpendicular to a unit axis; any perpendicular if v is parallel to the axis.
+/// Returns the direction of v's component perpendicular to a unit axis; any perpendicular if v is parallel to the axis.
 Vec3 perpendicular_to(Vec3 axis, Vec3 v);
 
-/// x, perpendicular to `from`, after the shortest rotation from `from` to `to`.
+/// Returns x, which is perpendicular to `from`, after the shortest rotation from `from` to `to`.
 Vec3 parallel_transported(Vec3 x, Vec3 from, Vec3 to);
 
-/// Depth of a chord's midpoint inside the circle, in radii.
+/// Returns the distance between a chord's midpoint and the circle, in radii.
 double sagitta(int sides);
 
-/// The fewest sides, 4, 8, … kMostSides, whose sagitta is within the tolerance; else kMostSides.
+/// Returns the fewest sides, 4, 8, … kMostSides, whose sagitta is within the tolerance; else kMostSides.
 int sides_of(double radius, double tolerance_m);
 
 }  // namespace citykiln::lsystems

@@ -1,4 +1,5 @@
-// A plant's skeleton: segments, polygons, and instances of named shapes.
+// The skeleton of a plant: segments (straight pieces of stems), polygons, and instances of named shapes such as leaves.
+// A turtle draws it: a moving position with three directions.
 #pragma once
 
 #include <cstdint>
@@ -21,26 +22,27 @@ inline constexpr std::int32_t kNoParent = -1;
 struct Segment {
   TurtleFrame start;
   double length = 0;
-  double start_radius = 0;  ///< The parent's end_radius if it continues its axis, else end_radius.
+  /// The parent's end_radius if the segment continues the parent's axis, else end_radius of this segment.
+  double start_radius = 0;
   double end_radius = 0;
   std::int32_t colour = 0;
-  std::int32_t parent = kNoParent;  ///< The previous segment of this branch, or the one it branches from.
-  std::int32_t order = 0;           ///< Branching order; 0: trunk.
+  std::int32_t parent = kNoParent;  ///< The previous segment of this branch, or the one from which it branches.
+  std::int32_t order = 0;           ///< The branching order; 0: trunk.
 
   TurtleFrame end() const { return {start.at + start.heading * length, start.heading, start.left, start.up}; }
 };
 
-/// A polygon of { and }, nearly flat.
+/// A polygon between { and }, nearly flat.
 struct FlatPolygon {
-  std::uint32_t first = 0, count = 0;  ///< Range of Skeleton::vertices, at least three.
+  std::uint32_t first = 0, count = 0;  ///< The range in Skeleton::vertices, at least three.
   std::int32_t colour = 0;
-  std::int32_t parent = kNoParent;  ///< The last segment before its {.
-  std::int32_t order = 0;           ///< Of the branch with its {.
+  std::int32_t parent = kNoParent;  ///< The last segment before the polygon's {.
+  std::int32_t order = 0;           ///< The order of the branch with its {.
 };
 
-/// A named shape at a place: ~X, @O, @o.
+/// A named shape with a frame: ~X, @O, @o.
 struct Instance {
-  Kind kind = 0;  ///< Its name in LSystem::kinds names the shape.
+  Kind kind = 0;  ///< Index into LSystem::kinds, whose name is the name of the shape.
   TurtleFrame frame;
   double size = 1;
   std::int32_t colour = 0;
@@ -48,8 +50,8 @@ struct Instance {
   std::int32_t order = 0;
 };
 
-/// In the file's units, or scaled to its `height`; the plant stands at the origin, z up. Parents precede their
-/// children.
+/// A skeleton, in the file's units or scaled to its `height`. The plant stands at the origin, z up. Parents precede
+/// their children.
 struct Skeleton {
   std::vector<Segment> segments;
   std::vector<FlatPolygon> polygons;

@@ -15,21 +15,22 @@
 
 namespace citykiln::lsystems {
 
-/// The surface of an instance: x along left, y along heading, z along up, in units of Instance::size.
+/// The surface of an instance. x is along left, y along heading, z along up, in units of Instance::size.
 struct LeafSurface {
   std::vector<Vec3> positions;
-  std::vector<Vec2> uvs;  ///< As many as positions.
+  std::vector<Vec2> uvs;  ///< One for each position.
   std::vector<Triangle> triangles;
 };
 
+/// The settings of mesh_plant().
 struct TubeOptions {
   double tolerance_m = 0.02;  ///< ≥ 0; sides are at most kMostSides.
-  double flare = 0.6;         ///< Widening of the trunk's foot in radii; 0: none.
-  /// Indexed by Instance::kind. A kind without a surface is drawn as a kite of four corners.
+  double flare = 0.6;         ///< The widening of the trunk's foot, in radii; 0: none.
+  /// The surface of each Instance::kind. A kind without a surface gets a kite of four corners.
   std::span<const LeafSurface> surfaces;
-  bool instances = true;  ///< Whether instances are meshed.
-  /// Period of the bark texture. u counts metres of the texture, with a whole number of periods around each stem, at
-  /// least one, as many as fit its mean girth. 0: one period of 1, so that u counts turns. u begins at one period.
+  bool instances = true;  ///< Instances are meshed.
+  /// The period of the bark texture. u counts metres of the texture. A whole number of periods is around each stem, as
+  /// many as fit its mean girth and at least one. 0: one period of 1, so u counts turns. u begins at one period.
   double bark_m = 0;
 };
 
@@ -37,18 +38,19 @@ inline constexpr int kMostSides = 64;
 
 /// Meshes a skeleton.
 ///
-/// The mesh approximates a surface that does not depend on the tolerance: between two circles the lines that join equal
-/// angles, at joints the limit surface of a cage, flat discs at the ends. Stems with a diameter up to the tolerance
-/// that carry nothing thicker, and leaves with an extent up to it, are left out. A joint has the arriving stem, the
-/// continuing one and at most kMostSideStems others.
+/// The mesh approximates a surface that does not depend on the tolerance: the lines that join equal angles of two
+/// circles, the limit surface of a cage at joints, and flat discs at ends. Leaves no larger than the tolerance are left
+/// out, and so are stems no thicker than the tolerance with all their branches, unless a branch is thicker. A joint has
+/// the arriving stem, the continuing stem and at most kMostSideStems side stems.
 ///
 /// Guarantees: the bark is closed and oriented (each edge is used as often in one direction as in the other); error_m
-/// bounds the distance to the surface, and is at most the tolerance except for sharp bends and where kMostSides are too
-/// few; a coarser tolerance never has more triangles; the same bytes on every machine; everything is finite. Stems may
-/// intersect each other. Total: lengths and radii of 0, coincident stems, turns of 180°; no segments give no triangles.
-/// Cost: O(segments and corners); a concave polygon of c corners costs c³ at worst, beyond kMostClipped corners O(c).
+/// bounds the distance to the surface, and is at most the tolerance except at sharp bends and if kMostSides are too
+/// few; a coarser tolerance never gives more triangles; deterministic on every machine; all numbers are finite. Stems
+/// may intersect each other. Accepts any skeleton: lengths and radii of 0, coincident stems, turns of 180°, no
+/// segments. Cost: O(segments and corners); a concave polygon of c corners costs c³ at worst, beyond kMostClipped
+/// corners O(c).
 PlantMesh mesh_plant(const Skeleton& skeleton, const TubeOptions& options = {});
-/// The same, reusing the memory of `mesh`: mapping new pages costs as much as filling them.
+/// Meshes a skeleton into `mesh`, whose memory is reused.
 void mesh_plant(const Skeleton& skeleton, const TubeOptions& options, PlantMesh& mesh);
 
 inline constexpr std::size_t kMostClipped = 256;

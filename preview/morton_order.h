@@ -1,4 +1,4 @@
-// Places of a grid in Morton order, in which neighbours are near each other.
+// Cells of a grid in Morton order, in which neighbours are near each other.
 #pragma once
 
 #include <cstdint>
@@ -6,11 +6,12 @@
 
 namespace citykiln::preview {
 
+/// A cell of a grid: column and row.
 struct GridPlace {
   int x = 0, y = 0;
 };
 
-/// All places of a grid in Morton order (Z-order). Sizes up to 65536. O(n log n).
+/// Returns all cells of a grid in Morton order (Z-order). Sizes up to 65536. O(n log n).
 std::vector<GridPlace> in_morton_order(int width, int height);
 
 }  // namespace citykiln::preview

@@ -16,7 +16,7 @@ namespace {
 constexpr double kMirrorAlpha = 0.1;
 constexpr int kMostMirrors = 6;
 
-// Both lobes of glossier surfaces are followed where these are seen first.
+// If the first surface of a path is glossier than this, both of its lobes are followed.
 constexpr double kSplitAlpha = 0.1;
 
 // Width of the microfacets of surfaces behind a matt reflection. Path regularisation: Kaplanyan, Dachsbacher, 2013.
@@ -27,7 +27,7 @@ constexpr double kLampGlass = 8000 / sky::kUnitLuminance_cd_m2;
 
 bool is_water(materials::Material m) { return m == materials::Material::kWater || m == materials::Material::kSea; }
 
-// A path on its way.
+// The state of a path.
 struct Path {
   Vec3 from, direction;
   Rgb weight{1, 1, 1}, light{};
@@ -35,7 +35,7 @@ struct Path {
   int bounce = 0, mirrors = 0;
   bool is_first = true;
   bool is_sharp = true;  // the camera's, or a mirror's
-  // of the direction: its density, 0 for the camera's, and where it was sampled
+  // density of the direction, 0 for the camera's, and the place where it was sampled
   double pdf = 0;
   Vec3 sampled_at{}, normal{};
   bool has_sampled_sky = false;  // there
@@ -64,7 +64,7 @@ Rgb from_sun(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Unit
   if (!context.lights.has_sun()) return {};
   const Vec3 to_sun = context.lights.sample_sun(chance);
   const Scattering scattered = bsdf.scattering(to_sun);
-  if (largest(scattered.light) <= 0 || !is_free(context, hit, to_sun)) return {};
+  if (largest_component(scattered.light) <= 0 || !is_free(context, hit, to_sun)) return {};
   const double pdf = 1 / context.lights.sun_solid_angle();
   const double passed = context.lights.sun_passed(hit.position + context.world.origin());
   return context.lights.sun_radiance() * scattered.light * (passed / (pdf + (goes_on ? scattered.pdf : 0)));
@@ -74,7 +74,7 @@ Rgb from_sky(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Unit
   const DirectionSample drawn = context.lights.sample_sky(chance);
   if (drawn.pdf <= 0) return {};
   const Scattering scattered = bsdf.scattering(drawn.direction);
-  if (largest(scattered.light) <= 0 || !is_free(context, hit, drawn.direction)) return {};
+  if (largest_component(scattered.light) <= 0 || !is_free(context, hit, drawn.direction)) return {};
   return context.lights.falling(hit.position + context.world.origin(), drawn.direction) * scattered.light *
          (1 / (drawn.pdf + (goes_on ? scattered.pdf : 0)));
 }
@@ -86,7 +86,7 @@ bool samples_sky(const TraceContext& context, bool is_sharp) {
   return context.lights.sun_to_sky() < (is_sharp ? kBrightestSun : kBrightSun);
 }
 
-// Light of sun and sky. Of both where the eye sees the surface, else of one, chosen at random, if both are sampled.
+// Light of sun and sky: both where the eye sees the surface; else one of them, chosen at random, if both are sampled.
 Rgb from_outside(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, const Path& path, PathDraw& draw,
                  bool goes_on) {
   const UnitPair first = draw.next();
@@ -107,7 +107,7 @@ Rgb from_lamp(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, dou
   // mirrors see the glass of lamps
   const bool is_mirror = bsdf.alpha() < kMirrorAlpha;
   const Rgb reflected = is_mirror ? bsdf.matt(drawn->direction) : bsdf.scattering(drawn->direction).light;
-  if (largest(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
+  if (largest_component(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
   return drawn->light * reflected;
 }
 
@@ -116,20 +116,20 @@ Rgb from_emitter(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, 
   const auto drawn = context.local.sample_emitter(hit.position, receiving_normal(hit, bsdf), chance, draw.next());
   if (!drawn) return {};
   const Scattering scattered = bsdf.scattering(drawn->direction);
-  if (largest(scattered.light) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
+  if (largest_component(scattered.light) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
   return drawn->light * scattered.light * (goes_on ? balanced(drawn->pdf, scattered.pdf) : 1);
 }
 
 // Light of a lit window whose building may not be generated yet: the ray finds out.
 Rgb from_pane(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
-  const PaneLights& panes = context.local.panes();
+  const PaneLights& panes = context.local.pane_lights();
   const double chance = draw.next().u;
   const auto drawn = panes.sample(hit.position, receiving_normal(hit, bsdf), chance, draw.next());
   if (!drawn) return {};
   const Scattering scattered = bsdf.scattering(drawn->direction);
-  if (largest(scattered.light) <= 0) return {};
+  if (largest_component(scattered.light) <= 0) return {};
   const std::optional<Hit> met = context.world.first_hit(leave(hit, drawn->direction), drawn->direction);
-  if (!met || !met->is_front || largest(met->emission) <= 0) return {};
+  if (!met || !met->is_front || largest_component(met->emission) <= 0) return {};
   if (panes.pane_of(*met, hit.position, drawn->direction) != drawn->pane) return {};
   return met->emission * scattered.light * (1 / (drawn->pdf + (goes_on ? scattered.pdf : 0)));
 }
@@ -138,7 +138,7 @@ Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Pa
   Rgb light{};
   if (context.local.has_lamps()) light = light + from_lamp(context, hit, bsdf, draw.next().u);
   if (context.local.has_emitters()) light = light + from_emitter(context, hit, bsdf, draw, goes_on);
-  if (!context.local.panes().is_empty()) light = light + from_pane(context, hit, bsdf, draw, goes_on);
+  if (!context.local.pane_lights().is_empty()) light = light + from_pane(context, hit, bsdf, draw, goes_on);
   return light;
 }
 
@@ -159,9 +159,9 @@ void add_outside(const TraceContext& context, Path& path) {
 void add_emission(const TraceContext& context, const Hit& hit, Path& path) {
   if (hit.material == materials::Material::kLampGlass && !context.lights.lamps().empty() && path.is_sharp)
     path.light = path.light + path.weight * kLampGlass;
-  if (!hit.is_front || largest(hit.emission) <= 0) return;
+  if (!hit.is_front || largest_component(hit.emission) <= 0) return;
   if (hit.emitter == kNoEmitter || path.pdf <= 0) {
-    const PaneLights& panes = context.local.panes();
+    const PaneLights& panes = context.local.pane_lights();
     const bool is_sampled = path.pdf > 0 && !panes.is_empty();
     const std::uint32_t pane = is_sampled ? panes.pane_of(hit, path.sampled_at, path.direction) : kNoPane;
     const double other = is_sampled ? panes.pdf(pane, path.sampled_at, path.normal, path.direction) : 0;
@@ -172,7 +172,7 @@ void add_emission(const TraceContext& context, const Hit& hit, Path& path) {
   path.light = path.light + path.weight * context.local.radiance_of(hit.emitter) * balanced(path.pdf, other);
 }
 
-// Fades what is behind air.
+// Passes the air before a surface: adds its light and lowers the weight of the path.
 void pass_air(const TraceContext& context, double distance_m, Path& path) {
   const sky::AirPath air = context.lights.air(path.from + context.world.origin(), path.direction, distance_m);
   path.light = path.light + path.weight * air.added;
@@ -181,7 +181,7 @@ void pass_air(const TraceContext& context, double distance_m, Path& path) {
 
 // Ends paths of little weight at random, and makes up for them. Returns false where the path ends.
 bool plays_roulette(const TraceContext& context, Path& path, double chance) {
-  const double carried = largest(path.weight);
+  const double carried = largest_component(path.weight);
   if (!(carried > 0)) return false;
   if (carried >= context.roulette) return true;
   const double kept = carried / context.roulette;
@@ -275,7 +275,7 @@ Rgb light_of_room(const TraceContext& context, const Hit& hit, const Bsdf& bsdf,
   path.weight = path.weight * passed * passed;
   const Rgb light = path.weight * sun_in_room(context, hit, way, draw.next());
   path.weight = path.weight * way.weight;
-  if (largest(path.weight) <= 0) return light;
+  if (largest_component(path.weight) <= 0) return light;
   Hit at_pane = hit;
   at_pane.position = way.from;
   path.from = leave(at_pane, way.direction), path.direction = way.direction;
@@ -283,7 +283,7 @@ Rgb light_of_room(const TraceContext& context, const Hit& hit, const Bsdf& bsdf,
   return light + light_behind(context, path, draw);
 }
 
-// What guides filters where a path leaves the scene: the ground around ends at a sharp horizon.
+// The guides of a path that leaves the scene: the ground around ends at a sharp horizon.
 FirstSurface first_outside(const TraceContext& context, Vec3 from, Vec3 direction) {
   const auto distance_m = context.lights.ground_m(from + context.world.origin(), direction);
   if (!distance_m) return {};

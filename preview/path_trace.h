@@ -1,4 +1,4 @@
-// Light along paths: sun, sky, lamps and lit windows on surfaces that scatter it, air in between.
+// Path tracing: the light of sun, sky, lamps and lit windows along a path from the eye.
 #pragma once
 
 #include "preview/light/light.h"
@@ -7,19 +7,20 @@
 
 namespace citykiln::preview {
 
-/// The inputs of a path. Refers to world and lights, which must outlive it.
+/// The inputs of trace(), except the ray. Refers to the world and its lights, which must outlive the context.
 struct TraceContext {
   const World& world;
   const Lights& lights;
   const LocalLights& local;
-  int bounces = 3;           ///< Reflections after the first surface, but for those of mirrors. >= 0.
-  double pixel_rad = 0.001;  ///< Angle of a pixel: shorter waves blur, finer textures are averaged. > 0.
-  double roulette = 0.1;     ///< Paths with a smaller weight may end (Russian roulette). 0: none do.
+  int bounces = 3;           ///< Most reflections after the first surface, not counting reflections by mirrors. >= 0.
+  double pixel_rad = 0.001;  ///< Angle of a pixel. Waves and texture details that are smaller are averaged. > 0.
+  double roulette = 0.1;     ///< Paths that carry less than this share may end (Russian roulette); 0: none does.
   bool has_caustics =
-      false;  ///< Whether mirrors keep their sharpness after matt reflections, or are as rough as these.
+      /// True: mirrors are sharp also behind a matt reflection. False: there, they are blurred, which is less noisy.
+      false;
 };
 
-/// The first surface along a path, which guides filters: what a pixel shows without light.
+/// The first surface along a path, as a guide for filters and compositing.
 struct FirstSurface {
   Rgb albedo{};            ///< 0 where the path meets only the sky.
   Vec3 normal{};           ///< Unit, towards the viewer; zero where the path meets only the sky.
@@ -27,19 +28,23 @@ struct FirstSurface {
   OsmId feature{};
 };
 
-/// One path.
+/// The result of one path.
 struct TracedPath {
   Rgb light{};  ///< Radiance towards the viewer, in the sky's unit. Finite, >= 0.
   FirstSurface first{};
 };
 
-/// One sample of the radiance towards `from` along a unit direction. Unbiased for the number of bounces, but for two
-/// simplifications: with has_caustics = false, light that mirrors throw on matt surfaces is blurred (their microfacets
-/// are at least 0.3 wide there); lamps are points, whose picture in narrow mirrors is their glass.
+/// Returns one sample of the radiance that arrives at `from` from `direction`. Unbiased for the given number of
+/// bounces, with two simplifications. With has_caustics = false, light that mirrors throw on matt surfaces is blurred:
+/// behind a matt surface microfacets are at least 0.3 wide (alpha). Lamps are points of light, but narrow mirrors show
+/// their glass.
 ///
-/// Method: path tracing (Kajiya 1986). At each surface sun, sky and one light of the scene are sampled by shadow rays,
-/// and one direction by the surface's scattering, which goes on; what both find is combined by the balance heuristic
-/// (Veach, Guibas 1995).
+/// Method: path tracing (Kajiya 1986). At each surface, shadow rays sample sun, sky and one light of the scene, and the
+/// surface's scattering gives the direction in which the path continues. Light found by shadow rays and by continued
+/// paths is combined by the balance heuristic (Veach, Guibas 1995).
+/// @param from       In the world's frame: metres from World::origin().
+/// @param direction  Unit, away from `from`.
+/// @param draw       The random numbers of the path.
 TracedPath trace(const TraceContext& context, Vec3 from, Vec3 direction, PathDraw& draw);
 
 }  // namespace citykiln::preview

@@ -15,38 +15,42 @@
 
 namespace citykiln::preview {
 
+/// The settings of a picture.
 struct Options {
   int width = 1280, height = 720;
-  int samples = 64;  ///< Paths per pixel; with `noise` at most.
-  int bounces = 3;
-  double roulette = 0.1;      ///< As TraceContext.
-  bool has_caustics = false;  ///< As TraceContext.
-  double exposure = 1;
-  int threads = 0;
+  int samples = 64;  ///< Paths per pixel; with `noise` > 0 the largest number of them.
+  int bounces = 3;   ///< Most reflections after the first surface, not counting reflections by mirrors.
+  /// Paths that carry less than this share of light may end (Russian roulette); 0: no path does.
+  double roulette = 0.1;
+  /// True: mirrors are sharp also behind a matt reflection. False: blurred there, less noisy.
+  bool has_caustics = false;
+  double exposure = 1;  ///< The factor by which radiance is multiplied.
+  int threads = 0;      ///< 0: one for each CPU.
   std::uint64_t seed = 0;
-  double noise = 0;         ///< > 0: blocks of pixels get the samples that this relative error needs (SamplePlan).
+  double noise = 0;  ///< > 0: each block of pixels gets as many samples as this relative error needs (SamplePlan).
   bool has_guides = false;  ///< Whether the picture gets guides and sample counts.
-  /// Called with the finished share, 0 to 1, by one thread at a time. Empty: not called.
+  /// The function that gets the finished share, 0 to 1, from one thread at a time. Empty: not called.
   std::function<void(double share)> on_progress{};
-  /// Called with the picture so far, without guides, after 1, 2, 4 … samples a pixel and at the end, before render()
-  /// returns. Empty: not called.
+  /// The function that gets the unfinished picture, without guides, after 1, 2, 4 … samples a pixel and once more at
+  /// the end, before render() returns. Empty: not called.
   std::function<void(const Image& image)> on_pass{};
-  /// Once true, render() returns soon, with the samples taken by then. Null: it goes on to the end.
+  /// If the flag becomes true, render() returns soon, with the samples taken by then. Null: render() takes all samples.
   const std::atomic<bool>* is_stopped = nullptr;
 };
 
-/// Renders a picture. Same world, lights, camera and options: the same picture, bit for bit on one machine, for any
-/// number of threads, unless it is stopped.
+/// Renders a picture. Equal inputs give an equal picture, bit for bit on one machine, for any number of threads, unless
+/// rendering is stopped.
 ///
-/// Method: passes over the picture, each of which doubles the samples. Blocks of 32 by 32 pixels, and pixels in them,
-/// follow in Morton order, so that neighbouring rays follow each other.
+/// Method: passes over the picture, each of which doubles the samples. Blocks of 32 by 32 pixels, and the pixels in
+/// them, are in Morton order, so that consecutive rays are near each other.
 Image render(const World& world, const Lights& lights, const LocalLights& local, const Camera& camera,
              const Options& options);
 
-/// Renders one picture, with the lights in the world: several pictures share them better by the function above.
+/// Renders one picture with the local lights of the world. For several pictures, make LocalLights once and call the
+/// function above.
 Image render(const World& world, const Lights& lights, const Camera& camera, const Options& options);
 
-/// Renders baked tiles: the same picture whether they were baked or read from .glb.
+/// Renders baked tiles. Tiles that were baked and tiles that were read from .glb files give the same picture.
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera, const Options& options);
 
 }  // namespace citykiln::preview

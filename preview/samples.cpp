@@ -42,7 +42,7 @@ constexpr std::array<std::uint32_t, 64> kSecond = [] {
   return columns;
 }();
 
-// The same, for each byte of an index: the columns of its bits, added.
+// For each byte of an index, the sum (exclusive or) of the columns that its bits select.
 constexpr std::array<std::array<std::uint32_t, 256>, 6> kSecondByByte = [] {
   std::array<std::array<std::uint32_t, 256>, 6> tables{};
   for (std::size_t byte = 0; byte < tables.size(); ++byte)

@@ -1,5 +1,5 @@
-// Random samples of the renderer: a pure function of (seed, pixel, sample, dimension), evenly distributed within a
-// pixel and between neighbouring pixels.
+// Random samples of the renderer: a pure function of (seed, pixel, sample, dimension). They are evenly distributed
+// within a pixel and between neighbouring pixels.
 #pragma once
 
 #include <array>
@@ -12,26 +12,30 @@ struct UnitPair {
   double u = 0, v = 0;
 };
 
-/// The size of a picture in powers of two, on which the order of samples depends.
+/// The size of a picture in powers of two, which decides the order of samples.
 struct SampleGrid {
-  int log2_side = 0;     ///< Of the square of pixels that holds the picture.
-  int log2_samples = 0;  ///< Of the samples per pixel, rounded up.
+  int log2_side = 0;     ///< Side of the smallest square of pixels that holds the picture.
+  int log2_samples = 0;  ///< Samples per pixel, rounded up.
 };
 
-/// The smallest grid for a picture. Sizes and samples below 1 count as 1.
+/// Returns the smallest grid for a picture. Sizes and samples below 1 count as 1.
+/// @param samples  The number of samples per pixel.
 SampleGrid grid_of(int width, int height, int samples);
 
-/// All samples of one pixel. Not thread-safe. Cost: one hash per dimension that is used and bit of the side.
+/// The samples of one pixel. A dimension is the number of a decision of a path, such as the direction of its first
+/// reflection. Not thread-safe. Cost: log2_side hashes for each dimension that is used.
 ///
-/// Method: Owen-scrambled Sobol points in the order of a shuffled Morton curve, so that every aligned square of pixels
-/// has evenly distributed points, too, and the remaining error looks like fine grain instead of clumps. Source: Ahmed,
+/// Method: Owen-scrambled Sobol points in the order of a shuffled Morton curve. Every aligned square of pixels has
+/// evenly distributed points too, and the remaining error looks like fine grain instead of clumps. Source: Ahmed,
 /// Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels",
 /// SIGGRAPH Asia 2020; scrambling by hash as in Laine, Karras 2011 and Vegdahl 2021.
 class PixelSamples {
  public:
   PixelSamples(std::uint64_t seed, std::uint32_t x, std::uint32_t y, SampleGrid grid);
 
-  /// The point of a sample in a dimension (a pair of Sobol's).
+  /// Returns the point of a sample in a dimension. One dimension here is two dimensions of Sobol's sequence.
+  /// @param sample     From 0, below the grid's number of samples.
+  /// @param dimension  From 0.
   UnitPair pair(std::uint32_t sample, std::uint32_t dimension) const;
 
  private:
@@ -41,15 +45,16 @@ class PixelSamples {
   static constexpr std::uint32_t kOrdered = 20;
   std::uint64_t seed_, morton_;
   SampleGrid grid_;
-  // where the curve of a dimension passes the pixel, found when a path first needs it
+  // the pixel's index along the curve of each dimension, computed when a path first needs it
   mutable std::array<std::uint64_t, kOrdered> places_;
   mutable std::uint32_t found_ = 0;
 };
 
-/// The points of one path, dimension by dimension.
+/// The random numbers of one path.
 class PathDraw {
  public:
   PathDraw(const PixelSamples& pixel, std::uint32_t sample) : pixel_(&pixel), sample_(sample) {}
+  /// Returns the point of the path's next dimension.
   UnitPair next() { return pixel_->pair(sample_, dimension_++); }
 
  private:

@@ -1,12 +1,12 @@
-// Points of the unit circle, by shares of a full turn.
+// Points of the unit circle by turns, which are shares of a full circle.
 #pragma once
 
 #include "compiler/geometry/vec.h"
 
 namespace citykiln::preview {
 
-/// Cosine and sine of `turn` full circles, in [0, 1]. Largest error 2e-8, enough for sampled directions; some three
-/// times as fast as the C library.
+/// Returns the cosine (x) and sine (y) of an angle of `turn` full circles, in [0, 1]. Largest error 2e-8, enough for
+/// sampled directions. About three times as fast as the C library.
 inline Vec2 on_circle(double turn) {
   // the angle from the nearest quarter, in [-π/4, π/4]
   const int quarter = static_cast<int>(turn * 4 + 0.5);

@@ -1,4 +1,4 @@
-// Test fixture: a folder of a test's own.
+// Test fixture: a folder for one test.
 #pragma once
 
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 
 namespace citykiln {
 
-/// A new folder under a name that no other test has, whichever run beside it; gone with all that is in it at the end.
+/// A new folder with a unique name, also among runs at the same time. The destructor removes it with its content.
 class ScratchFolder {
  public:
   ScratchFolder() : path_((std::filesystem::temp_directory_path() / "citykiln_test_XXXXXX").string()) {
@@ -33,7 +33,7 @@ class ScratchFolder {
     std::ofstream(at(name), std::ios::binary) << bytes;
     return at(name);
   }
-  /// Of everything that is in it now.
+  /// The names of everything that is in it now.
   std::set<std::string> names() const {
     std::set<std::string> all;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) all.insert(entry.path().filename());

@@ -38,18 +38,18 @@ std::shared_ptr<PreparedTile> with_buildings(PreparedTile&& prepared, int thread
 }  // namespace
 
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
-                                      std::span<const double> ladder_m, int threads,
+                                      std::span<const double> tolerances_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes, std::size_t most_instances) {
-  return with_buildings({header, chunk, levels_of(header, chunk, ladder_m, threads, KeptReferences::kNone),
+  return with_buildings({header, chunk, levels_of(header, chunk, tolerances_m, threads, KeptReferences::kNone),
                          cache_or_own(header, std::move(prototypes)), most_instances},
                         threads);
 }
 
 std::shared_ptr<PreparedTile> prepare_for_check(const scene::Header& header, const scene::Chunk& chunk,
-                                                std::span<const double> ladder_m, int threads,
+                                                std::span<const double> tolerances_m, int threads,
                                                 std::shared_ptr<const PrototypeCache> prototypes,
                                                 std::size_t most_instances) {
-  return with_buildings({header, chunk, levels_of(header, chunk, ladder_m, threads, KeptReferences::kAll),
+  return with_buildings({header, chunk, levels_of(header, chunk, tolerances_m, threads, KeptReferences::kAll),
                          cache_or_own(header, std::move(prototypes)), most_instances},
                         threads);
 }
@@ -82,14 +82,15 @@ BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double to
   return std::move(bake(header, chunk, std::span(&tolerance_m, 1), threads, report, std::move(prototypes)).front());
 }
 
-std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
-                            int threads, Report& report, std::shared_ptr<const PrototypeCache> prototypes) {
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk,
+                            std::span<const double> tolerances_m, int threads, Report& report,
+                            std::shared_ptr<const PrototypeCache> prototypes) {
   struct Slot {
     BakedTile tile;
     Report report;
   };
-  const std::shared_ptr<PreparedTile> prepared = prepare(header, chunk, ladder_m, threads, std::move(prototypes));
-  std::vector<Slot> slots = for_each_slot<Slot>(ladder_m.size(), threads, [&](std::size_t i) {
+  const std::shared_ptr<PreparedTile> prepared = prepare(header, chunk, tolerances_m, threads, std::move(prototypes));
+  std::vector<Slot> slots = for_each_slot<Slot>(tolerances_m.size(), threads, [&](std::size_t i) {
     Slot slot;
     slot.tile = bake_prepared(*prepared, i, threads, slot.report);
     return slot;

@@ -1,4 +1,5 @@
-// Stage 11: bakes one tile of a scene at a tolerance.
+// Bakes one tile of a scene, which means to generate its meshes from its recipes: at one tolerance, at several (levels
+// of detail), or for a viewpoint. A chunk holds the recipes of one tile, a header the properties of the whole scene.
 #pragma once
 
 #include <limits>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/contract/report.h"
@@ -17,56 +18,66 @@
 
 namespace citykiln::bake {
 
-/// Bakes a tile: a pure function of header, chunk and tolerance. Objects that the tolerance drops are counted in the
-/// accounts "bake/bridge", "bake/tunnel", "bake/building", "bake/tree", "bake/barrier", "bake/lamp" (mapped ones) and
-/// "bake/derived lamp" (along lit streets).
+/// Bakes a tile at a tolerance: a pure function of header, chunk and tolerance. Objects smaller than the tolerance are
+/// dropped in the accounts "bake/bridge", "bake/tunnel", "bake/building", "bake/tree", "bake/barrier", "bake/lamp"
+/// (mapped lamps) and "bake/derived lamp" (lamps along lit streets).
 ///
-/// @param tolerance_m  > 0.
-/// @param prototypes  Of the same header, here and below; tiles may share one. Null: plants are generated for this
-/// call. Total. Cost: linear in what the tile holds at the tolerance, n log n in its ground.
+/// @param tolerance_m  Largest deviation, > 0.
+/// @param prototypes   Shared meshes of plants, for all tiles of this header. Null: they are made for this call.
+///                     Parameter of all functions below.
+///
+/// Cannot fail. Cost: linear in the objects that are baked, n log n in the ground's vertices.
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report,
                std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
-/// Bakes a tile at every tolerance of a ladder, in its order; what levels have in common is made once. The report gets
-/// the levels one after another. Memory: all levels at once, which prepare() and bake_prepared() avoid.
-std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
-                            int threads, Report& report, std::shared_ptr<const PrototypeCache> prototypes = nullptr);
+/// Bakes all levels of a tile, one for each tolerance in `tolerances_m`, in this order. Data that levels share is made
+/// once. The report gets the levels one after another. All levels are in memory at once; prepare() and bake_prepared()
+/// avoid this.
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk,
+                            std::span<const double> tolerances_m, int threads, Report& report,
+                            std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
-/// The most instances that a tile should have; beyond, plants of stands become meshes (stands.h).
+/// The value of most_instances for no limit. `most_instances` is the number of instances (plants and lamps) above which
+/// a tile's plants become merged meshes (stands.h).
 inline constexpr std::size_t kAnyInstances = std::numeric_limits<std::size_t>::max();
 
-/// What the levels of a tile have in common, and the ground of each level that is not baked yet.
+/// A tile whose levels can be baked one by one: the data that levels share, and the ground of each level that is not
+/// baked yet.
 struct PreparedTile;
+/// Prepares a tile: makes the shared data and the ground of all levels.
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
-                                      std::span<const double> ladder_m, int threads,
+                                      std::span<const double> tolerances_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes = nullptr,
                                       std::size_t most_instances = kAnyInstances);
 
-/// Returns the same as prepare(), with all references for expected_ground_of().
+/// Prepares a tile like prepare(), and keeps the ground at full detail for expected_ground_of().
 std::shared_ptr<PreparedTile> prepare_for_check(const scene::Header& header, const scene::Chunk& chunk,
-                                                std::span<const double> ladder_m, int threads,
+                                                std::span<const double> tolerances_m, int threads,
                                                 std::shared_ptr<const PrototypeCache> prototypes = nullptr,
                                                 std::size_t most_instances = kAnyInstances);
 
-/// The ground that a level must show. Levels may share its parts.
+/// The ground at full detail that a level approximates, for measuring errors. Levels may share its members.
 struct ExpectedGround {
   std::shared_ptr<const ground::GradedTerrain> graded;
   std::shared_ptr<const scene::LandCover> cover;
-  CellReferences references;  ///< In the order of cells_of.
+  CellReferences references;  ///< Triangulations at full detail, one per cell, in the order of cells_of().
 };
 
-/// Returns the expected ground of a level that is not baked yet, of a tile from prepare_for_check().
+/// Returns the ground that a level approximates, for a tile from prepare_for_check(). The level must not be baked yet.
 ExpectedGround expected_ground_of(const PreparedTile& prepared, std::size_t level);
 
-/// Bakes one level of the ladder, with the same result as bake(). Call once per level, in any order, on any thread.
+/// Bakes one level of a prepared tile, with the same result as bake(). Call it once per level, in any order, on any
+/// thread.
 BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report);
 
-/// The ground of each cell of a level that is not baked yet.
+/// Returns the ground of each cell of a level that is not baked yet.
 std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std::size_t level);
 
-/// Bakes the tile for one viewpoint, as one part per tolerance, finest first; all parts together are the tile
-/// (commands/join_tiles.h). Each part states its largest error in pixels. Objects that are dropped are too small to be
-/// seen and are not counted. Each part has at most its share of the instances. Total. Cost: what the parts hold.
+/// Bakes a tile for one viewpoint, as one part per tolerance, finest first. All parts together are the tile
+/// (bake/tiles/join_tiles.h joins them). Each part states its largest error in pixels. Dropped objects are not counted,
+/// as they are too small to be seen. Each of n parts may have most_instances / n instances. Cannot fail. Cost: linear
+/// in the objects of the parts.
+/// @param view  Tolerances of all cells for the viewpoint.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,
                             std::shared_ptr<const PrototypeCache> prototypes = nullptr,
                             std::size_t most_instances = kAnyInstances);

@@ -1,5 +1,5 @@
-// Buildings of a tile. Levels with baked facade textures share the meshes from which these are baked; all textures of a
-// level lie on one atlas.
+// Bakes the buildings of a tile. Levels with facade textures render them from meshes that all these levels share; all
+// textures of a level are on one atlas.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace citykiln::bake {
 
-/// Generates the buildings of all levels with Detail::kFacadeTextures. Those of other levels are generated when the
-/// level is baked.
+/// Generates the buildings of all levels with Detail::kFacadeTextures. Other levels generate theirs when they are
+/// baked.
 /// @param rulebook  Parsed from the header's rules.
 void generate_textured_buildings(const scene::Header& header, const scene::Chunk& chunk,
                                  const buildings::Rulebook& rulebook, std::span<TileLevel> levels, int threads);

@@ -4,8 +4,8 @@
 #include <span>
 #include <utility>
 
-#include "compiler/bake/ground_meshes.h"
-#include "compiler/bake/skirt.h"
+#include "compiler/bake/ground/ground_meshes.h"
+#include "compiler/bake/ground/skirt.h"
 
 namespace citykiln::bake {
 
@@ -23,7 +23,7 @@ void bake_cells(Baking& baking, std::span<const ground::GroundMesh> cells, std::
   }
 }
 
-Markings markings_of(const TileLevel& level, const std::vector<Built>& structures, double texel_m) {
+Markings markings_of(const TileLevel& level, const std::vector<GeneratedSpan>& structures, double texel_m) {
   std::vector<roads::MarkingLayout> layouts = level.cover->layouts;
   const std::vector<roads::MarkingLayout> more = layouts_of(structures);
   layouts.insert(layouts.end(), more.begin(), more.end());
@@ -38,7 +38,7 @@ bool shows_markings(const Baking& baking) {
 
 }  // namespace
 
-void bake_ground(Baking& baking, const TileLevel& level, std::vector<Built> structures) {
+void bake_ground(Baking& baking, const TileLevel& level, std::vector<GeneratedSpan> structures) {
   Markings own;
   if (!level.markings) own = markings_of(level, structures, baking.texel_m());
   const Markings& markings = level.markings ? *level.markings : own;

@@ -1,4 +1,4 @@
-// The ground of a tile, with bridges and tunnels, which share its marking atlas.
+// Bakes the ground of a tile, and bridges and tunnels, which share its marking atlas.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,10 @@
 
 namespace citykiln::bake {
 
-/// Adds the level's cells with their materials and skirts, then the structures. The tile gets the marking atlas of the
-/// level's markings if it shows any; without these an atlas of all that it shows is drawn. Cells get none.
-void bake_ground(Baking& baking, const TileLevel& level, std::vector<Built> structures);
+/// Adds the ground of the level's cells (128 m squares) with materials and skirts, then the structures. If the tile has
+/// markings, it gets the atlas TileLevel::markings or, if that is null, an atlas of its own markings. A single cell
+/// gets no atlas.
+/// @param structures  Result of generate_structures().
+void bake_ground(Baking& baking, const TileLevel& level, std::vector<GeneratedSpan> structures);
 
 }  // namespace citykiln::bake

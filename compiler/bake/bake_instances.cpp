@@ -24,7 +24,7 @@ InstancedMesh instances_of(const Baking& baking, const std::string& name, const 
     instanced.rotations.push_back(
         {0, 0, static_cast<float>(p.sin_yaw < 0 ? -s : s) + 0.0f, static_cast<float>(c) + 0.0f});
     instanced.scales.push_back(static_cast<float>(p.scale / size_m));
-    instanced.features.push_back(number_of(baking.tile, p.feature));
+    instanced.features.push_back(feature_index(baking.tile, p.feature));
   }
   return instanced;
 }
@@ -58,7 +58,8 @@ void bake_stands(Baking& baking, const Stands& stands, const PrototypeCache& pro
         prototypes.prototype(prototype, height_m, stand_tolerance_m(prototype.species, baking.tolerance_m));
     if (baked.primitives.empty()) continue;
     baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest(placements));
-    InstancedMesh stand = stand_mesh(baked, height_m, placements, baking.tile.origin, number_of(baking.tile, element));
+    InstancedMesh stand =
+        stand_mesh(baked, height_m, placements, baking.tile.origin, feature_index(baking.tile, element));
     stand.name = fmt::format("stand_of_{}", name_of(prototype));
     baking.tile.instanced.push_back(std::move(stand));
   }
@@ -120,7 +121,7 @@ void bake_canopy(Baking& baking, const TileLevel& level, Placed& placed) {
   baking.take(std::move(canopy.meshes), Layer::kPlants);
 }
 
-void name_placed(Baking& baking, const Placed& placed) {
+void add_features_of(Baking& baking, const Placed& placed) {
   for (const auto& [prototype, placements] : placed.trees)
     for (const Placement& p : placements) baking.features.insert(p.feature);
   for (const props::StreetLamp& lamp : placed.lamps.standing) baking.features.insert(lamp.feature);

@@ -1,4 +1,8 @@
-// Instanced objects of a tile: plants, street lamps; and what goes with them: canopies, tree pits.
+// Bakes the objects of a tile that are copies of shared meshes: plants and street lamps. Also bakes canopies (one
+// surface over a closed wood) and tree pits (the open ground around a street tree).
+//
+// A prototype is one of the few distinct plants of a species, made once and placed many times; its number within the
+// species is its variant.
 #pragma once
 
 #include "compiler/bake/baking.h"
@@ -7,36 +11,39 @@
 
 namespace citykiln::bake {
 
-/// The placements that a tile, or a part of it, holds.
+/// The plants and lamps of a tile, or of the baked part of it.
 struct Placed {
   plants::PlacedPlants trees;
   Lamps lamps;
 };
 
+/// Returns the plants and lamps that belong to the baked part.
+/// @param common  Placed objects of the whole tile.
 Placed placed_in(const Baking& baking, const SharedByLevels& common);
 
-/// Replaces the trees of closed woods by one canopy surface where the level has one (plants/prototypes/canopy.h). Parts
-/// of a view have none, since there each tree has the tolerance of its distance.
+/// Replaces the trees of closed woods by one canopy surface, if the level has one (plants/prototypes/canopy.h). Parts
+/// of a tile for a viewpoint have none, since each tree there has the tolerance of its distance.
 void bake_canopy(Baking& baking, const TileLevel& level, Placed& placed);
 
-/// Adds the features of placed objects; call before features are numbered, and the functions below after.
-void name_placed(Baking& baking, const Placed& placed);
+/// Adds the features (map elements) of plants and lamps to the tile's features. Call it before the features are sorted
+/// and numbered, and the bake functions below after that.
+void add_features_of(Baking& baking, const Placed& placed);
 
-/// The variant that stands for a prototype at a tolerance (plants::variants_at).
+/// The variant whose mesh replaces that of a prototype at a tolerance (plants::variants_at).
 plants::Prototype merged_variant(plants::Prototype prototype, double tolerance_m);
 
-/// Adds plants as instances of cached prototypes. Variants that look alike at the tolerance (plants::variants_at) are
-/// merged. Where there are more than `most_instances`, lamps included, stands become single meshes (stands.h).
+/// Adds plants as instances of cached prototypes, with variants merged at the tolerance. If plants and lamps together
+/// are more than `most_instances`, the plants of some map elements become single meshes (stands.h).
 void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prototypes, std::size_t most_instances);
 
 /// The bounds of a tree pit on the ground.
 Bounds bounds_of_pit(const props::TreePit& pit, const ground::GradedTerrain& graded);
 
-/// Adds the tree pits; a pit is in the part of its tree.
+/// Adds the tree pits that belong to the baked part: each is in the part in which its tree is.
 void bake_tree_pits(Baking& baking, const SharedByLevels& common);
 
-/// Adds street lamps as instances. Accounts "bake/lamp" and "bake/derived lamp"; of dropped lamps only mapped ones are
-/// diagnosed.
+/// Adds street lamps as instances. Accounts "bake/lamp" (mapped lamps) and "bake/derived lamp" (lamps along lit
+/// streets). Only mapped lamps are diagnosed when they are dropped.
 void bake_lamps(Baking& baking, const Lamps& lamps, const ground::GradedTerrain& graded, Report& report);
 
 }  // namespace citykiln::bake

@@ -21,7 +21,7 @@ void merge_meshes(Baking& baking) {
   PrimitiveMap merged;
   for (LayeredMesh& each : baking.meshes) {
     const LayeredMesh part = std::move(each);
-    merge(merged, part, baking.tile.origin, number_of(baking.tile, part.mesh.feature));
+    merge(merged, part, baking.tile.origin, feature_index(baking.tile, part.mesh.feature));
   }
   baking.meshes.clear();
   baking.tile.primitives = primitives_of(std::move(merged));
@@ -73,7 +73,7 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   if (part) tile.viewpoint = Viewpoint{part->levels.view.eye, part->levels.view.focal_px, 0};
   Baking baking{header, chunk, tolerance_m, tile, part, cell};
 
-  std::vector<Built> structures = generate_structures(baking, report);
+  std::vector<GeneratedSpan> structures = generate_structures(baking, report);
   report.append(level.cell_report);
   bake_ground(baking, level, std::move(structures));
   bake_stairs(baking, shared.stairs);
@@ -81,12 +81,12 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   bake_each(
       baking, Layer::kProps, bands_of(baking), "barrier", report,
       [&](const auto& b) { return bounds_of(b, baking.chunk.heights); },
-      [&](const auto& b) { return generate_within(b, graded, tolerance_m, baking.header.region); });
+      [&](const auto& b) { return generate_within(b, graded, tolerance_m, baking.header.extent); });
   report.append(shared.tree_report);
   bake_tree_pits(baking, shared);
   Placed placed = placed_in(baking, shared);
   bake_canopy(baking, level, placed);
-  name_placed(baking, placed);
+  add_features_of(baking, placed);
 
   tile.features.assign(baking.features.begin(), baking.features.end());
   if (!cell) tile.attributes = attributes_of(chunk, tile.features);

@@ -1,4 +1,5 @@
-// Bakes one level of a tile from its ground and recipes: what all forms of baking have in common.
+// Bakes one level of detail of a tile from its generated ground and the recipes of its objects. All functions of bake.h
+// and bake_cell.h use it.
 #pragma once
 
 #include "compiler/bake/baked_cell.h"
@@ -7,16 +8,16 @@
 
 namespace citykiln::bake {
 
-/// What is baked at a level.
+/// The objects to bake at a level.
 struct LevelRequest {
   const scene::Header& header;
-  const scene::Chunk& chunk;         ///< Of a cell: its objects alone.
-  const TilePart* part = nullptr;    ///< Null: the whole tile.
-  const CellBaking* cell = nullptr;  ///< Null: the whole tile or part; else plants are put there (baked_cell.h).
-  std::size_t most_instances;
+  const scene::Chunk& chunk;         ///< For a cell, a chunk with the cell's objects only.
+  const TilePart* part = nullptr;    ///< The part of a view; null: the whole tile.
+  const CellBaking* cell = nullptr;  ///< The cell, which gets the plants (baked_cell.h); null: a whole tile or part.
+  std::size_t most_instances;        ///< If the tile has more instances, many of its plants become meshes (stands.h).
 };
 
-/// Bakes a level. The report gets what the tolerance drops.
+/// Bakes a level. Objects smaller than the tolerance are dropped and reported.
 BakedTile bake_level(const LevelRequest& request, TileLevel& level, const PrototypeCache& prototypes, int threads,
                      Report& report);
 

@@ -33,7 +33,7 @@ void clip_structure(structures::GeneratedStructure& generated, OsmId feature, co
 // Generates the spans that the chunk's tile bakes. A span without meshes counts as dropped.
 template <typename Generate>
 void generate_spans(const Baking& baking, const std::vector<structures::Span>& spans, const char* kind, Body body,
-                    Report& report, std::vector<Built>& all, Generate generate) {
+                    Report& report, std::vector<GeneratedSpan>& all, Generate generate) {
   Account account;
   for (const structures::Span& span : spans) {
     const Bounds bounds = bounds_of(span);
@@ -41,7 +41,7 @@ void generate_spans(const Baking& baking, const std::vector<structures::Span>& s
     ++account.in;
     structures::GeneratedStructure generated = generate(span, baking.tolerance_m);
     const bool is_too_small = has_no_triangles(generated);
-    clip_structure(generated, span.id.osm, baking.header.region, body);
+    clip_structure(generated, span.id.osm, baking.header.extent, body);
     if (has_no_triangles(generated)) {
       report.drop(account, is_too_small ? Code::kBelowTolerance : Code::kOutsideBounds, span.id.osm, 0);
       continue;
@@ -54,8 +54,8 @@ void generate_spans(const Baking& baking, const std::vector<structures::Span>& s
 
 }  // namespace
 
-std::vector<Built> generate_structures(const Baking& baking, Report& report) {
-  std::vector<Built> all;
+std::vector<GeneratedSpan> generate_structures(const Baking& baking, Report& report) {
+  std::vector<GeneratedSpan> all;
   std::vector<structures::Span> bored = baking.chunk.tunnels;
   std::erase_if(bored, [](const structures::Span& tunnel) { return !tunnel.is_bored; });
   generate_spans(baking, baking.chunk.bridges, "bridge", Body::kSolid, report, all, structures::generate);
@@ -63,14 +63,14 @@ std::vector<Built> generate_structures(const Baking& baking, Report& report) {
   return all;
 }
 
-std::vector<roads::MarkingLayout> layouts_of(const std::vector<Built>& structures) {
+std::vector<roads::MarkingLayout> layouts_of(const std::vector<GeneratedSpan>& structures) {
   std::vector<roads::MarkingLayout> layouts;
-  for (const Built& built : structures)
+  for (const GeneratedSpan& built : structures)
     for (const structures::MarkedMesh& marked : built.generated.marked) layouts.push_back(marked.layout);
   return layouts;
 }
 
-void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings) {
+void bake_structures(Baking& baking, std::vector<GeneratedSpan>& structures, const Markings& markings) {
   for (auto& [built, bounds] : structures) {
     baking.certify(built.error_m, bounds);
     for (structures::MarkedMesh& marked : built.marked) {

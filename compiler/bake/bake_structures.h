@@ -1,34 +1,34 @@
-// Bridges, tunnels and stairs of a tile.
+// Bakes the bridges, tunnels and stairs of a tile.
 #pragma once
 
 #include <vector>
 
 #include "compiler/bake/baking.h"
-#include "compiler/bake/ground_meshes.h"
+#include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/structures/generate.h"
 #include "compiler/structures/stairs.h"
 
 namespace citykiln::bake {
 
-/// A bridge or a tunnel, generated but not merged yet.
-struct Built {
+/// A bridge or tunnel with its generated meshes, before they are merged with others.
+struct GeneratedSpan {
   structures::GeneratedStructure generated;
   Bounds bounds;
 };
 
-/// Generates the bridges and bored tunnels that this tile bakes, clipped to the extent. Other tunnels were diagnosed
-/// when the map was compiled. Accounts "bake/bridge", "bake/tunnel".
-std::vector<Built> generate_structures(const Baking& baking, Report& report);
+/// Generates the bridges and bored tunnels that belong to this tile, clipped to the extent. Other tunnels have no mesh;
+/// they were diagnosed when the map was compiled. Accounts "bake/bridge", "bake/tunnel".
+std::vector<GeneratedSpan> generate_structures(const Baking& baking, Report& report);
 
-/// The marking layouts of structures.
-std::vector<roads::MarkingLayout> layouts_of(const std::vector<Built>& structures);
+/// Returns the marking layouts (patterns of painted lines) of all strips of road on structures.
+std::vector<roads::MarkingLayout> layouts_of(const std::vector<GeneratedSpan>& structures);
 
-/// Adds bridges and tunnels.
-/// @param markings  Of their layouts, and others.
-void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings);
+/// Adds the meshes of bridges and tunnels, and their errors, to the tile.
+/// @param markings  A marking atlas that contains all layouts of the structures.
+void bake_structures(Baking& baking, std::vector<GeneratedSpan>& structures, const Markings& markings);
 
-/// Adds stairs. They lie on the ground, which is a ramp below them and replaces them where their error is within the
-/// tolerance.
+/// Adds stairs. Stairs whose error is within the tolerance are left out: the ground below them is a ramp.
+/// @param all  The stairs of the whole tile.
 void bake_stairs(Baking& baking, const std::vector<structures::Stairs>& all);
 
 }  // namespace citykiln::bake

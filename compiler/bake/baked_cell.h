@@ -1,4 +1,4 @@
-// One ground cell of a tile, baked for a viewpoint.
+// One cell of a tile (a 128 m square of ground with the objects on it), baked for a viewpoint.
 #pragma once
 
 #include <map>
@@ -6,38 +6,39 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
-#include "compiler/bake/ground_meshes.h"
+#include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/props/street_lamps.h"
 
 namespace citykiln::bake {
 
-/// Plants of one prototype, which is kept by the cache and by no cell.
+/// Plants that share one mesh, the prototype. A cache owns it.
 struct PlacedPrototype {
   const BakedPrototype* prototype;
-  InstancedMesh instances;  ///< Without primitives.
+  InstancedMesh instances;  ///< Places of the plants; without primitives.
 };
 
-/// What a cell shows at one level.
+/// The meshes and plants of a cell that have one tolerance.
 struct BakedCellPart {
-  /// Without plants, marking atlas, material textures and attributes. Its origin is the tile's.
+  /// Everything except plants, marking atlas, material textures and attributes. Its origin is the tile's.
   BakedTile tile;
   std::vector<PlacedPrototype> plants{};
 };
 
-/// A cell as parts by level, finest first; parts that hold nothing are left out.
+/// A cell as parts by tolerance, finest first, without empty parts.
 struct BakedCell {
   std::vector<BakedCellPart> parts;
-  std::shared_ptr<const Markings> markings;  ///< Of the tile.
+  std::shared_ptr<const Markings> markings;  ///< The markings of the whole tile.
   double texture_m = 0;                      ///< The tolerance of material textures.
 };
 
-/// What a cell takes from its tile while it is baked: sizes that prototypes have for the whole tile, and the place for
-/// its plants.
+/// Data for baking a cell: the largest sizes of plants and lamps in the whole tile, which decide the meshes that cells
+/// share, and the cell's plants as output.
 struct CellBaking {
-  const std::map<plants::Prototype, double>& tallest_plants_m;  ///< By merged variant.
+  const std::map<plants::Prototype, double>&
+      tallest_plants_m;  ///< Height of the tallest plant by prototype, with merged variants.
   const std::map<props::LampKind, double>& tallest_lamps_m;
-  std::vector<PlacedPrototype>& plants;
+  std::vector<PlacedPrototype>& plants;  ///< Receives the plants of the cell.
 };
 
 }  // namespace citykiln::bake

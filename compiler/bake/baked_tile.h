@@ -1,4 +1,4 @@
-// A baked tile: meshes and instances of one tile at one tolerance, in single precision about the tile's origin.
+// A baked tile: the meshes and instances of one tile at one tolerance, in single precision about the tile's origin.
 // Exporters write it, the preview renders it.
 #pragma once
 
@@ -25,35 +25,41 @@ using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
 
+/// The distance from the origin up to which single precision holds multiples of kQuantum_m (2^-10 m) exactly.
+inline constexpr double kExactReach_m = 16384;
+
+/// Converts between single and double precision.
 inline Vec2 widened(const Float2& v) { return {v[0], v[1]}; }
 inline Vec3 widened(const Float3& v) { return {v[0], v[1], v[2]}; }
 inline Float3 narrowed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
-/// All triangles with one key. Frame: x east, y north, z up, metres from the tile's origin; instanced meshes have their
-/// own. Triangles share vertices and are counter-clockwise from outside.
+/// All triangles of a tile or mesh with one key (PrimitiveKey). Coordinates are metres from the tile's origin, x east,
+/// y north, z up; in an instanced mesh, metres from the mesh's own origin. Triangles share vertices and run
+/// counter-clockwise as seen from outside.
 struct Primitive {
   materials::Material material{};
   std::vector<Float3> positions;
   std::vector<Float3> normals;           ///< One per position, unit length.
   std::vector<materials::Tint> colours;  ///< One per position.
-  std::vector<std::uint32_t> features;   ///< One per position: index into BakedTile::features.
+  /// Per position the map element it belongs to: an index into BakedTile::features.
+  std::vector<std::uint32_t> features;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// One per position, or empty: metres on the marking atlas, the facade atlas, the cutout or the material's texture.
-  /// On textures multiples of materials::kTextureCoordinateStep_m, elsewhere of materials::uv_step_m(image), rounded to
-  /// float32.
+  /// Texture coordinates, one per position, or empty: metres on the image that colour_source names (marking atlas,
+  /// facade atlas, cutout) or on the material's texture. On textures multiples of materials::kTextureCoordinateStep_m,
+  /// on images multiples of materials::uv_step_m(image), rounded to float32.
   std::vector<Float2> uvs{};
-  /// Other than kByMaterial only with uvs, and where the tile or instanced mesh has the image.
+  /// Values other than kByMaterial require uvs, and that image in the tile or instanced mesh.
   materials::ColourSource colour_source = materials::ColourSource::kByMaterial;
-  Layer layer{};  ///< The same for all primitives of an instanced mesh.
+  Layer layer{};  ///< Equal for all primitives of an instanced mesh.
   bool operator==(const Primitive&) const = default;
 };
 
-/// Whether a primitive is part of the ground, whose primitives meet at the borders of tiles.
+/// True if a primitive is part of the ground. Primitives of the ground meet at the borders of tiles.
 inline bool is_terrain(const Primitive& p) {
   return p.layer == Layer::kGround || p.layer == Layer::kRoads || p.layer == Layer::kWater;
 }
 
-/// What distinguishes the primitives of a mesh, which are sorted by it.
+/// The key of a primitive. Primitives of a tile or mesh are sorted by key, and no two have the same.
 struct PrimitiveKey {
   Layer layer{};
   materials::Material material{};
@@ -64,15 +70,16 @@ struct PrimitiveKey {
 
 inline PrimitiveKey key_of(const Primitive& p) { return {p.layer, p.material, !p.uvs.empty(), p.colour_source}; }
 
-/// A mesh and the places of its copies.
+/// A mesh and the places of its copies. Translations, rotations, scales and features have one entry per copy.
 struct InstancedMesh {
-  std::string name;                   ///< "oak_3".
+  std::string name;                   ///< Such as "oak_3".
   std::vector<Primitive> primitives;  ///< Not empty; without `features`, which each instance has.
   std::vector<Float3> translations{};
   std::vector<Float4> rotations{};  ///< Unit quaternions x, y, z, w.
-  std::vector<float> scales{};
+  std::vector<float> scales{};      ///< Factors on the mesh's size.
   std::vector<std::uint32_t> features{};
-  impostor::SharedCutout cutout{};  ///< Image of the primitives with ColourSource::kByCutout, if there are any.
+  /// The image with transparency that primitives with ColourSource::kByCutout show, if there are any.
+  impostor::SharedCutout cutout{};
   bool operator==(const InstancedMesh&) const = default;
 };
 
@@ -80,29 +87,31 @@ inline Layer layer_of(const InstancedMesh& instanced) { return instanced.primiti
 
 /// The viewpoint for which a tile was baked (view_levels.h).
 struct Viewpoint {
-  Vec3 eye;                ///< Plane metres.
-  double focal_px = 0;     ///< Focal length.
-  double pixel_error = 0;  ///< Certified bound of all errors in the picture, but for those of the finest tolerance.
+  Vec3 eye;             ///< Plane metres.
+  double focal_px = 0;  ///< Focal length.
+  /// Certified bound of errors in the picture, in pixels; objects baked at the finest tolerance may exceed it.
+  double pixel_error = 0;
   bool operator==(const Viewpoint&) const = default;
 };
 
 /// One tile at one tolerance.
 struct BakedTile {
   scene::TileKey tile;
-  Vec3 origin;                          ///< Plane metres, whole numbers; z too.
-  double tolerance_m = 0;               ///< As asked for.
-  double error_m = 0;                   ///< Certified: Hausdorff, both ways, to the full-detail shape without plants.
-  std::vector<OsmId> features{};        ///< Sorted; index 0 is always the none feature.
-  std::vector<Primitive> primitives{};  ///< Sorted by key, at most one each.
+  Vec3 origin;                    ///< Plane metres; whole numbers, z included.
+  double tolerance_m = 0;         ///< The requested tolerance.
+  double error_m = 0;             ///< Certified two-sided Hausdorff distance to the full shape, without plants.
+  std::vector<OsmId> features{};  ///< The map elements in the tile, sorted. Index 0 is always the id for "no element".
+  std::vector<Primitive> primitives{};      ///< Sorted by key, at most one each.
   std::vector<InstancedMesh> instanced{};   ///< Sorted by layer.
-  materials::TextureImage marking_atlas{};  ///< Markings of roads; no texels where there are none.
-  impostor::Atlas facade_atlas{};           ///< Baked facade textures; no texels where there are none.
-  /// Textures of the materials of primitives, instanced ones too, that have uvs and are coloured by their material.
+  materials::TextureImage marking_atlas{};  ///< Markings of roads; no texels if there are none.
+  impostor::Atlas facade_atlas{};           ///< Facade textures; no texels if there are none.
+  /// Textures of the materials of all primitives, instanced ones included, that have uvs and ColourSource::kByMaterial.
   /// Sorted by material.
   std::vector<materials::Texture> textures{};
-  std::optional<Viewpoint> viewpoint{};         ///< If there is one, tolerance_m is the finest of several.
-  std::vector<FeatureAttributes> attributes{};  ///< One per feature, or none at all.
-  double plant_error_m = 0;  ///< Of plants: stated, not certified (plants/prototypes/prototype_mesh.h).
+  /// For tiles baked for a viewpoint; tolerance_m is then the finest of several.
+  std::optional<Viewpoint> viewpoint{};
+  std::vector<FeatureAttributes> attributes{};  ///< One per feature, or empty.
+  double plant_error_m = 0;  ///< Error of plants: stated, not certified (plants/prototypes/prototype_mesh.h).
   bool operator==(const BakedTile&) const = default;
 };
 

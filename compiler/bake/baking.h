@@ -1,4 +1,5 @@
-// The state of a tile while it is baked: meshes that are not merged yet, and their largest error.
+// The state of a tile while it is baked: meshes that are not merged yet, and their largest error. To bake a tile is to
+// generate its meshes from recipes at a tolerance.
 #pragma once
 
 #include <algorithm>
@@ -19,23 +20,24 @@ using materials::MaterialMesh;
 
 struct CellBaking;
 
-/// A tile, or one part of a tile or cell for a view, while it is baked.
+/// A whole tile while it is baked, or one part of it. For a viewpoint, a tile is baked in parts: each consists of the
+/// objects and the cells (128 m squares of ground) that have one tolerance.
 struct Baking {
   const scene::Header& header;
   const scene::Chunk& chunk;
   double tolerance_m;
-  BakedTile& tile;
-  const TilePart* part = nullptr;    ///< Null: the whole tile.
-  const CellBaking* cell = nullptr;  ///< Of a cell (baked_cell.h).
-  std::vector<LayeredMesh> meshes{};
-  std::set<OsmId> features{OsmId{}};
+  BakedTile& tile;                    ///< The result; receives errors and features.
+  const TilePart* part = nullptr;     ///< The part of a tile for a viewpoint; null: the whole tile.
+  const CellBaking* cell = nullptr;   ///< Data for baking a single cell (baked_cell.h); null: a whole tile or part.
+  std::vector<LayeredMesh> meshes{};  ///< Meshes that are not merged yet.
+  std::set<OsmId> features{OsmId{}};  ///< The map elements of these meshes, and none.
 
-  /// Whether an object is baked at this tolerance.
+  /// True if an object with these bounds belongs to the part, or the whole tile is baked.
   bool holds(const Bounds& bounds) const { return !part || is_in_part(*part, bounds); }
-  /// Texel size of marking atlas and textures, which all parts of a view share.
+  /// The texel size of marking atlas and textures, in metres. All parts of a tile for a viewpoint share one.
   double texel_m() const { return part ? tolerance_m_of(part->levels.view, part->levels.finest) : tolerance_m; }
 
-  /// Adds meshes.
+  /// Adds meshes and their features.
   void take(std::vector<LayeredMesh>&& more) {
     for (LayeredMesh& each : more) {
       features.insert(each.mesh.feature);
@@ -48,7 +50,8 @@ struct Baking {
       meshes.push_back({std::move(mesh), layer});
     }
   }
-  /// Raises the tile's stated error to that of an object.
+  /// Raises the stated errors of the tile to the error of one object: in metres and, for a viewpoint, in pixels.
+  /// @param bounds  Bounds of the object; its nearest point decides the error in pixels.
   void certify(double error_m, const Bounds& bounds) {
     tile.error_m = std::max(tile.error_m, error_m);
     if (!part) return;
@@ -57,7 +60,10 @@ struct Baking {
   }
 };
 
-/// Generates every object of one kind, for one layer. An object without meshes counts as dropped by the tolerance.
+/// Generates every object of one kind that belongs to the baked part, adds its meshes to a layer and its error to the
+/// tile. An object that gives no mesh at this tolerance is dropped, kBelowTolerance.
+/// @param kind                 The objects are counted in the account "bake/<kind>" of the report's ledger.
+/// @param bounds_of, generate  Functions of an object; generate() returns meshes and error_m.
 template <typename Object, typename BoundsOf, typename Generate>
 void bake_each(Baking& baking, Layer layer, const std::vector<Object>& objects, const char* kind, Report& report,
                BoundsOf bounds_of, Generate generate) {
@@ -78,8 +84,8 @@ void bake_each(Baking& baking, Layer layer, const std::vector<Object>& objects, 
   report.account("bake", kind) = account;
 }
 
-/// The index of a feature, which must be among the tile's.
-inline std::uint32_t number_of(const BakedTile& tile, OsmId feature) {
+/// The index of a feature in tile.features, which must contain it.
+inline std::uint32_t feature_index(const BakedTile& tile, OsmId feature) {
   const auto found = std::ranges::lower_bound(tile.features, feature);
   assert(found != tile.features.end() && *found == feature);
   return static_cast<std::uint32_t>(found - tile.features.begin());

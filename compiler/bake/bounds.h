@@ -1,4 +1,4 @@
-// Bounding volumes of objects: boxes of the plane between two heights.
+// Bounds of objects: a box in plan and an interval of heights, in plane metres.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,16 @@
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/mesh.h"
 #include "compiler/geometry/placement.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/ground/grading/road_influence.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/props/recipe.h"
 #include "compiler/structures/recipe.h"
 
 namespace citykiln::bake {
 
-/// Cuts and banks meet the terrain within this distance, so that they hardly ever differ from it by more.
-inline constexpr double kGraded_m = 16;
+/// The largest difference in height between the terrain and the ground after roads and water have cut into it. Cuts and
+/// banks meet the terrain within this distance in plan, so the difference is hardly ever larger.
+inline constexpr double kGraded_m = ground::kGrading_m;
 
 /// A closed box of the plane, and a closed interval of heights.
 struct Bounds {
@@ -22,21 +24,25 @@ struct Bounds {
   double low_m = 0, high_m = 0;
 };
 
-/// The distance from a point to the bounds; 0 inside.
+/// The distance in space from a point to the bounds; 0 inside.
 double distance_m(const Bounds& bounds, Vec3 place);
-/// The distance between the nearest points of both; 0 where they overlap.
+/// The distance between the nearest points of both bounds; 0 if they overlap.
 double distance_m(const Bounds& a, const Bounds& b);
 
+/// The bounds of a building from its recipe.
 Bounds bounds_of(const buildings::Building& building);
-/// Includes parapets and portals; from the feet of piers to the top of a bore.
+/// The bounds of a bridge or tunnel, parapets and portals included: from the feet of the piers to the ceiling of a
+/// tunnel.
 Bounds bounds_of(const structures::Span& span);
-/// From the lowest terrain near the axis to the barrier's height above the highest.
+/// The bounds of a barrier (wall, fence, hedge): from the lowest terrain near its axis to its height above the highest
+/// terrain there.
 Bounds bounds_of(const props::Barrier& barrier, const map::Heightfield& terrain);
-/// Of a placed mesh that is 1 m tall and 1 m wide.
+/// The bounds of a placed mesh, which is 1 m tall and at most 1 m wide before Placement::scale enlarges it.
 Bounds bounds_of(const Placement& placement);
+/// The bounds of a mesh's vertices.
 Bounds bounds_of(const Mesh& mesh);
 
-/// Of the terrain in a box.
+/// The bounds of the terrain in a box.
 Bounds bounds_of(const map::Heightfield& terrain, const Box2& box);
 
 }  // namespace citykiln::bake

@@ -50,7 +50,8 @@ struct Cut {
   std::vector<double> depths_m{};
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings{};
 
-  // The vertex where an edge crosses the side. The same for both directions, and for equal edges of other meshes.
+  // The vertex where an edge crosses the side. Both directions of an edge, and equal edges of other meshes, give the
+  // same vertex.
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b) {
     if (whole.mesh.positions[b] < whole.mesh.positions[a]) std::swap(a, b);
     const auto [found, is_new] = crossings.try_emplace({a, b}, static_cast<std::uint32_t>(depths_m.size()));

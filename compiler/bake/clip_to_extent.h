@@ -14,10 +14,10 @@
 
 namespace citykiln::bake {
 
-/// Removes from the meshes all that lies outside the extent.
+/// Removes the parts of meshes outside the extent.
 ///
-/// @param meshes  Of one object, without null pointers.
-/// @param extent  Corners on the 2^-10 m grid.
+/// @param meshes  The meshes of one object; no null pointers.
+/// @param extent  A box with corners on the 2^-10 m grid.
 ///
 /// Guarantees: meshes inside the extent stay unchanged, to the byte; new vertices lie exactly on a side, are on the
 /// 2^-10 m grid and have linearly interpolated normals, texture coordinates and tints; two triangles that share an edge
@@ -25,8 +25,9 @@ namespace citykiln::bake {
 /// (1974), one side after the other. O(vertices + triangles · log).
 void clip_to_extent(std::span<materials::MaterialMesh* const> meshes, const Box2& extent);
 
-/// Like the above for a solid body, whose meshes together are closed: returns the faces in the sides that close what is
-/// left. Open borders are closed by a straight line from their end to their begin.
+/// Clips a solid body, whose meshes together are closed, like clip_to_extent(). Returns the faces in the extent's sides
+/// that close the remaining body. Where the body was open, a straight line from end to begin of the open border closes
+/// the face.
 Mesh clip_solid_to_extent(std::span<materials::MaterialMesh* const> meshes, const Box2& extent);
 
 }  // namespace citykiln::bake

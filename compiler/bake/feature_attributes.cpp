@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/land_cover_class.h"
 
 namespace citykiln::bake {

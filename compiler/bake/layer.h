@@ -1,4 +1,4 @@
-// Layers: what a part of a tile is, for programs that show, hide or treat the parts differently.
+// Layers: kinds of objects in a tile, for programs that show, hide or treat them differently.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,24 @@
 
 namespace citykiln::bake {
 
-/// In the order of a tile's primitives, and of its nodes in a .glb.
+/// The layers, in the order of a tile's primitives and of its nodes in a .glb.
 enum class Layer : std::uint8_t {
   kGround,      ///< Land, sports grounds, the ground below buildings.
   kRoads,       ///< Paved ground: roads, paths, rails, squares, pavements.
   kWater,       ///< Seas, lakes, rivers.
   kBuildings,   ///< Buildings.
   kStructures,  ///< Bridges with their roads, tunnels, stairs.
-  kProps,       ///< Walls, fences, hedges as bands, street lamps, tree pits.
-  kPlants,      ///< Trees, hedges, grass, canopies of woods.
-  kCount
+  kProps,       ///< Walls, fences, street lamps, tree pits; at coarse tolerances hedges, as bands along their lines.
+  kPlants,      ///< Trees, grass, canopies of woods; at fine tolerances hedges, as single plants.
+  kCount        ///< The number of layers.
 };
 
-/// "ground", "roads", "water", "buildings", "structures", "props", "plants".
+/// The name of a layer: "ground", "roads", "water", "buildings", "structures", "props" or "plants".
 std::string_view name_of(Layer layer);
+/// Returns the layer with a name; nothing for other texts.
 std::optional<Layer> layer_named(std::string_view name);
 
-/// The layer of a face of the ground.
+/// The layer of a face of the ground with a class of land cover.
 Layer layer_of(map::LandCoverClass surface);
 
 /// A mesh and the layer it belongs to.

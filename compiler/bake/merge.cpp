@@ -25,7 +25,7 @@ std::size_t hash_of(const Float3& p) {
   return static_cast<std::size_t>(h >> 32 ^ h);
 }
 
-// Whether two normals differ by less than a tenth of a degree, as those of triangles in one plane do.
+// True if two normals differ by less than a tenth of a degree, as those of triangles in one plane do.
 bool are_alike(const Float3& a, const Float3& b) {
   constexpr float kMostDifference = 0x1p-10f;
   for (std::size_t c = 0; c < 3; ++c)

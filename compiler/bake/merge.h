@@ -1,4 +1,5 @@
-// Merges meshes into primitives: one per key, in single precision about an origin.
+// Merges meshes into primitives: one primitive for each combination of layer, material and image (PrimitiveKey), in
+// single precision about an origin.
 #pragma once
 
 #include <map>
@@ -11,26 +12,28 @@
 
 namespace citykiln::bake {
 
-/// The primitive of each key.
+/// Primitives by key.
 using PrimitiveMap = std::map<PrimitiveKey, Primitive>;
 
-/// Adds a mesh to its key's primitive. A mesh without normals gets those of its triangles. Added vertices differ from
-/// each other in position (single precision), normal, colour or uv. Triangles that are degenerate in single precision
-/// are left out. A mesh without triangles adds nothing.
-/// @param feature  Written for every vertex.
+/// Adds a mesh to the primitive with its key. A mesh without normals gets the normals of its triangles. Vertices of the
+/// mesh that agree in position (single precision), normal, colour and uv become one. Triangles that are degenerate in
+/// single precision are left out.
+/// @param origin   Origin of the tile, plane metres.
+/// @param feature  Index of the map element, for all vertices.
 void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint32_t feature);
 
 /// The primitives that have triangles, sorted by key.
 std::vector<Primitive> primitives_of(PrimitiveMap&& merged);
 
-/// Primitives of an instanced mesh: about the mesh's own origin, without features, which the instances have.
+/// Returns the primitives of a mesh for instancing, about the mesh's own origin. They have no features, as each
+/// instance has one.
 std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes, Layer layer);
 
-/// The textures of all materials that the tile's primitives and instanced meshes show with uvs, sorted by material.
+/// The textures of all materials of primitives and instanced meshes with uvs, sorted by material.
 std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
                                                const materials::TextureCache& textures);
 
-/// The unit normal of a triangle; zero where it is degenerate.
+/// The unit normal of a triangle; zero if it is degenerate.
 Vec3 normal_of(const Mesh& mesh, const Triangle& t);
 
 /// The offset of a point from an origin, in single precision.

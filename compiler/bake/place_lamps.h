@@ -1,4 +1,4 @@
-// The street lamps of a tile, before anything of it is generated.
+// Places the street lamps of a tile from recipes, without generating meshes.
 #pragma once
 
 #include <cstddef>
@@ -11,27 +11,27 @@
 
 namespace citykiln::bake {
 
-/// Street lamps, mapped ones first.
+/// Street lamps of a tile.
 struct Lamps {
-  std::vector<props::StreetLamp> standing;
-  std::size_t mapped = 0;
+  std::vector<props::StreetLamp> standing;  ///< Mapped lamps first, then lamps along lit streets.
+  std::size_t mapped = 0;                   ///< Number of mapped lamps.
 };
 
-/// The lamps in a box: mapped ones, and those along lit streets.
+/// Returns the lamps in a box: mapped lamps, then lamps along lit streets.
 /// @param map  Land cover of the box.
 Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& map, const Box2& box);
 
 /// A lamp on the ground.
 struct PlacedLamp {
-  Placement placement;  ///< +x is the direction of its arm, the scale its height in metres.
+  Placement placement;  ///< +x is the direction of its arm; the scale is its height in metres.
   props::LampKind kind{};
   props::Luminaire light{};
 };
 
-/// Returns the lamps of a tile as fine levels have them. Cost: that of grading the terrain of the tile.
+/// Returns the lamps of a tile on the ground of fine levels. Cost: grading the terrain of the tile.
 std::vector<PlacedLamp> lamps_of(const scene::Header& header, const scene::Chunk& chunk);
 
-/// The lamps with most lumen, at most `most`, in their order; of equal ones the first.
+/// The lamps with the largest luminous flux, at most `most`, in the given order; on a tie the first ones.
 std::vector<PlacedLamp> brightest(std::vector<PlacedLamp> lamps, std::size_t most);
 
 }  // namespace citykiln::bake

@@ -51,7 +51,7 @@ const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, dou
   Slot& slot = this->slot({prototype, height_m, tolerance_m});
   std::call_once(slot.once, [&] {
     std::shared_ptr<const plants::GrownPlant> recent;
-    if (kept_ == KeptPlants::kRecent) recent = grown_plants_.recent(prototype);
+    if (kept_ == KeptPlants::kRecent) recent = grown_plants_.grown_or_regrown(prototype);
     const plants::GrownPlant& grown = recent ? *recent : grown_plants_.grown(prototype);
     plants::PrototypeMesh plant =
         plants::prototype_mesh(grown, leaves().atlas, prototype.species, height_m, tolerance_m);

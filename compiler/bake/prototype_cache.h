@@ -1,4 +1,6 @@
-// What the tiles of a run share, made once, when a tile first needs it: meshes of plant prototypes, and textures.
+// A cache of data that the tiles of a run share: meshes of plants, and textures. Each is made when a tile first needs
+// it. A prototype is one of the few distinct plants of a species; all plants of that kind are scaled copies of its
+// mesh.
 #pragma once
 
 #include <atomic>
@@ -15,23 +17,26 @@
 
 namespace citykiln::bake {
 
-/// The height of the prototype for plants of at most this height: the next power of two, so that scales are exact, and
-/// between 1/2 and 1 for the tallest plant of a tile.
+/// The height at which the mesh of a prototype is made, for plants up to `tallest_m`: the next power of two. So scales
+/// are exact, and the tallest plant of a tile has a scale above 1/2, at most 1.
 double prototype_height_m(double tallest_m);
 
-/// The mesh of a plant as tall as was asked for.
+/// The mesh of a prototype at one height and tolerance.
 struct BakedPrototype {
-  std::vector<Primitive>
-      primitives;                 ///< Empty where the tolerance drops the plant. Uvs lie on the grid of image_uvs.h.
+  /// Empty if the plant is below the tolerance. Uvs lie on the grid of image_uvs.h.
+  std::vector<Primitive> primitives;
   impostor::SharedCutout cutout;  ///< The leaf atlas, if the primitives show it.
   double error_per_m = 0;         ///< Error of a plant per metre of its height.
 };
 
-/// Which grown plants a cache keeps, from which prototypes are made: 2 MB each.
-enum class KeptPlants { kAll, kRecent };
+/// The grown plants that a cache keeps for making further meshes.
+enum class KeptPlants {
+  kAll,    ///< All: 2 MB each.
+  kRecent  ///< The last few.
+};
 
-/// A thread-safe cache of prototypes. Logically const: a prototype is a function of the header's species and of what is
-/// asked for, by exactly which it is kept. Memory: at 0.02 m some 2 MB per prototype.
+/// A thread-safe cache of meshes. Its const functions change only the cache: a mesh is a function of the header's
+/// species and of the arguments of prototype(). Memory: at a tolerance of 0.02 m some 2 MB per mesh.
 class PrototypeCache {
  public:
   explicit PrototypeCache(const scene::Header& header, KeptPlants kept = KeptPlants::kAll)
@@ -41,13 +46,14 @@ class PrototypeCache {
         textures_(header.seed),
         rulebook_(buildings::parse_rulebook(header.rules)) {}
 
-  /// The prototype `height_m` tall, for plants of at most that height within the tolerance, both > 0. Lives as long as
+  /// The mesh of a prototype, within the tolerance when it is scaled to `height_m`. The reference is valid as long as
   /// the cache.
+  /// @param height_m, tolerance_m  > 0.
   const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
   const materials::TextureCache& textures() const { return textures_; }
 
-  /// Of the meshes of all prototypes that were asked for, none of which is ever freed.
+  /// The memory of all meshes made up to now. None is freed before the cache.
   std::size_t bytes() const { return bytes_; }
 
   /// The header's rules, parsed.
@@ -55,6 +61,7 @@ class PrototypeCache {
 
  private:
   using Key = std::tuple<plants::Prototype, double, double>;
+  /// An entry that the first thread to need it fills.
   struct Slot {
     std::once_flag once;
     BakedPrototype baked;

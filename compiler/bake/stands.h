@@ -1,4 +1,8 @@
-// Stands: the many plants of one map element as one mesh, for programs that become slow with a node for each plant.
+// Stands: the plants of one map element (such as a wood) that have one species, merged into one mesh. They are made for
+// programs that become slow with a scene node for each plant.
+//
+// A prototype is one of the few distinct plants of a species, made once and placed many times; its number within the
+// species is its variant. At coarse tolerances several variants share one mesh.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +16,34 @@
 
 namespace citykiln::bake {
 
-/// Where a tile has too many plants, an element (a wood, a hedge, a row, a field) with more plants than this may become
-/// a stand. Mapped trees, which are elements of their own, never do.
+/// Only elements with more plants than this become stands. Mapped single trees are elements of one plant and never do.
 inline constexpr std::size_t kFewestStandPlants = 16;
-/// Plants of stands have at least this tolerance, as a share of their species' height: crowns of a few cards.
+/// The smallest tolerance of plants in stands, as a share of the tallest height of their species. A crown then consists
+/// of a few leaf cards (textured rectangles).
 inline constexpr double kStandTolerance = 1.0 / 16;
 
-/// The plants of each stand, by element and species.
+/// The stands of a tile. The key is the map element and the prototype whose mesh all plants of the stand use, so an
+/// element with several species or variants has several stands.
 using Stands = std::map<std::pair<OsmId, plants::Prototype>, std::vector<Placement>>;
 
-/// The tolerance of the plants of a stand in a tile of this tolerance.
+/// Returns the tolerance for the plants of a stand: the tile's tolerance, at least kStandTolerance of the species'
+/// tallest height.
+/// @param tolerance_m  The tile's tolerance.
 double stand_tolerance_m(plants::Species species, double tolerance_m);
 
-/// Takes the plants of stands out of `placed`, the largest stands first, until it holds at most `most` plants or no
-/// stand. Variants that look alike at the tolerance of the stand are merged.
+/// Moves plants out of `placed` into stands, all plants of one element at a time, the elements with the most plants
+/// first. Stops when at most `most` plants are left in `placed`, or no element with more than kFewestStandPlants.
+/// @param placed       The plants of a tile by prototype.
+/// @param tolerance_m  The tile's tolerance. Variants that share a mesh at stand_tolerance_m() are in one stand.
 Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most);
 
-/// Returns a stand as an instanced mesh with one instance, at its first plant. No primitives where the tolerance drops
-/// the plants. O(plants · triangles of a prototype).
-/// @param height_m  Of the prototype.
-/// @param origin   The tile's.
-/// @param feature  Index into BakedTile::features.
+/// Returns a stand as a mesh with a single instance, whose origin is the stand's first plant. The mesh has no
+/// primitives if the plants are smaller than the tolerance. O(plants · triangles of a prototype).
+/// @param prototype  The mesh that all plants of the stand share.
+/// @param height_m   Height of that mesh.
+/// @param plants     The plants of the stand; not empty. Placement::scale is a plant's height in metres.
+/// @param origin     Origin of the tile, plane metres.
+/// @param feature    Index of the map element in BakedTile::features.
 InstancedMesh stand_mesh(const BakedPrototype& prototype, double height_m, const std::vector<Placement>& plants,
                          Vec3 origin, std::uint32_t feature);
 

@@ -5,8 +5,8 @@
 #include <cassert>
 #include <map>
 
-#include "compiler/bake/ground_beyond.h"
-#include "compiler/bake/skirt.h"
+#include "compiler/bake/ground/ground_beyond.h"
+#include "compiler/bake/ground/skirt.h"
 #include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::bake {
@@ -16,7 +16,7 @@ namespace {
 void add_hedges(const scene::Chunk& chunk, const plants::PlacingContext& land, plants::PlacedPlants& placed) {
   for (const props::Barrier& barrier : chunk.barriers)
     if (barrier.kind == map::BarrierKind::kHedge)
-      plants::add_hedge({barrier.axis, barrier.height_m, barrier.id.osm}, land, placed);
+      plants::place_hedge(placed, {barrier.axis, barrier.height_m, barrier.id.osm}, land);
 }
 
 std::vector<Placement> joined(const plants::PlacedPlants& placed) {
@@ -25,7 +25,7 @@ std::vector<Placement> joined(const plants::PlacedPlants& placed) {
   return all;
 }
 
-// What only some levels need.
+// Objects that only some levels need.
 struct Wanted {
   bool blades = false, hedge_plants = false;
   std::vector<double> canopies_m{};
@@ -112,12 +112,12 @@ void generate_beyond(TileLevel& level, const Box2& box, int threads) {
 }  // namespace
 
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
-                                 std::span<const double> ladder_m, int threads, KeptReferences kept) {
+                                 std::span<const double> tolerances_m, int threads, KeptReferences kept) {
   const Box2 box = scene::box_of(header, chunk.tile);
-  SharedParts shared{header, chunk, ladder_m};
+  SharedParts shared{header, chunk, tolerances_m};
   std::vector<TileLevel> levels;
   std::size_t canopies = 0;
-  for (const double tolerance_m : ladder_m) {
+  for (const double tolerance_m : tolerances_m) {
     assert(tolerance_m > 0);
     TileLevel& level = levels.emplace_back(TileLevel{tolerance_m, shared.at(tolerance_m)});
     level.cover = std::make_shared<scene::LandCover>(scene::land_cover_of(header, chunk, tolerance_m)),

@@ -1,4 +1,5 @@
-// The levels of a tile before they are baked: what they share is made once, and their ground together.
+// The levels of detail of a tile after their ground has been generated and before their objects are baked. Data that
+// levels share is made once.
 #pragma once
 
 #include <memory>
@@ -6,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "compiler/bake/ground_cells.h"
-#include "compiler/bake/ground_meshes.h"
+#include "compiler/bake/ground/ground_cells.h"
+#include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/bake/place_lamps.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/generate.h"
@@ -21,31 +22,36 @@
 
 namespace citykiln::bake {
 
-/// What all levels with Detail::kRoadSurfaces share, and what all levels without it do: the graded terrain, and what
-/// stands on it.
+/// Data that does not depend on the tolerance: the graded terrain, and plants, lamps and stairs placed on it. All
+/// levels with Detail::kRoadSurfaces share one, all others share a second one.
 struct SharedByLevels {
   std::shared_ptr<const ground::GradedTerrain> graded;
   plants::PlacedPlants trees{};
-  plants::PlacedPlants blades{};  ///< For levels with Detail::kGrassBlades; empty where no level has it.
-  Report tree_report{};
+  /// Grass, reed and corn, for levels with Detail::kGrassBlades; empty if no level has it.
+  plants::PlacedPlants blades{};
+  Report tree_report{};  ///< Account and diagnoses of placing plants.
   std::vector<props::TreePit> pits{};
   Lamps lamps{};
   std::vector<structures::Stairs> stairs{};
-  std::vector<plants::Canopy> canopies{};  ///< Of the levels with Detail::kWoodCanopies, in their order.
+  std::vector<plants::Canopy> canopies{};  ///< Surfaces over closed woods: one for each level with
+                                           ///< Detail::kWoodCanopies, in the order of levels.
 };
 
-/// One per building of the chunk.
+/// The meshes of each building of the chunk.
 using BuildingMeshes = std::vector<buildings::GeneratedBuilding>;
 
-/// One level: its ground, and its buildings where levels share what these are made of.
+/// One level of a tile, or one part of a tile for a viewpoint: its ground, and its buildings if they were generated for
+/// several levels together. A cell is a 128 m square of ground.
 struct TileLevel {
   double tolerance_m;
   std::shared_ptr<const SharedByLevels> shared;
   std::shared_ptr<const scene::LandCover> cover = std::make_shared<scene::LandCover>();
-  std::shared_ptr<const Markings> markings{};  ///< Of all levels of a view; null: the level draws its own.
-  std::vector<ViewCell> seen{};
-  std::vector<ground::GroundMesh> cells{};   ///< One per entry of `seen`.
-  CellReferences references{};               ///< One per entry of `seen` if they are kept, else none.
+  /// The atlas that all parts for a viewpoint share; null: the level draws its own.
+  std::shared_ptr<const Markings> markings{};
+  std::vector<ViewCell> seen{};             ///< The cells of this level.
+  std::vector<ground::GroundMesh> cells{};  ///< One per entry of `seen`.
+  CellReferences references{};  ///< Triangulations at full detail, for measuring errors: one per entry of `seen` if
+                                ///< they are kept, else none.
   std::vector<ViewCell> seen_beyond{};       ///< Ground outside of the extent, under buildings (ground_beyond.h).
   std::vector<ground::GroundMesh> beyond{};  ///< One per entry of `seen_beyond`.
   Report cell_report{};
@@ -54,27 +60,33 @@ struct TileLevel {
   std::optional<std::size_t> canopy{};  ///< Index into SharedByLevels::canopies.
 };
 
-/// Whether the references of ground cells are kept with the level, to measure files against them. They need as much
-/// memory as the finest ground.
-enum class KeptReferences { kNone, kAll };
+/// Choice to keep the cells' reference triangulations (the ground at full detail) after the ground is generated, so
+/// that files can be compared with them. They need as much memory as the finest ground.
+enum class KeptReferences {
+  kNone,  ///< They are dropped.
+  kAll    ///< They are kept.
+};
 
-/// Returns the levels of a whole tile, complete but for buildings. Cost: the ground's.
+/// Returns one level per tolerance for a whole tile, with ground but without buildings. Cost: generating the ground.
 std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk& chunk,
-                                 std::span<const double> ladder_m, int threads, KeptReferences kept);
+                                 std::span<const double> tolerances_m, int threads, KeptReferences kept);
 
-/// Returns a level per part of a tile for a view: what levels share and their land cover, without ground.
-/// @param parts  As levels_of_parts() returns them.
+/// Returns one level per part of a tile for a viewpoint, with shared data and land cover, but without ground.
+/// @param parts  The levels of the parts: result of levels_of_parts().
 std::vector<TileLevel> bare_levels_for_view(const scene::Header& header, const scene::Chunk& chunk,
                                             const ViewLevels& view, std::span<const int> parts);
 
-/// The index of the cell to whose level ground beyond the extent belongs: the first that a box touches.
+/// The index of the cell whose tolerance applies to a box of ground beyond the extent: the first cell that the box
+/// touches.
 std::size_t cell_beside(std::span<const ViewCell> cells, const Box2& box);
 
-/// Generates the ground of a bare level: cells, and boxes beyond the extent.
+/// Generates the ground of a level that has none.
+/// @param seen    The cells of the level.
+/// @param beyond  Boxes of ground beyond the extent, under buildings (ground_beyond.h).
 void generate_ground(TileLevel& level, std::vector<ViewCell> seen, std::span<const Box2> beyond, int threads);
 
-/// Returns a level per part of a tile for a view, with the cells of that level.
-/// @param parts  As levels_of_parts() returns them.
+/// Returns one level per part of a tile for a viewpoint, with the ground of that part's cells.
+/// @param parts  Result of levels_of_parts().
 std::vector<TileLevel> levels_for_view(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
                                        std::span<const int> parts, int threads);
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/bake/skirt.h"
+#include "compiler/bake/ground/skirt.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/mathematics.h"
@@ -25,10 +25,10 @@ Bounds ground_bounds(const map::Heightfield& terrain, const Box2& box) {
   return bounds;
 }
 
-// The level of the cell at a place; kNoLevel outside the region.
+// The level of the cell at a place; kNoLevel outside the extent.
 int level_at(const ViewLevels& levels, Vec2 within) {
-  const int column = static_cast<int>(std::floor((within.x - levels.region.min.x) / map::kCell_m)),
-            row = static_cast<int>(std::floor((within.y - levels.region.min.y) / map::kCell_m));
+  const int column = static_cast<int>(std::floor((within.x - levels.extent.min.x) / map::kCell_m)),
+            row = static_cast<int>(std::floor((within.y - levels.extent.min.y) / map::kCell_m));
   if (column < 0 || column >= levels.columns || row < 0 || row >= levels.rows) return kNoLevel;
   return levels.cells[static_cast<std::size_t>(column) * levels.rows + row];
 }
@@ -119,17 +119,17 @@ double pixels_of(const View& view, double error_m, const Bounds& bounds) {
 
 ViewLevels levels_for(const scene::Scene& scene, const View& view) {
   assert(view.focal_px > 0 && view.pixel_error > 0 && view.finest_m > 0);
-  const Box2& region = scene.header.region;
+  const Box2& extent = scene.header.extent;
   ViewLevels levels{.view = view,
-                    .region = region,
-                    .columns = static_cast<int>(region.width() / map::kCell_m),
-                    .rows = static_cast<int>(region.height() / map::kCell_m)};
+                    .extent = extent,
+                    .columns = static_cast<int>(extent.width() / map::kCell_m),
+                    .rows = static_cast<int>(extent.height() / map::kCell_m)};
   levels.cells.assign(static_cast<std::size_t>(levels.columns) * levels.rows, kNoLevel);
   for (const scene::Chunk& chunk : scene.chunks)
     for (const Box2& cell : cells_of(scene::box_of(scene.header, chunk.tile))) {
       const int level = level_for(view, ground_bounds(chunk.heights, cell));
-      const auto column = static_cast<std::size_t>((cell.min.x - region.min.x) / map::kCell_m),
-                 row = static_cast<std::size_t>((cell.min.y - region.min.y) / map::kCell_m);
+      const auto column = static_cast<std::size_t>((cell.min.x - extent.min.x) / map::kCell_m),
+                 row = static_cast<std::size_t>((cell.min.y - extent.min.y) / map::kCell_m);
       levels.cells[column * static_cast<std::size_t>(levels.rows) + row] = level;
       levels.finest = std::min(levels.finest, level);
     }

@@ -1,4 +1,5 @@
-// The marking atlas of a tile for a view, which all of its parts show.
+// Draws the marking atlas of a tile for a viewpoint: one image with the painted lines of all roads, which all parts of
+// the tile share.
 #pragma once
 
 #include <memory>
@@ -9,9 +10,10 @@
 
 namespace citykiln::bake {
 
-/// Draws the layouts of the levels' roads, and those of all structures that the tile bakes, each at the level of its
-/// part. Cost: generating the structures, and the atlas' texels.
-/// @param parts, levels  As bare_levels_for_view() takes and returns them.
+/// Draws the layouts (patterns of lines) of the roads of all parts, and of all structures of the tile, each at the
+/// tolerance of its part. Cost: generating the structures, and the atlas' texels.
+/// @param parts   Levels of the parts: result of levels_of_parts().
+/// @param levels  Result of bare_levels_for_view() for these parts.
 std::shared_ptr<const Markings> markings_for_view(const scene::Header& header, const scene::Chunk& chunk,
                                                   const ViewLevels& view, const std::vector<int>& parts,
                                                   std::span<const TileLevel> levels);

@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "compiler/buildings/paint_colour.h"
-#include "compiler/contract/draw.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/contract/random_sequence.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -43,7 +43,7 @@ const Row& materials_row(std::uint8_t building_class) {
 Material untagged_wall(const map::Footprint& footprint) {
   const Row& row = materials_row(footprint.building_class);
   if (footprint.height_m > kGlassTower_m && row.wall != Material::kStone) return Material::kGlassFacade;
-  const bool is_other = Draw(0, stable_id(footprint.id), "wall").below(100, 0) < row.other_percent;
+  const bool is_other = RandomSequence(0, stable_id(footprint.id), "wall").below(100, 0) < row.other_percent;
   return is_other ? row.other_wall : row.wall;
 }
 
@@ -62,7 +62,7 @@ constexpr LinearRgb kPlasterHues[] = {{1.00, 1.00, 1.00}, {0.97, 0.96, 0.94}, {1
                                       {0.96, 0.80, 0.72}, {0.92, 0.72, 0.63}, {0.80, 0.82, 0.86}, {0.72, 0.72, 0.73},
                                       {0.86, 0.80, 0.72}, {1.00, 0.97, 0.90}, {0.78, 0.85, 0.76}, {0.80, 0.55, 0.42}};
 
-Tint tint_for(Material material, const std::optional<map::Srgb>& colour, const Draw& draw) {
+Tint tint_for(Material material, const std::optional<map::Srgb>& colour, const RandomSequence& draw) {
   if (colour) return tint_towards(material, paint_reflectance(*colour));
   const double brightness = 1 - values_of(material).variation * draw.unit(0);
   if (material != Material::kPlaster) return tint_of({brightness, brightness, brightness});
@@ -80,11 +80,11 @@ BuildingMaterials building_materials(const map::Footprint& footprint, roofs::For
 }
 
 Tint wall_tint(const Building& building, std::uint64_t seed) {
-  return tint_for(building.wall, building.wall_colour, Draw(seed, stable_id(building.id), "wall tint"));
+  return tint_for(building.wall, building.wall_colour, RandomSequence(seed, stable_id(building.id), "wall tint"));
 }
 
 Tint roof_tint(const Building& building, std::uint64_t seed) {
-  return tint_for(building.roof, building.roof_colour, Draw(seed, stable_id(building.id), "roof tint"));
+  return tint_for(building.roof, building.roof_colour, RandomSequence(seed, stable_id(building.id), "roof tint"));
 }
 
 }  // namespace citykiln::buildings

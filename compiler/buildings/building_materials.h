@@ -1,4 +1,4 @@
-// Materials and tints of buildings.
+// The materials and tints of buildings.
 #pragma once
 
 #include <cstdint>
@@ -7,20 +7,21 @@
 
 namespace citykiln::buildings {
 
+/// The materials of walls and roof.
 struct BuildingMaterials {
   materials::Material wall{}, roof{};
 };
 
-/// Buildings without tagged material and higher than this have glass facades.
+/// The height above which buildings without a tagged material have glass facades.
 inline constexpr double kGlassTower_m = 60;
 
-/// Returns the materials of a footprint: as tagged, otherwise by class, height and roof form (building_materials.inc).
-/// A tagged colour that the material cannot be tinted to selects a lighter material; glass stays glass. Random draws
-/// depend on the footprint's id alone, since a recipe has no seed. O(vertices).
+/// Returns the materials of a footprint: the tagged ones, else by class, height and roof form (building_materials.inc).
+/// If the material cannot be tinted to a tagged colour, a lighter one is chosen; glass stays glass. Random draws depend
+/// only on the footprint's id, since a recipe has no seed. O(vertices).
 BuildingMaterials building_materials(const map::Footprint& footprint, roofs::Form form);
 
-/// Returns the tint of the walls or of the roof: towards the tagged colour, otherwise a random brightness within the
-/// material's variation, and for plaster one of 16 hues.
+/// Returns the tint of the walls or of the roof: towards the tagged colour, else a random brightness within the
+/// material's variation, for plaster with one of 16 hues.
 materials::Tint wall_tint(const Building& building, std::uint64_t seed);
 materials::Tint roof_tint(const Building& building, std::uint64_t seed);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/geometry/segment.h"
+
 namespace citykiln::buildings {
 namespace {
 
@@ -23,10 +25,10 @@ bool is_long_enough(double length_m) { return length_m >= 2 * kMinDoorToCorner_m
 std::optional<EdgePoint> nearest_edge_point(const Ring& ring, Vec2 p) {
   std::optional<EdgePoint> nearest;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 along = ring[(i + 1) % ring.size()] - ring[i];
-    if (!is_long_enough(length(along))) continue;
-    const double share = std::clamp(dot(p - ring[i], along) / dot(along, along), 0.0, 1.0);
-    const double distance_m = distance(p, ring[i] + along * share);
+    const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+    if (!is_long_enough(distance(a, b))) continue;
+    const double share = nearest_share(a, b, p);
+    const double distance_m = distance(p, a + (b - a) * share);
     if (distance_m <= kMaxDistance_m && (!nearest || distance_m < nearest->distance_m))
       nearest = EdgePoint{i, share, distance_m};
   }

@@ -1,4 +1,4 @@
-// Doors at mapped entrances, or at house numbers where no entrance is mapped.
+// Places doors at mapped entrances, or at house numbers if no entrance is mapped.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,17 @@ namespace citykiln::buildings {
 
 /// Mapped entrances and addresses, with a spatial index.
 struct MappedDoors {
-  std::vector<Vec2> at;
-  std::vector<bool> is_entrance;  ///< Otherwise an address.
+  std::vector<Vec2> at;           ///< Plane metres.
+  std::vector<bool> is_entrance;  ///< True: an entrance. False: an address.
   BoxGrid grid;
 };
 
+/// Returns the entrances and addresses among the points of a map.
 MappedDoors index_doors(std::span<const map::PointFeature> points);
 
-/// Returns FacadeEdge::doors for each edge of the outer ring. A door lies in the edge nearest to its point, at most 1.5
-/// m away, among edges long enough for one. Addresses count only if the building has no entrance. O(edges · points
-/// near).
+/// Returns FacadeEdge::doors for each edge of the outer ring. A door lies in the edge nearest to its point and at most
+/// 1.5 m away, among edges long enough for a door. Addresses count only if the building has no entrance. O(edges ·
+/// points near).
 std::vector<std::uint16_t> mapped_doors_by_edge(const Polygon& footprint, const MappedDoors& doors);
 
 /// Returns the positions of a building's doors on its walls, plane metres, at least kMinDoorToCorner_m from the ends of

@@ -56,8 +56,8 @@ double uniform_share(const View& view) {
   return std::abs(view.v.z) > kVertical ? 1 : kOfRoof;
 }
 
-// The mean colour as a tint of the dominant material. That has to cover most of the face: a wall with windows would
-// otherwise become glass, whatever its colour.
+// The mean colour as a tint of the dominant material. It must cover most of the face: a wall with windows would
+// otherwise become glass of any colour.
 SurfaceMaterial mean_material(const Impostor& impostor) {
   constexpr double kDominant = 0.75;
   const impostor::Texel texel = mean(impostor.picture);

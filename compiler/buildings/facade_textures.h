@@ -1,4 +1,4 @@
-// Baked facade textures: the details that a coarse level omits, rendered onto the faces that it keeps.
+// Baked facade textures: details that a coarse level omits are rendered onto the faces that it keeps.
 #pragma once
 
 #include <vector>
@@ -15,37 +15,38 @@ struct TexturedFace {
   materials::MaterialMesh mesh;
 };
 
+/// The faces of a building at a level, with baked textures where they need one.
 struct FacadeMeshes {
-  std::vector<materials::MaterialMesh> meshes;  ///< Faces of uniform colour: one mesh per material and tint, sorted.
+  std::vector<materials::MaterialMesh> meshes;  ///< Faces of one colour: one mesh per material and tint, sorted.
   std::vector<TexturedFace> textured_faces;     ///< In the order of the terminals.
-  double error_m = 0;  ///< Largest distance between a railing's two rails and the terminal they replace.
+  double error_m = 0;  ///< The largest distance between the two rails of a railing and the terminal that they replace.
 };
 
 /// Returns the terminals' faces with the appearance of a more detailed model of the same building.
 ///
-/// @param texel_m      Texel size of the textures. Details up to this far behind a face, and up to min(texel_m, 2 m) in
-///                     front of it, are rendered; farther in front may stand another wing.
-/// @param tolerance_m  Of the derivation; FacadeMeshes::error_m does not exceed it.
+/// @param texel_m  The texel size of the textures. Details are rendered up to this far behind a face and up to
+/// min(texel_m, 2 m) in front of it; farther in front there may be another wing.
+/// @param tolerance_m  The tolerance of the derivation, which FacadeMeshes::error_m does not exceed.
 ///
 /// A face becomes
 /// - two rails along its longer sides, if it is a rectangle that the detailed model covers to less than half (a
 ///   railing) and this stays within the tolerance;
-/// - a mesh of one material, if one covers all of it (95 % of a roof);
+/// - a mesh of one material, if this material covers the whole face (of a roof, 95 %);
 /// - a mesh of the mean colour, if it has fewer than kMinTexels texels or is one texel wide, and emits no light;
 /// - else a textured face, with normals if texels are smaller than 2 m.
-/// Faces with nothing in front of them and faces of more than kMaxTexelsPerFace texels keep the terminal's material.
-/// The same bytes on every CPU. Total. Cost: one impostor::render() per face.
+/// Faces that the detailed model does not cover and faces of more than kMaxTexelsPerFace texels keep the terminal's
+/// material. Deterministic on every CPU. Cost: one impostor::render() per face.
 FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& detailed, double texel_m,
                              double tolerance_m, OsmId feature);
 
-/// Smaller faces get the mean colour.
+/// The least number of texels of a textured face. Smaller faces get the mean colour.
 inline constexpr std::uint32_t kMinTexels = 9;
-/// A face of 300 by 400 m at 0.5 m; larger ones are roofs of halls.
+/// The largest number of texels of a face: 300 by 400 m at 0.5 m. Larger faces are roofs of halls.
 inline constexpr std::uint32_t kMaxTexelsPerFace = 1u << 19;
 
-/// How often the texels of a face's picture are halved while it is rendered: until samples lie at most 0.2 m apart
-/// (else the colour would depend on where a row of windows meets the samples), or until one more halving would exceed
-/// kMaxTexelsPerFace (a face of kilometres).
+/// Returns the number of times that the texels of a face's picture are halved for rendering: until samples are at most
+/// 0.2 m apart (else the colour would depend on where a row of windows meets the samples), or until one more halving
+/// would exceed kMaxTexelsPerFace (a face of kilometres).
 std::uint32_t halvings_for(const impostor::View& view);
 
 }  // namespace citykiln::buildings

@@ -84,7 +84,16 @@ std::uint64_t error_count(const grammars::Derivation& derivation) {
   return count;
 }
 
-// What stands near a shape, and where lamps are on.
+// The number of shapes with results of operations that no mesh shows: models, textures and their coordinates.
+std::size_t count_without_effect(const grammars::Derivation& derivation) {
+  const auto is_left_out = [&](const grammars::Terminal& terminal) {
+    return !terminal.asset.empty() || terminal.texture ||
+           !derivation.appearances[terminal.appearance].colour_map.empty();
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(derivation.terminals, is_left_out));
+}
+
+// The answers to queries about the surroundings of a shape: entrances and lit rooms.
 grammars::Occlusion surroundings_of(const Level& level, std::vector<Vec2> doors) {
   grammars::Occlusion entrances, lit;
   if (!doors.empty()) entrances = grammars::entrances_at(std::move(doors));
@@ -162,6 +171,8 @@ void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& ge
   const grammars::Derivation derivation = derive(level, ruled.mass, tolerance_m);
   if (const std::uint64_t errors = error_count(derivation); errors > 0)
     report.add(Code::kRuleErrors, feature, static_cast<double>(errors));
+  if (const std::size_t shapes = count_without_effect(derivation); shapes > 0)
+    report.add(Code::kRuleWithoutEffect, feature, static_cast<double>(shapes));
   FacadeMeshes faces;
   if (level.detailed)
     faces = texture_facades(derivation, *level.detailed, level.tolerance_m, tolerance_m, feature);

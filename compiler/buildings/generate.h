@@ -15,18 +15,20 @@
 
 namespace citykiln::buildings {
 
+/// The meshes of a building at a tolerance.
 struct GeneratedBuilding {
   std::vector<materials::MaterialMesh> meshes;
-  double error_m = 0;  ///< Hausdorff distance, both ways, of visible surfaces to the building at tolerance 0.
+  double error_m = 0;  ///< Hausdorff distance, both ways, between visible surfaces and the building at tolerance 0.
   std::vector<TexturedFace> textured_faces{};  ///< Faces with a baked texture, if the level has kFacadeTextures.
 };
 
-/// Parameters that all buildings of a scene share.
+/// The parameters that all buildings of a scene share.
 struct SceneContext {
   std::uint64_t seed = 0;
-  /// While it is dark: sets the rules' attribute `night`, and some windows are lit (lit_windows.h).
+  /// Set while it is dark: the rules' attribute `night` is true, and some windows are lit (lit_windows.h).
   std::optional<WeekTime> night{};
-  /// Low buildings are not left out, and none has facade textures (blocks/certified_blocks.h).
+  /// The result is a source of blocks (blocks/certified_blocks.h): low buildings are generated too, and no building has
+  /// facade textures.
   bool is_for_blocks = false;
 };
 
@@ -34,14 +36,14 @@ struct SceneContext {
 ///
 /// The rules of the building's style refine its mass model (mass_model.h) down to the tolerance. Without rules for the
 /// style the result is the mass model itself. A building lower than the tolerance, roof structures included, has no
-/// mesh and its height as error. Tints and random draws of rules depend on the seed and the id, not on `night`. Flat
-/// roofs in place of others (kRoofFallback) and rule errors (kRuleErrors) are diagnosed. tolerance_m > 0. Cost: that of
-/// the derivation.
+/// mesh, and its height is the error. Tints and random draws of rules depend on the seed and the id, not on `night`.
+/// Diagnoses: a flat roof in place of another (kRoofFallback), rule errors (kRuleErrors), models and textures of rules,
+/// which are not drawn (kRuleWithoutEffect). tolerance_m > 0. Cost: that of the derivation.
 GeneratedBuilding generate(const Building& building, const Rulebook& rulebook, SceneContext context, double tolerance_m,
                            Report& report);
 
-/// Generates a building at several tolerances, in their order. The detailed model that facade textures are rendered
-/// from is derived once. One report per tolerance.
+/// Generates a building at several tolerances, in their order. The detailed model for facade textures is derived once.
+/// There is one report per tolerance.
 std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook& rulebook, SceneContext context,
                                         std::span<const double> tolerances_m, std::span<Report> reports);
 

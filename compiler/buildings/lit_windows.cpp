@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "compiler/contract/draw.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/contract/random_sequence.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -99,7 +99,7 @@ Vec3 middle_of(const grammars::Scope& scope) {
   return middle;
 }
 
-bool is_on(Use use, WeekTime time, const Draw& draw, std::uint32_t unit) {
+bool is_on(Use use, WeekTime time, const RandomSequence& draw, std::uint32_t unit) {
   const double habit_h = draw.between(-kHabit_h, kHabit_h, 2 * unit);
   return draw.unit(2 * unit + 1) < lit_share(use, {wrapped(time.hours + habit_h)});
 }
@@ -138,8 +138,9 @@ double lit_window_share(Use use, WeekTime time) { return lit_share(use, time) * 
 grammars::Occlusion lit_windows(const Building& building, WeekTime time, std::uint64_t seed) {
   const Use use = use_of(building);
   return [=, cells = cells_of(building), whole = is_one_unit(building, use),
-          units = Draw(seed, id_of(building), "lit unit"), rooms = Draw(seed, id_of(building), "lit room")](
-             grammars::OcclusionQuery query, const grammars::Shape& shape) {
+          units = RandomSequence(seed, id_of(building), "lit unit"),
+          rooms = RandomSequence(seed, id_of(building), "lit room")](grammars::OcclusionQuery query,
+                                                                     const grammars::Shape& shape) {
     if (query != grammars::OcclusionQuery::kIsLit) return false;
     const UseRow& row = use_row(use);
     const Vec3 at = middle_of(shape.scope);
@@ -149,7 +150,7 @@ grammars::Occlusion lit_windows(const Building& building, WeekTime time, std::ui
 }
 
 bool is_shop_lit(const Building& building, WeekTime time, std::uint64_t seed) {
-  return is_on(Use::kShop, time, Draw(seed, id_of(building), "lit shop"), 0);
+  return is_on(Use::kShop, time, RandomSequence(seed, id_of(building), "lit shop"), 0);
 }
 
 }  // namespace citykiln::buildings

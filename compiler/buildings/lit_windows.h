@@ -1,4 +1,4 @@
-// Which windows are lit at an hour: by the building's use and by household.
+// Decides which windows are lit at an hour, by the building's use and by household.
 //
 //     ┌───┬───┬───┬───┬───┬───┐   A unit (a flat, a guest room, an office) is a cell of the plan on one storey. Lamps
 //     │ ▓ │ ▓ │   │   │ ▓ │   │   are on in it while its rank in [0, 1) is below the share of units in use, a function
@@ -14,7 +14,7 @@
 
 namespace citykiln::buildings {
 
-/// What a building is used for: rows of lit_shares.inc.
+/// The use of a building: a row of lit_shares.inc.
 enum class Use : std::uint8_t {
 #define USE(name, unit_m, room_m, room_share, weekday, weekend) name,
 #include "compiler/buildings/lit_shares.inc"
@@ -22,25 +22,27 @@ enum class Use : std::uint8_t {
   kCount
 };
 
-/// By the building's class, where that does not say it by its style.
+/// Returns the use by the building's class, or by its style if the class does not imply a use.
 Use use_of(const Building& building);
 
-/// Hours since Monday 0:00 local mean solar time.
+/// A time of the week: hours since Monday 0:00 local mean solar time.
 struct WeekTime {
   double hours = 0;  ///< From 0 to 168.
 };
 
-/// The share of a use's units in which lamps are on while it is dark, from 0 to 1; continuous, and the same a week
-/// later.
+/// Returns the share of a use's units in which lamps are on while it is dark, from 0 to 1. It is continuous and has a
+/// period of a week.
 double lit_share(Use use, WeekTime time);
 
-/// The share of a building's windows that is lit, on average over many buildings of its use.
+/// Returns the share of windows that are lit, on average over many buildings of a use.
 double lit_window_share(Use use, WeekTime time);
 
-/// Answers kIsLit for the middle of a shape's scope. @param building  Must outlive the answer. O(1).
+/// Returns a function that answers OcclusionQuery::kIsLit: true if the window at the middle of a shape's scope is lit.
+/// O(1) per query.
+/// @param building  Must outlive the function.
 grammars::Occlusion lit_windows(const Building& building, WeekTime time, std::uint64_t seed);
 
-/// Whether lamps are on in the shops of a building's ground floor.
+/// True if lamps are on in the shops of a building's ground floor.
 bool is_shop_lit(const Building& building, WeekTime time, std::uint64_t seed);
 
 }  // namespace citykiln::buildings

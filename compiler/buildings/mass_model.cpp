@@ -30,7 +30,7 @@ struct Run {
   double length_m() const { return distance(from(), to()); }
 };
 
-// Vertices of the footprint by position. Those of holes are numbered after those of the outer ring.
+// Vertices of the footprint by position. Edges of holes are numbered after the edges of the outer ring.
 using CornerNumbers = std::map<Vec2, std::uint32_t>;
 
 CornerNumbers corner_numbers_of(const Polygon& footprint) {

@@ -1,5 +1,5 @@
-// Mass model of a building: the closed volume of walls, roof and foundation that style rules refine. The term is that
-// of Müller et al., "Procedural Modeling of Buildings", SIGGRAPH 2006.
+// The mass model of a building: the closed volume of walls, roof and foundation that style rules refine. The term is
+// from Müller et al., "Procedural Modeling of Buildings", SIGGRAPH 2006.
 //
 //        /\          roof        above the eaves, by generate_roof()
 //       /__\ _ _ _ _ eaves
@@ -19,17 +19,18 @@ namespace citykiln::buildings {
 
 struct MassModel {
   roofs::Roof roof;  ///< Heights are relative to the eaves.
-  /// Walls up to the eaves, in the order of the footprint's edges for every roof form. Tagged kSide, party walls
+  /// Walls up to the eaves, in the order of the footprint's edges for every roof form. Tags: kSide, party walls
   /// kInside.
   std::vector<grammars::Face> walls;
-  std::vector<grammars::Face> foundation;  ///< Below the walls; the underside of lifted buildings.
+  std::vector<grammars::Face> foundation;  ///< Faces below the walls; the underside of lifted buildings.
 };
 
 /// Returns the mass model of a building; roof.error_m <= tolerance_m.
 ///
-/// Guarantees: walls with party walls, foundation, roof and floor form a closed surface, vertex to vertex if no storey
-/// is buried; buildings on the ground are open at the bottom. Party walls in one plane with the neighbour's are left
-/// out with Detail::kPartyWallOpenings. Roofs replaced by flat ones are diagnosed kRoofFallback. Total.
+/// Guarantees: walls, party walls, foundation, roof and floor form a closed surface, vertex to vertex if no storey is
+/// buried; buildings on the ground are open at the bottom. With Detail::kPartyWallOpenings, party walls in one plane
+/// with the neighbour's are left out. A roof that is replaced by a flat roof gets a diagnosis kRoofFallback. Accepts
+/// any building.
 MassModel mass_model_of(const Building& building, double tolerance_m, Report& report);
 
 /// Returns the start shape for the rules: walls (kSide, kInside), gables (kVertical), roof planes (kTop), rims and

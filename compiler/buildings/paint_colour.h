@@ -1,4 +1,4 @@
-// Colours as tints of materials.
+// Converts colours to tints of materials.
 #pragma once
 
 #include <array>
@@ -16,11 +16,12 @@ using LinearRgb = std::array<double, 3>;
 /// percent.
 LinearRgb paint_reflectance(const map::Srgb& colour);
 
-/// Returns the first material that can be tinted to the paint; tints only darken. If none can, the last one, which has
-/// to be the lightest. Glass in the first place is always chosen. @param choice  Not empty.
+/// Returns the first material that can be tinted to the paint; tints only darken. If no material can be tinted so,
+/// returns the last one. If the first material is glass, it is returned.
+/// @param choice  Not empty; the last material is the lightest.
 materials::Material tintable_material(const LinearRgb& paint, std::initializer_list<materials::Material> choice);
 
-/// Returns a tint of these shares of the base colour, clamped to 0 … 1.
+/// Returns the tint that multiplies the base colour by these factors, clamped to 0 … 1.
 materials::Tint tint_of(const LinearRgb& share);
 
 /// Returns the tint that brings the material as close to the paint as darkening can.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 
@@ -15,8 +16,8 @@
 #include "compiler/buildings/vertical_support.h"
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
-#include "compiler/map/part_outlines.h"
+#include "compiler/map/buildings/building_classes.h"
+#include "compiler/map/buildings/part_outlines.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -81,6 +82,16 @@ struct Site {
 // The footprint whose ground the heights of footprint i are measured from: its outline, or itself.
 std::size_t root_of(std::size_t i, std::span<const std::uint32_t> outlines) {
   return outlines[i] == map::kNoOutline ? i : outlines[i];
+}
+
+// The index of each part's outline.
+std::vector<std::uint32_t> outline_indices(std::span<const map::Footprint> footprints) {
+  std::map<ObjectId, std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < footprints.size(); ++i) numbers.emplace(footprints[i].id, i);
+  std::vector<std::uint32_t> outlines;
+  for (const map::Footprint& footprint : footprints)
+    outlines.push_back(footprint.outline ? numbers.at(*footprint.outline) : map::kNoOutline);
+  return outlines;
 }
 
 // By outline: whether height=* is stated for it or one of its parts. All parts are measured from one height, so that
@@ -231,7 +242,8 @@ Planned plan_building(std::size_t i, const Site& site, Report& report) {
   return {std::move(building), below};
 }
 
-// What shows above the entrance, by which the style is chosen: storeys below do not make a block of a villa.
+// The part of a building above its entrance, by which the style is chosen: storeys below it do not turn a villa into a
+// block.
 Building above_entrance(const Planned& planned) {
   Building above = planned.building;
   const double below_m = planned.storeys_below * storey_m(above);
@@ -240,7 +252,7 @@ Building above_entrance(const Planned& planned) {
   return above;
 }
 
-// Adds a party wall where it does not overlap the last one. Of two along the same stretch the higher one counts.
+// Adds a party wall where it does not overlap the last one. The higher of two along one stretch counts.
 void add_party_wall(std::vector<PartyWall>& walls, PartyWall wall) {
   if (!walls.empty() && walls.back().edge == wall.edge && wall.from_m < walls.back().to_m) {
     PartyWall& last = walls.back();
@@ -286,7 +298,7 @@ std::vector<map::Footprint> extended_to_ground(std::vector<map::Footprint> footp
 
 Site site_of(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
   std::vector<std::vector<SharedWall>> shared = shared_walls(features.footprints);
-  std::vector<std::uint32_t> outlines = map::part_outlines(features.footprints);
+  std::vector<std::uint32_t> outlines = outline_indices(features.footprints);
   std::vector<bool> have_height = have_tagged_height(features.footprints, outlines);
   return {.ground = ground,
           .footprints = extended_to_ground(features.footprints, shared, features.tracks, report),
@@ -297,9 +309,9 @@ Site site_of(const map::Features& features, const ground::GradedTerrain& ground,
           .doors = index_doors(features.points)};
 }
 
-// A building belongs to the region by its centroid, and all parts of an outline with it.
-bool is_in_region(std::size_t i, const Site& site, const Box2& region) {
-  return region.contains(centroid(site.footprints[root_of(i, site.outlines)].polygon));
+// A building belongs to the extent by its centroid, and all parts of an outline with it.
+bool is_in_region(std::size_t i, const Site& site, const Box2& extent) {
+  return extent.contains(centroid(site.footprints[root_of(i, site.outlines)].polygon));
 }
 
 }  // namespace
@@ -314,7 +326,7 @@ std::vector<Building> plan(const map::Features& features, const ground::GradedTe
     account.in += counts;
     if (footprint.polygon.outer.size() < 3) {
       report.drop(account, Code::kDegenerateRing, footprint.id.osm);
-    } else if (!is_in_region(i, site, features.region)) {
+    } else if (!is_in_region(i, site, features.extent)) {
       report.drop(account, Code::kOutsideBounds, footprint.id.osm);
     } else if (footprint.has_parts) {
       account.merged += counts;

@@ -13,16 +13,16 @@ namespace citykiln::buildings {
 /// Returns one building per footprint, sorted by id. Outlines that are replaced by their parts (has_parts) count as
 /// merged in the ledger "buildings/footprint".
 ///
-/// A building is in the region if its centroid is, and then it is whole; a part belongs to it with its outline. Others
-/// are dropped, kOutsideBounds.
+/// A building belongs to the extent if its centroid does, and is not cut; a building part belongs to the extent if the
+/// outline of its building does. Other buildings are dropped (kOutsideBounds).
 ///
-/// height=* is measured from the lowest ground along the walls. Where it is not tagged, storeys count from the mean
-/// ground along the walls that face a street (street_sides.h), or from the highest ground if none does; storeys are
-/// added below, down to the lowest ground. All parts of an outline (map/part_outlines.h) are measured from the
+/// height=* is measured from the lowest ground along the walls. If it is not tagged, storeys count from the mean ground
+/// along the walls that face a street (street_sides.h), or from the highest ground if no wall does; storeys are added
+/// below, down to the lowest ground. All parts of an outline (map/buildings/part_outlines.h) are measured from the
 /// outline's ground: from the lowest, if height=* is tagged for one of them. A building on the ground whose eaves are
 /// less than kMinWallAboveGround_m above its highest ground is raised (kHeightRaised). Walls extend kFoundation_m below
-/// the lowest ground. Buildings that min_height lifts, but that nothing supports (vertical_support.h), are extended to
-/// the ground (kUnsupportedBuilding). The result does not depend on the order of the footprints. Total.
+/// the lowest ground. A building that min_height lifts but nothing supports (vertical_support.h) is extended to the
+/// ground (kUnsupportedBuilding). The result does not depend on the order of the footprints. Accepts any footprints.
 std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report);
 
 }  // namespace citykiln::buildings

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "grammars/roofs/expected_rise.h"
 
 namespace citykiln::buildings {
@@ -32,7 +32,7 @@ bool is_small(const map::Footprint& footprint) {
 
 Form house_roof(const map::Footprint& footprint, bool is_attached) {
   if (is_attached) return Form::kGabled;
-  const std::uint32_t percent = Draw(0, stable_id(footprint.id), "roof").below(100, 0);
+  const std::uint32_t percent = RandomSequence(0, stable_id(footprint.id), "roof").below(100, 0);
   return percent < 62 ? Form::kGabled : percent < 92 ? Form::kHipped : Form::kHalfHipped;
 }
 

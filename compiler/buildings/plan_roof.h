@@ -1,4 +1,4 @@
-// Plans roofs: form, rise, direction and overhang.
+// Plans roofs: decides form, rise, direction and overhang.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,19 @@
 
 namespace citykiln::buildings {
 
-/// What a roof depends on apart from the footprint's tags.
+/// The surroundings of a footprint that affect its roof.
 struct RoofContext {
   bool is_attached = false;    ///< The building shares walls with a neighbour.
-  std::optional<Vec2> street;  ///< Outward normal of the longest wall that faces a street.
+  std::optional<Vec2> street;  ///< The outward normal of the longest wall that faces a street.
 };
 
 /// Returns the roof of a footprint.
 ///
-/// The form is as tagged; otherwise by class and size: houses have gabled and hipped roofs, halls low gables, large
-/// buildings and parts flat roofs. height_m is as tagged, otherwise by pitch (roofs::expected_rise_m), at most what the
-/// building's height leaves if that includes the roof; snapped, > 0 unless flat. Ridges of attached houses run along
-/// the street. Detached small buildings have overhanging eaves. Random draws depend on the footprint's id alone. O(n²)
-/// in the footprint's vertices.
+/// The form is the tagged one, else by class and size: houses have gabled and hipped roofs, halls low gables, large
+/// buildings and parts flat roofs. height_m is the tagged height, else it follows from the pitch
+/// (roofs::expected_rise_m). It is limited by the building's height if that includes the roof; a multiple of 2^-10 m, >
+/// 0 unless the roof is flat. Ridges of attached houses run along the street. Detached small buildings have overhanging
+/// eaves. Random draws depend only on the footprint's id. O(n²) in the footprint's vertices.
 roofs::RoofShape plan_roof(const map::Footprint& footprint, const RoofContext& context);
 
 }  // namespace citykiln::buildings

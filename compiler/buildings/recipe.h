@@ -1,4 +1,5 @@
-// Building recipe: a footprint extruded between two heights, with a roof and a facade style.
+// The recipe of a building: a footprint extruded between two heights, with a roof and a facade style. A snapped
+// coordinate is rounded to the grid of the plane, 2^-10 m.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@
 
 namespace citykiln::buildings {
 
-/// Facade styles: one row of styles.inc each, with the rule file that generates the facade. The order is part of the
-/// manifest format: append only.
+/// The facade styles, one per row of styles.inc, which names the rule file that generates the facade. The order is part
+/// of the manifest format: append only.
 enum class Style : std::uint8_t {
 #define STYLE(name, rules) name,
 #include "compiler/buildings/styles.inc"
@@ -22,14 +23,15 @@ enum class Style : std::uint8_t {
   kCount
 };
 
-/// Door positions are stored in this many equal parts of an edge.
+/// The number of equal parts of an edge in which door positions are stored.
 inline constexpr std::uint32_t kDoorSlots = 16;
 
-/// Attributes of one edge of the outer ring, from its vertex to the next.
+/// The attributes of one edge of the outer ring, from its vertex to the next.
 struct FacadeEdge {
   bool faces_street = false;
-  std::uint8_t buried_storeys = 0;  ///< Storeys, counted from the floor, that lie below the ground along the edge.
-  std::uint16_t doors = 0;          ///< Bit i: a door in the i-th of kDoorSlots equal parts of the edge.
+  /// The number of storeys, from the floor up, that lie below the ground along the edge.
+  std::uint8_t buried_storeys = 0;
+  std::uint16_t doors = 0;  ///< Bit i: a door in the i-th of kDoorSlots equal parts of the edge.
   bool operator==(const FacadeEdge&) const = default;
 };
 
@@ -37,22 +39,26 @@ struct FacadeEdge {
 struct PartyWall {
   std::uint32_t edge = 0;       ///< Index into the outer ring.
   double from_m = 0, to_m = 0;  ///< Distances along the edge, from_m < to_m. Snapped.
-  double top_m = 0;             ///< Eaves of the neighbour, whose walls begin no higher than this building's. Snapped.
-  bool is_hidden = false;       ///< Both walls lie in one plane, so neither is visible.
-  bool has_windows_above = false;  ///< Both buildings are parts of one building.
+  /// The height of the neighbour's eaves. The neighbour's walls begin no higher than this building's walls. Snapped.
+  double top_m = 0;
+  bool is_hidden = false;  ///< Both walls lie in one plane, so neither is visible.
+  /// The wall above top_m has windows, since both buildings are parts of one building.
+  bool has_windows_above = false;
   bool operator==(const PartyWall&) const = default;
 };
 
+/// The recipe of a building or building part.
 struct Building {
   ObjectId id;
   Polygon footprint;             ///< Plane metres, snapped.
-  double bottom_m = 0;           ///< Lower end of the walls; below the lowest ground if stands_on_ground. Snapped.
-  double floor_m = 0;            ///< Where storeys are counted from. bottom_m <= floor_m <= eaves. Snapped.
-  double top_m = 0;              ///< Highest point of the roof. > bottom_m. Snapped.
+  double bottom_m = 0;           ///< The lower end of the walls, below the lowest ground if stands_on_ground. Snapped.
+  double floor_m = 0;            ///< The height from which storeys count. bottom_m <= floor_m <= eaves. Snapped.
+  double top_m = 0;              ///< The highest point of the roof. > bottom_m. Snapped.
   bool stands_on_ground = true;  ///< False if min_height lifts it off the ground.
   materials::Material wall{}, roof{};
-  std::optional<map::Srgb> wall_colour, roof_colour;  ///< As tagged; otherwise the material's, varied by the seed.
-  /// height_m is the rise from the eaves to top_m, 0 for flat roofs; angle and levels are not set. Snapped.
+  /// The tagged colours; if unset, the colour of the material, varied by the seed.
+  std::optional<map::Srgb> wall_colour, roof_colour;
+  /// The roof. height_m is the rise from the eaves to top_m, 0 for flat roofs; angle and levels are not set. Snapped.
   roofs::RoofShape roof_shape;
   Style style{};
   std::uint8_t building_class = 0;  ///< A map::BuildingClass.
@@ -64,9 +70,9 @@ struct Building {
   bool operator==(const Building&) const = default;
 };
 
-/// Height of the eaves, plane metres.
+/// Returns the height of the eaves, plane metres.
 inline double eaves_m(const Building& building) { return building.top_m - building.roof_shape.height_m; }
-/// Height of one storey.
+/// Returns the height of one storey.
 inline double storey_m(const Building& building) { return (eaves_m(building) - building.floor_m) / building.levels; }
 
 }  // namespace citykiln::buildings

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {

@@ -1,4 +1,4 @@
-// Attributes of a building that rules can read, as listed in grammars/rules/README.md.
+// The attributes of a building that rules can read, as listed in grammars/rules/README.md.
 #pragma once
 
 #include <map>

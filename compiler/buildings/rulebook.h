@@ -1,4 +1,4 @@
-// Rule files of the building styles, as text and parsed.
+// The rule files of the building styles, as texts and parsed.
 #pragma once
 
 #include <map>
@@ -12,9 +12,10 @@
 
 namespace citykiln::buildings {
 
-/// A rule file as the manifest stores it.
+/// A rule file: rules of a grammar by which buildings of one style get walls, windows and roofs. The manifest, the file
+/// with a compiled scene, stores the rules that the scene uses.
 struct RuleText {
-  std::string name;  ///< As imports name it: "old_town_house.cga", "parts/window.cga".
+  std::string name;  ///< The name used in imports: "old_town_house.cga", "parts/window.cga".
   std::string text;
   bool operator==(const RuleText&) const = default;
 };
@@ -22,14 +23,15 @@ struct RuleText {
 /// Returns the rule files of grammars/rules, which are compiled into the program. Sorted by name.
 std::span<const RuleText> shipped_rules();
 
-/// Returns the rule files that the styles need, imports included, sorted by name. The error names the first rule that
-/// does not parse, with file, line and column.
+/// Returns the rule files that the styles need, imports included, sorted by name. Errors: a file that is not
+/// among `available`; the first rule that does not parse, with file, line and column.
 Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span<const RuleText> available);
 
-/// Parsed rules by style; kPlain has none.
+/// The parsed rules by style; Style::kPlain has no rules.
 using Rulebook = std::map<Style, grammars::Program>;
 
-/// Parses the rules of every style whose files are there and parse. Cost: linear in the texts' length.
+/// Parses the rules of every style. Leaves out styles whose files are missing or do not parse. Cost: linear in the
+/// length of the texts.
 Rulebook parse_rulebook(std::span<const RuleText> texts);
 
 /// Returns the styles of some buildings, sorted and unique.

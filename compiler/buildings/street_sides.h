@@ -1,4 +1,4 @@
-// Walls that face a street.
+// Finds the walls that face a street.
 #pragma once
 
 #include <span>
@@ -19,10 +19,11 @@ struct Streets {
   BoxGrid grid;
 };
 
+/// Returns the streets of a map.
 Streets index_streets(std::span<const map::Track> tracks);
 
-/// Returns for each edge of the outer ring whether a kerb lies within 14 m (pavement and front garden) and 45 degrees
-/// of the edge's outward normal. O(segments near).
+/// Returns true for each edge of the outer ring that faces a street: a kerb lies within 14 m (pavement and front
+/// garden) and within 45 degrees of the edge's outward normal. O(segments near).
 std::vector<bool> street_sides(const Polygon& footprint, const Streets& streets);
 
 }  // namespace citykiln::buildings

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <iterator>
 
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {

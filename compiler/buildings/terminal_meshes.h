@@ -1,4 +1,5 @@
-// Meshes of a derivation: terminals' faces are triangulated and grouped by material and tint.
+// Makes meshes of a derivation (the result of facade rules): triangulates the faces of its terminals and groups them by
+// material and tint.
 #pragma once
 
 #include <vector>
@@ -10,25 +11,24 @@ namespace citykiln::buildings {
 
 /// Returns the material and tint of a terminal's appearance. O(rows).
 ///
-/// material.name is the name of a material in snake case ("roof_tile"); unknown names are plaster. The colour becomes a
-/// tint (paint_colour.h), on kPaint where the material is too dark for it; white, the default, leaves the material
+/// material.name is the name of a material in snake case ("roof_tile"); an unknown name is plaster. The colour becomes
+/// a tint (paint_colour.h), on kPaint if the material is too dark for it; white, the default, leaves the material
 /// untinted. Glass stays glass.
 materials::SurfaceMaterial surface_material_of(const grammars::Appearance& appearance);
 
 /// Adds the triangles of a face. Faces without area add nothing.
 void add_face(const grammars::Face& face, Mesh& mesh);
 
-/// Adds the triangles of a face, with texture coordinates if the material has a texture. All faces of one mesh have to
-/// be added by the same overload.
+/// Adds the triangles of a face, with texture coordinates if the material has a texture. All faces of a mesh must be
+/// added by one overload.
 void add_face(const grammars::Face& face, materials::MaterialMesh& mesh);
 
-/// Returns the terminals' faces as one mesh per material and tint, sorted by these.
+/// Returns the terminals' faces as one mesh per material and tint, sorted by material and tint.
 ///
 /// Guarantees: triangles are planar and counter-clockwise seen from outside. The vertices of a simple face are its
 /// points, bit for bit, and its triangles have its area. Texture coordinates run along the lower edge of a face and up
-/// it, so that coplanar faces continue the texture. Deterministic. Total: faces without area add nothing; assets and
-/// the terminals' own texture frames are ignored. O(n) for faces without holes and with at most one reflex corner, else
-/// O(n log n).
+/// the face, so that coplanar faces continue the texture. Deterministic. Ignores faces without area, assets, and the
+/// terminals' own texture frames. O(n) for faces without holes and with at most one reflex corner, else O(n log n).
 std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature);
 
 }  // namespace citykiln::buildings

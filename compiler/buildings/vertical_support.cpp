@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "compiler/geometry/box_grid.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {

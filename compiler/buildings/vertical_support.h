@@ -1,5 +1,5 @@
-// Vertical support of buildings that min_height lifts off the ground. Where the storeys below are not mapped, or lie
-// outside the extract, such buildings would float.
+// Finds the vertical support of buildings that min_height lifts off the ground. If the storeys below are not mapped, or
+// lie outside the extract, such a building would float.
 #pragma once
 
 #include <span>
@@ -10,13 +10,13 @@
 
 namespace citykiln::buildings {
 
-/// Returns for each footprint whether it is supported, or may float.
+/// Returns true for each footprint that is supported or may float.
 ///
-/// Supported: footprints on the ground; those with another footprint below that reaches up to them within one storey,
-/// at 2 % of 16 by 16 sample points at least; bays and bridges (under 150 m²) that share a wall with a footprint of
-/// their height. May float: footprints over a road or path (passages, halls on columns), roofs, and whatever begins
-/// more than 12 m up. Outlines with parts support nothing. O(n) for footprints that do not overlap.
-/// @param shared  shared_walls(footprints).
+/// Supported are footprints on the ground; footprints above another one that reaches up to them within one storey, at 2
+/// % or more of 16 by 16 sample points; and bays and bridges (under 150 m²) that share a wall with a footprint of their
+/// height. May float: footprints over a road or path (passages, halls on columns), roofs, and any that begin more than
+/// 12 m up. Outlines with parts support nothing. O(n) for footprints that do not overlap.
+/// @param shared  The result of shared_walls(footprints).
 std::vector<bool> find_supported(std::span<const map::Footprint> footprints,
                                  std::span<const std::vector<SharedWall>> shared, std::span<const map::Track> tracks);
 

@@ -6,7 +6,7 @@
 
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "preview/clouds/cloud_paths.h"
 
 namespace citykiln::charts {
@@ -21,7 +21,7 @@ const preview::CloudLight kLight = {
     .to_sun = unit(Vec3{1, 0, 1}), .sun = {3, 3, 3}, .sky = {0.2, 0.2, 0.2}, .ground = {0.1, 0.1, 0.1}};
 
 struct Random {
-  Draw draw;
+  RandomSequence draw;
   std::uint32_t next = 0;
   double operator()() { return draw.unit(next++); }
 };
@@ -59,7 +59,7 @@ Seen seen_of(const sky::Cloud& cloud, double turn, int rays, Light light) {
   Seen seen;
   const Stopwatch watch;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(rays); ++i) {
-    const Draw draw(3, StableId{i}, "ray");
+    const RandomSequence draw(3, StableId{i}, "ray");
     const auto off = [&](std::uint32_t n) { return draw.between(-0.6, 0.6, n) * cloud.radius_m; };
     seen.light += light(eye, unit(middle + Vec3{off(0), off(1), off(2) / 2} - eye), i) / rays;
   }
@@ -67,7 +67,7 @@ Seen seen_of(const sky::Cloud& cloud, double turn, int rays, Light light) {
   return seen;
 }
 
-// What a path costs for a relative standard error of 1 %, which is some 10,000 times one path.
+// The cost of a path for a relative standard error of 1 %, which is some 10,000 times that of one path.
 constexpr double kPathsForOnePercent = 1e4;
 
 void add_light(const sky::Cloud& cloud, const std::string& name, Chart& ratios, Chart& times) {

@@ -18,11 +18,11 @@ namespace citykiln::charts {
 namespace {
 
 constexpr double kPackedTolerance_m = 0.1;
-/// Tiles that say a finer tolerance keep the map's grid when they are packed, so that only the chart sets the step.
+/// A finer tolerance than that of the tile, so that packing keeps the map's grid and only the chart sets the step.
 constexpr double kKeepsGrid_m = 0.05;
-/// From the map's own grid to what shows at 2.5 m.
+/// From the step of the map's grid to one that is visible at 2.5 m.
 constexpr int kExponents[] = {-10, -8, -7, -6, -5, -4, -3};
-/// The fastest of so many runs counts.
+/// The number of runs, of which the fastest counts.
 constexpr int kEncodingRuns = 3;
 
 struct Packing {
@@ -32,14 +32,14 @@ struct Packing {
 constexpr std::array kPackings = {Packing{"none", Compression::kNone}, Packing{"quantize", Compression::kQuantize},
                                   Packing{"meshopt", Compression::kMeshopt}, Packing{"draco", Compression::kDraco}};
 
-/// The scene of a manifest, or of a map that is compiled.
+/// Returns the scene of a manifest, or of a map that is compiled.
 Result<scene::Scene> scene_of(const ChartRequest& request) {
   if (!request.maps.empty() && request.maps.front().ends_with(".kiln"))
     return exporters::read_manifest(request.maps.front(), {});
   return compile_first_map(request);
 }
 
-/// The tile with most buildings, without images and instances: only its own meshes are measured.
+/// Bakes the tile with most buildings and removes images and instances, since only its own meshes are measured.
 bake::BakedTile tile_of(const scene::Scene& scene, int threads) {
   const auto fullest = std::ranges::max_element(scene.chunks, {}, [](const auto& c) { return c.buildings.size(); });
   Report ignored;
@@ -69,7 +69,7 @@ Snapped snapped_tile(const bake::BakedTile& tile, double step_m) {
   return out;
 }
 
-/// Of the process, which runs on one thread while files are measured.
+/// Processor time of the process, which runs on one thread while files are measured.
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct FileCost {
@@ -92,7 +92,7 @@ Result<FileCost> cost_of(const bake::BakedTile& tile, const scene::Header& heade
   return cost;
 }
 
-/// What a file holds besides meshes.
+/// The bytes of a file that are not meshes.
 double other_bytes(bake::BakedTile tile, const scene::Header& header) {
   tile.primitives.clear();
   return static_cast<double>(exporters::encode_glb(tile, header, {.split = Split::kTile}).size());

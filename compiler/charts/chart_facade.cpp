@@ -166,7 +166,7 @@ preview::Image picture_from_100_m(const House& house, const bake::BakedTile& til
 struct Finest {
   bake::BakedTile tile;
   preview::Image across_the_square;
-  double noise = 0;  ///< Of the reference picture.
+  double noise = 0;  ///< The noise of the reference picture.
 };
 
 Finest finest_of(const House& house, int threads) {

@@ -1,16 +1,16 @@
-// Two forms of a scene for rendering: stored tiles, baked for the eye and read from .glb, and recipes, whose cells are
-// generated when rays meet them. Both have the same tolerances but for what the picture does not show.
+// Two forms of a scene for rendering: stored tiles, baked for the camera and read from .glb, and recipes, whose cells
+// are generated when rays meet them. Both have equal tolerances, except for surfaces that the picture does not show.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "compiler/bake/bake.h"
+#include "compiler/bake_scene.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/pipeline.h"
 #include "exporters/gltf/glb.h"
 #include "preview/camera/cell_view.h"
 #include "preview/render.h"
@@ -22,7 +22,7 @@ namespace {
 constexpr double kCoarse_m = 2.5;
 constexpr int kStreetWidth_px = 320, kStreetHeight_px = 180, kStreetSamples = 4;
 
-// Smaller budgets are not tried once one takes so many times as long as all cells in memory.
+// Budgets are reduced until rendering takes this many times as long as with all cells in memory.
 constexpr double kLongest = 20;
 constexpr std::size_t kPlenty_bytes = 16'000'000'000;
 
@@ -31,13 +31,13 @@ struct RenderCost {
   double seconds = 0, megabytes = 0;
 };
 
-/// What is rendered, in either form.
+/// The scene and cameras to render, in both forms.
 struct RenderedStreet {
   scene::Scene scene;
   preview::Camera camera;
   int threads = 0;
   int samples = kStreetSamples;
-  int shrunk = 1;  ///< The picture has as many times fewer pixels along each side.
+  int shrunk = 1;  ///< The factor by which the picture's sides have fewer pixels.
 };
 
 preview::Options street_options(const RenderedStreet& place) {

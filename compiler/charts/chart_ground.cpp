@@ -5,16 +5,17 @@
 #include <ctime>
 #include <set>
 
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "compiler/charts/chart.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/cover/partition.h"
 #include "compiler/ground/cover/simplify_borders.h"
 #include "compiler/ground/plan.h"
-#include "compiler/pipeline.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
+#include "compiler/spec.h"
+#include "compiler/stage_timer.h"
 
 namespace citykiln::charts {
 namespace {
@@ -66,23 +67,26 @@ GroundMeasure measure_level(const scene::Scene& scene, double tolerance_m, int t
 }
 
 /// Bakes all levels of a tile together, as bake() does.
-void bake_ladder(const scene::Scene& scene, const scene::Chunk& chunk, std::span<const double> ladder_m, int threads) {
+void bake_ladder(const scene::Scene& scene, const scene::Chunk& chunk, std::span<const double> tolerances_m,
+                 int threads) {
   constexpr double kRoadSurfaces_m = tolerances_with(Detail::kRoadSurfaces).below_m;
   const auto carve = [&](double tolerance_m) { return scene::graded_terrain_of(scene.header, chunk, tolerance_m); };
   const ground::GradedTerrain fine = carve(kRoadSurfaces_m / 2), coarse = carve(kRoadSurfaces_m);
   std::vector<scene::LandCover> covers;
-  for (const double tolerance_m : ladder_m) covers.push_back(scene::land_cover_of(scene.header, chunk, tolerance_m));
+  for (const double tolerance_m : tolerances_m)
+    covers.push_back(scene::land_cover_of(scene.header, chunk, tolerance_m));
   std::vector<bake::GroundLevel> levels;
-  for (std::size_t i = 0; i < ladder_m.size(); ++i)
-    levels.push_back({has_detail(Detail::kRoadSurfaces, ladder_m[i]) ? fine : coarse, covers[i].surfaces, ladder_m[i]});
+  for (std::size_t i = 0; i < tolerances_m.size(); ++i)
+    levels.push_back(
+        {has_detail(Detail::kRoadSurfaces, tolerances_m[i]) ? fine : coarse, covers[i].surfaces, tolerances_m[i]});
   std::vector<Report> ignored(levels.size());
   bake::generate_cells(levels, scene::box_of(scene.header, chunk.tile), threads, ignored);
 }
 
-GroundMeasure measure_ladder(const scene::Scene& scene, std::span<const double> ladder_m, int threads) {
+GroundMeasure measure_ladder(const scene::Scene& scene, std::span<const double> tolerances_m, int threads) {
   return measured_work([&](GroundMeasure&) {
     for_each_index(scene.chunks.size(), threads,
-                   [&](std::size_t i) { bake_ladder(scene, scene.chunks[i], ladder_m, threads); });
+                   [&](std::size_t i) { bake_ladder(scene, scene.chunks[i], tolerances_m, threads); });
   });
 }
 
@@ -169,14 +173,14 @@ void add_ground_level(GroundCharts& charts, double tolerance_m, const GroundMeas
 Result<std::vector<Chart>> chart_ground(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
-  const Box2& region = scene->header.region;
+  const Box2& extent = scene->header.extent;
   const std::string map = request.maps.front().substr(request.maps.front().rfind('/') + 1);
   GroundCharts charts = empty_ground_charts(
-      fmt::format("{}, {:.0f} km², {} tiles", map, region.width() * region.height() * 1e-6, scene->chunks.size()));
-  const GroundMeasure all = measure_ladder(*scene, Outputs{}.ladder_m, request.threads);
+      fmt::format("{}, {:.0f} km², {} tiles", map, extent.width() * extent.height() * 1e-6, scene->chunks.size()));
+  const GroundMeasure all = measure_ladder(*scene, Outputs{}.tolerances_m, request.threads);
   charts.seconds.title += fmt::format("; all levels at once {:.1f} s by the clock, {:.1f} s of processors, {:.0f} MB",
                                       all.seconds, all.cpu_seconds, all.peak_MB);
-  for (const double tolerance_m : Outputs{}.ladder_m) {
+  for (const double tolerance_m : Outputs{}.tolerances_m) {
     const GroundMeasure measure = measure_level(*scene, tolerance_m, request.threads);
     add_ground_level(charts, tolerance_m, measure, bound_of(*scene, tolerance_m, request.threads));
   }

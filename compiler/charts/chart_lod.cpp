@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "compiler/bake/bake.h"
-#include "compiler/bake/simplify_tile.h"
+#include "compiler/bake/tiles/simplify_tile.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/picture_difference.h"
 #include "compiler/charts/sampled_distance.h"
@@ -64,7 +64,7 @@ std::vector<bake::InstancedMesh> plant_of(const BakedTile& tile, const std::stri
   return {};
 }
 
-/// What a tile has of one kind.
+/// The part of a tile that belongs to one kind of object.
 BakedTile part_of(const BakedTile& tile, Kind kind, const std::string& plant) {
   BakedTile part = tile;
   part.instanced = kind == Kind::kPlants ? plant_of(tile, plant) : std::vector<bake::InstancedMesh>();
@@ -122,7 +122,7 @@ struct Measures {
   double triangles, distance_m, picture, bytes, seconds;
 };
 
-/// @param ground  Of the level: it stands for objects that the level leaves out.
+/// @param ground  The ground of the level, which stands for objects that the level leaves out.
 Measures measured_part(const BakedTile& part, const Reference& reference, const std::vector<simplify::Corners>& ground,
                        const scene::Header& header, double tolerance_m, double seconds) {
   const std::vector<simplify::Corners> own = triangles_in(part);

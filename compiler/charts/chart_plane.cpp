@@ -9,7 +9,7 @@
 
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::charts {
 namespace {

@@ -10,7 +10,7 @@
 #include "compiler/charts/chart.h"
 #include "compiler/charts/picture_difference.h"
 #include "compiler/charts/stopwatch.h"
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/sky/plan.h"
 #include "exporters/gltf/glb.h"
@@ -80,7 +80,7 @@ std::vector<PlacedPlant> one_tree(Species species) {
 /// Trees of all species on a jittered grid.
 std::vector<PlacedPlant> wood() {
   std::vector<PlacedPlant> trees;
-  const Draw draw(1, StableId{}, "wood");
+  const RandomSequence draw(1, StableId{}, "wood");
   for (int i = 0; i < kWoodSide * kWoodSide; ++i) {
     const auto dice = static_cast<std::uint32_t>(8 * i);
     const Species species = kTrees[draw.below(std::size(kTrees), dice)];

@@ -43,7 +43,7 @@ Result<ProfileInputs> read_profile_inputs(const ChartRequest& request) {
   const map::Plane plane(map::default_origin(box));
   ProfileInputs inputs;
   inputs.features = map::locate(*osm, plane, box, {}, ignored);
-  Result<map::Heightfield> heights = map::resample(*rasters, plane, inputs.features.region, ignored);
+  Result<map::Heightfield> heights = map::resample(*rasters, plane, inputs.features.extent, ignored);
   if (!heights) return heights.error();
   inputs.heights = std::move(*heights);
   inputs.roads = roads::plan(inputs.features, ignored);

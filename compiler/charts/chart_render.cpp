@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/bake_scene.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
-#include "compiler/pipeline.h"
 #include "preview/picture/denoise.h"
 #include "preview/render.h"
 
@@ -34,7 +34,7 @@ double error_of(const preview::Image& image, const preview::Image& reference) {
   return std::sqrt(sum / static_cast<double>(image.rgb.size()));
 }
 
-/// What is rendered: baked tiles in a sky, from a street.
+/// The scene to render: baked tiles in a sky, from a street.
 struct Street {
   std::vector<bake::BakedTile> tiles;
   preview::Camera camera;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// By twilight few paths find light.
+// At twilight few paths find light.
 int paths_for(double height_deg) { return height_deg > 0 ? 4000 : 20000; }
 
 // A sun in the east.

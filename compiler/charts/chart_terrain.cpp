@@ -68,10 +68,10 @@ struct Terrain {
   std::vector<Box2> cells;
 };
 
-std::vector<Box2> cells_of(const Box2& region, double cell_m) {
+std::vector<Box2> cells_of(const Box2& extent, double cell_m) {
   std::vector<Box2> cells;
-  for (double y = region.min.y; y < region.max.y; y += cell_m) {
-    for (double x = region.min.x; x < region.max.x; x += cell_m) cells.push_back({{x, y}, {x + cell_m, y + cell_m}});
+  for (double y = extent.min.y; y < extent.max.y; y += cell_m) {
+    for (double x = extent.min.x; x < extent.max.x; x += cell_m) cells.push_back({{x, y}, {x + cell_m, y + cell_m}});
   }
   return cells;
 }
@@ -85,17 +85,17 @@ Result<Terrain> read_terrain(const ChartRequest& request) {
   const Result<source::LonLatBox> box = box_of(request, spec, *raster);
   if (!box) return box.error();
   map::Plane plane(map::default_origin(*box));
-  const Box2 region = whole_cells_in(*box, plane, request.cell_m);
-  if (region.is_empty())
+  const Box2 extent = whole_cells_in(*box, plane, request.cell_m);
+  if (extent.is_empty())
     return Error{spec.path,
                  fmt::format("does not contain a whole cell of {} m; choose a smaller --cell", request.cell_m)};
 
   Report ignored;
   const std::vector<source::Raster> rasters = {source::fill_voids(std::move(*raster), ignored)};
-  Result<map::Heightfield> heights = map::resample(rasters, plane, region, ignored);
+  Result<map::Heightfield> heights = map::resample(rasters, plane, extent, ignored);
   if (!heights) return heights.error();
   return Terrain{rasters, std::move(plane), ground::GradedTerrain(std::move(*heights)),
-                 cells_of(region, request.cell_m)};
+                 cells_of(extent, request.cell_m)};
 }
 
 struct MeshMeasure {

@@ -6,7 +6,7 @@
 
 #include "compiler/bake/view_levels.h"
 #include "compiler/charts/chart.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/spec.h"
@@ -55,7 +55,7 @@ double triangles_everywhere(const scene::Scene& scene, double tolerance_m, int t
 }
 
 Vec3 over_the_middle(const scene::Scene& scene) {
-  const Vec2 middle = scene.header.region.centre();
+  const Vec2 middle = scene.header.extent.centre();
   for (const scene::Chunk& chunk : scene.chunks)
     if (chunk.heights.box().contains(middle))
       return at_height(middle, map::height_m_at(chunk.heights, middle) + kHeightAbove_m);
@@ -79,7 +79,7 @@ Result<std::vector<Chart>> chart_view(const ChartRequest& request) {
   bake::View view{request.eye.value_or(over_the_middle(*scene)), bake::focal_length_px(kViewHeight_px, kViewFov_deg)};
   Chart chart{"view_triangles",
               fmt::format("Triangles of the ground for one eye at {:.0f}, {:.0f}, {:.0f} m: {:.0f} km²", view.eye.x,
-                          view.eye.y, view.eye.z, scene->header.region.width() * scene->header.region.height() * 1e-6),
+                          view.eye.y, view.eye.z, scene->header.extent.width() * scene->header.extent.height() * 1e-6),
               {"largest error on the picture (pixels)", true},
               {"triangles", true},
               {{"a tolerance a cell, by its distance", {}}, {"one tolerance everywhere", {}}}};
@@ -87,7 +87,7 @@ Result<std::vector<Chart>> chart_view(const ChartRequest& request) {
     view.pixel_error = pixels;
     chart.series[0].points.emplace_back(pixels, triangles_seen(*scene, view, request.threads));
   }
-  for (const double tolerance_m : Outputs{}.ladder_m)
+  for (const double tolerance_m : Outputs{}.tolerances_m)
     chart.series[1].points.emplace_back(pixels_at_nearest(*scene, view, tolerance_m),
                                         triangles_everywhere(*scene, tolerance_m, request.threads));
   return std::vector{chart};

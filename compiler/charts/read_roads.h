@@ -9,8 +9,8 @@
 
 namespace citykiln::charts {
 
-/// All ground roads sorted by id, in metres about the middle of the map. Diagnoses are ignored. Error: a map that
-/// cannot be read.
+/// Returns all ground roads of a map, sorted by id, in metres about the middle of the map. Diagnoses are ignored.
+/// Error: a map that cannot be read.
 Result<std::vector<roads::Road>> read_roads(const std::string& path, int threads);
 
 }  // namespace citykiln::charts

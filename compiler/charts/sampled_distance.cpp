@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 namespace citykiln::charts {
 namespace {
@@ -40,7 +40,7 @@ std::vector<Corners> triangles_in(const bake::BakedTile& tile) {
 double sampled_distance_m(std::span<const Corners> from, const simplify::TriangleTree& to) {
   double total_m2 = 0, farthest_m = 0;
   for (const Corners& t : from) total_m2 += area_m2(t);
-  const Draw draw(1, {}, "distance");
+  const RandomSequence draw(1, {}, "distance");
   std::uint32_t number = 0;
   double due = 0;
   for (const Corners& t : from) {

@@ -1,4 +1,4 @@
-// Distances between baked meshes by samples.
+// Measures the distance between baked meshes by samples.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace citykiln::charts {
 
-/// The triangles of all primitives, and of the copies of instanced meshes that are not turned.
+/// Returns the triangles of all primitives, and of the copies of instanced meshes that are not rotated.
 std::vector<simplify::Corners> triangles_in(const bake::BakedTile& tile);
 
-/// The largest distance of samples of `from` to `to`: all corners, and points spread evenly over the area, the same
-/// each time.
+/// Returns the largest distance from samples of `from` to `to`. The samples are all corners, and points spread evenly
+/// over the area. Deterministic.
 double sampled_distance_m(std::span<const simplify::Corners> from, const simplify::TriangleTree& to);
 
 }  // namespace citykiln::charts

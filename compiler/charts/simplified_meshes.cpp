@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "compiler/bake/weld.h"
+#include "compiler/bake/tiles/weld.h"
 #include "exporters/gltf/flat_shading.h"
 
 namespace citykiln::charts {

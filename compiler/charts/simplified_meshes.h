@@ -1,4 +1,4 @@
-// Meshes simplified by two libraries to a number of triangles, beside the levels that recipes give.
+// Meshes simplified to a number of triangles by two libraries, for comparison with levels made from recipes.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,20 @@
 
 namespace citykiln::charts {
 
-/// A simplifier: primitives with about as many triangles as asked for, or more where it cannot go so low. Each
-/// primitive is simplified apart, with triangles in proportion; its vertices are welded by position.
+/// A simplifier. Returns primitives with about `triangles` triangles, or more if it cannot reach so few. Each primitive
+/// is simplified on its own, to its share of the triangles, after its vertices are welded by position.
 using Simplify = std::vector<bake::Primitive> (*)(const std::vector<bake::Primitive>& primitives,
                                                   std::size_t triangles);
 
-/// By OpenMesh as inner tiles of a tile tree use it (simplify/decimate.h).
+/// Simplifies by OpenMesh, as for the inner tiles of a tile tree (simplify/decimate.h).
 std::vector<bake::Primitive> simplified_by_openmesh(const std::vector<bake::Primitive>& primitives,
                                                     std::size_t triangles);
 
-/// By meshopt_simplify().
+/// Simplifies by meshopt_simplify().
 std::vector<bake::Primitive> simplified_by_meshoptimizer(const std::vector<bake::Primitive>& primitives,
                                                          std::size_t triangles);
 
-/// The primitives with one normal for each triangle.
+/// Returns the primitives with one normal per triangle.
 std::vector<bake::Primitive> with_flat_normals(std::vector<bake::Primitive>&& primitives);
 
 }  // namespace citykiln::charts

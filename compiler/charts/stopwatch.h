@@ -1,11 +1,11 @@
-// Wall-clock time for charts.
+// Measures wall-clock time for charts.
 #pragma once
 
 #include <chrono>
 
 namespace citykiln::charts {
 
-/// Measures from its construction.
+/// Measures the time since its construction.
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }

@@ -31,7 +31,7 @@ std::string quoted(const std::string& text) {
 
 using Point = std::pair<double, double>;
 
-/// Whether an axis is logarithmic as drawn: gnuplot needs a value above 0 for that.
+/// True if an axis is drawn logarithmic, for which gnuplot needs a value above 0.
 bool is_logarithmic(const Chart& chart, const Axis& axis, double Point::*value) {
   const auto has_positive = [&](const Series& series) {
     return std::ranges::any_of(series.points, [&](const Point& point) { return point.*value > 0; });

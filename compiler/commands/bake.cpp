@@ -10,16 +10,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compiler/commands/ground_height.h"
+#include "compiler/bake/tiles/join_tiles.h"
+#include "compiler/bake_scene.h"
 #include "compiler/commands/interrupt_notice.h"
-#include "compiler/commands/join_tiles.h"
 #include "compiler/commands/run_paths.h"
-#include "compiler/commands/tile_lights.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/view_options.h"
-#include "compiler/commands/write_outputs.h"
-#include "compiler/pipeline.h"
-#include "compiler/verify/run_report.h"
+#include "compiler/commands/view/ground_height.h"
+#include "compiler/commands/view/view_options.h"
+#include "compiler/outputs/run_report.h"
+#include "compiler/outputs/tile_lights.h"
+#include "compiler/outputs/write_outputs.h"
+#include "compiler/verify/heights_json.h"
 #include "exporters/file.h"
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/kiln/manifest.h"
@@ -34,9 +35,8 @@ using OrderedJson = nlohmann::ordered_json;
 
 struct BakeRequest {
   std::string manifest_path, out_path;
-  std::optional<double>
-      tolerance_m;  ///< Of the one file; with an eye the finest tolerance. None: a folder with levels.
-  std::optional<GivenPoint> eye, eye_lonlat;  ///< Viewer position of the one file.
+  std::optional<double> tolerance_m;  ///< For one file; with an eye the finest tolerance. Empty: a folder with levels.
+  std::optional<GivenPoint> eye, eye_lonlat;  ///< The viewer of the one file.
   std::optional<double> fov_deg;
   PictureSize size;
   double pixel_error = 1;
@@ -54,9 +54,9 @@ Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, const BakeRe
         tiles.push_back(tile);
         return Done{};
       },
-      verify::most_instances_of(request.spec.outputs.target));
+      outputs::most_instances_of(request.spec.outputs.target));
   if (!baked) return baked.error();
-  return tiles.size() == 1 ? std::move(tiles.front()) : join_tiles(tiles);
+  return tiles.size() == 1 ? std::move(tiles.front()) : bake::join_tiles(tiles);
 }
 
 bool is_asked_for(const BakeRequest& request, scene::TileKey tile) {
@@ -75,10 +75,10 @@ Result<double> write_one_file(const BakeRequest& request, const scene::Scene& sc
     return tile.error_m;
   }
   std::vector<bake::PlacedLamp> lights;
-  const auto by_tile = lights_of_tiles(scene, outputs.lights, request.spec.threads);
+  const auto by_tile = outputs::lights_of_tiles(scene, outputs.lights, request.spec.threads);
   for (std::size_t i = 0; i < by_tile.size(); ++i)
     if (is_asked_for(request, scene.chunks[i].tile)) lights.insert(lights.end(), by_tile[i].begin(), by_tile[i].end());
-  exporters::GlbOptions options = verify::glb_options_of(outputs);
+  exporters::GlbOptions options = outputs::glb_options_of(outputs);
   options.lights = lights;
   const exporters::EncodedTile encoded = exporters::encode_tile(tile, header, options, request.spec.threads);
   if (const Result<Done> done = exporters::write_file(request.out_path, encoded.glb); !done) return done.error();
@@ -124,11 +124,11 @@ Result<bake::BakedTile> bake_for_view(const BakeRequest& request, const scene::S
     const scene::Chunk& chunk = scene.chunks[i];
     if (!is_asked_for(request, chunk.tile)) continue;
     std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads, prototypes,
-                                 verify::most_instances_of(request.spec.outputs.target)),
+                                 outputs::most_instances_of(request.spec.outputs.target)),
                       std::back_inserter(parts));
   }
   if (parts.empty()) return Error{"", "the scene has none of the requested tiles"};
-  return join_tiles(parts);
+  return bake::join_tiles(parts);
 }
 
 Result<Exit> bake_view_to_file(const BakeRequest& request, const Console& console) {
@@ -160,16 +160,19 @@ Result<Exit> bake_to_folder(const BakeRequest& request, const Console& console) 
   const InterruptNotice notice;
   Report report;
   const Outputs& outputs = request.spec.outputs;
-  const Result<WrittenOutputs> written =
-      write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
+  const Result<outputs::WrittenOutputs> written =
+      outputs::write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
   if (!written) return written.error();
-  const std::string json = verify::report_json(scene->header, *scene, report, written->files, outputs,
-                                               {verify::measure_heights(*scene, request.spec.threads)});
-  if (const Result<Done> done = commit_outputs(*written, json, scene->header, *folder); !done) return done.error();
+  const std::string json =
+      outputs::report_json(scene->header, *scene, report, written->files, outputs,
+                           verify::heights_json({verify::measure_heights(*scene, request.spec.threads)}));
+  if (const Result<Done> done = outputs::commit_outputs(*written, json, scene->header, *folder); !done)
+    return done.error();
 
   console.print_line(
       fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->files.bytes() * 1e-6));
-  print_notes(request.out_path, *written, folder->files(), console);
+  for (const std::string& note : outputs::notes_of(request.out_path, *written, folder->files()))
+    console.print_line(note);
   console.print_json(json);
   return Exit::kDone;
 }

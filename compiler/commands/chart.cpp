@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "compiler/commands/verb.h"
-#include "compiler/commands/view_options.h"
+#include "compiler/commands/view/view_options.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/spec.h"
 

@@ -10,29 +10,30 @@
 #include "compiler/commands/print_check_results.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/worst_page.h"
+#include "compiler/commands/view/worst_page.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/outputs/findings.h"
 #include "compiler/verify/check_folder.h"
 #include "compiler/verify/check_seams.h"
 #include "compiler/verify/check_tile.h"
 #include "compiler/verify/check_tileset.h"
 #include "compiler/verify/check_usd.h"
-#include "compiler/verify/findings.h"
 #include "compiler/verify/measure_earthworks.h"
 #include "compiler/verify/worst_places.h"
 #include "exporters/file.h"
 #include "exporters/kiln/manifest.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::commands {
 namespace {
 
-// The largest height difference that counts as none.
+// The largest height difference that does not count, in metres.
 constexpr double kNoJump_m = 0.01;
 
 Result<verify::LoadedRun> open_run(const std::string& folder) {
-  Result<verify::RunRecord> record = verify::read_report(folder);
+  Result<outputs::RunRecord> record = outputs::read_report(folder);
   if (!record) return record.error();
-  Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
+  Result<scene::Scene> scene = exporters::read_manifest(folder + "/" + exporters::kManifestName, {});
   if (!scene) return scene.error();
   auto prototypes = std::make_shared<const bake::PrototypeCache>(scene->header);
   return verify::LoadedRun{
@@ -58,11 +59,11 @@ void check_recipes(const scene::Scene& scene, int threads, verify::CheckResults&
 }
 
 // Groups the files by tile, in the order of tiles, then levels.
-std::vector<std::vector<verify::WrittenTile>> by_tile(std::vector<verify::WrittenTile> written) {
-  const auto key = [](const verify::WrittenTile& w) { return std::pair(w.tile, w.level); };
+std::vector<std::vector<outputs::WrittenTile>> by_tile(std::vector<outputs::WrittenTile> written) {
+  const auto key = [](const outputs::WrittenTile& w) { return std::pair(w.tile, w.level); };
   std::ranges::stable_sort(written, {}, key);
-  std::vector<std::vector<verify::WrittenTile>> tiles;
-  for (verify::WrittenTile& each : written) {
+  std::vector<std::vector<outputs::WrittenTile>> tiles;
+  for (outputs::WrittenTile& each : written) {
     if (tiles.empty() || tiles.back().front().tile != each.tile) tiles.emplace_back();
     tiles.back().push_back(std::move(each));
   }
@@ -71,7 +72,7 @@ std::vector<std::vector<verify::WrittenTile>> by_tile(std::vector<verify::Writte
 
 Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int threads, const OnProgress& on_progress,
                                          verify::CheckResults results) {
-  const std::vector<std::vector<verify::WrittenTile>> tiles = by_tile(loaded.record.tiles);
+  const std::vector<std::vector<outputs::WrittenTile>> tiles = by_tile(loaded.record.tiles);
   std::vector<std::optional<Result<verify::CheckedTile>>> slots(tiles.size());
   verify::BordersByTile borders;
   Result<Done> done = Done{};
@@ -95,7 +96,7 @@ Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int th
 // The USD outputs, tile by tile.
 Result<Done> check_usd(const verify::LoadedRun& loaded, int threads, verify::CheckResults& results) {
   if (loaded.record.usd.empty()) return Done{};
-  const std::vector<std::vector<verify::WrittenTile>> tiles = by_tile(loaded.record.usd);
+  const std::vector<std::vector<outputs::WrittenTile>> tiles = by_tile(loaded.record.usd);
   const auto checked = for_each_slot<std::optional<Result<verify::CheckResults>>>(
       tiles.size(), threads, [&](std::size_t i) { return std::optional(verify::check_usd_tile(loaded, tiles[i])); });
   for (const auto& tile : checked) {
@@ -120,17 +121,18 @@ struct CheckRequest {
   int threads = 0;
 };
 
-Result<std::vector<verify::Finding>> read_findings(const std::string& folder) {
-  const Result<std::vector<std::byte>> bytes = exporters::read_file(folder + "/findings.json");
+Result<std::vector<outputs::Finding>> read_findings(const std::string& folder) {
+  const std::string path = folder + "/" + exporters::kFindingsName;
+  const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
-  auto findings = verify::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-  if (!findings) return Error{folder + "/findings.json", findings.error().message};
+  auto findings = outputs::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  if (!findings) return Error{path, findings.error().message};
   return findings;
 }
 
 // The page of the worst places, if it is asked for.
 Result<Done> write_page(const CheckRequest& request, const verify::LoadedRun& loaded,
-                        std::span<const verify::Finding> findings, const verify::CheckResults& results,
+                        std::span<const outputs::Finding> findings, const verify::CheckResults& results,
                         const Console& console) {
   if (request.worst == 0) return Done{};
   const std::vector<verify::PlacesOfKind> kinds = verify::worst_places(
@@ -150,7 +152,7 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
   const std::string folder = folder_of(request.folder);
   const Result<verify::LoadedRun> loaded = open_run(folder);
   if (!loaded) return loaded.error();
-  const Result<std::vector<verify::Finding>> findings = read_findings(folder);
+  const Result<std::vector<outputs::Finding>> findings = read_findings(folder);
   if (!findings) return findings.error();
   verify::CheckResults recipes;
   if (const Result<Done> done = verify::check_folder(*loaded, request.threads, recipes); !done) return done.error();
@@ -159,7 +161,7 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
   recipes.ledger.tests = 1;
   for (const std::string& account : loaded->record.unbalanced) recipes.ledger.test_all(0, false, account);
   check_recipes(loaded->scene, request.threads, recipes);
-  recipes.clearances = verify::explained(std::move(recipes.clearances), *findings);
+  recipes.clearances = verify::with_findings(std::move(recipes.clearances), *findings);
   Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
   if (!results) return results.error();
   if (const Result<Done> done = check_usd(*loaded, request.threads, *results); !done) return done.error();

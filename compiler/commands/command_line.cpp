@@ -9,11 +9,10 @@
 
 #include "compiler/contract/nearest_name.h"
 #include "compiler/contract/parse.h"
+#include "compiler/contract/program_version.h"
 
 namespace citykiln::commands {
 namespace {
-
-constexpr const char* kProgramVersion = "citykiln " CITYKILN_VERSION;
 
 int fail(const Error& error, const Console& console) {
   console.print_error(error);

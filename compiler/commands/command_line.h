@@ -1,4 +1,4 @@
-// Parses argv and runs a verb. The only file that includes the command line parser, CLI11.
+// Parses argv and runs a verb. This is the only file that includes the command line parser, CLI11.
 #pragma once
 
 #include <span>

@@ -1,9 +1,9 @@
 // citykiln compile MAP … -o FOLDER: compiles a map to a manifest and bakes its tiles.
 #include <memory>
 
-#include "compiler/commands/compile_region.h"
 #include "compiler/commands/compile_request.h"
 #include "compiler/commands/compile_to_folder.h"
+#include "compiler/commands/plan/compile_region.h"
 #include "compiler/commands/verb.h"
 #include "compiler/pipeline.h"
 

@@ -18,7 +18,7 @@ Result<Done> give(CompileRequest& request, const Setting& setting, const std::st
   return Done{};
 }
 
-/// A map among the files after --dem: the map may stand last on the command line.
+/// Takes a map among the files after --dem, since the map may be last on the command line.
 Result<Done> give_map(CompileRequest& request, const std::string& text) {
   for (const auto& [setting, path] : request.given)
     if (setting->name == "map") return Error{"--dem", fmt::format("found a second map, {}, after {}", text, path)};

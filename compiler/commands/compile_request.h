@@ -10,15 +10,16 @@
 
 namespace citykiln::commands {
 
+/// The settings given on the command line.
 struct CompileRequest {
   std::string spec_path;
-  std::vector<std::pair<const Setting*, std::string>> given;  ///< In the order of the table.
+  std::vector<std::pair<const Setting*, std::string>> given;  ///< In the order of the table of settings.
 };
 
-/// The options of all settings, and --spec. The request must outlive them.
+/// Returns the options of all settings, and --spec. They store their values in the request, which must outlive them.
 std::vector<Option> options_of(CompileRequest& request);
 
-/// Reads the file of settings and applies those given. Errors: a file that cannot be read; a wrong value.
+/// Reads the file of settings and applies the given ones. Errors: a file that cannot be read; a wrong value.
 Result<CompileSpec> spec_of(const CompileRequest& request);
 
 }  // namespace citykiln::commands

@@ -3,21 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "compiler/commands/interrupt_notice.h"
-#include "compiler/commands/write_outputs.h"
 #include "compiler/contract/for_each_slot.h"
-#include "compiler/verify/run_report.h"
+#include "compiler/outputs/run_report.h"
+#include "compiler/outputs/write_outputs.h"
+#include "compiler/verify/heights_json.h"
 #include "exporters/output_folder.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::commands {
 namespace {
 
-void print_compile_summary(const CompileSpec& spec, const CompileResult& compiled, const WrittenOutputs& written,
-                           const std::vector<StageCost>& costs, const exporters::FileList& files,
-                           const Console& console) {
+void print_compile_summary(const CompileSpec& spec, const CompileResult& compiled,
+                           const outputs::WrittenOutputs& written, const std::vector<StageCost>& costs,
+                           const exporters::FileList& files, const Console& console) {
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
   for (const StageCost& cost : costs) {
@@ -28,7 +31,7 @@ void print_compile_summary(const CompileSpec& spec, const CompileResult& compile
   console.print_line(fmt::format("{}: {} tiles, {} files, {:.1f} MB, in {:.1f} s and {:.0f} MB of memory", folder,
                                  compiled.scene.chunks.size(), files.size() + 1, written.files.bytes() * 1e-6, seconds,
                                  peak_bytes * 1e-6));
-  print_notes(folder, written, files, console);
+  for (const std::string& note : outputs::notes_of(folder, written, files)) console.print_line(note);
   for (const auto& [code, count] : compiled.report.counts()) {
     console.print_line(
         fmt::format("  {:>8} {:<8} {}: {}", count, name_of(severity_of(code)), name_of(code), text_of(code)));
@@ -48,33 +51,34 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
   if (!compiled) return compiled.error();
   const scene::Header& header = compiled->scene.header;
 
-  // decided before baking, because objects left out at coarse levels are no defects of the data
-  const Exit exit = verify::is_violated(spec.strict, compiled->report) ? Exit::kStrictViolation : Exit::kDone;
-  std::vector<verify::Finding> findings =
-      verify::findings_of(compiled->report, compiled->places, compiled->layer_tags, header);
+  // decided before baking, because objects that coarse levels leave out are not defects of the data
+  const Exit exit = outputs::is_violated(spec.strict, compiled->report) ? Exit::kStrictViolation : Exit::kDone;
+  std::vector<outputs::Finding> findings =
+      outputs::findings_of(compiled->report, compiled->places, compiled->layer_tags, header);
 
   StageTimer timer(on_progress);
   timer.enter("bake and write");
-  Result<WrittenOutputs> written = WrittenOutputs{};
+  Result<outputs::WrittenOutputs> written = outputs::WrittenOutputs{};
   verify::HeightReport heights{{}, compiled->profiles};
   run_concurrently(
       spec.threads,
       [&] {
-        written = write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
+        written =
+            outputs::write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
       },
       [&] { heights.recipes = verify::measure_heights(compiled->scene, spec.threads); });
   if (!written) return written.error();
-  heights.recipes.clearances = verify::explained(std::move(heights.recipes.clearances), findings);
+  heights.recipes.clearances = verify::with_findings(std::move(heights.recipes.clearances), findings);
   written->findings.insert(written->findings.begin(), findings.begin(), findings.end());
   std::vector<StageCost> costs = compiled->costs;
   for (StageCost& cost : timer.finish()) costs.push_back(std::move(cost));
 
-  const std::string report =
-      verify::report_json(header, compiled->scene, compiled->report, written->files, spec.outputs, heights);
-  const std::string timing = verify::timing_json(costs, spec.threads);
-  if (const Result<Done> done = folder->write_varying("timing.json", exporters::bytes_of(timing)); !done)
+  const std::string report = outputs::report_json(header, compiled->scene, compiled->report, written->files,
+                                                  spec.outputs, verify::heights_json(heights));
+  const std::string timing = outputs::timing_json(costs, spec.threads);
+  if (const Result<Done> done = folder->write_varying(exporters::kTimingName, exporters::bytes_of(timing)); !done)
     return done.error();
-  if (const Result<Done> done = commit_outputs(*written, report, header, *folder); !done) return done.error();
+  if (const Result<Done> done = outputs::commit_outputs(*written, report, header, *folder); !done) return done.error();
 
   print_compile_summary(spec, *compiled, *written, costs, folder->files(), console);
   console.print_json(report);

@@ -24,7 +24,7 @@ constexpr auto kRedrawInterval = std::chrono::milliseconds(50);
 constexpr double kLeastShare = 0.02;
 constexpr auto kLeastTime = std::chrono::seconds(2);
 
-/// ", 1:05 left" if the stage goes on at the same speed; empty while that is unknown.
+/// Returns ", 1:05 left", for a stage that continues at the same speed; "" while that is unknown.
 std::string time_left(Clock::duration spent, double share) {
   if (share < kLeastShare || spent < kLeastTime) return "";
   const double left_s = std::chrono::duration<double>(spent).count() * (1 - share) / share;

@@ -1,4 +1,4 @@
-// Console output: lines of text, JSON documents, and a progress bar.
+// Prints lines of text, JSON documents and a progress bar.
 #pragma once
 
 #include <memory>
@@ -10,6 +10,7 @@
 
 namespace citykiln::commands {
 
+/// The output of a command.
 struct Console {
   bool is_json = false;   ///< --json: prints one JSON document on stdout and nothing else.
   bool is_quiet = false;  ///< --quiet: prints errors only.
@@ -18,12 +19,13 @@ struct Console {
   void print_line(std::string_view line) const;
   /// Prints a JSON document on stdout if is_json.
   void print_json(std::string_view json) const;
-  /// Prints an error as one line on stderr, and if is_json as an object on stdout too:
-  /// {"error": {"file": …, "place": …, "message": …}}, where file and place are null if the error has none. The file is
-  /// a path; the place is a line and column, a byte, a tile, or an option.
+  /// Prints an error as one line on stderr. If is_json, also prints an object on stdout:
+  /// {"error": {"file": …, "place": …, "message": …}}.
+  /// File and place are null if the error has none. The file is a path; the place is a line and column, a byte, a tile,
+  /// or an option.
   void print_error(const Error& error) const;
-  /// Returns a listener that draws a progress bar with the time left on stderr after one second, if stderr is a
-  /// terminal and the console is neither quiet nor JSON. The bar is erased when the last copy of the listener is
+  /// Returns a function that draws a progress bar with the remaining time on stderr after one second, if stderr is a
+  /// terminal and the console is neither quiet nor JSON. The bar is erased when the last copy of the function is
   /// destroyed.
   OnProgress progress() const;
 };

@@ -1,8 +1,8 @@
-// citykiln gather PLAN: makes one run of the outputs of all regions, in PLAN/out.
+// citykiln gather PLAN: joins the outputs of all regions to one run, in PLAN/out.
 //
-// A region reports the elements that it owns (source/owned_elements.h) and its own tiles, the survey what belongs to no
-// region, and the plan counts the elements of the extract. So everything is counted once, and the sums are those of one
-// run.
+// A region reports the elements that it owns (source/owned_elements.h) and its own tiles. The survey reports facts that
+// belong to no region, and the plan counts the elements of the extract. Thus each object is counted once, and the sums
+// are those of a single run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,35 +10,35 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
-#include "compiler/commands/gather_tileset.h"
-#include "compiler/commands/gather_usd.h"
-#include "compiler/commands/plan_file.h"
-#include "compiler/commands/region_state.h"
+#include "compiler/commands/plan/gather_tileset.h"
+#include "compiler/commands/plan/gather_usd.h"
+#include "compiler/commands/plan/plan_file.h"
+#include "compiler/commands/plan/region_state.h"
+#include "compiler/commands/plan/zone_lists.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/write_outputs.h"
-#include "compiler/commands/write_tiles3d.h"
-#include "compiler/commands/zone_lists.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/outputs/findings.h"
+#include "compiler/outputs/run_report.h"
+#include "compiler/outputs/write_outputs.h"
+#include "compiler/outputs/write_tiles3d.h"
 #include "compiler/verify/check_seams.h"
-#include "compiler/verify/findings.h"
-#include "compiler/verify/measure_heights.h"
-#include "compiler/verify/run_report.h"
+#include "compiler/verify/heights_json.h"
 #include "exporters/file.h"
 #include "exporters/file_list.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
+#include "exporters/run_files.h"
 #include "exporters/usd/usd_names.h"
 
 namespace citykiln::commands {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string kTilesetFolder = "3dtiles/";
 
 /// A file of the run, and where a region has it.
 struct PlacedFile {
@@ -49,10 +49,10 @@ struct PlacedFile {
 /// The outputs of all regions.
 struct Gathered {
   scene::Scene scene;
-  verify::WrittenFiles files;
-  std::vector<verify::Finding> findings;
-  Report ledger;                             ///< Without diagnoses.
-  std::vector<std::string> missing;          ///< One line for each region that is not whole, and why.
+  outputs::WrittenFiles files;
+  std::vector<outputs::Finding> findings;
+  Report ledger;                             ///< The ledger, without diagnoses.
+  std::vector<std::string> missing;          ///< One line per region that is not complete, with the reason.
   std::map<std::string, PlacedFile> placed;  ///< By name.
   std::vector<exporters::TilesetTile> tilesets;
   std::vector<exporters::UsdTile> usd_tiles;
@@ -68,7 +68,7 @@ void add_texts(const std::vector<Text>& more, std::vector<Text>& texts) {
 
 /// Error: a region whose header differs from the others' in more than rules and species.
 Result<Done> add_scene(const std::string& folder, const PlannedRegion& region, Gathered& all) {
-  Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
+  Result<scene::Scene> scene = exporters::read_manifest(folder + "/" + exporters::kManifestName, {});
   if (!scene) return scene.error();
   if (scene->chunks.size() != region.tiles)
     return Error{folder, fmt::format("has {} of {} tiles", scene->chunks.size(), region.tiles)};
@@ -84,15 +84,17 @@ Result<Done> add_scene(const std::string& folder, const PlannedRegion& region, G
   return Done{};
 }
 
-/// The name that a file of a region has in the whole; none if the whole writes one of its own. Regions have contents of
-/// 3D Tiles with equal names for parts of the same inner tile.
+/// Returns the name that a file of a region has in the whole; empty if the whole writes its own. Several regions can
+/// have contents of 3D Tiles with equal names, for parts of the same inner tile.
 std::optional<std::string> name_in_whole(const std::string& name, const std::string& region) {
-  static const std::set<std::string> kOwn = {"scene.kiln",  "report.json",        "findings.json",
-                                             "timing.json", exporters::kKeysName, exporters::kUsdSceneName};
+  static const std::set<std::string> kOwn = {exporters::kManifestName, exporters::kReportName,
+                                             exporters::kFindingsName, exporters::kTimingName,
+                                             exporters::kKeysName,     exporters::kUsdSceneName};
+  static const std::string kTilesets = std::string(exporters::kTilesetFolder) + "/";
   if (kOwn.contains(name)) return std::nullopt;
-  if (!name.starts_with(kTilesetFolder)) return name;
+  if (!name.starts_with(kTilesets)) return name;
   if (name.ends_with(".json")) return std::nullopt;
-  return kTilesetFolder + region + "/" + name.substr(kTilesetFolder.size());
+  return kTilesets + region + "/" + name.substr(kTilesets.size());
 }
 
 /// Files that regions have in common, such as clouds, count once. Error: a listed file that is missing or damaged.
@@ -114,15 +116,16 @@ Result<Done> add_files(const std::string& folder, const std::string& region, Gat
 Result<Done> add_findings(const std::string& path, Gathered& all) {
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
-  Result<std::vector<verify::Finding>> findings =
-      verify::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  Result<std::vector<outputs::Finding>> findings =
+      outputs::parse_findings({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
   if (!findings) return findings.error();
   std::ranges::move(*findings, std::back_inserter(all.findings));
   return Done{};
 }
 
-/// Accounts of elements are the plan's: regions do not have all elements.
-void add_ledger(const Report& region, Gathered& all) {
+/// Adds the ledger of a region, without the accounts of elements, which the plan counts: regions do not have all
+/// elements.
+void add_region_ledger(const Report& region, Gathered& all) {
   static const std::set<std::string> kOfPlan = {"source/node", "source/way", "source/relation"};
   Report own;
   for (const auto& [name, account] : region.ledger()) {
@@ -132,11 +135,11 @@ void add_ledger(const Report& region, Gathered& all) {
   all.ledger.append(own);
 }
 
-/// What the roots of 3D Tiles and USD name.
+/// Reads the trees to which the roots of 3D Tiles and USD refer.
 Result<Done> add_trees(const std::string& folder, const std::string& name, std::span<const scene::TileKey> own,
                        const Outputs& outputs, Gathered& all) {
   if (outputs.tiles3d) {
-    Result<exporters::TilesetTile> tree = read_region_tileset(folder + "/3dtiles", name + "/");
+    Result<exporters::TilesetTile> tree = read_region_tileset(folder + "/" + exporters::kTilesetFolder, name + "/");
     if (!tree) return tree.error();
     all.tilesets.push_back(std::move(*tree));
   }
@@ -154,14 +157,14 @@ Result<Done> add_region(const Plan& plan, const PlannedRegion& region, const std
   if (state.state == TaskState::kFailed) return Error{"", "failed: " + state.error};
   if (state.state != TaskState::kDone) return Error{"", std::string(name_of(state.state))};
   const std::string folder = outputs_path(plan_folder, region.key);
-  const Result<verify::RunRecord> record = verify::read_report(folder);
+  const Result<outputs::RunRecord> record = outputs::read_report(folder);
   if (!record) return record.error();
   if (Result<Done> done = add_files(folder, to_string(region.key), all); !done) return done;
   if (Result<Done> done = add_scene(folder, region, all); !done) return done;
-  if (Result<Done> done = add_findings(folder + "/findings.json", all); !done) return done;
+  if (Result<Done> done = add_findings(folder + "/" + exporters::kFindingsName, all); !done) return done;
   const std::vector<scene::TileKey> own = regions::tiles_of(plan.grid, region.key);
   if (Result<Done> done = add_trees(folder, to_string(region.key), own, outputs, all); !done) return done;
-  add_ledger(record->ledger, all);
+  add_region_ledger(record->ledger, all);
   std::ranges::copy(record->usd, std::back_inserter(all.files.usd));
   std::ranges::copy(record->tiles, std::back_inserter(all.files.tiles));
   return Done{};
@@ -180,7 +183,7 @@ Gathered gather_regions(const Plan& plan, const std::string& plan_folder, const 
       all.missing.push_back(fmt::format("region {}: {}", to_string(plan.regions[i].key), to_string(added.error())));
   }
   std::ranges::sort(all.scene.chunks, {}, &scene::Chunk::tile);
-  const auto key = [](const verify::WrittenTile& t) { return std::pair(t.tile, t.level); };
+  const auto key = [](const outputs::WrittenTile& t) { return std::pair(t.tile, t.level); };
   std::ranges::sort(all.files.tiles, {}, key);
   std::ranges::sort(all.files.usd, {}, key);
   std::ranges::sort(all.usd_tiles, {}, &exporters::UsdTile::tile);
@@ -189,11 +192,11 @@ Gathered gather_regions(const Plan& plan, const std::string& plan_folder, const 
 
 Report report_of(const Gathered& all) {
   Report report = all.ledger;
-  for (const verify::Finding& finding : all.findings) report.add(finding.diagnosis);
+  for (const outputs::Finding& finding : all.findings) report.add(finding.diagnosis);
   return report;
 }
 
-/// Whether a neighbouring tile belongs to another region.
+/// True if a neighbouring tile belongs to another region.
 bool is_at_side(const regions::RegionGrid& grid, scene::TileKey tile) {
   const auto across = static_cast<std::int32_t>(grid.region_m / grid.tile_m);
   const auto is_outermost = [&](std::int32_t v) {
@@ -207,8 +210,8 @@ bool is_at_side(const regions::RegionGrid& grid, scene::TileKey tile) {
 /// does not fit; the error names the first and the console all.
 Result<Done> check_sides(const Plan& plan, const Gathered& all, const std::string& plan_folder, int threads,
                          const Console& console) {
-  std::vector<const verify::WrittenTile*> tiles;
-  for (const verify::WrittenTile& tile : all.files.tiles)
+  std::vector<const outputs::WrittenTile*> tiles;
+  for (const outputs::WrittenTile& tile : all.files.tiles)
     if (is_at_side(plan.grid, tile.tile)) tiles.push_back(&tile);
   const auto read = for_each_slot<std::optional<Result<verify::Borders>>>(
       tiles.size(), threads, [&](std::size_t i) -> std::optional<Result<verify::Borders>> {
@@ -241,7 +244,7 @@ Result<Done> write_roots(Gathered& all, const Outputs& outputs, exporters::Outpu
     if (Result<Done> done = write(exporters::kUsdSceneName, scene); !done) return done;
   }
   if (all.tilesets.empty()) return Done{};
-  const Result<exporters::TilesetFacts> facts = tileset_facts(all.scene.header, outputs);
+  const Result<exporters::TilesetFacts> facts = outputs::tileset_facts(all.scene.header, outputs);
   if (!facts) return facts.error();
   for (const exporters::TilesetFile& file : exporters::encode_tileset(joined_trees(std::move(all.tilesets)), *facts))
     if (Result<Done> done = write(file.name, exporters::bytes_of(file.json)); !done) return done;
@@ -252,22 +255,22 @@ Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(path);
   if (!folder) return folder.error();
   const std::vector<std::byte> manifest = exporters::encode_manifest(all.scene, spec.threads);
-  if (Result<Done> done = folder->write("scene.kiln", manifest); !done) return done;
-  all.files.files.push_back({"scene.kiln", manifest.size()});
+  if (Result<Done> done = folder->write(exporters::kManifestName, manifest); !done) return done;
+  all.files.files.push_back({exporters::kManifestName, manifest.size()});
   std::set<std::string> tiles;
-  for (const verify::WrittenTile& tile : all.files.tiles) tiles.insert(tile.file.name);
-  for (const verify::WrittenTile& tile : all.files.usd) tiles.insert(tile.file.name);
+  for (const outputs::WrittenTile& tile : all.files.tiles) tiles.insert(tile.file.name);
+  for (const outputs::WrittenTile& tile : all.files.usd) tiles.insert(tile.file.name);
   for (const auto& [name, placed] : all.placed) {
     if (Result<Done> done = folder->adopt(placed.file, placed.path); !done) return done;
     if (!tiles.contains(name)) all.files.files.push_back({name, placed.file.bytes});
   }
   if (Result<Done> done = write_roots(all, spec.outputs, *folder); !done) return done;
   verify::HeightReport heights{verify::measure_heights(all.scene, spec.threads), {}};
-  heights.recipes.clearances = verify::explained(std::move(heights.recipes.clearances), all.findings);
-  const std::string report =
-      verify::report_json(all.scene.header, all.scene, report_of(all), all.files, spec.outputs, heights);
-  WrittenOutputs written{.files = all.files, .findings = all.findings, .solved = {}};
-  return commit_outputs(written, report, all.scene.header, *folder);
+  heights.recipes.clearances = verify::with_findings(std::move(heights.recipes.clearances), all.findings);
+  const std::string report = outputs::report_json(all.scene.header, all.scene, report_of(all), all.files, spec.outputs,
+                                                  verify::heights_json(heights));
+  outputs::WrittenOutputs written{.files = all.files, .findings = all.findings, .solved = {}};
+  return outputs::commit_outputs(written, report, all.scene.header, *folder);
 }
 
 Result<Exit> gather(const std::string& plan_folder, const Console& console) {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "compiler/commands/geojson.h"
-#include "compiler/commands/map_layers.h"
+#include "compiler/commands/layers/geojson.h"
+#include "compiler/commands/layers/map_layers.h"
+#include "compiler/commands/layers/scene_layers.h"
 #include "compiler/commands/run_paths.h"
-#include "compiler/commands/scene_layers.h"
 #include "compiler/commands/verb.h"
 #include "compiler/map/locate.h"
 #include "compiler/roads/junctions/layers.h"
@@ -20,6 +20,7 @@
 #include "exporters/gltf/material_names.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
+#include "exporters/run_files.h"
 #include "exporters/settle_folder.h"
 
 namespace citykiln::commands {
@@ -54,7 +55,7 @@ OrderedJson describe(const scene::Scene& scene) {
   OrderedJson json = {
       {"form", "manifest"},
       {"origin_lonlat_deg", {header.origin.lon_deg, header.origin.lat_deg}},
-      {"region_m", {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y}},
+      {"region_m", {header.extent.min.x, header.extent.min.y, header.extent.max.x, header.extent.max.y}},
       {"tile_m", header.tile_m},
       {"seed", header.seed},
       {"resampling_error_m", header.resampling_error_m},
@@ -168,7 +169,7 @@ Result<Done> write_findings(const InspectRequest& request) {
   if (!std::filesystem::is_directory(folder, none))
     return Error{request.path, "has no findings; expected the folder of a run, or the scene.kiln in it"};
   if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
-  const Result<std::vector<std::byte>> findings = exporters::read_file(folder + "/findings.json");
+  const Result<std::vector<std::byte>> findings = exporters::read_file(folder + "/" + exporters::kFindingsName);
   if (!findings) return findings.error();
   return exporters::write_file(request.geojson_path, *findings);
 }

@@ -1,10 +1,10 @@
-// What a run says when it is interrupted by Ctrl-C or by a system that shuts down.
+// Prints a message when a run is interrupted by Ctrl-C or by a system that shuts down.
 #pragma once
 
 namespace citykiln::commands {
 
-/// While it lives, SIGINT and SIGTERM print a line on stderr that says what is left, and end the process at once with
-/// exit code 128 + signal. Nothing needs to be undone: the folder of a run is valid at every moment
+/// During its lifetime, SIGINT and SIGTERM print a line on stderr that says what remains, and end the process at once
+/// with exit code 128 + signal. Nothing needs to be undone, since the folder of a run is valid at every moment
 /// (exporters/output_folder.h).
 class InterruptNotice {
  public:

@@ -7,19 +7,19 @@
 #include <memory>
 
 #include "compiler/commands/compile_request.h"
-#include "compiler/commands/expected_cost.h"
-#include "compiler/commands/plan_file.h"
-#include "compiler/commands/plan_status.h"
-#include "compiler/commands/survey_file.h"
-#include "compiler/commands/task_lists.h"
+#include "compiler/commands/plan/expected_cost.h"
+#include "compiler/commands/plan/plan_file.h"
+#include "compiler/commands/plan/plan_status.h"
+#include "compiler/commands/plan/survey_file.h"
+#include "compiler/commands/plan/task_lists.h"
+#include "compiler/commands/plan/zone_lists.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/zone_lists.h"
 #include "compiler/contract/give_back_memory.h"
-#include "compiler/map/choose_extent.h"
+#include "compiler/map/extent/choose_extent.h"
+#include "compiler/outputs/findings.h"
 #include "compiler/regions/cut_extract.h"
 #include "compiler/regions/radii.h"
 #include "compiler/regions/zones.h"
-#include "compiler/verify/findings.h"
 #include "exporters/file.h"
 #include "exporters/output_folder.h"
 
@@ -34,7 +34,7 @@ struct PlanRequest {
   std::string status, geojson;
 };
 
-/// Error: the outputs are such as regions do not have yet.
+/// Checks that regions can have these outputs. Error: they do not have them yet.
 Result<Done> can_be_planned(const CompileSpec& spec) {
   if (spec.outputs.surroundings && (spec.outputs.usd || spec.outputs.tiles3d))
     return Error{"--surroundings", "a plan writes the land around the map as .glb only; leave usd and 3dtiles out"};
@@ -63,11 +63,11 @@ Result<Plan> make_plan(const PlanRequest& request, const CompileSpec& spec, cons
             .regions = {},
             .elements = {}};
   for (const auto& [setting, text] : request.compile.given) plan.settings.emplace_back(setting->name, text);
-  plan.grid = {.extent = map::region_of(plane, extent),
+  plan.grid = {.extent = map::extent_of(plane, extent),
                .tile_m = spec.tile_m,
                .region_m = request.region_m,
                .halo_m = request.halo_m};
-  if (const Result<Done> sound = regions::is_sound(plan.grid); !sound) return sound.error();
+  if (const Result<Done> sound = regions::check_grid(plan.grid); !sound) return sound.error();
   if (plan.grid.extent.width() > map::kMaxSide_m || plan.grid.extent.height() > map::kMaxSide_m)
     return Error{spec.map_path, fmt::format("the area measures {:.0f} x {:.0f} km; give a part of at most {:.0f} km a "
                                             "side with --bbox W,S,E,N",
@@ -91,7 +91,7 @@ void describe_regions(const regions::CutFiles& files, const map::Heightfield& he
                          .file = files.regions[i],
                          .terrain_vertices = vertices_near(heights, plan.grid, keys[i]),
                          .expected = {}};
-    region.expected = expected_cost(region, plan.grid.tile_m, spec.outputs.ladder_m);
+    region.expected = expected_cost(region, plan.grid.tile_m, spec.outputs.tolerances_m);
     plan.regions.push_back(region);
   }
   plan.elements = files.report;
@@ -155,8 +155,8 @@ Result<Exit> plan_extent(const PlanRequest& request, const CompileSpec& spec, co
   const Result<Survey> surveyed = survey(spec, folder + "/cut/survey.osm.pbf", extent, report, on_progress);
   if (!surveyed) return surveyed.error();
   if (Result<Done> done = write_survey(*surveyed, plan->grid, folder, spec.threads); !done) return done.error();
-  const std::vector<verify::Finding> findings = verify::findings_of(report, surveyed->places, {}, surveyed->header);
-  const std::string diagnosed = verify::findings_json(findings, surveyed->header);
+  const std::vector<outputs::Finding> findings = outputs::findings_of(report, surveyed->places, {}, surveyed->header);
+  const std::string diagnosed = outputs::findings_json(findings, surveyed->header);
   if (Result<Done> done = write_if_changed(survey_findings_path(folder), diagnosed); !done) return done.error();
   describe_regions(*files, surveyed->heights, spec, *plan);
   if (Result<Done> done = write_lists(*plan, folder); !done) return done.error();
@@ -177,7 +177,7 @@ Result<Exit> plan_zones(const PlanRequest& request, const CompileSpec& spec, con
   for (const regions::Zone& zone : zones) {
     CompileSpec of_zone = spec;
     of_zone.outputs.folder = zone_path(spec.outputs.folder, to_string(zone));
-    // what was diagnosed of the whole extent is told once
+    // diagnoses of the whole extent are reported once
     Report report = &zone == &zones.front() ? of_extent : Report();
     const Result<Exit> planned = plan_extent(request, of_zone, zone.box, report, console);
     if (!planned) return planned;

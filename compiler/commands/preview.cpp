@@ -7,14 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compiler/commands/camera_options.h"
-#include "compiler/commands/frame_names.h"
-#include "compiler/commands/load_cells.h"
-#include "compiler/commands/load_tiles.h"
-#include "compiler/commands/preview_scene.h"
 #include "compiler/commands/stop_on_interrupt.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/view_options.h"
+#include "compiler/commands/view/camera_options.h"
+#include "compiler/commands/view/frame_names.h"
+#include "compiler/commands/view/load_cells.h"
+#include "compiler/commands/view/load_tiles.h"
+#include "compiler/commands/view/preview_scene.h"
+#include "compiler/commands/view/view_options.h"
 #include "compiler/contract/parse.h"
 #include "compiler/spec.h"
 #include "preview/camera/cell_view.h"
@@ -86,7 +86,7 @@ std::vector<preview::Metadata> metadata_of(const preview::Image& image, const pr
 // Eyes that have a surface this near in all directions of the picture are inside something.
 constexpr double kBlind_m = 0.3;
 
-// What all frames have in common.
+// The data that all frames share.
 struct Stage {
   const PreviewRequest& request;
   const PreviewScene& scene;

@@ -50,7 +50,7 @@ OrderedJson shortfall_json(std::span<const verify::ClearanceShortfall> shortfall
   return json;
 }
 
-// The crossings that the map explains are counted apart.
+// Shortfalls that the map's tags cause are counted separately.
 OrderedJson print_measure(const verify::Clearances& c, const Console& console) {
   const verify::ClearanceShortfall worst = c.shortfalls.empty() ? verify::ClearanceShortfall{} : c.shortfalls.front();
   console.print_line(fmt::format(

@@ -6,7 +6,7 @@
 
 namespace citykiln::commands {
 
-/// Prints one line for each guarantee and measure, or one JSON array.
+/// Prints one line per guarantee and measure, or one JSON array.
 void print(const verify::CheckResults& results, const Console& console);
 
 }  // namespace citykiln::commands

@@ -1,4 +1,4 @@
-// The files of a run, by the folder or by a file in it.
+// The manifest and the folder of a run, given either of them.
 #pragma once
 
 #include <string>
@@ -7,11 +7,13 @@
 
 namespace citykiln::commands {
 
-/// "OUT/scene.kiln" for the folder of a run, "OUT"; any other path as it is. Finishes an interrupted commit of the
-/// folder first, also for "OUT/scene.kiln". Error: a folder without a manifest.
+/// Returns "OUT/scene.kiln" for "OUT", the folder of a run; any other path unchanged. The manifest is the file
+/// with the scene. Changes the folder, also for "OUT/scene.kiln": if a run was interrupted while its complete files
+/// were moved into the folder, the function first moves the others (exporters/settle_folder.h). Errors: a folder
+/// without a manifest; files that cannot be moved.
 Result<std::string> manifest_of(const std::string& path);
 
-/// "OUT" for "OUT/scene.kiln", "." for "scene.kiln"; any other path as it is.
+/// Returns "OUT" for "OUT/scene.kiln" and "." for "scene.kiln"; any other path unchanged.
 std::string folder_of(const std::string& path);
 
 }  // namespace citykiln::commands

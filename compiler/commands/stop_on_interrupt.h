@@ -1,12 +1,12 @@
-// Ctrl-C that ends work early and keeps what is done.
+// Lets Ctrl-C end work early and keep the finished part.
 #pragma once
 
 #include <atomic>
 
 namespace citykiln::commands {
 
-/// While it lives, the first SIGINT sets is_stopped() instead of ending the process, and prints a line on stderr; the
-/// second one ends the process. One at a time.
+/// During its lifetime the first SIGINT sets is_stopped(), instead of ending the process, and prints a line on stderr.
+/// The second one ends the process. Only one object may exist at a time.
 class StopOnInterrupt {
  public:
   StopOnInterrupt();

@@ -1,5 +1,4 @@
-// A verb of the command line as a table: its options, and the function that runs it. Only command_line.cpp includes the
-// command line parser.
+// The verbs of the command line (such as `compile`) as tables: options, and a function that runs the verb.
 #pragma once
 
 #include <functional>
@@ -14,31 +13,33 @@
 
 namespace citykiln::commands {
 
-/// The program's exit codes. kFailed belongs to an Error.
+/// The exit codes of the program. A verb that returns an Error ends with kFailed.
 enum class Exit : int { kDone = 0, kFailed = 1, kStrictViolation = 2 };
 
-/// Takes the text of an option's value.
+/// A function that parses and stores the value of an option.
 using Take = std::function<Result<Done>(const std::string& text)>;
 
 /// One option of a verb.
 struct Option {
   std::string flags;  ///< "-o,--out"; a name without dashes is a positional argument.
-  /// Name of the value in the help, "FILE"; empty for a switch, which passes "true"; "[=CODE]" for a switch that can
-  /// have a value.
+  /// The name of the value in the help, such as "FILE"; empty for a switch, which passes "true"; "[=CODE]" for a switch
+  /// with an optional value.
   std::string value;
   std::string help;
   bool repeats = false;
   Take take;                   ///< Called for each value, in the order of the table.
-  bool takes_several = false;  ///< Several values may follow the flag once.
+  bool takes_several = false;  ///< Several values may follow one flag.
 };
 
+/// A verb of the command line, such as `compile`.
 struct Verb {
   std::string name, help;
   std::vector<Option> options;
-  std::function<Result<Exit>(const Console& console)> run;  ///< Called after all options were taken.
-  std::vector<std::string> examples{};                      ///< Whole command lines for the help.
+  std::function<Result<Exit>(const Console& console)> run;  ///< Called after all options are stored.
+  std::vector<std::string> examples{};                      ///< Complete command lines for the help.
 };
 
+/// Returns the verb of this name, here and below.
 Verb compile_verb();
 Verb bake_verb();
 Verb preview_verb();
@@ -48,23 +49,23 @@ Verb chart_verb();
 Verb plan_verb();
 Verb gather_verb();
 
-/// The numbers above `low` and below `high`; both are included if the range is closed.
+/// A range of numbers. Both ends are included if it is closed, else neither.
 struct NumberRange {
   double low = 0, high = std::numeric_limits<double>::infinity();
   bool is_closed = false;
 };
 
-/// Stores the text. The reference must outlive the option, here and in the functions below.
+/// Returns a function that stores the text in a variable. The variable must outlive the option, here and below.
 Take store_text(std::string& text);
-/// Appends the text to a list.
+/// Returns a function that appends the text to a list.
 Take append_text(std::vector<std::string>& texts);
-/// Stores a number of the range.
+/// Returns a function that stores a number, if it is in the range.
 Take store_number(double& number, NumberRange range);
 Take store_number(std::optional<double>& number, NumberRange range);
-/// Stores a tolerance: metres above 0, at most kCoarsest_m.
+/// Returns a function that stores a tolerance: metres above 0, at most kCoarsest_m.
 Take store_tolerance(double& tolerance_m);
 Take store_tolerance(std::optional<double>& tolerance_m);
-/// Stores an integer of at least `least`.
+/// Returns a function that stores an integer of at least `least`.
 template <typename Whole>
 Take store_whole(Whole& number, int least) {
   return [&number, least](const std::string& text) -> Result<Done> {
@@ -75,7 +76,7 @@ Take store_whole(Whole& number, int least) {
   };
 }
 
-/// The option --threads, the same for all verbs.
+/// Returns the option --threads, which all verbs share.
 Option threads_option(int& threads);
 
 }  // namespace citykiln::commands

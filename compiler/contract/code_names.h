@@ -1,4 +1,4 @@
-// Diagnosis codes by their names.
+// Finds diagnosis codes by name.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace citykiln {
 
-/// The code of a name such as "MissingNode"; nothing if no code has that name.
+/// Returns the code with a name such as "MissingNode"; empty if no code has that name.
 std::optional<Code> code_named(std::string_view name);
 
 }  // namespace citykiln

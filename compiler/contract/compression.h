@@ -1,4 +1,4 @@
-// The ways of packing meshes in a .glb.
+// The compression of meshes in a .glb.
 #pragma once
 
 #include <array>
@@ -8,11 +8,12 @@
 
 namespace citykiln {
 
+/// The value of --compress.
 enum class Compression : std::uint8_t {
   kNone,
-  kQuantize,  ///< KHR_mesh_quantization: integers of 8 and 16 bits, read as they are by graphics cards.
-  kDraco,     ///< KHR_draco_mesh_compression: the smallest.
-  kMeshopt    ///< EXT_meshopt_compression with KHR_mesh_quantization: the fastest to unpack.
+  kQuantize,  ///< KHR_mesh_quantization, integers of 8 and 16 bits, which graphics cards read directly.
+  kDraco,     ///< KHR_draco_mesh_compression, the smallest.
+  kMeshopt    ///< EXT_meshopt_compression with KHR_mesh_quantization, the fastest to unpack.
 };
 
 inline constexpr std::array<std::string_view, 4> kCompressionNames = {"none", "quantize", "draco", "meshopt"};

@@ -1,6 +1,8 @@
-// Which details a mesh has at which tolerance: one table for all rooms (detail_tolerances.inc).
+// The tolerances at which a mesh has a detail, such as kerbs or normal maps: one table for the whole compiler
+// (detail_tolerances.inc).
 //
-// Only details with a fixed limit are listed. Parts that go when their own error is below the tolerance need no row.
+// Only details with a fixed limit are listed. A part that is left out because its own error is below the tolerance
+// needs no row.
 #pragma once
 
 #include <bit>
@@ -9,21 +11,22 @@
 
 namespace citykiln {
 
+/// The rows of detail_tolerances.inc.
 enum class Detail {
 #define DETAIL(name, from_m, below_m) name,
 #include "compiler/contract/detail_tolerances.inc"
 #undef DETAIL
 };
 
-/// Tolerances of at least `from_m` and less than `below_m`.
+/// The range from_m <= tolerance < below_m, in metres.
 struct ToleranceRange {
   double from_m, below_m;
 };
 
-/// The smallest number above a positive one: makes a limit inclusive.
+/// Returns the next double after a positive one. Used to make an upper limit inclusive.
 constexpr double just_above(double v) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) + 1); }
 
-/// The tolerances at which a detail is made.
+/// Returns the tolerances at which a mesh has the detail.
 constexpr ToleranceRange tolerances_with(Detail detail) {
   constexpr double kNoLimit_m = std::numeric_limits<double>::infinity();
   constexpr ToleranceRange kRanges[] = {
@@ -34,7 +37,7 @@ constexpr ToleranceRange tolerances_with(Detail detail) {
   return kRanges[static_cast<int>(detail)];
 }
 
-/// Whether a mesh of this tolerance has the detail.
+/// True if a mesh of this tolerance has the detail.
 constexpr bool has_detail(Detail detail, double tolerance_m) {
   return tolerances_with(detail).from_m <= tolerance_m && tolerance_m < tolerances_with(detail).below_m;
 }

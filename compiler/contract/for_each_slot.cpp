@@ -12,7 +12,8 @@ namespace citykiln {
 
 namespace {
 
-// A nested loop uses the threads of the outer loop, so that threads which finish the one continue with the other.
+// A nested loop uses the threads of the outer loop, so that a thread that finishes its part of one takes work of the
+// other.
 bool fits_current_arena(int threads) { return threads <= 0 || threads >= tbb::this_task_arena::max_concurrency(); }
 
 }  // namespace

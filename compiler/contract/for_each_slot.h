@@ -1,4 +1,4 @@
-// Parallel loops with deterministic results: each index writes its own slot, and slots are combined in order.
+// Parallel loops with deterministic results: each index writes its own slot, and the slots are combined in order.
 #pragma once
 
 #include <cstddef>
@@ -7,21 +7,21 @@
 
 namespace citykiln {
 
-/// Calls `work(i)` for i = 0 … count - 1 on at most `threads` threads (0: all processors) and waits for all. `work`
-/// must write to its own slot only.
+/// Calls `work(i)` for i = 0 … count - 1 on at most `threads` threads (0: all processors) and waits for all calls.
+/// `work(i)` must write to slot i only.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
-/// Indices that may be in progress for each thread: more than one, so that others continue while one takes long.
+/// The number of indices in progress per thread. It is more than 1 so that threads continue while one index takes long.
 inline constexpr int kInFlightPerThread = 4;
 
-/// Calls `make(i)` in parallel and `take(i)` in order, one at a time, after make(i) has finished. At most
-/// kInFlightPerThread indices for each thread are made and not yet taken. Ends after the first `take` that returns
-/// false.
+/// Calls `make(i)` in parallel. Calls `take(i)` in order, one at a time, each after make(i) has finished. At most
+/// kInFlightPerThread indices per thread are made and not yet taken. Ends after the first `take` that returns false.
 void for_each_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& make,
                        const std::function<bool(std::size_t)>& take);
 
-/// Calls both functions, which must be independent of each other. With threads = 0, threads that are idle in the loops
-/// of `work` start `background`, and its rest runs after `work`; with any other number `background` runs after `work`.
+/// Calls both functions, which must be independent of each other. With threads = 0, threads that have no work in the
+/// parallel loops of `work` begin with `background`, and the rest of `background` runs after `work`. With any other
+/// number of threads `background` runs after `work`.
 void run_concurrently(int threads, const std::function<void()>& work, const std::function<void()>& background);
 
 /// Returns make(0) … make(count - 1), computed in parallel.

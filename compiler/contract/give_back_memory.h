@@ -1,7 +1,7 @@
-// Gives memory that was freed back to the system.
+// Returns freed memory to the system.
 #pragma once
 
-#include <cstdlib>  // says which C library it is
+#include <cstdlib>  // defines __GLIBC__
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -9,8 +9,9 @@
 
 namespace citykiln {
 
-/// Gives back what was freed: glibc keeps it for later otherwise, several times what a stage holds after many threads
-/// have freed small objects. Does nothing with other C libraries. Cost: linear in the free blocks, some milliseconds.
+/// Returns freed memory to the system. glibc keeps freed memory otherwise; after many threads have freed small objects,
+/// this can be several times the memory in use. Does nothing with other C libraries. Cost: linear in the free blocks,
+/// some milliseconds.
 inline void give_back_memory() {
 #if defined(__GLIBC__)
   malloc_trim(0);

@@ -1,4 +1,4 @@
-// Where meshes of prototypes and images of a .glb are (exporters/gltf/shared_layout.h).
+// The place of prototypes (the meshes of plants and lamps) and images: in each .glb, or in files that tiles share.
 #pragma once
 
 #include <array>
@@ -8,9 +8,10 @@
 
 namespace citykiln {
 
+/// The value of --layout.
 enum class Layout : std::uint8_t {
   kEmbedded,  ///< In the .glb.
-  kShared     ///< In files that many tiles refer to.
+  kShared     ///< In files in glb/shared (exporters/gltf/shared_layout.h).
 };
 
 inline constexpr std::array<std::string_view, 2> kLayoutNames = {"embedded", "shared"};

@@ -6,14 +6,14 @@
 
 namespace citykiln {
 
-/// Like std::once_flag, except that threads which arrive during the call do not sleep: they join the parallel loops
-/// (for_each_slot.h) of `make` and continue when it has finished.
+/// Like std::once_flag, except that a thread which arrives during the call does not sleep: it joins the parallel loops
+/// (for_each_slot.h) of `make` and returns when `make` has finished.
 class Once {
  public:
   Once();
   ~Once();
 
-  /// Calls `make` unless a call has finished before. `make` must not use the same Once.
+  /// Calls `make` unless an earlier call has finished. `make` must not use the same Once.
   void call(const std::function<void()>& make);
 
  private:

@@ -1,4 +1,4 @@
-// Parsers of text values: separators and numbers.
+// Parses texts: splits them at separators, and reads numbers.
 #pragma once
 
 #include <charconv>
@@ -11,7 +11,7 @@
 
 namespace citykiln {
 
-/// The parts of a text between separators; the whole text if it has none.
+/// Returns the parts of a text between separators; the whole text if it has no separator.
 inline std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {
@@ -22,7 +22,7 @@ inline std::vector<std::string_view> split(std::string_view text, char separator
   }
 }
 
-/// The finite number that makes up all of a text; empty if the text is anything else.
+/// Returns the finite number that a text consists of; empty if the text is anything else.
 template <typename Number>
 std::optional<Number> number_in(std::string_view text) {
   Number number{};
@@ -31,7 +31,7 @@ std::optional<Number> number_in(std::string_view text) {
   return std::isfinite(static_cast<double>(number)) ? std::optional(number) : std::nullopt;
 }
 
-/// Exactly `count` numbers between separators; empty if the text is anything else.
+/// Returns exactly `count` numbers between separators; empty if the text is anything else.
 template <typename Number>
 std::optional<std::vector<Number>> numbers_in(std::string_view text, char separator, std::size_t count) {
   std::vector<Number> numbers;

@@ -1,4 +1,5 @@
-// Diagnoses of what was mended, approximated or dropped, and the ledger that counts objects through all stages.
+// The report of a run: diagnoses of data that was mended, approximated or dropped, and the ledger, which counts the
+// objects that go into each stage and come out of it.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +16,10 @@
 
 namespace citykiln {
 
+/// The effect of a finding: nothing was lost, the object was changed, or the object is not in the outputs.
 enum class Severity : std::uint8_t { kNote, kMended, kDropped };
 
+/// The rows of diagnosis_codes.inc.
 enum class Code : std::uint8_t {
 #define CODE(name, severity, text) name,
 #include "compiler/contract/diagnosis_codes.inc"
@@ -24,34 +27,36 @@ enum class Code : std::uint8_t {
 };
 
 std::string_view name_of(Code code);  ///< "MissingNode".
-std::string_view text_of(Code code);  ///< The meaning, without a full stop.
+std::string_view text_of(Code code);  ///< The text of the row, without a full stop.
 Severity severity_of(Code code);
 std::string_view name_of(Severity severity);  ///< "note", "mended", "dropped".
 
+/// One finding about the data.
 struct Diagnosis {
   Code code;
   OsmId object;
   double size = 0;                              ///< In the unit that the code's text states; 0 if it states none.
-  std::optional<std::array<double, 2>> at_m{};  ///< Where, in the plane; none: where the object is.
-  OsmId other{};                                ///< The other of two objects that it is about; none: it is about one.
-  std::string tag{};                            ///< "width=wide": of a tag that it is about, valid UTF-8.
+  std::optional<std::array<double, 2>> at_m{};  ///< The place, in metres in the plane; empty: where `object` is.
+  OsmId other{};      ///< The second object of a finding about two objects; else of OsmType::kNone.
+  std::string tag{};  ///< The tag of a finding about a tag, such as "width=wide", valid UTF-8; else empty.
 };
 
-/// An account of the ledger: the objects of one kind in one stage. It balances if in + split = out + merged + dropped.
+/// The counts of one kind of objects in one stage. They balance if in + split = out + merged + dropped.
 struct Account {
   std::uint64_t in = 0;
-  std::uint64_t split = 0;  ///< Additional objects, where one became several.
+  std::uint64_t split = 0;  ///< Objects added where one became several.
   std::uint64_t out = 0;
-  std::uint64_t merged = 0;  ///< Objects that became part of another (a building's outline of its parts).
+  std::uint64_t merged = 0;  ///< Objects that became part of another, such as a building's parts.
   std::map<Code, std::uint64_t> dropped;
 
   bool balances() const;
 };
 
-/// The diagnoses and the ledger of a run. Parallel loops fill one Report for each slot and append them in order.
+/// The diagnoses and the ledger of a run. Parallel loops fill one Report per slot and append them in order.
 ///
-/// A report can be limited to some objects (limit_to). Then the others are neither diagnosed nor counted: a region of a
-/// plan reports the objects that it owns, and the reports of all regions add up to that of one run.
+/// A report can be limited to a set of objects (limit_to). It then ignores diagnoses of all other objects. A plan in
+/// regions uses this: each region reports the objects that it owns, and the reports of all regions add up to the report
+/// of a single run.
 class Report {
  public:
   void add(const Diagnosis& diagnosis) {
@@ -62,30 +67,33 @@ class Report {
   /// Adds a diagnosis of two objects.
   void add_pair(Code code, OsmId object, OsmId other, double size) { add({code, object, size, {}, other}); }
 
-  /// Adds a diagnosis of a tag of an object. The value may be of any bytes; what is not UTF-8 is replaced.
+  /// Adds a diagnosis of a tag of an object. Bytes of the value that are not UTF-8 are replaced.
   void add_tag(Code code, OsmId object, std::string_view key, std::string_view value);
 
-  /// Adds a diagnosis of a place (x, y in the plane) that no one object explains.
+  /// Adds a diagnosis of a place (x, y in the plane) that belongs to no single object.
   void add_at(Code code, std::array<double, 2> at_m, double size) { add({code, {}, size, at_m}); }
 
-  /// From now on counts only these objects, sorted by id. What is there already stays.
+  /// Limits later diagnoses and counts to these objects, sorted by id. Earlier diagnoses are kept.
   void limit_to(std::vector<OsmId> objects) { limit_ = std::move(objects); }
-  /// Counts all objects again.
+  /// Ends the limit.
   void lift_limit() { limit_.reset(); }
-  /// Whether an object is diagnosed and counted. O(1), or O(log n) for n objects of a limit.
+  /// True if the object is diagnosed and counted. O(1) without a limit, O(log n) with a limit of n objects.
   bool counts(OsmId object) const { return !limit_ || std::ranges::binary_search(*limit_, object); }
 
-  /// Adds the diagnosis and counts the object as dropped from `account`.
+  /// Adds the diagnosis and counts the object as dropped in `account`.
   void drop(Account& account, Code code, OsmId object, double size = 0);
 
-  /// The account of a feature kind ("building") in a stage ("map"), created if missing. Valid as long as the report.
+  /// Returns the account of a kind of features ("building") in a stage ("map"), and creates it if it is missing. Valid
+  /// as long as the report.
   Account& account(std::string_view stage, std::string_view kind);
 
+  /// Appends the diagnoses and adds the counts of another report.
   void append(const Report& other);
 
   const std::vector<Diagnosis>& diagnoses() const { return diagnoses_; }
-  /// Keyed by "stage/kind".
+  /// Returns the accounts by "stage/kind".
   const std::map<std::string, Account, std::less<>>& ledger() const { return ledger_; }
+  /// Returns the number of diagnoses of each code.
   std::map<Code, std::uint64_t> counts() const;
   bool balances() const;
 

@@ -1,4 +1,4 @@
-// Errors of reading and writing. Stages in between cannot fail: they mend or drop data, and diagnose it (report.h).
+// Errors of reading and writing. The stages in between cannot fail: they mend or drop data and diagnose it (report.h).
 #pragma once
 
 #include <cassert>
@@ -8,13 +8,13 @@
 
 namespace citykiln {
 
-/// One line of text: the file and the place in it, and what was expected there.
+/// An error in one line of text: the file and the place in it, and what was expected there.
 struct Error {
   std::string where;    ///< "monaco.osm.pbf", "town.osm:12:5", "scene.kiln, byte 96".
   std::string message;  ///< "expected a PBF blob header, found the end of the file".
 };
 
-/// "where: message", or the message alone.
+/// Returns "where: message", or the message alone if `where` is empty.
 inline std::string to_string(const Error& error) {
   return error.where.empty() ? error.message : error.where + ": " + error.message;
 }

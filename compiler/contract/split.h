@@ -1,4 +1,4 @@
-// How a tile is cut into nodes of a .glb.
+// How the mesh of a tile is divided into the nodes of a .glb.
 #pragma once
 
 #include <array>
@@ -8,10 +8,11 @@
 
 namespace citykiln {
 
+/// The value of --split.
 enum class Split : std::uint8_t {
-  kTile,     ///< One node for all that is not instanced.
-  kLayer,    ///< One node per layer (bake/layer.h), under the tile's.
-  kBuilding  ///< As kLayer, and one node per building under the layer of buildings.
+  kTile,     ///< One node for everything that is not instanced.
+  kLayer,    ///< One node per layer (bake/layer.h), below the tile's node.
+  kBuilding  ///< Like kLayer, with one node per building below the layer of buildings.
 };
 
 inline constexpr std::array<std::string_view, 3> kSplitNames = {"tile", "layer", "building"};

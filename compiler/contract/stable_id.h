@@ -1,4 +1,5 @@
-// Ids by descent: an object is named by its origin in the map, never by a counter, a pointer or an order.
+// Ids that are derived from the element of the map from which an object is made. They do not depend on counters,
+// pointers or the order of work.
 #pragma once
 
 #include <compare>
@@ -7,33 +8,35 @@
 
 namespace citykiln {
 
+/// The type of an OSM element.
 enum class OsmType : std::uint8_t { kNone, kNode, kWay, kRelation };
 
-/// An element of the OSM file. `id` may be negative (unsaved elements of editors).
+/// An element of the OSM file. `id` is negative for elements that an editor has not uploaded.
 struct OsmId {
   OsmType type = OsmType::kNone;
   std::int64_t id = 0;
   auto operator<=>(const OsmId&) const = default;
 };
 
-/// "n123", "w123", "r123"; "-" for none.
+/// Returns "n123", "w123" or "r123" for a node, way or relation; "-" for none.
 std::string to_string(OsmId id);
 
-/// An object made of an OSM element: the element, and the index of the piece (polygon of a multipolygon, segment of a
-/// way). Pieces are numbered before clipping, so a clipped piece has the id of its whole.
+/// An object made from an OSM element: the element, and the index of the piece (polygon of a multipolygon, segment of a
+/// way). Pieces are numbered before clipping, so a clipped piece keeps its id.
 struct ObjectId {
   OsmId osm;
   std::uint32_t part = 0;
   auto operator<=>(const ObjectId&) const = default;
 };
 
-/// 64 well-mixed bits that name an object. Equal for equal descent; else equal with probability 2^-64.
+/// A hash of 64 bits that names an object. Objects of equal origin have equal ids; others are equal with probability
+/// 2^-64.
 enum class StableId : std::uint64_t {};
 
-/// The id of an object of the map.
+/// Returns the id of an object made from the map.
 StableId stable_id(ObjectId object);
 
-/// The id of the `ordinal`-th descendant of `parent` in a role (a short constant such as "tree").
+/// Returns the id of the `ordinal`-th object that is made from `parent` in a role (a short constant such as "tree").
 StableId stable_id(StableId parent, const char* role, std::uint64_t ordinal);
 
 }  // namespace citykiln

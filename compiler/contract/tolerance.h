@@ -1,18 +1,19 @@
-// Tolerances: the largest distance between a simplified shape and the full-detail shape (Hausdorff), in metres.
+// Tolerances: the largest distance between a simplified shape and the full shape (Hausdorff distance), in metres.
 #pragma once
 
 #include <array>
 
 namespace citykiln {
 
-/// The default tolerances of the levels of detail, finest first, metres.
-inline constexpr std::array kDefaultLadder_m = {0.02, 0.1, 0.5, 2.5, 12.5};
+/// Tolerances in metres, finest first. The finest stands for the full shape. The levels of a compile are
+/// kDefaultLevels_m (spec.h).
+inline constexpr std::array kFinestTolerances_m = {0.02, 0.1, 0.5, 2.5, 12.5};
 
-/// The largest tolerance of a level, metres: beyond it nothing of a city is left but the ground.
+/// The largest tolerance of a level, in metres. Beyond it nothing of a city is left but the ground.
 inline constexpr double kCoarsest_m = 100;
 
-/// The grid step of coordinates and heights of baked vertices. A power of two, so that float32 offsets from a tile's
-/// origin are exact up to 16 km.
+/// The grid step of the coordinates of baked vertices, in metres. It is a power of two, so that offsets from a tile's
+/// origin are exact in single precision up to 16 km.
 inline constexpr double kQuantum_m = 0x1p-10;
 
 }  // namespace citykiln

@@ -5,7 +5,7 @@
 namespace citykiln {
 namespace {
 
-// The length of the character at the beginning of a text that is not empty; 0 where there is none.
+// The length of the character at the beginning of a text, in bytes; 0 if it is not valid. The text must not be empty.
 std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);

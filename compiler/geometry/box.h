@@ -9,7 +9,7 @@
 
 namespace citykiln {
 
-/// A closed box. The default is empty and can be grown.
+/// A closed box. The default is empty; grow() extends it.
 struct Box2 {
   Vec2 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Vec2 max{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -20,7 +20,7 @@ struct Box2 {
   double height() const { return max.y - min.y; }
   Vec2 centre() const { return (min + max) * 0.5; }
   bool contains(Vec2 p) const { return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y; }
-  /// Without the eastern and northern side, so that each place lies in one of neighbouring boxes.
+  /// True if p is in the box and not on its eastern or northern side. Each point is in one box of a tiling.
   bool contains_half_open(Vec2 p) const { return min.x <= p.x && p.x < max.x && min.y <= p.y && p.y < max.y; }
   bool touches(const Box2& o) const {
     return min.x <= o.max.x && o.min.x <= max.x && min.y <= o.max.y && o.min.y <= max.y;

@@ -1,5 +1,5 @@
-// A grid of square buckets that finds boxes near a point or box. Buckets begin at whole multiples of their side, so
-// what is found depends only on boxes that touch the same buckets, not on how far the others extend.
+// A grid of square buckets that finds boxes near a point or box. Buckets begin at whole multiples of their side, so a
+// result depends only on boxes that touch the same buckets, not on the extent of all boxes.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace citykiln {
 
 struct BoxGrid {
-  Box2 box;  ///< Of all buckets; its eastern and northern sides do not belong to it.
+  Box2 box;  ///< The box of all buckets, without its eastern and northern sides.
   BucketGrid buckets;
   BucketItems numbers;  ///< Indices of boxes, ascending in each bucket.
 };
@@ -20,7 +20,7 @@ struct BoxGrid {
 /// Sorts boxes, none of them empty, into buckets. bucket_m > 0. Cost: linear in boxes and the buckets that they touch.
 BoxGrid grid_of(std::span<const Box2> boxes, double bucket_m);
 
-/// Like the above; leaves a box out of touched buckets for which `is_in(index, bucket)` is false.
+/// Sorts boxes into buckets as above, except into buckets for which `is_in(index of the box, bucket)` is false.
 BoxGrid grid_of(std::span<const Box2> boxes, double bucket_m,
                 const std::function<bool(std::uint32_t, const Box2&)>& is_in);
 

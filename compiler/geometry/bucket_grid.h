@@ -25,7 +25,7 @@ struct BucketGrid {
   int columns = 0, rows = 0;
 
   std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
-  /// Places outside the lattice count to its outermost buckets.
+  /// The column of a place; places outside the lattice belong to its outermost columns. row() does the like.
   int column(double x) const { return place(x - corner.x, columns); }
   int row(double y) const { return place(y - corner.y, rows); }
   std::size_t index(int column, int row) const {
@@ -44,8 +44,8 @@ struct BucketGrid {
   }
 };
 
-/// A lattice that covers a box, which must not be empty. Its corner is a whole multiple of bucket_m, so that lattices
-/// over different boxes have the same buckets where they overlap. bucket_m > 0.
+/// Returns a lattice that covers a box, which must not be empty. Its corner is a whole multiple of bucket_m, so
+/// lattices over different boxes have the same buckets where they overlap. bucket_m > 0.
 inline BucketGrid grid_over(const Box2& box, double bucket_m) {
   assert(!box.is_empty() && bucket_m > 0);
   const Vec2 corner{std::floor(box.min.x / bucket_m) * bucket_m, std::floor(box.min.y / bucket_m) * bucket_m};

@@ -1,4 +1,4 @@
-// Valid polygons of rings that may cross: their union, and the part of it in a box.
+// Makes valid polygons from rings that may cross: their union, and its part in a box.
 #pragma once
 
 #include <span>
@@ -8,18 +8,18 @@
 
 namespace citykiln {
 
-/// The area where the winding numbers of the rings add up to more than zero, as valid polygons.
+/// Returns the area where the winding numbers of the rings add up to more than zero, as valid polygons.
 ///
-/// Guarantees: those of overlay(): rings are simple and touch each other at vertices only; no vertex is farther than
-/// 2^-10 m from the rings. Total. Cost: overlay()'s, edges².
+/// Guarantees: rings are simple and touch each other at vertices only; no vertex is farther than 2^-10 m from the
+/// rings. Accepts any rings. Cost: O(edges²).
 std::vector<Polygon> united(std::span<const Ring> rings);
 
-/// The part of that area in a box. Edges on the box's border have a vertex at each whole multiple of 128 m, so that
-/// they stay straight lines in other projections, too.
+/// Returns the part of united(rings) in a box. Edges on the box's border have a vertex at each whole multiple of 128 m,
+/// so that they stay nearly straight in other projections.
 /// @param box  Corners on the plane's grid. Boxes side by side give polygons that share the edges between them.
 std::vector<Polygon> united_in(std::span<const Ring> rings, const Box2& box);
 
-/// The outer ring, then the holes.
+/// Returns copies of the outer ring and of the holes, in this order.
 std::vector<Ring> copied_rings(const Polygon& polygon);
 
 }  // namespace citykiln

@@ -7,14 +7,14 @@
 
 namespace citykiln {
 
-/// Returns the parts of a polyline in a box, in its order. A closed polyline whose begin lies in the box is cut only
-/// where it crosses a side.
+/// Returns the parts of a polyline that lie in a box, in order. A closed polyline whose first point lies in the box is
+/// not cut at that point.
 ///
-/// @param box     Corners on the grid.
-/// @param step_m  The grid of the points, a power of two.
+/// @param box     Corners on the grid of step_m.
+/// @param step_m  Grid step of the points, a power of two, in metres.
 ///
-/// Guarantees: each part has at least two points and no repeated neighbours; a polyline inside stays unchanged; new
-/// points lie exactly on a side, and within a step of the polyline. O(n). Source: Liang, Barsky (1984).
+/// Guarantees: each part has at least two points and no equal consecutive points; a polyline inside the box is returned
+/// unchanged; new points lie exactly on a side, and within a step of the polyline. O(n). Source: Liang, Barsky (1984).
 std::vector<Polyline> clipped_to(const Polyline& polyline, const Box2& box, double step_m);
 
 }  // namespace citykiln

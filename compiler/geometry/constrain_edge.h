@@ -3,8 +3,8 @@
 
 namespace citykiln {
 
-/// Equals cdt.insert_constraint(a, b) for different vertices, but is faster for edges that exist already, as most do:
-/// these are only marked.
+/// Inserts the constraint a b, a != b, like cdt.insert_constraint(a, b). Faster if the edge exists already, as most do:
+/// it is only marked.
 template <typename Cdt>
 void constrain_edge(Cdt& cdt, typename Cdt::Vertex_handle a, typename Cdt::Vertex_handle b) {
   typename Cdt::Face_handle face;

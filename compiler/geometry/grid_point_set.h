@@ -1,4 +1,4 @@
-// A set of grid points that grows. It answers in constant time whether a point is in it and has no order.
+// An unordered set of grid points with constant-time lookup.
 #pragma once
 
 #include <bit>
@@ -21,7 +21,7 @@ class GridPointSet {
 
   bool contains(GridPoint p) const { return slots_[slot_of(p)] == p; }
 
-  /// Points that are in the set already change nothing. O(1) on average.
+  /// Adds a point unless it is in the set. O(1) on average.
   void insert(GridPoint p) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     GridPoint& slot = slots_[slot_of(p)];

@@ -3,10 +3,10 @@
 
 namespace citykiln {
 
-/// All functions use + - * / and the square root only, so that every CPU gives the same bits. Errors are below 1e-14,
-/// relative for power and exponential, absolute for the others. Angles are in degrees, as in CGA and L-systems.
-/// Outside of a function's domain (logarithm(-1), arcsine_deg(2)) the nearest argument inside is used; overflow gives
-/// the largest double. Cost: about 50 operations.
+/// The functions of this file use + - * / and the square root only, so that every CPU gives the same bits. Errors are
+/// below 1e-14, relative for power and exponential, absolute for the others. Angles are in degrees, as in CGA and
+/// L-systems. Outside of a function's domain (logarithm(-1), arcsine_deg(2)) the nearest argument inside is used;
+/// overflow gives the largest double. Cost: about 50 operations.
 
 double sine(double angle_deg);
 double cosine(double angle_deg);
@@ -17,9 +17,10 @@ double arctangent_deg(double x);
 /// The direction of (x, y) in -180 … 180; 0 for (0, 0).
 double arctangent2_deg(double y, double x);
 double exponential(double x);
-/// The natural logarithm; for x <= 0 that of the smallest normal double.
+/// The natural logarithm; for x <= 0 the logarithm of the smallest normal double.
 double logarithm(double x);
-/// Repeated squaring for integer exponents, else by logarithm; 0 for negative bases with other exponents.
+/// Returns base^exponent, by repeated squaring for integer exponents, else by logarithm. A negative base with an
+/// exponent that is not an integer gives 0.
 double power(double base, double exponent);
 
 }  // namespace citykiln

@@ -14,7 +14,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Positions in plane metres on the 2^-10 m grid; triangles counter-clockwise from outside.
 struct Mesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  ///< Unit length, one for each position; or empty: flat shading.
+  std::vector<Vec3> normals;  ///< Unit length, one for each position; empty: flat shading.
   std::vector<Triangle> triangles;
 };
 

@@ -17,16 +17,17 @@
 
 namespace citykiln {
 
-/// The area of each owner: inside its rings (winding number above zero) and not inside any owner with a lower number.
+/// Returns each owner's area as polygons: the area inside its rings (winding number above zero) and outside the rings
+/// of all owners with lower numbers.
 ///
 /// @param segments  Closed rings, counter-clockwise around added area; owners 0 … owner_count - 1.
 /// Guarantees: rings are simple, counter-clockwise outside, holes clockwise, and touch themselves and each other at
 /// vertices only; polygons of different owners share edges, not area; no vertex is farther than 2^-10 m from the rings.
 /// Cannot fail: it is based on a snap-rounded arrangement; polygons that rounding leaves without area are dropped.
-/// Cost: the arrangement's, plus edges² for labels: meant for one junction or block, not for a city.
+/// Cost: as arrange(), plus edges² to assign faces to owners: meant for one junction or block, not for a city.
 std::vector<std::vector<Polygon>> overlay(std::span<const OwnedSegment> segments, std::uint32_t owner_count);
 
-/// Appends a ring's segments.
+/// Appends the segments of a ring (plane metres) with an owner.
 void add_ring(std::vector<OwnedSegment>& segments, std::span<const Vec2> ring, std::uint32_t owner);
 
 }  // namespace citykiln

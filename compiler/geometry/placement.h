@@ -8,9 +8,9 @@ namespace citykiln {
 
 struct Placement {
   Vec3 at;                          ///< Place of the mesh's origin, plane metres, snapped.
-  double cos_yaw = 1, sin_yaw = 0;  ///< Turn about z, counter-clockwise from above.
+  double cos_yaw = 1, sin_yaw = 0;  ///< Rotation about z, counter-clockwise seen from above.
   double scale = 1;
-  OsmId feature;  ///< The map element that it belongs to.
+  OsmId feature;  ///< The map element that the instance belongs to.
 };
 
 }  // namespace citykiln

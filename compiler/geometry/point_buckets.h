@@ -11,13 +11,13 @@
 
 namespace citykiln {
 
-/// Holds about two points per bucket if they are evenly spread. Refers to points by index.
+/// Indices of points, sorted into buckets of about two points each if these are evenly spread.
 struct PointBuckets {
-  GridPoint min;
-  std::int64_t side = 1;
-  double per_side = 1;  ///< 1 / side.
+  GridPoint min;          ///< South-western corner.
+  std::int64_t side = 1;  ///< Side of a bucket, grid steps.
+  double per_side = 1;    ///< 1 / side.
   std::int64_t columns = 1, rows = 1;
-  std::vector<std::uint32_t> starts, ends;  ///< For each bucket, row by row: offsets into `members`.
+  std::vector<std::uint32_t> starts, ends;  ///< Offsets into `members` of each bucket, row by row.
   std::vector<std::uint32_t> members;       ///< Indices of points, ascending in each bucket.
 
   std::int64_t column(std::int64_t x) const { return whole_sides(x - min.x, columns - 1); }
@@ -41,24 +41,26 @@ struct PointBuckets {
   }
 };
 
-/// @param min, max  The box of the buckets; points outside fall into the outermost buckets. O(n).
+/// Sorts points into buckets. O(n).
+/// @param min, max The box of the buckets; points outside fall into the outermost buckets.
 PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, GridPoint max);
 
 /// Removes a point. O(points in its bucket).
 void remove_point(PointBuckets& buckets, std::uint32_t index, GridPoint place);
 
-/// The point nearest to p; of equally near ones the first by (x, y). There must be at least one point. O(1) expected
-/// for evenly spread points.
+/// Returns the index of the point nearest to p; on a tie the first by (x, y). There must be at least one point. O(1)
+/// expected for evenly spread points.
 std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p);
 
-/// The x interval of a triangle in the rows low_y … high_y, or up to a few steps more; low > high if it is empty.
+/// An interval of x in grid steps; empty if low > high.
 struct XInterval {
   std::int64_t low, high;
 };
+/// Returns the x interval of a triangle's part with y in low_y … high_y, widened by a few steps.
 XInterval x_interval_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y);
 
-/// Calls visit(index) for every point within a grid step of a triangle (in x and y) and for some points around. Stops
-/// when visit returns true; returns whether it did.
+/// Calls visit(index) for every point within a grid step of a triangle (in x and y), and for some points farther away,
+/// until visit returns true. Returns true if a call of visit did.
 template <typename Visit>
 bool any_near_triangle(const PointBuckets& buckets, const std::array<GridPoint, 3>& corners, Visit visit) {
   const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});

@@ -19,27 +19,29 @@ struct Polygon {
   bool operator==(const Polygon&) const = default;
 };
 
-/// The outer ring, then the holes. Refers to the polygon.
+/// Returns the outer ring, then the holes, as pointers into the polygon.
 std::vector<const Ring*> rings_of(const Polygon& polygon);
 
-/// Square metres; positive if the ring runs counter-clockwise. O(n).
+/// Returns the area of a ring, square metres; positive if it runs counter-clockwise. O(n).
 double signed_area_m2(std::span<const Vec2> ring);
-/// Outer minus holes, square metres.
+/// Returns the area of the outer ring minus the area of the holes, square metres.
 double area_m2(const Polygon& polygon);
+/// Returns the length of a polyline in metres.
 double length_m(std::span<const Vec2> polyline);
 
-/// How often the ring runs around p, counter-clockwise positive. A point on the ring may count either way. Sign tests
-/// are exact for points on the plane's grid. O(n).
+/// Returns the winding number of the ring about p, positive if counter-clockwise. A point on the ring may count as
+/// inside or outside. Sign tests are exact for points on the plane's grid. O(n).
 int winding_number(std::span<const Vec2> ring, Vec2 p);
 /// True if p is inside an odd number of rings.
 bool contains(const Polygon& polygon, Vec2 p);
 
-/// The ring without consecutive equal points (also last and first) and without spikes, edges that double back on the
-/// edge before.
+/// Returns the ring without consecutive equal points (last and first included) and without spikes: edges that double
+/// back on the edge before.
 Ring without_repeats(std::span<const Vec2> ring);
 
-/// Drops vertices outside the box such that every edge which touches the box stays and every point in the box keeps its
-/// winding number. Empty if the ring's box does not touch. Depends on the ring and the box only. O(n).
+/// Returns the ring without those vertices outside a box that can be dropped such that every edge which touches the box
+/// stays and every point in the box keeps its winding number. The result is empty if the ring's bounding box does not
+/// touch the box. O(n).
 Ring trimmed_to(std::span<const Vec2> ring, const Box2& box);
 
 }  // namespace citykiln

@@ -1,4 +1,4 @@
-// Exact tests whether rings cross or touch, for points on the plane's grid.
+// Tests of rings for crossing and touching, exact for points on the plane's grid.
 #pragma once
 
 #include <span>

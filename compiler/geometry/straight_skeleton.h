@@ -29,12 +29,12 @@ struct SkeletonFace {
   std::uint32_t edge = 0;        ///< Index of the edge's first point in its ring.
 };
 
-/// One face for each edge, in the order of rings and edges; empty if CGAL fails (it throws, or misses an edge).
+/// Returns one face for each edge, in the order of rings and edges. Empty if the rings cross or touch, which is tested
+/// exactly (ring_crossing.h), or if CGAL fails (it throws, or misses an edge).
 ///
-/// @param polygon  Rings simple and disjoint, which is tested exactly (ring_crossing.h); else the result is empty.
-/// Guarantees: deterministic. Not guaranteed: that faces fit together; kInexact fails at times, so callers must check
-/// the faces. Cost: faster than quadratic for house outlines, 0.4 s for 400 points. Source: Felkel and Obdržálek 1998,
-/// as in CGAL's Straight_skeleton_2.
+/// Guarantees: deterministic. Not guaranteed: that faces cover the polygon without overlap; with kInexact they at times
+/// do not, so callers must check them. Cost: less than quadratic for house outlines, 0.4 s for 400 points. Source:
+/// Felkel and Obdržálek 1998, as in CGAL's Straight_skeleton_2.
 std::vector<SkeletonFace> straight_skeleton(const Polygon& polygon, SkeletonKernel kernel);
 
 }  // namespace citykiln

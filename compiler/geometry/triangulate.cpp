@@ -47,23 +47,23 @@ void insert_ring(PolygonCdt& cdt, const Ring& ring, std::vector<Vec2>& points) {
 }
 
 // All faces connected to `start` without crossing a constraint.
-std::vector<PolygonCdt::Face_handle> region_of(const PolygonCdt& cdt, PolygonCdt::Face_handle start) {
-  std::vector<PolygonCdt::Face_handle> region = {start};
+std::vector<PolygonCdt::Face_handle> component_of(const PolygonCdt& cdt, PolygonCdt::Face_handle start) {
+  std::vector<PolygonCdt::Face_handle> component = {start};
   start->info().is_seen = true;
-  for (std::size_t next = 0; next < region.size(); ++next)
+  for (std::size_t next = 0; next < component.size(); ++next)
     for (int i = 0; i < 3; ++i) {
-      const PolygonCdt::Face_handle beyond = region[next]->neighbor(i);
-      if (region[next]->is_constrained(i) || cdt.is_infinite(beyond) || beyond->info().is_seen) continue;
+      const PolygonCdt::Face_handle beyond = component[next]->neighbor(i);
+      if (component[next]->is_constrained(i) || cdt.is_infinite(beyond) || beyond->info().is_seen) continue;
       beyond->info().is_seen = true;
-      region.push_back(beyond);
+      component.push_back(beyond);
     }
-  return region;
+  return component;
 }
 
-bool is_inside(const Polygon& polygon, const std::vector<PolygonCdt::Face_handle>& region) {
+bool is_inside(const Polygon& polygon, const std::vector<PolygonCdt::Face_handle>& component) {
   double largest_m2 = -1;
   Vec2 middle;
-  for (const PolygonCdt::Face_handle face : region) {
+  for (const PolygonCdt::Face_handle face : component) {
     const Vec2 a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
     if (triangle_area_m2(a, b, c) <= largest_m2) continue;
     largest_m2 = triangle_area_m2(a, b, c);
@@ -97,9 +97,9 @@ PlaneTriangles triangulate(const Polygon& polygon) {
   if (cdt.dimension() < 2) return product;
   for (const PolygonCdt::Face_handle face : cdt.finite_face_handles()) {
     if (face->info().is_seen) continue;
-    const auto region = region_of(cdt, face);
-    if (!is_inside(polygon, region)) continue;
-    for (const PolygonCdt::Face_handle inside : region) append(product, inside);
+    const auto component = component_of(cdt, face);
+    if (!is_inside(polygon, component)) continue;
+    for (const PolygonCdt::Face_handle inside : component) append(product, inside);
   }
   return product;
 }

@@ -10,11 +10,11 @@ namespace citykiln {
 /// Half a turn in radians.
 inline constexpr double kPi = std::numbers::pi;
 
-/// The direction `turns` full circles counter-clockwise of +x: {cosine, sine}.
+/// Returns the unit vector {cosine, sine} of an angle given in full turns, counter-clockwise from +x.
 ///
 /// Each component is within 5e-16 of the true one, and the length within 5e-16 of 1. Uses + − × and floor only, so that
-/// every CPU gives the same bits. Quarter turns are exact. Any finite `turns`; beyond 2^40 the fraction loses its
-/// digits. O(1).
+/// every CPU gives the same bits. Quarter turns are exact. Any finite `turns` is allowed; beyond 2^40 the fraction of
+/// `turns` has too few digits. O(1).
 Vec2 direction_of(double turns);
 
 }  // namespace citykiln

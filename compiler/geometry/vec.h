@@ -1,4 +1,5 @@
-// 2D and 3D vectors. Frames and units are stated at each use; plane metres if nothing is stated.
+// 2D and 3D vectors. Frames and units are stated at each use. If nothing is stated, they are metres on the map plane
+// ("plane metres"): x east, y north, z up (compiler/map/plane/plane.h).
 #pragma once
 
 #include <cmath>
@@ -16,15 +17,15 @@ inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 inline Vec2 operator*(Vec2 a, double s) { return {a.x * s, a.y * s}; }
 inline Vec2 operator*(double s, Vec2 a) { return a * s; }
 inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-/// Positive if b lies to the left of a.
+/// Returns the z component of a × b: positive if b points to the left of a.
 inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 inline double distance(Vec2 a, Vec2 b) { return length(b - a); }
-/// Positive where a, b, c turn left.
+/// Returns twice the signed area of a triangle: positive if a, b, c turn left.
 inline double twice_area(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
-/// a turned left by a right angle.
+/// Returns the vector turned counter-clockwise by a right angle.
 inline Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
-/// a scaled to length 1; {0, 0} stays.
+/// Returns the vector scaled to length 1; {0, 0} for {0, 0}.
 inline Vec2 unit(Vec2 a) {
   const double l = length(a);
   return l > 0 ? a * (1 / l) : a;

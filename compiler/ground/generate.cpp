@@ -69,7 +69,7 @@ struct SimplerBorders {
 SimplerBorders simpler_borders(const PreparedCell& prepared, double tolerance_m) {
   const auto any = [](std::uint32_t) { return true; };
   const auto none = [](GridPoint) { return false; };
-  MergedSlivers merged = merge_slivers(prepared.between_borders, kSliverShare * tolerance_m, any);
+  MergedSlivers merged = merge_slivers(prepared.faces_between_borders, kSliverShare * tolerance_m, any);
   SimplifiedBorders simplified = simplify_borders(merged.borders, kBorderShare * tolerance_m, none);
   return {std::move(simplified.borders), merged.error_m + simplified.error_m};
 }
@@ -213,13 +213,13 @@ PreparedCell prepare_cell(std::span<const LandCoverPolygon> surfaces, const Grad
   const NearbyCover layers = land_cover_near(bent, cell);
   if (!has_grading(graded, cell))
     return {std::move(heights),
-            regions_between(ungraded_borders(layers, cache, cell)),
+            faces_between(ungraded_borders(layers, cache, cell)),
             {},
             reference_of(graded.terrain, cell)};
   const auto lines = grading_lines(cache, cell);
   const std::vector<GridPoint> points = bend_points_on_border(cache, cell);
   Partition all = partition_all_rings(layers, lines, points, cell);
-  Regions between = regions_between(visible_borders(all, ring_joints(layers, all.arrangement, cell)));
+  CoverFaces between = faces_between(visible_borders(all, ring_joints(layers, all.arrangement, cell)));
   std::vector<CellBorderPiece> cell_border = cell_border_pieces(layers, lines, points, all.arrangement, cell);
   Reference reference = reference_on(std::move(all), heights, cache, cell);
   return {std::move(heights), std::move(between), std::move(cell_border), std::move(reference)};

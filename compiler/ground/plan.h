@@ -1,4 +1,6 @@
-// Plans land cover: polygons of mapped areas and strips of watercourses. Heights are not decided here.
+// Plans land cover without heights: polygons of mapped areas, and watercourses as strips. A strip is an axis with a
+// width on each side. Both are recipes: plain data from which the ground is generated later. Objects are counted in the
+// ledger, a list of accounts of the objects that go into a stage, come out of it or are dropped (contract/report.h).
 #pragma once
 
 #include <vector>
@@ -11,14 +13,14 @@
 
 namespace citykiln::ground {
 
-/// Returns mapped areas as polygons, sorted by id. Roads, watercourses and buildings cover the ground too: their
-/// polygons come from their own recipes. Ledger "ground/area". Total.
+/// Returns mapped areas as polygons, sorted by id. Polygons of roads, watercourses and buildings come from their own
+/// recipes. Ledger "ground/area".
 std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report);
 
-/// Returns waterways at ground level as strips, sorted by id. Ledger "ground/waterway". Total.
+/// Returns waterways at ground level as strips, sorted by id. Ledger "ground/waterway".
 std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report);
 
-/// Returns the axes of waterways in culverts and on aqueducts, sorted by id: rivers are connected through them.
+/// Returns the axes of waterways in culverts and on aqueducts, sorted by id, directed downstream. They connect rivers.
 std::vector<Polyline> covered_waterways(const map::Features& features);
 
 }  // namespace citykiln::ground

@@ -1,4 +1,5 @@
-// The ground's recipes: what covers it. How high the terrain is says map::Heightfield.
+// Recipes of the ground, plain data from which its mesh is generated later: land cover polygons. A strip is the polygon
+// of a road or watercourse: an axis with a width on each side. map::Heightfield holds the heights of the terrain.
 #pragma once
 
 #include <cstdint>
@@ -11,34 +12,35 @@
 
 namespace citykiln::ground {
 
-/// A part of the plane with one land cover class: every place at which the winding numbers of the rings add up to more
+/// A part of the plane with one land cover class: all places at which the winding numbers of the rings add up to more
 /// than zero. Rings may overlap and cross.
 struct LandCoverPolygon {
   ObjectId id;
   map::LandCoverClass surface{};
-  std::uint32_t area_m2 = 0;  ///< Area before trimming, rounded; a constant below for strips and junctions. Of two
-                              ///< polygons of one priority the smaller is on top, then the lower id.
+  std::uint32_t area_m2 = 0;  ///< Area before trimming, rounded; strips and junctions have a constant below. If two
+                              ///< polygons have one priority, the smaller is on top, then the lower id.
   std::vector<Ring> rings;    ///< Plane metres, snapped.
-  std::uint32_t piece = 0;    ///< Numbers the pieces that a road is baked in: 1, 2 … along it; 0 otherwise.
-  std::optional<double> level_m{};  ///< Of standing water: plane height, a multiple of kProfileQuantum_m.
-  bool is_graded = false;           ///< Belongs to a road with a profile: lies on it, whatever its class.
+  std::uint32_t piece = 0;    ///< Number of a road's piece (roads/pieces): 1, 2 … along it; 0 for other polygons.
+  std::optional<double> level_m{};  ///< Plane height of standing water, a multiple of kProfileQuantum_m.
+  bool is_graded = false;           ///< True if it belongs to a road with a profile, which decides its height.
   bool operator==(const LandCoverPolygon&) const = default;
 };
 
-/// Strips lie over areas of their priority and junctions over strips, except junctions that a road passes through.
+/// Values of area_m2 for strips of roads and for junctions. They put strips above areas of their priority, and
+/// junctions above strips; a junction through which a road's lanes run (kPassedJunctionArea_m2) lies below strips.
 inline constexpr std::uint32_t kJunctionArea_m2 = 0, kStripArea_m2 = 1, kPassedJunctionArea_m2 = 2;
 
-/// Stations along a road are at most this far apart: heights are decided there, and lines across the road carry them to
-/// the ground beside it. Short enough for the shortest vertical curves of streets.
+/// The largest distance between stations, the places along a road at which its height is decided. Lines across the road
+/// at stations are edges of the ground. It is short enough for the shortest vertical curves of streets.
 inline constexpr double kStation_m = 16;
 
-/// Returns whether `a` lies on top of `b`: a strict total order for different ids, classes and pieces.
+/// True if `a` lies on top of `b`: a strict total order for different ids, classes and pieces.
 bool covers(const LandCoverPolygon& a, const LandCoverPolygon& b);
 
-/// Returns the box of all rings; empty without any.
+/// Returns the box of all rings; empty if there are none.
 Box2 box_of(const LandCoverPolygon& polygon);
 
-/// Returns the sum of the rings' winding numbers about p; the polygon covers p where it is above zero.
+/// Returns the sum of the rings' winding numbers about p. The polygon covers p if it is above zero.
 int winding_number(const LandCoverPolygon& polygon, Vec2 p);
 
 }  // namespace citykiln::ground

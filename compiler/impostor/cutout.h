@@ -1,8 +1,10 @@
-// Cutouts: pictures with opacity, packed side by side, for alpha-tested cards (leaves).
+// Cutouts: atlases of pictures with opacity, packed side by side, for cards: rectangles with an alpha-tested picture of
+// leaves.
 //
-//     +-------------+-------------+      each picture lies in a cell of its own, whose sides are multiples of a power
-//     of | . . . . . . | . . . . . . |      two: on so many mip levels no texel mixes two pictures | . pictu . . | .
-//     picture . | | . . . . . . | . . . . . . |
+//     +-------------+-------------+    each picture lies in a cell of its own. The sides of cells
+//     | . . . . . . | . . . . . . |    are multiples of 16 texels or more, so no texel of mip levels
+//     | . pictu . . | . picture . |    0 to 4 mixes two pictures
+//     | . . . . . . | . . . . . . |
 //     +-------------+-------------+
 #pragma once
 
@@ -18,15 +20,16 @@
 
 namespace citykiln::impostor {
 
-/// Images that do not repeat.
+/// A cutout: one atlas, as several images. Unlike textures of materials, the images are not repeated.
 struct Cutout {
   materials::TextureImage colour{};     ///< sRGB reflectance.
   std::vector<std::uint8_t> opacity{};  ///< One per texel of `colour`.
-  materials::TextureImage normal{};     ///< As materials::Texture::normal, with a texel size of its own; may be empty.
+  /// Normals in the format of materials::Texture::normal, with a texel size of their own; may be empty.
+  materials::TextureImage normal{};
   bool operator==(const Cutout&) const = default;
 };
 
-/// A cutout that many meshes show, kept once. Compared by value; without one, of no texels.
+/// A cutout that many meshes share. Compared by value. By default it has no texels.
 class SharedCutout {
  public:
   SharedCutout() : SharedCutout(Cutout{}) {}
@@ -40,20 +43,23 @@ class SharedCutout {
   std::shared_ptr<const Cutout> cutout_;
 };
 
+/// A cutout, and where each picture is in it.
 struct CutoutLayout {
-  Cutout cutout;
-  std::vector<Vec2> at_m;  ///< For each picture the position of its u = v = 0.
+  Cutout cutout;           ///< The atlas.
+  std::vector<Vec2> at_m;  ///< The position of each picture's u = v = 0 in the atlas, in metres.
 };
 
-/// Sides of cells are multiples of this many texels; of kWideCell_px where that takes no more of them.
+/// The sides of cells are multiples of kCell_px texels, or of a larger power of two up to kWideCell_px if that takes no
+/// more texels.
 inline constexpr std::uint32_t kCell_px = 16, kWideCell_px = 64;
 
 /// Packs pictures, without normals, and gives them opacities that survive mip levels (mip_opacity.h).
 ///
-/// @param pictures  Each with at least one texel. Halved until the image has at most kMaxAtlasTexels.
+/// @param pictures  Each has at least one texel. They are halved until the image has at most kMaxAtlasTexels.
+/// @param texel_m   The side of a texel of the pictures in metres, > 0. It doubles when pictures are halved.
 ///
-/// Guarantees: the sides of the image are powers of two. Texels around a picture are transparent, and opaque around one
-/// that is covered all over. Texels without coverage have the mean colour of their picture, so that filtering adds no
+/// Guarantees: the sides of the image are powers of two. Texels around a picture are transparent, or opaque if the
+/// picture is covered completely. Texels without coverage have the mean colour of their picture, so filtering adds no
 /// dark fringe. O(n log n + texels).
 CutoutLayout lay_out_cutout(std::vector<Picture> pictures, double texel_m);
 

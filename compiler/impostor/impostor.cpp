@@ -37,7 +37,7 @@ Texel texel_of(const SurfaceMaterial& surface) {
   return texel;
 }
 
-// The nearest surface at a sample. Of two, the one with the lesser key is nearer, or has the lower index.
+// The nearest surface at a sample. The surface with the lesser key is nearer, or has the lower index.
 struct Sample {
   std::uint64_t key = ~std::uint64_t{0};  // depth above surface; all ones where there is nothing
 

@@ -1,4 +1,4 @@
-// Pictures: for each texel the reflectance, emission, roughness, metalness and slope of a surface.
+// Pictures: the reflectance, emission, roughness, metalness and slope of a surface in each texel.
 #pragma once
 
 #include <array>
@@ -7,22 +7,23 @@
 
 namespace citykiln::impostor {
 
-/// Samples per texel, along each side and in all.
+/// The number of samples per texel: along each side, and in all.
 inline constexpr std::uint32_t kSamplesPerSide = 4, kSamplesPerTexel = kSamplesPerSide * kSamplesPerSide;
 
-/// Unit of slopes, so that 16 bits reach from -8 to 8.
+/// The unit of slopes: 16 bits reach from -8 to 8.
 inline constexpr double kSlopeUnit = 0x1p-12;
 
 /// The mean of a texel's covered samples.
 struct Texel {
   std::array<std::uint16_t, 3> light{};  ///< Linear reflectance, 65535 = 1.
   std::uint8_t roughness = 0, metalness = 0;
-  std::uint8_t shown = 0;  ///< Number of covered samples, 0 … kSamplesPerTexel. If 0, all values are 0.
+  std::uint8_t shown = 0;  ///< The number of covered samples, 0 … kSamplesPerTexel. If 0, all values are 0.
   std::array<std::uint16_t, 3> emission{};  ///< Linear, 65535 = materials::kEmission_cd_m2.
-  std::array<std::int16_t, 2> slope{};      ///< Rise towards the viewer along rows and down columns, in kSlopeUnit.
+  std::array<std::int16_t, 2> slope{};      ///< The rise towards the viewer along rows and down columns, in kSlopeUnit.
   auto operator<=>(const Texel&) const = default;
 };
 
+/// True if the texel emits light.
 inline bool emits(const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; }
 
 struct Picture {
@@ -34,8 +35,10 @@ struct Picture {
 /// A sum of texels, weighted by their covered samples.
 class TexelSum {
  public:
+  /// Adds a texel.
   void add(const Texel& texel);
-  /// Returns the mean, rounded once; Texel{} if nothing is covered. `shown` is the mean over `texels`, rounded up.
+  /// Returns the mean, rounded once; Texel{} if nothing is covered.
+  /// @param texels  The number of texels added: `shown` is the mean over them, rounded up.
   Texel mean(std::uint64_t texels) const;
 
  private:
@@ -47,7 +50,8 @@ class TexelSum {
 /// Returns the mean of all covered samples; Texel{} if there are none. O(texels).
 Texel mean(const Picture& picture);
 
-/// Returns the picture at half the resolution, rounded up: each texel is the mean of the four it covers. O(texels).
+/// Returns the picture at half the resolution, with sizes rounded up: each texel is the mean of the four texels that it
+/// covers. O(texels).
 Picture halved(const Picture& picture);
 
 /// Fills texels without covered samples with the mean of the picture, for texture filtering. O(texels).

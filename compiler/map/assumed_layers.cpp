@@ -33,7 +33,7 @@ bool lacks_layer(const Track& track) {
   return track.passage == Passage::kBridge || values_of(track.surface).group != LandCoverGroup::kPath;
 }
 
-// The layer of all that the track continues, or none where there is none or several.
+// The layer of all bridges or tunnels at the track's ends; none if they have no layer or different ones.
 std::optional<std::int8_t> continued_layer(const Track& track, const std::vector<LayeredNode>& nodes) {
   std::optional<std::int8_t> layer;
   for (const std::int64_t end : {track.node_ids.front(), track.node_ids.back()}) {

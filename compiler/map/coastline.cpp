@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::map {
 namespace {

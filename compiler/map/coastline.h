@@ -1,4 +1,4 @@
-// Coastlines (lines with water on their right) to polygons of the sea.
+// Makes polygons of the sea from coastlines, which are lines with water on their right.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,19 @@ struct CoastWay {
   std::int64_t first_node = 0, last_node = 0;
 };
 
+/// The sea inside a box.
 struct Sea {
   std::vector<Polygon> polygons;
-  std::vector<OsmId>
-      open_ends;  ///< Ways with an end inside the box that meets no other; they are extended straight to a side.
+  /// Coastline ways with an end inside the box that no other way continues. Such an end is extended straight to a side.
+  std::vector<OsmId> open_ends;
 };
 
 /// Returns the sea inside a box.
 ///
 /// Guarantees: outer rings counter-clockwise, islands as clockwise holes; a coast that enters and leaves the box is
 /// closed along its sides with water on the right; without a coast that touches the box there is no sea. The order of
-/// ways does not matter. Points on the box's sides are snapped. Total: coasts that cross each other or have water on
-/// the left give a wrong sea. O(n log n).
+/// ways does not matter. Points on the box's sides are snapped. Coasts that cross each other or have water on the left
+/// give a wrong sea. O(n log n).
 Sea close_sea(std::vector<CoastWay> ways, const Box2& box);
 
 }  // namespace citykiln::map

@@ -1,4 +1,4 @@
-// Cross-sections: the lanes of a way from its left edge to its right one.
+// Cross-sections: the lanes of a way from its left edge to its right edge.
 //
 //     s|pddp|s     letters    s pavement  p parking  c cycling  b bus  d driving  t turning from both directions
 //     -|vv^^|-     directions S shoulder  / buffer   f foot     r rails  g verge
@@ -11,14 +11,15 @@
 
 namespace citykiln::map {
 
+/// The use of a lane.
 enum class LaneKind : std::uint8_t {
   kDriving,
   kBus,
   kTurn,      ///< In the middle, for turning from both directions.
-  kCycle,     ///< A lane; a track where it is raised.
+  kCycle,     ///< A cycle lane; if raised, a cycle track.
   kParking,   ///< On the carriageway, half on the kerb or in bays.
-  kShoulder,  ///< Paved, beside the lanes.
-  kBuffer,    ///< Painted or raised, between cyclists and cars.
+  kShoulder,  ///< A paved strip beside the lanes.
+  kBuffer,    ///< A painted or raised strip between cyclists and cars.
   kSidewalk,  ///< A road's pavement. Always raised.
   kFoot,      ///< The whole of a footway, path, bridleway, pedestrian street or stairs.
   kRail,      ///< The whole of a track of rails.
@@ -26,9 +27,9 @@ enum class LaneKind : std::uint8_t {
   kCount
 };
 
-enum class LaneDirection : std::uint8_t { kForward, kBackward, kBoth };  ///< As seen along the way's direction.
+enum class LaneDirection : std::uint8_t { kForward, kBackward, kBoth };  ///< Relative to the direction of the way.
 
-/// Bits of Lane::turns, by turn:lanes as seen by drivers. No bit: no arrows.
+/// Bits of Lane::turns: turns as drivers see them (turn:lanes). No bit: no arrows.
 enum LaneTurn : std::uint16_t {
 #define TURN(value, name, bit) name = 1 << (bit),
 #define TURN_ALIAS(value, name)
@@ -37,22 +38,25 @@ enum LaneTurn : std::uint16_t {
 #undef TURN_ALIAS
 };
 
+/// One lane of a way.
 struct Lane {
   LaneKind kind{};
   LaneDirection way = LaneDirection::kBoth;
   double width_m = 0;       ///< > 0, a multiple of 2^-10.
   std::uint16_t turns = 0;  ///< LaneTurn bits.
-  bool is_raised = false;   ///< Outside the kerb: pavements, cycle tracks, verges.
+  bool is_raised = false;   ///< True outside the kerb: pavements, cycle tracks, verges.
   bool operator==(const Lane&) const = default;
 };
 
+/// The lanes of a way.
 struct CrossSection {
   std::vector<Lane> lanes;   ///< Left to right, seen along the way. At least one is not raised, at most 42 in all.
-  double axis_offset_m = 0;  ///< From the left edge of the carriageway, the lanes that are not raised, to the way; a
-                             ///< multiple of 2^-11.
+  double axis_offset_m = 0;  ///< Distance of the way from the left edge of the carriageway (the lanes that are not
+                             ///< raised); a multiple of 2^-11.
   bool operator==(const CrossSection&) const = default;
 };
 
+/// The side of the road on which traffic drives.
 enum class DrivingSide : std::uint8_t { kRight, kLeft };
 
 /// The width of all lanes that are not raised.

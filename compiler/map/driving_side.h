@@ -2,12 +2,13 @@
 #pragma once
 
 #include "compiler/map/cross_section.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::map {
 
-/// Returns the side by the rings of driving_side.inc, else right. Land borders are right to 10 km, and to 1 km near the
-/// towns of its test; at sea they lie anywhere between the coasts. Total: invalid places drive on the right. O(rings).
+/// Returns the side by the rings of driving_side.inc; right outside of all rings, also for invalid places. Land borders
+/// are accurate to 10 km, and to 1 km near the towns of its test; at sea they lie anywhere between the coasts.
+/// O(rings).
 ///
 /// Source: borders of Natural Earth 4.1, 1:10 million (public domain), simplified.
 DrivingSide driving_side_at(LonLat place);

@@ -9,7 +9,6 @@
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/utf8.h"
 #include "compiler/map/features.h"
-#include "compiler/map/part_outlines.h"
 #include "compiler/source/osm_data.h"
 
 namespace citykiln::map {
@@ -80,10 +79,8 @@ std::string shortened(std::string name) {
 // The outline of each building part.
 std::map<OsmId, OsmId> outlines_of_parts(const Features& features) {
   std::map<OsmId, OsmId> outlines;
-  if (std::ranges::none_of(features.footprints, &Footprint::is_part)) return outlines;
-  const std::vector<std::uint32_t> found = part_outlines(features.footprints);
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (found[i] != kNoOutline) outlines.emplace(features.footprints[i].id.osm, features.footprints[found[i]].id.osm);
+  for (const Footprint& footprint : features.footprints)
+    if (footprint.outline) outlines.emplace(footprint.id.osm, footprint.outline->osm);
   return outlines;
 }
 

@@ -1,4 +1,5 @@
-// One reader a kind of feature, called by locate(). Each keeps its own account "map/<kind>" in the ledger.
+// Reads the features of the map, one function for each kind, for locate(). Each keeps an account "map/<kind>" in the
+// ledger.
 #pragma once
 
 #include <vector>
@@ -9,13 +10,13 @@
 
 namespace citykiln::map {
 
-/// By track_rules.inc, lanes.h and track_points.h. Without `side`, each way drives on the side of its first node's
-/// place.
+/// Reads ways that have a row in track_rules.inc, their lanes (lanes.h) and their marked nodes (track_points.h).
+/// @param side  The driving side; if empty, driving_side_at() the first node of each way.
 std::vector<Track> locate_tracks(const ReadContext& context, std::optional<DrivingSide> side);
 std::vector<Footprint> locate_footprints(const ReadContext& context);  ///< building=*, building:part=*.
 std::vector<AreaFeature> locate_areas(const ReadContext& context);     ///< By area_rules.inc, without the sea.
 std::vector<AreaFeature> locate_sea(
-    const ReadContext& context);  ///< natural=coastline, closed along the region. Ledger "map/coastline".
+    const ReadContext& context);  ///< natural=coastline, closed around the extent. Ledger "map/coastline".
 std::vector<Waterway> locate_waterways(const ReadContext& context);     ///< waterway=* lines.
 std::vector<Barrier> locate_barriers(const ReadContext& context);       ///< barrier=* lines.
 std::vector<PointFeature> locate_points(const ReadContext& context);    ///< Trees, lamps and similar.

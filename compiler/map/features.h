@@ -12,37 +12,40 @@
 #include "compiler/geometry/polygon.h"
 #include "compiler/map/cross_section.h"
 #include "compiler/map/element_text.h"
-#include "compiler/map/heightfield.h"
 #include "compiler/map/lamp_tags.h"
 #include "compiler/map/land_cover_class.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/map/plant_kind.h"
 #include "compiler/materials/material.h"
 #include "grammars/roofs/roof_shape.h"
 
 namespace citykiln::map {
 
-/// The side of the ground's cells: the region and every tile are made of whole cells.
+/// The side of the ground's cells. The extent and every tile consist of whole cells.
 inline constexpr double kCell_m = 128;
+/// The side of a tile unless the spec sets another.
+inline constexpr double kDefaultTile_m = 8 * kCell_m;
 
 /// A tagged colour, sRGB.
 using Srgb = std::array<std::uint8_t, 3>;
 
+/// Where a way runs: on the ground, on a bridge, or in a tunnel.
 enum class Passage : std::uint8_t { kGround, kBridge, kTunnel };
 
-/// What a node of a way marks.
+/// The meaning of a marked node of a way.
 enum class TrackPointKind : std::uint8_t {
   kZebra,          ///< A crossing with stripes along the road.
-  kCrossing,       ///< Marked otherwise, with signals, or unspecified.
-  kSignals,        ///< For the road's own traffic.
+  kCrossing,       ///< A crossing marked otherwise, with signals, or unspecified.
+  kSignals,        ///< Traffic signals for the road's own traffic.
   kStop,           ///< A stop sign.
   kGiveWay,        ///< A give-way sign.
-  kLevelCrossing,  ///< Rails crossing a road or path; on the tracks of both.
+  kLevelCrossing,  ///< Rails that cross a road or path; the tracks of both have the point.
   kTurningCircle,  ///< A turning circle, with or without an island.
   kMiniRoundabout,
   kCount
 };
 
-/// A node of a track that marks something.
+/// A marked node of a track.
 struct TrackPoint {
   std::uint32_t vertex = 0;  ///< Index into the track's axis.
   TrackPointKind kind{};
@@ -50,7 +53,7 @@ struct TrackPoint {
   auto operator<=>(const TrackPoint&) const = default;
 };
 
-/// A way to drive, walk or ride on: road, path, rail. One polyline a way, not split at junctions.
+/// A way to drive, walk or ride on: road, path, rail. One polyline per way, not split at junctions.
 struct Track {
   ObjectId id;
   Polyline axis;                       ///< Plane metres, snapped, no repeated neighbours, at least two points.
@@ -61,40 +64,42 @@ struct Track {
   bool is_oneway = false, is_lit = false, is_rail = false;
   bool is_roundabout = false;         ///< junction=roundabout or circular.
   bool is_link = false;               ///< A ramp or slip road: highway=*_link.
-  bool is_through_building = false;   ///< Its tags say so: tunnel=building_passage, covered=*, level=*.
-  std::vector<TrackPoint> points;     ///< Sorted. A closed axis has them at its first vertex, once.
-  CrossSection section;               ///< By its tags.
-  bool has_tagged_width = false;      ///< Whether they state how wide the carriageway is; else the class does.
-  bool has_tagged_placement = false;  ///< Whether they state where on the carriageway the axis lies; else the middle.
-  DrivingSide side{};                 ///< Of its traffic.
-  TreeSides trees{};                  ///< Left and right along the axis.
+  bool is_through_building = false;   ///< By tunnel=building_passage, covered=*, level=*.
+  std::vector<TrackPoint> points;     ///< Sorted. On a closed axis, points of the end node are at vertex 0 only.
+  CrossSection section;               ///< Lanes from tags and defaults.
+  bool has_tagged_width = false;      ///< True if tags state the carriageway's width; else it is the class's.
+  bool has_tagged_placement = false;  ///< True if tags state where the axis lies in the carriageway; else the middle.
+  DrivingSide side{};                 ///< The side on which its traffic drives.
+  TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.
 };
 
-/// A building's outline or a part of one.
+/// The outline of a building, or of a building part.
 struct Footprint {
   ObjectId id;
   Polygon polygon;
   bool is_part = false;
-  bool has_parts = false;           ///< An outline replaced by its building:parts: not drawn.
-  double height_m = 0;              ///< Above the ground, by tags, levels or class. > min_height_m.
-  bool has_roof_in_height = false;  ///< True where height_m includes the roof (height=*); else the roof comes on top.
-  double min_height_m = 0;
-  double levels = 0;            ///< Storeys below the roof, counted from the ground; 0: unknown.
-  bool has_roof_shape = false;  ///< Whether roof:shape is tagged.
-  roofs::RoofShape roof;        ///< As far as tagged; levels as height, without overhang.
+  std::optional<ObjectId>
+      outline;             ///< The outline that a part belongs to (buildings/part_outlines.h); none if outside.
+  bool has_parts = false;  ///< True for an outline that its building:parts replace: it is not built.
+  double height_m = 0;     ///< Height above the ground, by tags, levels or class. > min_height_m.
+  bool has_roof_in_height = false;  ///< True if height_m includes the roof (height=*); else the roof comes on top.
+  double min_height_m = 0;          ///< Height of its lower end above the ground.
+  double levels = 0;                ///< Storeys below the roof, counted from the ground; 0: unknown.
+  bool has_roof_shape = false;      ///< True if roof:shape is tagged.
+  roofs::RoofShape roof;            ///< The tagged values, levels as height; no overhang.
   std::optional<Srgb> wall_colour, roof_colour;
   std::optional<materials::Material> wall_material, roof_material;
   std::uint8_t building_class = 0;  ///< A BuildingClass.
-  std::uint16_t year = 0;           ///< The start of its construction; 0: unknown.
-  bool has_shop = false;            ///< Something is sold or served in it.
+  std::uint16_t year = 0;           ///< The year in which construction began; 0: unknown.
+  bool has_shop = false;            ///< True if something is sold or served in it.
 };
 
 /// A polygon of land or water with one class.
 struct AreaFeature {
   ObjectId id;
-  Polygon polygon;  ///< Trimmed to what is near the region.
+  Polygon polygon;  ///< Trimmed to the surroundings of the extent.
   LandCoverClass surface{};
-  double area_m2 = 0;  ///< Of the whole polygon, before trimming.
+  double area_m2 = 0;  ///< Area of the whole polygon, before trimming.
   PlantTags plant_tags{};
 };
 
@@ -107,14 +112,16 @@ struct Waterway {
   Passage passage = Passage::kGround;
 };
 
+/// The form of a barrier.
 enum class BarrierKind : std::uint8_t { kWall, kFence, kHedge, kRetainingWall, kGuardRail, kCityWall };
 
-/// "RetainingWall".
+/// The name of a kind in output files, such as "RetainingWall".
 constexpr std::string_view name_of(BarrierKind kind) {
   constexpr std::string_view kNames[] = {"Wall", "Fence", "Hedge", "RetainingWall", "GuardRail", "CityWall"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+/// A wall, fence, hedge or similar as a line.
 struct Barrier {
   ObjectId id;
   Polyline axis;
@@ -122,6 +129,7 @@ struct Barrier {
   double height_m = 0, width_m = 0;
 };
 
+/// The form of a point object.
 enum class PointKind : std::uint8_t {
   kTree,  ///< A tree or shrub.
   kStreetLamp,
@@ -139,13 +147,14 @@ enum class PointKind : std::uint8_t {
   kAddress    ///< A house number.
 };
 
+/// An object that is mapped as a point.
 struct PointFeature {
   ObjectId id;
   Vec2 at;
   PointKind kind{};
   double height_m = 0;     ///< 0: untagged.
-  PlantTags plant_tags{};  ///< Trees and shrubs.
-  LampTags lamp_tags{};    ///< Street lamps.
+  PlantTags plant_tags{};  ///< Tags of trees and shrubs.
+  LampTags lamp_tags{};    ///< Tags of street lamps.
 };
 
 /// A line of trees.
@@ -157,7 +166,7 @@ struct TreeRow {
   PlantTags plant_tags{};
 };
 
-/// A power line, below which tall trees are cleared.
+/// A power line. Tall trees below it are cleared.
 struct PowerLine {
   ObjectId id;
   Polyline axis;
@@ -166,16 +175,16 @@ struct PowerLine {
 
 /// All features, each vector sorted by id, all coordinates snapped to kMapStep_m.
 struct Features {
-  Box2 region;  ///< The compiled region: the cells of 128 m that contain the requested box.
+  Box2 extent;  ///< The extent of the compile: the cells of 128 m that contain the requested box.
   std::vector<Track> tracks;
   std::vector<Footprint> footprints;
-  std::vector<AreaFeature> areas;  ///< Includes the sea, closed along the region.
+  std::vector<AreaFeature> areas;  ///< Includes the sea, closed around the extent.
   std::vector<Waterway> waterways;
   std::vector<Barrier> barriers;
   std::vector<PointFeature> points;
   std::vector<TreeRow> tree_rows;
   std::vector<PowerLine> power_lines;
-  std::vector<ElementText> texts{};  ///< Of the features' elements, sorted by id.
+  std::vector<ElementText> texts{};  ///< Names and tags of the features' elements, sorted by id.
 };
 
 }  // namespace citykiln::map

@@ -1,4 +1,4 @@
-// The loop that tracks, waterways and barriers share: reads each way of a kind, its row in a table, and its line.
+// The loop over ways that the readers of tracks, waterways and barriers share.
 #pragma once
 
 #include "compiler/map/feature_readers.h"
@@ -6,9 +6,12 @@
 
 namespace citykiln::map {
 
-/// Calls make(way, *row, LocatedLine&&) for every way that is_of_kind, has a row, has a length and is near the region.
-/// Ways tagged area=yes are left to locate_areas(). Keeps the account "map/<account_name>" and diagnoses what is
-/// dropped or leaves the region. O(ways).
+/// Calls make(way, *row, LocatedLine&&) for every way of a kind that has a length and is near the extent. Ways tagged
+/// area=yes are left to locate_areas(). Keeps the account "map/<account_name>" and diagnoses ways that are dropped or
+/// leave the extent. O(ways).
+/// @param is_of_kind  True for the ways to read.
+/// @param row_of      Returns a way's row in the table of the kind, or null; a way without a row is dropped,
+///                    kUnknownKind.
 template <typename IsOfKind, typename RowOf, typename Make>
 void for_each_line(const ReadContext& context, const char* account_name, IsOfKind is_of_kind, RowOf row_of, Make make) {
   Account account;
@@ -25,7 +28,7 @@ void for_each_line(const ReadContext& context, const char* account_name, IsOfKin
     else if (!is_near(context, line.axis))
       context.report.drop(account, Code::kOutsideBounds, id);
     else
-      tell_cut(context, id, line.axis), make(way, *row, std::move(line)), account.out += context.report.counts(id);
+      diagnose_cut(context, id, line.axis), make(way, *row, std::move(line)), account.out += context.report.counts(id);
   }
   context.report.account("map", account_name) = account;
 }

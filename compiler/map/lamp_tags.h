@@ -1,11 +1,11 @@
-// What a map says of a street lamp's light.
+// Tags of a street lamp's light.
 #pragma once
 
 #include <cstdint>
 
 namespace citykiln::map {
 
-/// How light is made: rows of lamp_types.inc. The order is part of the manifest format: append only.
+/// Types of light sources: rows of lamp_types.inc. The order is part of the manifest format: append only.
 enum class LampType : std::uint8_t {
 #define LAMP_TYPE(name, temperature_k, most_lm) name,
 #include "compiler/map/lamp_types.inc"
@@ -13,7 +13,7 @@ enum class LampType : std::uint8_t {
   kCount
 };
 
-/// lamp_mount=*. The order is part of the manifest format: append only.
+/// Values of lamp_mount=*. The order is part of the manifest format: append only.
 enum class LampMount : std::uint8_t {
   kUnknown,
   kStraightMast,
@@ -25,22 +25,23 @@ enum class LampMount : std::uint8_t {
   kCount
 };
 
-/// Luminaires that one lamp has at most.
+/// The largest number of luminaires of a lamp.
 inline constexpr std::uint8_t kMostLuminaires = 16;
 
-/// As tagged; what is not tagged follows from type and class.
+/// Tagged values; missing ones are derived in props/luminaire.h.
 struct LampTags {
   LampType type{};
   LampMount mount{};
-  std::uint8_t count = 1;           ///< Luminaires: 1 to kMostLuminaires.
+  std::uint8_t count = 1;           ///< Number of luminaires: 1 to kMostLuminaires.
   std::uint16_t temperature_k = 0;  ///< Colour temperature, 1,000 to 20,000; 0: not tagged.
-  std::uint32_t lumen = 0;          ///< Of one luminaire, at most 1,000,000; 0: not tagged.
+  std::uint32_t lumen = 0;          ///< Luminous flux of one luminaire, at most 1,000,000; 0: not tagged.
   bool operator==(const LampTags&) const = default;
 };
 
+/// A row of lamp_types.inc.
 struct LampTypeValues {
-  std::uint16_t temperature_k;  ///< 0: that of its class.
-  std::uint32_t most_lm;        ///< Of one luminaire.
+  std::uint16_t temperature_k;  ///< Colour temperature; 0: it depends on the road (props/luminaires.inc).
+  std::uint32_t most_lm;        ///< Largest luminous flux of one luminaire.
 };
 
 const LampTypeValues& values_of(LampType type);

@@ -1,4 +1,4 @@
-// Land cover classes: every face of the ground has exactly one.
+// Land cover classes. Every face of the ground has exactly one.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ enum class LandCoverClass : std::uint8_t {
   kCount
 };
 
-/// Groups of classes: land uses, and what roads and buildings add.
+/// Groups of classes: land uses, and the surfaces of roads and buildings.
 enum class LandCoverGroup : std::uint8_t {
   kUnknown,
   kForest,
@@ -37,14 +37,16 @@ enum class LandCoverGroup : std::uint8_t {
   kBuilding
 };
 
+/// A row of land_cover_classes.inc.
 struct LandCoverValues {
-  std::string_view name;  ///< "ConiferousForest".
+  std::string_view name;  ///< Such as "ConiferousForest".
   LandCoverGroup group;
-  std::uint8_t
-      priority;  ///< Where polygons overlap the higher one wins; among equals the smaller area, then the lower id.
+  /// Where polygons overlap, the higher priority wins, then the smaller area, then the lower id.
+  std::uint8_t priority;
   materials::Material material;
 };
 
+/// Returns the row of a class.
 const LandCoverValues& values_of(LandCoverClass surface);
 
 }  // namespace citykiln::map

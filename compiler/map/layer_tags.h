@@ -1,4 +1,4 @@
-// The tags by which a reader sees why one way lies above another.
+// Tags that explain why one way lies above another, for diagnoses of two ways.
 #pragma once
 
 #include <map>
@@ -9,12 +9,12 @@
 
 namespace citykiln::map {
 
-/// Tags by element, such as "tunnel=yes layer=-2".
+/// Tags of elements as text, such as "tunnel=yes layer=-2".
 using LayerTags = std::map<OsmId, std::string>;
 
-/// Returns the tags about height of every way that a diagnosis of two objects names: bridge, tunnel, layer, level,
-/// covered, indoor, location, incline, maxheight, in this order. Ways without any have an empty text; elements that are
-/// no ways of the extract have none. Bytes that are not UTF-8 become U+FFFD. O(log n) a diagnosis.
+/// Returns, for every way named by a diagnosis of two objects, its tags bridge, tunnel, layer, level, covered, indoor,
+/// location, incline and maxheight, in this order. The text is empty if it has none of these. Elements that are not
+/// ways of the extract are left out. Bytes that are not UTF-8 become U+FFFD. O(log n) per diagnosis.
 LayerTags layer_tags_of(const source::OsmData& osm, const Report& report);
 
 }  // namespace citykiln::map

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "compiler/map/assumed_layers.h"
+#include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
-#include "compiler/map/map_box.h"
 
 namespace citykiln::map {
 namespace {
@@ -19,7 +19,7 @@ double to_cell_up(double v) { return std::ceil(v / kCell_m) * kCell_m; }
 }  // namespace
 
 // The sides of the box are curves in the plane, so points along them are included.
-Box2 region_of(const Plane& plane, const LonLatBox& box) {
+Box2 extent_of(const Plane& plane, const LonLatBox& box) {
   constexpr int kSteps = 8;
   Box2 around;
   for (int i = 0; i <= kSteps; ++i) {
@@ -29,11 +29,11 @@ Box2 region_of(const Plane& plane, const LonLatBox& box) {
          {LonLat{lon, box.south}, LonLat{lon, box.north}, LonLat{box.west, lat}, LonLat{box.east, lat}})
       around.grow(plane.forward(p));
   }
-  Box2 region{{to_cell_down(around.min.x), to_cell_down(around.min.y)},
+  Box2 extent{{to_cell_down(around.min.x), to_cell_down(around.min.y)},
               {to_cell_up(around.max.x), to_cell_up(around.max.y)}};
-  if (region.width() == 0) region.max.x += kCell_m;
-  if (region.height() == 0) region.max.y += kCell_m;
-  return region;
+  if (extent.width() == 0) extent.max.x += kCell_m;
+  if (extent.height() == 0) extent.max.y += kCell_m;
+  return extent;
 }
 
 LonLatBox choose_box(const source::OsmData& osm, const Options& options) {
@@ -48,9 +48,9 @@ LonLat default_origin(const LonLatBox& box) {
 Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox& box, const Options& options,
                 Report& report) {
   assert(box.west <= box.east && box.south <= box.north);
-  const ReadContext context{osm, plane, region_of(plane, box), report};
+  const ReadContext context{osm, plane, extent_of(plane, box), report};
   Features features;
-  features.region = context.region;
+  features.extent = context.extent;
   features.tracks = with_assumed_layers(locate_tracks(context, options.driving_side));
   features.footprints = locate_footprints(context);
   features.areas = locate_areas(context);

@@ -1,9 +1,12 @@
+#include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "compiler/map/building_tags.h"
-#include "compiler/map/coincident_footprints.h"
+#include "compiler/map/buildings/building_tags.h"
+#include "compiler/map/buildings/coincident_footprints.h"
+#include "compiler/map/buildings/part_outlines.h"
 #include "compiler/map/feature_readers.h"
-#include "compiler/map/part_outlines.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
@@ -12,11 +15,13 @@ namespace {
 // Parts replace an outline if they cover more than this share of it: a single roof terrace mapped as a part does not.
 constexpr double kCoveringShare = 0.6;
 
-void mark_outlines(std::vector<Footprint>& footprints) {
-  const std::vector<std::uint32_t> outlines = part_outlines(footprints);
+void mark_outlines(std::span<const std::uint32_t> outlines, std::vector<Footprint>& footprints) {
   std::vector<double> covered_m2(footprints.size(), 0);
-  for (std::size_t i = 0; i < footprints.size(); ++i)
-    if (outlines[i] != kNoOutline) covered_m2[outlines[i]] += area_m2(footprints[i].polygon);
+  for (std::size_t i = 0; i < footprints.size(); ++i) {
+    if (outlines[i] == kNoOutline) continue;
+    footprints[i].outline = footprints[outlines[i]].id;
+    covered_m2[outlines[i]] += area_m2(footprints[i].polygon);
+  }
   for (std::size_t i = 0; i < footprints.size(); ++i)
     footprints[i].has_parts = covered_m2[i] > kCoveringShare * area_m2(footprints[i].polygon);
 }
@@ -48,8 +53,9 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
   }
   // before parts are assigned to outlines, since only one of two equal outlines gets them
   footprints = without_duplicates(std::move(footprints), account, context.report);
-  mark_outlines(footprints);
-  footprints = without_enclosed_parts(std::move(footprints), account, context.report);
+  const std::vector<std::uint32_t> outlines = part_outlines(footprints);
+  mark_outlines(outlines, footprints);
+  footprints = without_enclosed_parts(std::move(footprints), outlines, account, context.report);
   context.report.account("map", "footprint") = account;
   return footprints;
 }

@@ -1,7 +1,7 @@
 #include <array>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_tags.h"
+#include "compiler/map/buildings/building_tags.h"
 #include "compiler/map/for_each_line.h"
 #include "compiler/map/plant_tags.h"
 #include "compiler/map/read_lamp_tags.h"
@@ -70,7 +70,7 @@ PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
   return plant_tags;
 }
 
-// Of a lamp also that of its light.
+// The height by height=*; of a street lamp also by light:height=*. 0: not tagged.
 double tagged_point_height_m(const ReadContext& context, OsmId id, const PointRow& row, source::Range tags) {
   auto height_m = tagged_length_m(context, id, tags, "height", 0.1, kTallestPoint_m);
   if (!height_m && row.kind == PointKind::kStreetLamp)
@@ -129,7 +129,7 @@ std::vector<PointFeature> locate_points(const ReadContext& context) {
     const OsmId id{OsmType::kNode, node.id};
     account.in += context.report.counts(id);
     const Vec2 at = context.plane.snapped_forward(node.at);
-    if (!context.region.contains(at)) {
+    if (!context.extent.contains(at)) {
       context.report.drop(account, Code::kOutsideBounds, id);
       continue;
     }

@@ -6,7 +6,7 @@
 namespace citykiln::map {
 namespace {
 
-// The sea is closed along a box this much wider than the region, which puts its sides out of sight.
+// The sea is closed along a box this much wider than the extent, which puts its sides out of sight.
 constexpr double kBeyond_m = 256;
 
 }  // namespace
@@ -31,7 +31,7 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
   OsmId first;
   for (const CoastWay& way : ways)
     if (first.type == OsmType::kNone || way.id < first) first = way.id;
-  Sea sea = close_sea(std::move(ways), context.region.widened(kBeyond_m));
+  Sea sea = close_sea(std::move(ways), context.extent.widened(kBeyond_m));
   for (const OsmId open : sea.open_ends) context.report.add(Code::kCoastlineOpen, open);
   std::sort(sea.polygons.begin(), sea.polygons.end(),
             [](const Polygon& a, const Polygon& b) { return a.outer < b.outer; });

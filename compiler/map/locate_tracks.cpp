@@ -5,10 +5,10 @@
 #include "compiler/map/for_each_line.h"
 #include "compiler/map/lanes/lane_tags.h"
 #include "compiler/map/lanes/lanes.h"
+#include "compiler/map/lanes/track_points.h"
+#include "compiler/map/lanes/track_rules.h"
 #include "compiler/map/plant_tags.h"
-#include "compiler/map/road_region.h"
-#include "compiler/map/track_points.h"
-#include "compiler/map/track_rules.h"
+#include "compiler/map/road_guidelines.h"
 
 namespace citykiln::map {
 namespace {
@@ -79,7 +79,7 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.node_ids = std::move(line.node_ids);
   track.surface = racked(surfaced(row.surface, context.tag(way.tags, "surface")), context.tag(way.tags, "rack"));
   track.side = side;
-  TaggedSection section = tagged_section_of(context, id, way.tags, side, road_region_at(place));
+  TaggedSection section = tagged_section_of(context, id, way.tags, side, guidelines_at(place));
   track.section = std::move(section.section);
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
   track.layer = tagged_layer(context, id, way.tags);

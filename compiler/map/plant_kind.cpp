@@ -27,7 +27,7 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-// The text in lower case with a space for each other character. Of UTF-8, capitals of Latin-1 are converted.
+// The text in lower case, with a space for each character that is not a letter. Converts capitals of ASCII and Latin-1.
 std::string lowered(std::string_view text) {
   std::string lower;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -1,4 +1,4 @@
-// Kinds of plants, and what tags say about a plant.
+// Kinds of plants, and tags of a plant.
 #pragma once
 
 #include <cstdint>
@@ -6,16 +6,18 @@
 
 namespace citykiln::map {
 
-/// The species that tags name: kUnknown, then one enumerator for each block of species.inc, in its order. Genera
-/// without a species of their own map to the one that looks most similar.
+/// The species of a plant: kUnknown, then one enumerator for each block of species.inc, in its order. A tagged genus
+/// without a block is read as the species that looks most similar.
 enum class PlantKind : std::uint8_t {
   kUnknown,
 #define SPECIES(name, ...) name,
 #include "lsystems/species/species.inc"
 };
 
+/// The type of leaves.
 enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };
 
+/// Tags of one plant or wood.
 struct PlantTags {
   PlantKind kind{};
   LeafType leaves{};
@@ -28,8 +30,9 @@ struct PlantTags {
 /// The sides of a street with trees.
 enum class TreeSides : std::uint8_t { kNone, kLeft, kRight, kBoth };
 
-/// Returns the kind that the first known word of a text names, in Latin, English, German, French, Spanish or Catalan,
-/// in any case. German compounds match by their ending ("Winterlinde"). kUnknown without a known word. O(words · taxa).
+/// Returns the kind of the first word of a text that names a plant in Latin, English, German, French, Spanish or
+/// Catalan; case does not matter. German compounds match by their ending ("Winterlinde"). kUnknown if no word is known.
+/// O(words · taxa).
 PlantKind kind_named(std::string_view text);
 
 }  // namespace citykiln::map

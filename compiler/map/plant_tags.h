@@ -6,11 +6,12 @@
 
 namespace citykiln::map {
 
-/// By genus, species, taxon, trees, crop and produce, by the taxa of lsystems/species/species.inc; leaves by leaf_type,
-/// leaf_cycle and the older wood=* and type=*; else by the kind. Sizes that cannot be read are diagnosed kBadTagValue.
+/// Reads the kind from genus, species, taxon, trees, crop and produce, by the taxa of lsystems/species/species.inc, and
+/// the leaf type from leaf_type, leaf_cycle and the older wood=* and type=*, else from the kind. Sizes that cannot be
+/// read are diagnosed kBadTagValue.
 PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range tags);
 
-/// Returns height or est_height in metres; 0: untagged.
+/// Returns height=* or est_height=* in metres; 0: not tagged.
 double tagged_plant_height_m(const ReadContext& context, OsmId id, source::Range tags);
 
 /// Returns the sides named by tree_lined=*.

@@ -5,15 +5,15 @@
 
 #include "compiler/geometry/clip_polyline.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/clip_ring.h"
+#include "compiler/map/plane/clip_ring.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
 namespace {
 
-// Rings much larger than the region (a lake, a national park) keep their vertices within this distance.
+// Rings much larger than the extent (a lake, a national park) keep their vertices within this distance.
 constexpr double kKeptAround_m = 256;
-// Maximum distance of anything from the region: rings are clipped there, stray nodes of lines are moved there. Longer
+// Maximum distance of anything from the extent: rings are clipped there, stray nodes of lines are moved there. Longer
 // than any real segment, and well within the 524 km in which ground/ computes exactly.
 constexpr double kFarthest_m = 65536;
 
@@ -28,16 +28,16 @@ Ring located_ring(const ReadContext& context, const source::AreaRing& ring) {
   return area == 0 ? Ring{} : points;
 }
 
-Polygon trimmed_to_region(const Polygon& polygon, const Box2& region) {
-  const Box2 near = region.widened(kKeptAround_m), far = region.widened(kFarthest_m);
+Polygon trimmed_to_region(const Polygon& polygon, const Box2& extent) {
+  const Box2 near = extent.widened(kKeptAround_m), far = extent.widened(kFarthest_m);
   Polygon kept{clip_ring(trimmed_to(polygon.outer, near), far), {}};
   for (const Ring& hole : polygon.holes)
     if (Ring ring = clip_ring(trimmed_to(hole, near), far); !ring.empty()) kept.holes.push_back(std::move(ring));
   return kept;
 }
 
-Vec2 brought_near(Vec2 p, const Box2& region) {
-  const Box2 far = region.widened(kFarthest_m);
+Vec2 brought_near(Vec2 p, const Box2& extent) {
+  const Box2 far = extent.widened(kFarthest_m);
   return {std::clamp(p.x, far.min.x, far.max.x), std::clamp(p.y, far.min.y, far.max.y)};
 }
 
@@ -48,7 +48,7 @@ LocatedLine located(const ReadContext& context, const source::Way& way) {
   const std::size_t n = context.osm.nodes_of(way).size();
   line.axis.reserve(n), line.node_ids.reserve(n), line.vertices.reserve(n);
   for (const source::NodeRef& node : context.osm.nodes_of(way)) {
-    const Vec2 p = brought_near(context.plane.snapped_forward(node.at), context.region);
+    const Vec2 p = brought_near(context.plane.snapped_forward(node.at), context.extent);
     if (line.axis.empty() || line.axis.back() != p) {
       line.axis.push_back(p);
       line.node_ids.push_back(node.id);
@@ -72,7 +72,7 @@ std::vector<LocatedPolygon> located(const ReadContext& context, const source::Ar
   }
   for (LocatedPolygon& located : polygons) {
     located.area_m2 = area_m2(located.polygon);
-    located.polygon = trimmed_to_region(located.polygon, context.region);
+    located.polygon = trimmed_to_region(located.polygon, context.extent);
   }
   return polygons;
 }
@@ -107,13 +107,13 @@ Passage tagged_passage(const ReadContext& context, source::Range tags) {
   return says_yes(context.tag(tags, "bridge")) ? Passage::kBridge : Passage::kGround;
 }
 
-bool is_near(const ReadContext& context, const Polyline& line) { return box_of(line).touches(context.region); }
+bool is_near(const ReadContext& context, const Polyline& line) { return box_of(line).touches(context.extent); }
 
-void tell_cut(const ReadContext& context, OsmId id, const Polyline& line) {
+void diagnose_cut(const ReadContext& context, OsmId id, const Polyline& line) {
   const Box2 box = box_of(line);
-  if (context.region.contains(box.min) && context.region.contains(box.max)) return;
+  if (context.extent.contains(box.min) && context.extent.contains(box.max)) return;
   double outside_m = length_m(line);
-  for (const Polyline& part : clipped_to(line, context.region, kMapStep_m)) outside_m -= length_m(part);
+  for (const Polyline& part : clipped_to(line, context.extent, kMapStep_m)) outside_m -= length_m(part);
   context.report.add(Code::kCutAtBounds, id, std::max(0.0, snapped_to(kMapStep_m, outside_m)));
 }
 

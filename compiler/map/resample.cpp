@@ -10,8 +10,8 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/features.h"
-#include "compiler/map/lonlat_box.h"
-#include "compiler/map/raster_sampler.h"
+#include "compiler/map/plane/lonlat_box.h"
+#include "compiler/map/plane/raster_sampler.h"
 #include "compiler/source/fill_gaps.h"
 
 namespace citykiln::map {
@@ -34,11 +34,11 @@ Vec2 step_for(std::span<const Raster> rasters) {
   return {step_below(finest_m.x), step_below(finest_m.y)};
 }
 
-// A field over the region and one step beyond on every side. @param anchor  A vertex of the grid, possibly far away.
-Heightfield empty_field(const Box2& region, Vec2 step_m, Vec2 anchor) {
+// A field over the extent and one step beyond on every side. @param anchor A vertex of the grid, possibly far away.
+Heightfield empty_field(const Box2& extent, Vec2 step_m, Vec2 anchor) {
   const auto before = [](double v, double step) { return std::floor(v / step) - 1; };
   const auto beyond = [](double v, double step) { return std::ceil(v / step) + 1; };
-  const Vec2 low = region.min - anchor, high = region.max - anchor;
+  const Vec2 low = extent.min - anchor, high = extent.max - anchor;
   const double west = before(low.x, step_m.x), south = before(low.y, step_m.y);
   Heightfield field{.min = anchor + Vec2{west * step_m.x, south * step_m.y}, .step_m = step_m, .heights = {}};
   field.columns = static_cast<int>(beyond(high.x, step_m.x) - west) + 1;
@@ -46,10 +46,10 @@ Heightfield empty_field(const Box2& region, Vec2 step_m, Vec2 anchor) {
   return field;
 }
 
-// A sample near the region's middle, to kStepUnit_m. Vertices lie on samples there, and nearly so for kilometres
+// A sample near the extent's middle, to kStepUnit_m. Vertices lie on samples there, and nearly so for kilometres
 // around: vertices between samples would cut off summits.
-Vec2 anchor_of(std::span<const RasterSampler> samplers, const Plane& plane, const Box2& region) {
-  const LonLat place = plane.backward(region.centre());
+Vec2 anchor_of(std::span<const RasterSampler> samplers, const Plane& plane, const Box2& extent) {
+  const LonLat place = plane.backward(extent.centre());
   const auto covers = [&](const RasterSampler& s) {
     return s.height_m<double>(place.lon_deg, place.lat_deg).has_value();
   };
@@ -59,7 +59,7 @@ Vec2 anchor_of(std::span<const RasterSampler> samplers, const Plane& plane, cons
   const auto to_next = [](double v) { return std::floor(v + 0.5) - v; };
   const Vec2 spacing_m = first->raster.spacing_m;
   // rows count southwards
-  return snapped_to(kStepUnit_m, region.centre() + Vec2{to_next(column) * spacing_m.x, -to_next(row) * spacing_m.y});
+  return snapped_to(kStepUnit_m, extent.centre() + Vec2{to_next(column) * spacing_m.x, -to_next(row) * spacing_m.y});
 }
 
 // The number of quanta of which heights are multiples: a 512th of the step, so that no slope is off by more than 0.2 %.
@@ -84,22 +84,22 @@ double resampling_error_m(const Heightfield& field, const Raster& raster, const 
   return std::ceil(largest / kHeightQuantum_m) * kHeightQuantum_m;
 }
 
-Error covers_nothing(std::span<const Raster> rasters, const Plane& plane, const Box2& region) {
+Error covers_nothing(std::span<const Raster> rasters, const Plane& plane, const Box2& extent) {
   std::string boxes;
   for (const Raster& raster : rasters) boxes += (boxes.empty() ? "" : " and ") + text_of(raster.file_box);
   return {rasters.front().file_name,
           fmt::format("no heightmap covers any part of the map: heights lie in {}, the map lies in {} (W,S,E,N)", boxes,
-                      text_of(lonlat_box_of(region, plane)))};
+                      text_of(lonlat_box_of(extent, plane)))};
 }
 
 }  // namespace
 
-Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane, const Box2& region, Report& report) {
-  assert(!region.is_empty());
+Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane, const Box2& extent, Report& report) {
+  assert(!extent.is_empty());
   const Result<std::vector<RasterSampler>> sampled = samplers_of(rasters);
   if (!sampled) return sampled.error();
   const std::vector<RasterSampler>& samplers = *sampled;
-  Heightfield field = empty_field(region, step_for(rasters), anchor_of(samplers, plane, region));
+  Heightfield field = empty_field(extent, step_for(rasters), anchor_of(samplers, plane, extent));
   field.heights.assign(static_cast<std::size_t>(field.columns) * field.rows, 0);
   if (rasters.empty()) return field;
   std::vector<bool> known(field.heights.size(), false);
@@ -110,7 +110,7 @@ Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane
       const auto height = quantised_height(samplers, plane, field.vertex(i, j), grain);
       if (height) field.heights[at] = *height, known[at] = true;
     }
-  if (std::find(known.begin(), known.end(), true) == known.end()) return covers_nothing(rasters, plane, region);
+  if (std::find(known.begin(), known.end(), true) == known.end()) return covers_nothing(rasters, plane, extent);
   const std::size_t missing = source::fill_uncovered(field.heights, known, field.columns);
   if (missing > 0) report.add(Code::kNoHeight, {}, static_cast<double>(missing) / static_cast<double>(known.size()));
   for (const Raster& raster : rasters)

@@ -1,4 +1,5 @@
-// Tag values as numbers: lengths, counts, colours. Unreadable values give nothing; the caller diagnoses them.
+// Parses tag values: lengths, numbers, colours, years. Functions return nothing for unreadable values, which the caller
+// diagnoses.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +11,17 @@
 
 namespace citykiln::map {
 
-/// Returns "12", "12.5 m", "12,5", "40 ft", "5'10\"", "0.3 km" in metres; the first of "2;3". Nothing for what is no
-/// finite number below 10 km.
+/// Returns a length such as "12", "12.5 m", "12,5", "40 ft", "5'10\"", "0.3 km" in metres; the first of "2;3". Nothing
+/// unless it is a finite number below 10 km.
 std::optional<double> length_m_of(std::string_view value);
-/// Returns a number without a unit; the first of "2;3".
+/// Returns a number without a unit; the first one of "2;3".
 std::optional<double> number_of(std::string_view value);
-/// Returns "#rgb", "#rrggbb" or a CSS colour name used in OSM.
+/// Returns the colour of "#rgb", "#rrggbb" or a CSS colour name used in OSM.
 std::optional<Srgb> colour_of(std::string_view value);
-/// Returns "225", "SW", "south-west" as degrees clockwise of north, 0 to below 360.
+/// Returns a bearing such as "225", "SW", "south-west" in degrees clockwise of north, 0 to below 360.
 std::optional<double> bearing_deg_of(std::string_view value);
-/// Returns the year of "1898", "1898-05-01", "~1900", "before 1850", "C19", "late C18", "1920s": the middle of the
-/// period. Nothing outside 1 to 2999.
+/// Returns the year of a date such as "1898", "1898-05-01", "~1900", "before 1850", "C19", "late C18", "1920s"; for a
+/// period its middle. Nothing outside 1 to 2999.
 std::optional<std::uint16_t> year_of(std::string_view value);
 /// True for every value except "no", "0", "false" and "".
 bool says_yes(std::string_view value);

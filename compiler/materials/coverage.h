@@ -22,13 +22,13 @@ struct Coverage {
 
 /// Returns the share of each texel's area that lies in a ring: a box filter, exact except for rounding.
 ///
-/// @param ring_m   Image metres, simple, of either orientation.
+/// @param ring_m   A simple ring in image metres, of either orientation.
 /// @param texel_m  > 0.
 /// @param rows     Rows of the image, > 0; it repeats along v.
 ///
 /// Guarantees: for a ring inside the columns and shorter than the image the shares sum to the ring's area in texels, to
-/// 1e-9 of the ring's box. Total: a ring with a coordinate that is not finite or beyond 2^30 texels covers nothing;
-/// shares above 1, of rings that overlap themselves, are 1. O(texels of its box).
+/// 1e-9 of the ring's box. Accepts any ring: one with a coordinate that is not finite or beyond 2^30 texels covers
+/// nothing, and the shares of a ring that overlaps itself are limited to 1. O(texels of its box).
 /// Source: signed areas per edge, as in the anti-aliasing rasterisers of LibArt and FreeType.
 Coverage coverage_of(const Ring& ring_m, double texel_m, std::uint32_t rows, ColumnRange columns);
 

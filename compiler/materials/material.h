@@ -18,23 +18,25 @@ enum class Material : std::uint8_t {
 };
 
 struct MaterialValues {
-  std::string_view name;             ///< "Asphalt".
+  std::string_view name;             ///< Such as "Asphalt".
   std::array<float, 3> base_colour;  ///< Linear RGB reflectance.
   float roughness;
   float metallic;
   float variation;  ///< Largest relative change of brightness from object to object.
 };
 
+/// Returns the row of a material.
 const MaterialValues& values_of(Material material);
 
-/// The luminance of an emission of 1: that of a lit room's ceiling.
+/// The luminance of an emission of 1: about the luminance of the ceiling of a lit room.
 inline constexpr double kEmission_cd_m2 = 100;
 
-/// Emitted light (emission_table.inc): linear RGB, 0…1 of kEmission_cd_m2; 0 for most materials.
+/// Returns the light that a material emits (emission_table.inc): linear RGB, 0…1 of kEmission_cd_m2; 0 for most
+/// materials.
 std::array<float, 3> emission_of(Material material);
 inline bool emits(Material material) { return emission_of(material) != std::array<float, 3>{}; }
 
-/// Returns the material of a name in snake case, as in rules: kRoofTile for "roof_tile". O(rows).
+/// Returns the material that rule files name in snake case: kRoofTile for "roof_tile". O(rows).
 std::optional<Material> material_named(std::string_view name);
 
 /// A colour that multiplies the base colour: linear, 255 = 1. Written as COLOR_0.

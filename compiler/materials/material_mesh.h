@@ -11,7 +11,7 @@
 
 namespace citykiln::materials {
 
-/// Where the colour of a surface comes from; tints multiply it.
+/// The source of a surface's colour; tints multiply it.
 enum class ColourSource : std::uint8_t {
   kByMaterial,      ///< The material's colour, or its texture (texture.h), which repeats.
   kByMarkingAtlas,  ///< The tile's marking atlas (roads/markings).
@@ -19,6 +19,7 @@ enum class ColourSource : std::uint8_t {
   kByCutout         ///< The prototype's cutout (impostor/cutout.h), which has opacity too.
 };
 
+/// A mesh whose triangles have one material and belong to one map element.
 struct MaterialMesh {
   Mesh mesh;
   Material material{};

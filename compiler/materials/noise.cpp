@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 namespace citykiln::materials {
 namespace {

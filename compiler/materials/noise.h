@@ -21,7 +21,8 @@ struct Field {
   }
 };
 
-/// Number of lattice cells across a square and along it: {8, 2} stretches the noise along v.
+/// The numbers of waves (cells of the noise's lattice) along u (across) and v (along) of a square: {8, 2} stretches the
+/// noise along v.
 struct WaveCounts {
   std::uint32_t across = 1, along = 1;
 };
@@ -38,8 +39,8 @@ Field layered_noise(std::uint32_t side_px, WaveCounts first, int octaves, double
 
 /// Cellular noise: a square split into irregular cells.
 struct Cells {
-  Field chance;   ///< 0 … 1, constant in each cell.
-  Field to_edge;  ///< 0 at the edges, rising inwards, about 1 in the middle.
+  Field chance;   ///< By texel: a random number 0 … 1 of the cell that contains the texel.
+  Field to_edge;  ///< By texel: 0 at the edges of cells, rising inwards to about 1 in the middle of a cell.
 };
 
 /// Returns cells around `across` × `across` points, one in each square of a grid. Guarantees as for gradient_noise().
@@ -47,7 +48,7 @@ struct Cells {
 Cells cells(std::uint32_t side_px, std::uint32_t across, std::uint64_t key);
 
 /// Returns value noise of the plane, -1 … 1, with wavelengths of about wave_m (> 0): a function of its arguments alone,
-/// so that all tiles get the same value at a place. Total: 0 where the place is not finite or beyond 2^30 waves. O(1).
+/// so that all tiles get the same value at a place. 0 if the place is not finite or beyond 2^30 waves. O(1).
 double noise_at(Vec2 place_m, double wave_m, std::uint64_t key);
 
 }  // namespace citykiln::materials

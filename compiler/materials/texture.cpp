@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compiler/contract/detail_tolerances.h"
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/materials/texture_pattern.h"
 
 namespace citykiln::materials {
@@ -107,7 +107,7 @@ TextureImage normal_image(const Row& row, const Field& relief) {
 
 std::uint64_t key_of(Material material, std::uint64_t seed) {
   const StableId id{static_cast<std::uint64_t>(material)};
-  const Draw draw(seed, id, "texture");
+  const RandomSequence draw(seed, id, "texture");
   return std::uint64_t{draw.below(0xffffffffu, 0)} << 32 | draw.below(0xffffffffu, 1);
 }
 

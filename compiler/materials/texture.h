@@ -12,10 +12,10 @@
 
 namespace citykiln::materials {
 
-/// A common period of all textures: texture coordinates are reduced by whole multiples of it.
+/// A common multiple of the periods of all textures. Texture coordinates are reduced by whole multiples of this length.
 inline constexpr double kTexturePeriod_m = 64;
-/// Texture coordinates are multiples of this, so that neighbouring tiles agree to the last bit in single precision, and
-/// in 16 bits.
+/// The grid step of texture coordinates, so that neighbouring tiles agree to the last bit in single precision, and in
+/// 16 bits.
 inline constexpr double kTextureCoordinateStep_m = 0x1p-8;
 
 struct Texture {
@@ -27,7 +27,7 @@ struct Texture {
   bool operator==(const Texture&) const = default;
 };
 
-/// The colours, or the normals of a material of one colour.
+/// Returns the image of colours, or the image of normals if the material has one colour.
 inline const TextureImage& shown_image(const Texture& texture) {
   return texture.colour.texels.empty() ? texture.normal : texture.colour;
 }
@@ -35,33 +35,34 @@ inline const TextureImage& shown_image(const Texture& texture) {
 /// Returns the period of a texture, metres.
 double side_m(const Texture& texture);
 
-/// Returns whether a material has a texture at a tolerance: a row in texture_table.inc, where Detail::kMaterialTextures
-/// is shown.
+/// True if a material has a texture at a tolerance: it has a row in texture_table.inc, and Detail::kMaterialTextures is
+/// shown at the tolerance.
 bool has_texture(Material material, double tolerance_m);
 
-/// Returns whether the texture of a material has normals at a tolerance: those with relief, where
-/// Detail::kGroundNormals is shown, and water.
+/// True if the texture of a material has normals at a tolerance: always for water, and for textures with relief if
+/// Detail::kGroundNormals is shown at the tolerance.
 bool has_normals(Material material, double tolerance_m);
 
 /// Returns the side of the material's texture, metres; 0 if it has none.
 double texture_side_m(Material material);
 
-/// Returns whether a material is bark, which is wrapped around stems.
+/// True if a material is bark, which is wrapped around stems.
 bool is_bark(Material material);
 
 /// Returns the texture of a material. Precondition: has_texture(material, tolerance_m).
 ///
-/// Guarantees: the same at all tolerances but for has_normals(), so that levels share it; the same bytes for the same
-/// arguments on every CPU; repeats without a seam; at most 16 colours, or 225 normals, so that PNGs are small (water
-/// has more, since steps would be visible in reflections); the mean colour times colour_factor() is the material's
-/// colour. O(texels): about 40 ms for 512 × 512.
+/// Guarantees: does not depend on the tolerance except by has_normals(), so that levels share it; the same bytes for
+/// the same arguments on every CPU; repeats without a seam; at most 16 colours, or 225 normals, so that PNGs are small
+/// (water has more, since steps would be visible in reflections); the mean colour times colour_factor() is the
+/// material's colour. O(texels): about 40 ms for 512 × 512.
 Texture texture_of(Material material, double tolerance_m, std::uint64_t seed);
 
-/// Returns the textures of those materials that have one. @param materials  Sorted, unique.
+/// Returns the textures of all materials in a list that have one, in order.
+/// @param materials  Sorted, unique.
 std::vector<Texture> textures_of(std::span<const Material> materials, double tolerance_m, std::uint64_t seed);
 
 /// Returns the factor by which the texture's colours are multiplied so that their mean, in linear light, is the
-/// material's colour: 0 … 1, near 1. The material's colour itself if the texture has no colours.
+/// material's colour: 0 … 1, near 1. For a texture without colours, returns the material's colour.
 std::array<double, 3> colour_factor(const Texture& texture);
 
 }  // namespace citykiln::materials

@@ -11,12 +11,14 @@
 
 namespace citykiln::materials {
 
-/// Thread-safe. A texture is a function of the seed and the arguments. Memory: up to 3 MB per texture asked for.
+/// A cache of textures. Thread-safe. A texture is a function of the seed and the arguments. Memory: up to 3 MB per
+/// texture.
 class TextureCache {
  public:
   explicit TextureCache(std::uint64_t seed) : seed_(seed) {}
 
-  /// Returns the textures of those materials that have one. @param materials  Sorted, unique.
+  /// Returns the textures of all materials in a list that have one, in order.
+  /// @param materials  Sorted, unique.
   std::vector<Texture> textures_of(std::span<const Material> materials, double tolerance_m) const;
   /// Returns the texture of a material, which lives as long as the cache. Precondition: has_texture().
   const Texture& texture(Material material, double tolerance_m) const;

@@ -14,8 +14,9 @@
 
 namespace citykiln::materials {
 
-/// Largest size that graphics cards support, and a limit for memory.
+/// The largest width and height of an image that graphics cards support, in texels.
 inline constexpr std::uint32_t kMaxImageSide_px = 16384;
+/// The largest number of texels of an image, a limit for memory.
 inline constexpr std::uint64_t kMaxImageTexels = std::uint64_t{1} << 26;
 
 struct TextureImage {
@@ -27,8 +28,8 @@ struct TextureImage {
   bool operator==(const TextureImage&) const = default;
 };
 
-/// Texture coordinates on an image that is not a material's are multiples of this, metres (bake/image_uvs.h). Not a
-/// power of two in general. Told apart in single precision below 2^22 steps, which are 10 km at texels of 2 cm.
+/// The step of texture coordinates on atlases and cutouts, metres (bake/image_uvs.h). In general not a power of two.
+/// Single precision resolves it below 2^22 steps, which are 10 km at texels of 2 cm.
 inline double uv_step_m(const TextureImage& image) { return image.texel_m / 8; }
 
 }  // namespace citykiln::materials

@@ -5,6 +5,7 @@
 
 namespace citykiln::materials {
 
+/// The patterns, named after what they look like.
 enum class TexturePattern : std::uint8_t {
   kBlades,   ///< Short grass.
   kTufts,    ///< Long grass, shrubs.
@@ -14,14 +15,14 @@ enum class TexturePattern : std::uint8_t {
   kGrains,   ///< Sand, asphalt, concrete.
   kStones,   ///< Gravel to scree.
   kCrags,    ///< Rock.
-  kSlabs,    ///< Paving slabs of 0.5 m, on a side of 4 m.
+  kSlabs,    ///< Paving slabs of 0.5 m if the texture's side is 4 m.
   kMasonry,  ///< Courses of stone along u.
-  kBricks,   ///< Courses of bricks along u, 77 mm high on a side of 2 m.
-  kTiles,    ///< Rows of roof tiles along u, 1/3 m high on a side of 2 m.
+  kBricks,   ///< Courses of bricks along u, 77 mm high if the side is 2 m.
+  kTiles,    ///< Rows of roof tiles along u, 1/3 m high if the side is 2 m.
   kWaves,    ///< Water; brightness is constant.
-  // bark, v along the stem
+  // Bark; v runs along the stem.
   kFurrows,    ///< Ridges along the stem that part and join: oak.
-  kStreaks,    ///< Faint, across: beech.
+  kStreaks,    ///< Faint streaks across the stem: beech.
   kLenticels,  ///< Dark dashes across, and scars: birch.
   kPlates,     ///< Plates of some decimetres: pine.
   kFlakes,     ///< Patches of bark shed at different times: plane.
@@ -29,7 +30,7 @@ enum class TexturePattern : std::uint8_t {
 };
 
 struct PatternFields {
-  Field tone;    ///< Brightness: mean 0, two standard deviations are 1, clamped to -1 … 1; or all 0.
+  Field tone;    ///< Brightness: mean 0, standard deviation 1/2, clamped to -1 … 1; or all 0.
   Field relief;  ///< Height: mean 0, standard deviation 1.
 };
 
@@ -41,8 +42,8 @@ inline bool is_bark(TexturePattern pattern) { return pattern >= TexturePattern::
 /// from afar; a function of the arguments alone. O(texels).
 PatternFields generate_pattern(TexturePattern pattern, std::uint32_t side_px, std::uint64_t key);
 
-/// Returns the field at a lower resolution: each value is the mean of those it replaces. @param side_px  Divides that
-/// of the field.
+/// Returns the field at a lower resolution: each value is the mean of the values that it replaces.
+/// @param side_px  A divisor of the field's side_px.
 Field downsampled(const Field& field, std::uint32_t side_px);
 
 }  // namespace citykiln::materials

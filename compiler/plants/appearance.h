@@ -1,4 +1,5 @@
-// The colours of a species in a month, as tints of leaf and bark materials.
+// The appearance of a plant in a month: materials of leaves, and tints of leaves and bark. A prototype is one of the
+// few distinct plants of a species.
 #pragma once
 
 #include "compiler/materials/material.h"
@@ -6,12 +7,16 @@
 
 namespace citykiln::plants {
 
+/// Materials, tints, and the state of the leaves.
 struct Appearance {
-  materials::Material leaf_material{};      ///< kBark where leaf_share is 0: leaf cards then show twigs.
-  materials::Tint leaf{}, bark{};           ///< Tints of leaf_material and of any bark material.
-  double leaf_share = 1, height_share = 1;  ///< Of SeasonState.
+  /// kBark if leaf_share is 0: leaf cards (rectangles with a picture of leaves) then show twigs.
+  materials::Material leaf_material{};
+  materials::Tint leaf{}, bark{};  ///< The tints of leaf_material and of any bark material.
+  double leaf_share = 1,
+         height_share = 1;  ///< Share of the leaves that are present, and height as a share of the summer height.
 };
 
+/// Returns the appearance of a prototype in a month.
 Appearance appearance_of(Prototype prototype, Month month = kMidsummer);
 
 }  // namespace citykiln::plants

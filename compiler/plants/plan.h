@@ -1,4 +1,4 @@
-// Plans plants: from tags and land cover to recipes.
+// Plans plants: makes recipes, plain data from which plants are placed later, from tags and land cover.
 #pragma once
 
 #include <span>
@@ -12,6 +12,7 @@
 
 namespace citykiln::plants {
 
+/// All plant recipes of a map.
 struct Plants {
   std::vector<Tree> trees;                   ///< Sorted by id.
   std::vector<Wood> woods;                   ///< Sorted by surface.
@@ -20,12 +21,12 @@ struct Plants {
   std::vector<PowerLineCorridor> corridors;  ///< In the order of features.power_lines.
 };
 
-/// Returns the mapped trees, tree rows and corridors of power lines, rows beside streets with tree_lined, and for each
-/// polygon whose class or tags ask for it a wood (wood_defaults.inc) or a planting (planting_defaults.inc, crops).
+/// Returns the mapped trees, tree rows and power-line corridors, rows beside streets with tree_lined, and a wood
+/// (wood_defaults.inc) or a planting (planting_defaults.inc, crops) for each polygon whose class or tags imply one.
 ///
 /// @param features  Areas and tracks sorted by id.
 ///
-/// Total. Ledgers "plants/tree", "plants/row". O(n log n).
+/// Accepts any features. Ledgers "plants/tree", "plants/row". O(n log n).
 Plants plan(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
             std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report);
 

@@ -1,4 +1,4 @@
-// Plant heights from tags and by species. The height is the only scale of a prototype.
+// The heights of plants, from tags and by species. The height is the only scale of a prototype.
 #pragma once
 
 #include "compiler/map/plant_kind.h"
@@ -6,11 +6,11 @@
 
 namespace citykiln::plants {
 
-/// Height from tags: from the crown's width, else from the trunk's girth, else from the year of planting; 0 without any
-/// of these. At most the species' tallest_m. Metres, rounded down to eighths.
+/// Returns the height that tags imply: by the crown's width, else by the trunk's girth, else by the year of planting; 0
+/// without any of these. At most the species' tallest_m. Metres, rounded down to eighths.
 double height_from_tags_m(Species species, const map::PlantTags& plant_tags);
 
-/// Usual height of a free-standing plant without a tagged size.
+/// Returns the usual height of a free-standing plant without a tagged size.
 double default_height_m(Species species);
 
 }  // namespace citykiln::plants

@@ -1,5 +1,5 @@
-// Recipes of plants: single trees and tree rows with their places; woods and plantings as a density on a land-cover
-// polygon.
+// Recipes of plants: single trees and tree rows with positions; woods and plantings as a density on a land cover
+// polygon. A species mix is one species, or a plant community from which each plant's species is drawn (species_mix.h).
 #pragma once
 
 #include <cstdint>
@@ -10,59 +10,60 @@
 
 namespace citykiln::plants {
 
-/// natural=tree, natural=shrub.
+/// A mapped tree: natural=tree, natural=shrub.
 struct Tree {
   ObjectId id;
   Vec2 at;              ///< Plane metres, snapped.
-  double height_m = 0;  ///< 0: drawn from the seed.
+  double height_m = 0;  ///< 0: drawn by the seed.
   SpeciesMix species_mix{};
   bool operator==(const Tree&) const = default;
 };
 
-/// Range of Wood::trees_per_ha.
+/// The range of Wood::trees_per_ha.
 inline constexpr double kLeastTreesPerHa = 1, kMostTreesPerHa = 300;
 
-/// A wood: trees in blue noise on the polygon of the same id, where no other polygon covers it.
+/// A wood: trees in blue noise on a land-cover polygon, where no other polygon covers it.
 struct Wood {
-  ObjectId surface;  ///< A ground::LandCoverPolygon of the same chunk.
+  ObjectId surface;  ///< The id of a ground::LandCoverPolygon of the chunk.
   SpeciesMix species_mix{};
-  std::uint16_t trees_per_ha = 0;  ///< Trees a hectare of ground, not of projected area.
-  double height_m = 0;             ///< Mean height of tall species in the valley; in eighths.
+  std::uint16_t trees_per_ha = 0;  ///< Trees per hectare of ground, not of projected area.
+  double height_m = 0;             ///< The mean height of tall species in the valley, a multiple of 1/8 m.
   bool operator==(const Wood&) const = default;
 };
 
-/// Least Planting::row_spacing_m and plant_spacing_m.
+/// The least Planting::row_spacing_m and plant_spacing_m.
 inline constexpr double kLeastPlantSpacing_m = 0.25;
 
 /// Plants in straight rows on a polygon: fruit trees, vines, hedges, corn.
 struct Planting {
   ObjectId surface;
   SpeciesMix species_mix{};
-  std::uint8_t heading = 0;                       ///< Of the rows: 256ths of half a turn, counter-clockwise of east.
-  double row_spacing_m = 0, plant_spacing_m = 0;  ///< Between rows, and along a row; in eighths.
-  double height_m = 0;                            ///< Mean; in eighths.
+  std::uint8_t heading = 0;  ///< The heading of the rows, in 256ths of half a turn counter-clockwise of east.
+  double row_spacing_m = 0, plant_spacing_m = 0;  ///< The distances between rows and along a row, multiples of 1/8 m.
+  double height_m = 0;                            ///< The mean height, a multiple of 1/8 m.
   bool operator==(const Planting&) const = default;
 };
 
-/// Trees at equal distances along a line: natural=tree_row, tree_lined streets.
+/// Trees at equal distances along a line: natural=tree_row, streets with tree_lined.
 struct TreeRow {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped, at least two points.
   SpeciesMix species_mix{};
-  double height_m = 0;   ///< Mean; 0: drawn from the seed; in eighths.
-  double spacing_m = 0;  ///< Largest spacing, in eighths; 0: by the crowns' width.
+  double height_m = 0;   ///< The mean height, a multiple of 1/8 m; 0: drawn by the seed.
+  double spacing_m = 0;  ///< The largest spacing, a multiple of 1/8 m; 0: by the crowns' width.
   bool operator==(const TreeRow&) const = default;
 };
 
-/// A strip below a power line without trees of woods.
+/// A strip below a power line, which trees of woods keep clear of.
 struct PowerLineCorridor {
   ObjectId id;
   Polyline axis;
-  double width_m = 0;  ///< In eighths.
+  double width_m = 0;  ///< A multiple of 1/8 m.
   bool operator==(const PowerLineCorridor&) const = default;
 };
 
-/// Influence radius of trees, rows and corridors on woods: a chunk holds those up to this distance from its tile.
+/// The influence radius of trees, rows and corridors on woods: a chunk holds all that are up to this distance from its
+/// tile.
 inline constexpr double kObstacleInfluence_m = 16;
 
 }  // namespace citykiln::plants

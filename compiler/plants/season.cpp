@@ -13,7 +13,7 @@ struct StateRow {
   SeasonState state;
 };
 
-// What the letters of SpeciesValues::months stand for.
+// The states for which the letters of SpeciesValues::months stand.
 constexpr StateRow kStates[] = {{'.', {0, 0, 0, 1}},     // bare
                                 {'y', {0.75, 1, 0, 1}},  // young leaves
                                 {'s', {1, 0, 0, 1}},     // summer, the colours of species.inc

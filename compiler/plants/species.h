@@ -1,4 +1,4 @@
-// Plant species: the rows of lsystems/species/species.inc, and prototypes, the distinct plants of each.
+// Plant species (the rows of lsystems/species/species.inc) and prototypes (the distinct plants of each species).
 #pragma once
 
 #include <array>
@@ -9,13 +9,20 @@
 
 namespace citykiln::plants {
 
+/// Rows of species.inc.
 enum class Species : std::uint8_t {
 #define SPECIES(name, ...) name,
 #include "lsystems/species/species.inc"
   kCount
 };
 
-enum class LeafForm : std::uint8_t { kBroad, kNeedle, kPalm, kBlade };
+/// The form of leaves.
+enum class LeafForm : std::uint8_t {
+  kBroad,   ///< Flat leaves of broad-leaved trees and shrubs.
+  kNeedle,  ///< Needles of conifers.
+  kPalm,    ///< Fronds of palms.
+  kBlade    ///< Blades of grass, reed and corn.
+};
 
 /// Linear reflectance of red, green and blue in thousandths.
 using Thousandths = std::array<int, 3>;
@@ -43,13 +50,13 @@ constexpr const SpeciesValues& values_of(Species species) {
   return kSpecies[static_cast<std::size_t>(species)];
 }
 
-/// Number of different plants of one species.
+/// The number of variants: plants of one species that are grown differently.
 inline constexpr int kVariants = 8;
 
 /// One plant of a species. Trees that share a prototype are instances of one mesh.
 struct Prototype {
   Species species{};
-  std::uint8_t variant = 0;  ///< < kVariants.
+  std::uint8_t variant = 0;  ///< Less than kVariants.
   auto operator<=>(const Prototype&) const = default;
 };
 

@@ -122,9 +122,9 @@ Habitat habitat_at(double latitude_deg, Vec2 at, double height_m, Vec3 normal, b
           std::clamp(to_pole * normal.y / kSteepest, -1.0, 1.0), is_by_water, at};
 }
 
-Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double chance) {
+Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double uniform) {
   if (is_single_species(species_mix)) return single_species(species_mix);
-  assert(0 <= chance && chance < 1);
+  assert(0 <= uniform && uniform < 1);
   const PlantCommunity community = community_of(species_mix);
   const auto members = members_of(community);
   constexpr std::size_t kMostMembers = 24;
@@ -133,7 +133,7 @@ Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64
   for (std::size_t i = 0; i < members.size(); ++i) sums[i] = sum += weight_of(members[i], habitat, seed);
   if (sum <= 0) return nearest_species(community, habitat.belt_m);
   std::size_t i = 0;
-  while (i + 1 < members.size() && sums[i] <= chance * sum) ++i;
+  while (i + 1 < members.size() && sums[i] <= uniform * sum) ++i;
   return members[i].species;
 }
 

@@ -1,26 +1,26 @@
-// Species mixes: a recipe names one species or a plant community, from which habitat and chance draw each plant's
-// species.
+// Species mixes: the recipe (planned data) of a tree or wood names one species, or a plant community from which each
+// plant's species is drawn by habitat and chance.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/map/plant_kind.h"
 #include "compiler/plants/species.h"
 
 namespace citykiln::plants {
 
-/// Communities of plant_communities.inc. Their order is part of the manifest's format: add at the end.
+/// The communities of plant_communities.inc. Their order is part of the manifest's format: add at the end.
 enum class PlantCommunity : std::uint8_t {
 #define COMMUNITY(community) community,
 #include "compiler/plants/plant_communities.inc"
   kCount
 };
 
-/// A species' number, or kFirstCommunity plus a community's.
+/// The number of a species, or kFirstCommunity plus the number of a community.
 enum class SpeciesMix : std::uint8_t {};
 inline constexpr std::uint8_t kFirstCommunity = 128;
 
@@ -31,41 +31,44 @@ constexpr SpeciesMix species_mix_of(PlantCommunity community) {
 constexpr bool is_single_species(SpeciesMix species_mix) {
   return static_cast<std::uint8_t>(species_mix) < kFirstCommunity;
 }
-/// @param species_mix  is_single_species().
+/// Returns the species of a mix of one.
+/// @param species_mix  is_single_species() holds.
 constexpr Species single_species(SpeciesMix species_mix) {
   assert(is_single_species(species_mix));
   return static_cast<Species>(species_mix);
 }
-/// Whether a number read from a manifest is a SpeciesMix.
+/// True if a number read from a manifest is a SpeciesMix.
 bool is_species_mix(std::uint64_t number);
 
-/// The species' file or the community's enumerator without k: "oak", "AnyWood".
+/// Returns the species' file or the community's enumerator without k: "oak", "AnyWood".
 std::string name_of(SpeciesMix species_mix);
 
-/// All species that may be drawn, sorted.
+/// Returns all species that may be drawn, sorted.
 std::vector<Species> species_in(SpeciesMix species_mix);
 
-/// The species that the tags name, else the community of the tagged leaf type, else `otherwise`.
+/// Returns the species that the tags name, else the community of the tagged leaf type, else `otherwise`.
 SpeciesMix species_mix_for(const map::PlantTags& plant_tags, SpeciesMix otherwise);
 
-/// Growing conditions at a place.
+/// The growing conditions at a position.
 struct Habitat {
-  double belt_m = 0;         ///< Altitude of the same climate at 42.5° of latitude.
+  double belt_m = 0;         ///< The altitude that has this climate at 42.5° of latitude.
   double shade = 0;          ///< From -1 on a steep slope towards the noon sun to 1 on one away from it.
-  bool is_by_water = false;  ///< Within a few metres of a lake or river.
-  Vec2 at;                   ///< Plane metres: species stand in groups.
+  bool is_by_water = false;  ///< A lake or river is within a few metres.
+  Vec2 at;                   ///< The position, plane metres: species stand in groups.
 };
 
-/// @param normal  Unit normal of the ground.
+/// Returns the growing conditions at a position.
+/// @param normal  The unit normal of the ground.
 Habitat habitat_at(double latitude_deg, Vec2 at, double height_m, Vec3 normal, bool is_by_water);
 
-/// Draws the species of one plant: members of a community are weighted by share, belt, slope, water and groups. Where
-/// no member's belt reaches, the member with the nearest belt.
+/// Draws the species of one plant. Members of a community are weighted by share, belt, slope, water and groups. If the
+/// altitude is in no member's belt, the member with the nearest belt is chosen.
 ///
-/// @param chance  Uniform in [0, 1).
-Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double chance);
+/// @param seed    The seed of the scene, which decides where groups of a species stand.
+/// @param uniform  A uniform random number in [0, 1).
+Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double uniform);
 
-/// Height of trees as a share of their height in the valley; it falls towards the tree line.
+/// Returns the height of trees as a share of their height in the valley. It falls towards the tree line.
 double height_factor(const Habitat& habitat);
 
 }  // namespace citykiln::plants

@@ -1,4 +1,4 @@
-// The L-system files of species: those shipped, and those that a scene needs.
+// The L-system files of species: all shipped ones, and those that a scene needs.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@
 
 namespace citykiln::plants {
 
-/// A species' .lsys file as stored in the manifest.
+/// The .lsys file of a species, as stored in the manifest.
 struct SpeciesText {
   std::string name;  ///< SpeciesValues::file.
   std::string text;
   bool operator==(const SpeciesText&) const = default;
 };
 
-/// The files of lsystems/species, compiled in. Sorted by name.
+/// Returns the files of lsystems/species, which are compiled into the program. Sorted by name.
 std::span<const SpeciesText> shipped_species();
 
-/// The files of all species that a scene may draw, sorted by name.
+/// Returns the files of all species that a scene may draw, sorted by name.
 std::vector<SpeciesText> species_texts_for(const Plants& plants, bool has_hedges);
 
 }  // namespace citykiln::plants

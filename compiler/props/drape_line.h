@@ -8,11 +8,11 @@
 
 namespace citykiln::props {
 
-/// Returns a polyline on the graded ground, with added points where it crosses an edge of the terrain's grid, and every
-/// 2 m where the ground is graded.
+/// Returns a polyline on the graded ground. Points are added where it crosses an edge of the terrain's grid, and every
+/// 2 m on graded ground.
 ///
-/// Guarantees: all points of the polyline are kept; neighbours differ in plan; snapped, so at most 2^-10 m times (1 +
-/// slope) off the ground. Outside of the terrain no points are added. O(length / step).
+/// Guarantees: all points of the polyline are kept; consecutive points differ in plan; points are snapped, so they are
+/// at most 2^-10 m times (1 + slope) off the ground. Outside of the terrain no points are added. O(length / step).
 std::vector<Vec3> drape_line(const Polyline& line, const ground::GradedTerrain& ground);
 
 }  // namespace citykiln::props

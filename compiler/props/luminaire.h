@@ -1,4 +1,4 @@
-// The light of a street lamp: how much, of which colour, in which directions.
+// The light of a street lamp: luminous flux, colour and directions.
 #pragma once
 
 #include <array>
@@ -17,37 +17,37 @@ enum class LampKind : std::uint8_t {
 
 /// The directions in which a luminaire shines.
 enum class Beam : std::uint8_t {
-  kLantern,  ///< Equally, up to 30° above the horizontal.
-  kDown      ///< By the cosine of the angle from straight down, nothing above the horizontal: full cut-off.
+  kLantern,  ///< Equal intensity in all directions up to 30° above the horizontal.
+  kDown      ///< Intensity is the cosine of the angle from straight down; none above the horizontal (full cut-off).
 };
 
 struct Luminaire {
-  float lumen = 0;  ///< Of the whole lamp.
+  float lumen = 0;  ///< Luminous flux of the lamp, the sum of all its luminaires.
   float temperature_k = 3000;
   Beam beam{};
   bool operator==(const Luminaire&) const = default;
 };
 
-/// Returns the light of a lamp: what is tagged, else by its type (map/lamp_types.inc), else by kind and height
-/// (luminaires.inc). A lamp on a wall, a wire or a high mast shines down. height_m >= 0.
+/// Returns the light of a lamp: the values of its tags, else of its type (map/lamp_types.inc), else of its kind and
+/// height (luminaires.inc). A lamp on a wall, a wire or a high mast shines down. height_m >= 0.
 Luminaire luminaire_of(LampKind kind, double height_m, const map::LampTags& tags = {});
 
-/// The kind that a lamp's mount says, else `otherwise`.
+/// Returns the kind of a lamp with a mount, or `otherwise` if the mount does not determine the kind.
 LampKind kind_of(map::LampMount mount, LampKind otherwise);
 
-/// Returns the integral of a beam's shape, whose value on its axis is 1, over all directions: lumen over it are
-/// candela. Steradians.
+/// Returns the integral over all directions of a beam's relative intensity, which is 1 on its axis, in steradians.
+/// Lumen divided by it are the candela on the axis.
 double beam_sr(Beam beam);
 
-/// The sine of the angle above the horizontal up to which a lantern shines.
+/// The sine of the highest angle above the horizontal at which a lantern (Beam::kLantern) shines.
 inline constexpr double kLanternRise = 0.5;
 
 /// Returns the middle of a lamp's glass, plane metres.
 Vec3 glass_of(const Placement& lamp, LampKind kind);
 
-/// Returns the colour of a black body, linear Rec. 709 of luminance 1, from 1,000 K up: computed from the Planckian
-/// locus (Kim et al., US patent 7024034, 2006, whose cubic splines hold from 1,667 K to 25,000 K; below as at 1,667 K).
-/// Components are at least 0.
+/// Returns the colour of a black body as linear Rec. 709 of luminance 1; components are at least 0. Computed from the
+/// Planckian locus (Kim et al., US patent 7024034, 2006), whose cubic splines hold from 1,667 K to 25,000 K;
+/// temperatures are clamped to that range.
 std::array<float, 3> black_body_colour(double temperature_k);
 
 }  // namespace citykiln::props

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "compiler/geometry/clip_polyline.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::props {
 namespace {
@@ -13,15 +13,15 @@ bool is_of_other_room(map::PointKind kind) {
   return kind == map::PointKind::kTree || kind == map::PointKind::kEntrance || kind == map::PointKind::kAddress;
 }
 
-// Barriers end so far outside of the region that baking clips all of their width at its border. More than any barrier's
-// half width.
+// Barriers end this far outside of the extent, so that baking clips their whole width at its border. More than half the
+// width of any barrier.
 constexpr double kBeyondRegion_m = 4;
 
-// A barrier within the region. Each of its parts has a number.
-void add_barrier(const map::Barrier& barrier, const Box2& region, Props& props, Account& account, Report& report) {
+// Adds the parts of a barrier within the extent, each with a number.
+void add_barrier(const map::Barrier& barrier, const Box2& extent, Props& props, Account& account, Report& report) {
   const bool counts = report.counts(barrier.id.osm);
   account.in += counts;
-  const std::vector<Polyline> parts = clipped_to(barrier.axis, region.widened(kBeyondRegion_m), map::kMapStep_m);
+  const std::vector<Polyline> parts = clipped_to(barrier.axis, extent.widened(kBeyondRegion_m), map::kMapStep_m);
   if (parts.empty()) return report.drop(account, Code::kOutsideBounds, barrier.id.osm);
   if (counts) account.out += parts.size(), account.split += parts.size() - 1;
   for (std::uint32_t i = 0; i < parts.size(); ++i)
@@ -37,7 +37,7 @@ void add_barrier(const map::Barrier& barrier, const Box2& region, Props& props, 
 Props plan(const map::Features& features, Report& report) {
   Props props;
   Account barriers, points;
-  for (const map::Barrier& barrier : features.barriers) add_barrier(barrier, features.region, props, barriers, report);
+  for (const map::Barrier& barrier : features.barriers) add_barrier(barrier, features.extent, props, barriers, report);
   for (const map::PointFeature& point : features.points) {
     if (is_of_other_room(point.kind)) continue;
     points.in += report.counts(point.id.osm);

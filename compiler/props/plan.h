@@ -8,16 +8,18 @@
 
 namespace citykiln::props {
 
+/// The props of a map.
 struct Props {
   std::vector<Barrier> barriers;  ///< Sorted by id.
   std::vector<Lamp> lamps;        ///< Sorted by id.
 };
 
+/// True if a barrier is a hedge.
 bool has_hedges(const Props& props);
 
-/// Returns the props of a map. Barriers are cut a little outside of the region; their parts are numbered. Ledger
-/// "props/barrier", "props/point"; dropped: kOutsideBounds; kNotModelled, for kinds of points that have no model.
-/// Total.
+/// Returns the props of a map. Barriers are cut 4 m outside of the extent; their parts are numbered. Ledger
+/// "props/barrier", "props/point". Dropped: kOutsideBounds; kNotModelled, for kinds of points without a model. Cannot
+/// fail.
 Props plan(const map::Features& features, Report& report);
 
 }  // namespace citykiln::props

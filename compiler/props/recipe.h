@@ -7,6 +7,7 @@
 
 namespace citykiln::props {
 
+/// A wall, fence or hedge along a line.
 struct Barrier {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped.
@@ -15,10 +16,11 @@ struct Barrier {
   bool operator==(const Barrier&) const = default;
 };
 
+/// A mapped street lamp.
 struct Lamp {
   ObjectId id;
   Vec2 at;
-  double height_m = 0;  ///< 0 if not tagged: that of the lamps of its street.
+  double height_m = 0;  ///< 0 if not tagged; the lamp is then as high as the lamps of its street.
   map::LampTags light{};
   bool operator==(const Lamp&) const = default;
 };

@@ -209,7 +209,7 @@ StreetLamp street_lamp(const Lamp& lamp, const FacedRoad& faced) {
 Lighting lighting_of(LandCoverClass surface) {
   switch (surface) {
     case LandCoverClass::kMotorwayRoad:
-      return {40, 12, LampKind::kArm};
+      return {40, kTallestStreetLamp_m, LampKind::kArm};
     case LandCoverClass::kPrimaryRoad:
       return {35, 10, LampKind::kArm};
     case LandCoverClass::kSecondaryRoad:

@@ -81,14 +81,14 @@ Vec2 direction_at(const Axes& axes, Vec2 p) {
   double nearest_m = kMaxRoad_m;
   for (const std::uint32_t i : boxes_about(axes.grid, p)) {
     const auto [a, b] = axes.segments[i];
-    const double distance_m = distance(p, nearest_point(a, b, p));
+    const double distance_m = distance_to_segment(a, b, p);
     if (distance_m >= nearest_m || a == b) continue;
     nearest_m = distance_m, along = unit(b - a);
   }
   return along;
 }
 
-// Whether pits of the largest size at p and at all others near would not touch.
+// True if a pit of the largest size at p would touch no such pit at a place of `pits`.
 bool is_apart(std::span<const TreePit> pits, std::span<const std::uint32_t> of_tree, const BoxGrid& near, Vec2 p) {
   return std::ranges::none_of(boxes_about(near, p), [&](std::uint32_t tree) {
     return of_tree[tree] < pits.size() && distance(pits[of_tree[tree]].at, p) < 1.5 * kSides_m[0];

@@ -1,5 +1,5 @@
-// Sparse index of places: libosmium's SparseFileArray, pairs of id and place in the order of the file, searched by
-// bisection, mapped into memory.
+// The index of places is libosmium's SparseFileArray: pairs of id and place in the order of the file, mapped into
+// memory and searched by bisection.
 #include "compiler/regions/cut_extract.h"
 
 #include <fcntl.h>
@@ -58,16 +58,16 @@ void for_each(const std::string& path, bits::type what, osmium::thread::Pool& po
   reader.close();
 }
 
-/// A file in a folder, open for reading and writing, which ends with the process.
+/// Opens a file in a folder for reading and writing. It is closed when the process ends.
 int open_index(const std::string& folder) {
   const std::string path = folder + "/places";
   return ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
 }
 
-/// A way that is a member of an area: its box, and the spools that hold it.
+/// A way that is a member of an area.
 struct MemberWay {
   Box2 box;
-  Vec2 first;  ///< Of its nodes that have a place.
+  Vec2 first;  ///< The place of its first node that has one.
   bool describes_water = false;
 };
 
@@ -100,10 +100,11 @@ class Cutter {
 
   Vec2 in_plane(osmium::Location place) const;
   Box2 in_degrees(const Box2& box) const;
-  /// A way's nodes that have places, in the plane. Projecting takes more time than all else: once a way.
+  /// Projects the nodes of a way that have places. Call it once per way, since projecting takes more time than all
+  /// else.
   const std::vector<Vec2>& projected(const osmium::Way& way);
   std::vector<std::uint32_t> spools_of(const osmium::Way& way, std::span<const Vec2> line, const Box2& box) const;
-  /// The index in members_ of a way's id; members_.size() for others.
+  /// Returns the index of a way's id in members_; members_.size() if it is not there.
   std::size_t member(osmium::object_id_type id) const;
 
   /// Writes the elements of spools to a file. @param own  The region without its halo, in the plane.
@@ -115,7 +116,7 @@ class Cutter {
   std::vector<RegionKey> keys_;
   Spools spools_;
   osmium::thread::Pool pool_;
-  std::vector<Vec2> line_;                                            // of the way at hand
+  std::vector<Vec2> line_;                                            // the projected nodes of the current way
   std::vector<osmium::object_id_type> members_;                       // sorted ids
   std::vector<MemberWay> member_ways_;                                // by index in members_
   std::vector<std::pair<std::uint32_t, std::uint32_t>> has_, wants_;  // member, spool
@@ -173,7 +174,7 @@ std::vector<std::uint32_t> Cutter::spools_of(const osmium::Way& way, std::span<c
   return spools;
 }
 
-// In the accounts of read_osm(), but for duplicates.
+// Counts an element in the accounts that read_osm() uses, except that duplicates count as well.
 void Cutter::count(const osmium::OSMObject& object) {
   const bool is_node = object.type() == osmium::item_type::node, is_way = object.type() == osmium::item_type::way;
   Account& account = report_.account("source", is_node ? "node" : is_way ? "way" : "relation");
@@ -257,7 +258,7 @@ void Cutter::spool_area(const osmium::Relation& relation) {
     if (index == members_.size() || member_ways_[index].box.is_empty()) continue;
     ways.push_back(static_cast<std::uint32_t>(index));
     box.grow(member_ways_[index].box.min), box.grow(member_ways_[index].box.max);
-    // a relation without tags of its own has those of its outer ways
+    // a relation without tags of its own can have the tags of its outer ways
     is_water = is_water || (!describes_area(relation.tags()) && member_ways_[index].describes_water);
   }
   if (box.is_empty()) return;
@@ -295,7 +296,7 @@ void Cutter::spool_members() {
   });
 }
 
-/// Elements by type and id; of equal ids the highest version comes first.
+/// Orders elements by type and id, and equal ids by falling version.
 bool is_before(const osmium::OSMObject* a, const osmium::OSMObject* b) {
   if (a->type() != b->type()) return a->type() < b->type();
   if (a->id() != b->id()) return a->id() < b->id();

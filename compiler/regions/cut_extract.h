@@ -1,9 +1,9 @@
-// Cuts an extract into one file for each region, in four passes over the file:
+// Cuts an extract into one file per region, in four passes over the extract:
 //
-//     1. relations        which ways are members of areas
-//     2. nodes and ways   places of nodes, in an index on disk; elements near a region go to its spool
-//     3. relations        areas go to the regions that their box touches
-//     4. ways             the members of these areas follow them
+//     1. relations        finds the ways that are members of areas
+//     2. nodes and ways   stores places of nodes in an index on disk; copies elements near a region to its spool
+//     3. relations        copies areas to the spools of the regions that their box touches
+//     4. ways             copies the members of these areas
 //
 // Then each spool is sorted and written as a file.
 #pragma once
@@ -13,51 +13,54 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/regions/region.h"
 #include "compiler/regions/region_file.h"
 #include "compiler/source/osm_data.h"
 
 namespace citykiln::regions {
 
-/// What is cut, and where the files go.
+/// The arguments of cut_extract().
 struct Cut {
   std::string map_path;
-  std::string folder;        ///< Exists. Gets X_Y.osm.pbf for each region, and survey.osm.pbf.
-  source::LonLatBox extent;  ///< Stated in the header of each file.
+  std::string folder;        ///< Must exist. X_Y.osm.pbf is written for each region, and survey.osm.pbf.
+  source::LonLatBox extent;  ///< The box in the header of each file.
   int threads = 0;
 };
 
-/// The files of all regions, in the order of regions_of(), and that of the survey.
+/// Counts of the files that were written. `regions` has the order of regions_of(); `survey` is the file with coastlines
+/// and waters of the whole extent.
 struct CutFiles {
   std::vector<RegionFile> regions;
   RegionFile survey;
   Report report;  ///< The accounts source/node, source/way and source/relation of the whole extract.
 };
 
-/// Where a place lies, in the plane. Places farther than 1 degree outside the extent are brought to that distance,
-/// where the projection is defined.
+/// Returns the plane coordinates of a place, in metres. A place more than 1 degree outside the extent is first moved to
+/// that distance, where the projection is still defined.
 Vec2 place_near(const map::Plane& plane, const source::LonLatBox& extent, double lon, double lat);
 
-/// Cuts an extract. A region's file holds, sorted and without metadata:
-/// - nodes with tags within the region widened by its halo;
-/// - ways, whole, of which a segment's box touches that, or, for ways that may become areas, their own box;
-/// - multipolygons and boundaries that may become areas and whose box touches that, with all their ways;
+/// Cuts an extract. The file of a region holds these elements, sorted and without metadata. "Near" means touching the
+/// box of the region widened by its halo.
+/// - nodes with tags near the region;
+/// - whole ways with a segment whose box is near, or, if they may become areas, whose own box is near;
+/// - multipolygons and boundaries that may become areas and whose box is near, with all their ways;
 /// - all coastlines near the extent;
-/// - each element of another region's file that it owns (owner_of() its place, which is that of its first node).
-/// The survey's file holds waterways, coastlines and areas of water near the extent, whole. Nodes without tags are
-/// left out: ways have their places (LocationsOnWays). Of duplicates the highest version is kept.
+/// - each element that the region owns and that is in another region's file (owner_of() the element's first node).
+/// The file of the survey holds whole waterways, coastlines and areas of water near the extent. Nodes without tags are
+/// left out, since ways hold the locations of their nodes (LocationsOnWays). If an element occurs several times, its
+/// highest version is kept.
 ///
-/// Guarantees: the same elements give the same bytes; a file is written only where its bytes change, so that its time
-/// tells when it changed. Memory: 64 kB a region, 50 bytes for each way that is a member of an area, and the pages of
-/// the index of places (16 bytes a node, in FOLDER/.cut) that the system keeps. Linear in the bytes of the extract.
-/// Errors: a file that cannot be read; one whose ways come before its nodes; a folder that cannot be written.
+/// Guarantees: equal elements give equal bytes. A file is replaced only if its bytes change, so that its time says when
+/// it last changed. Memory: 64 kB per region, 50 bytes per way that is a member of an area, and the pages of the index
+/// of places (16 bytes per node, in FOLDER/.cut) that the system caches. Linear in the bytes of the extract.
+/// Errors: a file that cannot be read, or whose ways come before its nodes; a folder that cannot be written.
 Result<CutFiles> cut_extract(const Cut& cut, const map::Plane& plane, const RegionGrid& grid);
 
-/// Ways that lie farther outside of the extent than this are in no file. Coasts are closed 256 m outside.
+/// Ways farther than this outside the extent are in no file, in metres. Coasts are closed 256 m outside the extent.
 inline constexpr double kCoastMargin_m = 1024;
 
-/// The box in an extract's header. Errors: those of read_osm(); a header without a box.
+/// Returns the box in the header of an extract. Errors: those of read_osm(); a header without a box.
 Result<source::LonLatBox> header_box_of(const std::string& map_path);
 
 }  // namespace citykiln::regions

@@ -1,5 +1,6 @@
-// The radii of influence of all stages: how far from a tile data can change what the tile shows. A region is compiled
-// from the data within their sum. Stages not listed here (styles, roofs, tags, draws) look at one object alone.
+// The radius of influence of each stage: how far from a tile data can change the tile. A region is compiled from the
+// data within the sum of these radii. Stages that are not listed (styles, roofs, tags, random draws) look at one object
+// alone.
 #pragma once
 
 #include "compiler/ground/profiles/approach_paths.h"
@@ -17,42 +18,40 @@
 
 namespace citykiln::regions {
 
-// | stage                  | constant                       | metres | what lies so far away                          |
+// | stage                  | constant                       | metres | data at that distance                          |
 // |------------------------|--------------------------------|-------:|------------------------------------------------|
 // | chunk of a tile        | scene::kHalo_m                 |     48 | ground, footprints, woods around the tile      |
 // | woods                  | plants::kInfluenceRadius_m     |     48 | candidates of blue noise; within kHalo_m       |
 // | plants' obstacles      | plants::kObstacleInfluence_m   |     16 | hedges, rows, corridors                        |
-// | roads of a chunk       | kRoadArms_m                    |     56 | arms of the junctions of the tile              |
+// | roads of a chunk       | scene::kRoadHalo_m             |     56 | arms of the junctions of the tile              |
 // | junctions              | roads::kJunctionRadius_m       |     24 | nodes that are one junction                    |
 // | pieces of roads        | roads::kJunctionHalo_m         |     32 | junctions that end a stretch                   |
 // | running water          | ground::kMaxInfluence_m        |   1008 | the axis that gives a bank its height          |
-// | assumed widths         | roads::kLongestFitted_m        |    512 | what is mapped beside the same way             |
+// | assumed widths         | roads::kLongestFitted_m        |    512 | objects that are mapped beside the way         |
 // | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, planes, limits of grade             |
 // | bridges and tunnels    | ground::kSpanEndRadius_m       |   4096 | their ends                                     |
 // | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
 // | paths to a bridge      | ground::kLongestApproach_m     |   2048 | a bridge or tunnel that moves the path         |
 // | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
 //
-// Without a bound, and therefore in the survey: coastlines, levels of standing water, profiles of running water, and
-// the heights that fill places without a heightmap. The header's fields come from the survey too, except rules and
-// species, which are those that the region needs.
+// Some facts have no radius and are therefore found by the survey of the whole extent: coastlines, levels of standing
+// water, profiles of running water, and the heights that fill places without a heightmap. The header's fields also come
+// from the survey, except rules and species: a region lists those that it uses.
 
-/// Chunks hold roads so far beyond their tile (scene/assemble.cpp).
-inline constexpr double kRoadArms_m = 56;
-
-/// One storey of bridges: two ramps of 850 m, that of a railway (plan_profiles.h).
+/// The radius of one storey of bridges: two ramps of 850 m, as a railway needs (plan_profiles.h).
 inline constexpr double kStoreyRadius_m = 1700;
 
-/// The sum of the longest chain: a tile, the roads and junctions of its chunk, their profiles, the bridges of these,
-/// and the bridges that cross them. A whole number of cells of 128 m.
+/// The width of the data around a region that it is compiled with: at least the sum of radii along the longest chain of
+/// dependences, which is a tile, the roads and junctions of its chunk, their profiles, the bridges of these, and the
+/// bridges that cross them. A whole number of cells of 128 m.
 inline constexpr double kRegionHalo_m = 10240;
 
-static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + roads::kLongestFitted_m +
-                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m + kStoreyRadius_m +
-                                   ground::kKnotStretch_m);
-static_assert(kRegionHalo_m >= scene::kHalo_m + kRoadArms_m + roads::kJunctionRadius_m + roads::kLongestFitted_m +
-                                   ground::kLongestApproach_m + ground::kApproach_m + ground::kProfileRadius_m +
-                                   ground::kSpanEndRadius_m);
+static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
+                                   roads::kLongestFitted_m + ground::kProfileRadius_m + ground::kSpanEndRadius_m +
+                                   kStoreyRadius_m + ground::kKnotStretch_m);
+static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
+                                   roads::kLongestFitted_m + ground::kLongestApproach_m + ground::kApproach_m +
+                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 
 }  // namespace citykiln::regions

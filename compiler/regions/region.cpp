@@ -17,7 +17,7 @@ std::int32_t last_below(double v, double size) { return static_cast<std::int32_t
 
 std::string to_string(RegionKey region) { return fmt::format("{}_{}", region.x, region.y); }
 
-Result<Done> is_sound(const RegionGrid& grid) {
+Result<Done> check_grid(const RegionGrid& grid) {
   if (is_multiple(grid.region_m, grid.tile_m)) return Done{};
   return Error{"--region", fmt::format("expected a whole multiple of the tile's side, {} m, such as {}", grid.tile_m,
                                        grid.tile_m * 16)};

@@ -1,4 +1,5 @@
-// Regions: squares of whole tiles that are compiled apart. Nothing ends at their sides.
+// Regions: squares of whole tiles that are compiled by separate tasks. Objects that cross the border of a region are
+// not cut: each region is compiled with all data within a distance of its border (RegionGrid::halo_m).
 #pragma once
 
 #include <string>
@@ -10,48 +11,50 @@
 
 namespace citykiln::regions {
 
-/// Region (x, y) covers [x, x + 1) times [y, y + 1) region sizes of the plane.
+/// The key of a region. In the plane, region (x, y) covers [x, x + 1) times [y, y + 1) times the region size.
 struct RegionKey {
   std::int32_t x = 0, y = 0;
   auto operator<=>(const RegionKey&) const = default;
 };
 
-/// "3_-2".
+/// Returns the key as a text, such as "3_-2".
 std::string to_string(RegionKey region);
 
-/// The regions of an extent.
+/// The division of an extent (the box that is compiled) into regions and tiles.
 struct RegionGrid {
-  Box2 extent;              ///< Whole cells of map::kCell_m.
-  double tile_m = 1024;     ///< A whole multiple of map::kCell_m.
-  double region_m = 16384;  ///< A whole multiple of tile_m.
-  double halo_m = 0;        ///< Data around a region that are compiled with it.
+  Box2 extent;                          ///< All sides lie on multiples of map::kCell_m.
+  double tile_m = map::kDefaultTile_m;  ///< The side of a tile: a whole multiple of map::kCell_m.
+  double region_m = 16384;              ///< The side of a region: a whole multiple of tile_m.
+  double halo_m = 0;                    ///< The width of the data around a region that are compiled with it.
 };
 
-/// Errors: a size that is not a whole multiple of the tile's.
-Result<Done> is_sound(const RegionGrid& grid);
+/// Returns an error if region_m is not a whole multiple of tile_m. Other members are not checked.
+Result<Done> check_grid(const RegionGrid& grid);
 
-/// All regions that the extent touches, sorted.
+/// Returns all regions that the extent touches, sorted.
 std::vector<RegionKey> regions_of(const RegionGrid& grid);
 
-/// The part of the extent that belongs to a region.
+/// Returns the part of the extent that belongs to a region.
 Box2 box_of(const RegionGrid& grid, RegionKey region);
 
-/// The tiles of a region that the extent touches, sorted.
+/// Returns the tiles of a region that the extent touches, sorted.
 std::vector<scene::TileKey> tiles_of(const RegionGrid& grid, RegionKey region);
 
-/// The region that owns a place of the plane: the one that it lies in, or, of a place outside the extent, the nearest.
+/// Returns the region that owns a place of the plane: the region around it, or the nearest region if the place is
+/// outside the extent.
 RegionKey owner_of(const RegionGrid& grid, Vec2 place);
 
-/// Calls visit(index) for each region whose box, widened by the halo, touches a box; the index is that in
+/// Calls visit(index) for each region whose box, widened by the halo, touches `box`. The index is the position in
 /// regions_of(). O(regions touched).
 template <typename Visit>
 void for_each_region_near(const RegionGrid& grid, const Box2& box, Visit visit);
 
-/// The indices of the columns and rows of regions that a range touches, clamped to those of the extent.
+/// A range of columns and rows of regions, clamped to those of the extent.
 struct RegionRange {
-  std::int32_t first_x, last_x, first_y, last_y;  ///< Both ends belong to it; empty if last < first.
-  std::int32_t low_x, low_y, rows;                ///< Of the extent.
+  std::int32_t first_x, last_x, first_y, last_y;  ///< Both ends are included; empty if last < first.
+  std::int32_t low_x, low_y, rows;                ///< The extent's first column, first row and number of rows.
 };
+/// Returns the regions whose box, widened by the halo, touches `box`.
 RegionRange range_near(const RegionGrid& grid, const Box2& box);
 
 template <typename Visit>

@@ -17,7 +17,7 @@ using Objects = std::span<const osmium::OSMObject* const>;
 
 Vec2 place_of(osmium::Location location) { return {location.lon(), location.lat()}; }
 
-/// Parallels across a box, and where the outline of an area crosses each.
+/// Measures the share of a box that an area covers, by the crossings of its outline with parallels.
 class SampledArea {
  public:
   explicit SampledArea(const Box2& box) : box_(box) {}
@@ -33,7 +33,7 @@ class SampledArea {
     }
   }
 
-  /// The share of the box that lies inside, by the even-odd rule. Crossings without a partner are left out.
+  /// Returns the share of the box inside the area, by the even-odd rule. A crossing without a partner is left out.
   double share() {
     double inside = 0;
     for (std::vector<double>& row : crossings_) {
@@ -72,7 +72,7 @@ const osmium::Way* way_of(Objects sorted, osmium::object_id_type id) {
   return is_there ? static_cast<const osmium::Way*>(*found) : nullptr;
 }
 
-/// The outline of an area. Empty of a way that is not closed.
+/// Returns the ways of an area's outline; none for a way that is not closed.
 std::vector<const osmium::Way*> outline_of(const osmium::OSMObject& object, Objects sorted) {
   std::vector<const osmium::Way*> outline;
   if (object.type() == osmium::item_type::way) {

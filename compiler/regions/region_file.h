@@ -1,4 +1,4 @@
-// What the file of a region holds, counted for the model of its cost.
+// Counts the elements in the file of a region, from which the cost of compiling it is estimated (expected_cost.h).
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,29 @@ class OSMObject;
 
 namespace citykiln::regions {
 
-/// One file of a cut. "Own" is what lies within the region itself, without its halo.
+/// The contents of one file. Members that begin with own_ count only the region itself, without its halo, the data
+/// around it.
 struct RegionFile {
   std::uint64_t bytes = 0;
-  std::uint64_t nodes = 0, ways = 0, relations = 0;          ///< Nodes have tags.
-  std::uint64_t way_nodes = 0, own_way_nodes = 0;            ///< Of all ways.
-  std::uint64_t own_nodes = 0;                               ///< Nodes with tags: trees, lamps.
-  std::uint64_t own_building_nodes = 0, own_road_nodes = 0;  ///< Those of own_way_nodes that are of such ways.
-  /// Plants that areas ask for by plants/wood_defaults.inc and planting_defaults.inc: trees and shrubs of woods and
-  /// parks; and vines, hedges and tufts of grass.
+  std::uint64_t nodes = 0, ways = 0, relations = 0;  ///< Nodes in files have tags.
+  std::uint64_t way_nodes = 0, own_way_nodes = 0;    ///< Nodes of all ways.
+  std::uint64_t own_nodes = 0;                       ///< Nodes with tags, such as trees and lamps.
+  std::uint64_t own_building_nodes = 0,
+                own_road_nodes = 0;  ///< Nodes of buildings and of roads, included in own_way_nodes.
+  /// Plants on areas: trees and shrubs of woods and parks (plants/wood_defaults.inc); vines, hedges and tufts of grass
+  /// (plants/planting_defaults.inc).
   std::uint64_t own_trees = 0, own_plantings = 0;
 };
 
-/// Counts the elements of a file, all but its bytes.
+/// Counts the elements of a file. `bytes` stays 0.
 ///
-/// @param sorted   By type and id; nodes, ways and relations. Nodes of ways have places.
+/// @param sorted   Nodes, ways and relations, by type and id. Ways hold the locations of their nodes.
 /// @param own_deg  The region's own part of the extent, in degrees of longitude and latitude.
-/// @param own_m2   The area of that.
+/// @param own_m2   The area of that part.
 ///
-/// What lies within is decided in degrees, and areas are sampled along 64 parallels, so counts of plants are good to
-/// some per cent; where areas overlap plants are counted twice. Linear in the nodes of the ways and of the areas' ways.
+/// The box in degrees decides what is "own", and areas are sampled along 64 parallels, so counts of plants are accurate
+/// to some per cent. Where areas overlap, plants are counted twice. Linear in the nodes of the ways and of the areas'
+/// ways.
 RegionFile contents_of(std::span<const osmium::OSMObject* const> sorted, const Box2& own_deg, double own_m2);
 
 }  // namespace citykiln::regions

@@ -1,4 +1,4 @@
-// Spools: one file of raw elements for each region, appended to in the order in which a pass finds them.
+// Spools: files of raw elements, one per region, to which a pass over the extract appends elements as it finds them.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,22 @@
 
 namespace citykiln::regions {
 
-/// Collects elements for many files. Memory: kSpoolBuffer_bytes a file. Files are removed by remove().
+/// Appends elements to many files. Memory: kSpoolBuffer_bytes per file. The files stay until remove() is called.
 class Spools {
  public:
-  /// @param folder  Exists; the spools are its files 0, 1, …
+  /// @param folder  Must exist. The spools are its files 0, 1, …
   Spools(std::string folder, std::size_t count);
 
+  /// Appends an element to a spool, by the spool's number.
   void add(std::size_t spool, const osmium::OSMObject& object);
 
-  /// Writes what is in memory. Error: the first write that failed, now or before.
+  /// Writes the elements that are still in memory. Error: the first write that failed since construction.
   Result<Done> flush();
 
-  /// The elements of a spool. Error: a file that cannot be read.
+  /// Returns the elements of a spool. Error: a file that cannot be read.
   Result<osmium::memory::Buffer> read(std::size_t spool) const;
 
+  /// Deletes the files.
   void remove() const;
 
  private:
@@ -36,6 +38,7 @@ class Spools {
   bool failed_ = false;
 };
 
+/// The number of bytes that a spool collects in memory before it writes them.
 inline constexpr std::size_t kSpoolBuffer_bytes = 65536;
 
 }  // namespace citykiln::regions

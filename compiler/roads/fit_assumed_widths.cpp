@@ -94,7 +94,7 @@ struct Room {
   double left_m = std::numeric_limits<double>::infinity(), right_m = std::numeric_limits<double>::infinity();
 };
 
-// What a thing leaves of the carriageway; nothing where it crosses the way.
+// The room that a thing leaves for the carriageway; unlimited if the thing is not beside the way or crosses it.
 Room room_beside(const Thing& thing, const Polyline& axis, double half_m) {
   Room room;
   for (const Vec2 p : thing.places) {
@@ -118,8 +118,7 @@ std::vector<Room> rooms_beside(const map::Track& track, const ThingIndex& index,
   return rooms;
 }
 
-// The least room of all things but those for which even the narrowest carriageway has none; these are tried nearest
-// first, from both sides.
+// The room that all things leave. While it is less than least_m, the thing nearest to the axis is ignored.
 Room room_between(const std::vector<Room>& rooms, double least_m) {
   std::vector<double> left, right;
   for (const Room& room : rooms) left.push_back(room.left_m), right.push_back(room.right_m);

@@ -1,4 +1,4 @@
-// The road network: nodes that several axes share, and the arms that leave them.
+// The road network: nodes, the places that axes of several roads share, and arms, the roads that leave a node.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace citykiln::roads {
 
-/// Roads only meet roads of their family: a footpath that ends on a street makes no junction of streets. kOther (rails,
-/// runways) makes none at all.
+/// Roads form junctions only with roads of their family: a footpath that ends on a street makes no junction. kOther
+/// (rails, runways) has no junctions at all.
 enum class Family : std::uint8_t { kStreet, kPath, kOther };
 Family family_of(map::LandCoverClass surface);
 
-/// True for streets of residential or higher class: no driveways, car parks or tracks.
+/// True for streets of residential or higher class; false for driveways, car parks and tracks.
 bool is_through_street(const Road& road);
 
 /// A road leaving a node, from axis[vertex] towards axis[vertex + step].
@@ -33,41 +33,42 @@ struct Node {
   std::vector<Arm> arms;  ///< Sorted.
 };
 
-/// Returns the radius of the disk about the node that these arms leave, by the track points of their roads: 5 m for a
-/// mini roundabout, 6 m for a turning circle, and at least 1.5 m more than half the widest arm, but at most 12 m. 0:
-/// not circular. O(arms).
+/// Returns the radius of the disk of ground about the node of these arms: 5 m for a mini roundabout, 6 m for a turning
+/// circle (track points of the roads), but at least 1.5 m more than half the widest arm, and at most 12 m. 0 if the
+/// node is neither. O(arms).
 double disk_radius_m(std::span<const Road> roads, std::span<const Arm> arms);
 
-/// Returns all nodes with at least three arms, with two that do not continue into each other (another width, or a turn
-/// of more than a right angle), or that are circular.
+/// Returns the nodes at which a junction may be needed: with at least three arms, with two arms that do not continue
+/// each other (their widths differ, or the turn is more than a right angle), or with a disk (disk_radius_m()).
 ///
-/// Axes meet only where they share a vertex; those of a bridge and the road below it do not. Sorted by position, then
-/// family. Total. O(n log n) in vertices.
+/// Axes meet only if they share a vertex, so a bridge does not meet the road below it. Sorted by position, then family.
+/// O(n log n) in vertices.
 std::vector<Node> find_nodes(std::span<const Road> roads);
 
-/// Returns how each road's strip ends: joined where it continues into exactly one other road end of its family. O(n log
+/// Returns the ends of each road. An end is joined if exactly one other end of a road of its family lies there. O(n log
 /// n) in vertices.
 std::vector<StripEnds> ends_of(std::span<const Road> roads);
 
-/// Two arms that continue into each other at a node without a third arm: of two roads, or both ends of a loop.
+/// Two arms that continue each other at a place without a third arm. They belong to two roads, or are both ends of a
+/// loop.
 struct Joint {
   Arm a, b;
 };
 /// Returns all joints, sorted by position. O(n log n) in vertices.
 std::vector<Joint> joints_of(std::span<const Road> roads);
 
-/// The distance from an arm's axis to its kerbs, as seen leaving the node.
+/// The distance from an arm's axis to its left or right kerb, as seen when leaving the node.
 double arm_left_m(std::span<const Road> roads, const Arm& arm);
 double arm_right_m(std::span<const Road> roads, const Arm& arm);
 
 /// Appends the arms that leave a vertex of a road: two, or one at its ends.
 void append_arms(std::span<const Road> roads, std::uint32_t road, std::uint32_t vertex, std::vector<Arm>& arms);
 
-/// True where one of the arms' roads has traffic signals at the arms' node.
+/// True if the road of an arm has traffic signals at the arms' node.
 bool has_signals(std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Returns the first part of an arm's axis, at most `length_m` long. The last point may be interpolated and is not
-/// snapped. At least two points where length_m > 0.
+/// snapped. At least two points if length_m > 0.
 Polyline arm_axis(std::span<const Road> roads, const Arm& arm, double length_m);
 
 }  // namespace citykiln::roads

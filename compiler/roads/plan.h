@@ -1,4 +1,4 @@
-// Plans roads: which tracks of the map become roads on the ground.
+// Plans roads: turns tracks on the ground into road recipes.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ namespace citykiln::roads {
 /// Returns the track as a road, at its full width.
 Road road_of(const map::Track& track);
 
-/// Returns all tracks on the ground, sorted by id. Ledger "roads/track": tracks on bridges and in tunnels count as
-/// merged, since they become structures. Total. O(n).
+/// Returns the roads of all tracks on the ground, sorted by id. Ledger "roads/track": tracks on bridges and in tunnels
+/// become structures and count as merged. O(n).
 std::vector<Road> plan(const map::Features& features, Report& report);
 
-/// Returns the ids of the ways that lead through buildings by their tags, sorted. O(n).
+/// Returns the ids of the ways that are tagged to lead through buildings, sorted. O(n).
 std::vector<OsmId> ways_through_buildings(const map::Features& features);
 
 }  // namespace citykiln::roads

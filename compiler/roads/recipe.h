@@ -1,5 +1,5 @@
-// A road in plan: an axis and the lanes on either side of it. Scenes hold the roads on the ground; bridges and tunnels
-// are structures there, and junctions/layers.h plans their networks.
+// Road recipes: an axis and the lanes on either side of it. Bridges and tunnels are structures (structures/recipe.h).
+// The whole way is the OSM way of which the axis may be a part; "along" means distance from its first point.
 #pragma once
 
 #include <vector>
@@ -13,34 +13,37 @@
 
 namespace citykiln::roads {
 
-/// A strip of ground along an axis.
+/// A strip of ground along an axis, such as a watercourse.
 struct Strip {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped, at least two points.
   map::LandCoverClass surface{};
   double left_m = 0, right_m = 0;  ///< From the axis to the edges, seen along it; multiples of 2^-10, their sum > 0.
   Profile profile{};               ///< Heights along the axis, by distance from the start of the whole way.
-  double start_along_m = 0;        ///< Of the whole way, before the first point of the axis; a multiple of 2^-10.
+  double start_along_m = 0;        ///< Distance of the axis' first point along the whole way; a multiple of 2^-10.
   double reach_m = 0;              ///< Rivers with an area: the greatest distance from the axis at which the profile
                                    ///< gives heights; a multiple of 16. 0 for all others.
   bool operator==(const Strip&) const = default;
 };
 
-/// A point of one side where a building limits how far out the road's edge may lie.
+/// The largest distance of the road's edge from its middle that buildings allow, on one side, at one distance along the
+/// way.
 struct WidthLimit {
   double at_m = 0;       ///< Distance along the whole way; a multiple of 1/4 m.
-  double half_m = 0;     ///< From the middle of the carriageway to the outer edge, at most; a multiple of 1/32 m, > 0.
-  bool is_wall = false;  ///< The limit runs straight from the previous point; else it opens by kTaper in between.
+  double half_m = 0;     ///< Largest distance of the edge from the carriageway's middle; a multiple of 1/32 m, > 0.
+  bool is_wall = false;  ///< True if the limit is a straight line from the previous point; false if it widens as fast
+                         ///< as kTaper allows in between.
   bool operator==(const WidthLimit&) const = default;
 };
 
-/// The width limits of a road's two sides; mostly empty. narrowed_section.h applies them to lanes.
+/// The width limits of both sides of a road; mostly empty. narrowed_section.h applies them to lanes.
 struct WidthLimits {
-  std::vector<WidthLimit> left, right;  ///< Each sorted by at_m; no limit exceeds what its neighbours allow.
+  std::vector<WidthLimit> left, right;  ///< Each sorted by at_m; limits differ by at most kTaper times the distance.
   bool is_empty() const { return left.empty() && right.empty(); }
   bool operator==(const WidthLimits&) const = default;
 };
 
+/// A road, path or railway on the ground.
 struct Road {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped, at least two points.
@@ -48,15 +51,16 @@ struct Road {
   map::CrossSection section;
   map::DrivingSide side{};
   bool is_lit = false, is_link = false, is_roundabout = false;
-  double start_along_m = 0;             ///< Of the whole way, before the first point of the axis; a multiple of 2^-10.
-  std::vector<map::TrackPoint> points;  ///< Sorted; vertices index this axis.
+  double start_along_m = 0;  ///< Distance of the axis' first point along the whole way; multiple of 2^-10.
+  /// Marked nodes such as crossings, sorted; TrackPoint::vertex is an index into this axis.
+  std::vector<map::TrackPoint> points;
   WidthLimits width_limits;
-  Profile profile{};  ///< Heights along the axis, set by ground::plan_profiles(); empty before, and for roads on
-                      ///< unaltered terrain.
+  Profile profile{};  ///< Heights along the axis, set by ground::plan_profiles(). Empty before that, and for roads on
+                      ///< terrain that is not graded.
   bool operator==(const Road&) const = default;
 };
 
-/// The distance from the axis to the kerbs, seen along it.
+/// The distance from the axis to the left or right kerb, seen along the axis.
 double left_m(const Road& road);
 double right_m(const Road& road);
 /// The width from kerb to kerb.
@@ -70,19 +74,20 @@ double raised_right_m(const Road& road);
 double paved_left_m(const Road& road);
 double paved_right_m(const Road& road);
 
-/// The distance of each vertex along the whole way. Segments are measured to 2^-10 m, so a trimmed part has the same
-/// distances. O(n).
+/// The distance of each vertex of the axis along the whole way. Lengths of segments are rounded to 2^-10 m, so that a
+/// trimmed road has the same distances as the whole one. O(n).
 std::vector<double> distances_along(const Road& road);
-/// The same for any axis. @param start_along_m  Length of the way before the axis begins.
+/// The distance of each vertex of any axis along the whole way.
+/// @param start_along_m  Length of the way before the axis begins.
 std::vector<double> distances_along(const Polyline& axis, double start_along_m);
 
 /// The priority of the road's class.
 inline int priority_of(const Road& road) { return map::values_of(road.surface).priority; }
 
-/// No point of the road, pavements included, lies farther from its axis than this, not even the tip of a mitre.
+/// The largest distance of any point of the road from its axis, pavements and tips of mitres included.
 double max_offset_m(const Road& road);
 
-/// The strip between the kerbs, without width limits.
+/// The strip of ground between the kerbs, without width limits.
 Strip carriageway_of(const Road& road);
 
 }  // namespace citykiln::roads

@@ -1,4 +1,4 @@
-// Trims roads and strips to the part a tile needs.
+// Trims roads and strips of ground (watercourses) to the parts that a tile needs.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,14 @@
 
 namespace citykiln::roads {
 
-/// Returns the runs of segments whose strip may touch the box widened by the halo, mostly one or none. Each keeps the
-/// road's id and its vertices, so that within that area the runs cover exactly what the road covers. A segment that may
-/// touch the box itself keeps its neighbours, since its ends lie on mitres with them. O(n).
+/// Returns the parts of a road that the box may need: runs of consecutive segments whose ground may touch the box
+/// widened by the halo, mostly one run or none. Runs keep the road's id and its vertices, and together they cover the
+/// same points of the widened box as the whole road. At a bend neighbouring segments end on a common mitre, so a
+/// segment that may touch the box itself stays together with its neighbours. O(n).
+/// @param halo_m  Width of the margin around the box.
 std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m);
-/// The same for a strip, whose segments end square.
+/// Returns the parts of a strip that the box may need, like trimmed_to() of a road. The segments of strips end square,
+/// so they need no neighbours. O(n).
 std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box, double halo_m);
 
 }  // namespace citykiln::roads

@@ -67,9 +67,6 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
   return tiles;
 }
 
-// Chunks hold roads so far beyond their tile that the arms of every junction of the tile are among them.
-constexpr double kRoadHalo_m = 56;
-
 struct Sorted {
   ByTile surfaces, roads, junctions, watercourses, near_buildings, buildings, bridges, tunnels, trees, tree_rows,
       corridors, barriers, lamps;
@@ -86,7 +83,7 @@ Box2 box_of_strip(const roads::Strip& strip) {
 // by_touch() widens by kHalo_m, which is more than plants need.
 Box2 near_tile(const Box2& box) { return box.widened(plants::kObstacleInfluence_m - kHalo_m); }
 
-// Adds objects to those of each tile; none is in a tile twice.
+// Adds objects to each tile, without repetitions.
 void add_to(ByTile& tiles, const ByTile& more) {
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     tiles[t].insert(tiles[t].end(), more[t].begin(), more[t].end());
@@ -94,9 +91,9 @@ void add_to(ByTile& tiles, const ByTile& more) {
   }
 }
 
-// Puts each line into every tile that plants on or beside one of its segments may depend on. The box of a long line
-// would touch tiles far away from it.
-// @param half_m  Half the width of a line; none: it belongs to no tile.
+// Puts each line into every tile whose plants may depend on one of its segments. The box of a whole long line would
+// touch tiles far away from it.
+// @param half_m  Returns half the width of a line; empty for a line that belongs to no tile.
 template <typename Line, typename HalfWidth>
 ByTile by_segments(const TileGrid& grid, std::span<const Line> lines, HalfWidth half_m) {
   std::vector<Box2> boxes;
@@ -169,7 +166,7 @@ bool covers_tile(const ground::LandCoverPolygon& surface, const Box2& tile) {
   return ground::box_of(surface).touches(tile.widened(1));
 }
 
-// Whether all arms of a junction are among the chunk's roads.
+// True if all arms of a junction are among the chunk's roads.
 bool has_all_arms(const roads::Junction& junction, const Box2& tile) {
   const Box2 needed = citykiln::box_of(junction.nodes).widened(roads::kJunctionRadius_m),
              known = tile.widened(kRoadHalo_m);
@@ -181,7 +178,7 @@ struct JunctionCovers {
   std::vector<ground::LandCoverPolygon> surfaces, pavements;
 };
 
-// Areas, and the junctions and footprints that the chunk has no recipe of, trimmed.
+// Returns the trimmed polygons of areas, and of the junctions and footprints for which the chunk has no recipe.
 std::vector<ground::LandCoverPolygon> surfaces_for(const Recipes& recipes, const Sorted& sorted,
                                                    const JunctionCovers& junctions, std::size_t t, const Box2& tile) {
   const Box2 halo = tile.widened(kHalo_m);
@@ -244,7 +241,7 @@ std::vector<Growing> growing_on(const std::vector<ground::LandCoverPolygon>& sur
   return here;
 }
 
-// The texts of the elements that a chunk has recipes of.
+// The texts of the elements from which the chunk's recipes are made.
 std::vector<map::ElementText> texts_for(std::span<const map::ElementText> texts, const Chunk& chunk) {
   std::vector<OsmId> ids;
   const auto add = [&](const auto&... kinds) {
@@ -289,7 +286,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
 }  // namespace
 
 Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads) {
-  assert(header.tile_m > 0 && header.region.width() > 0 && header.region.height() > 0);
+  assert(header.tile_m > 0 && header.extent.width() > 0 && header.extent.height() > 0);
   const TileGrid grid(header);
   const JunctionCovers junctions = junction_covers(recipes, threads);
   const Sorted sorted = sort_by_tile(grid, recipes, junctions.surfaces);

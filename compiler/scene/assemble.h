@@ -1,4 +1,4 @@
-// Stage 10: sorts the recipes of the whole region into the chunks of their tiles.
+// Divides the recipes of the whole extent (the box that is compiled) into chunks: the recipes of one tile each.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace citykiln::scene {
 
-/// The recipes of the whole region, as the stages before made them.
+/// The recipes of the whole extent, made by the stages before this one.
 struct Recipes {
   map::Heightfield heights;
   std::vector<ground::LandCoverPolygon> surfaces;
@@ -24,12 +24,13 @@ struct Recipes {
   std::vector<map::ElementText> texts;  ///< Sorted by id.
 };
 
-/// Sorts the recipes into one chunk per tile; Chunk says which tiles hold an object that crosses a border.
+/// Makes one chunk of recipes per tile. Chunk says which chunks hold an object that crosses a tile's border.
 ///
 /// @param only  If not empty, only these tiles become chunks.
 ///
-/// Guarantees: a chunk holds nothing beyond its tile widened by kHalo_m, but for roads, which it holds farther out, so
-/// that the arms of its junctions can be derived from them. Total. Cost: linear in vertices times tiles touched.
+/// Guarantees: land cover and watercourses of a chunk are trimmed to its tile widened by kHalo_m. Roads extend farther,
+/// so that the arms of the tile's junctions can be derived from them. Cannot fail. Cost: linear in vertices times tiles
+/// touched.
 Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads);
 
 }  // namespace citykiln::scene

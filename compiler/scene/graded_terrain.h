@@ -1,4 +1,5 @@
-// The graded terrain of a chunk, made of its recipes.
+// Computes the graded terrain of a chunk (the recipes of one tile) from its recipes. The graded terrain is the terrain
+// after roads and water have cut into it.
 #pragma once
 
 #include "compiler/ground/grading/graded_terrain.h"

@@ -1,4 +1,4 @@
-// The ground of a scene at single places: height and land cover, without generating it.
+// Looks up the height and the land cover of the ground at single places of a scene, without generating the ground.
 #pragma once
 
 #include <vector>
@@ -9,27 +9,28 @@ namespace citykiln::scene {
 
 /// The ground at a place.
 struct GroundPlace {
-  double height_m = 0;  ///< Of the terrain, which is not graded, or of standing water.
+  double height_m = 0;  ///< The height of standing water, else that of the terrain before grading.
   map::LandCoverClass cover{};
 };
 
-/// Refers to the scene, which must outlive it. Its scene has chunks.
+/// Answers queries for a scene with at least one chunk (the recipes of one tile). Refers to the scene, which must
+/// outlive it.
 class GroundLookup {
  public:
   explicit GroundLookup(const Scene& scene);
 
-  /// The ground in the chunk whose tile is nearest: of the topmost area, or kUnknown. O(areas of the chunk).
+  /// Returns the ground of the nearest tile: its topmost area at the place, or kUnknown. O(areas of the chunk).
   GroundPlace at(Vec2 place) const;
-  /// Whether a chunk's tile covers a place.
+  /// True if the tile of a chunk covers the place.
   bool is_in_tile(Vec2 place) const;
-  /// The box of all chunks' tiles.
+  /// Returns the box around the tiles of all chunks.
   const Box2& box() const { return box_; }
 
  private:
   struct Tile {
     const Chunk* chunk;
     Box2 box;
-    std::vector<Box2> areas;  ///< Of the chunk's surfaces.
+    std::vector<Box2> areas;  ///< The boxes of the chunk's surfaces.
   };
   const Tile& nearest(Vec2 place) const;
 
@@ -37,8 +38,8 @@ class GroundLookup {
   Box2 box_;
 };
 
-/// `count` places on the border of a box, at equal shares of the way around, counter-clockwise from the middle of the
-/// eastern side; a little inside of it.
+/// Returns `count` places just inside the border of a box, at equal steps, counter-clockwise from the middle of the
+/// eastern side.
 std::vector<Vec2> places_on_border(const Box2& box, int count);
 
 }  // namespace citykiln::scene

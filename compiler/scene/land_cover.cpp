@@ -16,7 +16,7 @@ namespace {
 
 using ground::LandCoverPolygon;
 
-// Joins equal ids, classes and pieces: the runs of a trimmed road are one surface.
+// Joins neighbours of equal id, class and piece, such as the parts of a trimmed road, to one polygon.
 void join_equal(std::vector<LandCoverPolygon>& surfaces) {
   std::size_t kept = 0;
   for (std::size_t i = 1; i < surfaces.size(); ++i) {

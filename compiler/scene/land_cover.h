@@ -1,4 +1,5 @@
-// What covers the ground: polygons of land cover classes, made of the recipes of a chunk or of the whole map.
+// Makes the land cover of a chunk (the recipes of one tile) or of the whole map: polygons of land cover classes, from
+// recipes.
 #pragma once
 
 #include <span>
@@ -11,20 +12,21 @@ namespace citykiln::scene {
 
 /// The land cover of a tile at a tolerance.
 struct LandCover {
-  /// Sorted by id, class and piece, each combination of them once.
+  /// Sorted by id, class and piece; each combination occurs once.
   std::vector<ground::LandCoverPolygon> surfaces;
-  /// Pieces of roads by LandCoverPolygon::piece - 1. Piece::pattern indexes `layouts`; a run belongs to one road.
+  /// Pieces of roads: the parts of a road's lane strips with constant markings. LandCoverPolygon::piece is 1 plus an
+  /// index into this vector, Piece::layout an index into `layouts`. Each Piece::run belongs to one road.
   std::vector<roads::Piece> pieces;
-  /// Of marked pieces; some may be equal.
+  /// The marking layouts (patterns of painted lines) of marked pieces. Some may be equal.
   std::vector<roads::MarkingLayout> layouts;
 };
 
-/// Returns the polygons of areas, roads, junctions, traffic islands, watercourses and buildings that stand on the
-/// ground. With Detail::kRoadSurfaces roads are divided into pieces, else each is one surface from kerb to kerb.
-/// Total. O(n log n).
+/// Returns the polygons of areas, roads, junctions, traffic islands, watercourses, and buildings that stand on the
+/// ground. With Detail::kRoadSurfaces roads are divided into pieces, else each is one surface from kerb to kerb. Cannot
+/// fail. O(n log n).
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m);
 
-/// The recipes that cover the ground, of a chunk or of the whole map.
+/// The recipes of a chunk or of the whole map that cover the ground.
 struct CoverRecipes {
   std::span<const ground::LandCoverPolygon> areas;
   std::span<const roads::Road> roads;
@@ -33,18 +35,19 @@ struct CoverRecipes {
   std::vector<ground::LandCoverPolygon> footprints;
 };
 
-/// Returns the same polygons with every road as one surface, whatever the tolerance: for clearances, which must be the
-/// same on all levels.
+/// Returns the polygons with each road as one surface, whatever the tolerance. Clearances are measured with these, so
+/// that they are equal on all levels.
 std::vector<ground::LandCoverPolygon> coarse_land_cover(const CoverRecipes& recipes);
 std::vector<ground::LandCoverPolygon> coarse_land_cover(const Chunk& chunk);
 
-/// The polygon of a junction. It lies over the strips of its roads and has the id of its main road.
+/// Returns the polygon of a junction. It covers the ends of its roads and has the id of its main road, with a part
+/// number of its own.
 ground::LandCoverPolygon junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                           std::span<const roads::Arm> arms);
-/// The pavements around a junction's corners, with the junction's id; no rings where there are none.
+/// Returns the pavements around a junction's corners, with the junction's id. It has no rings if there are none.
 ground::LandCoverPolygon corner_pavement_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                                  std::span<const roads::Arm> arms);
-/// The polygon that a building on the ground covers.
+/// Returns the polygon that a building covers on the ground.
 ground::LandCoverPolygon footprint_surface(ObjectId id, const Polygon& footprint);
 
 }  // namespace citykiln::scene

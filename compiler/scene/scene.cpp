@@ -26,8 +26,8 @@ std::optional<buildings::WeekTime> night_of(const Header& header) {
 Box2 box_of(const Header& header, TileKey tile) {
   assert(header.tile_m > 0);
   const Vec2 min{tile.x * header.tile_m, tile.y * header.tile_m};
-  return {{std::max(min.x, header.region.min.x), std::max(min.y, header.region.min.y)},
-          {std::min(min.x + header.tile_m, header.region.max.x), std::min(min.y + header.tile_m, header.region.max.y)}};
+  return {{std::max(min.x, header.extent.min.x), std::max(min.y, header.extent.min.y)},
+          {std::min(min.x + header.tile_m, header.extent.max.x), std::min(min.y + header.tile_m, header.extent.max.y)}};
 }
 
 std::vector<TileKey> tiles_of(const Header& header) {
@@ -35,8 +35,8 @@ std::vector<TileKey> tiles_of(const Header& header) {
   const auto number = [&](double v) { return static_cast<std::int32_t>(std::floor(v / header.tile_m)); };
   const auto last = [&](double v) { return static_cast<std::int32_t>(std::ceil(v / header.tile_m)) - 1; };
   std::vector<TileKey> tiles;
-  for (std::int32_t x = number(header.region.min.x); x <= last(header.region.max.x); ++x)
-    for (std::int32_t y = number(header.region.min.y); y <= last(header.region.max.y); ++y) tiles.push_back({x, y});
+  for (std::int32_t x = number(header.extent.min.x); x <= last(header.extent.max.x); ++x)
+    for (std::int32_t y = number(header.extent.min.y); y <= last(header.extent.max.y); ++y) tiles.push_back({x, y});
   return tiles;
 }
 
@@ -46,8 +46,8 @@ bool is_anchored(const Header& header, TileKey tile, Vec2 anchor) {
     return std::clamp(std::floor(v / header.tile_m), std::floor(least / header.tile_m),
                       std::ceil(most / header.tile_m) - 1);
   };
-  return number(anchor.x, header.region.min.x, header.region.max.x) == tile.x &&
-         number(anchor.y, header.region.min.y, header.region.max.y) == tile.y;
+  return number(anchor.x, header.extent.min.x, header.extent.max.x) == tile.x &&
+         number(anchor.y, header.extent.min.y, header.extent.max.y) == tile.y;
 }
 
 std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk) {

@@ -1,4 +1,4 @@
-// The scene: the recipe of every object, by tile. The manifest (.kiln) holds exactly this.
+// The scene: the recipes of all objects, divided by tile. The manifest (.kiln) holds exactly this.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 #include "compiler/buildings/rulebook.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/element_text.h"
-#include "compiler/map/heightfield.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/heightfield.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/plants/recipe.h"
 #include "compiler/plants/season.h"
 #include "compiler/plants/species_texts.h"
@@ -25,56 +25,59 @@
 
 namespace citykiln::scene {
 
-/// Tile (x, y) covers [x, x + 1) times [y, y + 1) tile sizes of the plane.
+/// The key of a tile. In the plane, tile (x, y) covers [x, x + 1) times [y, y + 1) times the tile size.
 struct TileKey {
   std::int32_t x = 0, y = 0;
   auto operator<=>(const TileKey&) const = default;
 };
 
-/// "3_-2".
+/// Returns the key as a text, such as "3_-2".
 std::string to_string(TileKey tile);
 
-/// Chunks hold the ground so far beyond their tiles: the largest distance over which neighbours influence an object
-/// (plants). A whole number of metres.
+/// The width of the margin around its tile from which a chunk holds recipes, in whole metres. It is the largest
+/// distance over which neighbours influence an object (plants).
 inline constexpr double kHalo_m = 48;
+/// The distance beyond its tile up to which a chunk holds roads: the arms of every junction of the tile are among them.
+inline constexpr double kRoadHalo_m = 56;
 
-/// What holds for the whole scene.
+/// The properties of the whole scene.
 struct Header {
-  map::LonLat origin;    ///< Of the plane.
-  Box2 region;           ///< The compiled part of the plane: whole cells of map::kCell_m.
-  double tile_m = 1024;  ///< A whole multiple of map::kCell_m.
+  map::LonLat origin;                   ///< The origin of the plane.
+  Box2 extent;                          ///< The compiled part of the plane: whole cells of map::kCell_m.
+  double tile_m = map::kDefaultTile_m;  ///< A whole multiple of map::kCell_m.
   std::uint64_t seed = 0;
-  double resampling_error_m = 0;  ///< Largest error of the heightfield against its sources.
+  double resampling_error_m = 0;  ///< The largest vertical error of the heightfield against the heightmaps.
   sky::Sky sky;
   std::vector<std::string> sources;            ///< File names of map and heightmaps, without folders.
   std::vector<std::string> attributions;       ///< "© OpenStreetMap contributors", then the heightmaps' credits.
-  std::optional<double> snow_line_m{};         ///< Land above it, in the heights' datum, is under snow.
-  std::vector<buildings::RuleText> rules{};    ///< Of the buildings' styles, sorted by name.
-  std::vector<plants::SpeciesText> species{};  ///< Of the plants' species, sorted by name.
-  surroundings::Surroundings around{};         ///< The land and sea beyond the region; may be empty.
+  std::optional<double> snow_line_m{};         ///< Land above this height, in the heightmaps' datum, is under snow.
+  std::vector<buildings::RuleText> rules{};    ///< The rule files of the buildings' styles, sorted by name.
+  std::vector<plants::SpeciesText> species{};  ///< The files of the plants' species, sorted by name.
+  surroundings::Surroundings around{};         ///< The land and sea beyond the extent; may be empty.
   bool operator==(const Header&) const = default;
 };
 
 /// The recipes of one tile, which can be baked without any other chunk. Each vector is sorted by id.
 ///
 /// Objects that cross a tile's border:
-/// - Surfaces, roads and footprints are in every chunk that they touch, trimmed. Chunks are widened by kHalo_m for
-/// this,
-///   for roads by a few metres more.
-/// - Junctions are in every chunk within 32 m.
-/// - Bridges and tunnels are in these chunks too, whole, and in the chunk of their first point (is_anchored), which
-///   alone bakes them.
-/// - Trees, tree rows, hedges and power-line corridors are, whole, in every chunk that they touch widened by
+/// - Surfaces, roads, watercourses and footprints are in every chunk whose tile, widened by kHalo_m (kRoadHalo_m),
+///   they touch. They are trimmed to it.
+/// - Junctions are in every chunk whose tile is within 32 m (roads::kJunctionHalo_m).
+/// - Bridges and tunnels are whole in every chunk whose tile, widened by kHalo_m, they can grade. They are also in the
+///   chunk of their first point (is_anchored), which alone bakes them.
+/// - Trees, tree rows, hedges and power-line corridors are whole in every chunk whose tile is within
 ///   plants::kObstacleInfluence_m.
-/// - Everything else is in the chunk of its anchor alone.
+/// - All other objects are only in the chunk of their anchor.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
-  /// Areas; footprints of buildings that are anchored in other tiles; junctions that are not in `junctions`.
+  /// The polygons of areas, of buildings that are anchored in other tiles, and of junctions that are not in
+  /// `junctions`.
   std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<roads::Road> roads;
   std::vector<roads::Strip> watercourses;
-  /// Sorted by first arm. Those whose arms are all in `roads`, which holds within roads::kJunctionHalo_m.
+  /// Sorted by first arm. A junction is in this list if all its arms are in `roads`, which is so within
+  /// roads::kJunctionHalo_m of the tile.
   std::vector<roads::Junction> junctions;
   std::vector<structures::Span> bridges, tunnels;
   std::vector<buildings::Building> buildings;  ///< Their footprints are not in `surfaces`.
@@ -85,7 +88,7 @@ struct Chunk {
   std::vector<plants::PowerLineCorridor> corridors;
   std::vector<props::Barrier> barriers;
   std::vector<props::Lamp> lamps;
-  std::vector<map::ElementText> texts{};  ///< Of the elements that the recipes above are of; sorted by id.
+  std::vector<map::ElementText> texts{};  ///< Texts of the elements of these recipes; sorted by id.
   bool operator==(const Chunk&) const = default;
 };
 
@@ -96,19 +99,22 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// The month of the sky's time: plants and fields are shown as they are then.
+/// Returns the month of the sky's time. Plants and fields are shown as they are in this month.
 plants::Month month_of(const Header& header);
 
-/// The time of the week while it is dark, which says what windows are lit; none by day.
+/// Returns the time of the week if it is dark, which decides which windows are lit; empty by day.
 std::optional<buildings::WeekTime> night_of(const Header& header);
 
-/// The part of the region that belongs to a tile.
+/// Returns the part of the extent that belongs to a tile.
 Box2 box_of(const Header& header, TileKey tile);
-/// Whether an object anchored at a place belongs to a tile. Places outside the region belong to the nearest tile.
+/// True if an object belongs to a tile because the tile contains its anchor. An anchor outside the extent belongs to
+/// the nearest tile.
+/// @param anchor  The place of the object that decides: its centroid or first point, plane metres.
 bool is_anchored(const Header& header, TileKey tile, Vec2 anchor);
-/// Keys of all tiles that the region touches, sorted.
+/// Returns the keys of all tiles that the extent touches, sorted.
 std::vector<TileKey> tiles_of(const Header& header);
-/// The chunk's junctions whose first place lies in its tile: no junction of a scene is in two tiles' lists.
+/// Returns the chunk's junctions whose first node lies in its tile. Each junction of a scene belongs to exactly one
+/// chunk in this way.
 std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk);
 
 }  // namespace citykiln::scene

@@ -62,7 +62,7 @@ double slimness(const Points& t, Vec3 normal) {
   return longest_m2 > 0 ? length(normal) / longest_m2 : 0;
 }
 
-// Whether a triangle may become another: it stays wide enough and turns little.
+// True if a triangle may become another: it stays wide enough and turns little.
 bool may_become(const Points& before, const Points& after) {
   const auto normal = [](const Points& t) { return cross(t[1] - t[0], t[2] - t[0]); };
   const Vec3 old = normal(before), now = normal(after);

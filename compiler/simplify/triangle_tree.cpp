@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "compiler/geometry/segment.h"
+
 namespace citykiln::simplify {
 namespace {
 
@@ -11,11 +13,7 @@ constexpr std::uint32_t kLeaf = 4;
 
 double squared_m2(Vec3 v) { return dot(v, v); }
 
-double to_segment_m2(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 along = b - a;
-  const double size = squared_m2(along), t = size > 0 ? std::clamp(dot(p - a, along) / size, 0.0, 1.0) : 0;
-  return squared_m2(a + along * t - p);
-}
+double to_segment_m2(Vec3 p, Vec3 a, Vec3 b) { return squared_m2(nearest_point(a, b, p) - p); }
 
 // Squared: to the plane where the foot of the perpendicular is inside, else to the nearest edge.
 double squared_m2(Vec3 p, const Corners& t) {

@@ -1,4 +1,4 @@
-// The nearest of many triangles, by a tree of boxes.
+// Finds the triangle nearest to a point, by a tree of boxes.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,13 @@ struct Corners {
   Vec3 a, b, c;
 };
 
-/// The corners of all triangles, in their order.
+/// Returns the corners of all triangles of a mesh, in order.
 std::vector<Corners> corners_of(const Mesh& mesh);
 
-/// The distance of a point from a closed triangle.
+/// Returns the distance of a point from a closed triangle.
 double distance_m(Vec3 p, const Corners& triangle);
 
+/// Triangles in a tree of boxes.
 class TriangleTree {
  public:
   struct Nearest {
@@ -28,13 +29,14 @@ class TriangleTree {
     std::uint32_t triangle;
   };
 
-  /// O(n log n). The result does not depend on anything but the triangles and their order.
+  /// Builds the tree. O(n log n). It depends on the triangles and their order only.
   explicit TriangleTree(std::vector<Corners> triangles);
 
   bool is_empty() const { return triangles_.empty(); }
   const Corners& triangle(std::uint32_t i) const { return triangles_[i]; }
 
   /// @param guess  Any triangle of the tree; a near one makes the search faster.
+  /// Returns the triangle nearest to p. O(log n) for triangles spread evenly.
   Nearest nearest(Vec3 p, std::uint32_t guess = 0) const;
 
  private:

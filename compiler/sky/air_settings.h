@@ -1,4 +1,4 @@
-// Settings of the air that a user may give.
+// The settings of the air that a user may give.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,14 @@ namespace citykiln::sky {
 inline constexpr double kClearest_km = 300, kHaziest_km = 1;
 inline constexpr double kLeastTurbidity = 1, kMostTurbidity = 20;
 
+/// The settings; empty: not given.
 struct AirSettings {
   std::optional<double> turbidity{}, visibility_km{}, ground_albedo{};
   bool operator==(const AirSettings&) const = default;
 };
 
-/// Puts what is set into a sky. A turbidity alone sets the visibility too: that of aerosols with a scale height of 6
-/// km. The same bits on every CPU.
+/// Copies the settings that are given into a sky. If only the turbidity is given, the visibility becomes the one of
+/// aerosols with a scale height of 6 km. Gives equal bits on every CPU.
 void set_air(const AirSettings& settings, Sky& sky);
 
 }  // namespace citykiln::sky

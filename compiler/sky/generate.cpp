@@ -23,7 +23,7 @@ constexpr double kDark = -0.1045;
 // The brightest stars come out when the sun is 3° below the horizon.
 constexpr double kStarsOut = -0.05;
 
-// Of the sun's disk or the moon's.
+// The solid angle of the disk of sun or moon.
 double solid_angle_sr() { return 2 * kPi * (1 - std::cos(kSunRadius_rad)); }
 
 // Illuminance by the moon outside of the atmosphere. Its visual magnitude by the phase angle in degrees is -12.73 +

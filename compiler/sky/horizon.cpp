@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFlattening = 1 / 298.257223563;  // WGS 84
 
-// Degrees by which the air lifts what is at this height.
+// Degrees by which refraction lifts a body at this height.
 double refraction_deg(double height_deg) {
   const double known_deg = std::max(height_deg, -1.0);
   const double lift_deg = 1.02 / tangent(known_deg + 10.3 / (known_deg + 5.11)) / 60;

@@ -1,20 +1,20 @@
-// From the equator to the horizon of a place, and refraction.
+// Conversion of equatorial directions to a place's horizon, and refraction.
 #pragma once
 
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::sky {
 
-/// The direction {east, north, up} of a direction in the frame of the equator of date.
+/// Converts a direction from the frame of the equator of date to {east, north, up} at a place.
 Vec3 at_horizon(Vec3 equatorial, map::LonLat place, double sidereal_deg);
 
-/// The place on the ellipsoid, in equatorial radii, in the frame of the equator of date.
+/// Returns the position of a place on the ellipsoid, in equatorial radii, in the frame of the equator of date.
 Vec3 place_radii(map::LonLat place, double sidereal_deg);
 
-/// A direction {east, north, up} lifted by refraction, for 10 °C and 1010 hPa.
+/// Returns a direction {east, north, up} lifted by refraction, for 10 °C and 1010 hPa.
 ///
 /// Method: Saemundsson 1986, within 0.001° of Bennett 1982 above the horizon; below -1° it falls linearly to 0 at the
-/// nadir. The same bits on every CPU.
+/// nadir. Gives equal bits on every CPU.
 Vec3 refracted(Vec3 direction);
 
 }  // namespace citykiln::sky

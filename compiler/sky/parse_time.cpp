@@ -11,7 +11,7 @@ namespace {
 constexpr double kUnixEpoch = 2440587.5, kJ2000 = 2451545.0;  // Julian dates
 constexpr int kLargestOffset_min = 14 * 60;                   // Line Islands; all others are smaller
 
-/// Reads a text from left to right; once something does not fit, it stays wrong.
+/// Reads a text from left to right. After the first mismatch is_right() stays false.
 class Cursor {
  public:
   explicit Cursor(const std::string& text) : text_(text) {}

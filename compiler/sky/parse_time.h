@@ -1,4 +1,4 @@
-// Dates and times of the sky.
+// Parses dates and times.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@ namespace citykiln::sky {
 
 /// A moment in UTC.
 struct Moment {
-  std::string text;  ///< As given where it was given in UTC, else converted: "2026-06-21T18:30:00Z".
-  double days = 0;   ///< Since J2000.0, 2000-01-01T12:00.
+  std::string text;  ///< The given text if it was in UTC, else converted to "2026-06-21T18:30:00Z".
+  double days = 0;   ///< Days since J2000.0, 2000-01-01T12:00.
 };
 
 /// Parses "2026-06-21T15:00": seconds, and an offset from UTC ("Z", "+02:00", "-0330", "+02") are optional.

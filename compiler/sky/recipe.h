@@ -1,4 +1,4 @@
-// Sky recipe: where sun, moon and stars are, and what the air is like.
+// The sky recipe: directions of sun, moon and stars, and the state of the air.
 #pragma once
 
 #include <string>
@@ -9,27 +9,27 @@
 
 namespace citykiln::sky {
 
-/// Directions are unit vectors (x east, y north, z up) whose components are multiples of 2^-20. Those of sun and moon
-/// are apparent: lifted by refraction.
+/// The sky of a scene. Directions are unit vectors (x east, y north, z up) whose components are multiples of 2^-20. The
+/// directions of sun and moon are apparent: lifted by refraction.
 struct Sky {
   std::string time;            ///< ISO 8601, UTC.
   Vec3 to_sun{0, 0, 1};        ///< The middle of the disk.
   double turbidity = 2.6;      ///< Haze of the whole column of air: 2 clear, 10 hazy.
   double visibility_km = 100;  ///< Distance at which a black object at sea level keeps 2 % of its contrast, at 550 nm.
   double ground_albedo = 0.2;  ///< Share of light that the ground reflects back into the air.
-  Vec3 to_moon{0, 0, -1};      ///< As seen from the place, not from the Earth's centre.
+  Vec3 to_moon{0, 0, -1};      ///< Seen from the place, not from the Earth's centre.
   double moon_lit = 0;         ///< Lit share of the moon's disk: 0 new, 1 full; a multiple of 2^-20.
-  Vec3 to_pole{0, 0, 1};       ///< Declination 90° of J2000.0, without refraction.
-  Vec3 to_equinox{0, -1, 0};   ///< Right ascension 0, declination 0 of J2000.0, without refraction.
-  double ground_m = 0;         ///< Mean height of the ground above sea level: heights of named clouds are above it.
+  Vec3 to_pole{0, 0, 1};       ///< Direction of declination 90° of J2000.0, without refraction.
+  Vec3 to_equinox{0, -1, 0};   ///< Direction of right ascension 0, declination 0 of J2000.0, without refraction.
+  double ground_m = 0;         ///< Mean height of the ground above sea level. Heights of named clouds are above it.
   std::vector<CloudLayer> clouds{};
   bool operator==(const Sky&) const = default;
 };
 
-/// Whether the sun has set: its upper limb, with refraction, is below the horizon.
+/// True if the sun has set: its upper limb, with refraction, is below the horizon.
 inline bool is_night(const Sky& sky) { return sky.to_sun.z < -0.00466; }
 
-/// Whether street lamps are lit: the sun is 4° below the horizon, when a clear sky gives the 35 lx at which photocells
+/// True if street lamps are lit: the sun is 4° below the horizon, when a clear sky gives the 35 lx at which photocells
 /// of street lighting switch (BS 5972).
 inline bool are_lamps_lit(const Sky& sky) { return sky.to_sun.z < -0.06976; }
 

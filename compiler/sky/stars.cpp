@@ -21,7 +21,7 @@ constexpr Row kStars[] = {
 
 constexpr double kMagnitudeZero_lx = 2.54e-6;
 
-// Luminance 1.
+// The colour of a star with a luminance of 1.
 Rgb colour_of(double colour_index) {
   const double kelvin = 4600 * (1 / (0.92 * colour_index + 1.7) + 1 / (0.92 * colour_index + 0.62));
   Rgb xyz{};

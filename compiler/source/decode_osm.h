@@ -1,4 +1,4 @@
-// Decodes a whole OSM file into memory buffers with libosmium; all later steps work on these buffers.
+// Decodes a whole OSM file into libosmium's memory buffers. All later steps of reading work on these buffers.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,15 @@
 
 namespace citykiln::source {
 
-/// Elements in file order.
+/// The elements of a file, in the order of the file.
 struct DecodedOsm {
   std::vector<osmium::memory::Buffer> buffers;
   std::optional<LonLatBox> header_box;
-  bool has_places_in_ways = false;  ///< Ways state the places of their nodes (LocationsOnWays).
+  bool has_places_in_ways = false;  ///< Ways hold the locations of their nodes (LocationsOnWays in the header).
 };
 
-/// Errors: those of read_osm(). Memory: about 25 times the size of a PBF file, about the size of plain XML.
+/// Reads and decodes a file. Errors: those of read_osm(). Memory: about 25 times the size of a PBF file, or about the
+/// size of plain XML.
 Result<DecodedOsm> decode_osm(const std::string& path, int threads);
 
 }  // namespace citykiln::source

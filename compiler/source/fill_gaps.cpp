@@ -182,7 +182,7 @@ void solve(Grid& grid) {
   for (int i = 0; i < kMaxCycles && largest_residual(grid) > kConvergence_m; ++i) v_cycle(grid);
 }
 
-// The nearest known one of a row's elements to each of them, of two the one before; -1 where none is known.
+// For each element of a row, the index of the nearest known element, the smaller one of two; -1 if none is known.
 template <typename IsKnown>
 std::vector<int> nearest_known(int count, IsKnown is_known) {
   std::vector<int> nearest;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/source/raster_system.h"
+#include "compiler/source/read_raster.h"
 
 namespace citykiln::source {
 namespace {

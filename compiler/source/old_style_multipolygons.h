@@ -1,5 +1,5 @@
-// Old-style multipolygons: until 2017 the tags of a multipolygon could be on its outer ways, and some extracts still
-// have such relations.
+// Converts multipolygons of the old style, whose tags are on their outer ways. OpenStreetMap had them until 2017, and
+// some extracts still do.
 #pragma once
 
 #include "compiler/contract/report.h"
@@ -7,9 +7,9 @@
 
 namespace citykiln::source {
 
-/// Gives each multipolygon relation without descriptive tags the tags that all its outer ways share. Removes areas of
-/// closed ways that repeat a multipolygon's area (as its outer ring without own tags, or as its inner ring with the
-/// same tags) from data.areas and counts them as merged in the account "source/area".
+/// Gives each multipolygon relation without descriptive tags the tags that all its outer ways share. Removes from
+/// data.areas the closed ways whose area the multipolygon already holds: outer rings without tags of their own, and
+/// inner rings with the tags of the multipolygon. They count as merged in the account "source/area".
 /// @param data  Tagged areas, ways and relations, all sorted.
 void merge_old_style_multipolygons(OsmData& data, Report& report);
 

@@ -11,19 +11,20 @@
 
 namespace citykiln::source {
 
-/// Pointers into the buffers, each vector sorted by id.
+/// Pointers to the elements in libosmium's buffers, each vector sorted by id.
 struct Elements {
   std::vector<const osmium::Node*> nodes;  ///< With a valid location.
   std::vector<osmium::Way*> ways;
   std::vector<const osmium::Relation*> relations;
 };
 
-/// Sorts the elements, keeps the highest version of each (of equal versions the one with the smaller bytes) and drops
-/// deleted elements and nodes without a location. Opens the ledger accounts "source/node", "source/way" and
-/// "source/relation". O(n), or O(n log n) for unsorted files; 8 bytes for each element.
+/// Sorts the elements and keeps the highest version of each; of equal versions the one with the smaller bytes. Drops
+/// deleted elements, and nodes without a location. Opens the ledger accounts "source/node", "source/way" and
+/// "source/relation". O(n), or O(n log n) for unsorted files. Memory: 8 bytes per element.
 Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, int threads, Report& report);
 
-/// Writes node locations into the ways, looked up by id. Locations of missing nodes stay invalid.
+/// Looks up the nodes of each way by id and writes their locations into the way. Locations of missing nodes stay
+/// invalid.
 void locate_way_nodes(const Elements& elements, int threads);
 
 }  // namespace citykiln::source

@@ -26,16 +26,17 @@ struct LonLatBox {
   bool operator==(const LonLatBox&) const = default;
 };
 
-/// A consecutive part of a flat vector of OsmData.
+/// A range of elements in one of the flat vectors of OsmData.
 struct Range {
   std::uint32_t first = 0, count = 0;
 };
 
-/// Indices into OsmData::strings.
+/// A tag, as two indices into OsmData::strings.
 struct Tag {
   std::uint32_t key = 0, value = 0;
 };
 
+/// A node of a way.
 struct NodeRef {
   std::int64_t id = 0;
   Location at;
@@ -48,7 +49,7 @@ struct Node {
   Range tags;
 };
 
-/// A way with at least two nodes. Nodes missing from the extract are left out and diagnosed.
+/// A way with at least two nodes. Nodes that are missing from the extract are left out and diagnosed.
 struct Way {
   std::int64_t id = 0;
   Range nodes;  ///< Into OsmData::way_nodes.
@@ -63,41 +64,41 @@ struct AreaRing {
   bool is_outer = true;
 };
 
-/// An assembled closed way, multipolygon or boundary relation. Its rings are simple and do not cross each other.
+/// An area assembled from a closed way, a multipolygon or a boundary relation. Its rings are simple and do not cross.
 struct Area {
   OsmId from;
   Range rings;  ///< Into OsmData::rings.
   Range tags;
 };
 
-/// A relation with tags, and its members in order. Members may be missing from the extract.
+/// A relation with tags. Its members are in the order of the file and may be missing from the extract.
 struct Relation {
   std::int64_t id = 0;
   Range members;  ///< Into OsmData::members.
   Range tags;
 };
 
+/// A member of a relation.
 struct Member {
   OsmId object;
   std::uint32_t role = 0;  ///< Into OsmData::strings.
 };
 
-/// An extract. Nodes, ways, areas and relations are each sorted by id, whatever the order of the file.
+/// The contents of an extract. Nodes, ways, areas and relations are each sorted by id, in any order of the file.
 struct OsmData {
   std::vector<std::string> strings;  ///< Every key, value and role once, sorted.
-  std::vector<Tag> tags;             ///< Those of one element are sorted by key.
+  std::vector<Tag> tags;             ///< Sorted by key within each element.
   std::vector<Node> nodes;           ///< Tagged nodes; nodes of ways are in way_nodes.
   std::vector<Way> ways;
   std::vector<NodeRef> way_nodes;
-  std::vector<Area>
-      areas;  ///< Sorted by `from`. A closed way may be an area and a way: its tags decide which one is meant.
+  std::vector<Area> areas;  ///< Sorted by `from`. A closed way can be both an area and a way; its tags decide.
   std::vector<AreaRing> rings;
   std::vector<Location> ring_points;
   std::vector<Relation> relations;  ///< All relations with tags, including those in `areas`.
   std::vector<Member> members;
   std::optional<LonLatBox> header_box;  ///< The bounds in the file's header.
-  LonLatBox node_box;                   ///< Of all nodes in the file; zeros if there are none.
-  std::string file_name;                ///< Without its folder.
+  LonLatBox node_box;                   ///< The box of all nodes in the file; zeros if there are none.
+  std::string file_name;                ///< The name of the file without its folder.
 
   std::span<const Tag> tags_of(Range r) const { return std::span(tags).subspan(r.first, r.count); }
   std::span<const NodeRef> nodes_of(const Way& w) const {
@@ -109,7 +110,7 @@ struct OsmData {
   std::span<const Location> points_of(const AreaRing& r) const {
     return std::span(ring_points).subspan(r.points.first, r.points.count);
   }
-  /// The value of `key`, or "" if the element has no such tag. O(tags of the element).
+  /// Returns the value of `key`, or "" if the element has no such tag. O(tags of the element).
   std::string_view value_of(Range element_tags, std::string_view key) const;
 };
 

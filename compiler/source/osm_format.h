@@ -1,4 +1,4 @@
-// Detects the format of an OSM file and truncated PBF files before decoding, to report clear errors.
+// Detects the format of an OSM file, and PBF files that are cut off, before decoding, so that errors are clear.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace citykiln::source {
 
 enum class OsmFormat { kXml, kXmlGzip, kXmlBzip2, kPbf };
 
-/// Returns the format by the file's suffix (.osm, .xml, also with .gz or .bz2; .pbf), after comparing it with the
-/// file's first bytes and, for PBF, with the sizes in its blob headers. Errors: a missing, unreadable or empty file, an
-/// unknown suffix, contents of another format, a truncated PBF file (with the byte). Cost: one read of 64 bytes; for
-/// PBF a seek and a short read for each blob.
+/// Returns the format by the file's suffix (.osm, .xml, each also with .gz or .bz2; .pbf). The file's first bytes must
+/// have this format, and a PBF file must be as long as its blob headers state. Errors: a missing, unreadable or empty
+/// file, an unknown suffix, contents of another format, a PBF file that is cut off (with the byte). Cost: one read of
+/// 64 bytes; for PBF also a seek and a short read per blob.
 Result<OsmFormat> osm_format_of(const std::string& path);
 
 }  // namespace citykiln::source

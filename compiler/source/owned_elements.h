@@ -1,4 +1,4 @@
-// The elements of a part of a map that the part reports, when parts overlap.
+// Chooses the elements that one of several overlapping extracts counts and diagnoses, so that each is counted once.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,10 @@
 
 namespace citykiln::source {
 
-/// The elements whose place belongs to the part, sorted. The place of a way is that of its first node that has one; of
-/// a relation that of its first such member way. Elements without a place belong to no part. O(n log n).
-/// @param elements  With places in ways.
+/// Returns the ids of the elements whose place `owns` accepts, sorted. The place of a way is its first node with a
+/// location; the place of a relation is the place of its first member way that has one. Elements without a place are
+/// never included. O(n log n).
+/// @param elements  Ways must hold the locations of their nodes.
 std::vector<OsmId> owned_elements(const Elements& elements, const OwnsPlace& owns);
 
 }  // namespace citykiln::source

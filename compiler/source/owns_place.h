@@ -1,11 +1,11 @@
-// Says which places belong to a part of a map.
+// The type of a function that decides which places belong to a part of a map.
 #pragma once
 
 #include <functional>
 
 namespace citykiln::source {
 
-/// Whether a place, in degrees, belongs to a part of a map.
+/// A function that is true if a place, in degrees, belongs to the part.
 using OwnsPlace = std::function<bool(double lon, double lat)>;
 
 }  // namespace citykiln::source

@@ -1,4 +1,5 @@
-// Frees the buffers of a decoded file while their elements are copied.
+// Frees the buffers of a decoded file while its elements are copied, so that the file and the copy are never both
+// complete in memory.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +10,17 @@
 
 namespace citykiln::source {
 
-/// Counts the elements of each buffer that are still to be read. A buffer without any is freed, and memory goes back to
-/// the system in steps of kGiveBack_bytes: the copy of a file replaces its buffers instead of standing beside them.
+/// Counts how many elements of each buffer are not yet copied. A buffer is freed when its count is 0, and memory goes
+/// back to the system in steps of kGiveBack_bytes.
 class PendingElements {
  public:
   static constexpr std::size_t kGiveBack_bytes = std::size_t{64} << 20;
 
-  /// All nodes, ways and relations are pending. Buffers without elements are freed at once.
+  /// Starts with all nodes, ways and relations pending. Buffers without elements are freed at once.
   PendingElements(std::vector<osmium::memory::Buffer>& buffers, const Elements& elements);
 
-  /// The element, which must be pending, is not read again: it may be gone when this returns. O(1) for the buffer of
-  /// the last call, else O(log n) in buffers.
+  /// Marks a pending element as copied. It must not be read afterwards, since its buffer may be freed. O(1) if the
+  /// element is in the same buffer as that of the last call, else O(log n) in buffers.
   void done(const osmium::OSMObject& element);
 
  private:

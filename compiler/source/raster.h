@@ -17,15 +17,15 @@ namespace citykiln::source {
 /// The value of --dem: FILE[,bounds=W/S/E/N,scale=,offset=,encoding=,tile=Z/X/Y,credit=].
 struct RasterSpec {
   std::string path;
-  std::optional<LonLatBox> bounds;  ///< Outer pixel edges, for pictures without a georeference.
+  std::optional<LonLatBox> bounds;  ///< The outer edges of the pixels, for pictures without a georeference.
   double scale = 1;                 ///< height_m = scale * value + offset.
   double offset_m = 0;
   std::string encoding;                        ///< "", "terrarium" or "mapbox".
-  std::optional<std::array<int, 3>> tile_zxy;  ///< Web Mercator tile of a terrarium or mapbox picture.
+  std::optional<std::array<int, 3>> tile_zxy;  ///< The Web Mercator tile (z, x, y) of a terrarium or mapbox picture.
   std::string credit;                          ///< Added to the attribution of all outputs.
 };
 
-/// A sample without a height.
+/// The value of a sample without a height.
 inline constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 
 /// Heights in metres at the nodes of a grid. Row 0 is the northernmost. Voids are NaN (kVoid).
@@ -34,12 +34,12 @@ struct Raster {
   std::string credit;
   int columns = 0, rows = 0;
   std::vector<float> heights_m;  ///< Row by row, columns * rows.
-  /// Sample (c, r) lies at (a0 + a1 c + a2 r, a3 + a4 c + a5 r) in the raster's own system. This is its centre, unlike
-  /// in GDAL's geotransform.
+  /// The centre of sample (c, r) is at (a0 + a1 c + a2 r, a3 + a4 c + a5 r) in the raster's own system. GDAL's
+  /// geotransform refers to the pixel's corner instead.
   std::array<double, 6> from_grid{};
-  std::string system_wkt;  ///< Empty: longitude and latitude on WGS84 in degrees.
-  Vec2 spacing_m;          ///< Distance of samples east and north at the centre (spacing_m_of).
-  LonLatBox file_box{};    ///< Of all samples in the file, in degrees; zeros if its system cannot be converted.
+  std::string system_wkt;  ///< The raster's own system; empty: longitude and latitude on WGS84 in degrees.
+  Vec2 spacing_m;          ///< Distances between samples to the east and north, at the centre (spacing_m_of).
+  LonLatBox file_box{};    ///< The box of all samples in the file, in degrees; zeros if its system cannot be converted.
 
   bool has_all_samples() const { return heights_m.size() == static_cast<std::size_t>(columns) * rows; }
   float at(int column, int row) const {

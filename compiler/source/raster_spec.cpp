@@ -10,7 +10,7 @@
 namespace citykiln::source {
 namespace {
 
-// What a setter expected, if the value does not parse; else empty.
+// The expected value, if a text does not parse; else empty.
 using ParseError = std::optional<std::string_view>;
 
 ParseError set_bounds(std::string_view value, RasterSpec& spec) {

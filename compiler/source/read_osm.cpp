@@ -133,7 +133,7 @@ void sort_strings(const UniqueStrings& strings, OsmData& data) {
   for (const Relation& relation : data.relations) sort_run(relation.tags, data);
 }
 
-// The relation's tags without `type`, which states how it is built and not what it is.
+// The relation's tags without `type`, which states how the relation is built, not what it describes.
 Range tags_without_type(Range tags, OsmData& data) {
   Range run{size_of(data.tags), 0};
   for (std::uint32_t i = 0; i < tags.count; ++i) {
@@ -159,7 +159,8 @@ void tag_areas(OsmData& data) {
   }
 }
 
-// Converts all elements except areas, and frees the buffers. Relations look for their members in them.
+// Converts all elements except areas, and frees the buffers. Relations come first, since they look up members in the
+// buffers.
 OsmData flatten(const Elements& elements, bool has_nodes, PendingElements pending, Report& report) {
   OsmData data;
   UniqueStrings strings;
@@ -177,7 +178,7 @@ void add_areas(AssembledAreas&& areas, OsmData& data) {
   tag_areas(data);
 }
 
-// Limits the report to what is owned. The accounts of elements begin with these.
+// Limits the report to the owned elements, and starts the accounts with their numbers.
 void limit(Report& report, const Elements& elements, const std::vector<OsmId>& owned) {
   report.limit_to(owned);
   Account &nodes = report.account("source", "node"), &ways = report.account("source", "way"),

@@ -1,4 +1,4 @@
-// Reads OpenStreetMap extracts: .osm, .osm.gz, .osm.bz2, .osm.pbf, sorted or not.
+// Reads OpenStreetMap extracts: .osm, .osm.gz, .osm.bz2, .osm.pbf. Elements may be in any order.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ namespace citykiln::source {
 
 /// Reads an extract with libosmium and assembles its areas.
 ///
-/// Guarantees: the result does not depend on the order of elements in the file; of duplicate elements the highest
-/// version is kept; ways that state the places of their nodes (LocationsOnWays) need no nodes, and only ways count as
-/// missing members there. Missing nodes and members, deleted elements and broken areas are diagnosed; ledger accounts
-/// "source/node", "source/way", "source/area" and "source/relation". Errors: a file that is missing, empty, truncated,
-/// malformed, or not of the format of its name. Cost: about three times that of decoding the file; unsorted files are
-/// sorted in memory.
-/// @param owns  If not empty, the report is limited to the elements whose place it owns (owned_elements.h).
+/// Guarantees: the result does not depend on the order of elements in the file. If an element occurs several times, its
+/// highest version is used. If ways hold the locations of their nodes (LocationsOnWays), the nodes need not be in the
+/// file, and only ways can be diagnosed as missing members. Missing nodes and members, deleted elements and broken
+/// areas are diagnosed. Ledger accounts "source/node", "source/way", "source/area" and "source/relation". Errors: a
+/// file that is missing, empty, cut off, malformed, or not of the format of its name. Cost: about three times that of
+/// decoding the file.
+/// @param owns  If not empty, the report covers only the elements whose place it accepts (owned_elements.h).
 Result<OsmData> read_osm(const std::string& path, int threads, Report& report, const OwnsPlace& owns = {});
 
 }  // namespace citykiln::source

@@ -17,16 +17,24 @@ namespace citykiln::source {
 Result<RasterSpec> parse_raster_spec(std::string_view text);
 
 /// Reads the samples of one heightmap; voids become NaN.
-/// @param window  If given, only samples inside this box and a margin of 16 samples are read; a raster outside of it
-/// has no columns and no rows.
-/// @param spacing_m  Samples up to so far apart will do: of a finer raster every n-th is read. 0: all. Errors: a
-/// missing or unreadable file, a picture without bounds, an encoding that does not fit the bands.
+/// @param window     If given, only samples inside this box and a margin of 16 samples are read. A raster outside of it
+///                   has no columns and no rows.
+/// @param spacing_m  Largest distance between samples that is needed: of a finer raster only every n-th sample is read.
+///                   0: all samples.
+///
+/// Errors: a missing or unreadable file, a picture without bounds, an encoding that does not fit the bands.
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window, double spacing_m = 0);
 
 /// Reads heightmaps and mends them: joins files of one grid (join_rasters.h), removes spikes (spikes_to_voids.h), fills
-/// voids. The result has the order of the specs. Errors: those of read_raster().
+/// voids (samples without a height). The result has the order of the specs. Parameters and errors are those of
+/// read_raster().
 Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report,
                                             double spacing_m = 0);
+
+/// The distance of samples east and north at the middle of the raster, in metres on the ground, rounded to 2^-10 m to
+/// be independent of the last bit of the CPU's cosine. For a grid turned against the meridian by more than 1 in 8, both
+/// are the smaller of its two spacings. 0 if the middle is not on Earth.
+Vec2 spacing_m_of(const Raster& raster);
 
 /// Returns the transformation from longitude and latitude (WGS84 degrees) to the raster's own system, by GDAL/PROJ; the
 /// identity if system_wkt is empty. Not safe to call from two threads.

@@ -14,8 +14,8 @@ struct TextFile {
   std::string text;
 };
 
-/// Reads files with this suffix (".cga") in a folder and its subfolders, sorted by name. Errors: not a folder, a file
-/// that cannot be read.
+/// Reads the files with a suffix, such as ".cga", in a folder and its subfolders, sorted by name. Errors: not a folder,
+/// a file that cannot be read.
 Result<std::vector<TextFile>> read_texts(const std::string& folder, std::string_view ending);
 
 }  // namespace citykiln::source

@@ -18,7 +18,7 @@ constexpr double kLeast_m = 12, kLeastSlope = 0.5;
 constexpr double kBends = 5;
 // radius of the surrounding land that is examined, in samples from the block
 constexpr int kAround = 3;
-// fewer bends than this are no sample of the land
+// fewer bends than this are not enough for a median
 constexpr std::size_t kFewestBends = 8;
 constexpr int kFewestKnown = 5;
 // a spike may hide its neighbour until it is removed; each round depends on samples up to 5 away

@@ -1,4 +1,4 @@
-// A set of strings with consecutive numbers.
+// A set of strings that gives each one a number.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace citykiln::source {
 
-/// Numbers distinct strings in order of first use; can renumber them in alphabetical order at the end.
+/// Numbers distinct strings in order of first use. At the end the numbers can be replaced by alphabetical positions.
 class UniqueStrings {
  public:
-  /// Keeps a copy of a text that is new.
+  /// Returns the number of a text, and stores a copy of it if it is new.
   std::uint32_t number_of(std::string_view text);
 
-  /// All strings, sorted by bytes.
+  /// Returns all strings, sorted by bytes.
   std::vector<std::string> sorted() const;
 
-  /// The index in sorted() of each number.
+  /// Returns for each number the index of its string in sorted().
   std::vector<std::uint32_t> places_in_sorted() const;
 
  private:

@@ -116,7 +116,7 @@ void add_kerb_faces(std::span<const Rib> ribs, const Section& road, Mesh& mesh) 
     if (road[i] != road[i + 1]) add_band(ribs, road[i], road[i + 1], mesh);
 }
 
-std::vector<Rib> split_at_gaps(const Span& bridge, std::span<const Rib> ribs) {
+std::vector<Rib> with_gap_ribs(const Span& bridge, std::span<const Rib> ribs) {
   std::vector<Rib> all(ribs.begin(), ribs.end());
   for (const auto* side : {&bridge.left_gaps, &bridge.right_gaps})
     for (const ParapetGap& o : *side)

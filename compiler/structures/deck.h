@@ -1,4 +1,13 @@
-// Bridge decks: the road and the slab with parapets that closes it from below.
+// Adds the mesh of a bridge deck: the strips of the road on top, and the concrete slab with its parapets.
+//
+//   section (cross-section):   parapet |=|_____road_____|=| parapet     seen along the axis
+//                                      |___            ___|
+//                                          `--slab----'
+//
+// A span is a bridge as a recipe: a road with its axis, lanes and profile of heights. A rib is a straight line across
+// the deck at one distance along the axis; surfaces are linear between neighbouring ribs (ribs.h). A section is a list
+// of corners in the plane of a rib: metres to the left of the axis, and metres above the road (loft.h). A parapet gap
+// is a part of an edge without parapet, as another deck continues there.
 #pragma once
 
 #include "compiler/structures/deck_dimensions.h"
@@ -6,35 +15,48 @@
 
 namespace citykiln::structures {
 
-/// The parts of a deck that a level has.
+/// Parts of a deck that a level of detail includes.
 struct DeckDetail {
   bool has_kerbs = true, has_parapets = true, has_slab = true;
 };
 
-/// Adds the strips of the road, from left to right, and returns its section: two corners per strip.
-/// @param has_kerbs         If false, raised strips are level with the carriageway and there are no markings.
-/// @param lane_tolerance_m  Narrower strips are merged with their neighbours.
+/// Adds the lanes of the road as strips along the ribs, from left to right. Returns the section of the road's top: two
+/// corners per strip, its left one and its right one.
+///
+/// @param span              Bridge or tunnel that gives lanes and surfaces.
+/// @param ribs              Ribs of the span, in order along it; at least two.
+/// @param has_kerbs         If false, pavements and other raised strips are level with the carriageway, and no strip
+///                          has markings.
+/// @param lane_tolerance_m  Strips that are narrower than this are merged into their inner neighbour.
+/// @param generated         Receives the meshes of the strips.
 Section add_road(const Span& span, std::span<const Rib> ribs, bool has_kerbs, double lane_tolerance_m,
                  GeneratedStructure& generated);
 
-/// Adds the vertical faces between the strips of a road.
+/// Adds the vertical faces between neighbouring strips of different height, such as kerbs.
+/// @param road  Result of add_road().
 void add_kerb_faces(std::span<const Rib> ribs, const Section& road, Mesh& mesh);
 
-/// Returns a ring of the road's section and `below`, which goes from its right end to its left one, without repeats.
+/// Returns the closed section of the deck: the road's top, then `below`, without repeated corners.
+/// @param road   Section of the road's top, from left to right (result of add_road()).
+/// @param below  Section of parapets and slab, from the road's right end to its left end.
 Section closed_section(const Section& road, const Section& below);
 
-/// Consecutive ribs along which the same edges have parapets.
+/// A stretch of a deck along which neither edge changes between having a parapet and being open.
 struct EdgeRun {
-  std::vector<Rib> ribs;
-  bool is_left_open = false, is_right_open = false;
+  std::vector<Rib> ribs;                             ///< Ribs of the stretch, at least two.
+  bool is_left_open = false, is_right_open = false;  ///< True if the edge has no parapet.
 };
-/// Splits a deck where parapet gaps begin or end. Neighbouring runs share their rib.
+/// Divides a deck into stretches with constant edges, in order. Neighbouring stretches share the rib between them.
+/// @param ribs  Result of with_gap_ribs(): edges change at ribs only.
 std::vector<EdgeRun> edge_runs(const Span& bridge, std::span<const Rib> ribs);
 
-/// Returns the ribs and those at which parapet gaps begin or end.
-std::vector<Rib> split_at_gaps(const Span& bridge, std::span<const Rib> ribs);
+/// Returns the ribs and, added in order, one rib at each begin and each end of a parapet gap. Call it before
+/// edge_runs() and add_deck().
+std::vector<Rib> with_gap_ribs(const Span& bridge, std::span<const Rib> ribs);
 
-/// Adds the road, and with has_slab the surfaces that close it: parapets, edges, underside and both ends.
+/// Adds the road and, if detail.has_slab, the parapets, edges, underside and both ends, which close it to a solid.
+/// @param ribs              Result of with_gap_ribs().
+/// @param lane_tolerance_m  Parameter of add_road().
 void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckDimensions& dimensions, const DeckDetail& detail,
               double lane_tolerance_m, GeneratedStructure& generated);
 

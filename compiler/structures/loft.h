@@ -1,4 +1,5 @@
-// Lofts: cross-sections swept along ribs.
+// Lofts: surfaces that a cross-section (a section) sweeps along ribs. A rib is a straight line across a bridge or
+// tunnel at one distance along its axis (ribs.h).
 //
 //     1---2          a section's corners run clockwise seen along the axis, so that faces point outwards
 //     |   3----4
@@ -13,28 +14,33 @@
 
 namespace citykiln::structures {
 
-/// A point of a cross-section: to the left of the axis, and above the road.
+/// A corner of a section: its distance to the left of the axis, and its height above the road.
 struct Corner {
   double left_m = 0, rise_m = 0;
   bool operator==(const Corner&) const = default;
 };
+/// Corners of a cross-section in the plane of a rib, clockwise as seen along the axis.
 using Section = std::vector<Corner>;
 
-/// Adds the surface between two corners. Seen along the axis it faces left of the direction from a to b. Two vertices
-/// per rib.
+/// Adds the surface that the straight line from corner a to corner b sweeps, with two vertices per rib. The surface
+/// faces to the left of the direction from a to b, as seen along the axis.
 void add_band(std::span<const Rib> ribs, Corner a, Corner b, Mesh& mesh);
 
-/// Adds the end face of a section, a simple ring: facing backwards at the begin, forwards at the end.
+/// Adds an end face of a loft. The face points against the axis if `is_begin`, else along it.
+/// @param section  A simple ring.
 void add_cap(const Rib& rib, const Section& section, bool is_begin, Mesh& mesh);
 
 /// Adds a closed tube: all bands of a section and both caps.
 void add_tube(std::span<const Rib> ribs, const Section& section, Mesh& mesh);
 
-/// Returns the rib at a distance, linear between its neighbours; the first or the last one beyond these. @param ribs
-/// Not empty.
+/// Returns the rib at a distance along the way, interpolated between its neighbours. Distances beyond the ends give the
+/// first or the last rib.
+/// @param ribs  In order along the way, not empty.
 Rib rib_at(std::span<const Rib> ribs, double along_m);
 
-/// Adds a closed prism over a convex base, counter-clockwise seen from above. from_m <= to_m.
+/// Adds a closed vertical prism.
+/// @param base          Convex ring, counter-clockwise as seen from above, plane metres.
+/// @param from_m, to_m  Heights of its lower and its upper end; from_m <= to_m.
 void add_box(std::span<const Vec2> base, double from_m, double to_m, Mesh& mesh);
 
 }  // namespace citykiln::structures

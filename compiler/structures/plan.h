@@ -1,4 +1,5 @@
-// Plans bridges and tunnels on the heights that ground/ has decided.
+// Plans bridges and tunnels: makes a recipe (a span) from each track that leaves the ground, with the heights that
+// ground/ has decided.
 #pragma once
 
 #include <span>
@@ -7,24 +8,26 @@
 #include "compiler/contract/report.h"
 #include "compiler/geometry/profile.h"
 #include "compiler/map/features.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/structures/recipe.h"
 
 namespace citykiln::structures {
 
+/// The planned spans.
 struct Structures {
   std::vector<Span> bridges;  ///< Sorted by id.
-  std::vector<Span> tunnels;  ///< Sorted by id; those that are not is_bored have no mesh.
+  std::vector<Span> tunnels;  ///< Sorted by id. Tunnels that are not is_bored have no mesh.
 };
 
-/// Returns the spans of all tracks off the ground, with profiles and ends (span_ends.h), without parapet gaps and
-/// piers.
+/// Returns the spans of all tracks that leave the ground, with profiles and ends (span_ends.h), but without piers and
+/// without parapet gaps, which later steps add.
 ///
-/// @param off_ground  Profiles::off_ground: one profile for each track off the ground, in their order. An empty one
-///                    puts the span at height 0.
+/// @param off_ground  Profiles::off_ground: one profile for each track that leaves the ground, in the order of
+///                    features.tracks. An empty profile puts the span at height 0.
+/// @param heights     The terrain before grading.
 ///
 /// Tunnels that do not lie under the terrain (is_underground()) are diagnosed kTunnelNotMeshed. Ledger
-/// "structures/bridge", "structures/tunnel". Total. O(n log n).
+/// "structures/bridge", "structures/tunnel". Cannot fail. O(n log n).
 Structures plan(const map::Features& features, std::span<const Profile> off_ground, const map::Heightfield& heights,
                 Report& report);
 

@@ -1,4 +1,4 @@
-// Places piers at usual distances, moved along the axis to where nothing is in the way.
+// Places the piers of bridges: evenly spaced positions, each moved along the axis to the nearest free one.
 //
 //     ==+============+============+==   deck with evenly spaced target positions
 //       |        ->  |            |
@@ -16,18 +16,20 @@ namespace citykiln::structures {
 
 /// Returns the bridges with their piers.
 ///
-/// @param bridges    Sorted by id, without piers.
-/// @param graded     Of the whole map.
-/// @param obstacles  The land cover of the whole map; classes of lower priority than water are ignored.
+/// @param bridges    Sorted by id, without piers. A span is one bridge as a recipe.
+/// @param graded     The graded terrain of the whole map: the terrain after roads and water have cut into it.
+/// @param obstacles  The land cover of the whole map. Classes of lower priority than water are ignored.
 ///
-/// Guarantees: no pier's foot is nearer than kPierClear_m to a road, rails, a path, a building or a lower bridge; it
-/// stands in water only if there is no dry position within reach. Piers of one bridge are 15 to 40 m apart where
-/// positions are free; one stands at each joint. Each ends below the graded ground. A bridge lower than 2 m has none;
-/// no pier is higher than 60 m. The result for a bridge depends only on what is within 64 m of it and on bridges joined
-/// with it. Ledger "structures/pier"; dropped: kNoPlaceForPier. O(bridges · obstacles near).
+/// Guarantees: no pier's foot is nearer than kPierClear_m to a road, rails, a path, a building or a lower bridge. A
+/// pier stands in water only if no dry position is free within 12 m along the axis. Bridges up to 30 m long have piers
+/// at joints only; longer bridges have piers 15 to 40 m apart if those positions are free. Each pier ends below the
+/// graded ground. No pier stands where the deck is less than 2 m above the ground, and none is higher than 60 m. The
+/// piers of a bridge depend only on data within 64 m of it and on bridges that it is joined with. Ledger
+/// "structures/pier"; dropped: kNoPlaceForPier. O(bridges · obstacles near).
 std::vector<Span> place_piers(std::vector<Span> bridges, const ground::GradedTerrain& graded,
                               std::span<const ground::LandCoverPolygon> obstacles, Report& report);
 
+/// The smallest distance, in plan, between a pier's foot and an obstacle.
 inline constexpr double kPierClear_m = 0.5;
 
 }  // namespace citykiln::structures

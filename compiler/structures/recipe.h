@@ -1,4 +1,5 @@
-// Structure recipes: bridges and tunnels.
+// Recipes of bridges and tunnels. A recipe is plain data from which a mesh is generated later. A span is one bridge or
+// one tunnel: the whole length of an OSM way that leaves the ground.
 #pragma once
 
 #include <cstdint>
@@ -8,46 +9,48 @@
 
 namespace citykiln::structures {
 
-/// How a span ends.
+/// The way in which a span ends.
 enum class EndKind : std::uint8_t {
-  kFree,        ///< Nothing continues: cut square to the axis.
-  kGround,      ///< On the ground, where one road continues: cut square to that road.
-  kBesideRoad,  ///< On the ground, at a road that passes: cut square at that road's edge.
+  kFree,        ///< No track continues: cut square to the axis.
+  kGround,      ///< On the ground, where one road continues the span: cut square to that road.
+  kBesideRoad,  ///< On the ground, at a road that passes: cut square to the axis, at that road's edge.
   kJoint,       ///< Another span of its kind continues: both are mitred.
   kCount
 };
 
+/// One end of a span.
 struct SpanEnd {
   EndKind kind{};
   Vec2 beyond{};     ///< kGround, kJoint: the next point of the road or span that continues. Plane metres, snapped.
-  double cut_m = 0;  ///< kBesideRoad: length of the axis that lies on that road; a multiple of 1/4 m, below 64.
+  double cut_m = 0;  ///< kBesideRoad: length of the axis inside that road; a multiple of 1/4 m, below 64.
   bool operator==(const SpanEnd&) const = default;
 };
 
 /// Columns or a wall under a deck, square to its axis.
 struct Pier {
   double at_m = 0;    ///< Distance from the beginning of the way; a multiple of 1/4 m.
-  double foot_m = 0;  ///< Height of its lower end, below the ground; plane metres, a multiple of 1/4 m.
+  double foot_m = 0;  ///< Plane height of its lower end, which is below the ground; a multiple of 1/4 m.
   bool operator==(const Pier&) const = default;
 };
 
-/// A stretch of a deck's edge without parapet.
+/// A part of a deck's edge without parapet.
 struct ParapetGap {
   double from_m = 0, to_m = 0;  ///< Distances from the beginning of the way; multiples of 1/4 m, from_m < to_m.
   bool operator==(const ParapetGap&) const = default;
 };
 
-/// The road of a bridge or tunnel, never trimmed. Its profile is the top of the road.
+/// A bridge or a tunnel: its road over the whole length of the way. The profile states the height of the road's top.
 struct Span : roads::Road {
   SpanEnd from, to;                               ///< At the first and the last point of the axis.
   std::vector<Pier> piers;                        ///< Bridges: sorted by at_m, unique.
   std::vector<ParapetGap> left_gaps, right_gaps;  ///< Bridges: sorted, disjoint.
-  bool is_bored = false;                          ///< Tunnels: false if they do not lie under the terrain.
-  std::int8_t layer = 0;  ///< As tagged or continued, -10 to 10: of two spans that cross, the higher is above.
+  bool is_bored = false;  ///< Tunnels: true if the tunnel lies under the terrain (is_underground() in tunnel.h). Others
+                          ///< have no mesh.
+  std::int8_t layer = 0;  ///< The layer tag, -10 to 10. Where two spans cross, the one with the higher layer is above.
   bool operator==(const Span&) const = default;
 };
 
-/// Whether a span ends on the ground: an abutment or a portal.
+/// True if a span ends on the ground, at an abutment or a portal.
 inline bool is_on_ground(const SpanEnd& end) {
   return end.kind == EndKind::kGround || end.kind == EndKind::kBesideRoad;
 }

@@ -15,8 +15,8 @@ constexpr double kMaxMitre = 2;
 // Ribs are at least this far apart: nearer knots of the profile are ignored.
 constexpr double kMinRibSpacing_m = 0.25;
 
-// The bisector of two directions, scaled to reach the edges of both strips. The same line, bit for bit, if the bend is
-// walked in the opposite direction.
+// The bisector of two directions, scaled to reach the edges of both strips. If the bend is walked in the opposite
+// direction it is the same line, bit for bit.
 Vec2 mitre(Vec2 before, Vec2 after) {
   const Vec2 middle = unit(before + after);
   // the axis turns back by 180 degrees

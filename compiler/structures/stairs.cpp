@@ -63,7 +63,7 @@ Vec2 left_at(const Polyline& axis, std::size_t segment, bool is_begin) {
   return length(sum) > 0.5 ? unit(sum) : own;
 }
 
-// Whether both ends of a line lie before b.
+// True if both ends of a line lie before b.
 bool is_before(const CrossLine& a, const CrossLine& b) {
   const Vec2 across = b.left - b.right, along = {across.y, -across.x};
   return dot(b.left - a.left, along) > 0 && dot(b.right - a.right, along) > 0;

@@ -1,4 +1,4 @@
-// Outdoor stairs for highway=steps. They stand on the graded ground, a ramp, so that coarse levels can omit them.
+// Outdoor stairs for highway=steps. The graded ground below them is a ramp, so coarse levels can omit the stairs.
 //
 //               ___|      treads are level, each at the height of the ground at its upper end
 //           ___|  .
@@ -18,18 +18,19 @@ namespace citykiln::structures {
 /// Approximate height of a step; all steps of a flight are equal.
 inline constexpr double kRiser_m = 0.17;
 
-/// The part of a flight of steps that lies in a tile.
+/// The stairs of one way that lie in one tile.
 struct Stairs {
   OsmId feature;
   Mesh mesh;           ///< One closed block per tread. Plane metres, snapped.
   double error_m = 0;  ///< Largest height of a tread above the ground: the error of omitting the stairs.
 };
 
-/// Returns the stairs of a road of steps inside a box, where its own surface is the land cover. Each stretch that rises
-/// or falls is a flight. Treads are level across the way and nowhere below the ground under it. Treads that would
-/// overlap in sharp bends are omitted. O(length).
+/// Returns the stairs of a way with steps inside a box, at the places where that way is the topmost land cover. Each
+/// part that rises or falls is one flight. Treads are level across the way and nowhere below the ground under them.
+/// Treads that would overlap in sharp bends are omitted. O(length).
+/// @param steps   The way, a road of class steps.
 /// @param index   Land cover of the box and its surroundings.
-/// @param ground  Valid in the box and a road's width around it.
+/// @param ground  Graded terrain, valid in the box and within a road's width around it.
 Stairs stairs_on(const roads::Road& steps, const ground::LandCoverIndex& index, const ground::GradedTerrain& ground,
                  const Box2& box);
 

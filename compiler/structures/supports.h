@@ -1,4 +1,5 @@
-// Supports of a deck: piers, and abutments where it ends on the ground.
+// Adds the supports of a bridge deck: piers, and an abutment at each end on the ground. A rib is a straight line across
+// the deck at one distance along its axis (ribs.h).
 //
 //     ==|======================|==  deck
 //     |_|    _|__|_   _|__|_   |_|  cap beams, columns
@@ -11,19 +12,23 @@
 
 namespace citykiln::structures {
 
-/// Half the extent of a pier's foot, square to the deck and along it.
+/// Half the size of a pier's foot, across the deck and along it.
 struct PierFoot {
   double half_across_m = 0, half_along_m = 0;
 };
+/// Returns the size of the foot of a pier under a deck of these dimensions.
 PierFoot foot_of(const DeckDimensions& dimensions);
 
-/// Adds a pier under the deck: a wall under narrow decks, columns with a cap beam under wide ones. Each part is closed.
+/// Adds a pier under the deck: one wall under a narrow deck, columns with a cap beam under a wide one. Each part is a
+/// closed body.
+/// @param pier  Its position along the way and the height of its lower end.
 void add_pier(std::span<const Rib> ribs, const DeckDimensions& dimensions, const Pier& pier, Mesh& mesh);
 
-/// Adds the block that an end of the deck rests on. Closed.
+/// Adds an abutment: the closed block on which an end of the deck rests.
+/// @param is_begin  True for the end at the first rib, else at the last.
 void add_abutment(std::span<const Rib> ribs, const DeckDimensions& dimensions, bool is_begin, Mesh& mesh);
 
-/// How far an abutment reaches below the slab, and along the deck.
+/// Height of an abutment below the slab, and its length along the deck.
 inline constexpr double kAbutment_m = 2.5, kAbutmentLength_m = 1;
 
 }  // namespace citykiln::structures

@@ -6,6 +6,7 @@
 
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/grading/span_influence.h"
+#include "compiler/ground/profiles/planned_spans.h"
 #include "compiler/structures/deck.h"
 
 namespace citykiln::structures {
@@ -13,8 +14,6 @@ namespace {
 
 // Depth of a portal's frame in front of the opening, and its extent beyond it: sideways, upwards, downwards.
 constexpr double kFrameOut_m = 0.5, kFrameSide_m = 0.6, kFrameTop_m = 0.8, kFrameFoot_m = 0.5;
-// Spacing of terrain samples along the axis.
-constexpr double kSampleSpacing_m = 4;
 
 bool is_covered(const Span& tunnel, std::span<const Rib> ribs, double at_m, const map::Heightfield& heights) {
   const Rib rib = rib_at(ribs, at_m);
@@ -64,13 +63,13 @@ bool is_underground(const Span& tunnel, const map::Heightfield& heights) {
   const std::vector<Rib> ribs = ribs_of(tunnel);
   if (ribs.empty() || tunnel.profile.empty()) return false;
   const double from_m = ribs.front().along_m, to_m = ribs.back().along_m;
-  const double first_m = from_m + (is_on_ground(tunnel.from) ? kPortal_m : 0),
-               last_m = to_m - (is_on_ground(tunnel.to) ? kPortal_m : 0);
+  const double first_m = from_m + (is_on_ground(tunnel.from) ? ground::kPortalLength_m : 0),
+               last_m = to_m - (is_on_ground(tunnel.to) ? ground::kPortalLength_m : 0);
   if (first_m >= last_m) return is_covered(tunnel, ribs, (from_m + to_m) / 2, heights);
   int samples = 0, covered = 0;
-  for (double at_m = first_m; at_m <= last_m; at_m += kSampleSpacing_m, ++samples)
+  for (double at_m = first_m; at_m <= last_m; at_m += ground::kCoverSample_m, ++samples)
     covered += is_covered(tunnel, ribs, at_m, heights);
-  return covered >= kMinCoveredShare * samples;
+  return covered >= ground::kMinCoveredShare * samples;
 }
 
 GeneratedStructure generate_tunnel(const Span& tunnel, double tolerance_m) {

@@ -1,4 +1,5 @@
-// Tunnels: the inside of a bore and the frames of its portals.
+// Generates the meshes of tunnels: the inside of the bore, and the frames around its portals. A span is one bridge or
+// one tunnel as a recipe: a road with a profile of heights (recipe.h).
 //
 //         ___________
 //      __|___________|__   frame, in front of the portal
@@ -7,19 +8,17 @@
 //     |__|___road____|__|
 #pragma once
 
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/structures/generate.h"
 
 namespace citykiln::structures {
 
-/// Returns whether a tunnel lies under the terrain: its ceiling does so for at least kMinCoveredShare of its length
-/// outside of kPortal_m from its portals, or at its middle if it is shorter.
+/// True if a tunnel lies under the terrain: at least ground::kMinCoveredShare of its ceiling is below the terrain, not
+/// counting ground::kPortalLength_m behind each portal. If nothing else is left, its middle counts.
 bool is_underground(const Span& tunnel, const map::Heightfield& heights);
 
-inline constexpr double kPortal_m = 16, kMinCoveredShare = 0.6;
-
-/// Generates a tunnel at a tolerance, > 0: road, walls and ceiling, seen from inside; open at portals and joints,
-/// closed at free ends. Frames around portals are closed. Nothing for tunnels that are not is_bored. Total.
+/// Generates a tunnel at a tolerance, > 0: road, walls and ceiling that face inwards, open at portals and joints,
+/// closed at free ends. Frames around portals are closed. A tunnel that is not is_bored has no mesh. Cannot fail.
 GeneratedStructure generate_tunnel(const Span& tunnel, double tolerance_m);
 
 }  // namespace citykiln::structures

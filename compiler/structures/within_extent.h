@@ -1,4 +1,4 @@
-// Leaves out bridges and tunnels that do not reach the extent.
+// Drops bridges and tunnels outside the extent (the box that is compiled).
 #pragma once
 
 #include "compiler/contract/report.h"
@@ -7,8 +7,9 @@
 
 namespace citykiln::structures {
 
-/// Returns the bridges and tunnels that may be seen in the extent or grade its ground. Those that cross its border stay
-/// whole: baking clips their meshes. Ledger "extent/bridge", "extent/tunnel"; dropped: kOutsideBounds. O(points).
+/// Returns the bridges and tunnels whose road, or the ground that the road grades, may lie in the extent. Spans that
+/// cross the extent's border stay whole: their meshes are clipped when tiles are baked. Ledger "extent/bridge",
+/// "extent/tunnel"; dropped: kOutsideBounds. O(points).
 Structures within_extent(Structures structures, const Box2& extent, Report& report);
 
 }  // namespace citykiln::structures

@@ -65,7 +65,7 @@ class SheetBuilder {
   }
 
   double lowered_m(Vec2 place) const {
-    return neighbourhood_.is_curved ? drop_m(away_m(neighbourhood_.region, place)) : 0;
+    return neighbourhood_.is_curved ? drop_m(away_m(neighbourhood_.extent, place)) : 0;
   }
 
   std::uint32_t add_vertex(Vec2 place, double height_m, bool is_sea) {

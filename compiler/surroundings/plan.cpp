@@ -2,17 +2,73 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
+#include <vector>
 
-#include "compiler/map/heightfield.h"
-#include "compiler/map/raster_sampler.h"
+#include "compiler/map/plane/heightfield.h"
+#include "compiler/map/plane/raster_sampler.h"
 #include "compiler/surroundings/curvature.h"
-#include "compiler/surroundings/fill_unknown.h"
 #include "compiler/surroundings/grid_lines.h"
+#include "compiler/surroundings/recipe.h"
 
 namespace citykiln::surroundings {
 namespace {
+
+// ---- heights that no heightmap covers -------------------------------------------------------------------------------
+
+// At this distance from a known vertex, half of its difference from the mean height is left.
+constexpr double kFillFade_m = 2000;
+
+double mean_m(const std::vector<bool>& known, const Surroundings& around) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (known[i]) sum += around.heights_m[i], ++count;
+  return sum / count;
+}
+
+// A height between the nearest known one and the mean.
+std::int32_t faded(std::int32_t height_m, double mean_m, double away_m) {
+  const double share = kFillFade_m / (kFillFade_m + away_m);
+  return static_cast<std::int32_t>(std::floor(mean_m + (height_m - mean_m) * share + 0.5));
+}
+
+// The known one of a list of lines that is nearest to another; of two the first.
+template <typename IsKnown>
+std::optional<std::size_t> nearest(const std::vector<std::int32_t>& lines, std::size_t to, IsKnown is_known) {
+  std::optional<std::size_t> best;
+  const auto away = [&](std::size_t line) { return std::abs(lines[line] - lines[to]); };
+  for (std::size_t line = 0; line < lines.size(); ++line)
+    if (is_known(line) && (!best || away(line) < away(*best))) best = line;
+  return best;
+}
+
+// Gives each unknown vertex the height of the nearest known vertex of its row, or of the nearest row that has one,
+// faded into the mean of all known heights. If that known vertex is sea, so is the unknown one. O(n · columns).
+// @param known  One value for each vertex; at least one is true.
+void fill_unknown(const std::vector<bool>& known, Surroundings& around) {
+  assert(known.size() == around.heights_m.size() && std::ranges::find(known, true) != known.end());
+  const double mean = mean_m(known, around);
+  std::vector<bool> has_known(around.rows(), false);
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (known[i]) has_known[i / around.columns()] = true;
+  for (std::size_t row = 0; row < around.rows(); ++row) {
+    // heights of a known row are not changed, so that the rows of `from` are those that were sampled
+    const std::size_t from = *nearest(around.y_m, row, [&](std::size_t r) { return bool{has_known[r]}; });
+    const double aside_m = std::abs(around.y_m[from] - around.y_m[row]);
+    for (std::size_t column = 0; column < around.columns(); ++column) {
+      if (known[around.index(column, row)]) continue;
+      const std::size_t at =
+          *nearest(around.x_m, column, [&](std::size_t c) { return bool{known[around.index(c, from)]}; });
+      const double away_m = aside_m + std::abs(around.x_m[at] - around.x_m[column]);
+      const std::size_t known_at = around.index(at, from), here = around.index(column, row);
+      around.covers[here] = around.covers[known_at];
+      around.heights_m[here] = around.covers[here] == Cover::kSea ? 0 : faded(around.heights_m[known_at], mean, away_m);
+    }
+  }
+}
 
 using map::RasterSampler;
 
@@ -46,15 +102,15 @@ std::vector<bool> sample(std::span<const RasterSampler> samplers, const map::Pla
   return known;
 }
 
-bool knows_far_places(const Surroundings& around, const std::vector<bool>& known, const Box2& region) {
+bool knows_far_places(const Surroundings& around, const std::vector<bool>& known, const Box2& extent) {
   for (std::size_t row = 0; row < around.rows(); ++row)
     for (std::size_t column = 0; column < around.columns(); ++column)
-      if (known[around.index(column, row)] && away_m(region, around.vertex(column, row)) >= kLeastKnown_m) return true;
+      if (known[around.index(column, row)] && away_m(extent, around.vertex(column, row)) >= kLeastKnown_m) return true;
   return false;
 }
 
 bool is_sea(const Place& place, Vec2 p, bool is_known, std::int32_t height_m) {
-  if (!place.region.contains(p)) return is_known && height_m <= 0;
+  if (!place.extent.contains(p)) return is_known && height_m <= 0;
   return std::ranges::any_of(place.sea, [&](const auto& sea) { return ground::winding_number(sea, p) > 0; });
 }
 
@@ -76,7 +132,7 @@ struct Errors {
   }
 };
 
-// Whether an earlier heightmap covers the place.
+// True if an earlier heightmap covers the place.
 bool is_hidden(std::span<const RasterSampler> earlier, map::LonLat at) {
   return std::ranges::any_of(earlier, [&](const RasterSampler& sampler) {
     return sampler.height_m<double>(at.lon_deg, at.lat_deg).has_value();
@@ -93,7 +149,7 @@ void measure(const source::Raster& raster, std::span<const RasterSampler> earlie
       const map::LonLat at{g[0] + g[1] * c + g[2] * r, g[3] + g[4] * c + g[5] * r};
       const Vec2 p = plane.forward(at);
       const float height_m = raster.at(c, r);
-      if (!box.contains(p) || place.region.contains(p) || !map::is_height(height_m) || is_hidden(earlier, at)) continue;
+      if (!box.contains(p) || place.extent.contains(p) || !map::is_height(height_m) || is_hidden(earlier, at)) continue;
       const double sample_m = !place.sea.empty() ? std::max(0.0f, height_m) : height_m;
       errors.add(sample_m - height_m_at(around, p));
     }
@@ -115,13 +171,13 @@ Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Pl
   if (rasters.empty()) return Surroundings();
   const Result<std::vector<RasterSampler>> samplers = map::samplers_of(rasters);
   if (!samplers) return samplers.error();
-  Surroundings around{.x_m = lines_for(place.region.min.x, place.region.max.x, place.tile_m),
-                      .y_m = lines_for(place.region.min.y, place.region.max.y, place.tile_m),
+  Surroundings around{.x_m = lines_for(place.extent.min.x, place.extent.max.x, place.tile_m),
+                      .y_m = lines_for(place.extent.min.y, place.extent.max.y, place.tile_m),
                       .heights_m = {},
                       .covers = {}};
   if (around.columns() > kMostLines || around.rows() > kMostLines) return Surroundings();
   const std::vector<bool> known = sample(*samplers, plane, !place.sea.empty(), around);
-  if (!knows_far_places(around, known, place.region)) return Surroundings();
+  if (!knows_far_places(around, known, place.extent)) return Surroundings();
   around.covers.assign(around.heights_m.size(), Cover::kLand);
   if (!place.sea.empty()) find_sea(place, known, around);
   fill_unknown(known, around);

@@ -13,17 +13,17 @@
 
 namespace citykiln::surroundings {
 
-/// What is at a vertex of the grid.
+/// The kind of surface at a vertex of the grid.
 enum class Cover : std::uint8_t { kLand, kSea, kCount };
 
-/// Heights at the crossings of lines. Each cell is split by its diagonal from south-west to north-east. The Earth's
-/// curve is not in it (curvature.h).
+/// Heights at the crossings of lines. Each cell is split by its diagonal from south-west to north-east. Heights are not
+/// lowered by the Earth's curvature (curvature.h).
 struct Surroundings {
-  std::vector<std::int32_t> x_m, y_m;   ///< Of the lines, plane metres, ascending. Both empty: nothing is known.
+  std::vector<std::int32_t> x_m, y_m;   ///< Coordinates of the lines, plane metres, ascending. Both empty: no grid.
   std::vector<std::int32_t> heights_m;  ///< Above sea level, row by row from the south; 0 at sea.
-  std::vector<Cover> covers;            ///< In the same order.
-  /// Vertical distances from the heightmap's samples beyond the extent to the grid: the largest one, and the root of
-  /// the mean square. Where samples are in degrees.
+  std::vector<Cover> covers;            ///< One per height, in the same order.
+  /// The largest and the root mean square vertical distance from samples of heightmaps beyond the extent to the grid.
+  /// Counts only heightmaps in degrees. Rounded up to whole metres.
   double error_m = 0, rms_error_m = 0;
   bool operator==(const Surroundings&) const = default;
 
@@ -37,18 +37,20 @@ struct Surroundings {
   Box2 box() const { return {vertex(0, 0), vertex(columns() - 1, rows() - 1)}; }
 };
 
-/// Whether the lists fit together: at least two lines each way, ascending and within kFarthest_m of the plane's origin,
-/// a known cover and a height within kHighest_m at each crossing, errors that are not negative; or nothing at all.
+/// True if the lists are consistent: at least two lines each way, ascending and within kFarthest_m of the plane's
+/// origin, a known cover and a height within kHighest_m at each crossing, errors that are not negative. An empty grid
+/// is consistent, too.
 bool is_sound(const Surroundings& around);
 
 inline constexpr double kFarthest_m = 0x1p20, kHighest_m = 10000;
-/// The most lines each way.
+/// The largest number of lines each way.
 inline constexpr std::size_t kMostLines = 4096;
 
-/// The height of the grid at a place; outside that of the nearest place in it. O(log n).
+/// Returns the height of the grid at a place; outside of the grid, the height at the nearest place of the grid. O(log
+/// n).
 /// @param around  Not empty.
 double height_m_at(const Surroundings& around, Vec2 place);
-/// The cover of the vertex south-west of a place, or of the nearest one outside.
+/// Returns the cover of the vertex south-west of a place; outside of the grid, of a vertex on its border.
 Cover cover_at(const Surroundings& around, Vec2 place);
 
 }  // namespace citykiln::surroundings

@@ -3,19 +3,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 #include "compiler/contract/parse.h"
 #include "exporters/file_list.h"
+#include "exporters/run_files.h"
 #include "exporters/settle_folder.h"
 
 namespace citykiln::verify {
+
+using exporters::kFileListName, exporters::kFindingsName, exporters::kManifestName, exporters::kReportName,
+    exporters::kTimingName;
+
 namespace {
 
 bool is_listed(const exporters::FileList& list, const std::string& name) {
   return std::ranges::find(list, name, &exporters::ListedFile::name) != list.end();
 }
 
-/// "3_-2_L0.glb"
+/// Returns the rest of a name after its folder; std::nullopt for names that are not in it.
+std::optional<std::string_view> name_inside(std::string_view name, std::string_view folder) {
+  if (!name.starts_with(folder) || !name.substr(folder.size()).starts_with('/')) return std::nullopt;
+  return name.substr(folder.size() + 1);
+}
+
+/// True for the names of tiles, such as "3_-2_L0.glb".
 bool is_name_of_tile(std::string_view name) {
   if (!name.ends_with(".glb")) return false;
   const std::string_view stem = name.substr(0, name.size() - 4);
@@ -24,45 +37,48 @@ bool is_name_of_tile(std::string_view name) {
          number_in<int>(stem.substr(level + 2));
 }
 
-/// The same, "Q2_0_1.glb", "tileset.json" or "tileset_3.json".
+/// True for the names of tiles, and for names such as "Q2_0_1.glb", "tileset.json" and "tileset_3.json".
 bool is_name_in_tileset(std::string_view name) {
-  if (name == "tileset.json" || is_name_of_tile(name)) return true;
+  if (name == exporters::kTilesetName || is_name_of_tile(name)) return true;
   if (name.starts_with("Q") && name.ends_with(".glb"))
     return numbers_in<int>(name.substr(1, name.size() - 5), '_', 3).has_value();
   return name.starts_with("tileset_") && name.ends_with(".json") &&
          number_in<int>(name.substr(8, name.size() - 13)).has_value();
 }
 
-void check_report(const RunRecord& record, const exporters::FileList& list, CheckResults& results) {
-  for (const WrittenTile& tile : record.tiles)
-    results.files.test(is_listed(list, tile.file.name), tile.file.name + " is in report.json, but not in files.json");
-  for (const WrittenTile& tile : record.usd)
-    results.files.test(is_listed(list, tile.file.name), tile.file.name + " is in report.json, but not in files.json");
-  if (record.has_manifest) results.files.test(is_listed(list, "scene.kiln"), "scene.kiln is not in files.json");
+void check_report(const outputs::RunRecord& record, const exporters::FileList& list, CheckResults& results) {
+  for (const auto* levels : {&record.tiles, &record.usd})
+    for (const outputs::WrittenTile& tile : *levels)
+      results.files.test(is_listed(list, tile.file.name),
+                         fmt::format("{} is in {}, but not in {}", tile.file.name, kReportName, kFileListName));
+  if (record.has_manifest)
+    results.files.test(is_listed(list, kManifestName), fmt::format("{} is not in {}", kManifestName, kFileListName));
 }
 
 bool is_usd_name(const std::string& name) {
   const auto is_in = [&](std::string_view folder, std::string_view suffix) {
     return name.starts_with(folder) && name.ends_with(suffix);
   };
-  return name == "usd/scene.usda" || is_in("usd/tiles/", ".usda") || is_in("usd/tiles/", ".usdc") ||
-         is_in("usd/textures/", ".png") || is_in("usd/textures/", ".jpg");
+  return name == exporters::kUsdSceneName || is_in(exporters::kUsdTileFolder, ".usda") ||
+         is_in(exporters::kUsdTileFolder, ".usdc") || is_in(exporters::kUsdTextureFolder, ".png") ||
+         is_in(exporters::kUsdTextureFolder, ".jpg");
 }
 
 }  // namespace
 
 bool is_name_of_run(const std::string& name) {
-  for (const char* own : {"scene.kiln", "report.json", "findings.json", "timing.json"})
+  for (const char* own : {kManifestName, kReportName, kFindingsName, kTimingName})
     if (name == own) return true;
   if (is_usd_name(name)) return true;
-  if (name.starts_with("3dtiles/")) return is_name_in_tileset(std::string_view(name).substr(8));
-  return name.starts_with("glb/") && is_name_of_tile(std::string_view(name).substr(4));
+  if (const auto inside = name_inside(name, exporters::kTilesetFolder)) return is_name_in_tileset(*inside);
+  const auto inside = name_inside(name, exporters::kGlbFolder);
+  return inside && is_name_of_tile(*inside);
 }
 
 Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& results) {
-  const auto list = exporters::read_file_list(run.folder + "/" + exporters::kFileListName);
+  const auto list = exporters::read_file_list(run.folder + "/" + kFileListName);
   if (!list) return list.error();
-  results.files.test(list->has_value(), "files.json is missing");
+  results.files.test(list->has_value(), std::string(kFileListName) + " is missing");
   const exporters::FileList files = list->value_or(exporters::FileList());
   const exporters::FolderState state = exporters::compare_folder(run.folder, files, threads);
   results.files.tests += files.size() - state.missing.size() - state.changed.size();
@@ -72,7 +88,7 @@ Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& resul
   results.stale.test(true, "");
   for (const std::string& name : state.strange) {
     if (is_name_of_run(name))
-      results.stale.test(false, name + " is not in files.json");
+      results.stale.test(false, fmt::format("{} is not in {}", name, kFileListName));
     else
       results.strange.push_back(name);
   }

@@ -7,11 +7,12 @@
 
 namespace citykiln::verify {
 
-/// Tests that every listed file is whole, that report.json names listed files, and that no other file has a name that a
-/// run gives; lists the files that are not of the run. Cost: reads every file. Error: a files.json that is no list.
+/// Tests that every file that files.json lists has its size and hash, that report.json names listed files, and that no
+/// other file in the folder has a name that a run gives. Adds the other files to results.strange. Cost: reads every
+/// file. Error: a files.json that is not a list of files.
 Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& results);
 
-/// Whether runs write files of this name: "scene.kiln", "glb/3_-2_L0.glb", "report.json" …
+/// True for names that a run gives to files, such as "scene.kiln", "glb/3_-2_L0.glb" or "report.json".
 bool is_name_of_run(const std::string& name);
 
 }  // namespace citykiln::verify

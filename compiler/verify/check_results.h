@@ -1,4 +1,4 @@
-// The results of `check`: guarantees that passed or failed, and measures that are reported without a limit.
+// The results of `check`: guarantees that hold or fail, and measures without a limit.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +16,29 @@
 
 namespace citykiln::verify {
 
-/// A guarantee that does not hold: a line of text, and where and of what, if that is known.
+/// A test that failed.
 struct Failure {
+  /// A line of text for the report.
   std::string text;
-  std::optional<Vec2> at{};  ///< Plane metres.
-  std::vector<OsmId> ids{};
-  double size = 0;     ///< How far it does not hold, in the text's unit; 0 if the text states none.
-  std::string file{};  ///< The tile's, relative to the run's folder.
+  std::optional<Vec2> at{};  ///< The place, in plane metres; empty if unknown.
+  std::vector<OsmId> ids{};  ///< The elements concerned.
+  double size = 0;           ///< The amount of the violation, in the text's unit; 0 if the text states none.
+  std::string file{};        ///< The file of the tile, relative to the run's folder.
 
-  // implicit: most failures are a text alone
+  // implicit, since most failures are only a text
   Failure(std::string line) : text(std::move(line)) {}
   Failure(const char* line) : text(line) {}
   Failure(std::string line, Vec2 place, std::vector<OsmId> of, double how_far, std::string in_file = {})
       : text(std::move(line)), at(place), ids(std::move(of)), size(how_far), file(std::move(in_file)) {}
 };
 
-/// One guarantee, the number of its tests, and its failures.
+/// A guarantee, the number of its tests, and the tests that failed.
 struct Check {
-  std::string claim;
+  std::string claim;  ///< The guarantee as a sentence.
   std::uint64_t tests = 0;
   std::vector<Failure> failures;
 
+  /// Counts one test, and stores the failure if the test does not hold. test_all() counts several.
   void test(bool holds, const Failure& failure) { test_all(1, holds, failure); }
 
   void test_all(std::uint64_t count, bool hold, const Failure& failure) {
@@ -45,6 +47,7 @@ struct Check {
   }
 };
 
+/// The guarantees that `check` tests, and the measures that it reports.
 struct CheckResults {
   Check files{
       "every file that files.json lists is there with its size and hash, and report.json names the same", 0, {}};
@@ -60,7 +63,7 @@ struct CheckResults {
   Check lakes{"lakes are level", 0, {}};
   Check footing{"the gap below every corner of a building is at most 5 cm, or error_m if that is more", 0, {}};
   Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
-  // of runs that wrote USD
+  // only for runs that wrote USD
   Check usd_layers{"every USD layer holds together: indices, extents, prototypes, materials, textures", 0, {}};
   Check usd_same{"USD has the meshes, instances, ids and errors of the .glb or the recipes", 0, {}};
   Check usd_scene{"the USD scene has every tile at its place, and every tile its levels", 0, {}};
@@ -73,18 +76,18 @@ struct CheckResults {
       0,
       {}};
   // reported without a limit
-  std::vector<std::string> strange;  ///< Files in the folder that the run did not write; folders end in "/".
+  std::vector<std::string> strange;  ///< Other files in the folder that the run did not write; folders end in "/".
   bool has_unfinished_run = false;   ///< A later run into the folder was interrupted.
   Grades grades;
   ReferenceErrors reference_errors;
   Clearances clearances;
-  std::vector<Earthwork> earthworks;  ///< One cut and one fill for each way, the largest first.
+  std::vector<Earthwork> earthworks;  ///< One cut and one fill per way, the largest first.
 };
 
-/// The guarantees in the order of printing; those of USD only where they were tested.
+/// Returns the guarantees in the order of printing; those of USD only if they were tested.
 std::vector<const Check*> all_of(const CheckResults& results);
 
-/// Adds the results of one tile; its failures are appended.
+/// Adds the results of one tile. Failures are appended.
 void add(CheckResults& results, const CheckResults& of_tile);
 
 }  // namespace citykiln::verify

@@ -13,18 +13,18 @@
 
 namespace citykiln::verify {
 
-/// Ground edges on the four sides of a tile at one level, to compare with the neighbouring tiles'.
+/// The ground edges on the four sides of a tile at one level, for comparison with the neighbouring tiles.
 struct Borders {
   BorderEdges west, east, south, north;
 };
 
-/// The borders of a tile. @param box  Its square, in plane metres.
+/// Returns the ground edges on the sides of a tile. @param box  The tile's square, in plane metres.
 Borders borders_of(const bake::BakedTile& tile, const Box2& box);
 
-/// Borders by level and tile.
+/// The borders of tiles, by level and tile.
 using BordersByTile = std::map<std::pair<std::size_t, scene::TileKey>, Borders>;
 
-/// Compares each tile with its eastern and its northern neighbour, where both are there. Failures name the tiles.
+/// Compares each tile with its eastern and its northern neighbour, if both are present. Failures name the tiles.
 void check_seams(const BordersByTile& borders, Check& seams);
 
 }  // namespace citykiln::verify

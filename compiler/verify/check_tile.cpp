@@ -24,28 +24,28 @@
 namespace citykiln::verify {
 namespace {
 
-// A quarter of the most samples of a file: the graded terrain is the most expensive height. The same for every tile, so
-// that the share of places over the limit is a share of area.
+// A quarter of the largest number of samples of a file, since the graded terrain is the most expensive height. It is
+// equal for all tiles, so that the share of places over the limit is a share of area.
 constexpr int kReferenceSamplesASide = kMostSamplesASide / 2;
 
 // Tiles are checked in parallel, each on one thread.
 constexpr int kOneThread = 1;
 
-// A tile, and what is kept from one level to the next.
+// A tile, and the data that are kept from one level to the next.
 struct TileUnderCheck {
   const LoadedRun& loaded;
   const scene::Chunk& chunk;
   Box2 box;
   WaterLevels waters;
-  std::vector<ground::LandCoverPolygon> surfaces;  // for trunks, whatever the level
+  std::vector<ground::LandCoverPolygon> surfaces;  // for trunks, at all levels
   ground::LandCoverIndex cover;                    // of `surfaces`
-  bake::ExpectedGround expected;                   // of the previous level, then of this one
+  bake::ExpectedGround expected;                   // that of the previous level, then of this one
   CheckedTile checked;
 
   CheckResults& results() { return checked.results; }
 };
 
-// The squares of the terrain count where a reference is the terrain.
+// The number of faces of the references. Where a reference is the terrain, its grid squares count.
 std::size_t faces_of(const bake::CellReferences& references) {
   std::size_t faces = 0;
   for (const auto& reference : references) {
@@ -102,8 +102,8 @@ double off_layers_m(const TileUnderCheck& tile, Vec2 p, double z_m) {
   return least_m;
 }
 
-// The deviation from the nearest level of a standing water, else from the nearest layer of the graded terrain. Beyond
-// the level parts of a water that runs elsewhere both count, since shores are simplified.
+// The deviation from the nearest level of a standing water, or from the nearest layer of the graded terrain for other
+// features. For a water with running parts, both count outside its level parts, since shores are simplified.
 double deviation_m(const TileUnderCheck& tile, Vec2 p, double z_m, OsmId feature) {
   const auto water = tile.waters.find(feature);
   if (water == tile.waters.end()) return off_layers_m(tile, p, z_m);
@@ -179,9 +179,9 @@ void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std:
   const Trunks trunks = measure_trunks(level, tile.cover);
   tile.results().trunks.test_all(trunks.trees, trunks.misplaced == 0,
                                  {fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
-                                              trunks.trees, to_string(trunks.worst), trunks.at.x, trunks.at.y),
+                                              trunks.trees, to_string(trunks.first), trunks.at.x, trunks.at.y),
                                   trunks.at,
-                                  {trunks.worst},
+                                  {trunks.first},
                                   static_cast<double>(trunks.misplaced),
                                   name});
 }
@@ -194,13 +194,13 @@ bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t
   outputs.target = loaded.record.target, outputs.split = loaded.record.split;
   outputs.compress = loaded.record.compress;
   const bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
-  const exporters::EncodedTile encoded =
-      exporters::encode_tile(baked, loaded.scene.header, glb_options_of(outputs), kOneThread, loaded.record.layout);
+  const exporters::EncodedTile encoded = exporters::encode_tile(
+      baked, loaded.scene.header, outputs::glb_options_of(outputs), kOneThread, loaded.record.layout);
   return std::ranges::equal(encoded.glb, bytes);
 }
 
 Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std::size_t level,
-                             const WrittenFile& file) {
+                             const outputs::WrittenFile& file) {
   const LoadedRun& loaded = tile.loaded;
   const std::string path = loaded.folder + "/" + file.name;
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
@@ -220,7 +220,7 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
 
 }  // namespace
 
-Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels) {
+Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels) {
   const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
   if (!recipes) return recipes.error();
   const scene::Chunk& chunk = recipes->chunk;

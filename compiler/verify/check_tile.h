@@ -1,4 +1,5 @@
-// Checks one tile of a run: every level's file byte for byte against its recipes, and the ground by its triangles.
+// Checks one tile of a run: compares the file of each level byte for byte with a new bake of its recipes, and measures
+// the ground by its triangles.
 #pragma once
 
 #include <memory>
@@ -8,31 +9,33 @@
 
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/contract/result.h"
+#include "compiler/outputs/run_report.h"
 #include "compiler/scene/scene.h"
 #include "compiler/verify/check_results.h"
 #include "compiler/verify/check_seams.h"
-#include "compiler/verify/run_report.h"
 
 namespace citykiln::verify {
 
-/// The outputs of a run, without the tiles' files.
+/// The outputs of a run, without the files of its tiles.
 struct LoadedRun {
   std::string folder;
-  RunRecord record;
+  outputs::RunRecord record;
   scene::Scene scene;
   std::shared_ptr<const bake::PrototypeCache> prototypes;
 };
 
+/// The results for one tile.
 struct CheckedTile {
   CheckResults results;
-  std::vector<Borders> borders;  ///< One for each level.
+  std::vector<Borders> borders;  ///< The borders of each level.
 };
 
-/// Checks all levels of one tile on one thread.
+/// Checks all levels of one tile on one thread. The ground is compared at random places: a number that follows from the
+/// faces of file and reference (samples_a_side()), and 512 by 512 for the reference. A reference is the ground at full
+/// detail.
 /// @param levels  The files of the tile, sorted by level; not empty.
 /// Errors: a file that cannot be read; a tile that the manifest does not contain. Memory: one level, and the ground of
-/// all levels with its references. Ground is sampled at samples_a_side() of the faces of file and references,
-/// references at 512 places a side.
-Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels);
+/// all levels with its references.
+Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels);
 
 }  // namespace citykiln::verify

@@ -18,6 +18,7 @@
 #include "compiler/contract/for_each_slot.h"
 #include "exporters/file.h"
 #include "exporters/gltf/glb.h"
+#include "exporters/run_files.h"
 #include "exporters/tiles3d/read_tileset.h"
 
 namespace citykiln::verify {
@@ -27,9 +28,10 @@ using Json = nlohmann::json;
 using exporters::OrientedBox;
 using exporters::TilesetTile;
 
-// Slack of a containment, for single precision on the coordinates of a tile.
+// Allowed distance of a vertex outside its box, for single precision on the coordinates of a tile.
 constexpr double kSlack_m = 0.002;
-// How far a point is outside of a box, along its axes; 0 inside.
+
+// The distance of a point outside a box, along its axes; 0 inside.
 double outside_m(const OrientedBox& box, Vec3 p) {
   double farthest_m = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -63,7 +65,7 @@ std::uint64_t walk_tiles(const TilesetTile& tile, const std::string& name, Check
   return tiles;
 }
 
-/// A tileset that names others: reads them all, each once.
+/// Reads a tileset and all tilesets that it refers to, each once.
 class Reader {
  public:
   Reader(std::string folder, CheckResults& results) : folder_(std::move(folder)), results_(results) {}
@@ -99,12 +101,12 @@ class Reader {
 
 // ---- places on the globe ----
 
-/// From the frame of a run to its plane, by GeographicLib.
+/// Converts places from the frame of the tileset to the plane, by GeographicLib.
 class Unbend {
  public:
   explicit Unbend(map::LonLat origin) : local_(origin.lat_deg, origin.lon_deg, 0), plane_(origin) {}
 
-  /// Plane metres, and the height above the ellipsoid.
+  /// Returns plane metres, with the height above the ellipsoid as z.
   Vec3 operator()(Vec3 p) const {
     map::LonLat place;
     double height_m = 0;
@@ -117,7 +119,7 @@ class Unbend {
   map::Plane plane_;
 };
 
-// The farthest that a root's transform is from the frame at the origin, over the ends of its axes: metres at 100 km.
+// The largest distance between the root's transform and the local frame at the origin, at the ends of axes of 100 km.
 double transform_error_m(map::LonLat origin, const std::vector<double>& transform) {
   if (transform.size() != 16) return HUGE_VAL;
   const GeographicLib::LocalCartesian local(origin.lat_deg, origin.lon_deg, 0);
@@ -137,12 +139,12 @@ double transform_error_m(map::LonLat origin, const std::vector<double>& transfor
 
 // ---- contents ----
 
-/// The vertices of the terrain at each place of a tile's side, by centimetres along it, each with its height above the
-/// ellipsoid.
+/// The terrain vertices on a side of a tile, by the distance along the side in centimetres. Each has its height above
+/// the ellipsoid.
 using Side = std::map<std::int64_t, std::set<std::pair<double, Vec3>>>;
 
-/// Whether two sides have vertices at the same places, and at each the lower of their highest vertices in common. The
-/// other may be higher: a pavement that touches the border from one side, in a point, ends in a kerb there.
+/// True if two sides have vertices at the same places, and share at each place the lower of their highest vertices. The
+/// other side may have a higher one: a pavement that touches the border in a point from one side ends there in a kerb.
 bool do_meet(const Side& a, const Side& b) {
   return std::ranges::equal(a, b, [](const auto& of_a, const auto& of_b) {
     const auto lower = std::min(*of_a.second.rbegin(), *of_b.second.rbegin());
@@ -150,7 +152,7 @@ bool do_meet(const Side& a, const Side& b) {
   });
 }
 
-/// What is kept of a content.
+/// The results for a content, and the data needed to compare its borders.
 struct CheckedContent {
   CheckResults results;
   scene::TileKey tile;
@@ -158,7 +160,7 @@ struct CheckedContent {
   std::array<Side, 4> sides;  ///< West, east, south, north; in the frame of the run.
 };
 
-// asset.copyright of a .glb, whose first chunk is JSON.
+// Returns asset.copyright of a .glb, whose first chunk is JSON.
 std::string copyright_of(const std::vector<std::byte>& glb) {
   if (glb.size() < 20) return "";
   std::uint32_t size = 0;
@@ -178,7 +180,7 @@ Vec3 turned(const bake::Float4& q, Vec3 v) {
   return v + t * q[3] + cross(u, t);
 }
 
-// The farthest that a vertex of a tile is outside of a box.
+// The largest distance of a vertex of a tile outside a box.
 double vertices_outside_m(const OrientedBox& box, const bake::BakedTile& tile) {
   double farthest_m = 0;
   for (const bake::Primitive& p : tile.primitives)
@@ -217,7 +219,7 @@ void find_sides(const bake::BakedTile& tile, const scene::Header& header, Checke
 CheckedContent check_content(const LoadedRun& run, const ContentReference& reference) {
   CheckedContent content;
   CheckResults& results = content.results;
-  const std::string path = run.folder + "/3dtiles/" + reference.uri;
+  const std::string path = run.folder + "/" + exporters::kTilesetFolder + "/" + reference.uri;
   const auto bytes = exporters::read_file(path);
   const Result<bake::BakedTile> tile =
       bytes ? exporters::decode_glb(*bytes, reference.uri) : Result<bake::BakedTile>(bytes.error());
@@ -275,12 +277,14 @@ ReadTileset read_tileset(const std::string& json, const std::string& name, Check
 }
 
 void check_tileset(const LoadedRun& run, int threads, CheckResults& results) {
-  if (!std::filesystem::exists(run.folder + "/3dtiles/tileset.json")) return;
-  const ReadTileset read = Reader(run.folder + "/3dtiles/", results).read("tileset.json");
+  const std::string folder = run.folder + "/" + exporters::kTilesetFolder + "/";
+  if (!std::filesystem::exists(folder + exporters::kTilesetName)) return;
+  const ReadTileset read = Reader(folder, results).read(exporters::kTilesetName);
   const double out_m = transform_error_m(run.scene.header.origin, read.transform);
   results.tileset.test(out_m < 0.001, fmt::format("the root's transform is {} m from the frame of the origin", out_m));
   for (const std::string& credit : run.scene.header.attributions)
-    results.tileset.test(read.attribution.find(credit) != std::string::npos, "tileset.json does not name " + credit);
+    results.tileset.test(read.attribution.find(credit) != std::string::npos,
+                         std::string(exporters::kTilesetName) + " does not name " + credit);
   const auto contents = for_each_slot<CheckedContent>(
       read.contents.size(), threads, [&](std::size_t i) { return check_content(run, read.contents[i]); });
   for (const CheckedContent& content : contents) add(results, content.results);

@@ -15,6 +15,7 @@
 #include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/leaf_backs.h"
+#include "exporters/run_files.h"
 #include "exporters/usd/read_layer.h"
 #include "exporters/usd/usd_names.h"
 
@@ -35,7 +36,7 @@ Result<UsdReadLayer> read(const std::string& path) {
   return exporters::read_usd_layer(*bytes, path);
 }
 
-// Empty where there is none of this name.
+// Returns the numbers with this name; none if it is missing.
 const Numbers& numbers_of(const UsdReadDictionary& values, const std::string& name) {
   static const Numbers kNone;
   const auto found = values.find(name);
@@ -58,7 +59,7 @@ bool is_number(const UsdReadDictionary& values, const std::string& name, double 
 
 Numbers numbers_of(Vec3 v) { return {v.x, v.y, v.z}; }
 
-// "a; b" of the header, which every layer must state.
+// Returns the attributions of the header as one text, "a; b", which every layer must state.
 std::string attribution_of(const scene::Header& header) {
   return fmt::format("{}", fmt::join(header.attributions, "; "));
 }
@@ -68,7 +69,7 @@ std::string attribution_of(const scene::Header& header) {
 struct Layer {
   const UsdReadLayer& read;
   const std::string& name;
-  const std::string& folder;  ///< Of the layer's file.
+  const std::string& folder;  ///< The folder of the layer's file.
   std::set<std::string> paths{};
   std::size_t features = 0;
 };
@@ -77,7 +78,7 @@ bool are_indices(const Numbers& indices, std::size_t count) {
   return std::ranges::all_of(indices, [&](double i) { return i >= 0 && i < static_cast<double>(count); });
 }
 
-// Low, then high; each three numbers.
+// Returns the bounds of points: the three lowest coordinates, then the three highest.
 Numbers bounds_of(const Numbers& points) {
   Numbers bounds = {1e300, 1e300, 1e300, -1e300, -1e300, -1e300};
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -87,7 +88,7 @@ Numbers bounds_of(const Numbers& points) {
   return bounds;
 }
 
-// The numbers of values that a primvar must have.
+// Returns the number of values that a primvar must have.
 std::size_t values_of_rate(const UsdReadPrim& mesh, const std::string& primvar, std::size_t vertices,
                            std::size_t faces) {
   const auto rate = mesh.interpolations.find(primvar);
@@ -95,7 +96,7 @@ std::size_t values_of_rate(const UsdReadPrim& mesh, const std::string& primvar, 
   return rate->second == "uniform" ? faces : vertices;
 }
 
-// What is wrong with a mesh; empty where nothing is.
+// Returns the first fault of a mesh; empty if it has none.
 std::string fault_of_mesh(const Layer& layer, const UsdReadPrim& mesh) {
   const Numbers &points = numbers_of(mesh.values, "points"), &counts = numbers_of(mesh.values, "faceVertexCounts"),
                 &indices = numbers_of(mesh.values, "faceVertexIndices");
@@ -253,10 +254,10 @@ void test_facts(const Layer& layer, const BakedTile& tile, const scene::Header& 
        "the frame or default prim");
 }
 
-// The tile of a level: from its .glb where there is a plain one.
+// Returns the tile of a level: from its .glb, if the run wrote one without compression, else baked again.
 Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
-                                const WrittenTile& level) {
-  const auto glb = std::ranges::find_if(loaded.record.tiles, [&](const WrittenTile& written) {
+                                const outputs::WrittenTile& level) {
+  const auto glb = std::ranges::find_if(loaded.record.tiles, [&](const outputs::WrittenTile& written) {
     return written.tile == level.tile && written.level == level.level;
   });
   if (glb != loaded.record.tiles.end() && loaded.record.compress == Compression::kNone)
@@ -268,7 +269,7 @@ Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& pre
 std::string folder_of_file(const std::string& path) { return fs::path(path).parent_path().string(); }
 
 Result<Done> check_usd_level(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
-                             const WrittenTile& level, CheckResults& results) {
+                             const outputs::WrittenTile& level, CheckResults& results) {
   const std::string path = loaded.folder + "/" + level.file.name, folder = folder_of_file(path);
   const Result<UsdReadLayer> read_layer = read(path);
   if (!read_layer) return read_layer.error();
@@ -287,9 +288,9 @@ Result<Done> check_usd_level(const LoadedRun& loaded, bake::PreparedTile& prepar
 
 // ---- scene and tiles ----
 
-using LevelsByTile = std::map<scene::TileKey, std::vector<WrittenTile>>;
+using LevelsByTile = std::map<scene::TileKey, std::vector<outputs::WrittenTile>>;
 
-// The payloads of a prim as names of files of the run.
+// Returns the payloads of a prim as file names of the run.
 std::vector<std::string> payload_names(const UsdReadPrim& prim, const std::string& folder) {
   std::vector<std::string> names;
   for (const std::string& payload : prim.payloads)
@@ -297,7 +298,7 @@ std::vector<std::string> payload_names(const UsdReadPrim& prim, const std::strin
   return names;
 }
 
-void test_variants(const UsdReadPrim& root, const std::string& name, std::span<const WrittenTile> levels,
+void test_variants(const UsdReadPrim& root, const std::string& name, std::span<const outputs::WrittenTile> levels,
                    CheckResults& results) {
   const auto found = root.variants.find("level");
   const std::vector<UsdReadPrim> variants = found == root.variants.end() ? std::vector<UsdReadPrim>() : found->second;
@@ -308,15 +309,16 @@ void test_variants(const UsdReadPrim& root, const std::string& name, std::span<c
   for (std::size_t n = 0; n < std::min(variants.size(), levels.size()); ++n) {
     const UsdReadPrim& variant = variants[n];
     results.usd_scene.test(variant.path == fmt::format("L{}", levels[n].level) &&
-                               payload_names(variant, "usd/tiles") == std::vector{levels[n].file.name} &&
+                               payload_names(variant, exporters::kUsdTileFolder) == std::vector{levels[n].file.name} &&
                                is_number(variant.custom_data, "tolerance_m", levels[n].tolerance_m) &&
                                is_number(variant.custom_data, "error_m", levels[n].error_m),
                            fmt::format("{}: the variant {} is not level {}", name, variant.path, n));
   }
 }
 
-Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name, std::span<const WrittenTile> levels,
-                              const Numbers& place, CheckResults& results) {
+Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name,
+                              std::span<const outputs::WrittenTile> levels, const Numbers& place,
+                              CheckResults& results) {
   const Result<UsdReadLayer> layer = read(loaded.folder + "/" + name);
   if (!layer) return layer.error();
   const UsdReadPrim* root = exporters::prim_at(*layer, "/tile");
@@ -331,11 +333,9 @@ Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name, 
   return Done{};
 }
 
-std::string tile_layer_name(scene::TileKey tile) { return fmt::format("usd/tiles/{}.usda", to_string(tile)); }
-
 }  // namespace
 
-Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels) {
+Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels) {
   const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
   if (!recipes) return recipes.error();
   CheckResults results;
@@ -347,15 +347,15 @@ Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const Wri
 
 Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
   CheckResults results;
-  const std::string name = "usd/scene.usda";
+  const std::string name = exporters::kUsdSceneName;
   const Result<UsdReadLayer> layer = read(loaded.folder + "/" + name);
   if (!layer) return layer.error();
   LevelsByTile tiles;
-  for (const WrittenTile& level : loaded.record.usd) tiles[level.tile].push_back(level);
+  for (const outputs::WrittenTile& level : loaded.record.usd) tiles[level.tile].push_back(level);
   std::map<std::string, const UsdReadPrim*> by_payload;
   for (const UsdReadPrim& prim : layer->prims)
-    for (const std::string& payload : payload_names(prim, "usd")) by_payload[payload] = &prim;
-  // the land around is no tile
+    for (const std::string& payload : payload_names(prim, exporters::kUsdFolder)) by_payload[payload] = &prim;
+  // the land around the map is not one of the tiles
   if (by_payload.erase(exporters::kUsdSurroundingsName) > 0)
     results.usd_scene.test(bool{read(loaded.folder + "/" + exporters::kUsdSurroundingsName)},
                            std::string(exporters::kUsdSurroundingsName) + " cannot be read");
@@ -364,7 +364,7 @@ Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
       texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
       name + " has another attribution");
   for (const auto& [tile, levels] : tiles) {
-    const std::string file = tile_layer_name(tile);
+    const std::string file = exporters::usd_tile_name(tile);
     const auto prim = by_payload.find(file);
     results.usd_scene.test(prim != by_payload.end(), fmt::format("{} has no payload {}", name, file));
     if (prim == by_payload.end()) continue;

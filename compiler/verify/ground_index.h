@@ -1,4 +1,4 @@
-// Looks up ground triangles of a baked tile by place.
+// Finds the ground triangles of a baked tile at a place.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace citykiln::verify {
 
-/// The ground faces that are visible from above.
+/// The ground faces that are visible from above, with an index of their boxes.
 struct GroundIndex {
   std::vector<GroundFace> faces;
   BoxGrid grid;
@@ -19,13 +19,14 @@ struct GroundIndex {
 /// Indexes the ground of a tile. O(triangles).
 GroundIndex index_ground(const bake::BakedTile& tile);
 
+/// The ground at a place, on one face.
 struct GroundHit {
   double z_m = 0;  ///< Plane metres.
-  OsmId feature;   ///< Of the face.
+  OsmId feature;   ///< The feature of the face.
 };
 
-/// The faces at a place, from the lowest to the highest: two at a step, none in a hole. A face within 2^-9 m of the
-/// place counts, since snapping moves borders. O(1) expected.
+/// Returns the ground faces at a place, from the lowest to the highest: two at a vertical face, none in a hole. A face
+/// within 2^-9 m of the place counts, since snapping moves borders. O(1) expected.
 std::vector<GroundHit> ground_at(const GroundIndex& index, Vec2 p);
 
 }  // namespace citykiln::verify

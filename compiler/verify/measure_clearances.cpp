@@ -13,6 +13,7 @@
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/ground/profiles/crossings.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/scene/graded_terrain.h"
@@ -63,12 +64,12 @@ std::vector<RoadLine> road_lines_of(const scene::Chunk& chunk) {
 struct Network {
   struct Edge {
     std::size_t from, to;
-    double length_m;  ///< Weighted: as it counts towards being joined (joining_m).
+    double length_m;  ///< Weighted by the kind of line (joining_m).
     bool is_off = false;
   };
   std::vector<Vec2> places;  ///< Sorted.
   std::vector<bool> is_on_ground;
-  std::vector<bool> is_deck_end, is_bore_end;  ///< Where both, a bridge goes on as a tunnel.
+  std::vector<bool> is_deck_end, is_bore_end;  ///< If both are true, a bridge continues as a tunnel.
   std::vector<Edge> edges;                     ///< Both directions, sorted by `from`.
 
   std::size_t of(Vec2 p) const {
@@ -172,25 +173,14 @@ bool are_joined(const Network& network, const Place& a, const Place& b) {
   return joined;
 }
 
-Vec2 nearest_on(Vec2 a, Vec2 b, Vec2 p) {
-  return a + (b - a) * std::clamp(dot(p - a, b - a) / std::max(dot(b - a, b - a), 1e-9), 0.0, 1.0);
-}
-
-double distance_to(const Polyline& axis, Vec2 p) {
-  double least_m = kFar_m;
-  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-    least_m = std::min(least_m, distance(p, nearest_on(axis[i], axis[i + 1], p)));
-  return least_m;
-}
-
-/// True if a bridge or tunnel reaches the ground, or a bridge goes on as a tunnel, close to another line.
+/// True if a bridge or tunnel reaches the ground close to another line, or a bridge continues there as a tunnel.
 bool lands_on(const Network& network, const Place& on, const RoadLine& other) {
   if (on.line->kind == Kind::kGround) return false;
   const double reach_m = on.line->half_m() + other.half_m();
   bool lands = false;
   walk(network, on, Follow::kOffGround, [&](std::size_t place, double) {
     const bool is_landing = network.is_on_ground[place] || (network.is_deck_end[place] && network.is_bore_end[place]);
-    lands |= is_landing && distance_to(other.road->axis, network.places[place]) < reach_m;
+    lands |= is_landing && distance_to_polyline(other.road->axis, network.places[place]) < reach_m;
     return !lands;
   });
   return lands;
@@ -208,11 +198,9 @@ bool leads_to(const Network& network, const Place& on_ground, std::span<const Ve
 }
 
 std::optional<Vec2> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const double area = cross(b - a, d - c);
-  if (area == 0) return std::nullopt;
-  const double s = cross(c - a, d - c) / area, t = cross(c - a, b - a) / area;
-  if (s < 0 || s > 1 || t < 0 || t > 1) return std::nullopt;
-  return a + (b - a) * s;
+  const auto shares = crossing_shares(a, b, c, d);
+  if (!shares) return std::nullopt;
+  return a + (b - a) * shares->first;
 }
 
 /// The largest clearance shortfall between two objects.
@@ -307,7 +295,7 @@ class Measurer {
     for (const std::uint32_t s : boxes_about(grid_, box.widened(here.line->half_m() + kWidest_m))) {
       const Place& other = segments_[s];
       if (other.line == here.line || is_a_path_of_ground(*other.line)) continue;
-      const Place foot{other.line, other.segment, nearest_on(other.from(), other.to(), here.at)};
+      const Place foot{other.line, other.segment, nearest_point(other.from(), other.to(), here.at)};
       const double apart_m = distance(here.at, foot.at);
       if (apart_m >= here.line->half_m() + other.line->half_m()) continue;
       if (are_side_by_side(*here.line, *other.line, apart_m)) continue;
@@ -316,18 +304,18 @@ class Measurer {
     }
   }
 
-  /// Two bridges or two tunnels that overlap, but neither axis is over the other's carriageway.
+  /// True for two bridges or two tunnels that overlap if neither axis is over the other's carriageway.
   static bool are_side_by_side(const RoadLine& a, const RoadLine& b, double apart_m) {
     return a.kind == b.kind && apart_m >= std::max(a.half_m(), b.half_m());
   }
 
-  /// Ends beside a bridge or tunnel of others in the same order.
+  /// Returns the ends of other bridges or tunnels of the same kind and layer that lie beside a line.
   std::vector<Vec2> twin_ends(const RoadLine& beside) const {
     std::vector<Vec2> ends;
     for (const RoadLine& line : lines_)
       if (&line != &beside && line.kind != Kind::kGround && line.rank() == beside.rank())
         for (const Vec2 end : {line.road->axis.front(), line.road->axis.back()})
-          if (distance_to(beside.road->axis, end) < kWidest_m) ends.push_back(end);
+          if (distance_to_polyline(beside.road->axis, end) < kWidest_m) ends.push_back(end);
     return ends;
   }
 
@@ -410,9 +398,9 @@ Clearances measure_clearances(const scene::Scene& scene, int threads) {
   return sum;
 }
 
-Clearances explained(Clearances clearances, std::span<const Finding> findings) {
-  std::map<std::pair<OsmId, OsmId>, const Finding*> by_pair;
-  for (const Finding& finding : findings) {
+Clearances with_findings(Clearances clearances, std::span<const outputs::Finding> findings) {
+  std::map<std::pair<OsmId, OsmId>, const outputs::Finding*> by_pair;
+  for (const outputs::Finding& finding : findings) {
     const Diagnosis& d = finding.diagnosis;
     if (d.code == Code::kClearanceNotMet || d.code == Code::kLayersContradict) by_pair[{d.object, d.other}] = &finding;
   }

@@ -12,7 +12,7 @@ using map::LandCoverClass;
 
 // Ways are sampled at this distance.
 constexpr double kApart_m = 8;
-// Less is not listed.
+// Smaller depths are not listed.
 constexpr double kLeast_m = 0.5;
 
 struct Row {

@@ -1,4 +1,4 @@
-// Cuts and fills: how far the profiles of roads, railways and watercourses lie below or above the terrain.
+// Measures cuts and fills: how far the profiles of roads, railways and watercourses lie below or above the terrain.
 #pragma once
 
 #include <span>
@@ -9,29 +9,29 @@
 
 namespace citykiln::verify {
 
-/// Where one way deviates most from the terrain.
+/// The place where one way lies deepest below the terrain, or highest above it.
 struct Earthwork {
   OsmId id;
-  std::string_view line;  ///< What kind of line it is: a name of earthwork_limits.inc.
-  double depth_m = 0;     ///< Of a cut > 0, of a fill < 0.
+  std::string_view line;  ///< The kind of line: a name in earthwork_limits.inc.
+  double depth_m = 0;     ///< In metres; > 0 for a cut, < 0 for a fill.
   Vec2 at;
   bool operator==(const Earthwork&) const = default;
 };
 
-/// The deepest cut and the highest fill of every way on the ground that has a profile, inside the chunk's tile, of
-/// those over half a metre. Bridges and tunnels have none. O(length).
+/// Returns the deepest cut and the highest fill of every way with a profile inside the chunk's tile, if deeper than
+/// half a metre. Bridges and tunnels are left out. O(length).
 std::vector<Earthwork> measure_earthworks(const scene::Header& header, const scene::Chunk& chunk);
 
-/// Joins the lists of tiles: one cut and one fill for each way, the largest first.
+/// Merges the lists of several tiles: keeps for each way the deepest cut and the highest fill. The largest come first.
 std::vector<Earthwork> combined(std::vector<Earthwork> all);
 
-/// All cuts and fills of a scene, joined. O(length).
+/// Returns all cuts and fills of a scene, joined. O(length).
 std::vector<Earthwork> measure_earthworks(const scene::Scene& scene);
 
-/// Those over the limit of their kind, the largest first.
+/// Returns the earthworks that are deeper than the limit of their kind, in the given order.
 std::vector<Earthwork> over_their_limits(std::span<const Earthwork> earthworks);
 
-/// The depth that a kind of line may have without being listed as over its limit, metres.
+/// Returns the largest usual depth of a kind of line, in metres.
 double earthwork_limit_m(std::string_view line);
 
 }  // namespace citykiln::verify

@@ -9,7 +9,8 @@ namespace {
 
 using buildings::Building;
 
-/// The largest gap below a building's corners inside the box. @param corners  Counts those with known heights.
+/// Returns the largest gap below a building's corners inside the box. @param corners  Is raised by the corners with
+/// known heights.
 GapBelow gap_below(const Building& building, const Box2& box, const GroundHeightAt& ground, const WallBaseAt& wall,
                    std::uint64_t& corners) {
   GapBelow largest{building.id.osm, -1e9, {}};
@@ -35,9 +36,9 @@ struct UprightEdge {
 /// Vertical edges by feature and place.
 using Walls = std::map<std::pair<OsmId, Vec2>, std::vector<UprightEdge>>;
 
-/// The lower end of the chain of wall edges that begins at the floor, without gaps but those of packing; empty where no
-/// wall reaches the floor. Kerbs and ground steps under a building have the building's id too, but they end at the
-/// ground.
+/// Returns the lower end of the chain of wall edges that begins at the floor and has no gaps wider than packing makes;
+/// empty if no wall reaches the floor. Kerbs and vertical faces of the ground below a building also have the building's
+/// id, but they end at the ground.
 std::optional<double> lowest_m(std::vector<UprightEdge> walls, double floor_m) {
   std::ranges::sort(walls, std::ranges::greater{}, &UprightEdge::top_m);
   std::optional<double> lowest_m;

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/tolerance.h"
 
 namespace citykiln::verify {
@@ -41,7 +41,7 @@ struct Lattice {
   int a_side;
   std::vector<Vec2> places;
   std::vector<double> lowest_m;
-  std::vector<OsmId> features;  ///< Of the lowest ground.
+  std::vector<OsmId> features;  ///< The feature of the lowest ground.
 
   std::size_t number(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(a_side) + static_cast<std::size_t>(i);
@@ -50,7 +50,7 @@ struct Lattice {
 
 Lattice lattice_of(const Box2& box, int a_side) {
   Lattice lattice{box, a_side, {}, {}, {}};
-  const Draw draw(0, StableId{0}, "samples of the ground");
+  const RandomSequence draw(0, StableId{0}, "samples of the ground");
   std::uint32_t dice = 0;
   for (int j = 0; j < a_side; ++j)
     for (int i = 0; i < a_side; ++i) {
@@ -94,7 +94,7 @@ BorderEdges border_edges(const bake::BakedTile& tile, double at, Coordinate coor
   BorderEdges edges;
   for_each_ground_triangle(tile, [&](const Corners& t, OsmId) {
     const bool is_upright = twice_area(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0;
-    std::vector<BorderEdge>& kind = is_upright ? edges.upright : edges.ground;
+    std::vector<BorderEdge>& kind = is_upright ? edges.vertical : edges.ground;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = t[i], b = t[(i + 1) % 3];
       if (coordinate(a) != at || coordinate(b) != at || in_plan(a) == in_plan(b)) continue;
@@ -102,7 +102,7 @@ BorderEdges border_edges(const bake::BakedTile& tile, double at, Coordinate coor
     }
   });
   std::ranges::sort(edges.ground);
-  std::ranges::sort(edges.upright);
+  std::ranges::sort(edges.vertical);
   return edges;
 }
 
@@ -169,7 +169,7 @@ bool borders_match(const BorderEdges& own, const BorderEdges& other) {
   const std::vector<BorderEdge> here = only_in(own.ground, other.ground), there = only_in(other.ground, own.ground);
   return std::ranges::equal(here, there, [&](const BorderEdge& a, const BorderEdge& b) {
     return are_above_each_other(a, b) &&
-           (std::ranges::binary_search(own.upright, b) || std::ranges::binary_search(other.upright, a));
+           (std::ranges::binary_search(own.vertical, b) || std::ranges::binary_search(other.vertical, a));
   });
 }
 

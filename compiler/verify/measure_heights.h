@@ -1,4 +1,5 @@
-// Consistency of heights in the recipes of a scene, for report.json. `check` measures the baked tiles as well.
+// Measures whether the heights in the recipes of a scene are consistent, for report.json. `check` also measures the
+// baked tiles.
 #pragma once
 
 #include <optional>
@@ -12,17 +13,18 @@
 
 namespace citykiln::verify {
 
+/// The consistency of the heights in the recipes of a scene.
 struct HeightMeasures {
   Grades grades;
   Jumps jumps;
-  RoadFaces road_faces;  ///< Road profiles against the graded terrain.
+  RoadFaces road_faces;  ///< Road profiles compared with the graded terrain.
   Rises rises;
-  Lakes lakes;      ///< Lake levels against the graded terrain along shores.
-  Footing footing;  ///< Lower ends of buildings against the graded terrain.
+  Lakes lakes;      ///< Lake levels compared with the graded terrain along shores.
+  Footing footing;  ///< Lower ends of buildings compared with the graded terrain.
   Clearances clearances;
 };
 
-/// Measures all chunks, each separately; objects in several chunks count in each. O(n log n).
+/// Measures each chunk on its own. An object in several chunks counts in each. O(n log n).
 HeightMeasures measure_heights(const scene::Scene& scene, int threads);
 
 }  // namespace citykiln::verify

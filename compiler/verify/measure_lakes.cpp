@@ -21,7 +21,7 @@ struct Deviation {
   }
 };
 
-// Returns whether a face belongs to a level part: its corners do, drawn in a little from the shore.
+// True if a face belongs to a level part: its corners do, drawn in a little from the shore.
 bool stands(const WaterParts& water, const GroundFace& face) {
   constexpr double kInwards = 1.0 / 16;
   const Vec2 a = in_plan(face.corners[0]), b = in_plan(face.corners[1]), c = in_plan(face.corners[2]);

@@ -114,7 +114,7 @@ Jumps measure_jumps(const scene::Scene& scene) {
 }
 
 Rises measure_rises(const scene::Chunk& chunk) {
-  // those without a profile lie on the terrain: on level land, or reported as off it
+  // streams without a profile lie on the terrain: on level land, or reported as off it
   std::vector<roads::Strip> streams = chunk.watercourses;
   std::erase_if(streams, [](const roads::Strip& stream) { return stream.profile.empty(); });
   const ground::WaterMeasures measured = ground::measure_waters({}, streams, chunk.heights);

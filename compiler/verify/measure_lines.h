@@ -1,5 +1,5 @@
-// Consistency of the heights of roads and watercourses in the recipes: grade limits, equal heights at common vertices,
-// and water that does not rise.
+// Measures whether the heights of roads and watercourses in the recipes are consistent: grade limits, equal heights at
+// common vertices, and water that does not rise.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,17 @@
 
 namespace citykiln::verify {
 
+/// Lengths of roads, and of their parts that are too steep.
 struct Grades {
-  double length_m = 0;  ///< Of graded roads on the ground, and of bridges and tunnels of the same classes.
+  double length_m = 0;  ///< The length of graded roads on the ground, and of bridges and tunnels of the same classes.
   double over_m = 0;    ///< The part of it that exceeds the class's grade limit by more than the rounding of heights.
 };
 
-/// Measures the roads inside the chunk's tile. Roads across a border count on each side with their length there,
-/// bridges and tunnels count in full. O(n).
+/// Measures the roads inside the chunk's tile. A road across a border counts on each side with its length there. A
+/// bridge or tunnel counts in full. O(n).
 Grades measure_grades(const scene::Header& header, const scene::Chunk& chunk);
 
+/// Height differences where lines meet.
 struct Jumps {
   std::uint64_t places = 0;  ///< Vertices where two roads, or a road and a bridge or tunnel, meet.
   double largest_m = 0;
@@ -27,12 +29,14 @@ struct Jumps {
 /// at a road or at each other. Roads without a profile have no heights and are skipped. O(n log n).
 Jumps measure_jumps(const scene::Scene& scene);
 
+/// Numbers of watercourses, and of watercourses that flow uphill.
 struct Rises {
   std::uint64_t streams = 0, rising = 0;
   double largest_m = 0;
 };
 
-/// Finds watercourses that rise along their profile, or from one to the next at a common vertex. O(n log n).
+/// Finds watercourses that rise along their profile, or from one watercourse to the next at a common vertex. O(n log
+/// n).
 Rises measure_rises(const scene::Chunk& chunk);
 
 }  // namespace citykiln::verify

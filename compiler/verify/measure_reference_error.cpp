@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/grading/bend_points.h"
 
@@ -19,7 +19,7 @@ ReferenceErrors measure_reference_errors(const ground::GradedTerrain& graded,
                                          const ReferenceAt& reference_at, const Box2& box, int a_side) {
   assert(a_side > 0 && !box.is_empty());
   const ground::LandCoverIndex map = index_land_cover(surfaces, box);
-  const Draw draw(0, StableId{0}, "samples of the reference");
+  const RandomSequence draw(0, StableId{0}, "samples of the reference");
   ReferenceErrors reference_errors;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(a_side * a_side); ++i) {
     const double u = (i % a_side + draw.unit(2 * i)) / a_side, v = (i / a_side + draw.unit(2 * i + 1)) / a_side;

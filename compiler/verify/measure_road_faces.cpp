@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/ground/grading/road_influence.h"
 
 namespace citykiln::verify {
@@ -34,16 +35,11 @@ std::vector<Piece> pieces_of(const std::vector<roads::Road>& roads) {
   return pieces;
 }
 
-double away_m(const Piece& piece, Vec2 p) {
-  const Vec2 along = piece.b - piece.a;
-  const double t = std::clamp(dot(p - piece.a, along) / dot(along, along), 0.0, 1.0);
-  return distance(p, piece.a + along * t);
-}
-
 /// True where another road, or another bend of the same road, influences the height.
 bool is_mixed(const std::vector<Piece>& pieces, const BoxGrid& grid, std::uint32_t own, Vec2 p) {
-  return std::ranges::any_of(boxes_about(grid, p),
-                             [&](std::uint32_t i) { return i != own && away_m(pieces[i], p) < pieces[i].reach_m; });
+  return std::ranges::any_of(boxes_about(grid, p), [&](std::uint32_t i) {
+    return i != own && distance_to_segment(pieces[i].a, pieces[i].b, p) < pieces[i].reach_m;
+  });
 }
 
 double gap_m(const roads::Road& road, double at_m, bool has_kerbs, const std::vector<double>& faces_m) {

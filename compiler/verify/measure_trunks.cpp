@@ -48,7 +48,7 @@ Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex&
       const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
       ++trunks.trees;
       if (!is_no_place(map, at)) continue;
-      if (trunks.misplaced++ == 0) trunks.at = at, trunks.worst = tile.features[instanced.features[i]];
+      if (trunks.misplaced++ == 0) trunks.at = at, trunks.first = tile.features[instanced.features[i]];
     }
   }
   return trunks;

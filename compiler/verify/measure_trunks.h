@@ -1,4 +1,4 @@
-// Tree trunks in places where none can be: roads, railways, buildings and water.
+// Finds trees whose trunks stand on a road, a railway, a building or water, where none may stand.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,17 @@
 
 namespace citykiln::verify {
 
+/// The trunks of a tile.
 struct Trunks {
-  std::uint64_t trees = 0;      ///< Number of trunks measured.
-  std::uint64_t misplaced = 0;  ///< Trunks in a wrong place.
-  Vec2 at;                      ///< Place of the first of them.
-  OsmId worst{};                ///< Its tree or wood.
+  std::uint64_t trees = 0;      ///< Number of trunks tested.
+  std::uint64_t misplaced = 0;  ///< Number of trunks on roads, railways, buildings or water.
+  Vec2 at;                      ///< The place of the first misplaced trunk.
+  OsmId first{};                ///< The tree or wood of the first misplaced trunk.
 };
 
-/// Measures the tile's instances that are named after a species with a trunk, such as "oak_3"; hedges and grass have
-/// none. O(instances).
-/// @param map  The land cover of the tile.
+/// Tests every instanced plant of a tile that has a trunk, which excludes hedges, grass and reed. Plants are recognised
+/// by the name of their mesh, such as "oak_3". Pedestrian streets may have trees. O(instances).
+/// @param map  Land cover of the tile.
 Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& map);
 
 }  // namespace citykiln::verify

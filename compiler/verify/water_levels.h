@@ -1,4 +1,4 @@
-// The levels of standing water by OSM id: what faces of that id must show.
+// The levels of standing water by OSM id, which the faces of that id must have.
 #pragma once
 
 #include <map>
@@ -8,24 +8,24 @@
 
 namespace citykiln::verify {
 
-/// A water with at least one polygon that has a level. One riverbank relation may have standing parts and running ones:
-/// an outline without a waterway in it is level, the others follow their waterway.
+/// The polygons of one OSM element with standing water. A riverbank relation can have standing and running parts: an
+/// outline without a waterway in it is level, other outlines follow their waterway.
 struct WaterParts {
-  std::vector<const ground::LandCoverPolygon*> level;  ///< Of the chunk, which must outlive this.
-  bool runs = false;                                   ///< Some polygon of the id has no level.
+  std::vector<const ground::LandCoverPolygon*> level;  ///< Polygons with a level; the chunk must outlive this.
+  bool runs = false;                                   ///< True if a polygon of the id has no level.
 };
 
-/// By the id of the water.
+/// Waters by id.
 using WaterLevels = std::map<OsmId, WaterParts>;
 
-/// O(polygons log polygons).
+/// Returns the waters of a chunk that have a level. O(polygons log polygons).
 WaterLevels water_levels_of(const scene::Chunk& chunk);
 
-/// Returns whether a face of the water stands at a place: everywhere if no part runs, else inside its level polygons.
+/// True if a face of the water must be level at a place: everywhere if no part runs, else inside its level polygons.
 /// O(corners of the polygons).
 bool stands_at(const WaterParts& water, Vec2 p);
 
-/// Returns how far a height is off the nearest of the water's levels.
+/// Returns the distance of a height from the nearest of the water's levels, in metres.
 double off_level_m(const WaterParts& water, double z_m);
 
 }  // namespace citykiln::verify

@@ -44,7 +44,7 @@ constexpr Code kShown[] = {
 constexpr Code kOnRoofs[] = {Code::kHeightRaised, Code::kUnsupportedBuilding, Code::kRoofFallback,
                              Code::kRuleErrors,   Code::kDuplicateBuilding,   Code::kMinHeightNotBelowHeight};
 
-// Keeps the largest place of each object, and of all the largest.
+// Keeps the largest place of each object, and of these the `most` largest.
 void keep_worst_places(PlacesOfKind& kind, std::size_t most) {
   std::ranges::stable_sort(kind.worst, std::ranges::greater{}, &WorstPlace::size);
   std::set<std::vector<OsmId>> known;
@@ -91,7 +91,7 @@ void add_earthworks(std::span<const Earthwork> earthworks, bool is_cut, std::vec
   for (auto& [line, kind] : by_line) kinds.push_back(std::move(kind));
 }
 
-WorstPlace place_of(const Finding& finding, const map::Plane& plane) {
+WorstPlace place_of(const outputs::Finding& finding, const map::Plane& plane) {
   WorstPlace place;
   place.size = finding.diagnosis.size;
   if (finding.diagnosis.object.type != OsmType::kNone) place.ids = {finding.diagnosis.object};
@@ -101,11 +101,12 @@ WorstPlace place_of(const Finding& finding, const map::Plane& plane) {
   return place;
 }
 
-void add_diagnoses(std::span<const Finding> findings, const map::Plane& plane, std::vector<PlacesOfKind>& kinds) {
+void add_diagnoses(std::span<const outputs::Finding> findings, const map::Plane& plane,
+                   std::vector<PlacesOfKind>& kinds) {
   for (const Code code : kShown) {
     PlacesOfKind kind{std::string(name_of(code)), std::string(text_of(code)), 0, {}};
     kind.on_roofs = std::ranges::find(kOnRoofs, code) != std::end(kOnRoofs);
-    for (const Finding& finding : findings)
+    for (const outputs::Finding& finding : findings)
       if (finding.diagnosis.code == code) kind.worst.push_back(place_of(finding, plane));
     kinds.push_back(std::move(kind));
   }
@@ -114,7 +115,8 @@ void add_diagnoses(std::span<const Finding> findings, const map::Plane& plane, s
 }  // namespace
 
 std::vector<PlacesOfKind> worst_places(const CheckResults& results, std::span<const Earthwork> earthworks,
-                                       std::span<const Finding> findings, const map::Plane& plane, std::size_t most) {
+                                       std::span<const outputs::Finding> findings, const map::Plane& plane,
+                                       std::size_t most) {
   std::vector<PlacesOfKind> kinds;
   for (const Check* check : all_of(results)) kinds.push_back(failures_of(*check));
   add_shortfalls(results.clearances, kinds);

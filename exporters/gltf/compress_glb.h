@@ -11,16 +11,16 @@
 
 namespace citykiln::exporters {
 
-/// Returns a file with packed meshes. Images, tables and instances stay as they are. Same bytes for any number of
-/// threads.
-/// @param plain  As encode_glb writes it: each attribute has an accessor with a buffer view of its own. Positions and
+/// Returns a .glb with packed meshes. Images, tables and instances stay as they are. The bytes do not depend on the
+/// number of threads.
+/// @param plain  The output of build_glb(): each attribute has an accessor with a buffer view of its own. Positions and
 ///              uvs on the grids of packed meshes (quantise.h) stay exact.
 /// @param compression  Not kNone.
 GlbParts compressed_glb(GlbParts plain, Compression compression, int threads);
 
-/// Returns the plain .glb, with attributes in single precision; nothing where no mesh is packed. Throws a
-/// std::exception where packed data are invalid.
-/// @param bytes  As expect_chunks() has accepted them.
+/// Returns the plain .glb, with attributes in single precision; std::nullopt if no mesh is packed. Throws a
+/// std::exception if packed data are invalid.
+/// @param bytes  A .glb that expect_chunks() has accepted.
 std::optional<std::vector<std::byte>> decompressed_glb(std::span<const std::byte> bytes);
 
 }  // namespace citykiln::exporters

@@ -10,9 +10,9 @@
 
 namespace citykiln::exporters {
 
-/// Reads the primitives and instanced meshes of a tile whose features are read, from nodes of any split
-/// (encode_nodes.h). Texture coordinates keep the units of the file. Returns the cutout image of each instanced mesh.
-/// Throws FormatError.
+/// Reads the primitives and instanced meshes of a tile from nodes of any split (encode_nodes.h). Texture coordinates
+/// keep the units of the file. Returns the index of the cutout image of each instanced mesh. Throws FormatError.
+/// @param tile  Its features are read already.
 std::vector<std::optional<std::size_t>> read_nodes(GltfReader& reader, bake::BakedTile& tile);
 
 }  // namespace citykiln::exporters

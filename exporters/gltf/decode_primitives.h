@@ -8,9 +8,9 @@
 
 namespace citykiln::exporters {
 
-/// Reads the primitives of a mesh. Images are read later; here only their presence is checked, and
-/// uvs keep the units of the file. Throws FormatError.
-/// @param features  Number of rows of the property table.
+/// Reads the primitives of a mesh. uvs keep the units of the file. Checks that images exist, but does not read them.
+/// Throws FormatError.
+/// @param features  The number of rows of the property table.
 std::vector<bake::Primitive> primitives_of(GltfReader& reader, int mesh_number, std::size_t features);
 
 }  // namespace citykiln::exporters

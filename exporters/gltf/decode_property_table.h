@@ -6,7 +6,7 @@
 
 namespace citykiln::exporters {
 
-/// Reads features and attributes, as property_table() writes them, into the tile. Throws FormatError.
+/// Reads the features and attributes that property_table() writes into the tile. Throws FormatError.
 void read_property_table(GltfReader& reader, bake::BakedTile& tile);
 
 }  // namespace citykiln::exporters

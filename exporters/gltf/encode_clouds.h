@@ -1,4 +1,4 @@
-// glTF 2.0, binary: the clouds of a scene as meshes.
+// Writes the clouds of a scene as meshes in a .glb (glTF 2.0, binary).
 #pragma once
 
 #include <cstddef>
@@ -26,9 +26,9 @@ struct CloudMeshes {
 /// - extras of the root: cell_m, error_m (of the surface, a cell's diagonal), particle_m, and the plane; of
 ///   layers: kind, cover, base_m, top_m, clouds.
 ///
-/// Guarantees: same input, same bytes; valid by Khronos' validator with 0 errors and 0 warnings.
-/// @param layers  One part at least. @param particle_m  The smallest radius of particles.
-/// @param frame  What the coordinates are in, as value of the root's extras; empty: the scene's plane.
+/// Guarantees: deterministic; Khronos' validator reports 0 errors and 0 warnings.
+/// @param layers  At least one part in all. @param particle_m  The smallest radius of particles.
+/// @param frame  The name of the coordinates' frame, for the root's extras; empty: the scene's plane.
 std::vector<std::byte> encode_clouds(std::span<const CloudMeshes> layers, const scene::Header& header, double cell_m,
                                      double particle_m, const std::string& frame = "");
 

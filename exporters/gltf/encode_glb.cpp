@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "compiler/bake/bake_surroundings.h"
+#include "compiler/bake/far/bake_surroundings.h"
 #include "exporters/file.h"
 #include "exporters/gltf/compress_glb.h"
 #include "exporters/gltf/encode_lights.h"
@@ -19,7 +19,7 @@ using bake::BakedTile;
 using bake::Primitive;
 using Json = nlohmann::json;
 
-// Adds what the tile's coordinates mean.
+// Adds the meaning of the tile's coordinates.
 void add_frame(Json& extras, const scene::Header& header, bool is_on_ellipsoid) {
   extras[is_on_ellipsoid ? "frame" : "plane"] = {
       {"lon_0", header.origin.lon_deg},

@@ -5,8 +5,8 @@
 
 namespace citykiln::exporters {
 
-/// Adds the node "lights" below the root, with a node for each lamp of the options; none without lamps. Lamps of equal
-/// light share one light of the model.
+/// Adds the node "lights" below the root, with a node for each lamp of the options. Adds nothing if there are none.
+/// Lamps with equal properties share one light of the model.
 ///
 /// | beam     | light | candela on the axis  | so that                                                                |
 /// |----------|-------|----------------------|------------------------------------------------------------------------|
@@ -14,12 +14,13 @@ namespace citykiln::exporters {
 /// | kDown    | spot  | 3 lumen / (2 pi)     | the cone from 0 to 90 degrees, squared as the extension says, has the  |
 /// |          |       |                      | lamp's lumen                                                           |
 ///
-/// Colours are linear, their largest component is 1, and the intensity is that of the luminance. The range is the
-/// distance at which 0.05 lx are left, a quarter of the full moon's light. Extras of a node: lumen, temperature_k,
-/// class, osm_id, osm_type; osm_id is that of the mapped lamp, or of the way it lights.
+/// Colours are linear with a largest component of 1. The intensity is scaled so that colour times intensity has the
+/// luminance of the candela above. The range is the distance at which 0.05 lx are left, a quarter of the full moon's
+/// light. Extras of a node: lumen, temperature_k, class, osm_id, osm_type; osm_id is that of the mapped lamp, or of the
+/// way it lights.
 void add_lights(GlbBuilder& f);
 
-/// The name of that node, which has no mesh.
+/// The name of the node that add_lights() adds to the root's children. It has no mesh.
 inline constexpr const char* kLightGroup = "lights";
 
 }  // namespace citykiln::exporters

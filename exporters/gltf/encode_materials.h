@@ -5,17 +5,17 @@
 
 namespace citykiln::exporters {
 
-/// The key of a primitive's material.
-/// @param cutout  As cutout_like() returns it for an instanced mesh; else null.
+/// Returns the key of a primitive's material.
+/// @param cutout  The result of cutout_like() for an instanced mesh; else null.
 MaterialKey material_key_of(const GlbBuilder& f, const bake::Primitive& p, const impostor::Cutout* cutout);
 
-/// The index of the material with this key, which is added when it is first asked for.
+/// Returns the index of the material with this key. Adds it at the first call.
 std::size_t material_number(GlbBuilder& f, const MaterialKey& key);
 
-/// The normal map of a material; null where it has none.
+/// Returns the normal map of a material; null if it has none.
 const materials::TextureImage* normals_of(const GlbBuilder& f, const MaterialKey& key);
 
-/// Adds TEXCOORD_0 and returns its accessor: in units of the image's size, or metres in packed meshes.
+/// Adds TEXCOORD_0 and returns its accessor. Its unit is the image's size, or metres in packed meshes.
 std::size_t add_uvs(GlbBuilder& f, const bake::Primitive& p, const MaterialKey& key);
 
 }  // namespace citykiln::exporters

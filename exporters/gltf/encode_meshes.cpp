@@ -42,7 +42,7 @@ std::size_t add_colours(GlbBuilder& f, const Primitive& p, const materials::Tint
 std::size_t add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
   std::vector<bake::Float4> tangents = tangents_of(front);
   const std::size_t count = tangents.size();
-  // back sides have those of their fronts, as they have their normals
+  // back sides have the tangents and normals of their fronts
   for (std::size_t i = 0; has_backs && i < count; ++i) tangents.push_back(bake::Float4{tangents[i]});
   return f.add_turned(tangents, ViewUse::kVertices);
 }

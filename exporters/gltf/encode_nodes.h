@@ -5,7 +5,7 @@
 
 namespace citykiln::exporters {
 
-/// Adds the root and all nodes below it, as the options' split and target say:
+/// Adds the root and all nodes below it, by the options' split and target:
 ///
 ///     tile_3_-2                        Split::kLayer
 ///     ├── ground, roads, water         a mesh each

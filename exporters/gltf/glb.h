@@ -1,4 +1,5 @@
-// glTF 2.0, binary: one tile at one tolerance. Only here the z-up frame becomes y-up (glb_axes.h).
+// Writes one tile at one tolerance as a .glb (glTF 2.0, binary), and reads it. The plane's z-up frame becomes y-up
+// (glb_axes.h).
 #pragma once
 
 #include <cstddef>
@@ -21,10 +22,10 @@ struct GlbParts;  // glb_parts.h, with the JSON library
 struct GlbOptions {
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
-  Compression compression = Compression::kNone;  ///< One that the target's reader knows.
-  bool has_exact_pictures = false;               ///< PNG alone, instead of the formats that the target's reader knows.
-  std::span<const bake::PlacedLamp> lights{};    ///< Written as lights (encode_lights.h), whatever the time is.
-  bool is_on_ellipsoid = false;  ///< The tile is bent (bake/bend.h); extras name its frame, not the plane.
+  Compression compression = Compression::kNone;  ///< Must be one that the target's reader supports.
+  bool has_exact_pictures = false;               ///< Images are PNG only, even if the target's reader supports more.
+  std::span<const bake::PlacedLamp> lights{};    ///< Lamps to write as lights (encode_lights.h), at any time of day.
+  bool is_on_ellipsoid = false;  ///< The tile is bent (bake/far/bend.h): extras name its frame instead of the plane.
 };
 
 /// Returns the .glb of a tile.
@@ -48,21 +49,21 @@ struct GlbOptions {
 /// | colours             | COLOR_0; of plants shares of the largest tint, which is a factor of the material           |
 /// |                     | (plant_tints.h)                                                                            |
 ///
-/// @param tile  Its primitives and instanced meshes sorted by layer.
+/// @param tile  Its primitives and instanced meshes are sorted by layer.
 ///
-/// Guarantees: same input, same bytes, for any number of threads; valid by Khronos' validator with 0 errors and 0
-/// warnings. Vertices and triangles of a packed .glb are in another order, and its normals have kPackedNormalBits; what
-/// is not on the grids of quantise.h stays in single precision, so encode_tile() quantises first.
+/// Guarantees: deterministic for any number of threads; Khronos' validator reports 0 errors and 0 warnings. Vertices
+/// and triangles of a packed .glb are reordered, and its normals have kPackedNormalBits. Values that are not on the
+/// grids of quantise.h stay in single precision, so encode_tile() quantises first.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
                                   int threads = 1);
 
-/// As encode_glb(), before the parts are joined.
+/// Returns the result of encode_glb() before its parts are joined.
 GlbParts build_glb(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options, int threads);
 
-/// Reads a tile from a .glb that encode_glb wrote, for any target. decode_glb(encode_glb(tile)) == tile where it is not
-/// packed and has exact pictures; with Split::kBuilding where features ascend in the primitives of buildings, as bake()
-/// writes them. Errors: anything else; never a crash, whatever the bytes (fuzzed).
-/// @param name  The file's name in error messages.
+/// Reads a tile from a .glb that encode_glb wrote, for any target. decode_glb(encode_glb(tile)) == tile if the file is
+/// not packed and has exact pictures, and for Split::kBuilding if features ascend in the primitives of buildings, as
+/// bake() writes them. Errors: bytes that encode_glb() does not write. No bytes make the function crash (fuzzed).
+/// @param name  The name of the file in error messages.
 Result<bake::BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name);
 
 Result<Done> write_glb(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,

@@ -1,4 +1,4 @@
-// A .glb while a tile is written into it.
+// The .glb that a tile is written into, with functions that append to it.
 #pragma once
 
 #include <algorithm>
@@ -22,20 +22,20 @@
 
 namespace citykiln::exporters {
 
-/// What distinguishes the glTF materials of a tile.
+/// The properties that distinguish the glTF materials of a tile.
 struct MaterialKey {
-  bake::PrimitiveKey primitive;                 ///< has_uvs is false where the uvs show no image.
-  const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it.
-  const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one.
-  bool has_backs = false;                       ///< Faces of its own for both sides (leaf_backs.h).
+  bake::PrimitiveKey primitive;                 ///< has_uvs is false if the uvs show no image.
+  const materials::Texture* texture = nullptr;  ///< The material's texture, if the primitive shows it; else null.
+  const impostor::Cutout* cutout = nullptr;     ///< The cutout, if the primitive shows one; else null.
+  bool has_backs = false;                       ///< Both sides have their own faces (leaf_backs.h).
   materials::Tint tint = materials::kNoTint;    ///< Multiplies the base colour (plant_tints.h).
   bool operator==(const MaterialKey&) const = default;
 };
 
-/// What a buffer view holds, by glTF's numbers of targets.
+/// The use of a buffer view, by glTF's numbers of targets.
 enum class ViewUse : int { kOther = 0, kVertices = 34962, kIndices = 34963 };
 
-/// The file, and what primitives share. Members of objects that have their default value are left out.
+/// The file, and the objects that primitives share. Members of JSON objects that have their default value are left out.
 struct GlbBuilder {
   const bake::BakedTile& tile;
   const scene::Header& header;
@@ -43,7 +43,7 @@ struct GlbBuilder {
   GlbParts file{};
   std::set<std::string> extensions{};
   std::vector<MaterialKey> material_keys{};        ///< One per glTF material.
-  std::vector<const impostor::Cutout*> cutouts{};  ///< No two are equal.
+  std::vector<const impostor::Cutout*> cutouts{};  ///< Distinct cutouts.
 
   /// Appends to a list of the file, such as "nodes", and returns the item's index.
   std::size_t add(const char* list, nlohmann::json item) {
@@ -52,7 +52,7 @@ struct GlbBuilder {
     return items.size() - 1;
   }
 
-  /// Appends converted values as a buffer view, aligned to 8 bytes, as property tables require, and returns its index.
+  /// Appends converted values as a buffer view and returns its index. Aligned to 8 bytes, as property tables require.
   /// Converts 256 values at a time, to save memory.
   template <typename T, typename Convert = std::identity>
   std::size_t add_view(const std::vector<T>& values, ViewUse use, Convert convert = {}) {
@@ -72,8 +72,7 @@ struct GlbBuilder {
     return add("bufferViews", std::move(view));
   }
 
-  /// Whether uvs are metres, which KHR_texture_transform scales. Else they are multiples of their image's size, which
-  /// all readers understand.
+  /// True if uvs are in metres, which KHR_texture_transform scales; false if uvs are in units of the image's size.
   bool has_uvs_in_metres() const { return options.compression != Compression::kNone; }
 
   PictureFormats pictures() const {
@@ -81,7 +80,7 @@ struct GlbBuilder {
     return values_of(options.target).reads_webp ? PictureFormats::kWebp : PictureFormats::kPngAndJpeg;
   }
 
-  /// Colours alone have bytes, of which 255 is 1.
+  /// Appends an accessor of a whole view and returns its index. Bytes are colours, in which 255 means 1.
   std::size_t add_accessor(std::size_t view, Component component, std::size_t width, std::size_t count) {
     constexpr const char* kTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
     nlohmann::json accessor = {{"bufferView", view},

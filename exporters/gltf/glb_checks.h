@@ -6,13 +6,13 @@
 
 namespace citykiln::exporters {
 
-/// Checks that a JSON chunk and a binary chunk fill the file, and that the JSON is not nested too deep: tinygltf reads
-/// up to eight bytes behind a chunk that is slightly too long, and recurses for each bracket. Throws FormatError, here
-/// and below.
+/// Checks that a JSON chunk and a binary chunk fill the file, and that the JSON is not nested too deeply: tinygltf
+/// reads up to eight bytes behind a chunk that is slightly too long, and recurses for each bracket. Throws FormatError.
 void expect_chunks(std::span<const std::byte> bytes);
 
-/// Checks that images lie in the buffer: tinygltf takes the address of an image's first byte without a check.
-/// @param bytes  As expect_chunks() has accepted them.
+/// Checks that images lie in the buffer: tinygltf takes the address of an image's first byte without a check. Throws
+/// FormatError.
+/// @param bytes  A .glb that expect_chunks() has accepted.
 void expect_pictures_inside(std::span<const std::byte> bytes);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,5 @@
-// A .glb divided into its JSON and its buffer. Writers fill the JSON as a document; join_glb() alone makes it text.
+// Divides a .glb into its JSON and its buffer, and joins them. Writers fill the JSON as a document, which becomes text
+// in join_glb() only.
 #pragma once
 
 #include <cstddef>
@@ -11,32 +12,32 @@
 namespace citykiln::exporters {
 
 struct GlbParts {
-  nlohmann::json gltf{};            ///< Without the buffer's length.
-  std::vector<std::byte> buffer{};  ///< The bytes of its only buffer in the file.
+  nlohmann::json gltf{};            ///< The document, without the length of the buffer.
+  std::vector<std::byte> buffer{};  ///< The bytes of the only buffer in the file.
 };
 
-/// The document of one buffer and one scene, whose root is node 0, without the node.
+/// Returns a document with one buffer and one scene, whose root is node 0. The node is not in it yet.
 nlohmann::json new_gltf();
 
-/// The 32 bit little-endian number at an offset, which must have four bytes.
+/// Returns the 32-bit little-endian number at an offset. Four bytes must follow it.
 std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at);
 
-/// The text of the JSON chunk.
-/// @param bytes  As expect_chunks() has accepted them, here and below.
+/// Returns the text of the JSON chunk.
+/// @param bytes  A .glb that expect_chunks() has accepted.
 std::string_view json_of_glb(std::span<const std::byte> bytes);
 
-/// Divides a .glb. Throws nlohmann's exceptions where the JSON is invalid.
+/// Divides a .glb that expect_chunks() has accepted. Throws nlohmann's exceptions if the JSON is invalid.
 GlbParts split_glb(std::span<const std::byte> bytes);
 
 /// Joins the parts and sets the buffer's length. Reuses the buffer's memory for the file.
 std::vector<std::byte> join_glb(GlbParts parts);
 
-/// Appends bytes to the buffer, at a multiple of eight, and returns their offset.
+/// Appends bytes to the buffer at a multiple of eight, and returns their offset.
 std::size_t append(GlbParts& parts, std::span<const unsigned char> bytes);
 /// Appends bytes as a new buffer view and returns its index.
 std::size_t add_view(GlbParts& parts, std::span<const unsigned char> bytes);
 
-/// The bytes of a buffer view. Throws std::out_of_range where it is not in the buffer.
+/// Returns the bytes of a buffer view. Throws std::out_of_range if it is not inside the buffer.
 std::span<const unsigned char> bytes_of_view(const GlbParts& parts, const nlohmann::json& view);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,4 @@
-// The primitives of a plain .glb as arrays, for the passes that pack them.
+// Finds the primitives of an unpacked .glb and returns them as arrays, for the passes that pack them.
 #pragma once
 
 #include <string>
@@ -9,23 +9,24 @@
 
 namespace citykiln::exporters {
 
-/// All primitives, mesh by mesh.
+/// Returns all primitives, mesh by mesh.
 std::vector<nlohmann::json*> primitives_of(nlohmann::json& gltf);
 
-/// The meshes of instances (plants, lamps), each once, in the order of nodes.
+/// Returns the distinct meshes of instances (plants, lamps), in the order of nodes.
 std::vector<std::size_t> instanced_meshes(const nlohmann::json& gltf);
 
-/// The accessors of a primitive: its attributes' in their order, then its indices'.
+/// Returns the accessors of a primitive: one for each attribute, in their order, then the accessor of its indices.
 std::vector<nlohmann::json*> accessors_of(nlohmann::json& gltf, const nlohmann::json& primitive);
 
-/// The buffer view of an accessor.
+/// Returns the buffer view of an accessor.
 const nlohmann::json& view_of(const nlohmann::json& gltf, const nlohmann::json& accessor);
 
-/// The type of an accessor. Throw std::runtime_error for those that citykiln does not write.
+/// Returns the number of components per element, or the component type, of an accessor. Throws std::runtime_error for
+/// types that citykiln does not write.
 std::size_t width_of(const nlohmann::json& accessor);
 Component component_of(const nlohmann::json& accessor);
 
-/// An attribute, and all of a primitive with its indices.
+/// Returns one attribute, or all attributes and the indices of a primitive.
 VertexAttribute attribute_of(const GlbParts& plain, const std::string& name, const nlohmann::json& accessor);
 MeshArrays arrays_of(const GlbParts& plain, const nlohmann::json& primitive);
 

@@ -1,4 +1,4 @@
-// Checked access to a glTF model: anything that citykiln does not write throws FormatError.
+// Checked access to a glTF model. Every function throws FormatError for anything that citykiln does not write.
 #pragma once
 
 #include <array>
@@ -21,16 +21,16 @@ const T& item(const std::vector<T>& items, int index, const char* what) {
   return items[static_cast<std::size_t>(index)];
 }
 
-/// A model while it is read. Each byte of the buffer is read once, so that no small file makes a large tile.
+/// A model while it is read. Each byte of the buffer may be read once, so a small file cannot make a large tile.
 struct GltfReader {
   const tinygltf::Model& model;
   std::size_t unread_bytes;
 };
 
-/// The bytes of a buffer view, which must lie in its buffer.
+/// Returns the bytes of a buffer view, which must lie in its buffer.
 std::span<const unsigned char> bytes_of(GltfReader& reader, int view_number);
 
-/// The elements of an accessor, which must have the component type and width of T.
+/// Returns the elements of an accessor, which must have the component type and the number of components of T.
 template <typename T>
 std::vector<T> values_of(GltfReader& reader, int accessor_number) {
   const tinygltf::Accessor& accessor = item(reader.model.accessors, accessor_number, "an accessor that exists");
@@ -52,7 +52,7 @@ std::vector<T> finite(std::vector<T> values) {
   return values;
 }
 
-/// Finite values, in the plane's axes.
+/// Returns values in the plane's axes, and checks that they are finite.
 template <typename T>
 std::vector<T> turned(std::vector<T> values) {
   values = finite(std::move(values));
@@ -60,7 +60,7 @@ std::vector<T> turned(std::vector<T> values) {
   return values;
 }
 
-/// Feature ids, which are written as floats.
+/// Returns feature ids, which are written as floats, and checks that they are in [0, below).
 std::vector<std::uint32_t> as_numbers(const std::vector<float>& values, std::size_t below);
 
 // values of extras and extensions

@@ -1,4 +1,4 @@
-// Texture coordinates in metres, as a tile has them, and in units of an image's size, as all readers of glTF
+// Converts texture coordinates between metres, as in a tile, and units of an image's size, as all glTF readers
 // understand.
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace citykiln::exporters {
 
-/// uv divided by the size of the image.
+/// Returns uv divided by the size of the image.
 bake::Float2 in_image_units(const materials::TextureImage& image, const bake::Float2& uv_m);
 
-/// The inverse of in_image_units(), to the bit, for uvs as Primitive::uvs has them: below 2^22 steps of
-/// materials::uv_step_m() on an image, any on a material's texture, whose side is a power of two.
+/// The bit-exact inverse of in_image_units() for uvs as in Primitive::uvs: on an image below 2^22 steps of
+/// materials::uv_step_m(), on a material's texture any, since its side is a power of two.
 bake::Float2 in_metres(const materials::TextureImage& image, materials::ColourSource colour_source,
                        const bake::Float2& uv);
 

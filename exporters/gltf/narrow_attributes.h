@@ -1,4 +1,4 @@
-// KHR_mesh_quantization: attributes in 8 and 16 bits, and back to single precision.
+// KHR_mesh_quantization: converts attributes to 8 and 16 bits, and back to single precision.
 #pragma once
 
 #include <array>
@@ -13,44 +13,45 @@ namespace citykiln::exporters {
 
 inline constexpr const char* kQuantizationExtension = "KHR_mesh_quantization";
 
-/// Steps of an attribute in 16 bits, from an offset on.
+/// An attribute in 16 bits: values are offset_m plus whole multiples of 2^exponent m.
 struct NarrowSteps {
   int exponent = 0;
   bool is_signed = true;
-  std::array<double, 3> offset_m{};  ///< Whole metres. Not 0 only for meshes of nodes that are not moved.
+  /// Whole metres. It becomes the translation of the mesh's node, and is 0 if that has one already.
+  std::array<double, 3> offset_m{};
   bool operator==(const NarrowSteps&) const = default;
 };
 
-/// How the primitives of a file are narrowed: all positions of a mesh, and all uvs of a material, in the same way.
+/// The steps of a file's attributes. All positions of a mesh have the same steps, and so have all uvs of a material.
 struct NarrowPlan {
-  std::vector<std::optional<NarrowSteps>> positions;  ///< By mesh; none where they stay in single precision.
-  std::vector<std::optional<NarrowSteps>> uvs;        ///< By material.
+  std::vector<std::optional<NarrowSteps>> positions;  ///< By mesh; std::nullopt: single precision.
+  std::vector<std::optional<NarrowSteps>> uvs;        ///< By material, in the same way.
 };
 
-/// Plans the largest step at which every position and uv stays exact, where 16 bits hold it.
-/// @param plain  As encode_glb writes it.
+/// Chooses the largest steps at which every position and uv stays exact, if 16 bits hold their range.
+/// @param plain  A .glb written by encode_glb().
 NarrowPlan plan_narrowing(const GlbParts& plain);
 
-/// Positions and uvs of a primitive as planned.
-/// @param mesh, material  Numbers of the primitive's.
+/// Converts the positions and uvs of a primitive to the planned steps.
+/// @param mesh, material  The primitive's numbers of these.
 void narrow_steps(const NarrowPlan& plan, std::size_t mesh, std::size_t material, MeshArrays& arrays);
 
-/// Normals and tangents in 8 bits.
+/// Converts normals and tangents to 8 bits.
 void narrow_directions(MeshArrays& arrays);
 
-/// Writes the plan into a file: meshes of nodes with children get nodes of their own, the last children; scales of
-/// nodes, of instances and of textures; the accessors get their limits in steps, and step_m as extras.
+/// Writes the plan into a file. Moves a mesh whose node has children into a new last child. Scales nodes, instances and
+/// textures by the steps. Accessors get their limits in steps, and step_m and offset_m as extras.
 void scale_by_plan(const NarrowPlan& plan, GlbParts& parts);
 
 /// Sets an accessor's component type and whether it is normalised.
 void set_component(Component component, nlohmann::json& accessor);
 
-/// An attribute in single precision: the inverse, for normals and tangents of unit length. Throws std::runtime_error
-/// where the accessor lacks its step.
+/// Converts an attribute back to single precision; normals and tangents get unit length. Throws std::runtime_error if
+/// the accessor lacks its step.
 VertexAttribute widened(VertexAttribute attribute, const nlohmann::json& accessor);
 
-/// The inverse for nodes and instances, before the accessors forget them. Throws
-/// std::exception for files that citykiln does not write.
+/// Restores nodes and instances: the inverse of scale_by_plan(). Call it while accessors still have their extras.
+/// Throws std::exception for files that citykiln does not write.
 void unscale(GlbParts& parts);
 
 }  // namespace citykiln::exporters

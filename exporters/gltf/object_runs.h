@@ -1,4 +1,5 @@
-// The runs of a primitive's vertices that no triangle connects: objects that were merged one after the other.
+// Splits a primitive into runs of vertices that no triangle connects: the objects that were appended one after the
+// other.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +9,17 @@
 
 namespace citykiln::exporters {
 
-/// Vertices and triangles, from the first to before the last.
+/// Vertices and triangles from `first` up to but not including `last`.
 struct ObjectRun {
   std::size_t first_vertex = 0, last_vertex = 0, first_triangle = 0, last_triangle = 0;
   std::size_t vertices() const { return last_vertex - first_vertex; }
 };
 
-/// Returns the shortest runs: the triangles of a run use its vertices only. They cover all vertices and triangles, in
-/// order. None for a primitive without triangles. O(n).
+/// Returns the shortest runs such that the triangles of a run use only its vertices. They cover all vertices and
+/// triangles, in order. Empty for a primitive without triangles. O(n).
 std::vector<ObjectRun> object_runs(const bake::Primitive& primitive);
 
-/// Returns runs joined to as few as possible with at most `most_vertices` each; a run with more stays alone.
+/// Joins neighbouring runs into as few as possible with at most `most_vertices` each. A longer run stays alone.
 std::vector<ObjectRun> joined_runs(const std::vector<ObjectRun>& runs, std::size_t most_vertices);
 
 /// Returns the part of a primitive that is one run; append_primitive() (split_buildings.h) is the inverse.

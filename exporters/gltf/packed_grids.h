@@ -10,18 +10,19 @@ namespace citykiln::exporters {
 /// and positions that two tiles or levels share stay equal. Positions move by at most √3/2 steps, 27 mm.
 constexpr double packed_position_step_m(double tolerance_m) { return tolerance_m >= 0.1 ? 0x1p-5 : kQuantum_m; }
 
-/// Prototypes of plants and lamps have steps a quarter as large: their twigs are thinner than the tolerance.
+/// The step of prototypes (plants, lamps), as a share of packed_position_step_m(): their twigs are thinner than the
+/// tolerance.
 inline constexpr double kPrototypeStepRatio = 0.25;
 
-/// Finest step of packed uvs on images.
+/// The finest step of packed uvs on images.
 inline constexpr double kPackedUv_m = 0x1p-9;
-/// Packed uvs on images have steps of at most a texel divided by this.
+/// The least number of steps of packed uvs per texel of an image.
 inline constexpr double kUvStepsPerTexel = 4;
-/// Step of packed uvs on textures, which repeat.
+/// Returns the step of packed uvs on textures, which repeat.
 constexpr double packed_texture_step_m(double tolerance_m) { return tolerance_m >= 0.1 ? 0x1p-7 : 0x1p-8; }
 
-/// Bits of each of the two coordinates of an octahedral normal, and of each component of a plain one: an error of at
-/// most 1°.
+/// The bits of each of the two coordinates of an octahedral normal, and of each component of a plain one. The error is
+/// at most 1°.
 inline constexpr int kPackedNormalBits = 8;
 
 }  // namespace citykiln::exporters

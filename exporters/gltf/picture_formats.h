@@ -1,4 +1,4 @@
-// File formats of a .glb's images: which one an image is written in, and reading whichever it is in.
+// The file formats of a .glb's images: chooses one to write an image, and reads all.
 #pragma once
 
 #include <cstddef>
@@ -14,21 +14,21 @@
 
 namespace citykiln::exporters {
 
-/// Which formats a .glb may use.
+/// The formats that a .glb may use.
 enum class PictureFormats : std::uint8_t {
-  kPng,         ///< PNG alone: nothing is lost.
-  kPngAndJpeg,  ///< JPEG for opaque colours, PNG for the rest. All readers of glTF know both.
-  kWebp         ///< WebP for all, by EXT_texture_webp: with loss for opaque colours, lossless for the rest.
+  kPng,         ///< PNG only: lossless.
+  kPngAndJpeg,  ///< JPEG for opaque colours, PNG for the rest. All glTF readers support both.
+  kWebp         ///< WebP by EXT_texture_webp: lossy for opaque colours, lossless for the rest.
 };
 
-/// The extension that textures in WebP need, which is required, since they have no other image.
+/// The extension of textures in WebP. It is required, since they have no other image.
 inline constexpr const char* kWebpExtension = "EXT_texture_webp";
 
-/// What an image holds, which decides how much it may lose.
+/// The content of an image, which decides how lossy its format may be.
 enum class PictureContent : std::uint8_t {
   kExact,   ///< Normals, roughness, opacities, and images of few colours.
   kColour,  ///< Colours of a texture that repeats.
-  kAtlas    ///< Colours of pictures side by side, of which none may tinge the next.
+  kAtlas    ///< Colours of pictures side by side, which must not bleed into each other.
 };
 
 struct EncodedPicture {
@@ -40,7 +40,8 @@ struct EncodedPicture {
 EncodedPicture encode_picture(const materials::TextureImage& image, std::span<const std::uint8_t> opacity,
                               PictureContent content, PictureFormats formats);
 
-/// Decodes an image in any of the formats, by its first bytes. Errors: as decode_png(), decode_jpeg(), decode_webp().
+/// Decodes an image in any of the formats, told apart by its first bytes. Errors: those of decode_png(), decode_jpeg()
+/// and decode_webp().
 Result<CutoutImage> decode_picture(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace citykiln::exporters

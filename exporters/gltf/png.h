@@ -1,4 +1,4 @@
-// PNG files of texture images.
+// Encodes and decodes texture images as PNG files.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,22 @@
 
 namespace citykiln::exporters {
 
-/// Encodes an image, 8 bit sRGB; with a palette where it has at most 256 colours. Same texels, same bytes.
-/// @param image  With texels, at most materials::kMostTexels.
+/// Encodes an image in 8-bit sRGB, with a palette if it has at most 256 colours. Deterministic.
+/// @param image   Not empty, at most materials::kMaxImageTexels.
 std::vector<std::byte> encode_png(const materials::TextureImage& image);
 
-/// Encodes an image with an opacity per texel. Texels of opacity 0 keep their colour.
+/// Encodes an image with opacities. The colours of texels with opacity 0 are stored too.
+/// @param opacity  One per texel, 255 = opaque.
 std::vector<std::byte> encode_png(const materials::TextureImage& image, std::span<const std::uint8_t> opacity);
 
-/// Decodes any PNG; transparent texels are blended with black. decode_png(encode_png(image)) == image but for texel_m,
-/// which is 0. Errors: no PNG, damage, or more texels than kMostTexels; never a crash. Memory: in proportion to the
-/// file, at most that of kMostTexels.
-/// @param name  The file's name in error messages.
+/// Decodes any PNG; transparent texels are blended with black. A file does not tell the size of a texel in metres, so
+/// TextureImage::texel_m is 0; all else is equal after encode_png() and decode_png(). Errors: bytes that are not a PNG,
+/// damage, or more texels than materials::kMaxImageTexels. Never crashes. Memory: proportional to the file, at most the
+/// memory of kMaxImageTexels.
+/// @param name  The name of the file in error messages.
 Result<materials::TextureImage> decode_png(std::span<const std::byte> bytes, const std::string& name);
 
-/// An image with opacities.
+/// The colours and opacities of an image.
 struct CutoutImage {
   materials::TextureImage colour;
   std::vector<std::uint8_t> opacity;  ///< One per texel.

@@ -1,4 +1,5 @@
-// What each feature of a tile is: as a property table for the whole tile, and as extras of nodes that show one feature.
+// Describes the features of a tile, in a property table for the whole tile and in extras of nodes that show one
+// feature.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 namespace citykiln::exporters {
 
 /// Adds the columns of the tile's property table to the buffer and returns the value of EXT_structural_metadata. Row i
-/// is feature i; row 0 is none.
+/// describes feature i; row 0 means "no feature".
 ///
 /// | property | type           | value                                                        | noData |
 /// |----------|----------------|--------------------------------------------------------------|--------|
@@ -21,17 +22,16 @@ namespace citykiln::exporters {
 /// | height_m | FLOAT32        | from foot to top: buildings, barriers, lamps, single plants  | 0      |
 /// | tags     | STRING         | all tags as a JSON object, where the scene keeps them        | ""     |
 ///
-/// Columns without a value are left out: name and tags that are all empty, and all of class to tags where the tile has
-/// no attributes.
+/// Leaves out columns without values: name or tags if all are empty, and class to tags if the tile has no attributes.
 nlohmann::json property_table(GlbBuilder& builder);
 
-/// The name of the node of a feature: "way_1234"; "none" for the none feature.
+/// Returns the name of a feature's node: "way_1234", or "none" for row 0.
 std::string feature_name(const bake::BakedTile& tile, std::uint32_t feature);
 
-/// The extras of a node that shows one feature: {feature, osm_id, osm_type, class, name, height_m, tags}, where
-/// osm_type is "node", "way" or "relation" and tags is an object. Values that are not known are left out; the none
-/// feature has `feature` alone. `feature` is the row of the property table.
-/// @param feature  Index into tile.features.
+/// Returns the extras of a node that shows one feature: {feature, osm_id, osm_type, class, name, height_m, tags}.
+/// `feature` is the row of the property table, osm_type is "node", "way" or "relation", and tags is an object. Unknown
+/// values are left out; row 0 has `feature` only.
+/// @param feature  An index into tile.features.
 nlohmann::json extras_of(const bake::BakedTile& tile, std::uint32_t feature);
 
 }  // namespace citykiln::exporters

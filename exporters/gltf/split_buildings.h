@@ -1,4 +1,4 @@
-// Splits the primitives of a layer into those of single features.
+// Splits the primitives of a layer into primitives of single features.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,20 @@
 
 namespace citykiln::exporters {
 
+/// The primitives of each building, and the rest.
 struct SplitBuildings {
-  std::map<std::uint32_t, std::vector<bake::Primitive>> buildings;  ///< By index into BakedTile::features.
-  std::vector<bake::Primitive> rest;                                ///< Without features, or with mixed triangles.
+  std::map<std::uint32_t, std::vector<bake::Primitive>> buildings;  ///< By feature: the index into BakedTile::features.
+  std::vector<bake::Primitive> rest;  ///< Primitives without features, or in which a triangle has several.
 };
 
-/// Returns the triangles and vertices of each feature, in their order, in primitives of the same keys and order.
+/// Returns the triangles and vertices of each feature. Primitives keep their keys; they and their triangles keep their
+/// order.
 ///
-/// Guarantees: joining the buildings' primitives by key, in the order of features, gives the primitives back where
-/// features ascend in them, as in baked tiles. Total. O(n log n).
+/// Guarantees: if features ascend in each primitive, as in baked tiles, joining the buildings' primitives by key in the
+/// order of features gives the input back. Accepts any primitives. O(n log n).
 SplitBuildings split_buildings(std::span<const bake::Primitive> primitives);
 
-/// Appends a primitive of the same key.
+/// Appends a primitive to one with the same key.
 void append_primitive(bake::Primitive& to, const bake::Primitive& from);
 
 }  // namespace citykiln::exporters

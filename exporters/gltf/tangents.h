@@ -1,4 +1,4 @@
-// Tangents: the direction of a texture's u on a surface, for normal maps.
+// Computes tangents, the direction of a texture's u on a surface, for normal maps.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace citykiln::exporters {
 
-/// Returns glTF's TANGENT for each position, in the tile's frame: the direction of growing u in the surface, orthogonal
-/// to the normal, unit length; then 1 or -1, so that cross(normal, tangent) times it points up in the image, against v.
-/// @param primitive  With uvs.
-/// Total: vertices of triangles with degenerate uvs get any orthogonal direction. O(n).
+/// Returns glTF's TANGENT for each position, in the tile's frame. The first three components are the direction of
+/// increasing u in the surface, orthogonal to the normal, of unit length. The fourth, 1 or -1, times cross(normal,
+/// tangent) points up in the image, against v.
+/// @param primitive  With uvs. Vertices of triangles with degenerate uvs get an arbitrary orthogonal direction. O(n).
 std::vector<bake::Float4> tangents_of(const bake::Primitive& primitive);
 
 }  // namespace citykiln::exporters

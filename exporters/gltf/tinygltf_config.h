@@ -1,4 +1,4 @@
-// Includes tinygltf with the same switches everywhere: no picture reading, no file access, and without its JSON
+// Includes tinygltf with the same switches everywhere: it reads no images, opens no files, and leaves out its JSON
 // library, which only tinygltf_library.cpp needs.
 #pragma once
 
@@ -6,7 +6,7 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE
 #define TINYGLTF_NO_INCLUDE_JSON
-// the buffers of an untrusted .glb could name any file of the machine
+// buffers of an untrusted .glb could name any file of the machine
 #define TINYGLTF_NO_FS
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic"

@@ -1,4 +1,4 @@
-// A primitive as glTF stores it: one array per attribute, and indices. The input and output of mesh codecs.
+// A primitive as glTF stores it: one array per attribute, and indices. Mesh codecs read and write it.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ inline std::size_t bytes_of(Component component) {
   return component == Component::kShort || component == Component::kUnsignedShort ? 2 : 4;
 }
 
-/// The type of an accessor whose elements are numbers, or arrays of them.
+/// The component type and the number of components of an element, which is a number or an array of numbers.
 template <typename T>
 struct ElementType {
   static constexpr Component kComponent = std::is_same_v<T, float> ? Component::kFloat
@@ -40,7 +40,7 @@ struct ElementType<std::array<T, N>> : ElementType<T> {
   static constexpr std::size_t kWidth = N;
 };
 
-/// One attribute, element after element.
+/// One attribute: the bytes of its elements in sequence.
 struct VertexAttribute {
   std::string name;  ///< "POSITION"
   Component component = Component::kFloat;
@@ -53,25 +53,25 @@ inline std::size_t stride_of(const VertexAttribute& attribute) {
   return (attribute.width * bytes_of(attribute.component) + 3) / 4 * 4;
 }
 
-/// Whether an attribute is of unit vectors.
+/// True if the values of an attribute are unit vectors.
 inline bool is_direction(const VertexAttribute& attribute) {
   return attribute.name == "NORMAL" || attribute.name == "TANGENT";
 }
 
 struct MeshArrays {
-  std::size_t count = 0;                    ///< Of vertices.
+  std::size_t count = 0;                    ///< The number of vertices.
   std::vector<VertexAttribute> attributes;  ///< Each with `count` elements.
-  std::vector<std::uint32_t> indices;       ///< Three per triangle, each below count.
+  std::vector<std::uint32_t> indices;       ///< Three per triangle, each less than count.
 };
 
 /// The components of an attribute as whole multiples of 2^exponent.
 struct Steps {
   int exponent = 0;
-  std::vector<std::int32_t> counts;  ///< Signed, of 24 bits.
+  std::vector<std::int32_t> counts;  ///< Signed, at most 24 bits.
 };
 
-/// Returns the steps of positions, uvs and feature ids in single precision that are multiples of 2^-10, with the
-/// largest exponent up to 0; nothing for others.
+/// Returns the values of an attribute with the largest possible exponent, at most 0. Returns std::nullopt unless they
+/// are positions, uvs or feature ids in single precision, multiples of 2^-10, and fit.
 std::optional<Steps> steps_of(const VertexAttribute& attribute);
 
 }  // namespace citykiln::exporters

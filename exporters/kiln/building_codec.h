@@ -1,15 +1,16 @@
-// Codecs of buildings.
+// Reads and writes the fields of buildings. `io` is a Writer or a Reader (chunk_io.h); each function does both.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
 #include "compiler/buildings/recipe.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "exporters/kiln/field_codecs.h"
 
 namespace citykiln::exporters {
 
+/// A colour that may be missing.
 void colour(auto& io, std::optional<map::Srgb>& value) {
   bool is_there = value.has_value();
   flag(io, "colours", is_there);
@@ -18,6 +19,7 @@ void colour(auto& io, std::optional<map::Srgb>& value) {
   for (std::uint8_t& c : *value) io.number("colour values", c);
 }
 
+/// The shape of a roof; flat roofs have only their form.
 void serialise(auto& io, roofs::RoofShape& roof) {
   enumerator(io, "roof form", roof.form, roofs::Form::kCount);
   if (roof.form == roofs::Form::kFlat) return;
@@ -30,6 +32,7 @@ void serialise(auto& io, roofs::RoofShape& roof) {
   io.metres("roof direction", roof.direction->x), io.metres("roof direction", roof.direction->y);
 }
 
+/// An edge of a footprint: doors, buried storeys and the flag of a street, as one number.
 void serialise(auto& io, buildings::FacadeEdge& f) {
   auto number = 512u * f.doors + 2u * f.buried_storeys + (f.faces_street ? 1 : 0);
   io.number("facade edge", number);
@@ -38,6 +41,8 @@ void serialise(auto& io, buildings::FacadeEdge& f) {
   f = {(number & 1) != 0, static_cast<std::uint8_t>(number / 2 & 0xff), static_cast<std::uint16_t>(number >> 9)};
 }
 
+/// A part of a wall that touches a neighbour.
+/// @param edges  The number of edges of the footprint.
 void serialise(auto& io, buildings::PartyWall& w, std::size_t edges) {
   io.number("party edge", w.edge);
   io.metres("party place", w.from_m), io.metres("party place", w.to_m), io.metres("party top", w.top_m);
@@ -46,12 +51,13 @@ void serialise(auto& io, buildings::PartyWall& w, std::size_t edges) {
     if (w.edge >= edges || !(w.from_m >= 0 && w.from_m < w.to_m)) io.fail("party edge");
 }
 
-// Whether heights are in order and the roof fits, as generating a building requires.
+// True if heights are in order and the roof fits, as generating a building requires.
 inline bool has_ordered_heights(const buildings::Building& b) {
   return b.bottom_m < b.top_m && b.bottom_m <= b.floor_m && b.floor_m <= eaves_m(b) && b.levels > 0 &&
          b.roof_shape.height_m >= 0 && b.roof_shape.overhang_m >= 0 && b.roof_shape.overhang_m <= 16;
 }
 
+/// The properties that decide the walls of a building.
 void facade(auto& io, buildings::Building& b) {
   const std::size_t edges = b.footprint.outer.size();
   enumerator(io, "style", b.style, buildings::Style::kCount);
@@ -62,6 +68,7 @@ void facade(auto& io, buildings::Building& b) {
   list(io, "party walls", b.party_walls, 0, [&](buildings::PartyWall& w) { serialise(io, w, edges); });
 }
 
+/// A building.
 void serialise(auto& io, buildings::Building& b) {
   id(io, b.id);
   points(io, "footprint points", b.footprint.outer, 3);

@@ -94,7 +94,7 @@ void serialise(auto& io, props::Barrier& b) {
   io.metres("barrier height", b.height_m), io.metres("barrier width", b.width_m);
 }
 
-// What is tagged of a lamp's light; most lamps have no tags.
+// The tags about a lamp's light; most lamps have none.
 void light(auto& io, map::LampTags& tags) {
   bool is_tagged = tags != map::LampTags{};
   flag(io, "lamp light", is_tagged);

@@ -1,4 +1,5 @@
-// Encodes a chunk of the scene as named streams, and decodes it.
+// Encodes a chunk of the scene (the recipes of one tile) as named streams, and decodes it. A stream has the values of
+// one property.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +13,18 @@
 
 namespace citykiln::exporters {
 
-/// The bytes of each stream that has any, by name.
+/// The bytes of each stream that is not empty, by name.
 using Streams = std::map<std::string, std::vector<std::uint8_t>>;
 
-/// The names of all streams in the order of a chunk. Part of the format: new ones are appended.
+/// Returns the names of all streams in the order of a chunk. The order is part of the format: new names are appended.
 std::span<const char* const> stream_names();
 
-/// Lossless for coordinates that are multiples of 2^-10 m.
+/// Encodes a chunk. Lossless for coordinates that are multiples of 2^-10 m.
 Streams encode_chunk(const scene::Chunk& chunk);
 
-/// Returns nothing where a stream is missing, too short or too long, or holds a value that no chunk can have (an
-/// unknown enumerator, a grid of the wrong size, an axis of one point, a height that is not finite); `wrong` is then
-/// the name of the stream.
+/// Decodes a chunk. Returns std::nullopt, and sets `wrong` to the name of the stream, if a stream is missing, too short
+/// or too long, or holds a value that no chunk can have (an unknown enumerator, a grid of the wrong size, an axis of
+/// one point).
 std::optional<scene::Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, std::string& wrong);
 
 }  // namespace citykiln::exporters

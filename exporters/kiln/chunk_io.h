@@ -1,11 +1,16 @@
-// The targets of a chunk's codecs: a Writer, a Reader, and a probe of its points' step.
+// The three classes that the codecs of a chunk work on: Writer, Reader, and a probe that finds the grid step of its
+// points. A chunk holds the recipes of one tile; a stream is the sequence of values of one property in a chunk.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -13,20 +18,44 @@
 #include "compiler/contract/utf8.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/map/locate.h"
-#include "exporters/kiln/chunk_streams.h"
 #include "exporters/kiln/streams.h"
 
 namespace citykiln::exporters {
 
+/// The names of the streams of a chunk, one per property, in the order of a chunk.
+inline constexpr std::array kStreamNames = {
+#define STREAM(name) name,
+#include "exporters/kiln/chunk_streams.inc"
+#undef STREAM
+};
+
+/// The number of a stream, made from its name, such as "knot height". An unknown name does not compile.
+struct Stream {
+  std::size_t number;
+  consteval Stream(const char* name)  // NOLINT: implicit, so that names read as names
+      : number(
+            static_cast<std::size_t>(std::ranges::find(kStreamNames, std::string_view(name)) - kStreamNames.begin())) {
+    if (number == kStreamNames.size()) throw "a name of the list";
+  }
+  const char* name() const { return kStreamNames[number]; }
+};
+
+/// The largest number of objects for which a reader reserves memory before it has read them.
 inline constexpr std::size_t kMaxReserve = 1u << 12;
-// The plane extends over 80 degrees of longitude from its origin: 16 000 km.
+/// The largest coordinate or length. The plane extends 80 degrees of longitude from its origin: 16 000 km.
 inline constexpr double kMaxCoordinate_m = 0x1p25;
 
-// A point that several rings and lines share is written once. It is new, the next or previous one in the list of points
-// (rings follow shared borders forwards or backwards), or a jump in that list.
-enum PointCode : std::uint64_t { kNewPoint, kNextPoint, kPreviousPoint, kFirstJump };
+/// The place of a point in the list of the chunk's points. A point that several rings and lines share is written once.
+/// Rings follow shared borders forwards or backwards, so most shared points are neighbours of the last one used.
+enum PointCode : std::uint64_t {
+  kNewPoint,       ///< Appended to the list; its coordinates follow.
+  kNextPoint,      ///< The point after the last one used.
+  kPreviousPoint,  ///< The point before the last one used.
+  kFirstJump       ///< Elsewhere; the distance in the list follows.
+};
 
-// Points of the map are multiples of kMapStep_m; a chunk with a finer point is written in steps of kQuantum_m.
+// Points of the map are multiples of kMapStep_m. If any point of a chunk is finer, all are written in steps of
+// kQuantum_m.
 using map::kMapStep_m;
 
 /// Writes values to the streams.
@@ -70,7 +99,8 @@ struct Writer {
   }
 };
 
-/// Reads values from the streams. `wrong` is the name of the first stream with a value that no chunk can have.
+/// Reads values from the streams. `wrong` is the name of the first stream with a value that no chunk can have, else
+/// empty.
 struct Reader {
   static constexpr bool kReads = true;
   std::array<std::optional<StreamReader>, kStreamNames.size()> streams;
@@ -100,7 +130,7 @@ struct Reader {
     if (!reader) fail(stream), reader.emplace();
     return *reader;
   }
-  // reads a number; at the end of the stream it is zero, and the chunk is wrong
+  // reads a number; past the end of the stream it is zero and sets `wrong`
   template <typename T>
   T checked(Stream name, T (StreamReader::*get)()) {
     StreamReader& stream = of(name);
@@ -131,7 +161,7 @@ struct Reader {
     value = stream.get_bytes(length);
     if (!stream.good() || !is_utf8(value)) fail(bytes), value.clear();
   }
-  // an object takes at least one byte of some stream, so there are no more of them than the chunk has bytes
+  // an object takes at least one byte of some stream, so a chunk has no more objects than bytes
   std::size_t total_bytes = 0;
   std::size_t count(Stream name, std::size_t) {
     const std::uint64_t size = whole(name);
@@ -144,7 +174,7 @@ struct Reader {
   }
 };
 
-/// Finds the step of a chunk's points; changes nothing.
+/// Finds the grid step of a chunk's points: kMapStep_m, or kQuantum_m if a point is not on that grid. Writes nothing.
 struct PointStepProbe {
   static constexpr bool kReads = false;
   double point_step_m = kMapStep_m;

@@ -1,7 +1,9 @@
-// Codecs of fields that many objects of a chunk have: enumerators, lists, ids, lines, profiles.
+// Reads and writes fields that many objects of a chunk (the recipes of one tile) have: enumerators, lists, ids, lines,
+// profiles. A knot is a vertex of a height profile; a stream is the sequence of values of one property.
 //
-// Each function is both writer and reader: `io` is a Writer or a Reader (chunk_io.h). A reader fails on values that no
-// chunk can have.
+// Each function both writes and reads: `io` is a Writer or a Reader (chunk_io.h). A Writer reads the value from the
+// caller's variable, a Reader sets it. Functions that round also set the variable of a Writer to the rounded value. A
+// Reader fails on values that no chunk can have: io.fail() notes the name of the stream.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +17,8 @@
 
 namespace citykiln::exporters {
 
+/// An enumerator, as its number.
+/// @param count  The number of enumerators; a Reader fails on numbers from there on.
 template <typename Enum>
 void enumerator(auto& io, Stream name, Enum& value, Enum count) {
   auto number = static_cast<std::uint64_t>(value);
@@ -25,12 +29,14 @@ void enumerator(auto& io, Stream name, Enum& value, Enum count) {
   }
 }
 
+/// A list of objects: its length, then each object by each(object).
+/// @param least  The smallest length; a Reader fails on shorter lists.
 template <typename Io, typename Object, typename Each>
 void list(Io& io, Stream name, std::vector<Object>& objects, std::size_t least, Each each) {
   const std::size_t size = io.count(name, objects.size());
   if constexpr (Io::kReads) {
     if (size < least) return io.fail(name);
-    // room grows with what is there, not with what the count says
+    // memory grows with the objects that are read, not with the stated count
     objects.reserve(std::min(size, kMaxReserve));
     for (std::size_t i = 0; i < size && io.wrong.empty(); ++i) each(objects.emplace_back());
   } else {
@@ -38,6 +44,7 @@ void list(Io& io, Stream name, std::vector<Object>& objects, std::size_t least, 
   }
 }
 
+/// A bool, as 0 or 1.
 void flag(auto& io, Stream name, bool& value) {
   std::uint8_t number = value ? 1 : 0;
   io.number(name, number);
@@ -46,17 +53,21 @@ void flag(auto& io, Stream name, bool& value) {
   value = number != 0;
 }
 
+/// The id of an object: type of the OSM element, its number as the difference to the stream's last one, and the part.
 void id(auto& io, ObjectId& id) {
   enumerator(io, "id type", id.osm.type, static_cast<OsmType>(4));
   io.delta("id", id.osm.id);
   io.number("part", id.part);
 }
 
+/// The points of a line or ring.
+/// @param kind   The stream with the number of points.
+/// @param least  The smallest number of points.
 void points(auto& io, Stream kind, std::vector<Vec2>& axis, std::size_t least) {
   list(io, kind, axis, least, [&](Vec2& p) { io.point(p); });
 }
 
-// A whole number of quanta, as a difference to the last one.
+/// A number, rounded to a multiple of `quantum`. The multiple is written as the difference to the stream's last one.
 void quanta(auto& io, Stream name, double& value, double quantum) {
   auto count = static_cast<std::int64_t>(std::floor(value / quantum + 0.5));
   io.delta(name, count);
@@ -65,7 +76,7 @@ void quanta(auto& io, Stream name, double& value, double quantum) {
     if (std::abs(value) > kMaxCoordinate_m) io.fail(name), value = 0;
 }
 
-// A knot: its distance from the one before, in eighths of a metre, height and tilt.
+/// A knot of a profile: its distance from the knot before, in eighths of a metre, its height and its tilt.
 void knot(auto& io, Knot& k, const Knot* before) {
   const double from_m = before ? before->at_m : 0;
   auto steps = static_cast<std::uint64_t>((k.at_m - from_m) * 8);
@@ -77,6 +88,7 @@ void knot(auto& io, Knot& k, const Knot* before) {
     if ((before && steps == 0) || k.at_m > kMaxCoordinate_m) io.fail("knot steps");
 }
 
+/// A height profile, as a list of knots.
 void profile(auto& io, Profile& p) {
   std::size_t i = 0;
   list(io, "knots", p, 0, [&](Knot& k) {
@@ -85,16 +97,18 @@ void profile(auto& io, Profile& p) {
   });
 }
 
-// A whole number of quarter metres, less than 64 m.
+/// A length of less than 64 m, rounded down to quarters of a metre.
 void quarters(auto& io, Stream name, double& value) {
   auto quarters = static_cast<std::uint8_t>(value * 4);
   io.number(name, quarters);
   value = quarters / 4.0;
 }
 
-// Several small numbers in one: mixed-radix digits, the first one the least significant.
+/// Several small numbers in one, as digits of a number whose places have different bases.
 struct MixedRadix {
-  std::uint64_t number;
+  std::uint64_t number;  ///< The digits that remain.
+  /// Removes the least significant digit and returns it.
+  /// @param count  The base of its place.
   std::uint64_t take(std::uint64_t count) {
     const std::uint64_t taken = number % count;
     number /= count;
@@ -102,7 +116,7 @@ struct MixedRadix {
   }
 };
 
-// A non-negative multiple of 2^-11 m: half of a number of quanta.
+/// A length of at least 0, rounded down to a multiple of 2^-11 m, half of kQuantum_m.
 void half_steps(auto& io, Stream name, double& value) {
   constexpr double kHalf_m = kQuantum_m / 2;
   auto steps = static_cast<std::uint64_t>(value / kHalf_m);
@@ -110,7 +124,7 @@ void half_steps(auto& io, Stream name, double& value) {
   value = static_cast<double>(steps) * kHalf_m;
 }
 
-// Two flags as one number.
+/// Reads or writes two bools as one number, 0 to 3.
 void flags(auto& io, Stream name, bool& first, bool& second) {
   std::uint8_t number = static_cast<std::uint8_t>((first ? 1 : 0) + (second ? 2 : 0));
   io.number(name, number);

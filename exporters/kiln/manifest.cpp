@@ -11,7 +11,8 @@
 
 #include "compiler/buildings/style.h"
 #include "compiler/contract/for_each_slot.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/contract/program_version.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/locate.h"
 #include "compiler/sky/air_settings.h"
 #include "exporters/content_hash.h"
@@ -32,7 +33,6 @@ using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
 constexpr std::uint16_t kMajor = 3, kMinor = 1;
-constexpr const char* kGeneratorVersion = "0.1.0";
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
     "1.0; see https://www.openstreetmap.org/copyright";
@@ -117,7 +117,7 @@ std::vector<flatbuffers::Offset<fbs::Rule>> rules_of(flatbuffers::FlatBufferBuil
   return offsets;
 }
 
-// Null where there are none, which leaves the header's bytes as they are without.
+// Null if there are none: the header's bytes are then equal to those without the field.
 flatbuffers::Offset<fbs::Surroundings> surroundings_of(flatbuffers::FlatBufferBuilder& builder,
                                                        const surroundings::Surroundings& around) {
   if (around.is_empty()) return 0;
@@ -132,19 +132,19 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   std::vector<flatbuffers::Offset<flatbuffers::String>> sources, attributions;
   for (const std::string& text : h.sources) sources.push_back(builder.CreateString(text));
   for (const std::string& text : h.attributions) attributions.push_back(builder.CreateString(text));
-  const std::vector<std::int32_t> region = {
-      static_cast<std::int32_t>(h.region.min.x), static_cast<std::int32_t>(h.region.min.y),
-      static_cast<std::int32_t>(h.region.max.x), static_cast<std::int32_t>(h.region.max.y)};
+  const std::vector<std::int32_t> extent = {
+      static_cast<std::int32_t>(h.extent.min.x), static_cast<std::int32_t>(h.extent.min.y),
+      static_cast<std::int32_t>(h.extent.max.x), static_cast<std::int32_t>(h.extent.max.y)};
   const auto sky = sky_of(builder, h.sky);
   const auto index = index_of(builder, scene, frames);
   // NaN: there is none
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
   const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species);
   const auto around = surroundings_of(builder, h.around);
-  builder.Finish(fbs::CreateHeaderDirect(builder, kGeneratorVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
-                                         &region, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
-                                         kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m,
-                                         &rules, &species, around));
+  builder.Finish(fbs::CreateHeaderDirect(builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent,
+                                         h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions, kLicence,
+                                         index, dictionary.empty() ? nullptr : &dictionary, snow_line_m, &rules,
+                                         &species, around));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -196,13 +196,13 @@ std::size_t size_of(const Rules* rules) {
   return size;
 }
 
-bool is_whole_cells(const Box2& region, double tile_m) {
+bool is_whole_cells(const Box2& extent, double tile_m) {
   const auto whole = [](double v) { return std::floor(v / map::kCell_m) * map::kCell_m == v; };
   // 500 km to each side: no plane is wider
   constexpr double kWidest_m = 524288;
-  return whole(region.min.x) && whole(region.min.y) && whole(region.max.x) && whole(region.max.y) &&
-         region.width() > 0 && region.height() > 0 && region.min.x >= -kWidest_m && region.min.y >= -kWidest_m &&
-         region.max.x <= kWidest_m && region.max.y <= kWidest_m && std::isfinite(tile_m) && tile_m >= map::kCell_m &&
+  return whole(extent.min.x) && whole(extent.min.y) && whole(extent.max.x) && whole(extent.max.y) &&
+         extent.width() > 0 && extent.height() > 0 && extent.min.x >= -kWidest_m && extent.min.y >= -kWidest_m &&
+         extent.max.x <= kWidest_m && extent.max.y <= kWidest_m && std::isfinite(tile_m) && tile_m >= map::kCell_m &&
          tile_m <= 2 * kWidest_m && whole(tile_m);
 }
 
@@ -280,11 +280,11 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   scene::Header header;
   header.origin = {h.origin_lon_deg(), h.origin_lat_deg()};
   const auto& r = *h.region_m();
-  header.region = {{static_cast<double>(r[0]), static_cast<double>(r[1])},
+  header.extent = {{static_cast<double>(r[0]), static_cast<double>(r[1])},
                    {static_cast<double>(r[2]), static_cast<double>(r[3])}};
   header.tile_m = h.tile_m(), header.seed = h.seed(), header.resampling_error_m = h.resampling_error_m();
   const bool has_origin = std::abs(header.origin.lon_deg) <= 180 && std::abs(header.origin.lat_deg) <= 90;
-  if (!has_origin || !is_whole_cells(header.region, header.tile_m) || !std::isfinite(header.resampling_error_m))
+  if (!has_origin || !is_whole_cells(header.extent, header.tile_m) || !std::isfinite(header.resampling_error_m))
     return damaged;
   std::optional<sky::Sky> sky = plain(*h.sky());
   if (!sky) return damaged;
@@ -394,7 +394,8 @@ Result<UnpackingDictionary> unpacking_dictionary_of(const fbs::Header& h, const 
   return dictionary;
 }
 
-// What to do with a manifest that this program cannot read, with the version that made it where the header tells.
+// The error of a manifest that this program cannot read: it names the version that made it, if the header states that,
+// and what to do.
 Error made_by_another(const std::string& name, ByteSpan frame, const std::string& difference) {
   const auto raw = unpacked(frame, nullptr, name);
   std::string version;
@@ -407,7 +408,7 @@ Error made_by_another(const std::string& name, ByteSpan frame, const std::string
   return {name,
           fmt::format("{}: made by citykiln{}, and this is {}; compile the map again (citykiln compile MAP -o OUT), "
                       "or bake it with that version",
-                      difference, version, kGeneratorVersion)};
+                      difference, version, kVersion)};
 }
 
 // The frame of the header, after checks of magic number, version, size and checksum.

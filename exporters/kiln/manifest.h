@@ -1,5 +1,5 @@
-// The manifest, .kiln: the scene as a file, in the format of MANIFEST.md. It has a header and one zstd frame per chunk,
-// so that one tile can be read without the others.
+// The manifest (.kiln): the scene as a file, in the format of MANIFEST.md. It has a header and one zstd frame per
+// chunk, so a tile can be read without the others.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,25 @@
 
 namespace citykiln::exporters {
 
-/// Same scene, same bytes. Lossless: decode_manifest(encode_manifest(scene)) == scene.
+/// Encodes a scene. Deterministic and lossless: decode_manifest(encode_manifest(scene)) == scene.
 std::vector<std::byte> encode_manifest(const scene::Scene& scene, int threads);
 
-/// Decodes a manifest. Errors: anything but a whole manifest of this major version; never a crash, whatever the bytes
-/// (fuzzed).
-/// @param name  The file's name in error messages.
-/// @param only  If not empty, only these tiles' chunks are decoded; a missing tile is an error.
+/// Decodes a manifest. Errors: bytes that are not a complete manifest of this major version. No bytes make the function
+/// crash (fuzzed).
+/// @param name  The name of the file in error messages.
+/// @param only  If not empty, only the chunks of these tiles are decoded; a missing tile is an error.
 Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std::string& name,
                                      std::span<const scene::TileKey> only);
 
-/// Hashes of all properties of a header and of all recipes of a chunk: equal for equal values, whatever other chunks
-/// the scene has. Cost: that of encoding it without compression.
+/// Hashes all properties of a header, or all recipes (planned objects of one tile) of a chunk. The hash does not depend
+/// on the other chunks of the scene. Cost: as encoding without compression.
 std::uint64_t hash_of(const scene::Header& header);
 std::uint64_t hash_of(const scene::Chunk& chunk);
 
+/// Writes a scene to a file. Errors: a file that cannot be written.
 Result<Done> write_manifest(const scene::Scene& scene, const std::string& path, int threads);
+/// Reads a scene from a file, with the errors of decode_manifest().
+/// @param only   If not empty, only the chunks of these tiles are read; a missing tile is an error.
 Result<scene::Scene> read_manifest(const std::string& path, std::span<const scene::TileKey> only);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,5 @@
-// Codecs of roads, junctions, watercourses, bridges and tunnels.
+// Reads and writes the fields of roads, junctions, watercourses, bridges and tunnels in a chunk (the recipes of one
+// tile). `io` is a Writer or a Reader (chunk_io.h); each function does both. A span is a bridge or tunnel.
 #pragma once
 
 #include <span>
@@ -26,6 +27,7 @@ void serialise(auto& io, map::Lane& l) {
   io.number("lane turns", l.turns);
 }
 
+/// A road kind: properties that many roads share (road_kinds.h).
 void serialise(auto& io, RoadKind& k) {
   enumerator(io, "road surface", k.surface, map::LandCoverClass::kCount);
   const bool drives_left = k.side == map::DrivingSide::kLeft;
@@ -54,7 +56,7 @@ void serialise(auto& io, map::TrackPoint& p) {
     if (packed.number >= static_cast<std::uint64_t>(map::TrackPointKind::kCount)) io.fail("track sign");
 }
 
-// A multiple of 2^-10 m, mostly zero and therefore not written as a difference.
+// A multiple of 2^-10 m. It is mostly zero and therefore not written as a difference.
 void start_offset(auto& io, double& value) {
   auto steps = static_cast<std::uint64_t>(value / kQuantum_m);
   io.number("start offset", steps);
@@ -63,6 +65,7 @@ void start_offset(auto& io, double& value) {
     if (value > kMaxCoordinate_m) io.fail("start offset"), value = 0;
 }
 
+/// A road, with the number of its kind.
 void serialise(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::uint32_t& number) {
   id(io, r.id);
   points(io, "road points", r.axis, 2);
@@ -80,7 +83,7 @@ void serialise(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::u
   profile(io, r.profile);
 }
 
-// The kinds of all roads of a chunk, bridges and tunnels included, and the kind of each in the order of the chunk.
+// The kinds of all roads of a chunk, bridges and tunnels included, and the kind of each road in the order of the chunk.
 struct KindsOfChunk {
   RoadKinds kinds;
   std::size_t next = 0;
@@ -92,6 +95,7 @@ struct KindsOfChunk {
   }
 };
 
+/// The road kinds of a chunk: a Writer collects them from its roads.
 template <typename Io>
 KindsOfChunk kinds_of_chunk(Io& io, const scene::Chunk& c) {
   KindsOfChunk all;
@@ -106,7 +110,7 @@ KindsOfChunk kinds_of_chunk(Io& io, const scene::Chunk& c) {
 }
 
 // A width limit: its distance from the one before on its side, in quarters of a metre, whether the limit is straight in
-// between, and the largest half width.
+// between (is_wall), and the largest half width in 32nds of a metre.
 void serialise(auto& io, roads::WidthLimit& limit, const roads::WidthLimit* before) {
   const double from_m = before ? before->at_m : 0;
   auto steps = static_cast<std::uint64_t>((limit.at_m - from_m) * 4) * 2 + limit.is_wall;
@@ -123,6 +127,7 @@ void serialise(auto& io, roads::WidthLimit& limit, const roads::WidthLimit* befo
   }
 }
 
+/// The width limits of one side of a road.
 void width_limits(auto& io, std::vector<roads::WidthLimit>& side) {
   std::size_t i = 0;
   list(io, "width limits", side, 0, [&](roads::WidthLimit& limit) {
@@ -131,7 +136,7 @@ void width_limits(auto& io, std::vector<roads::WidthLimit>& side) {
   });
 }
 
-// Roads without width limits, which most are, take no bytes.
+// Writes only roads with width limits: most roads have none, and take no bytes.
 template <typename Io>
 void narrowings(Io& io, std::vector<roads::Road>& roads) {
   std::vector<std::uint64_t> narrowed;
@@ -148,15 +153,17 @@ void narrowings(Io& io, std::vector<roads::Road>& roads) {
   });
 }
 
+/// The roads of a chunk, then their width limits.
 template <typename Io>
 void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
   list(io, "roads", roads, 0, [&](roads::Road& r) { kinds.road(io, r); });
   narrowings(io, roads);
 }
 
-// Unit of Strip::reach_m.
+// The unit of Strip::reach_m.
 inline constexpr double kReachStep_m = 16;
 
+/// A strip: a watercourse, as an axis with a width on each side.
 void serialise(auto& io, roads::Strip& s) {
   id(io, s.id);
   points(io, "road points", s.axis, 2);
@@ -171,6 +178,7 @@ void serialise(auto& io, roads::Strip& s) {
     if (s.reach_m > kMaxCoordinate_m) io.fail("water influence"), s.reach_m = 0;
 }
 
+/// A junction.
 void serialise(auto& io, roads::Junction& j) {
   enumerator(io, "junction family", j.family, roads::Family::kOther);
   points(io, "junction places", j.nodes, 1);
@@ -180,13 +188,15 @@ void serialise(auto& io, roads::Junction& j) {
   });
 }
 
+/// The end of a bridge or tunnel.
 void serialise(auto& io, structures::SpanEnd& end) {
   enumerator(io, "span ends", end.kind, structures::EndKind::kCount);
   if (end.kind == structures::EndKind::kGround || end.kind == structures::EndKind::kJoint) io.point(end.beyond);
   if (end.kind == structures::EndKind::kBesideRoad) quarters(io, "end cut", end.cut_m);
 }
 
-// A pier: its distance from the one before, or from the way's start, in quarters of a metre, and its foot.
+// A pier: its distance from the pier before, or from the way's start, and the height of its foot, both in quarters of a
+// metre.
 void serialise(auto& io, structures::Pier& p, const structures::Pier* before) {
   const double from_m = before ? before->at_m : 0;
   auto steps = static_cast<std::uint64_t>((p.at_m - from_m) * 4);
@@ -197,7 +207,7 @@ void serialise(auto& io, structures::Pier& p, const structures::Pier* before) {
     if ((before && steps == 0) || p.at_m > kMaxCoordinate_m) io.fail("pier step");
 }
 
-// Openings: start and end, as distances from the end of the one before, in quarters of a metre.
+// Gaps of a parapet. Starts and ends are written as distances from the number before, in quarters of a metre.
 void openings(auto& io, std::vector<structures::ParapetGap>& side) {
   double last_m = 0;
   list(io, "openings", side, 0, [&](structures::ParapetGap& o) {
@@ -211,7 +221,7 @@ void openings(auto& io, std::vector<structures::ParapetGap>& side) {
   });
 }
 
-// Counted from the lowest layer that OSM allows.
+// The layer, counted from the lowest one that OSM allows.
 void layer(auto& io, std::int8_t& value) {
   constexpr int kLowest = -10, kHighest = 10;
   auto above = static_cast<std::uint8_t>(value - kLowest);
@@ -221,6 +231,7 @@ void layer(auto& io, std::int8_t& value) {
   value = static_cast<std::int8_t>(above + kLowest);
 }
 
+/// A bridge or tunnel.
 void serialise(auto& io, structures::Span& s, KindsOfChunk& kinds) {
   kinds.road(io, s);
   serialise(io, s.from), serialise(io, s.to);

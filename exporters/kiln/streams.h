@@ -1,4 +1,5 @@
-// Numbers as variable-length integers, one stream per property: it keeps manifests small and safe to read.
+// Streams of variable-length integers. A manifest has one stream for each property, which keeps it small and safe to
+// read.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ class StreamWriter {
  public:
   void put(std::uint64_t value);
   void put_signed(std::int64_t value);
-  /// Writes the difference to the number of the last put_delta().
+  /// Writes the difference to the value of the last put_delta(), at first to 0.
   void put_delta(std::int64_t value);
   /// Writes bytes as they are.
   void put_bytes(std::string_view bytes);
@@ -27,7 +28,8 @@ class StreamWriter {
   std::int64_t last_ = 0;
 };
 
-/// Reads what StreamWriter wrote. Past the end, and for numbers beyond 64 bits, it returns zeros and good() is false.
+/// Reads the streams that StreamWriter writes. Past the end, and for numbers beyond 64 bits, functions return 0 and
+/// good() is false.
 class StreamReader {
  public:
   StreamReader() = default;
@@ -36,7 +38,7 @@ class StreamReader {
   std::uint64_t get();
   std::int64_t get_signed();
   std::int64_t get_delta();
-  /// The next bytes; empty where there are fewer.
+  /// Returns the next bytes; empty if fewer remain.
   std::string_view get_bytes(std::uint64_t count);
   std::size_t remaining() const { return bytes_.size() - at_; }
   bool good() const { return good_; }

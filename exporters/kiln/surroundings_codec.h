@@ -1,4 +1,4 @@
-// The streams of the land around the extent (MANIFEST.md, Surroundings).
+// Encodes the land around the extent as four streams, and decodes it (MANIFEST.md, Surroundings).
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,17 @@
 
 namespace citykiln::exporters {
 
+/// The streams: positions of the grid's columns and rows, heights, and classes of land cover.
 struct SurroundingsStreams {
   std::vector<std::uint8_t> x, y, heights, covers;
 };
 
 /// @param around  Not empty.
+/// Returns the land around the extent as streams.
 SurroundingsStreams encode_surroundings(const surroundings::Surroundings& around);
 
-/// Reads lines, heights and covers, which may be unsound; nothing where a stream ends early or late, or has more lines
-/// than surroundings::kMostLines. Memory: in proportion to the streams.
+/// Decodes the four streams. Returns std::nullopt if a stream ends early or late, or there are more lines than
+/// surroundings::kMostLines. Does not check values: see surroundings::is_sound(). Memory: proportional to the streams.
 std::optional<surroundings::Surroundings> decode_surroundings(std::span<const std::uint8_t> x,
                                                               std::span<const std::uint8_t> y,
                                                               std::span<const std::uint8_t> heights,

@@ -1,4 +1,5 @@
-// Codec of the texts of elements: names, each once a chunk, and tags.
+// Reads and writes the texts of OSM elements in a chunk (the recipes of one tile): names, each once per chunk, and
+// tags. `io` is a Writer or a Reader (chunk_io.h).
 #pragma once
 
 #include <map>
@@ -24,7 +25,7 @@ struct NameList {
   void add(const std::string& name) { numbers.emplace(name, names.size()), names.push_back(name); }
 };
 
-// A name: its number in the list; the next number is followed by a new name.
+// A name: its number in the list. The number after the last one means a new name, which follows.
 void name(auto& io, NameList& list, std::string& value) {
   std::size_t number = list.number_of(value);
   io.number("name number", number);
@@ -36,6 +37,7 @@ void name(auto& io, NameList& list, std::string& value) {
   value = list.names[number];
 }
 
+/// The texts of all elements of a chunk, sorted by id.
 void texts(auto& io, std::vector<map::ElementText>& all) {
   NameList names;
   std::optional<OsmId> before;

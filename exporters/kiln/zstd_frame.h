@@ -1,4 +1,4 @@
-// zstd frames (RFC 8878), with or without a dictionary that many small frames share.
+// Packs and unpacks zstd frames (RFC 8878), with or without a dictionary that many small frames share.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@ struct ZSTD_DDict_s;
 
 namespace citykiln::exporters {
 
-/// Trains a dictionary in zstd's format: a 64th of the samples' bytes, at most 32 kB. Empty where it would not pay
-/// (fewer than 64 samples) or the trainer finds nothing in common. Same samples in the same order, same bytes. Cost:
-/// that of at most 2 MB of samples, every n-th of all.
+/// Trains a dictionary in zstd's format: a 64th of the samples' bytes, at most 32 kB. Empty for fewer than 64 samples,
+/// or if the trainer finds nothing in common. Deterministic for samples in the same order. At most 2 MB are used, every
+/// n-th sample.
 std::vector<std::uint8_t> train_dictionary(std::span<const std::vector<std::uint8_t>> samples);
 
-/// A digested dictionary, which all threads may share. Null for an empty one; for unpacking also where the bytes are no
-/// valid dictionary in zstd's format.
+/// A dictionary ready for use, which threads may share. Null for an empty dictionary; for unpacking, also if the bytes
+/// are not a valid dictionary in zstd's format.
 using PackingDictionary = std::shared_ptr<const ZSTD_CDict_s>;
 using UnpackingDictionary = std::shared_ptr<const ZSTD_DDict_s>;
 PackingDictionary packing_dictionary(std::span<const std::uint8_t> dictionary);
@@ -31,10 +31,11 @@ UnpackingDictionary unpacking_dictionary(std::span<const std::uint8_t> dictionar
 /// Packs bytes as one frame that states its raw size and no dictionary id.
 std::vector<std::byte> packed(std::span<const std::uint8_t> raw, const PackingDictionary& dictionary);
 
-/// Frames that state more are refused; a tile of a city has far less.
+/// The largest unpacked size of a frame, in bytes; a tile of a city has far less.
 constexpr std::uint64_t kMostRawBytes = 1u << 28;
 
-/// Unpacks a frame. Errors, at `where`: no frame, a frame that states no size or too large a one, damage.
+/// Unpacks a frame. Errors, which name `where`: not a frame, a frame that states no size or more than kMostRawBytes,
+/// damage.
 Result<std::vector<std::uint8_t>> unpacked(std::span<const std::byte> frame, const UnpackingDictionary& dictionary,
                                            const std::string& where);
 

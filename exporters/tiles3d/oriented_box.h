@@ -1,4 +1,4 @@
-// Boxes with three axes at right angles, as bounding volumes of 3D Tiles.
+// Boxes with any three perpendicular axes, which are bounding volumes of 3D Tiles.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 
 namespace citykiln::exporters {
 
-/// Three unit vectors at right angles.
+/// Three perpendicular unit vectors.
 using Axes = std::array<Vec3, 3>;
 
-/// The points whose coordinates along the axes are in closed intervals. Frame: that of a run on the ellipsoid
-/// (map/globe.h), metres. The default is empty.
+/// A box: the points whose coordinates along the axes are in closed intervals. Metres, in the frame of a run on the
+/// ellipsoid (map/plane/globe.h). The default is empty.
 struct OrientedBox {
   Axes axes{};
   std::array<double, 3> low, high;
@@ -23,16 +23,16 @@ struct OrientedBox {
   void grow(Vec3 p);
   /// Grows by a box with any axes.
   void grow(const OrientedBox& box);
-  /// Moves the sides outwards, by `by_m` and to multiples of 2^-6 m.
+  /// Moves the sides outwards by `by_m`, then on to multiples of 2^-6 m.
   void round_outwards(double by_m = 0);
-  Vec3 corner(unsigned i) const;  ///< i in 0 … 7.
+  Vec3 corner(unsigned i) const;  ///< i = 0 … 7.
 };
 
-/// Returns a box of all vertices of a tile, instances too (the corners of their meshes' boxes), rounded outwards by
-/// more than the rounding of single precision. O(vertices).
+/// Returns a box that contains all vertices of a tile and, for instances, the corners of their meshes' boxes. Grown by
+/// 2^-6 m and rounded outwards, which is more than the rounding of single precision. O(vertices).
 OrientedBox box_of(const bake::BakedTile& tile, const Axes& axes);
 
-/// The twelve numbers of a 3D Tiles box: centre and three half axes.
+/// Returns the twelve numbers of a 3D Tiles box: centre and three half axes.
 std::array<double, 12> numbers_of(const OrientedBox& box);
 
 }  // namespace citykiln::exporters

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exporters/file.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -16,9 +17,9 @@ using Json = nlohmann::json;
 // A tree over the whole Earth has 32 levels above its tiles.
 constexpr int kMostDepth = 64;
 
-// What a file has or does that no tileset of citykiln has or does.
+// Thrown for a property of a file that no tileset written by citykiln has.
 struct TilesetFault {
-  std::string what;
+  std::string what;  // "has a negative error"
 };
 void demand_tileset(bool holds, const char* otherwise) {
   if (!holds) throw TilesetFault{otherwise};
@@ -39,15 +40,15 @@ OrientedBox box_in(const Json& tile) {
 void read_content(const Json& json, TilesetTile& tile) {
   tile.content = json.at("content").at("uri").get<std::string>();
   demand_tileset(!tile.content.empty() && tile.content.front() != '/' && tile.content.find("..") == std::string::npos,
-                 "names a content outside of its folder");
+                 "refers to a content outside its folder");
   if (is_external(tile)) return;
-  demand_tileset(tile.content.ends_with(".glb"), "names a content that is neither .glb nor .json");
+  demand_tileset(tile.content.ends_with(".glb"), "refers to a content that is neither .glb nor .json");
   tile.tolerance_m = json.at("extras").at("tolerance_m"), tile.plant_error_m = json.at("extras").at("plant_error_m");
 }
 
 TilesetTile tile_in(const Json& json, int depth) {
   demand_tileset(depth < kMostDepth, "has too many levels");
-  // the root must say it, others inherit it
+  // the root must state it, others inherit it
   demand_tileset(json.value("refine", depth == 0 ? "" : "REPLACE") == "REPLACE", "refines tiles by addition");
   demand_tileset(depth == 0 || !json.contains("transform"), "moves a tile");
   TilesetTile tile{.box = box_in(json), .error_m = json.at("geometricError")};
@@ -68,14 +69,15 @@ ReadTileset tileset_in(const Json& json) {
           .attribution = asset.value("extras", Json::object()).value("copyright", "")};
 }
 
-/// Reads a tileset and those that it names, each once.
+/// Reads a tileset and the tilesets that it refers to, each once.
 class TilesetFiles {
  public:
   explicit TilesetFiles(const std::string& folder) : folder_(folder) {}
 
   Result<TilesetTile> read(const std::string& name, int depth) {
     const std::string path = folder_ + "/" + name;
-    if (!read_.insert(name).second || depth == kMostDepth) return Error{path, "is named twice or too deep"};
+    if (!read_.insert(name).second || depth == kMostDepth)
+      return Error{path, "is referred to twice or nested too deep"};
     const auto bytes = read_file(path);
     if (!bytes) return bytes.error();
     Result<ReadTileset> file = decode_tileset({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path);
@@ -85,7 +87,7 @@ class TilesetFiles {
   }
 
  private:
-  // Puts the roots of other tilesets in the places of the tiles that name them.
+  // Puts the roots of other tilesets in the places of the tiles that refer to them.
   Result<Done> embed(TilesetTile& tile, int depth) {
     if (is_external(tile)) {
       Result<TilesetTile> root = read(tile.content, depth + 1);
@@ -114,6 +116,6 @@ Result<ReadTileset> decode_tileset(std::string_view json, const std::string& nam
   }
 }
 
-Result<TilesetTile> read_tileset(const std::string& folder) { return TilesetFiles(folder).read("tileset.json", 0); }
+Result<TilesetTile> read_tileset(const std::string& folder) { return TilesetFiles(folder).read(kTilesetName, 0); }
 
 }  // namespace citykiln::exporters

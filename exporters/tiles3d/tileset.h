@@ -1,49 +1,50 @@
-// Writes tile trees as tilesets of 3D Tiles 1.1 (OGC 22-025r4), with explicit tiling.
+// Writes a tree of tiles as a 3D Tiles 1.1 tileset (OGC 22-025r4), with explicit tiling.
 #pragma once
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 #include "exporters/tiles3d/oriented_box.h"
 
 namespace citykiln::exporters {
 
-/// A tile: its content stands for those of its children, which replace it.
+/// A tile of the tileset. When its children are shown, they replace its content.
 struct TilesetTile {
-  OrientedBox box;           ///< Contains the content and the children's boxes.
-  double error_m = 0;        ///< Certified: of the content against the full shape. > the children's.
-  std::string content{};     ///< A file, relative to 3dtiles/; empty for a tile without content.
-  double tolerance_m = 0;    ///< That the content was made for; 0 without content.
-  double plant_error_m = 0;  ///< Stated, not certified.
+  OrientedBox box;  ///< Contains the content and the children's boxes.
+  /// Certified distance between the content and the full shape; greater than the errors of the children.
+  double error_m = 0;
+  std::string content{};     ///< The path of its file relative to 3dtiles/; empty: no content.
+  double tolerance_m = 0;    ///< The tolerance for which the content was made; 0 without content.
+  double plant_error_m = 0;  ///< The error of plants, which is stated and not certified.
   std::vector<TilesetTile> children{};
 };
 
-/// Whether a tile's content is another tileset.
+/// True if a tile's content is another tileset.
 bool is_external(const TilesetTile& tile);
 
-/// What holds for a whole tileset.
+/// Facts about a whole tileset.
 struct TilesetFacts {
-  std::array<double, 16> to_earth{};  ///< The root's transform, column by column (map::Globe::to_earth()).
+  std::array<double, 16> to_earth{};  ///< The root's transform, column-major (map::Globe::to_earth()).
   map::LonLat origin;
-  std::string geoid{};        ///< Where heights of the geoid are from; empty: none was given.
-  double geoid_height_m = 0;  ///< At the origin.
+  std::string geoid{};        ///< The source of the geoid's heights; empty: none was given.
+  double geoid_height_m = 0;  ///< Height of the geoid above the ellipsoid at the origin.
   std::vector<std::string> attributions;
 };
 
 /// A JSON file of a tileset.
 struct TilesetFile {
-  std::string name;  ///< Relative to the run's folder: "3dtiles/tileset.json".
+  std::string name;  ///< The path relative to the run's folder: "3dtiles/tileset.json".
   std::string json;
 };
 
-/// The most tiles of one file.
+/// The largest number of tiles in one file.
 inline constexpr std::size_t kMostTilesInFile = 256;
 
-/// Returns tileset.json and, where the tree has more than kMostTilesInFile tiles, external tilesets for subtrees, named
-/// by their numbers. A tile that refers to an external tileset has the error and the box of its root, whose content
-/// it shows.
+/// Returns the files of a tileset: tileset.json and, if the tree has more than kMostTilesInFile tiles, external
+/// tilesets for subtrees, tileset_1.json and on. A tile that refers to an external tileset has the error and the box of
+/// that tileset's root.
 ///
 /// | data                  | 3D Tiles                                                                     |
 /// |-----------------------|------------------------------------------------------------------------------|
@@ -54,7 +55,7 @@ inline constexpr std::size_t kMostTilesInFile = 256;
 /// | attributions          | asset.extras: copyright, and cesium.credits, which CesiumJS shows            |
 /// | origin, geoid         | metadata, with a schema                                                      |
 ///
-/// Asserts that errors fall strictly from parent to child. Same input, same bytes.
+/// Asserts that errors fall strictly from parent to child. Deterministic.
 std::vector<TilesetFile> encode_tileset(TilesetTile root, const TilesetFacts& facts);
 
 }  // namespace citykiln::exporters

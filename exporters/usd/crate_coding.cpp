@@ -25,7 +25,7 @@ std::vector<std::int32_t> differences(std::span<const std::int32_t> numbers) {
   return out;
 }
 
-// Of equally common values the largest.
+// Among equally common values it is the largest.
 std::int32_t commonest(std::vector<std::int32_t> values) {
   std::ranges::sort(values);
   std::int32_t best = 0;

@@ -1,5 +1,5 @@
-// The parts of a crate (.usdc), version 0.8, that citykiln writes and reads. Source: OpenUSD, "USDC File Format
-// Specification".
+// The parts of the crate format (.usdc), version 0.8, that citykiln writes and reads. Source: OpenUSD, "USDC File
+// Format Specification".
 //
 //     88 bytes       "PXR-USDC", version, offset of the table of contents
 //     values         scalars and arrays, each at a multiple of 8
@@ -46,13 +46,13 @@ enum class CrateSpec : std::int32_t { kAttribute = 1, kPrim = 6, kPseudoRoot = 7
 inline constexpr std::uint64_t kCrateArray = std::uint64_t{1} << 63, kCrateInlined = std::uint64_t{1} << 62,
                                kCrateCompressed = std::uint64_t{1} << 61, kCratePayload = (std::uint64_t{1} << 48) - 1;
 
-/// Shorter arrays of integers are not compressed.
+/// The least number of integers in an array that is compressed.
 inline constexpr std::size_t kCrateLeastCompressed = 16;
 
 /// Flags of lists of tokens and paths.
 inline constexpr std::uint8_t kListExplicit = 0x03, kListPrepended = 0x20;
 
-/// Jumps in PATHS; more than 0 is the distance to the next sibling of a prim with children.
+/// Jumps in PATHS. A number above 0 is the distance to the next sibling of a prim with children.
 inline constexpr std::int32_t kJumpSibling = 0, kJumpChild = -1, kJumpLeaf = -2;
 
 }  // namespace citykiln::exporters

@@ -299,7 +299,7 @@ void CrateWriter::put_field_sets() {
   put_packed(field_sets_);
 }
 
-// Paths that were named before they were there.
+// Writes the numbers of paths that were named before they existed.
 void CrateWriter::set_path_numbers() {
   for (const auto& [place, path] : path_uses_) {
     const auto found = path_numbers_.find(path);

@@ -1,4 +1,5 @@
-// Layers in binary: crates, .usdc (crate_types.h). Half the size of text, and several times faster to read.
+// Writes binary layers, called crates (.usdc, crate_types.h). They are half the size of text and several times faster
+// to read.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,8 @@
 
 namespace citykiln::exporters {
 
-/// Writes values as they come and the tables at the end. Same calls, same bytes.
+/// A writer of a crate. Each value is added to the file when write() is called; the tables that refer to values are
+/// added by finish(). Deterministic.
 class CrateWriter final : public LayerWriter {
  public:
   explicit CrateWriter(const UsdLayerHead& head);
@@ -22,11 +24,11 @@ class CrateWriter final : public LayerWriter {
   std::vector<std::byte> finish() override;
 
  private:
-  using Fields = std::vector<std::int32_t>;  ///< Numbers of fields.
+  using Fields = std::vector<std::int32_t>;  ///< Indices into field_list_.
 
   struct Node {
-    std::int32_t token;  ///< Negative for properties.
-    std::int32_t depth;
+    std::int32_t token;  ///< Index into token_list_; its negative for properties.
+    std::int32_t depth;  ///< Depth in the tree of paths.
   };
   struct Spec {
     std::int32_t path, fields;
@@ -79,7 +81,7 @@ class CrateWriter final : public LayerWriter {
   std::map<Fields, std::int32_t> field_set_places_;
   std::vector<Node> nodes_;
   std::map<std::string, std::int32_t> path_numbers_;
-  /// Places in out_ of numbers of paths that may not be there yet.
+  /// Offsets in out_ where finish() writes the number of a path, which may not exist yet.
   std::vector<std::pair<std::size_t, std::string>> path_uses_;
   std::vector<Spec> specs_;
   std::vector<OpenPrim> open_;

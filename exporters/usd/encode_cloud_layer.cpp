@@ -31,7 +31,7 @@ UsdBounds in_plane(const sky::LayerParticles& layer) {
   return bounds;
 }
 
-// Scaled, turned to the wind, then lifted to the base: what LayerFrame::out_of() does.
+// Scales, turns to the wind, then lifts to the base, like LayerFrame::out_of().
 void write_frame(LayerWriter& writer, const sky::LayerFrame& frame) {
   const std::vector<std::string> order = {"xformOp:translate", "xformOp:rotateZ", "xformOp:scale"};
   writer.write({.type = "double3", .name = order[0], .value = Vec3{0, 0, frame.base_m}});

@@ -1,4 +1,4 @@
-// USD: the clouds of a scene as points and as a volume.
+// Writes the clouds of a scene as a USD layer, as points and as a volume.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace citykiln::exporters {
 
-/// Returns the layer of clouds, a crate in the plane's metres with z up.
+/// Returns the layer of clouds: a crate in plane metres, z up.
 ///
 ///     /clouds             an Xform
 ///       cumulus, …        an Xform for each layer of clouds: the frame in which its particles are spheres
@@ -18,12 +18,9 @@ namespace citykiln::exporters {
 ///       volume            a Volume with the field "density" of clouds.vdb; purpose "render"
 ///         density         OpenVDBAsset
 ///
-/// Programs that draw volumes show the volume in renders and the points in viewports; points overlap. Bases of clouds
-/// are flat in the volume alone.
-/// @param has_volume  Whether clouds.vdb is beside the layer.
+/// Programs that draw volumes show the volume in renders and the points in viewports. Points overlap, and do not show
+/// the flat bases of clouds, which the volume has.
+/// @param has_volume  True if clouds.vdb is written beside the layer.
 std::vector<std::byte> encode_cloud_layer(std::span<const sky::LayerParticles> layers, bool has_volume);
-
-inline constexpr const char* kUsdCloudsName = "usd/clouds.usdc";
-inline constexpr const char* kVdbName = "usd/clouds.vdb";
 
 }  // namespace citykiln::exporters

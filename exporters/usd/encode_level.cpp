@@ -8,12 +8,67 @@
 
 #include "exporters/usd/crate_writer.h"
 #include "exporters/usd/text_writer.h"
-#include "exporters/usd/usd_features.h"
+#include "exporters/usd/usd_builder.h"
 #include "exporters/usd/usd_materials.h"
 #include "exporters/usd/usd_meshes.h"
 
 namespace citykiln::exporters {
 namespace {
+
+// ---- features -------------------------------------------------------------------------------------------------------
+
+using bake::FeatureAttributes;
+using TextColumn = std::vector<std::string>;
+
+void write_ids(UsdBuilder& b) {
+  constexpr const char* kTypes[] = {"none", "node", "way", "relation"};
+  std::vector<std::int64_t> ids;
+  TextColumn types;
+  for (const OsmId& id : b.tile.features) {
+    ids.push_back(id.id);
+    types.emplace_back(kTypes[static_cast<std::size_t>(id.type)]);
+  }
+  b.writer.write({.type = "int64[]", .name = "osm:id", .value = std::span<const std::int64_t>(ids), .is_custom = true});
+  b.writer.write({.type = "token[]", .name = "osm:type", .value = UsdTokens{types}, .is_custom = true});
+}
+
+void write_texts(UsdBuilder& b, const char* name, std::string FeatureAttributes::*member) {
+  TextColumn texts;
+  for (const FeatureAttributes& row : b.tile.attributes) texts.push_back(row.*member);
+  if (std::ranges::all_of(texts, &std::string::empty)) return;
+  b.writer.write({.type = "string[]", .name = name, .value = std::span<const std::string>(texts), .is_custom = true});
+}
+
+void write_heights(UsdBuilder& b) {
+  std::vector<float> heights_m;
+  for (const FeatureAttributes& row : b.tile.attributes) heights_m.push_back(row.height_m);
+  if (std::ranges::all_of(heights_m, [](float h_m) { return h_m == 0; })) return;
+  b.writer.write(
+      {.type = "float[]", .name = "osm:height_m", .value = std::span<const float>(heights_m), .is_custom = true});
+}
+
+// Writes the scope "features". Element i of each array belongs to feature i, to which primvars:feature refers; element
+// 0 means "no feature".
+//
+// | attribute     | type     | value                                              |
+// |---------------|----------|----------------------------------------------------|
+// | osm:id        | int64[]  | id of the OpenStreetMap element                    |
+// | osm:type      | token[]  | "none", "node", "way" or "relation"                |
+// | osm:class     | string[] | its class, "Apartments"                            |
+// | osm:name      | string[] | name=*, or ""                                      |
+// | osm:height_m  | float[]  | from foot to top, or 0                             |
+// | osm:tags      | string[] | all tags as a JSON object, where the scene keeps them |
+//
+// Leaves out columns without values.
+void write_feature_table(UsdBuilder& b) {
+  b.writer.begin_prim({.type = "Scope", .name = "features"});
+  write_ids(b);
+  write_texts(b, "osm:class", &FeatureAttributes::kind);
+  write_texts(b, "osm:name", &FeatureAttributes::name);
+  write_heights(b);
+  write_texts(b, "osm:tags", &FeatureAttributes::tags);
+  b.writer.end_prim();
+}
 
 using bake::Layer;
 
@@ -24,7 +79,7 @@ UsdDictionary tile_data(const bake::BakedTile& tile, const scene::Header& header
           {"lat_0", header.origin.lat_deg}};
 }
 
-// The part of a list, sorted by layer, that belongs to one.
+// The part of a list sorted by layer that belongs to one layer.
 template <typename T, typename LayerOf>
 std::span<const T> part_of(const std::vector<T>& sorted, Layer layer, LayerOf layer_of) {
   const auto first = std::ranges::lower_bound(sorted, layer, {}, layer_of);
@@ -63,7 +118,7 @@ UsdLevel encode_level(const bake::BakedTile& tile, const scene::Header& header, 
   writer->begin_prim({.type = "Xform", .name = "tile", .kind = "component", .custom_data = tile_data(tile, header)});
   for (int i = 0; i < static_cast<int>(Layer::kCount); ++i) write_layer(b, static_cast<Layer>(i));
   write_materials(b);
-  write_features(b);
+  write_feature_table(b);
   writer->end_prim();
   return {writer->finish(), std::move(b.textures), b.bounds};
 }

@@ -1,4 +1,4 @@
-// USD: one tile at one tolerance as a layer, with its textures.
+// Writes one tile at one tolerance as a USD layer, with its textures.
 #pragma once
 
 #include <cstddef>
@@ -10,31 +10,33 @@
 
 namespace citykiln::exporters {
 
-/// Crates are half the size and several times faster to read (README.md); text is for the eye, and for tests.
+/// The form of a layer. Crates (binary) are half the size and several times faster to read (usd.md); text is for
+/// people and tests.
 enum class UsdForm { kText, kCrate };
 
+/// A layer with its textures.
 struct UsdLevel {
   std::vector<std::byte> layer;
-  std::vector<UsdFile> textures;  ///< Names have the hash of the bytes: equal names mean equal bytes.
-  UsdBounds bounds;               ///< In the tile's frame; of instances the boxes around their prototypes' boxes.
+  std::vector<UsdFile> textures;  ///< Names contain a hash of the bytes: equal names mean equal bytes.
+  UsdBounds bounds;  ///< In the tile's frame. Instances count as the boxes around their prototypes' turned boxes.
 };
 
-/// Returns the layer of a tile: what its .glb has, in metres from the tile's origin with z up.
+/// Returns the layer of a tile. It has the content of the tile's .glb, in metres from the tile's origin, z up.
 ///
 ///     /tile                      customData: tile, origin_m, tolerance_m, error_m, plant_error_m, plane
 ///       ground, roads, water …   an Xform for each layer (bake/layer.h) with a Mesh for each material,
 ///         Asphalt …              and a PointInstancer (usd_meshes.h)
 ///         instances/meshes
 ///       materials                usd_materials.h
-///       features                 usd_features.h
+///       features                 a table: one array attribute for each column
 ///
-/// @param tile  Its primitives and instanced meshes sorted by layer.
-/// @param texture_folder  From the layer, with a slash at the end: "../textures/".
-/// Guarantees: same input, same bytes; both forms have the same content. Memory: the file.
+/// @param tile  Its primitives and instanced meshes are sorted by layer.
+/// @param texture_folder  The path from the layer, with a slash at the end: "../textures/".
+/// Guarantees: deterministic; both forms have the same content. Memory: the size of the file.
 UsdLevel encode_level(const bake::BakedTile& tile, const scene::Header& header, const std::string& texture_folder,
                       UsdForm form = UsdForm::kCrate);
 
-/// "© OpenStreetMap contributors; …".
+/// Returns the attributions as one text: "© OpenStreetMap contributors; …".
 std::string usd_attribution(const scene::Header& header);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,5 @@
-// Writes one layer of USD, prim by prim: as text (text_writer.h) or as a crate (crate_writer.h), with the same content.
+// The interface that writes a USD layer prim by prim. text_writer.h and crate_writer.h implement it; the content of
+// both is equal.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +12,17 @@
 
 namespace citykiln::exporters {
 
-/// A layer's own metadata. Its up axis is z and its unit the metre.
+/// The metadata of a layer. Its up axis is z and its unit the metre.
 struct UsdLayerHead {
   std::string default_prim;
-  UsdDictionary custom_data{};  ///< customLayerData.
+  UsdDictionary custom_data{};  ///< USD's customLayerData.
 };
 
-/// A prim that is defined.
+/// A prim, written with the specifier "def".
 struct UsdPrim {
   std::string_view type;                        ///< "Mesh".
   std::string name;                             ///< An identifier (usd_names.h).
-  std::vector<std::string_view> api_schemas{};  ///< Prepended.
+  std::vector<std::string_view> api_schemas{};  ///< Prepended to the list apiSchemas.
   std::string_view kind{};                      ///< "component"; empty: none.
   UsdDictionary custom_data{};
 };
@@ -30,10 +31,10 @@ struct UsdAttribute {
   std::string_view type;  ///< "point3f[]".
   std::string name;       ///< "primvars:st".
   UsdValue value{};
-  std::string_view interpolation{};  ///< Of a primvar: "vertex"; empty: none.
+  std::string_view interpolation{};  ///< For a primvar, such as "vertex"; empty: none.
   bool is_uniform = false;           ///< Does not vary with time.
-  bool is_custom = false;            ///< In no schema.
-  std::string connection{};          ///< The path of the attribute it is connected to; empty: none.
+  bool is_custom = false;            ///< Belongs to no schema.
+  std::string connection{};          ///< The path of the attribute to which it is connected; empty: none.
 };
 
 struct UsdRelationship {
@@ -41,7 +42,7 @@ struct UsdRelationship {
   std::vector<std::string> targets;  ///< Absolute paths of prims.
 };
 
-/// Takes prims in depth-first order; the attributes of a prim before its children.
+/// Receives prims in depth-first order, and the attributes of a prim before its children.
 class LayerWriter {
  public:
   virtual ~LayerWriter() = default;

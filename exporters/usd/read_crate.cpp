@@ -10,7 +10,7 @@
 namespace citykiln::exporters {
 namespace {
 
-/// What a crate should have had.
+/// A fault of a crate, as the text that was expected instead.
 struct CrateError {
   std::string expected;
 };
@@ -39,7 +39,7 @@ class Cursor {
     return value;
   }
 
-  // A number of things that take up so many bytes each, at least.
+  // Reads a count of items that take at least this many bytes each.
   std::uint64_t count(std::uint64_t least_bytes) {
     const auto count = number<std::uint64_t>();
     if (count > (file_.size() - at_) / least_bytes) throw CrateError{"counts that the file has room for"};
@@ -327,7 +327,7 @@ Fields fields_from(const Crate& crate, std::int32_t first) {
   }
 }
 
-// The fields of each path; those without a spec have none.
+// The fields of each path. Paths without a spec have none.
 std::vector<Fields> read_specs(const Crate& crate) {
   Cursor cursor = crate.section("SPECS");
   const auto count = cursor.number<std::uint64_t>();

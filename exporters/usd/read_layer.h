@@ -1,4 +1,5 @@
-// Reads layers of USD, as text or as crates, without composing them. For checks: other code than wrote them.
+// Reads USD layers, as text (.usda) or as crates (binary, .usdc), without composing them. The command `check` verifies
+// outputs with these functions, which share no code with the writers.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +12,8 @@
 
 namespace citykiln::exporters {
 
-/// A scalar or an array: numbers one after the other, (1, 2), (3, 4) as 1, 2, 3, 4, quaternions with the real part
-/// first; or texts.
+/// A scalar or an array, flattened: (1, 2), (3, 4) is 1, 2, 3, 4. Quaternions have the real part first. Texts are in
+/// `texts`.
 struct UsdReadValue {
   std::vector<double> numbers;
   std::vector<std::string> texts;
@@ -20,18 +21,22 @@ struct UsdReadValue {
 };
 using UsdReadDictionary = std::map<std::string, UsdReadValue>;
 
+/// A prim (an object of a layer) that was read.
 struct UsdReadPrim {
   std::string path, type;
-  UsdReadDictionary values{};                                 ///< Of attributes.
-  std::map<std::string, std::string> interpolations{};        ///< Of attributes that state one.
-  std::map<std::string, std::vector<std::string>> targets{};  ///< Of relationships, and connections of attributes.
+  UsdReadDictionary values{};                           ///< The values of attributes, by name.
+  std::map<std::string, std::string> interpolations{};  ///< The interpolations of attributes that state one, by name.
+  /// The targets of relationships and the connections of attributes, by name.
+  std::map<std::string, std::vector<std::string>> targets{};
   UsdReadDictionary custom_data{};
-  std::vector<std::string> payloads{};                         ///< Paths of files.
-  std::map<std::string, std::string> selections{};             ///< Variant sets and the variant that is shown.
-  std::map<std::string, std::vector<UsdReadPrim>> variants{};  ///< By set; the path of each is its name.
+  std::vector<std::string> payloads{};              ///< Paths of files.
+  std::map<std::string, std::string> selections{};  ///< The chosen variant of each variant set.
+  /// The variants of each set; `path` is the name of the variant.
+  std::map<std::string, std::vector<UsdReadPrim>> variants{};
   bool operator==(const UsdReadPrim&) const = default;
 };
 
+/// A layer that was read.
 struct UsdReadLayer {
   std::string default_prim, up_axis;
   double meters_per_unit = 0;
@@ -40,17 +45,17 @@ struct UsdReadLayer {
   bool operator==(const UsdReadLayer&) const = default;
 };
 
-/// Reads what citykiln writes: def prims, attributes without time samples, payloads, variants. Other metadata is
-/// skipped. Errors: anything else, damage; never a crash, whatever the bytes (fuzzed). Memory: in proportion to what
-/// the file holds, unpacked.
-/// @param name  The file's name in error messages.
+/// Reads the parts of USD that citykiln writes: def prims, attributes without time samples, payloads, variants. Skips
+/// other metadata. Errors: other content, or damage. No bytes make the function crash (fuzzed). Memory: proportional to
+/// the unpacked content.
+/// @param name  The name of the file in error messages.
 Result<UsdReadLayer> read_usd_layer(std::span<const std::byte> bytes, const std::string& name);
 
-/// The two forms.
+/// Reads a layer in one form: a crate (binary), or text. Errors as for read_usd_layer().
 Result<UsdReadLayer> read_crate(std::span<const std::byte> bytes);
 Result<UsdReadLayer> read_usd_text(std::string_view text);
 
-/// The prim at a path; null where there is none. O(n).
+/// Returns the prim at a path; null if there is none. O(n).
 const UsdReadPrim* prim_at(const UsdReadLayer& layer, const std::string& path);
 
 }  // namespace citykiln::exporters

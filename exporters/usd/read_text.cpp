@@ -8,7 +8,7 @@
 namespace citykiln::exporters {
 namespace {
 
-/// What a text should have had, and where.
+/// A fault of a text: what was expected, and where.
 struct TextError {
   std::string expected;
   std::size_t at;
@@ -42,7 +42,7 @@ class TextReader {
   }
 
  private:
-  // The next character that counts; '\0' at the end.
+  // The next character after white space and comments; '\0' at the end.
   char next() {
     while (at_ < text_.size() && (is_space(text_[at_]) || text_[at_] == '#'))
       at_ = text_[at_] == '#' ? std::min(text_.find('\n', at_), text_.size()) : at_ + 1;
@@ -92,7 +92,7 @@ class TextReader {
     return out;
   }
 
-  // What stands between two characters.
+  // The text between two characters.
   std::string between(char open, char close) {
     expect(open);
     const std::size_t end = text_.find(close, at_);
@@ -217,7 +217,7 @@ class TextReader {
     }
   }
 
-  // What follows the qualifiers and the type of an attribute.
+  // Reads the rest of an attribute after its qualifiers and type.
   void attribute(UsdReadPrim& prim) {
     std::string name = word();
     constexpr std::string_view kConnect = ".connect";
@@ -255,7 +255,7 @@ class TextReader {
     is_single_ = false;
   }
 
-  // What follows "def".
+  // Reads a prim after "def".
   void prim(const std::string& parent, int depth) {
     if (depth > kDeepest) throw TextError{"fewer prims inside each other", at_};
     UsdReadPrim read;
@@ -279,7 +279,7 @@ class TextReader {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  bool is_single_ = false;  ///< Whether numbers are of single precision or less.
+  bool is_single_ = false;  ///< True if numbers have single precision or less.
   UsdReadLayer layer_;
 };
 

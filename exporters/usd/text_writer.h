@@ -1,4 +1,4 @@
-// Layers as text: .usda.
+// Writes layers as text (.usda).
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace citykiln::exporters {
 
-/// Writes numbers in the fewest digits that give the same bits when read. Same calls, same bytes. Source: OpenUSD,
-/// "USD ASCII format".
+/// A writer of a text layer. It writes numbers with the fewest digits that give the same bits when read. Deterministic.
+/// Source: OpenUSD, "USD ASCII format".
 class TextWriter final : public LayerWriter {
  public:
   explicit TextWriter(const UsdLayerHead& head);
@@ -18,8 +18,8 @@ class TextWriter final : public LayerWriter {
   void end_prim() override;
   std::vector<std::byte> finish() override;
 
-  /// Appends lines as they are, indented like the attributes of the open prim. For what layers of meshes lack: variants
-  /// and payloads. @param lines  Without a line break at the end.
+  /// Appends lines unchanged, indented like the attributes of the open prim. Used for variants and payloads, which
+  /// LayerWriter lacks. @param lines  Without a line feed at the end.
   void write_lines(std::string_view lines);
   /// Opens a block whose brace write_lines() has written; end_prim() closes it.
   void indent() { ++depth_; }
@@ -31,10 +31,10 @@ class TextWriter final : public LayerWriter {
   std::size_t depth_ = 0;
 };
 
-/// Text in quotes, with escapes for quotes, backslashes and control characters.
+/// Returns a text in quotes, with escapes for quotes, backslashes and control characters.
 std::string quoted(std::string_view text);
 
-/// A value as text: "(1,2.5,0)", "[0,1,2]".
+/// Returns a value as text: "(1,2.5,0)", "[0,1,2]".
 std::string text_of(const UsdValue& value);
 
 }  // namespace citykiln::exporters

@@ -68,10 +68,10 @@ std::string add_texture_file(UsdBuilder& b, std::string_view name, const Texture
   return b.texture_folder + file;
 }
 
-// How an image is read by a shader.
+// The way a shader reads an image.
 struct ImageUse {
-  std::string_view name;  ///< Of the shader.
-  std::string path;       ///< Of the file.
+  std::string_view name;  ///< The shader's name.
+  std::string path;       ///< The file's path.
   bool is_colour = false;
   std::string_view wrap_s = "clamp", wrap_t = "clamp";
   Float4 scale{1, 1, 1, 1}, bias{0, 0, 0, 0};

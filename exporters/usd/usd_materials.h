@@ -1,4 +1,4 @@
-// Writes the materials of a level: UsdPreviewSurface, with textures in files of their own.
+// Writes the materials of a level as UsdPreviewSurface, with textures in separate files.
 #pragma once
 
 #include <string>
@@ -7,17 +7,18 @@
 
 namespace citykiln::exporters {
 
-/// The path of the material of a primitive, which is written when write_materials() is called.
-/// @param cutout  As shared_cutout() returns it for an instanced mesh; else null.
+/// Returns the path of a primitive's material, which write_materials() will write.
+/// @param cutout  The result of shared_cutout() for an instanced mesh; else null.
 std::string material_path(UsdBuilder& b, const bake::Primitive& p, const impostor::Cutout* cutout);
 
-/// The cutout of the level that equals this one, which is added when it is new; null where it has no texels.
+/// Returns the first cutout of the level that equals this one, and adds this one if there is none; null if it has no
+/// texels.
 const impostor::Cutout* shared_cutout(UsdBuilder& b, const impostor::Cutout& cutout);
 
-/// The image that a primitive's uvs lie on; null where they show none.
+/// Returns the image that a primitive's uvs refer to; null if there is none.
 const materials::TextureImage* image_of(const UsdBuilder& b, const bake::Primitive& p, const impostor::Cutout* cutout);
 
-/// Writes the scope "materials" with all materials that were asked for.
+/// Writes the scope "materials" with all materials whose paths were requested.
 ///
 /// | material               | diffuseColor                                                                      |
 /// |------------------------|-----------------------------------------------------------------------------------|
@@ -25,7 +26,7 @@ const materials::TextureImage* image_of(const UsdBuilder& b, const bake::Primiti
 /// | with an image          | the image times the mean tint of the mesh: no node of the preview surface         |
 /// |                        | multiplies a texture with a primvar                                               |
 ///
-/// Roughness, metalness, emission, opacity and normals are those of the .glb; v of `st` points up in the image.
+/// Roughness, metalness, emission, opacity and normals are equal to the .glb's; v of `st` points up in the image.
 void write_materials(UsdBuilder& b);
 
 }  // namespace citykiln::exporters

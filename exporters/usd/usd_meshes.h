@@ -1,4 +1,4 @@
-// Writes meshes and their instances.
+// Writes meshes and instances as USD prims.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace citykiln::exporters {
 
-/// Writes a Mesh prim for each primitive, named after its material, as children of the open prim, and returns their
-/// bounds.
+/// Writes a Mesh prim for each primitive as a child of the open prim, named after its material. Returns the bounds of
+/// the prims.
 ///
 /// | attribute                    | value                                                                          |
 /// |------------------------------|--------------------------------------------------------------------------------|
@@ -19,12 +19,12 @@ namespace citykiln::exporters {
 /// | subdivisionScheme            | none                                                                           |
 ///
 /// Leaves have back sides as in the .glb (gltf/leaf_backs.h); beyond kMostTrianglesWithBacks they are doubleSided.
-/// @param cutout  Of the instanced mesh, as shared_cutout() returns it; else null.
+/// @param cutout  The result of shared_cutout() for an instanced mesh; else null.
 UsdBounds write_meshes(UsdBuilder& b, std::span<const bake::Primitive> primitives, const impostor::Cutout* cutout);
 
-/// Writes a PointInstancer "instances" with a prototype for each instanced mesh as a child of the open prim, and adds
-/// to the builder's bounds. Orientations have half precision: an error of at most 0.06 degrees.
-/// @param path  Of the open prim.
+/// Writes a PointInstancer "instances" as a child of the open prim, with a prototype for each instanced mesh, and
+/// extends the builder's bounds. Orientations have half precision: an error of at most 0.06 degrees.
+/// @param path  The path of the open prim.
 void write_instances(UsdBuilder& b, const std::string& path, std::span<const bake::InstancedMesh> instanced);
 
 }  // namespace citykiln::exporters

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "exporters/run_files.h"
+
 namespace citykiln::exporters {
 namespace {
 
@@ -24,10 +26,10 @@ std::string usd_identifier(std::string_view text) {
   return name.empty() || is_digit(name.front()) ? "_" + name : name;
 }
 
-std::string usd_tile_name(scene::TileKey tile) { return fmt::format("usd/tiles/{}.usda", to_string(tile)); }
+std::string usd_tile_name(scene::TileKey tile) { return fmt::format("{}{}.usda", kUsdTileFolder, to_string(tile)); }
 
 std::string usd_level_name(scene::TileKey tile, std::size_t level) {
-  return fmt::format("usd/tiles/{}_L{}.usdc", to_string(tile), level);
+  return fmt::format("{}{}_L{}.usdc", kUsdTileFolder, to_string(tile), level);
 }
 
 }  // namespace citykiln::exporters

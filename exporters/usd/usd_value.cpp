@@ -15,7 +15,7 @@ static_assert(std::size(kTypes) == std::variant_size_v<UsdValue>);
 
 constexpr std::uint32_t kSmallestNormal = 0x38800000, kOverflow = 0x47800000, kInfinity = 0x7f800000;
 
-// Of a magnitude below 2^-14: adding 0.5 moves its bits to the end of the mantissa and rounds them.
+// For magnitudes below 2^-14: adding 0.5 moves the bits to the end of the mantissa and rounds them.
 std::uint32_t subnormal_half(std::uint32_t magnitude) {
   return std::bit_cast<std::uint32_t>(std::bit_cast<float>(magnitude) + 0.5f) - std::bit_cast<std::uint32_t>(0.5f);
 }

@@ -1,4 +1,4 @@
-// Values of USD attributes and metadata. Arrays are views: they must live until the writer has taken them.
+// Values of USD attributes and metadata. Arrays are views, which must stay valid until the writer has written them.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace citykiln::exporters {
 
-/// An identifier among known ones, such as "vertex"; USD keeps it apart from free text.
+/// USD's token: an identifier such as "vertex". USD distinguishes it from free text.
 struct UsdToken {
   std::string text;
 };
@@ -28,22 +28,23 @@ struct UsdAsset {
 /// A quaternion in half precision: the bits of x, y, z, w.
 using UsdQuath = std::array<std::uint16_t, 4>;
 
-/// Nothing (an attribute that is declared only), a scalar, or an array.
+/// A scalar, an array, or nothing (std::monostate) for an attribute that is only declared.
 using UsdValue =
     std::variant<std::monostate, bool, std::int32_t, std::int64_t, float, double, std::string, UsdToken, UsdAsset,
                  bake::Float2, bake::Float3, bake::Float4, Vec3, std::span<const std::int32_t>,
                  std::span<const std::int64_t>, std::span<const float>, std::span<const bake::Float2>,
                  std::span<const bake::Float3>, std::span<const UsdQuath>, std::span<const std::string>, UsdTokens>;
 
-/// Named values, in the order in which they are written. No nested ones.
+/// Named values, in the order in which they are written. Dictionaries are not nested.
 using UsdDictionary = std::vector<std::pair<std::string, UsdValue>>;
 
-/// The bits of the nearest half-precision number, ties to even; infinite beyond 65504. Integer arithmetic only.
+/// Returns the bits of the nearest half-precision number, ties to even; infinity for magnitudes that round beyond
+/// 65504. Integer arithmetic only.
 std::uint16_t half_bits(float value);
-/// The number that the bits stand for.
+/// Returns the number that half-precision bits represent.
 float half_value(std::uint16_t bits);
 
-/// The name of a value's type in a layer's text, "float3": for dictionaries, whose entries name their types.
+/// Returns the name of a value's type in the text form, such as "float3". Entries of dictionaries state their types.
 std::string_view usd_type_of(const UsdValue& value);
 
 }  // namespace citykiln::exporters

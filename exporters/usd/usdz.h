@@ -1,4 +1,4 @@
-// .usdz: a layer and its textures in one file, a zip archive without compression.
+// Writes .usdz files: a layer and its textures in one zip archive without compression.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,13 @@
 
 namespace citykiln::exporters {
 
-/// Returns a zip archive of stored files, in their order, each with its data at a multiple of 64 bytes and without a
-/// date. Error: more than 4 GB. Source: OpenUSD, "Usdz File Format Specification"; PKWARE, APPNOTE.TXT 6.3.
+/// Returns a zip archive of uncompressed files in the given order. The data of each file begin at a multiple of 64
+/// bytes; dates are constant. Error: more than 4 GB. Source: OpenUSD, "Usdz File Format Specification"; PKWARE,
+/// APPNOTE.TXT 6.3.
 Result<std::vector<std::byte>> pack_usdz(std::span<const UsdFile> files);
 
-/// Returns a tile as one file: its layer, "tile.usdc" (encode_level.h), and "textures/…". In the tile's frame: its
-/// origin is in customData alone. Error: as pack_usdz().
+/// Returns a tile as one file: its layer, "tile.usdc" (encode_level.h), and "textures/…". Coordinates are in the tile's
+/// frame; its origin is in customData only. Error: more than 4 GB.
 Result<std::vector<std::byte>> encode_usdz(const bake::BakedTile& tile, const scene::Header& header);
 
 }  // namespace citykiln::exporters

@@ -10,9 +10,9 @@
 
 namespace citykiln::exporters {
 
-/// Returns a .vdb with a fog volume "density", half-precision floats: the extinction per metre. Its transform places it
-/// in the plane, z up. The random id in the file's header is overwritten by zeros, so the same voxels give the same
-/// bytes. Errors: the module citykiln_vdb.so or OpenVDB, which it needs, is not there.
+/// Returns a .vdb file with one fog volume, "density": the extinction per metre, in half precision. Its transform
+/// places it in the plane, z up. The random id in the file's header is overwritten by zeros, so the same voxels give
+/// the same bytes. Errors: the module citykiln_vdb.so, or OpenVDB, which the module needs, is missing.
 Result<std::vector<std::byte>> encode_vdb(const sky::CloudVoxels& voxels);
 
 }  // namespace citykiln::exporters

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/geometry/segment.h"
 #include "grammars/shapes/small_vector.h"
 
 namespace citykiln::grammars {
@@ -36,7 +37,7 @@ double distance_to_convex_m(Vec3 p, std::span<const Vec3> ring, Vec3 normal) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()];
     over &= dot(normal, cross(b - a, p - a)) >= 0;
-    nearest_m = std::min(nearest_m, distance_to_segment_m(p, a, b));
+    nearest_m = std::min(nearest_m, distance_to_segment(a, b, p));
   }
   return over ? std::abs(dot(normal, p - ring[0])) : nearest_m;
 }
@@ -55,7 +56,7 @@ double farthest_from_m(std::span<const Vec3> points, const ChildTrace& sibling, 
   double best_m = sibling.filled ? farthest_from_face_m(points, sibling.vertices, enough_m) : kUnbounded_m;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 a = sibling.vertices[i], b = sibling.vertices[(i + 1) % n];
-    const auto to_edge_m = [&](Vec3 p) { return distance_to_segment_m(p, a, b); };
+    const auto to_edge_m = [&](Vec3 p) { return distance_to_segment(a, b, p); };
     best_m = std::min(best_m, farthest_m(points, std::min(best_m, enough_m), to_edge_m));
   }
   return best_m;

@@ -1,4 +1,6 @@
-// Bounds of how far rules move a surface; grammars/README.md ("Levels of detail") derives them.
+// Upper bounds of the distance by which rules move a surface, computed from the children of a derivation node up to the
+// node itself. A node is one application of a rule to a shape; its children are the shapes to which it applies further
+// rules. grammars/cga.md ("Levels of detail") derives the bounds.
 #pragma once
 
 #include <limits>
@@ -9,8 +11,8 @@
 
 namespace citykiln::grammars {
 
-/// Bounds of the two one-sided Hausdorff distances between an earlier surface A and a later surface B. Metres; infinite
-/// if unknown.
+/// Upper bounds of the two one-sided Hausdorff distances between an earlier surface A and a later surface B, in metres;
+/// infinite if unknown.
 struct Displacement {
   double out_m = 0;   ///< No point of B is farther than this from A.
   double back_m = 0;  ///< No point of A is farther than this from B.
@@ -19,33 +21,37 @@ struct Displacement {
 
 inline constexpr double kUnbounded_m = std::numeric_limits<double>::infinity();
 
-/// First a, then b: A → B → C. By the triangle inequality.
+/// Returns the displacement of a followed by b, A → B → C, by the triangle inequality.
 inline Displacement operator+(Displacement a, Displacement b) { return {a.out_m + b.out_m, a.back_m + b.back_m}; }
 
-/// For an affine map of the faces, given by the images of the vertices: the largest distance that a vertex moves.
+/// Returns the displacement of an affine map of faces: the largest distance between a vertex and its image.
 Displacement affine_displacement(std::span<const Face> from, std::span<const Face> to);
 
-/// For any two surfaces within the convex hulls of these points: the largest distance between two points. O(n m).
+/// Returns a displacement that bounds any two surfaces within the convex hulls of these points: the largest distance
+/// between a point of each. O(n m).
 Displacement any_displacement(std::span<const Vec3> from, std::span<const Vec3> to);
 
+/// Returns the vertices of all rings of the faces.
 Ring3 vertices_of(std::span<const Face> faces);
 
-/// A successor, as its parent sees it.
+/// The displacements and extent of a child, from which combine() computes the parent's.
 struct ChildTrace {
-  Displacement before;      ///< From the parent's surface to the shape out of which the child was taken.
+  Displacement before;      ///< From the parent's surface to the shape from which the child was cut.
   Displacement own;         ///< From the child's surface to the result of its derivation.
-  bool vanished = false;    ///< The result is empty (NIL, or a component that no selector takes).
-  std::uint32_t group = 0;  ///< The union of the children of a group is the shape they were taken out of.
-  bool filled = false;      ///< `vertices` are the ring of a face without holes.
-  Ring3 vertices;  ///< If vanished: points whose hull contains its surface. Else: the first ring of the surface.
+  bool vanished = false;    ///< The result is empty: NIL, or a component that no selector takes.
+  std::uint32_t group = 0;  ///< Children with equal numbers were cut from one shape and together cover that shape.
+  bool filled = false;      ///< `vertices` are the outer ring of a face without holes.
+  /// If vanished: points whose convex hull contains the child's surface. Else: the first ring of that surface.
+  Ring3 vertices;
 };
 
-/// The appearances in the result of a node, of terminals wider than the tolerance.
+/// The appearances of those terminals in a node's result that are wider than the tolerance.
 struct VisibleAppearances {
   enum class Count : std::uint8_t { kNone, kOne, kMany };
   Count count = Count::kNone;
-  std::uint32_t appearance = 0;  ///< Of kOne.
+  std::uint32_t appearance = 0;  ///< The appearance if count is kOne: an index into Derivation::appearances.
 
+  /// Adds the appearances of another result.
   void add(VisibleAppearances more) {
     if (more.count == Count::kNone) return;
     const bool is_same = count == Count::kOne && more.count == Count::kOne && appearance == more.appearance;
@@ -55,23 +61,23 @@ struct VisibleAppearances {
   bool include_other_than(std::uint32_t one) const { return are_many() || (count == Count::kOne && appearance != one); }
 };
 
-/// What the derivation of a node moves, and whether its result is empty.
+/// The displacement between a node's surface and its result, and the appearances of the result.
 struct NodeTrace {
   Displacement moved = {};
-  bool vanished = true;
+  bool vanished = true;  ///< The result has no surface.
   VisibleAppearances seen =
-      {};  ///< If there are many, `moved` is not used: neither the node nor its ancestors simplify.
+      {};  ///< With count kMany, `moved` is undefined: neither the node nor its ancestors are simplified.
 };
 
-/// The trace of a node from those of its children.
+/// Returns the trace of a node from the traces of its children.
 ///
 /// out: a point of the result is within own.out of its child's surface, which is within before.out of the parent's.
-/// back: a point of the parent is within before.back of the shape a group was taken out of, hence of a point of one of
-/// the group's children. That point is within own.back of the child's result. If the child vanished, it is within its
-/// distance to a convex face or an edge of a sibling that did not, and from there within own.back of the sibling's
+/// back: a point of the parent is within before.back of the shape from which a group was cut, hence of a point of one
+/// of the group's children, which is within own.back of the child's result. If that child vanished, the point is within
+/// some distance of a convex face or an edge of a sibling that did not, and from there within own.back of the sibling's
 /// result. The distance to a convex set is convex, so it is largest at a vertex of the vanished child's hull. Every
-/// group gives a bound, so the smallest is taken, and the same holds for siblings. Only the 256 siblings before and
-/// after are tried, which keeps the cost linear.
+/// group and every sibling gives a bound, so the smallest is taken. Only the 256 siblings before and after are tried,
+/// which keeps the cost linear.
 NodeTrace combine(std::span<const ChildTrace> children);
 
 }  // namespace citykiln::grammars

@@ -175,10 +175,11 @@ double largest_m(NumberRange range) { return std::max(std::abs(range.low), std::
 
 DisplacementBound bound_of_body(BoundContext context, const Body& body, const NumberRanges& slots);
 
-/// What is known of the current shape: a face along the scope's z, or a prism over one, and how far it was moved.
+/// The known properties of the current shape: it is a face along the scope's z, or a prism over one, and has moved this
+/// far.
 struct KnownShape {
   bool is_prism = false;
-  double height_m = 0;  ///< Of a prism.
+  double height_m = 0;  ///< The height of a prism.
   Displacement moved = {};
 };
 
@@ -204,7 +205,7 @@ void add_group(BoundState& state, const DisplacementBound& bound, double cover_m
   state.back_m = std::min(state.back_m, state.shape.moved.back_m + cover_m + bound.moved.back_m);
 }
 
-// Of all children of a group: the largest distances, and a surface only if each has one.
+// The bound of a group of children: the largest distances; it survives only if all children do.
 DisplacementBound worst_of(DisplacementBound a, DisplacementBound b) {
   return {{std::max(a.moved.out_m, b.moved.out_m), std::max(a.moved.back_m, b.moved.back_m)}, a.survives && b.survives};
 }

@@ -28,7 +28,7 @@ struct DrawRange {
 double unit_at(Context& context, std::uint32_t index) {
   const RandomSource& random = context.random;
   const StableId id = random.of_shape ? context.run.id_of(random.node) : context.run.initial.id;
-  return Draw(context.run.options.seed, id, random.purpose).unit(index);
+  return RandomSequence(context.run.options.seed, id, random.purpose).unit(index);
 }
 
 Drawn draw(Context& context, double scale) {

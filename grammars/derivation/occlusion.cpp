@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/geometry/segment.h"
+
 namespace citykiln::grammars {
 namespace {
 
@@ -10,23 +12,10 @@ constexpr double kOn_m = 0.01;
 
 enum class Side : std::uint8_t { kOutside, kOn, kWithin };
 
-double plan_distance_to_segment_m(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 ab = b - a;
-  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
-  return distance(p, a + ab * t);
-}
-
-double distance_to_ring_m(Vec2 p, const Ring& ring) {
-  double nearest_m = HUGE_VAL;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    nearest_m = std::min(nearest_m, plan_distance_to_segment_m(p, ring[i], ring[(i + 1) % ring.size()]));
-  return nearest_m;
-}
-
 Side side_of_neighbour(const Neighbour& neighbour, Vec3 p) {
   if (p.z < neighbour.bottom_m - kOn_m || p.z > neighbour.top_m + kOn_m) return Side::kOutside;
-  double border_m = distance_to_ring_m(in_plan(p), neighbour.outline.outer);
-  for (const Ring& hole : neighbour.outline.holes) border_m = std::min(border_m, distance_to_ring_m(in_plan(p), hole));
+  double border_m = distance_to_ring(neighbour.outline.outer, in_plan(p));
+  for (const Ring& hole : neighbour.outline.holes) border_m = std::min(border_m, distance_to_ring(hole, in_plan(p)));
   if (border_m <= kOn_m) return Side::kOn;
   if (!contains(neighbour.outline, in_plan(p))) return Side::kOutside;
   const bool on_end = std::abs(p.z - neighbour.bottom_m) <= kOn_m || std::abs(p.z - neighbour.top_m) <= kOn_m;

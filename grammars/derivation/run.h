@@ -1,4 +1,5 @@
-// The state of one derivation, and of one of its nodes. Used by this folder and by operations/.
+// The state of one derivation (Run) and of one of its nodes (Execution), used by this folder and by operations/. A node
+// is one application of a rule, or of the body of a selector, to a shape.
 #pragma once
 
 #include <map>
@@ -6,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "grammars/derivation/derive.h"
 #include "grammars/derivation/displacement.h"
 #include "grammars/derivation/displacement_bound.h"
@@ -16,47 +17,49 @@
 
 namespace citykiln::grammars {
 
-/// A source of random numbers for one purpose: of one shape, where the index counts the numbers drawn by that shape, or
-/// of an attribute, which belongs to the building.
+/// A source of random numbers for one shape, or for an attribute of the building.
 struct RandomSource {
-  const char* purpose = "rule";
+  const char* purpose = "rule";  ///< Part of the seed: sources with different purposes are independent.
   std::uint32_t next = 0;
-  bool of_shape = true;
-  std::uint32_t node = 0;  ///< The shape's.
+  bool of_shape = true;    ///< True: the numbers belong to a shape. False: to an attribute of the building.
+  std::uint32_t node = 0;  ///< The node of the shape.
 };
 
-/// The values of parameters and locals.
+/// The values of a rule's parameters, followed by its locals. A slot is the place of one of them.
 using Slots = SmallVector<Value, 4>;
 
-/// A path by the address of the rule's name, which differs between occurrences of the name in the program.
+/// A path (an index into Derivation::paths: the rule names from the start to a node), found by the address of its last
+/// rule name. Each occurrence of the name in the program has another address.
 struct KnownPath {
   const std::string* name = nullptr;
   std::uint32_t path = 0;
-  std::uint32_t next = 0;  ///< 1 + index into Run::known_paths of the next with the same parent; 0 for the last.
+  std::uint32_t next = 0;  ///< 1 + index into Run::known_paths of the next path with this parent; 0 for the last.
 };
 
-/// The value of a constant function, and the steps to evaluate it.
+/// The value of a constant function, and the number of steps that its evaluation takes.
 struct ConstantValue {
   Value value;
   std::uint64_t steps = 0;
 };
 
+/// The state of one derivation.
 struct Run {
   const Program& program;
   const DeriveOptions& options;
   const Shape& initial;
   Derivation out = {};
   Tables tables = {};
-  std::vector<TerminalOrigin> origins = {};  ///< By terminal.
-  std::vector<DerivationNode> nodes = {};    ///< One for each shape; the first is that of the start.
-  std::vector<StableId> ids = {};            ///< By node; 0 until it is needed.
+  std::vector<TerminalOrigin> origins = {};  ///< By terminal of `out`.
+  std::vector<DerivationNode> nodes = {};    ///< One for each shape; the first is the start's.
+  std::vector<StableId> ids = {};            ///< By node; 0 until computed.
   std::vector<std::uint32_t> appearances_in_out =
       {};                                        ///< By Tables::appearances: 1 + index into Derivation::appearances.
-  std::vector<std::uint32_t> report_nodes = {};  ///< By report.
-  std::vector<std::optional<Value>> attributes = {};         ///< Values at the start, evaluated on first use.
-  std::vector<bool> attribute_under_way = {};                ///< To detect an attribute that depends on itself.
+  std::vector<std::uint32_t> report_nodes = {};  ///< By report: the node that made it.
+  std::vector<std::optional<Value>> attributes = {};  ///< Values at the start, evaluated on first use.
+  /// True while an attribute is evaluated, to detect one that depends on itself.
+  std::vector<bool> attribute_under_way = {};
   std::vector<std::optional<ConstantValue>> constants = {};  ///< By function; evaluated on first use.
-  /// Steps spent on attributes. They are charged to no node, since they belong to whichever node asked first.
+  /// Steps spent on attributes. They are charged to no node: which node evaluates an attribute first is arbitrary.
   std::uint64_t attribute_steps = 0;
   std::map<std::pair<std::string, std::string>, Warning> warnings = {};  ///< By position and text.
   std::uint64_t warnings_raised = 0;
@@ -67,77 +70,85 @@ struct Run {
   std::vector<RandomDraw> draws = {};  ///< Draws of shapes, recorded while a node may become a memo entry.
   BoundTable bounds = {};
 
-  /// The id of a node, computed on first use, since most nodes never need theirs.
+  /// Returns the id of a node, computed on first use, since most nodes never need theirs.
   StableId id_of(std::uint32_t node);
-  /// Notes that the nodes under way depend on something assigned at node `since_node` and inherited from there. Nodes
-  /// that begin at `since_node` or later do not become memo entries. 0 for what no two shapes share: random numbers,
-  /// the position, neighbours, messages.
+  /// Excludes nodes from memoisation (memo.h) that depend on a value: open nodes with a number of `since_node` or more.
+  /// @param since_node  The node that assigned the value, which its descendants inherited. 0 stands for values that no
+  /// two shapes share: random numbers, the position, neighbours, messages.
   void depends_on(std::uint32_t since_node);
-  /// Notes that the nodes under way depend on this draw, and only through the interval it lies in.
+  /// Records that the nodes being derived depend on a random number, but only on the interval in which it lies.
   void record_draw(const RandomDraw& draw);
-  /// True if displacements are measured. Without a tolerance nothing uses them.
+  /// True if displacements are measured, which only a tolerance requires.
   bool measures() const { return options.tolerance_m > 0; }
+  /// Adds a warning, or counts it again if its position and text are known.
   void warn(TextPosition position, const std::string& message);
-  /// Counts steps; false once the limit is passed.
+  /// Adds to the number of steps. Returns false once the limit of steps is passed.
   bool spend(std::uint64_t steps);
+  /// Records that a limit ended a shape.
   void hit(LimitKind kind, const std::string& rule, TextPosition position);
+  /// Returns the path of a rule below a parent, and adds it if it is new.
   /// @param rule  Part of the program, which outlives the run.
   std::uint32_t path(std::uint32_t parent, const std::string& rule);
+  /// Adds a path, as path() does for one that is new.
   void add_path(std::uint32_t parent, const std::string& rule);
-  /// The index of an appearance of the tables in Derivation::appearances, where it is added if it is new.
+  /// Returns the index of an appearance in Derivation::appearances, and adds it if it is new.
+  /// @param appearance  An index into Tables::appearances.
   std::uint32_t appearance_index(std::uint32_t appearance);
 };
 
-/// A node under way: a rule, or the body of a selector, applied to a shape.
+/// A node while it is derived.
 struct Execution {
   Run& run;
-  Shape shape;  ///< As the operations so far have left it.
+  Shape shape;  ///< The current shape, as changed by the operations until now.
   Slots slots;
   RandomSource random;
   int depth = 0;
   std::uint32_t path = 0;
   const std::string& name;  ///< The name of the rule.
-  Displacement moved = {};  ///< From the surface at the start of the node to that of `shape`.
+  Displacement moved = {};  ///< The displacement from the surface at the start of the node to that of `shape`.
+  /// CGA's stack: shapes saved by `[`, with the displacement at that time.
   std::vector<std::pair<Shape, Displacement>> pushed = {};
-  SmallVector<ChildTrace, 4> children = {};  ///< If displacements are measured.
-  VisibleAppearances seen = {};              ///< Of all children.
-  std::optional<Shape> start = {};  ///< The shape before the first operation that divides or moves it, if measured.
-  bool vanished = true;             ///< No child has a surface.
-  std::uint32_t groups = 0;         ///< The number of groups of children (ChildTrace::group).
-  std::uint64_t child_count = 0;    ///< The ordinal of the next child.
-  bool pending = true;              ///< `shape` has no successor yet.
+  SmallVector<ChildTrace, 4> children = {};  ///< Filled only if displacements are measured.
+  VisibleAppearances seen = {};              ///< The appearances of all children.
+  /// If displacements are measured, the shape before the first operation that divides or moves it.
+  std::optional<Shape> start = {};
+  bool vanished = true;  ///< No child has a surface until now.
+  /// The number of groups of children: children that were cut from one shape (ChildTrace::group).
+  std::uint32_t groups = 0;
+  std::uint64_t child_count = 0;  ///< The ordinal of the next child.
+  bool pending = true;            ///< `shape` has not been passed to a rule or a terminal yet.
 };
 
-/// A part taken out of the current shape, and the body applied to it; null for none, which discards the part.
+/// A part cut from the current shape, and the body to apply to it.
 struct Piece {
   Shape shape;
-  const Body* body = nullptr;
-  std::uint32_t left_out = 0;  ///< Pieces before it that are not made; its ordinal counts them.
+  const Body* body = nullptr;  ///< Null: the part is discarded.
+  std::uint32_t left_out = 0;  ///< The number of pieces before this one that are left out but count in its ordinal.
 };
 
-/// Applies the bodies to the pieces. The union of the pieces has to be the surface of the current shape, moved by at
-/// most `moved`.
+/// Applies the bodies to the pieces: makes each piece a child of the node.
+/// @param pieces  Their union is the surface of the current shape, moved by at most `moved`.
 void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement moved = {});
 
 /// An evaluated argument of an operation.
 struct Argument {
   Value value = 0.0;
-  bool relative = false;             ///< Written with ': a share of the scope's size.
-  const Expression* word = nullptr;  ///< A word or the name of an attribute, which is not evaluated.
+  bool relative = false;             ///< Written with ' in CGA: a share of the scope's size.
+  const Expression* word = nullptr;  ///< A keyword or the name of an attribute, which is not evaluated; else null.
 };
 using Arguments = std::span<const Argument>;
 
-/// The argument as a number, limited to ±kMost_m.
+/// Returns the number of an absolute argument, limited to ±kMost_m.
 double metres(const Argument& argument);
 inline constexpr double kMost_m = 1e6;
 
-/// What carries out an operation on the current shape.
+/// A function that applies an operation to the current shape.
 using OperationFunction = void (*)(Execution&, const Statement&, Arguments);
-/// The function of a row of operation_table(). Defined in operations/operations.cpp: this folder declares what it
-/// calls, and operations/ includes this folder, so that includes run one way.
+/// Returns the function of a row of operation_table() (language/operation_table.h). The definition is in
+/// operations/operations.cpp.
 OperationFunction operation_function(std::uint32_t row);
 
-/// The vertices of the faces, or the corners of the scope of an asset.
+/// Returns the vertices of the faces, or the corners of the scope of an asset.
 Ring3 surface_points(const Shape& shape);
 
 }  // namespace citykiln::grammars

@@ -15,11 +15,12 @@ double area_m2_of(const Terminal& terminal) {
   return sum_m2;
 }
 
-/// What a simplification would replace.
+/// The detail that a simplification would replace.
 struct Replaced {
-  AppearanceAreas areas_m2;      ///< Of all detail, including that of simplified terminals.
-  std::uint32_t appearance = 0;  ///< Of most of the area.
-  std::uint32_t texture = 0;     ///< Of the largest terminal with that appearance; index into Tables::textures.
+  AppearanceAreas areas_m2;      ///< The areas of all detail, including that of simplified terminals.
+  std::uint32_t appearance = 0;  ///< The appearance of most of the area.
+  /// The texture of the largest terminal with that appearance; index into Tables::textures.
+  std::uint32_t texture = 0;
 };
 
 std::size_t vertices_from(const Run& run, std::size_t first) {
@@ -34,10 +35,10 @@ std::size_t vertices_from(const Run& run, std::size_t first) {
 
 void add_areas(const Run& run, std::size_t i, AppearanceAreas& areas_m2) {
   const Terminal& terminal = run.out.terminals[i];
-  if (run.origins[i].stands_for == 0) {
+  if (run.origins[i].replaced_areas == 0) {
     areas_m2[terminal.appearance] += area_m2_of(terminal);
   } else {
-    for (const auto& [appearance, m2] : run.tables.appearance_areas[run.origins[i].stands_for])
+    for (const auto& [appearance, m2] : run.tables.appearance_areas[run.origins[i].replaced_areas])
       areas_m2[appearance] += m2;
   }
 }

@@ -64,8 +64,8 @@ double times_fitting(Natural group, double room_m, bool others_float) {
 
 /// One list with the numbers of repetitions.
 struct Plan {
-  SmallVector<double, 8> times;  ///< Of each item; 1 unless it is a group.
-  double scale = 0;              ///< Of floating sizes.
+  SmallVector<double, 8> times;  ///< Repetitions of each item; 1 unless it is a group.
+  double scale = 0;              ///< The factor of floating sizes.
   bool fills = false;            ///< A size floats, and there is length left for it.
 };
 

@@ -123,7 +123,7 @@ bool DrawReplay::draws_match(const Subtree& subtree) {
     const RandomDraw& draw = run.draws[draws.first + i];
     if (i == units.size()) {
       const StableId id = id_in_copy(run, draw.node, subtree.pose.node, run.id_of(node));
-      units.push_back(Draw(run.options.seed, id, "rule").unit(draw.index));
+      units.push_back(RandomSequence(run.options.seed, id, "rule").unit(draw.index));
     }
     const double value = units[i] * draw.scale;
     if (!(draw.low <= value && value < draw.high)) return false;

@@ -1,8 +1,9 @@
-// Copies the result of a node to another shape that differs by a rigid motion only.
+// Copies the result of a derived node to another shape, which differs from the node's shape only by a rigid motion:
+// copy_subtree(). A node is one application of a rule to a shape. The tables of the run (Run) hold the nodes,
+// terminals, textures and random draws of all nodes, one in each row.
 //
-//   A ── split ──┬── B ── …   The nodes, terminals, textures and draws that a node made are consecutive rows in the
-//                └── C ── …   tables of the run. So a subtree is stored as ranges of rows, and a copy is these rows,
-//                moved.
+//   A ── split ──┬── B ── …   The rows of a node and its descendants are consecutive. So a derived subtree is stored as
+//                └── C ── …   ranges of rows, and a copy appends these rows, moved by the rigid motion.
 #pragma once
 
 #include <array>
@@ -19,79 +20,87 @@ struct Run;
 /// A node of the derivation tree: the `ordinal`-th child of `parent`. Its id follows from these.
 struct DerivationNode {
   std::uint32_t parent = 0;  ///< Index into Run::nodes.
-  const char* name = "";     ///< Part of the program, which outlives the run.
+  const char* name = "";     ///< Points into the program, which outlives the run.
   std::uint64_t ordinal = 0;
 };
 
-/// A random draw of a shape that selected one of a few branches.
+/// A random number drawn for a shape to select one of a few branches of a rule.
 struct RandomDraw {
-  std::uint32_t node = 0;    ///< The shape's.
-  std::uint32_t index = 0;   ///< Of Draw::unit().
-  double scale = 1;          ///< The factor of the number.
-  double low = 0, high = 0;  ///< low <= number · scale < high: every number in this interval selects the same branch.
+  std::uint32_t node = 0;    ///< The node of the shape for which the number is drawn.
+  std::uint32_t index = 0;   ///< The index passed to RandomSequence::unit().
+  double scale = 1;          ///< The factor by which the rule multiplies the number.
+  double low = 0, high = 0;  ///< low <= number · scale < high. Every number in this interval selects the same branch.
 };
 
-/// What a derivation knows of a terminal besides Terminal.
+/// The data of a terminal that only the derivation needs.
 struct TerminalOrigin {
   std::uint32_t node = 0;
-  std::uint32_t texture = 0;     ///< Index into Tables::textures.
-  std::uint32_t stands_for = 0;  ///< Index into Tables::appearance_areas: the detail replaced by a simplified terminal.
+  std::uint32_t texture = 0;  ///< Index into Tables::textures.
+  /// Index into Tables::appearance_areas: the area of each appearance in the detail that a simplified terminal
+  /// replaces; 0 for a terminal that is not simplified.
+  std::uint32_t replaced_areas = 0;
 };
 
-/// Terminals removed by a simplification that memo entries may still copy.
+/// Terminals that were removed from the derivation when their node was simplified, but that stored subtrees still need
+/// for copies.
 struct RemovedTerminals {
-  std::size_t first = 0;  ///< The index that the first of them had.
+  std::size_t first = 0;  ///< The index in Derivation::terminals that the first of these terminals had.
   std::vector<Terminal> terminals;
   std::vector<TerminalOrigin> origins;
 };
 
-/// Indices from `first` to before `end`.
+/// The indices from `first` up to but not including `end`.
 struct IndexRange {
   std::size_t first = 0, end = 0;
   std::size_t size() const { return end - first; }
 };
 
-/// The rows that a node made in the tables of the run.
+/// The rows that a node and its descendants added to the tables of the run, with their sums.
 struct SubtreeRows {
   IndexRange terminals, nodes, reports, textures, draws;
-  std::uint64_t shapes = 0, steps = 0;
-  int nested_rules = 0;  ///< The greatest number of nested rules below the node.
-  NodeTrace trace;
+  std::uint64_t shapes = 0, steps = 0;  ///< The numbers of shapes and steps that count towards Limits.
+  int nested_rules = 0;                 ///< The greatest number of nested rules below the node.
+  NodeTrace trace;  ///< The displacement between the node's surface and its result, and the result's appearances.
 };
 
-/// The pose of a shape of one face, and what it was given from outside.
+/// The position and orientation of a shape with one face, and the indices that it inherited.
 struct ShapePose {
-  Ring3 ring;  ///< Of the face.
+  Ring3 ring;  ///< The face's outer ring.
   Vec3 origin;
   std::array<Vec3, 3> axis;
-  std::uint32_t node = 0, texture = 0, projection = 0;  ///< As in Shape.
+  std::uint32_t node = 0, texture = 0, projection = 0;  ///< The members of Shape with these names.
 };
-/// @param shape  Has one face.
+/// Returns the pose of a shape that has one face.
 ShapePose pose_of(const Shape& shape);
 
+/// A derived node that can be copied.
 struct Subtree {
-  ShapePose pose;
-  SubtreeRows made;
-  std::uint32_t removed = 0;  ///< 1 + index into Memo::removed of its terminals; 0 while they are in the derivation.
+  ShapePose pose;    ///< The pose of the node's shape before its rule was applied.
+  SubtreeRows made;  ///< The rows to copy.
+  /// 0 if the terminals are still in the derivation; else 1 + the index of their copy in Memo::removed.
+  std::uint32_t removed = 0;
 };
 
-/// The draws that the descendants of a shape would make, computed when first compared.
+/// The random numbers that would be drawn if a shape were derived instead of copied. They decide whether a derived
+/// subtree has the right branches. A number is computed at its first comparison.
 struct DrawReplay {
   Run& run;
-  std::uint32_t node;           ///< The shape's.
-  std::vector<double> units{};  ///< In the order in which a derivation would draw.
+  std::uint32_t node;           ///< The node of the shape that may be derived or copied.
+  std::vector<double> units{};  ///< The numbers in [0, 1), in the order in which a derivation would draw them.
 
-  /// True if the draws select the same branches as those of the subtree. All subtrees compared by one replay must have
-  /// the same key: they draw the same numbers as long as these select the same branches. O(depth of rules) for each
-  /// draw not computed before.
+  /// True if the numbers select the branches that the subtree has. O(depth of rules) for each number that is not
+  /// computed yet.
+  /// @param subtree  All subtrees of one replay must have equal memo keys (memo.h): up to the first number that selects
+  /// another branch, their derivations draw for the same nodes.
   bool draws_match(const Subtree& subtree);
 };
 
-/// Adds a copy of the subtree at `shape` to the tables of the run.
+/// Adds a copy of the subtree, moved to the pose of `shape`, to the tables of the run.
+/// @param shape  Has one face, which differs from the subtree's first face only by a rigid motion.
 ///
-/// Guarantees: vertices of the shape stay as they are, bit for bit; equal points stay equal; ids are those of a
-/// derivation of the shape. Any other point has the same coordinates along the axes of the scope as in the subtree, to
-/// 2^-40 m. O(size of the subtree).
+/// Guarantees: vertices of the shape are unchanged, bit for bit; equal points stay equal; ids are equal to the ids that
+/// a derivation of the shape would give. Other points keep their coordinates along the axes of the scope to 2^-40 m.
+/// O(size of the subtree).
 void copy_subtree(Run& run, const Subtree& subtree, const Shape& shape);
 
 }  // namespace citykiln::grammars

@@ -7,27 +7,28 @@
 
 namespace citykiln::grammars {
 
-/// What the value of a built-in function depends on.
+/// The kind of a built-in function, by the data on which its value depends.
 enum class FunctionKind : std::uint8_t {
-  kPure,         ///< Its arguments alone.
+  kPure,         ///< Depends on its arguments only.
   kUniformDraw,  ///< A uniform random number between bounds given by its arguments.
   kDraw,         ///< A random number.
-  kSurroundings  ///< What stands near the shape.
+  kSurroundings  ///< A query about the surroundings of the shape (derivation/occlusion.h).
 };
 
-/// What a shape value depends on: the shape alone, its position, or its place in a split or comp.
+/// The data on which a shape value depends: the shape alone, its position, or its number in a split or comp.
 enum class DependsOn : std::uint8_t { kShape, kPosition, kSplit, kComp };
 
+/// A row of functions.inc or shape_values.inc.
 struct BuiltinRow {
   const char* name;
-  const char* arguments;  ///< As in functions.inc; "" for shape values.
+  const char* arguments;  ///< The column of functions.inc; "" for shape values.
   FunctionKind kind;      ///< kPure for shape values.
-  const char* text;
+  const char* text;       ///< One line of documentation.
 };
 
 std::span<const BuiltinRow> builtin_functions();
 std::span<const BuiltinRow> shape_values();
-/// The index of the row of this name, or -1.
+/// Returns the index of the row of this name, or -1.
 int row_of(std::span<const BuiltinRow> rows, std::string_view name);
 /// True if `name` is a value of the material: material.name, material.color.r …
 bool is_material_value(std::string_view name);
@@ -36,7 +37,8 @@ bool is_material_value(std::string_view name);
 struct Arity {
   std::size_t least = 0, most = 0;
 };
-/// @param arguments  As in functions.inc.
+/// Returns the arity of a function.
+/// @param arguments  BuiltinRow::arguments.
 Arity arity_of(std::string_view arguments);
 
 }  // namespace citykiln::grammars

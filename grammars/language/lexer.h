@@ -9,14 +9,15 @@
 
 namespace citykiln::grammars {
 
-/// "file:line:column".
+/// Returns a position as "file:line:column".
 std::string position_text(std::string_view file, TextPosition position);
 
 /// Splits the text into names, numbers, strings and signs, without white space and comments (// and # to the end of the
 /// line, /* … */). The last token is kEnd. O(n).
 ///
 /// @param file_index  Copied into every position.
-/// Errors: a character that begins no token, an unterminated string or comment, a number that is not a finite double.
+/// Errors: a character with which no token begins, an unterminated string or comment, a number that is not a finite
+/// double.
 Result<std::vector<Token>> tokens_of(std::string_view text, std::string_view file, std::uint32_t file_index);
 
 }  // namespace citykiln::grammars

@@ -8,9 +8,10 @@
 
 namespace citykiln::grammars {
 
-/// Parses one file: version, import, attr, const, functions, rules and annotations, of which @StartRule alone is used.
+/// Parses one file: version, import, attr, const, functions, rules and annotations. @StartRule is the only annotation
+/// that has an effect.
 ///
-/// Errors: the first position at which the text is not valid, and what was expected there. Nesting deeper than
+/// Errors: the first position at which the text is not valid, with the token that was expected. Nesting deeper than
 /// kNestingLimit is an error, which bounds the stack. O(n). Method: recursive descent.
 Result<SyntaxTree> parse(std::string_view text, std::string_view file, std::uint32_t file_index = 0);
 

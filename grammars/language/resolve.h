@@ -1,4 +1,4 @@
-// Resolves the names of a program.
+// Resolves the names of a program: finds the attribute, function, rule, parameter or word that each name refers to.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace citykiln::grammars {
 
-/// Resolves all names in expressions and bodies of `program`, whose tables are complete, and numbers its bodies. A name
-/// is looked up with the prefix of the definition that contains it. Returns the first error, if there is one.
+/// Resolves all names in expressions and bodies of `program`, whose tables are complete, and numbers its bodies. Looks
+/// a name up with the prefix of the definition that contains it. Returns the first error, if there is one.
 std::optional<Error> resolve(Program& program);
 
-/// "window." for "window.Frame", "" for "Frame".
+/// Returns the prefix of a name: "window." for "window.Frame", "" for "Frame".
 std::string prefix_of(const std::string& name);
 
 }  // namespace citykiln::grammars

@@ -1,4 +1,4 @@
-// The syntax tree of a rule file, and the program that rule files are linked to, with every name resolved.
+// The syntax tree of one rule file, and the program that a file and its imports make, with all names resolved.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,7 @@ enum class Operator : std::uint8_t {
   kRemainder
 };
 
-/// What a name refers to, and what Expression::index is an index into.
+/// The kind of object that a name refers to. Expression::index is an index into the table given here.
 enum class Target : std::uint8_t {
   kNone,
   kLocal,      ///< The slots of parameters and `with`.
@@ -52,7 +52,7 @@ enum class Target : std::uint8_t {
   kFunction,   ///< Program::functions.
   kBuiltin,    ///< functions.inc.
   kShape,      ///< shape_values.inc; ~0 for a material value.
-  kWord        ///< A word of an operation, as `x` in split(x).
+  kWord        ///< A word of an operation, such as `x` in split(x).
 };
 
 struct Expression {
@@ -70,7 +70,7 @@ struct Expression {
 struct Local {
   std::string name;
   Expression value;
-  std::uint32_t slot = 0;
+  std::uint32_t slot = 0;  ///< The place of the value among the parameters and locals of a rule or function.
 };
 
 struct Branch;
@@ -80,22 +80,24 @@ enum class BodyKind : std::uint8_t { kStatements, kCase, kChance };
 
 /// The code after --> or after the colon of a selector.
 struct Body {
-  std::vector<Local> locals;  ///< Of `with`.
+  std::vector<Local> locals;  ///< The names defined by `with`.
   BodyKind kind = BodyKind::kStatements;
   std::vector<Statement> statements;
   std::vector<Branch> branches;  ///< The last may be `else`.
-  std::uint32_t number = 0;      ///< Less than Program::bodies.
+  std::uint32_t number = 0;      ///< The body's number, less than Program::bodies; each body has another one.
   // set by analyse_bodies()
-  bool divides = false;                  ///< One of its own statements has selectors.
-  bool changes_appearance = false;       ///< A descendant may change its appearance.
-  bool depends_on_street = false;        ///< The result may depend on which edges face a street.
-  std::uint64_t displacement_slots = 0;  ///< Bit i: slot i may affect how far the body moves a surface.
+  /// A statement of the body itself (not of a nested body) has selectors, so it makes several shapes.
+  bool divides = false;
+  bool changes_appearance = false;  ///< The rules that follow from the body may change the appearance.
+  bool depends_on_street = false;   ///< The result may depend on which edges face a street.
+  /// Bit i: slot i (a parameter or local) may affect the displacement of the surface.
+  std::uint64_t displacement_slots = 0;
 };
 
 struct Branch {
   TextPosition position;
   bool is_else = false;
-  Expression test;  ///< A condition, or per cent.
+  Expression test;  ///< A condition (kCase) or a percentage (kChance).
   Body body;
 };
 
@@ -106,7 +108,7 @@ struct Selector {
   TextPosition position;
   SizeKind size = SizeKind::kAbsolute;
   Expression key;                ///< A size, or the name or index of a component.
-  bool together = false;         ///< `=`: all selected components become one shape.
+  bool together = false;         ///< `=` instead of `:`. All selected components become one shape.
   std::vector<Selector> nested;  ///< The entries of a repeated group { … }*.
   Body body;
 };
@@ -122,9 +124,8 @@ struct Statement {
   bool has_selectors = false;
   bool repeated = false;  ///< A * after the selectors.
   std::vector<Selector> selectors;
-  std::vector<Body> block;  ///< Of kBlock: one.
-  std::uint32_t index =
-      ~0u;  ///< Of an operation: the row of operations.inc; of a successor: the rule, ~0 for a terminal.
+  std::vector<Body> block;    ///< kBlock: the one body of the block; else empty.
+  std::uint32_t index = ~0u;  ///< kOperation: the row of operations.inc. kSuccessor: the rule, or ~0 for a terminal.
 };
 
 struct Rule {
@@ -139,10 +140,10 @@ struct Function {
   std::string name;
   std::vector<Local> parameters;
   Expression value;
-  bool is_constant = false;  ///< Has the same value for every shape of a derivation (constant.h).
+  bool is_constant = false;  ///< The value is one for all shapes of a derivation (constant.h).
 };
 
-/// attr (the caller and set() may change it) or const.
+/// An attr, which the caller and set() may change, or a const.
 struct Attribute {
   TextPosition position;
   std::string name;
@@ -157,7 +158,7 @@ struct Import {
   std::string file;
 };
 
-/// One file, names not resolved yet.
+/// The syntax tree of one file. Names are not resolved.
 struct SyntaxTree {
   std::vector<Import> imports;
   std::vector<Attribute> attributes;
@@ -166,7 +167,7 @@ struct SyntaxTree {
   std::string start;  ///< The rule marked @StartRule, else the first rule; "" if there is none.
 };
 
-/// All that a derivation needs of the rule files. Plain data, constant during derivations.
+/// The linked program that derive() runs. Plain data, constant during derivations.
 struct Program {
   std::vector<std::string> files;
   std::vector<Attribute> attributes;

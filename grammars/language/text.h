@@ -5,13 +5,13 @@
 
 namespace citykiln::grammars {
 
-/// The bytes from index `from` to before index `to`.
+/// Returns the bytes from index `from` up to but not including index `to`.
 std::string part_of(const std::string& text, double from, double to);
-/// The index of the first `word` in `text` at or after index `from`; -1 if there is none.
+/// Returns the index of the first `word` in `text` at or after index `from`; -1 if there is none.
 double index_of_word(const std::string& text, const std::string& word, double from);
-/// The number of occurrences of `word` in `text` without overlap; 0 for an empty word.
+/// Returns the number of occurrences of `word` in `text` without overlap; 0 for an empty word.
 double count_of_word(const std::string& text, const std::string& word);
-/// `text` with every `word` replaced by `other`, cut to 4096 bytes.
+/// Returns `text` with every `word` replaced by `other`, cut to 4096 bytes.
 std::string replaced(const std::string& text, const std::string& word, const std::string& other);
 
 }  // namespace citykiln::grammars

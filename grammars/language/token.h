@@ -17,7 +17,7 @@ enum class TokenKind : std::uint8_t { kName, kNumber, kString, kSign, kEnd };
 
 struct Token {
   TokenKind kind = TokenKind::kEnd;
-  std::string text;  ///< As written; for a string its unescaped value. A name may contain dots: scope.sx, window.Frame.
+  std::string text;   ///< The text as written; for a string its unescaped value. A name may contain dots: scope.sx.
   double number = 0;  ///< The value of a kNumber.
   TextPosition position;
 };

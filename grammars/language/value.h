@@ -11,8 +11,8 @@ using Value = std::variant<double, bool, std::string>;
 
 const char* kind_name(const Value& value);  ///< "float", "bool", "string".
 
-/// Conversions as in CGA's float(), bool() and str(). A string that cannot be read gives 0 or false; a number is
-/// written with the fewest digits that read back as the same number.
+/// Converts a value like CGA's float(), bool() and str(). A string that is not a number or truth value gives 0 or
+/// false. A number is written with the fewest digits that read back as the same number.
 double number_of(const Value& value);
 bool truth_of(const Value& value);
 std::string text_of(const Value& value);

@@ -1,4 +1,4 @@
-// Distributes faces among selectors, for comp, setback and the shape operations.
+// Distributes faces among selectors, for comp, setback and the operations that cut footprints (shapeL …).
 #pragma once
 
 #include <optional>
@@ -9,34 +9,34 @@
 
 namespace citykiln::grammars {
 
-/// The key of a selector: a word or an index.
+/// The key of a selector `key : body`: a word or an index.
 struct Key {
-  std::string_view word;  ///< Part of the program, which outlives the run.
+  std::string_view word;  ///< Points into the program, which outlives the run.
   std::optional<std::size_t> index;
 };
 
-/// The keys of a statement's selectors. A word that is not in `words` raises a warning and selects nothing.
+/// Returns the keys of a statement's selectors. A word that is not in `words` raises a warning and selects nothing.
 std::vector<Key> keys_of(Execution& execution, const Statement& statement, const char* words);
 
-/// The index of the key with this word; -1 if there is none.
+/// Returns the index of the key with this word; -1 if there is none.
 int index_of(const std::vector<Key>& keys, std::string_view word);
 
-/// A face and the index of the selector that takes it; -1 for none.
+/// A face and the index of the selector that selects it; -1 for none.
 struct PartOf {
   Face face;
   int selector = -1;
 };
 
-/// The displacement of cutting faces in their planes: 0 for planar faces.
+/// Returns the displacement of the surface by cutting faces along their planes: 0 for planar faces.
 Displacement of_cutting(std::span<const Face> faces);
 
 /// Applies the bodies of the selectors to the faces: for `:` to each face, for `=` to all together. A single face gets
-/// its own axes as scope, several keep the current axes. Faces without a selector vanish. The union of the parts has to
-/// be the current surface, moved by at most `moved`.
+/// its own axes as scope, several keep the current axes. Faces without a selector are dropped.
+/// @param parts  Their union is the current surface, moved by at most `moved`.
 void spawn_parts(Execution& execution, const Statement& statement, std::vector<PartOf> parts, Displacement moved);
 
-/// The directions right and front of a face in its plane. `front` is the scope's z for lots and roofs, and down for
-/// walls.
+/// The directions right and front within the plane of a face. `front` is the scope's z for horizontal faces such as
+/// lots, and downwards for walls.
 struct PlanAxes {
   Vec3 right, front;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "compiler/geometry/offset_polygon.h"
+#include "compiler/geometry/segment.h"
 #include "grammars/operations/face_parts.h"
 #include "grammars/operations/operations.h"
 #include "grammars/shapes/cut.h"
@@ -91,9 +92,8 @@ Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward
     auto& bands = cut.bands.emplace_back();
     for (const Polygon& band : offset.bands[i]) {
       bands.push_back(lifted(band, frame, face, kSnap_m));
-      each_vertex(bands.back(), [&](Vec3 p) {
-        cut.reach_m = std::max(cut.reach_m, distance_to_segment_m(p, edges[i].a, edges[i].b));
-      });
+      each_vertex(bands.back(),
+                  [&](Vec3 p) { cut.reach_m = std::max(cut.reach_m, distance_to_segment(edges[i].a, edges[i].b, p)); });
     }
   }
   return cut;

@@ -50,7 +50,7 @@ Scope slice_of(const Scope& scope, int axis, double from_m, double to_m) {
 /// Cuts slices off a shape, in order along an axis.
 struct Slicer {
   Vec3 along;
-  double start_m = 0;  ///< Of the scope, along the axis.
+  double start_m = 0;  ///< The size of the scope along the axis.
   bool closed = false;
   std::vector<Face> rest;
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the pictures of grammars/README.md and grammars/rules/README.md with citykiln itself.
+"""Makes the pictures of grammars/cga.md and grammars/rules/README.md with citykiln itself.
 
 make_pictures.py BUILD [NAME …]: all, or those whose names begin so. BUILD holds citykiln and tests/rule_glb; oiiotool makes .jpg of .png.
 """
@@ -51,7 +51,7 @@ def picture(build, folder, name, orders, eye, look, fov):
 def main():
     build, wanted = Path(sys.argv[1]), sys.argv[2:]
     is_wanted = lambda name: not wanted or any(name.startswith(w) for w in wanted)
-    examples = re.findall(r"```cga\n(.*?)```", (HERE.parent / "README.md").read_text(), re.S)
+    examples = re.findall(r"```cga\n(.*?)```", (HERE.parent / "cga.md").read_text(), re.S)
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         for i, text in enumerate(examples, 1):

@@ -6,12 +6,12 @@
 
 namespace citykiln::roofs {
 
-/// The height over the eaves, in metres, from the height, angle or levels of the shape or the default pitch of its
-/// form.
+/// Returns the height over the eaves, in metres, from the height, angle or levels of the shape, or else from the
+/// default pitch of its form.
 ///
-/// Exact if height_m is given, and for roofs of one section along a line. For roofs over a skeleton or an apex the
-/// footprint counts as the rectangle of its area and perimeter, which is exact for rectangles and within some tenths
-/// for wings of one width. 0 for flat roofs and footprints of fewer than three corners. O(n²).
+/// Exact if height_m is given, and for roofs of one section along a line. Other roofs are computed for the rectangle
+/// with the area and the perimeter of the footprint, which is exact for rectangles and within some tenths for wings of
+/// one width. Returns 0 for flat roofs and footprints of fewer than three corners. O(n²).
 double expected_rise_m(const Polygon& footprint, const RoofShape& shape);
 
 }  // namespace citykiln::roofs

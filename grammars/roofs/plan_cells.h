@@ -1,4 +1,5 @@
-// Triangulates the floor plan of a roof: footprint and facets laid over each other.
+// Triangulates the plan of a roof: the overlay of footprint, eaves and facets (pieces over which the roof is planar). A
+// cell is a triangle of the result.
 #pragma once
 
 #include <span>
@@ -10,25 +11,27 @@
 
 namespace citykiln::roofs {
 
+/// The index of a facet where there is none.
 inline constexpr std::uint32_t kNoFacet = 0xffffffffu;
 
 /// A triangle of the plan.
 struct PlanCell {
-  std::array<std::uint32_t, 3> points{};      ///< Counter-clockwise.
-  std::array<std::uint32_t, 3> neighbours{};  ///< Opposite to each point; kNoFace outside.
-  std::uint32_t facet = kNoFacet;             ///< The first that covers it, else that of a neighbour.
-  bool is_uncovered = false;                  ///< No facet covers it.
-  bool is_over_footprint = true;              ///< Else only the eaves are over it.
+  std::array<std::uint32_t, 3> points{};      ///< Indices into PlanCells::points, counter-clockwise.
+  std::array<std::uint32_t, 3> neighbours{};  ///< The cell opposite to each point; kNoFace outside.
+  std::uint32_t facet = kNoFacet;  ///< The index of the first facet that covers the cell, else of a neighbour's facet.
+  bool is_uncovered = false;       ///< No facet covers the cell.
+  bool is_over_footprint = true;   ///< False for a cell below overhanging eaves, outside of the footprint.
 };
 
 struct PlanCells {
-  std::vector<Vec2> points;  ///< On the 2^-10 m grid; some are unused.
+  std::vector<Vec2> points;  ///< Plane metres, multiples of 2^-10 m; some are unused.
   std::vector<PlanCell> cells;
 };
 
-/// Triangulates the union of footprint and eaves, so that no border of these or of a facet crosses a triangle. The
-/// arrangement is snap-rounded (arrangement.h) and its triangulation exact, so it cannot fail. Uncovered cells get the
-/// facet of the nearest covered cell, in steps from cell to cell; kNoFacet without covered cells.
+/// Triangulates the union of footprint and eaves so that no border of these or of a facet crosses a triangle. Cannot
+/// fail: the arrangement is snap-rounded (arrangement.h) and its triangulation exact. An uncovered cell gets the facet
+/// of the nearest covered cell, counted in steps from cell to cell, or kNoFacet if no cell is covered.
+/// @param eaves_outline  The outline of overhanging eaves; empty: no overhang.
 PlanCells plan_cells(const Polygon& footprint, const Polygon& eaves_outline, std::span<const Facet> facets);
 
 }  // namespace citykiln::roofs

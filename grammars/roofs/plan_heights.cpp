@@ -34,7 +34,7 @@ std::vector<Corner> corners_of_plan(const PlanCells& plan, std::span<const Facet
 
 enum class Location : std::uint8_t { kOutside, kInside, kBorder };
 
-// How points location to the footprint.
+// The location of each point relative to the footprint.
 std::vector<Location> locations_of(const PlanCells& plan) {
   std::vector<Location> locations(plan.points.size(), Location::kOutside);
   for (const PlanCell& cell : plan.cells)

@@ -1,4 +1,5 @@
-// Roofs: a surface over a footprint that closes a body together with walls and a floor.
+// A roof: a surface over the footprint of a building. Together with walls and a floor it encloses a solid. The eaves
+// plane is the horizontal plane in which walls end.
 #pragma once
 
 #include <array>
@@ -10,30 +11,35 @@
 
 namespace citykiln::roofs {
 
+/// The part of a roof to which a triangle belongs.
 enum class Part : std::uint8_t {
-  kRoof,   ///< Roof planes.
-  kGable,  ///< Vertical: walls over the border of the footprint or between two teeth, up to the underside of the roof.
+  kRoof,  ///< Roof planes.
+  /// Vertical walls above the eaves plane, up to the underside of the roof: over the border of the footprint, or
+  /// between the teeth of a saw-tooth roof.
+  kGable,
   kEdge,   ///< The vertical rim of overhanging eaves.
   kSoffit  ///< The underside of overhanging eaves.
 };
 
-/// Heights are metres over the eaves plane, where walls end. All coordinates are multiples of 2^-10 m.
+/// A roof. x and y are in the frame of the footprint, z is the height over the eaves plane, in metres. All coordinates
+/// are multiples of 2^-10 m.
 struct Roof {
-  std::vector<Vec3> positions;      ///< All of them are used by triangles, eaves or floor.
+  std::vector<Vec3> positions;      ///< Each position is used by triangles, eaves or floor.
   std::vector<Triangle> triangles;  ///< Counter-clockwise from outside.
   std::vector<Part> parts;          ///< By triangle.
-  /// By triangle: triangles with the same number and part are in one plane, or nearly; rims (kEdge) go around corners.
+  /// By triangle. Triangles with equal number and part are in one plane, or nearly; rims (kEdge) go around corners.
   std::vector<std::uint32_t> faces;
-  /// The feet of the walls: rings of positions at height 0, the body on their left. They follow the footprint, with
-  /// further points where a ridge or a valley ends in a gable.
+  /// The lines where roof and walls meet: rings of positions at height 0 with the body on their left. They follow the
+  /// footprint, with further points where a ridge or a valley ends in a gable.
   std::vector<std::vector<std::uint32_t>> eaves;
-  std::vector<Triangle> floor;  ///< The plan within the eaves at height 0, facing up. Closes the roof.
-  Form form = Form::kFlat;      ///< As built.
-  double height_m = 0;          ///< Of the highest point.
-  double error_m = 0;           ///< Bounds the distance to the roof at tolerance 0.
+  std::vector<Triangle> floor;  ///< The plan inside `eaves` at height 0, facing up.
+  Form form = Form::kFlat;      ///< The form that was built.
+  double height_m = 0;          ///< The height of the highest point.
+  double error_m = 0;           ///< An upper bound of the distance to the roof generated at tolerance 0.
 };
 
-/// Roof, walls down to bottom_m and floor: a closed 2-manifold, oriented outward, without duplicate vertices.
+/// Returns roof, walls down to bottom_m and floor as one closed 2-manifold, oriented outward, without duplicate
+/// vertices.
 /// @param bottom_m  < 0, and below the soffits if the body must not touch itself.
 Mesh closed_body(const Roof& roof, double bottom_m);
 

@@ -1,4 +1,4 @@
-// The input of all roof methods: a cleaned footprint with its box and eaves.
+// The common input of all roof methods: a cleaned footprint with its box and eaves.
 #pragma once
 
 #include <optional>
@@ -9,26 +9,30 @@
 
 namespace citykiln::roofs {
 
-/// The thickness of overhanging eaves, about that of rafters and tiles; lifts the roof by it.
+/// The thickness of overhanging eaves, by which the roof is lifted: about the thickness of rafters and tiles.
 inline constexpr double kThickness_m = 0.1875;
 
+/// The input of all roof methods.
 struct RoofInput {
-  Polygon footprint;  ///< As made by cleaned().
-  Polygon eaves;      ///< Around it; empty for no overhang.
+  Polygon footprint;  ///< The result of cleaned().
+  Polygon eaves;      ///< The outline of the eaves; empty: no overhang.
   OrientedBox box;
   RoofShape shape;
-  double tolerance_m = 0;  ///< What remains of it after eaves were left out.
-  Vec2 left_out_m;         ///< Eaves below the tolerance: their overhang and thickness.
+  double tolerance_m = 0;  ///< The tolerance of the caller less the error of eaves that were left out.
+  Vec2 left_out_m;  ///< The overhang (x) and the thickness (y) of eaves that were left out, being below the tolerance.
 };
 
-/// Computes the box, and the eaves of forms that can have them. @param footprint  Not empty.
+/// Returns the input for a cleaned footprint: computes the box, and the eaves if the form can have them.
+/// @param footprint  Not empty.
 RoofInput roof_input(Polygon footprint, const RoofShape& shape, double tolerance_m);
 
-/// The height of a roof whose main slopes are span_m long in plan.
+/// Returns the height of a roof over the eaves plane, in metres.
+/// @param span_m  The distance from the eaves to the ridge, in plan.
 double rise_of(const RoofShape& shape, double span_m);
 
-/// The knee of a shape that has one, as shares of the span and the rise. If the slopes do not meet before the ridge,
-/// they are one; so is a knee at the eaves and the slope above it.
+/// Returns the knee of a shape, x as a share of the span and y as a share of the rise; std::nullopt for a shape without
+/// knee. A knee beyond the ridge is moved to the ridge, and a knee below the eaves to the eaves, which leaves one
+/// slope.
 std::optional<Vec2> knee_of(const RoofShape& shape, double span_m);
 
 }  // namespace citykiln::roofs

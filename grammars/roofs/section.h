@@ -1,6 +1,6 @@
-// Cross sections: how a roof rises from its eaves, as a polyline.
+// Sections: cross-sections of roofs, as polylines from the eaves to the top.
 //
-//        .--        dome, round: an arc; mansard, gambrel: a knee; hipped: straight
+//        .--        dome, round: an arc; mansard, gambrel: with a knee; hipped: straight
 //      /
 //     |
 #pragma once
@@ -13,29 +13,35 @@
 
 namespace citykiln::roofs {
 
-/// Corners from the eaves to the top. x: distance inward, 0 at the eaves, 1 at the ridge; y: height, 0 to 1.
+/// A polyline from the eaves to the top. x is the distance inward, 0 at the eaves and 1 at the ridge, except in the
+/// result of section_over_apex(). y is the height, 0 to 1.
 struct Section {
   std::vector<Vec2> corners;
-  double error_m = 0;  ///< Bounds the distance between the roofs of the polyline and of the curve.
+  double error_m = 0;  ///< Bounds the distance in metres between the roof made from the polyline and the
+                       ///< roof made from the exact curve.
 };
 
-/// The section of a roof that is drawn along a line. The error is the distance of arcs from their chords.
+/// Returns the section of a roof that is extruded along a line (strips.h). The error is the distance of arcs from their
+/// chords.
 ///
-/// @param span_m  From the eaves to the ridge, in plan. > 0.
+/// @param span_m  The distance from the eaves to the ridge, in plan. > 0.
 /// @param rise_m  The height of the ridge over the eaves. > 0.
-/// Guarantees: x and y never decrease; error_m <= tolerance_m as long as that needs at most 256 corners. An arc is that
-/// of a circle if rise_m <= span_m, else of an ellipse. Arcs are halved until they are flat enough, which needs square
-/// roots only, so the result is the same on every machine.
+/// Guarantees: x and y never decrease; error_m <= tolerance_m unless that needs more than 256 corners. Arcs are
+/// circular if rise_m <= span_m, else elliptic. Arcs are halved until the chords are within the tolerance, which needs
+/// only square roots, so the result is equal on every machine.
 Section section_along(Form form, double span_m, double rise_m, double tolerance_m);
 
-/// The section of a roof over inset facets. Its sides meet at any angle, so the error is measured vertically, which
-/// does not depend on the angle. Otherwise as section_along().
-/// @param knee  Of a mansard roof, if it is not the default.
+/// Returns the section of a roof over a straight skeleton (inset_facets.h). The sides of such a roof meet at any angle,
+/// so the error is the largest vertical distance, which is equal for every angle. Parameters and guarantees are equal
+/// to section_along().
+/// @param knee  The knee of a mansard roof, as shares of span and rise, if it is not the default.
 Section section_over_skeleton(Form form, double span_m, double rise_m, double tolerance_m,
                               std::optional<Vec2> knee = {});
 
-/// The section of a roof over an apex: x is the distance from the apex relative to that of the eaves, from 1 to 0; that
-/// of an onion exceeds 1. The error is that at the farthest corner, reach_m from the apex.
+/// Returns the section of a roof over an apex (apex.h). Here x is measured the other way: it is the distance from the
+/// apex as a share of the distance between apex and eaves, so it falls from 1 at the eaves to 0 at the apex. In an
+/// onion x exceeds 1. The error is valid for the corner of the footprint that is farthest from the apex.
+/// @param reach_m  The distance from the apex to that corner, in plan.
 Section section_over_apex(Form form, double span_m, double reach_m, double rise_m, double tolerance_m);
 
 }  // namespace citykiln::roofs

@@ -1,4 +1,4 @@
-// The border of a set of triangles that share vertices.
+// Finds the border of a set of triangles that share vertices.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,9 @@
 
 namespace citykiln::grammars {
 
-/// The vertices along the edges that belong to one triangle only, with the triangles on the left. std::nullopt if these
-/// edges are not one simple ring, or an edge occurs twice in the same direction. O(n log n).
+/// Returns the ring of vertices along the edges that belong to one triangle only, with the triangles on the left.
+/// Returns std::nullopt if these edges are not one simple ring, or an edge occurs twice in the same direction. O(n log
+/// n).
 std::optional<std::vector<std::uint32_t>> border_ring(std::span<const Triangle> triangles);
 
 }  // namespace citykiln::grammars

@@ -82,12 +82,6 @@ std::size_t vertex_count(std::span<const Face> faces) {
   return count;
 }
 
-double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 ab = b - a;
-  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
-  return length(p - (a + ab * t));
-}
-
 FaceFrame frame_of(const Face& face) {
   FaceFrame frame;
   frame.origin = face.outer.empty() ? Vec3{} : face.outer.front();

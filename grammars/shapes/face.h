@@ -12,37 +12,48 @@
 
 namespace citykiln::grammars {
 
-/// The kind of a face, set by the operation that made it, for comp(f). For kNone the direction of the face decides.
-enum class FaceTag : std::uint8_t { kNone, kTop, kSide, kBottom, kVertical, kInside, kBorder };
+/// The kind of a face, which selectors of comp(f) test. It is set by the operation that made the face.
+enum class FaceTag : std::uint8_t {
+  kNone,      ///< No tag: selectors test the direction of the face.
+  kTop,       ///< A roof plane, however steep.
+  kSide,      ///< A gable of a roof.
+  kBottom,    ///< The floor below a roof.
+  kVertical,  ///< A face that selectors treat as vertical; no operation sets it at present.
+  kInside,    ///< The inner part that setback() leaves of a face.
+  kBorder     ///< A band that setback() cuts off, or a rim or underside of a roof's overhang.
+};
 
-/// Plane metres, z up. Outer counter-clockwise seen from where the normal points, holes clockwise.
+/// A planar polygon, in metres on the map plane with z up. Seen from the side to which the normal points, the outer
+/// ring is counter-clockwise and holes are clockwise.
 struct Face {
-  Ring3 outer;
-  std::vector<Ring3> holes;
-  FaceTag tag = FaceTag::kNone;
-  bool street = false;                     ///< Is a wall along a street.
-  std::vector<std::uint8_t> street_edges;  ///< Per edge of `outer`, 1 if along a street; empty for none.
+  Ring3 outer;                             ///< The outer border.
+  std::vector<Ring3> holes;                ///< The borders of holes.
+  FaceTag tag = FaceTag::kNone;            ///< Its kind.
+  bool street = false;                     ///< The face is a wall along a street.
+  std::vector<std::uint8_t> street_edges;  ///< By edge of `outer`: 1 if it is along a street; empty: none is.
   bool operator==(const Face&) const = default;
 };
 
-/// The points p where dot(normal, p) = offset_m. `normal` has length 1.
+/// The plane of points p where dot(normal, p) = offset_m. `normal` has length 1.
 struct CutPlane {
   Vec3 normal;
   double offset_m = 0;
 };
 
-/// Points nearer to a plane than this are on it: 6e-8 m, above the rounding error of coordinates up to 100 km.
+/// The distance below which a point counts as on a plane: 6e-8 m, above the rounding error of coordinates up to 100 km.
 inline constexpr double kOnPlane_m = 0x1p-24;
 
-/// Twice the area, as a vector along the normal (Newell). O(n).
+/// Returns a vector along the normal whose length is twice the area (Newell). O(n).
 Vec3 area_vector_m2(std::span<const Vec3> ring);
 Vec3 area_vector_m2(const Face& face);
-/// The unit normal of the outer ring; {0, 0, 0} for a face without area.
+/// Returns the unit normal of the outer ring; {0, 0, 0} for a face without area.
 Vec3 normal_of(const Face& face);
 double area_m2(const Face& face);
+/// Returns the face seen from its other side: rings in reverse order.
 Face reversed(const Face& face);
-/// The extent of the corners along the normal; 0 if it is at most kOnPlane_m. Roof planes have rounded corners and are
-/// planar to about a millimetre; this bounds the distance between two triangulations of a face. O(n).
+/// Returns the extent of the corners along the normal; 0 if it is at most kOnPlane_m. This extent bounds the distance
+/// between two triangulations of the face. The coordinates of roof planes are rounded, so these planes are planar only
+/// to about a millimetre. O(n).
 double bend_m(const Face& face);
 
 /// Calls `with` on every vertex.
@@ -57,20 +68,21 @@ void each_vertex(const Face& face, Visitor with) {
   each_vertex(const_cast<Face&>(face), [&](const Vec3& p) { with(p); });
 }
 
-double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b);
 std::size_t vertex_count(std::span<const Face> faces);
 
-/// A right-handed frame of the face's plane: the first point as origin, x along the first edge that is not degenerate,
-/// z along the normal.
+/// A right-handed frame of a face's plane: the origin is the first point, x is along the first edge that is not
+/// degenerate, z is along the normal.
 struct FaceFrame {
   Vec3 origin, x, y, z;
   Vec2 to_plane(Vec3 p) const { return {dot(p - origin, x), dot(p - origin, y)}; }
   Vec3 to_space(Vec2 p) const { return origin + x * p.x + y * p.y; }
 };
+/// Returns the frame of a face's plane.
 FaceFrame frame_of(const Face& face);
-/// The face in the coordinates of the frame.
+/// Returns the face in the coordinates of the frame.
 Polygon flat(const Face& face, const FaceFrame& frame);
-/// The polygon back in space. Points within `snap_m` of a vertex of `like` become that vertex, bit for bit.
+/// Returns a polygon in coordinates of the frame as a face in space. Points within `snap_m` of a vertex of `like`
+/// become that vertex, bit for bit.
 Face lifted(const Polygon& polygon, const FaceFrame& frame, const Face& like, double snap_m);
 
 }  // namespace citykiln::grammars

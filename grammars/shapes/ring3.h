@@ -12,7 +12,7 @@
 
 namespace citykiln::grammars {
 
-/// The points of a closed polygon in order; the first is not repeated at the end. Storage for four points is inline,
+/// The points of a closed polygon in order, without a repeated first point at the end. Four points are stored inline,
 /// because most faces are quadrilaterals. Converts to std::span<const Vec3>, which boost::container::small_vector does
 /// not.
 class Ring3 {

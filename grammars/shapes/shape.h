@@ -1,4 +1,5 @@
-// Shapes: what rules are applied to.
+// Shapes, to which the rules of a CGA grammar are applied: faces in a scope (an oriented box), with an appearance and
+// inherited values. A node is one application of a rule to a shape.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace citykiln::grammars {
 
-/// The material of a surface as rules set it. The caller of derive() decides what a name looks like.
+/// The material of a surface as set by rules. The caller of derive() decides how a name is rendered.
 struct Appearance {
   std::string name;                     ///< material.name, e.g. "brick"; "" if no rule has set it.
   std::string colour_map;               ///< texture("…").
@@ -22,40 +23,41 @@ struct Appearance {
   auto operator<=>(const Appearance&) const = default;
 };
 
-/// Texture coordinates as an affine function of position: u = dot(p - origin, u_per_m), and v alike. The texture covers
-/// 0 to 1.
+/// Texture coordinates as an affine function of position p: u = dot(p - origin, u_per_m), v = dot(p - origin, v_per_m).
+/// The texture covers 0 to 1.
 struct TextureProjection {
   Vec3 origin;
   Vec3 u_per_m, v_per_m;
   bool operator==(const TextureProjection&) const = default;
 };
 
-/// The place of a shape in a split or comp: index of total. Successors inherit it.
+/// The index of a shape among the `total` parts of a split or comp. Shapes made from this shape inherit the index.
 struct SiblingIndex {
   double index = 0, total = 0;
-  /// The derivation node to which it was assigned (Shape::node); ~0 until that node exists.
+  /// The node to which the index was assigned (Shape::node); ~0 until that node exists.
   std::uint32_t since_node = ~0u;
 };
 
-/// Attributes changed by set(), by index into Program::attributes.
+/// The values of attributes changed by set(), by index into Program::attributes.
 using AttributeSet = std::map<std::uint32_t, Value>;
 
+/// The current state of a node: its surface, scope and attributes.
 struct Shape {
-  StableId id{};  ///< Of the first shape of a derivation; Run::id_of() computes the others.
+  StableId id{};  ///< Set for the first shape of a derivation; Run::id_of() computes the others.
   Scope scope;
   std::vector<Face> faces;
-  Scope parent_scope;  ///< For center().
+  Scope parent_scope;  ///< The scope of the parent, for center().
   std::string asset;   ///< The instance of i("…") that fills the scope instead of faces; "" for none.
   SiblingIndex in_split, in_comp;
   // indices into Tables; 0 is the default
   std::uint32_t appearance = 0;
-  std::uint32_t projection = 0;  ///< A texture projection set up, but not applied yet.
+  std::uint32_t projection = 0;  ///< A texture projection that is set up but not applied yet.
   std::uint32_t texture = 0;     ///< The texture projection applied to the surface.
-  std::uint32_t attributes = 0;
-  std::uint32_t node = 0;  ///< Index into Run::nodes.
+  std::uint32_t attributes = 0;  ///< The changed attributes (AttributeSet).
+  std::uint32_t node = 0;        ///< Index into Run::nodes.
 };
 
-/// A copy of all that a successor inherits: everything but the faces.
+/// Returns a copy without faces, for a shape that is made from this one.
 inline Shape inherited_from(const Shape& from) {
   return {.id = from.id,
           .scope = from.scope,

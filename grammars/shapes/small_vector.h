@@ -11,7 +11,7 @@ namespace citykiln::grammars {
 template <typename Entry, std::size_t count>
 using SmallVector = boost::container::small_vector<Entry, count>;
 
-/// All entries. Needed because Boost's iterators are not contiguous iterators in the sense of std::span.
+/// Returns a span over all entries. Boost's iterators are not contiguous iterators in the sense of std::span.
 template <typename Entry, std::size_t count>
 std::span<const Entry> span_of(const SmallVector<Entry, count>& entries) {
   return {entries.data(), entries.size()};

@@ -1,4 +1,5 @@
-// Tables of a derivation: appearances, texture projections and changed attributes, which shapes refer to by index.
+// The tables of a derivation, to whose entries shapes refer by index: appearances, texture projections, changed
+// attributes.
 #pragma once
 
 #include <map>
@@ -10,7 +11,7 @@
 
 namespace citykiln::grammars {
 
-/// Areas in square metres, by index of the appearance.
+/// Areas in square metres, by index into Tables::appearances.
 using AppearanceAreas = std::map<std::uint32_t, double>;
 
 struct AppearanceHash {
@@ -20,20 +21,22 @@ struct AppearanceHash {
 /// Entry 0 of each table is the default of a first shape. Entries never change.
 struct Tables {
   std::vector<Appearance> appearances = {Appearance{}};
-  std::vector<TextureProjection> textures = {TextureProjection{}};  ///< In order of creation; may contain duplicates.
+  /// In the order of creation; may contain duplicates.
+  std::vector<TextureProjection> textures = {TextureProjection{}};
   std::vector<AttributeSet> attribute_sets = {AttributeSet{}};
+  /// The areas of the details that simplified terminals replace.
   std::vector<AppearanceAreas> appearance_areas = {AppearanceAreas{}};
-  /// Not iterated, so that its order has no effect.
+  /// The index of each appearance. Never iterated, so its order has no effect.
   std::unordered_map<Appearance, std::uint32_t, AppearanceHash> appearance_of = {{Appearance{}, 0}};
   std::map<AttributeSet, std::uint32_t> attribute_set_of = {{AttributeSet{}, 0}};
 
-  /// The index of the entry, which is added if the table does not contain it.
+  /// Returns the index of an entry, and adds it if the table does not contain it.
   std::uint32_t index_of(const Appearance& appearance);
   std::uint32_t index_of(const AttributeSet& set);
-  /// The index of a new entry.
+  /// Adds an entry and returns its index.
   std::uint32_t add(const TextureProjection& texture);
   std::uint32_t add(AppearanceAreas areas);
-  /// std::nullopt for 0.
+  /// Returns the entry at an index; std::nullopt for 0.
   std::optional<TextureProjection> texture_at(std::uint32_t index) const;
 };
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the pictures of lsystems/README.md.
+"""Makes the pictures of lsystems/notation.md.
 
 make_pictures.py BUILD [NAME …]: all, or those whose names begin so. BUILD holds tests/lsystem_png; oiiotool makes .jpg of .png.
 """
@@ -47,7 +47,7 @@ def compress(png, name, most):
 def main():
     build, wanted = Path(sys.argv[1]), sys.argv[2:]
     is_wanted = lambda name: not wanted or any(name.startswith(w) for w in wanted)
-    examples = re.findall(r"```lsys\n(.*?)```", (HERE.parent / "README.md").read_text(), re.S)
+    examples = re.findall(r"```lsys\n(.*?)```", (HERE.parent / "notation.md").read_text(), re.S)
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         for i, text in enumerate(examples, 1):

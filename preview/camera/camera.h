@@ -1,4 +1,4 @@
-// Cameras, and views that are found by name.
+// Cameras, and the views of a scene by name.
 #pragma once
 
 #include <optional>
@@ -10,26 +10,26 @@
 
 namespace citykiln::preview {
 
-/// Where a camera is, and the point in the middle of its picture. Plane metres, z up.
+/// The position of a camera and the point in the middle of its picture. Plane metres, z up.
 struct Pose {
   Vec3 eye, look_at;
 };
 
-/// A camera in the plane, metres, z up: a pinhole or a thin lens, at rest or moving while its shutter is open.
+/// A camera in plane metres, z up: a pinhole or a thin lens, at rest or moving while its shutter is open.
 struct Camera {
   Vec3 eye, look_at;
   double vertical_fov_deg = 45;
   double lens_radius_m = 0;  ///< 0: a pinhole, everything is in focus.
-  /// Distance along the view of the plane in focus; 0: that of look_at.
+  /// Distance from the eye to the plane in focus; 0: the distance of look_at.
   double focus_m = 0;
-  /// The pose when the shutter closes; it moves there evenly. Empty: the camera is at rest.
+  /// The pose when the shutter closes. The camera moves there at constant speed. Empty: the camera is at rest.
   std::optional<Pose> shutter_end{};
 };
 
-/// A named view of a scene: "overview" (from the south-east, all of it), "street", "top", "north", "south", "east",
-/// "west", "low", and "square", "river", "hilltop", "roofs", "skyline", which a scene may lack (place_views.h). A
-/// function of the tiles' content. Errors: an unknown name; the message lists the known ones; a scene without such a
-/// place.
+/// Returns a camera that shows a scene from a view by name: "overview" (from the south-east, all of it), "street",
+/// "top", "north", "south", "east", "west", "low"; and "square", "river", "hilltop", "roofs", "skyline", which a scene
+/// may lack (place_views.h). The camera depends only on the tiles' content. Errors: an unknown name, with the known
+/// ones in the message; a scene without such a place.
 Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name);
 
 }  // namespace citykiln::preview

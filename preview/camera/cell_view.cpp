@@ -12,7 +12,7 @@
 namespace citykiln::preview {
 namespace {
 
-// Of films with more frames, neighbouring eyes are joined.
+// A film with more eyes after its first has neighbouring ones joined.
 constexpr std::size_t kMostEyes = 64;
 
 // Boxes of neighbouring eyes.

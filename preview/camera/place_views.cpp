@@ -18,8 +18,8 @@ struct Best {
   double value = 0;
   std::optional<Camera> camera{};
 
-  void offer(double other, const Camera& of) {
-    if (other > value) value = other, camera = of;
+  void keep_better(double other_value, const Camera& other) {
+    if (other_value > value) value = other_value, camera = other;
   }
 };
 
@@ -29,7 +29,7 @@ bool is_under_the_sky(const ViewProbe& look, Vec3 eye) { return look.sight_m(eye
 int buildings_around(const ViewProbe& look, Vec3 eye, double near_m) {
   int count = 0;
   for (int direction = 0; direction < kDirections; ++direction)
-    count += look.meets_building(eye, unit(level(direction) + Vec3{0, 0, 0.1}), near_m) ? 1 : 0;
+    count += look.meets_building(eye, unit(horizontal(direction) + Vec3{0, 0, 0.1}), near_m) ? 1 : 0;
   return count;
 }
 
@@ -38,7 +38,7 @@ int buildings_ahead(const ViewProbe& look, Vec3 eye, int direction, double rise,
   int count = 0;
   for (const int aside : {-2, -1, 0, 1, 2})
     for (const double up : {rise - 0.06, rise, rise + 0.06})
-      count += look.meets_building(eye, unit(level(direction + aside) + Vec3{0, 0, up}), far_m) ? 1 : 0;
+      count += look.meets_building(eye, unit(horizontal(direction + aside) + Vec3{0, 0, up}), far_m) ? 1 : 0;
   return count;
 }
 
@@ -47,7 +47,7 @@ double width_of_square(const ViewProbe& look, Vec3 eye) {
   constexpr double kFar_m = 60;
   double inverse = 0;
   for (int direction = 0; direction < kDirections; ++direction)
-    inverse += 1 / std::max(look.sight_m(eye, level(direction), kFar_m), 0.1);
+    inverse += 1 / std::max(look.sight_m(eye, horizontal(direction), kFar_m), 0.1);
   return kDirections / inverse;
 }
 
@@ -73,13 +73,13 @@ std::optional<Camera> square_view(std::span<const bake::BakedTile> tiles, const 
     const double value = width_m * buildings_around(look, middle, kNear_m) / kDirections;
     for (int direction = 0; direction < kDirections; ++direction) {
       // from near the edge, across the middle
-      const double back_m = look.walk_m(middle, level(direction) * -1, 40) - kElbowRoom_m - 1;
-      const Vec3 eye = middle - level(direction) * std::max(0.0, back_m);
+      const double back_m = look.walk_m(middle, horizontal(direction) * -1, 40) - kElbowRoom_m - 1;
+      const Vec3 eye = middle - horizontal(direction) * std::max(0.0, back_m);
       if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m || !is_under_the_sky(look, eye)) continue;
-      const double ahead_m = look.walk_m(eye, level(direction), kNear_m);
+      const double ahead_m = look.walk_m(eye, horizontal(direction), kNear_m);
       if (ahead_m < kLeastWidth_m) continue;
       const int buildings = buildings_ahead(look, eye, direction, 0.1, 2 * kNear_m);
-      best.offer(value * (1 + buildings) * ahead_m, {eye, eye + level(direction) * 40 + Vec3{0, 0, 3}, 60});
+      best.keep_better(value * (1 + buildings) * ahead_m, {eye, eye + horizontal(direction) * 40 + Vec3{0, 0, 3}, 60});
     }
   }
   return best.camera;
@@ -96,11 +96,11 @@ std::optional<Camera> river_view(std::span<const bake::BakedTile> tiles, const S
     const double room_m = look.room_m(eye, kBank_m);
     if (room_m < kElbowRoom_m || !is_under_the_sky(look, eye)) continue;
     for (int direction = 0; direction < kDirections; ++direction) {
-      const double ahead_m = look.walk_m(eye, level(direction), kFar_m);
+      const double ahead_m = look.walk_m(eye, horizontal(direction), kFar_m);
       if (ahead_m < kLeast_m) continue;
       const double value =
           room_m * room_m * std::sqrt(ahead_m) * (1 + buildings_ahead(look, eye, direction, 0.06, kFar_m));
-      best.offer(value, {eye, eye + level(direction) * 60 + Vec3{0, 0, 1}, 50});
+      best.keep_better(value, {eye, eye + horizontal(direction) * 60 + Vec3{0, 0, 1}, 50});
     }
   }
   return best.camera;
@@ -123,7 +123,7 @@ std::optional<Camera> hilltop_view(std::span<const bake::BakedTile> tiles, const
     if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m) continue;
     if (look.sight_m(eye, to, 1e6) < length(target - eye) - 60) continue;
     // steep enough to show the place as a map is seen, and near
-    best.offer((eye.z - target.z) / std::sqrt(away_m), {eye, target, 45});
+    best.keep_better((eye.z - target.z) / std::sqrt(away_m), {eye, target, 45});
   }
   return best.camera;
 }
@@ -136,8 +136,8 @@ std::optional<Camera> roofs_view(std::span<const bake::BakedTile> tiles, const S
   const Vec3 eye = at_height(in_plan(core), highest_about(grid, core) + kAbove_m);
   Best best;
   for (int direction = 0; direction < kDirections; ++direction)
-    best.offer(buildings_ahead(look, eye, direction, kFall, kFar_m),
-               {eye, eye + level(direction) * 100 + Vec3{0, 0, kFall * 100}, 50});
+    best.keep_better(buildings_ahead(look, eye, direction, kFall, kFar_m),
+                     {eye, eye + horizontal(direction) * 100 + Vec3{0, 0, kFall * 100}, 50});
   return best.camera;
 }
 
@@ -152,7 +152,7 @@ std::optional<Camera> skyline_view(std::span<const bake::BakedTile> tiles, const
   const Vec3 target = core + Vec3{0, 0, tall_m / 2};
   Best best;
   for (int direction = 0; direction < kDirections; ++direction) {
-    const Vec2 from = in_plan(core) + in_plan(level(direction)) * away_m;
+    const Vec2 from = in_plan(core) + in_plan(horizontal(direction)) * away_m;
     // hills that a column's lowest point does not show
     const Vec3 above = at_height(from, std::max(grid.highest_m(from), target.z) + 100);
     const double ground_m = std::max(above.z - look.sight_m(above, {0, 0, -1}, 1e4), core.z);
@@ -162,7 +162,7 @@ std::optional<Camera> skyline_view(std::span<const bake::BakedTile> tiles, const
       if (look.room_m(eye, kElbowRoom_m) < kElbowRoom_m || !is_under_the_sky(look, eye)) continue;
       const double seen_m = look.sight_m(eye, unit(target - eye), 1e6);
       if (seen_m < length(target - eye) - 200) continue;
-      best.offer(1 / rise_m, {eye, target, kFov_deg});
+      best.keep_better(1 / rise_m, {eye, target, kFov_deg});
       break;
     }
   }

@@ -1,4 +1,4 @@
-// Named views of kinds of places: a square, a river, a hilltop, roofs, and the skyline.
+// The named views of places that a scene may lack: a square, a river, a hilltop, roofs, and the skyline.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,22 @@
 
 namespace citykiln::preview {
 
-/// Views that a scene may lack. Each is chosen by rays among places on the tiles, the nearest to the scene's core
-/// first, and has 2 m of free space around the eye. Deterministic. Cost: one World, some 10,000 rays.
+// Each view is chosen by rays among places on the tiles, the nearest to the scene's core (its most densely built part)
+// first, and has 2 m of free space around the eye. Deterministic. Cost: one World, some 10,000 rays.
 
-/// Across the widest paved place that has buildings around it, at eye height. Empty: no paved place is 15 m wide.
+/// Returns the view across the widest paved place that has buildings around it, at eye height. Empty: no paved place is
+/// 15 m wide.
 std::optional<Camera> square_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid);
-/// From 4 m above water, along it, with the most buildings in sight. Empty: there is no water with 40 m of free sight.
+/// Returns the view from 4 m above water, along it, with the most buildings in sight. Empty: there is no water with 40
+/// m of free sight.
 std::optional<Camera> river_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid);
-/// From the highest ground within 3 km that sees the core, 15 m above the ground, down to the core. Empty: no ground
-/// with that sight is 20 m higher than the core.
+/// Returns the view down to the core from the highest ground within 3 km from which the core is visible, 15 m above
+/// that ground. Empty: no such ground is 20 m higher than the core.
 std::optional<Camera> hilltop_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid);
-/// From above the roofs at the core, in the direction with the most roofs. Empty: nothing is built.
+/// Returns the view from above the roofs at the core, in the direction with the most roofs. Empty: nothing is built.
 std::optional<Camera> roofs_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid);
-/// The core from 1.5 km away or more, from the side that needs the least height. Empty: nothing is built.
+/// Returns the view of the core from 1.5 km away or more, from the side that needs the least height. Empty: nothing is
+/// built.
 std::optional<Camera> skyline_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid);
 
 }  // namespace citykiln::preview

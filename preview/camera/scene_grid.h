@@ -1,4 +1,4 @@
-// A coarse grid of a scene: heights and built area of columns, from which named views are chosen.
+// A coarse grid of a scene: the heights and the built area of each column. Named views are chosen from it.
 #pragma once
 
 #include <span>
@@ -9,24 +9,26 @@
 
 namespace citykiln::preview {
 
-/// Whether a material is that of walls or roofs.
+/// True for materials of walls and roofs.
 bool is_built(materials::Material material);
-/// Whether a material is that of streets.
+/// True for materials of streets.
 bool is_street(materials::Material material);
 
-/// 96 by 96 columns over all positions that are not instanced. Without any, one column of 200 m about (0, 0). O(n).
+/// A grid of 96 by 96 columns over the positions of all primitives, without instances. A scene without positions has a
+/// grid of 200 m by 200 m about (0, 0). O(n).
 class SceneGrid {
  public:
   explicit SceneGrid(std::span<const bake::BakedTile> tiles);
 
-  /// The lowest and the highest point of every column that has any: all land has the same weight, however dense.
+  /// Returns the lowest and the highest point of every column that contains positions. So all land has the same weight,
+  /// however dense its mesh is.
   std::vector<Vec3> points() const;
-  /// The middle of the most densely built place of some 300 m, at the height of its ground; the middle of the scene
-  /// where nothing is built.
+  /// Returns the core: the middle of the most densely built square of some 300 m, at the height of the ground. If
+  /// nothing is built, the middle of the scene.
   Vec3 core_point() const { return core_; }
-  /// The highest point near a place; -infinity outside the scene.
+  /// Returns the highest z of the column at a place (plane metres); -infinity outside the scene.
   double highest_m(Vec2 at) const;
-  /// The lowest point near a place; -infinity outside the scene.
+  /// Returns the lowest z of the column at a place (plane metres); -infinity outside the scene.
   double lowest_m(Vec2 at) const;
 
  private:

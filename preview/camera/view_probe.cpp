@@ -10,7 +10,7 @@
 
 namespace citykiln::preview {
 
-Vec3 level(int direction) {
+Vec3 horizontal(int direction) {
   const double angle = 2 * std::numbers::pi * direction / kDirections;
   return {std::cos(angle), std::sin(angle), 0};
 }
@@ -28,7 +28,7 @@ bool ViewProbe::meets_building(Vec3 from, Vec3 direction, double near) const {
 double ViewProbe::room_m(Vec3 from, double limit) const {
   double room = limit;
   for (int direction = 0; direction < kDirections; ++direction)
-    room = std::min(room, sight_m(from, level(direction), limit));
+    room = std::min(room, sight_m(from, horizontal(direction), limit));
   return room;
 }
 

@@ -1,4 +1,4 @@
-// Rays that judge views, and the places where a person could stand.
+// Rays that judge views, and places where a person could stand.
 #pragma once
 
 #include <functional>
@@ -10,31 +10,35 @@
 
 namespace citykiln::preview {
 
-/// Directions that are tried at each place.
+/// Level directions that are tried at each place.
 inline constexpr int kDirections = 24;
 
-/// The unit vector of a direction 0 … kDirections - 1, counter-clockwise from east; other numbers go round.
-Vec3 level(int direction);
+/// Returns the unit vector of a level direction 0 … kDirections - 1, counter-clockwise from east. Other numbers wrap
+/// around.
+Vec3 horizontal(int direction);
 
-/// Casts rays in the plane's frame.
+/// Rays in a world. Positions are plane metres, directions are unit vectors.
 struct ViewProbe {
   const World& world;
 
-  /// Length of free sight, at most `limit`.
+  /// Returns the distance to the first surface along a ray, at most `limit` metres.
   double sight_m(Vec3 from, Vec3 direction, double limit) const;
-  /// Whether the ray ends on a wall or roof nearer than this.
+  /// True if the ray's first hit is a wall or roof nearer than `near` metres.
   bool meets_building(Vec3 from, Vec3 direction, double near) const;
-  /// The least free sight in all level directions, at most `limit`.
+  /// Returns the least sight_m() of all level directions.
   double room_m(Vec3 from, double limit) const;
-  /// Length of free sight ahead for a person: at eye height, past parapets below, and a few degrees to both sides.
+  /// Returns the free distance ahead of a person, at most `limit` metres: the least sight_m() at eye height, 1.2 m
+  /// lower (where a parapet or rising ground may be in the way), and a few degrees to both sides.
   double walk_m(Vec3 eye, Vec3 direction, double limit) const;
 };
 
-/// The farthest surface of 9 by 9 rays through a square picture; infinity if any of them meets nothing.
+/// Returns the distance of the farthest surface that 9 by 9 rays through a square picture hit; infinity if any of the
+/// rays hits nothing.
 double farthest_in_picture_m(const World& world, const Camera& camera);
 
-/// Middles of the triangles of some materials, the nearest to `core` first, at least `apart_m` apart, at most `count`.
-/// O(n log n).
+/// Returns the middles of triangles, the nearest to `core` first, at least `apart_m` apart, at most `count`. O(n log
+/// n).
+/// @param counts  True for the materials whose triangles are considered.
 std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core,
                               const std::function<bool(materials::Material)>& counts, double apart_m, int count);
 

@@ -35,7 +35,8 @@ CloudVeil cell_of(const CloudField& field, const sky::SkyModel& model, Vec3 eye,
 
 }  // namespace
 
-// The sky's light has come through air, of which the part before the clouds is theirs too.
+// The sky's radiance includes the light that air scatters before the clouds. `passed` removes a share of it, which is
+// added again.
 CloudVeil veil_of(const CloudPath& path, const sky::AirPath& before) {
   return {path.passed, before.added * (1 - path.passed) + before.passed * path.added};
 }

@@ -1,4 +1,4 @@
-// Clouds as matt surfaces see them, as a table by direction.
+// The clouds' part of the light that falls on matt surfaces, as a table by direction.
 #pragma once
 
 #include <optional>
@@ -8,24 +8,25 @@
 
 namespace citykiln::preview {
 
-/// Light behind clouds becomes light passed + added.
+/// The effect of clouds on the light from behind them: light · passed + added.
 struct CloudVeil {
-  double passed = 1;
-  Rgb added{};
+  double passed = 1;  ///< Share of the light from behind that passes, 0 to 1.
+  Rgb added{};        ///< Radiance that the clouds add.
 };
 
-/// Clouds along a ray and the air before them.
+/// Returns the effect of clouds along a ray together with the air before them.
 CloudVeil veil_of(const CloudPath& path, const sky::AirPath& before);
 
-/// What clouds add, behind the air before them, and let pass, by the direction from one eye, in cells of about three
-/// degrees: light that surfaces scatter does not show more. Other places below the clouds look up the direction in
-/// which the eye sees the place where their ray meets the lowest base. Thread-safe.
+/// A table of CloudVeil by the direction from one eye, in cells of about three degrees; scattered light does not show
+/// finer detail. For another place below the clouds, the ray is followed to the height of the lowest base, and the
+/// table is read in the direction from the eye to that point. Thread-safe.
 class CloudDome {
  public:
-  /// Cost: 12,288 rays. Same bits for any number of threads.
+  /// Computes the table for an eye (plane metres). Cost: 12,288 rays. Same bits for any number of threads.
   CloudDome(const CloudField& field, const sky::SkyModel& model, Vec3 eye, int threads);
 
-  /// Empty where the place or the eye is above the lowest base, and for directions that do not go up.
+  /// Returns the effect of clouds along a ray. Empty where the place or the eye is above the lowest base, and for
+  /// directions that do not go up.
   std::optional<CloudVeil> along(Vec3 from, Vec3 direction) const;
 
  private:

@@ -12,14 +12,14 @@
 namespace citykiln::preview {
 namespace {
 
-// Of each term against the one before: its light, the extinction on its way, and the mean cosine of its last
-// scattering.
+// Factors of each term relative to the one before: its light, the extinction on its way, and the mean cosine of its
+// last scattering.
 constexpr double kTermLight = 1, kTermExtinction = 0.28, kTermAsymmetry = 0.3;
 
 // Droplets scatter half of their light by less than ten degrees, so shadows are cast by the rest.
 constexpr double kShadowExtinction = 0.5;
 
-// Clouds that let less pass are the last thing that is seen.
+// A ray ends where clouds let less than this share of light pass.
 constexpr double kOpaque = 0.002;
 
 // The optical depth of the first step into a cloud, and how much longer each is than the one before.
@@ -99,7 +99,7 @@ CloudField::Lit CloudField::lit_at(Vec3 at) const {
   return lit;
 }
 
-// A way along a ray through overlapping spheres of one layer, from where one begins or ends to where the next does.
+// A march along a ray through overlapping spheres of one layer, in steps between the places where spheres begin or end.
 class CloudField::March {
  public:
   March(const CloudField& field, Vec3 direction, CloudPath& path) : field_(field), path_(path) {
@@ -126,7 +126,7 @@ class CloudField::March {
 
  private:
   static constexpr std::size_t kPowers = 5, kLights = 4;
-  // Of the sun, the sky, the ground, and the weights themselves, over spheres that the ray is in.
+  // Light of the sun, the sky and the ground, and the weights themselves, summed over the spheres that the ray is in.
   using Sums = std::array<double, kLights>;
 
   static bool ends_later(const SpherePart& a, const SpherePart& b) { return a.end > b.end; }
@@ -170,7 +170,7 @@ class CloudField::March {
     reached_m_ = std::max(reached_m_, to_m);
   }
 
-  // The weighted mean light halfway to a place, of droplets from here to there.
+  // Adds the light of a step, which is the weighted mean of the spheres in its middle.
   void step(double to_m) {
     const double step_m = to_m - reached_m_, middle_m = (to_m + reached_m_) / 2;
     reached_m_ = to_m;

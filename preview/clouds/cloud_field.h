@@ -1,4 +1,4 @@
-// Clouds between the eye and the sky: the light that they send along a ray, and what they let pass.
+// The light that clouds send along a ray, and the share of light that they let pass.
 #pragma once
 
 #include <array>
@@ -15,53 +15,62 @@ namespace citykiln::preview {
 struct CloudPath {
   double passed = 1;      ///< Share of light from behind that passes.
   Rgb added{};            ///< Light of the clouds themselves.
-  double distance_m = 0;  ///< Mean distance of what is seen of them; 0 where there are none.
+  double distance_m = 0;  ///< Mean distance of the clouds that are seen; 0 where there are none.
 };
 
-/// Light that falls on clouds.
+/// Light that falls on clouds. Radiance is in sky::kUnitLuminance_cd_m2.
 struct CloudLight {
   Vec3 to_sun{0, 0, 1};
-  Rgb sun{};     ///< Irradiance of the sun, of a plane that faces it.
+  Rgb sun{};     ///< Irradiance by the sun of a plane that faces it.
   Rgb sky{};     ///< Mean radiance from above.
-  Rgb ground{};  ///< From below.
+  Rgb ground{};  ///< Mean radiance from below.
 };
 
+/// Returns the light that falls on clouds under a sky.
 CloudLight light_on_clouds(const sky::SkyModel& model);
 
-/// Henyey and Greenstein's phase function, per steradian; `g` is the mean cosine.
+/// Returns the phase function of Henyey and Greenstein, per steradian.
+/// @param cosine   The cosine of the angle of deflection.
+/// @param g       The mean cosine.
 double henyey_greenstein(double cosine, double g);
 
 /// The mean cosine of scattering by droplets (0.85 for visible light, Liou 2002).
 inline constexpr double kDropletAsymmetry = 0.85;
 
-/// Layers of clouds, lit for rays. Thread-safe; the same bits for any number of threads.
+/// Layers of clouds with the light in each particle (a sphere of droplets). Thread-safe; the same bits for any number
+/// of threads.
 ///
 /// Method: light that is scattered many times goes mostly forwards (Harris, Lastra, "Real-Time Cloud Rendering",
-/// Eurographics 2001), so the sun's light in each particle is a sum of few terms, each weaker, less attenuated on the
-/// way from the sun, and less directed than the one before (Wrenninge, Kulla, Lundqvist, "Oz: The Great and
-/// Volumetric", SIGGRAPH 2013 talks); its factors are fitted to paths through clouds (cloud_paths.h). Light of sky and
-/// ground is that of a plane layer of the same optical depth above and below (two-stream approximation, Bohren 1987).
-/// Along a ray, light is that of the spheres that it passes, the mean of these where several overlap, with weights that
-/// are 0 at their surfaces. Layers shade each other.
+/// Eurographics 2001). Therefore the sun's light in each particle is a sum of a few terms, each less attenuated on the
+/// way from the sun, and less directed, than the one before (Wrenninge, Kulla, Lundqvist, "Oz: The Great and
+/// Volumetric", SIGGRAPH 2013 talks). The factors of the terms are fitted to paths through clouds (cloud_paths.h). The
+/// light of sky and ground is computed for a plane layer of the same optical depth above and below (two-stream
+/// approximation, Bohren 1987). The light along a ray is the light of the spheres that it passes. Where spheres overlap
+/// it is their weighted mean, with weights that are 0 at their surfaces. Layers shade each other.
 class CloudField {
  public:
-  /// @param eye  Plane metres. @param finest  As for CloudSpheres. Cost: O(n log n) in the particles.
+  /// Makes the clouds of all layers around an eye. Cost: O(n log n) in the particles.
+  /// @param eye  Plane metres.
+  /// @param finest   The vertical radius of the smallest particles, as an angle at the eye in radians.
   CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest, int threads);
-  /// One layer of given particles.
+  /// Makes one layer of given particles, in the layer's frame (sky::LayerFrame).
   CloudField(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, const CloudLight& light,
              CloudEdges edges);
 
-  /// @param from  Plane metres; z above sea level. @param direction  Unit vector.
+  /// Returns the light of clouds along a ray.
+  /// @param from  Plane metres; z above sea level.
+  /// @param direction  Unit vector.
   CloudPath along(Vec3 from, Vec3 direction, double distance_m) const;
-  /// The share of the sun's light that reaches a place: what comes straight, or scattered by less than the size of a
+  /// Returns the share of the sun's light that reaches a place, straight or scattered by less than the width of a
   /// shadow's blurred edge.
+  /// @param from  Plane metres; z above sea level.
   double sun_passed(Vec3 from) const;
   std::size_t particles() const;
   std::size_t clouds() const;
   const CloudLight& light() const { return light_; }
   std::size_t layers() const { return layers_.size(); }
   const CloudSpheres& spheres(std::size_t layer) const { return layers_[layer].spheres; }
-  /// The base of the lowest layer; infinite without layers.
+  /// Returns the base of the lowest layer above sea level; infinite without layers.
   double lowest_m() const;
 
  private:

@@ -16,7 +16,7 @@ Vec3 scattered(Vec3 direction, double g, UnitPair chance) {
   return unit(frame_about(direction).out_of(at_height(on_circle(chance.v) * sine, cosine)));
 }
 
-// The bits of a ray as the object that is drawn for.
+// The bits of the ray take the place of an object's id.
 RayChance::RayChance(Vec3 from, Vec3 direction)
     : draw_(std::bit_cast<std::uint64_t>(from.x + 3 * from.y + 7 * from.z),
             StableId{std::bit_cast<std::uint64_t>(direction.x) ^

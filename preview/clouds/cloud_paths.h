@@ -1,4 +1,4 @@
-// Paths of light through clouds: the reference for CloudField, slow and noisy.
+// Paths of light through clouds: a slow and noisy reference for CloudField.
 #pragma once
 
 #include <algorithm>
@@ -7,46 +7,49 @@
 #include <limits>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "preview/clouds/cloud_field.h"
 #include "preview/samples.h"
 
 namespace citykiln::preview {
 
-/// Scatterings after which a path ends: droplets absorb nothing, and a path may stay for long.
+/// Scatterings after which a path ends. Droplets absorb nothing, so a path may stay in a cloud for long.
 inline constexpr int kMostScatterings = 1000;
 
-/// One sample of the light that clouds send along a ray of a length, with all orders of scattering up to `most`. Passed
-/// is 0 or 1.
+/// Returns one sample of the light that clouds send along a ray of a given length, with up to `most` scatterings.
+/// `passed` is 0 or 1.
 ///
 /// Method: distances to droplets by delta tracking (Woodcock et al. 1965), directions by Henyey and Greenstein's phase
-/// function, sunlight gathered at each droplet, and the mean light of sky or ground where the path leaves. No light is
-/// absorbed. Unbiased but for orders beyond `most`.
-/// @param random  Returns independent numbers in [0, 1).
+/// function. Each droplet adds sunlight, and the path's end adds the mean light of sky or ground. No light is absorbed.
+/// Unbiased, except for light that is scattered more often than `most`.
+/// @param random  A function that returns independent uniform random numbers in [0, 1).
 template <typename Random>
 CloudPath cloud_path(const CloudField& field, Vec3 from, Vec3 direction, double distance_m, int most, Random random);
 
-/// The distance to a droplet; infinite where the ray leaves the clouds, or is longer than `most_m`.
+/// Returns a random distance to the next droplet on the ray; infinite if the ray leaves the clouds, or is longer than
+/// `most_m`, before it.
 template <typename Random>
 double free_path(const CloudField& field, Vec3 from, Vec3 direction, double most_m, Random& random);
 
-/// A direction by Henyey and Greenstein's phase function around another.
+/// Returns a random direction into which light is scattered by Henyey and Greenstein's phase function.
+/// @param g       The mean cosine of the angle of deflection.
+/// @param chance  Two uniform random numbers in [0, 1).
 Vec3 scattered(Vec3 direction, double g, UnitPair chance);
 
-/// Random numbers as a function of a ray: rays of different samples differ.
+/// A generator of uniform random numbers in [0, 1) whose seed is a ray, so that each ray has other numbers.
 class RayChance {
  public:
   RayChance(Vec3 from, Vec3 direction);
   double operator()() { return draw_.unit(next_++); }
 
  private:
-  Draw draw_;
+  RandomSequence draw_;
   std::uint32_t next_ = 0;
 };
 
 // ---- implementation of the templates ----
 
-// Within parts of a ray, from where the first begins.
+// The free path inside the given parts of a ray; infinite where they end.
 template <typename Random>
 double free_path(const CloudSpheres& spheres, const std::vector<SpherePart>& parts, Random& random) {
   double at_m = parts.front().begin, end_m = 0;

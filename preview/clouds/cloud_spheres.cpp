@@ -8,13 +8,13 @@
 namespace citykiln::preview {
 namespace {
 
-// Finer particles are smaller than the edges of real clouds are sharp.
+// Smallest radius of particles: the edges of real clouds are not sharper.
 constexpr double kFinest_m = 12;
 
 // The depth below a sphere's surface at which its density is full: a share of its radius, between these.
 constexpr double kSoftShare = 0.25, kLeastSoft_m = 8, kMostSoft_m = 25;
 
-// What a ray needs in Embree's callback.
+// The context of a ray in Embree's callback.
 struct PartsRay : RTCIntersectContext {
   const sky::CloudParticle* spheres = nullptr;
   Vec3 from, direction;  // in the layer's frame

@@ -9,23 +9,27 @@
 
 namespace citykiln::preview {
 
-/// How the light of clouds that are seen directly, or in mirrors, is found: by CloudField's approximation, or by
-/// following one path of light through the droplets for each ray (cloud_paths.h), which is noisy.
+/// The method for clouds that are seen directly or in mirrors: an approximation (CloudField), or one random path of
+/// light through the droplets for each ray (cloud_paths.h), which is exact but noisy.
 enum class CloudMethod { kApproximate, kPaths };
 
-/// Thread-safe; the same bits for any number of threads.
+/// All clouds of a picture, with their tables. Thread-safe; the same bits for any number of threads.
 class Clouds {
  public:
-  /// @param eye  Plane metres. @param finest  As for CloudSpheres.
+  /// @param eye  Plane metres.
+  /// @param finest   The vertical radius of the smallest particles of clouds, as an angle at the eye in radians.
   Clouds(std::span<const sky::CloudLayer> layers, const sky::SkyModel& model, Vec3 eye, double finest,
          CloudMethod method, int threads);
 
-  /// What rays of the camera and of mirrors see.
-  /// @param from  Plane metres; z above sea level. @param direction  Unit vector.
+  /// Returns the clouds that a ray of the camera, or of a mirror, sees.
+  /// @param from  Plane metres; z above sea level.
+  /// @param direction  Unit vector.
   CloudPath seen(Vec3 from, Vec3 direction, double distance_m) const;
-  /// What falls on surfaces: by a table below the clouds, else as seen.
+  /// Returns the effect of clouds, and of the air before them, on skylight that falls on a surface from a direction.
+  /// Below the clouds it is read from a table.
   CloudVeil falling(Vec3 from, Vec3 direction) const;
-  /// The share of the sun's light that reaches a place: by a table below the clouds and near the eye.
+  /// Returns the share of the sun's light that reaches a place. Below the clouds and near the eye it is read from a
+  /// table.
   double sun_passed(Vec3 from) const;
 
  private:

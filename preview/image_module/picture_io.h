@@ -1,14 +1,14 @@
-// The C interface of the image module, which is loaded at run time, since linking OpenImageIO adds 0.27 s to every
+// The C interface of the image module. The module is loaded at run time, since linking OpenImageIO adds 0.27 s to every
 // start.
 #pragma once
 
 extern "C" {
 
-/// How a channel is stored. Samples are given as unsigned char for kByte, as float for kHalf and kFloat, as uint32_t
-/// for kUint.
+/// The type in which a channel is stored. Samples are passed as unsigned char for kByte, as float for kHalf and kFloat,
+/// as uint32_t for kUint.
 enum CitykilnSample { kCitykilnByte, kCitykilnHalf, kCitykilnFloat, kCitykilnUint };
 
-/// A channel of a picture: sample i is at `samples[i * stride]`, counted in samples, row by row from the top.
+/// A channel of a picture: the sample of pixel i, row by row from the top, is `samples[i * stride]`.
 struct CitykilnChannel {
   const char* name;
   enum CitykilnSample type;
@@ -31,7 +31,7 @@ int citykiln_write_picture(const char* path, const struct CitykilnPicture* pictu
 /// Returns memory for 3 floats a pixel, or null to refuse the size.
 typedef float* (*CitykilnAllocate)(void* owner, int width, int height);
 
-/// Reads a file as linear RGB, row by row from the top; one channel is grey. Asks for memory only after the size is
-/// known. Returns 0, or 1 with a message.
+/// Reads a file as linear RGB, row by row from the top. One channel is read as grey. Asks for memory only when the size
+/// is known. Returns 0, or 1 with a message.
 int citykiln_read_picture(const char* path, CitykilnAllocate allocate, void* owner, char* error, int error_size);
 }

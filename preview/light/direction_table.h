@@ -1,4 +1,4 @@
-// Radiance by direction, which can be sampled.
+// A table of radiance by direction, from which directions are sampled. Directions are unit vectors with z up.
 #pragma once
 
 #include <numbers>
@@ -16,13 +16,13 @@ struct DirectionSample {
   double pdf = 0;
 };
 
-/// Azimuth of a direction as a share of a full circle, in [0, 1), counter-clockwise from east.
+/// Returns the azimuth of a direction as a share of a full circle, in [0, 1), counter-clockwise from east.
 double turn_of(Vec3 direction);
 
-/// A unit vector with a given z.
+/// Returns the unit vector with an azimuth, as in turn_of(), and a given z.
 Vec3 direction_at(double turn, double z);
 
-/// Sums of a series, from which one of its terms is drawn in proportion to its size. O(1) on average.
+/// The partial sums of a series, for drawing a term with a probability in proportion to the term.
 class CumulativeSums {
  public:
   CumulativeSums() = default;
@@ -30,32 +30,35 @@ class CumulativeSums {
 
   double total() const { return sums_.empty() ? 0 : sums_.back(); }
   struct Step {
-    int index;
-    double within;  ///< [0, 1): where in the term.
+    int index;      ///< The index of the term.
+    double within;  ///< The position in the term, in [0, 1).
   };
+  /// Returns the term in which the partial sum reaches this share of the total. O(1) on average.
   /// @param share  In [0, 1).
   Step at(double share) const;
 
  private:
   std::vector<double> sums_;
-  std::vector<int> guide_;  // for equal parts of the total the first term that may hold it
+  std::vector<int> guide_;  // by equal parts of the total: the first term that may contain the part
 };
 
-/// Cells over all azimuths and a range of z. Radiance is interpolated between the centres of cells; the density of
-/// samples is constant in each.
+/// Radiance in cells over all azimuths and a range of z. Radiance is interpolated between the centres of cells; the
+/// density of samples is constant in each cell.
 class DirectionTable {
  public:
-  /// @param z_edges  Of the rows, increasing, in [-1, 1]; at least two.
-  /// @param cells    Row by row, from the lowest z.
+  /// @param z_edges  Limits of the rows in z, increasing, in [-1, 1]; at least two.
+  /// @param columns  The number of cells in a row; a row begins in the east and goes counter-clockwise.
+  /// @param cells    Linear RGB radiance, row by row, from the lowest z.
   DirectionTable(std::vector<double> z_edges, int columns, std::vector<std::array<float, 3>> cells);
 
-  /// Interpolated radiance; beyond the range of z that of its border.
+  /// Returns the interpolated radiance; outside of the range of z, the radiance of the nearest row.
   Rgb radiance(Vec3 direction) const;
-  /// A sample in proportion to the cells' luminance; pdf 0 if all are black.
+  /// Returns a sample in proportion to the cells' luminance; pdf 0 if all cells are black.
+  /// @param chance  Two uniform random numbers in [0, 1).
   DirectionSample sample(UnitPair chance) const;
-  /// The density of sample(), per steradian; 0 beyond the range of z.
+  /// Returns the density of sample() in a direction, per steradian; 0 outside of the range of z.
   double pdf(Vec3 direction) const;
-  /// The luminance of all cells times their solid angles.
+  /// Returns the sum of all cells' luminance times their solid angles.
   double flux() const { return row_sums_.total() * 2 * std::numbers::pi / columns_; }
 
  private:

@@ -1,12 +1,12 @@
-// Light from everywhere as a picture.
+// An environment map: a panorama of the light around a scene.
 #pragma once
 
 #include <vector>
 
 namespace citykiln::preview {
 
-/// Radiance by direction, row by row from the zenith to the nadir, rows at equal angles. The middle of a row is east,
-/// left of it (towards smaller columns) is north: as seen from inside.
+/// Radiance by direction in equirectangular projection, row by row from the zenith to the nadir. The map is seen from
+/// inside: the middle of a row is east, and north is left of it, towards smaller columns.
 struct EnvironmentMap {
   int width = 0, height = 0;
   std::vector<float> rgb;  ///< Linear, finite, at least 0.

@@ -19,7 +19,7 @@ double density(const Fog& fog, double z) { return z < fog.top_m ? 1 : std::exp(-
 
 }  // namespace
 
-double passed_fog(const Fog& fog, Vec3 from, Vec3 direction, double distance_m) {
+double fog_transmittance(const Fog& fog, Vec3 from, Vec3 direction, double distance_m) {
   const double way = std::min(distance_m, kFarthest_m), rise = direction.z * way;
   const double column_m = std::abs(direction.z) < kLevel
                               ? density(fog, from.z) * way

@@ -91,7 +91,8 @@ Vec3 Lights::sample_sun(UnitPair chance) const {
 Rgb Lights::bodies(Vec3 direction, double pixel_rad) const {
   const sky::MoonDisk& moon = model_.moon;
   const double off = dot(direction, moon.to_moon);
-  if (off < model_.sun_cos_radius || largest(moon.radiance) <= 0) return stars_.radiance(direction, pixel_rad);
+  if (off < model_.sun_cos_radius || largest_component(moon.radiance) <= 0)
+    return stars_.radiance(direction, pixel_rad);
   const Vec3 aside = (direction - moon.to_moon * off) * (1 / sky::kSunRadius_rad);
   const double depth = std::sqrt(std::max(0.0, 1 - dot(aside, aside)));
   const bool is_lit = dot(aside - moon.to_moon * depth, moon.to_sun) > 0;
@@ -107,7 +108,7 @@ Rgb Lights::around_at(const Edge& edge, Vec3 direction) const {
 
 Rgb Lights::behind_fog(Vec3 from, Vec3 direction, const Rgb& light) const {
   if (!fog_) return light;
-  const double passed = passed_fog(*fog_, from, direction, std::numeric_limits<double>::infinity());
+  const double passed = fog_transmittance(*fog_, from, direction, std::numeric_limits<double>::infinity());
   return mixed(model_.white_ground * kFogAlbedo, light, passed);
 }
 
@@ -121,7 +122,7 @@ Rgb Lights::seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) co
   const Rgb sky = sky::radiance(model_, direction);
   const Rgb behind = is_camera && direction.z >= 0 ? bodies(direction, pixel_rad) : Rgb{};
   constexpr double kFarthest_m = 2e5;  // beyond is no air, but for rays along the ground
-  const Rgb all = largest(behind) > 0 ? sky + behind * sky::air(model_, direction, kFarthest_m).passed : sky;
+  const Rgb all = largest_component(behind) > 0 ? sky + behind * sky::air(model_, direction, kFarthest_m).passed : sky;
   if (!clouds_) return behind_fog(from, direction, all);
   const CloudPath clouds = clouds_->seen(from, direction, std::numeric_limits<double>::infinity());
   if (clouds.passed >= 1) return behind_fog(from, direction, all);
@@ -152,7 +153,7 @@ sky::AirPath Lights::clear_air(Vec3 from, Vec3 direction, double distance_m) con
   if (is_map_) return {};
   sky::AirPath path = sky::air(model_, direction, distance_m);
   if (!fog_) return path;
-  const double passed = passed_fog(*fog_, from, direction, distance_m);
+  const double passed = fog_transmittance(*fog_, from, direction, distance_m);
   return {path.passed * passed, mixed(model_.white_ground * kFogAlbedo, path.added, passed)};
 }
 

@@ -1,4 +1,5 @@
-// Light from outside of the scene: sky, sun, moon and stars, or an environment map; the land around; and the air.
+// Light from outside of the scene: sky, sun, moon and stars, or an environment map; the land around the scene; and the
+// effect of air, fog and clouds. Directions are unit vectors.
 #pragma once
 
 #include <memory>
@@ -18,51 +19,59 @@
 
 namespace citykiln::preview {
 
-/// The sources of light, but for what shines in the scene, and what rays see that hit nothing. Radiances are in
-/// sky::kUnitLuminance_cd_m2. "The sun" is the disk that throws shadows: by night the moon's.
+/// The light of the sky, and the surroundings that rays see where they hit nothing in the scene. Radiances are in
+/// sky::kUnitLuminance_cd_m2. "The sun" is the disk that throws shadows; by night it is the disk of the moon.
 class Lights {
  public:
-  /// @param lamps   Street lamps that are lit, plane metres.
-  /// @param around  The land around the scene; none: the ground at sea level.
-  /// @param fog     Hides what the eye sees, and takes no light from surfaces.
-  /// @param clouds  Null where there are none.
+  /// @param lamps   Street lamps that are lit, plane metres. This class only stores them; LocalLights samples them.
+  /// @param around  The land around the scene; empty: the ground at sea level.
+  /// @param fog     Hides things from the eye, but takes no light from surfaces.
+  /// @param clouds  Null: no clouds.
   explicit Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps = {},
                   std::optional<Surroundings> around = {}, std::optional<Fog> fog = {},
                   std::shared_ptr<const Clouds> clouds = {});
-  /// An environment map replaces sky and sun, and there is no air.
+  /// Makes the light of an environment map, which replaces sky and sun. There is no air.
   explicit Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps = {});
 
   Rgb sun_radiance() const { return model_.sun_radiance; }
   const std::vector<StreetLamp>& lamps() const { return lamps_; }
 
-  /// Radiance for lighting surfaces, without the sun's disk. From below the horizon comes what the ground around
-  /// reflects, or what the map shows.
-  /// @param from  As for seen().
+  /// Returns the radiance that falls on surfaces from a direction, without the sun's disk. Below the horizon it is the
+  /// light reflected by the ground around the scene, or the radiance of the map.
+  /// @param from  See seen().
   Rgb falling(Vec3 from, Vec3 direction) const;
-  /// The share of the sun's light that clouds let pass to a place.
+  /// Returns the share of the sun's light that passes the clouds on the way to a place.
   double sun_passed(Vec3 from) const { return clouds_ ? clouds_->sun_passed(from) : 1; }
-  /// A sample of the sky, about in proportion to luminance; pdf 0 if the sky is black.
+  /// Returns a sample of the sky's directions, about in proportion to luminance; pdf 0 if the sky is black.
+  /// @param chance  Two uniform random numbers in [0, 1).
   DirectionSample sample_sky(UnitPair chance) const { return table_.sample(chance); }
-  /// The density of sample_sky() in a direction, per steradian.
+  /// Returns the density of sample_sky() in a direction, per steradian.
   double sky_pdf(Vec3 direction) const { return table_.pdf(direction); }
 
-  /// The sun's flux over that of the sky, both through planes that face them; 0 without a sun.
+  /// Returns the illuminance by the sun divided by the illuminance by the sky, each summed over its directions; 0
+  /// without a sun.
   double sun_to_sky() const { return sun_to_sky_; }
 
   bool has_sun() const { return sun_solid_angle_ > 0; }
-  /// A uniform sample of the sun's disk.
+  /// Returns a uniform sample of the directions to the sun's disk.
   Vec3 sample_sun(UnitPair chance) const;
   double sun_solid_angle() const { return sun_solid_angle_; }
+  /// True if the direction points to the sun's disk.
   bool is_in_sun(Vec3 direction) const { return has_sun() && dot(direction, model_.to_sun) >= model_.sun_cos_radius; }
 
-  /// What the eye sees along a ray that hits nothing: the sky, or the land and sea around, behind air. Without the
-  /// sun's disk; stars and the moon's disk are seen by rays of the camera alone, which `is_camera` says.
-  /// @param from  Plane metres; z above sea level. @param pixel_rad  Angle of a pixel.
+  /// Returns the radiance that the eye sees along a ray that hits nothing: the sky, or the land and sea around, behind
+  /// air, without the sun's disk.
+  /// @param from       Plane metres; z above sea level.
+  /// @param pixel_rad  Angle of a pixel.
+  /// @param is_camera  The ray comes from the camera, so it also sees stars and the moon's disk.
   Rgb seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) const;
-  /// The distance at which a ray that hits nothing meets the ground around, if it does.
+  /// Returns the distance at which a ray that hits nothing in the scene meets the ground around it; empty if it does
+  /// not.
+  /// @param from  Plane metres; z above sea level.
   std::optional<double> ground_m(Vec3 from, Vec3 direction) const;
-  /// The air, the fog and the clouds between the eye and a surface.
-  /// @param from  As for seen().
+  /// Returns the effect of air, fog and clouds between the eye and a surface: the light that passes and the light that
+  /// they add.
+  /// @param from  Plane metres; z above sea level.
   sky::AirPath air(Vec3 from, Vec3 direction, double distance_m) const;
 
  private:

@@ -1,5 +1,5 @@
-// A tree over many light sources, from which one is sampled for a place about in proportion to the light that it sends
-// there.
+// A tree over many light sources. For a place it samples one source, with a probability about in proportion to the
+// light that the source sends to the place.
 #pragma once
 
 #include <cstdint>
@@ -11,51 +11,57 @@
 
 namespace citykiln::preview {
 
-/// Where a light source, or a group of them, is and in which directions it shines.
+/// Bounds of a light source, or of a group: its place and the directions in which it shines.
 struct LightBounds {
-  Vec3 low, high;         ///< A box around it.
-  Vec3 axis{0, 0, 1};     ///< Unit: the middle of the normals of its surfaces.
-  double spread_rad = 0;  ///< Normals are within this angle of the axis.
-  double reach_rad = 0;   ///< Light leaves within this angle of a normal; at most a right angle for surfaces.
-  double flux = 0;        ///< Of luminance, any unit: that of a surface as bright along its normal. >= 0.
-  /// Whether it is as bright in all directions within reach, as a lantern is; else by the cosine, as a surface is.
+  Vec3 low, high;         ///< A box around the source.
+  Vec3 axis{0, 0, 1};     ///< Unit: the axis of the cone of its surfaces' normals.
+  double spread_rad = 0;  ///< Half angle of that cone.
+  /// Largest angle between a normal and a direction of emitted light; at most a right angle for surfaces.
+  double reach_rad = 0;
+  /// Luminous flux of a matt surface that is as bright along its normal as the source, in any unit. >= 0.
+  double flux = 0;
+  /// True for a source that is equally bright in all directions within reach_rad, such as a lantern. False for a source
+  /// whose brightness falls with the cosine from the normal, such as a surface.
   bool is_even = false;
 };
 
-/// The smallest bounds of both; even if one is.
+/// Returns bounds of both sources. is_even is true if it is true for one of them.
 LightBounds joined(const LightBounds& a, const LightBounds& b);
 
 /// A sampled source.
 struct LightChoice {
-  std::uint32_t light = 0;
-  double probability = 0;
+  std::uint32_t light = 0;  ///< The index of the source.
+  double probability = 0;   ///< The probability with which the source was chosen.
 };
 
-/// Method: a binary tree by the surface area and orientation heuristic; the way down is drawn by an estimate of the
-/// light that each half may send at most to the place. Every source that may light a place has a probability above 0,
-/// so the choice is unbiased. Source: Conty Estevez, Kulla, "Importance Sampling of Many Lights with Adaptive Tree
-/// Splitting", PACMCGIT 1(2), 2018.
+/// A tree from which light sources are sampled.
+///
+/// Method: a binary tree by the surface area and orientation heuristic. On the way down, a child is drawn by an
+/// estimate of the most light that it may send to the place. Every source that may light a place has a probability
+/// above 0, so the choice is unbiased. Source: Conty Estevez, Kulla, "Importance Sampling of Many Lights with Adaptive
+/// Tree Splitting", PACMCGIT 1(2), 2018.
 ///
 /// Immutable and thread-safe. Memory: some 130 bytes a source. Cost: O(n log n), then O(log n) per choice.
 class LightTree {
  public:
-  /// Sources without flux are never chosen.
+  /// Builds the tree. Sources without flux are never chosen.
   explicit LightTree(std::span<const LightBounds> lights);
 
   bool is_empty() const { return nodes_.empty(); }
-  /// Samples a source for a place. Empty: no source lights it.
-  /// @param normal  Of a surface that receives light from above it alone; zero: from everywhere.
-  /// @param chance  In [0, 1).
+  /// Samples a source for a place. Empty: no source lights the place.
+  /// @param at      The place that receives light.
+  /// @param normal  Unit normal of a surface that receives light only from its front. Zero: from all directions.
+  /// @param chance   A uniform random number in [0, 1).
   std::optional<LightChoice> choose(Vec3 at, Vec3 normal, double chance) const;
-  /// The probability with which choose() gives this source.
+  /// Returns the probability with which choose() gives this source.
   double probability(std::uint32_t light, Vec3 at, Vec3 normal) const;
 
  private:
-  // What choices need of a group: its box, and its cones by sine and cosine.
+  // The bounds of a group as choose() needs them: its box, and its cones by sine and cosine.
   struct Node {
     Vec3 centre, half, axis;
     double radius_m, flux, cos_spread, sin_spread, cos_reach;
-    std::uint32_t light;   // of a leaf
+    std::uint32_t light;   // the source of a leaf
     std::uint32_t second;  // index of the second child, the first follows its parent; 0: a leaf
     std::uint32_t parent;
     bool is_even;

@@ -12,7 +12,7 @@ namespace {
 
 const double kLanternRise_rad = std::asin(props::kLanternRise);
 
-// Of a luminance of 1.
+// The colour of a temperature, with a luminance of 1.
 Rgb colour_of(double temperature_k) {
   const auto [r, g, b] = props::black_body_colour(temperature_k);
   return {r, g, b};

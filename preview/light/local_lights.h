@@ -1,4 +1,5 @@
-// Lights in the scene, street lamps and shining triangles, of which one is sampled for a place.
+// Lights in the scene: street lamps, emitters (triangles that shine) and lit windows. For a place, one light and a
+// point on it are sampled.
 #pragma once
 
 #include <span>
@@ -17,31 +18,47 @@ namespace citykiln::preview {
 /// Light that may reach a place from a sampled point.
 struct LightSample {
   Vec3 direction;         ///< Unit, towards the light.
-  double distance_m = 0;  ///< That must be free.
-  Rgb light{};            ///< Radiance over the density per steradian: times cosine and reflection it is an estimate.
-  double pdf = 0;         ///< Per steradian; 0: no ray hits the light by chance, so that this sample is all of it.
+  double distance_m = 0;  ///< Distance from the place along which nothing may block the light.
+  /// The radiance of the light divided by pdf. For a lamp, a point: its intensity divided by distance² and by the
+  /// probability with which the lamp was chosen. Multiplied by the cosine and the BSDF it estimates the reflected
+  /// light.
+  Rgb light{};
+  /// Density per steradian. 0 for a lamp, which is a point: rays cannot hit it, so `light` is its whole contribution.
+  double pdf = 0;
 };
 
-/// Immutable and thread-safe.
+/// The street lamps, shining triangles and lit windows of a world. Immutable and thread-safe.
 class LocalLights {
  public:
-  /// Emitters are the world's, which must outlive this object. Those that shine only on what is near, such as the walls
-  /// of rooms on each other, are not sampled: rays that find them by chance see them. Cost: 16 rays for each emitter.
-  /// @param panes  Of a world of cells, whose emitters are not known.
+  /// Collects the lights of a world, which must outlive this object. Emitters that light only their neighbourhood
+  /// (within 4 m), such as the walls of rooms, are not sampled: they light a place only by rays that happen to hit
+  /// them. Cost: 16 rays for each emitter.
+  /// @param lamps  Street lamps that are lit, plane metres.
+  /// @param panes  Lit windows, for a world that generates its meshes on demand and has no list of emitters.
   LocalLights(const World& world, std::span<const StreetLamp> lamps, int threads, std::span<const LitPane> panes = {});
 
   bool has_lamps() const { return !lamp_tree_.is_empty(); }
   bool has_emitters() const { return !emitter_tree_.is_empty(); }
-  const PaneLights& panes() const { return panes_; }
-  /// Samples a lamp for a place. No ray hits a lamp by chance: pdf is 0. Empty: no lamp lights the place.
-  /// @param normal  As for LightTree::choose().
+  /// Returns the lit windows, which are sampled by PaneLights::sample().
+  const PaneLights& pane_lights() const { return panes_; }
+  /// Samples a lamp for a place, with LightSample::pdf 0. Empty: no lamp lights the place.
+  /// @param at      The place that receives light, in the frame of the world.
+  /// @param normal  Unit normal of a surface at the place, which receives light only from its front. Zero: from all
+  /// directions.
+  /// @param chance  A uniform random number in [0, 1).
   std::optional<LightSample> sample_lamp(Vec3 at, Vec3 normal, double chance) const;
-  /// Samples an emitter for a place, and a point on it. Empty: nothing lights the place, or the point does not.
+  /// Samples an emitter for a place, and a point on the emitter. Empty: no emitter lights the place, or the place is
+  /// behind the emitter.
+  /// @param point  Two uniform random numbers in [0, 1), for the point on the emitter.
   std::optional<LightSample> sample_emitter(Vec3 at, Vec3 normal, double chance, UnitPair point) const;
+  /// True if sample_emitter() can give this emitter.
+  /// @param emitter  An index into World::emitters().
   bool is_sampled(std::uint32_t emitter) const { return is_sampled_[emitter] != 0; }
-  /// The density, per steradian, with which sample_emitter() finds this emitter in a direction; 0 for those not
-  /// sampled.
+  /// Returns the density, per steradian, with which sample_emitter() gives this emitter and direction; 0 for an emitter
+  /// that is not sampled.
+  /// @param distance_m  The distance from the place to the emitter in this direction.
   double pdf(std::uint32_t emitter, Vec3 at, Vec3 normal, Vec3 direction, double distance_m) const;
+  /// Returns the radiance of an emitter.
   const Rgb& radiance_of(std::uint32_t emitter) const { return emitters_[emitter].radiance; }
 
  private:

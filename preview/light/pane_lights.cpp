@@ -9,7 +9,7 @@
 namespace citykiln::preview {
 namespace {
 
-// What shines lies this near to its pane along rays: coarse levels show windows on the wall.
+// Largest distance along a ray between a shining surface and its pane: coarse levels show windows on the wall.
 constexpr double kNear_m = 1.5;
 
 }  // namespace

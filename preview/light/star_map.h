@@ -1,4 +1,4 @@
-// Stars by direction.
+// The light of the stars by direction.
 #pragma once
 
 #include <vector>
@@ -8,19 +8,20 @@
 
 namespace citykiln::preview {
 
-/// Points of light in the sky, found by direction. A star is spread over a small disk, as the eye or a lens does.
+/// The stars of the sky, found by direction. Each star is spread over a small disk, as by the eye or a lens.
 class StarMap {
  public:
   StarMap() = default;
   explicit StarMap(std::vector<sky::Star> stars);
 
-  /// Radiance of stars near a direction outside of the atmosphere, in sky::kUnitLuminance_cd_m2.
-  /// @param pixel_rad  Angle of a pixel: a star's disk has this radius, within 0.0003 and 0.005, and its light in sum.
+  /// Returns the radiance of stars near a direction outside of the atmosphere, in sky::kUnitLuminance_cd_m2.
+  /// @param pixel_rad  Angle of a pixel. A star's disk has this radius, limited to 0.0003 … 0.005 rad; its total light
+  /// does not depend on the radius.
   Rgb radiance(Vec3 direction, double pixel_rad) const;
 
  private:
   std::vector<sky::Star> stars_;
-  std::vector<std::vector<int>> cells_;  // of the stars whose largest disks touch them
+  std::vector<std::vector<int>> cells_;  // the stars whose largest disks touch each cell
 };
 
 }  // namespace citykiln::preview

@@ -15,7 +15,7 @@ namespace {
 // A ray leaves the box at least so far above the ground around.
 constexpr double kClearance_m = 1.5;
 
-// Of the distance to the ground around, as a share of it.
+// Largest error of the distance to the ground around, as a share of it.
 constexpr double kExactness = 1e-4;
 
 // The distances at which a ray enters a box, 0 from inside, and leaves it; both 0 if it does not meet it.

@@ -1,4 +1,4 @@
-// The land and sea around a scene, out to the horizon.
+// The land and sea around a scene, out to the horizon: continued from the ground at the edge of the scene.
 #pragma once
 
 #include <limits>
@@ -11,43 +11,47 @@
 
 namespace citykiln::preview {
 
-/// What is at the edge of a scene in one direction.
+/// The ground at the edge of a scene in one direction.
 struct Edge {
-  Rgb albedo{};         ///< Of its land.
+  Rgb albedo{};         ///< Albedo of the land.
   double sea = 0;       ///< Share of sea, 0 to 1.
   double height_m = 0;  ///< Above sea level.
 };
 
-/// Beyond a scene's box the ground goes on with the height and the colours of its edge, which fade into their means far
-/// from it, and follows the Earth's curve.
+/// The ground beyond a scene's box. It continues with the heights and colours at the edge, which fade into their means
+/// far from it, and follows the Earth's curve.
 struct Surroundings {
-  Box2 box;                ///< Of the scene, plane metres; not empty.
-  std::vector<Edge> ring;  ///< By azimuth from the box's centre, counter-clockwise from east; not empty.
-  Edge mean{};             ///< Of the ring.
-  /// The lowest and the highest of the ring; rays are followed only in between.
+  Box2 box;  ///< Box of the scene, plane metres; not empty.
+  /// The edges in equally spaced directions from the box's centre, counter-clockwise from east; not empty.
+  std::vector<Edge> ring;
+  Edge mean{};  ///< Mean of the ring (mean_of).
+  /// The lowest and the highest height of the ring (bound_heights). Rays are followed only between them.
   double lowest_m = -std::numeric_limits<double>::infinity(), highest_m = std::numeric_limits<double>::infinity();
 };
 
-/// Sets the lowest and the highest height of the ring.
+/// Sets lowest_m and highest_m to the lowest and the highest height of the ring.
 void bound_heights(Surroundings& around);
 
-/// The mean of all edges; the albedo is that of the land among them.
+/// Returns the mean of all edges. The mean albedo is weighted by the share of land.
 Edge mean_of(const std::vector<Edge>& ring);
 
-/// Where a ray meets the ground around.
+/// A point where a ray meets the ground around.
 struct GroundPoint {
   double distance_m;
   Edge edge;
 };
 
-/// The first point of the ground around along a ray that hits nothing in the scene; empty if it passes above the
-/// horizon. A ray that leaves the box below the edge's height meets the ground there.
-/// @param from  Plane metres; z above sea level.
+/// Returns the first point of the ground around along a ray that hits nothing in the scene; empty if the ray passes
+/// above the horizon. A ray that leaves the box less than 1.5 m above the ground at the edge meets the ground at once.
+/// @param from        Plane metres; z above sea level.
+/// @param direction  Unit.
 std::optional<GroundPoint> meet_ground(const Surroundings& around, Vec3 from, Vec3 direction);
 
-/// The ground around at a place outside of the box: the edge in the direction of the place from the centre,
-/// interpolated, and the mean of all, which has half of the weight at kFade_m from the box.
+/// The distance from the box at which the mean of all edges has half of the weight (edge_at).
 inline constexpr double kFade_m = 2000;
+/// Returns the ground at a place outside of the box: the edge in the direction of the place from the box's centre,
+/// interpolated, mixed with the mean of all edges.
+/// @param place  Plane metres.
 Edge edge_at(const Surroundings& around, Vec2 place);
 
 }  // namespace citykiln::preview

@@ -29,7 +29,7 @@ struct Pixel {
   float variance = 0;
 };
 
-// What weights are made of: the picture's guides, with finite depths and slopes.
+// The guides of a pixel, of which weights are made, with finite depth and slope.
 struct Surface {
   Rgbf albedo{}, normal{};
   float depth_m = 0, slope_m = 0;  // slope: change of depth per pixel

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "exporters/load_module.h"
+#include "compiler/contract/load_module.h"
 #include "preview/image_module/picture_io.h"
 
 namespace citykiln::preview {
@@ -65,7 +65,7 @@ std::vector<float> turned_rows(const EnvironmentMap& map, double turn_deg) {
 Result<ReadEnvironment> read_environment(const std::string& path, double turn_deg) {
   if (!path.ends_with(".exr") && !path.ends_with(".hdr"))
     return Error{path, "expected an environment map, a name that ends in .exr or .hdr"};
-  const auto function = exporters::load_function("citykiln_image.so", "citykiln_read_picture");
+  const auto function = load_function("citykiln_image.so", "citykiln_read_picture");
   if (!function) return function.error();
   ReadEnvironment read;
   char error[512] = "";

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "exporters/load_module.h"
+#include "compiler/contract/load_module.h"
 #include "preview/image_module/picture_io.h"
 #include "preview/picture/image.h"
 #include "preview/picture/tone_map.h"
@@ -67,7 +67,7 @@ std::vector<std::uint8_t> dithered_bytes(const Image& image) {
 
 Result<Done> write_part(const std::string& part, const Image& image, const std::vector<CitykilnChannel>& channels,
                         const std::vector<Metadata>& metadata) {
-  const auto function = exporters::load_function("citykiln_image.so", "citykiln_write_picture");
+  const auto function = load_function("citykiln_image.so", "citykiln_write_picture");
   if (!function) return function.error();
   std::vector<const char*> texts = {"Copyright", kCredit, "Software", "citykiln"};
   for (const Metadata& fact : metadata) texts.push_back(fact.name.c_str()), texts.push_back(fact.value.c_str());

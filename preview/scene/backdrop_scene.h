@@ -1,21 +1,24 @@
-// The land around a scene in an Embree scene of its own, which rays meet after the scene itself.
+// The backdrop: the land around a scene, in an Embree scene of its own. Rays are tested against it after the scene
+// itself.
 #pragma once
 
 #include "preview/scene/baked_scene.h"
 
 namespace citykiln::preview {
 
-/// Immutable. Rays that end above the box that is clear, or leave it above all land, do not enter Embree: in streets
-/// the land around costs a few multiplications a ray.
+/// The backdrop in Embree. Immutable. A ray that stays over Backdrop::clear, where there is no backdrop, or is above
+/// all land when it leaves that box, is not tested in Embree. Rays in streets therefore cost a few multiplications.
 class BackdropScene {
  public:
-  /// @param backdrop  With a tile, which must outlive this. @param origin  Of the world, plane metres.
+  /// @param backdrop  Has a tile, which must outlive this object.
+  /// @param origin    The world's origin in plane metres.
   BackdropScene(RTCDevice device, const Backdrop& backdrop, Vec3 origin);
 
   const SceneGeometry& geometry() const { return scene_.geometry(); }
   std::size_t bytes() const { return scene_.bytes(); }
-  /// Whether land is nearer than the ray's end; the ray then has that hit.
+  /// True if land is nearer than the ray's end. `found` is then updated to the hit on the land.
   bool intersect(RTCRayHit& found) const;
+  /// True if land is between the ends of the ray.
   bool is_blocking(RTCRay& ray) const;
 
  private:

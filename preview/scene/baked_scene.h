@@ -1,4 +1,4 @@
-// Whole baked tiles in one Embree scene; tiles share equal meshes and images.
+// Whole baked tiles in one Embree scene. Tiles share equal meshes and images.
 #pragma once
 
 #include <span>
@@ -7,16 +7,16 @@
 
 namespace citykiln::preview {
 
-/// Refers to the tiles, which must outlive it.
+/// Baked tiles in Embree. Refers to the tiles, which must outlive this object.
 class BakedScene {
  public:
-  /// @param origin  Of the world, plane metres.
+  /// @param origin  The world's origin in plane metres.
   BakedScene(RTCDevice device, std::span<const bake::BakedTile> tiles, Vec3 origin);
 
   const SceneGeometry& geometry() const { return geometry_; }
-  /// All triangles that shine, by their numbers in hits. Those of instances are left out.
+  /// Returns the triangles that shine, indexed by Hit::emitter, without triangles of instances.
   std::span<const Emitter> emitters() const { return emitters_; }
-  /// Of corners, instances and textures, without the tiles and Embree's hierarchies.
+  /// Returns the bytes of corners, instances and textures, without the tiles and Embree's hierarchies.
   std::size_t bytes() const;
 
  private:

@@ -1,4 +1,5 @@
-// A generated cell: its meshes, Embree's hierarchy, and what cells share.
+// A cell: the meshes of all objects on one piece of the ground, generated on demand, with Embree's hierarchy. A
+// prototype is a mesh that instances share, such as a tree.
 #pragma once
 
 #include <atomic>
@@ -12,14 +13,14 @@
 
 namespace citykiln::preview {
 
-/// Bytes in use.
+/// The bytes that all cells use.
 struct MemoryUse {
   std::atomic<std::int64_t> geometry = 0;  ///< Meshes and instances of cells and prototypes.
   std::atomic<std::int64_t> hierarchies = 0;
   std::atomic<std::int64_t> textures = 0;
 };
 
-/// Counts bytes for as long as it lives.
+/// Adds bytes to a counter for the lifetime of this object.
 class CountedBytes {
  public:
   CountedBytes(std::atomic<std::int64_t>& in, std::size_t bytes) : in_(in), bytes_(static_cast<std::int64_t>(bytes)) {
@@ -34,18 +35,22 @@ class CountedBytes {
   std::int64_t bytes_;
 };
 
-/// Meshes of prototypes and textures by the identity of their source. Thread-safe.
+/// Meshes of prototypes, and textures, that several cells use at once. Each is found by the address of the object that
+/// it is made from. Thread-safe.
 class SharedByCells {
  public:
   SharedByCells(RTCDevice device, const CellSource& source, MemoryUse& use)
       : device_(device), source_(&source), use_(use) {}
 
-  /// Whether a primitive has a texture of its material.
+  /// True if a primitive shows a texture of its material at a tolerance.
   static bool has_texture(const bake::Primitive& primitive, double tolerance_m);
+  /// Returns the texture of a material, and makes it if no cell uses it yet.
   std::shared_ptr<const MaterialTexture> material(materials::Material material, double tolerance_m);
+  /// Returns the marking atlas of a tile, and makes it if no cell uses it yet.
   std::shared_ptr<const MipTexture> marking_atlas(const std::shared_ptr<const bake::Markings>& markings);
+  /// Returns the textures of a cutout, and makes them if no cell uses them yet.
   std::shared_ptr<const CutoutTexture> cutout(const impostor::SharedCutout& cutout);
-  /// The mesh of a prototype, with textures for a tolerance.
+  /// Returns the mesh of a prototype, with textures for a tolerance.
   std::shared_ptr<const MeshScene> prototype(const bake::BakedPrototype& prototype, double tolerance_m);
 
  private:
@@ -62,16 +67,16 @@ class SharedByCells {
   std::map<const void*, std::weak_ptr<const MeshScene>> prototypes_;
 };
 
-/// Immutable.
+/// A generated cell. Immutable.
 class Cell : public std::enable_shared_from_this<Cell> {
  public:
-  /// @param origin  Of the world, plane metres.
+  /// @param origin  The world's origin in plane metres.
   Cell(RTCDevice device, bake::BakedCell&& baked, Vec3 origin, SharedByCells& shared, MemoryUse& use);
 
   const SceneGeometry& geometry() const { return geometry_; }
-  /// The bounds of what it holds, about the world's origin.
+  /// Returns the bounds of the cell's meshes and instances, relative to the world's origin.
   const RTCBounds& bounds() const { return bounds_; }
-  /// Of meshes, instances and facade textures that it alone has.
+  /// Returns the bytes of meshes, instances and facade textures that no other cell shares.
   std::size_t bytes() const { return bytes_; }
 
  private:

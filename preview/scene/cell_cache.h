@@ -1,8 +1,8 @@
-// Cells that are generated when a ray first enters their bounds, and freed when they exceed a budget.
+// A cache of cells. A cell has the meshes of all objects on one piece of the ground; it is generated when a ray first
+// enters its bounds, and freed when all cells exceed a budget.
 //
 //     ray ──► Embree's tree of the cells' bounds ──► a cell that is ready: its own hierarchy (no lock)
-//                                               └──► one that is not: this thread generates it; others that need it
-//                                               wait
+//                                               └──► a cell that is not: this thread generates it, others wait for it
 //
 // A thread that generates takes no part in other work (run_alone), so no thread waits for itself. A cell is a function
 // of scene and view, so pictures do not depend on budget, threads or the order of rays.
@@ -15,23 +15,24 @@
 
 namespace citykiln::preview {
 
-/// What a cache has done, and holds.
+/// Counters of a cache, since its construction.
 struct CellCounters {
-  std::size_t cells = 0;        ///< Of the scene.
-  std::size_t generated = 0;    ///< Cells, each time.
-  std::size_t regenerated = 0;  ///< Of these, cells that had been generated before.
-  std::size_t evicted = 0;
-  std::size_t tiles_prepared = 0;
+  std::size_t cells = 0;           ///< Cells of the scene.
+  std::size_t generated = 0;       ///< The number of generations; a cell that is generated twice counts twice.
+  std::size_t regenerated = 0;     ///< Generations of a cell that had been generated before.
+  std::size_t evicted = 0;         ///< The number of cells that were freed.
+  std::size_t tiles_prepared = 0;  ///< The number of times that a tile was prepared for its cells.
   std::int64_t geometry_bytes = 0, hierarchy_bytes = 0, texture_bytes = 0, tile_bytes = 0,
-               prototype_bytes = 0;  ///< Now.
-  std::int64_t peak_bytes = 0;       ///< The largest sum of these after an eviction.
-  std::int64_t over_bytes = 0;       ///< The largest excess over the budget that one cell needed.
-  double outside_m = 0;              ///< Largest distance by which a cell was larger than its bounds: 0 is right.
+               prototype_bytes = 0;  ///< Bytes in use now.
+  std::int64_t peak_bytes = 0;       ///< The largest sum of geometry, hierarchies and textures after an eviction.
+  std::int64_t over_bytes = 0;       ///< The largest excess over the budget.
+  double outside_m = 0;              ///< Largest distance by which a cell was larger than its bounds. Must be 0.
   double generating_s = 0, preparing_s = 0;  ///< Sums over threads; generating includes preparing tiles.
 };
 
-/// Readers that may hold cells which are evicted: counted by two alternating phases, so that a writer waits for all who
-/// began before it (McKenney, "Sleepable Read-Copy Update", 2006). Entering and leaving cost one atomic addition each.
+/// A count of the threads (readers) that may use cells which are being evicted (freed). Two phases alternate, so that a
+/// writer waits only for readers that began before it (McKenney, "Sleepable Read-Copy Update", 2006). Entering and
+/// leaving cost one atomic addition each.
 class ReaderPhases {
  public:
   class Reader {
@@ -48,7 +49,8 @@ class ReaderPhases {
     std::atomic<std::int64_t>* counter_ = nullptr;
   };
 
-  /// Returns when all readers that had entered have left. One caller at a time, who is no reader.
+  /// Waits until all readers that had entered have left. Only one thread at a time may call this function, and not a
+  /// reader.
   void wait();
 
  private:
@@ -62,26 +64,27 @@ class ReaderPhases {
   std::atomic<std::size_t> phase_ = 0;
 };
 
-/// A ray's state on its way through cells. Embree passes it to the callbacks as its context.
+/// The state of a ray on its way through cells. Embree passes this object to the callbacks as the ray's context.
 struct CellRay : RTCIntersectContext {
   explicit CellRay(ReaderPhases& phases) : RTCIntersectContext{}, reader(phases) { rtcInitIntersectContext(this); }
   const Cell* hit = nullptr;         ///< The cell of the nearest hit; valid while this object lives.
-  std::shared_ptr<const Cell> kept;  ///< The same, where this ray has waited for a cell.
+  std::shared_ptr<const Cell> kept;  ///< Keeps `hit` alive if the ray has waited for a cell.
   ReaderPhases::Reader reader;
 };
 
-/// Thread-safe. Cells of a source in one Embree scene.
+/// The cells of a source in one Embree scene. Thread-safe.
 ///
-/// Memory: the budget holds for meshes, hierarchies and textures of cells, and of the prototypes and materials that
-/// they show; prepared tiles may have what is left of it. Beside it are the recipes, prepared tiles up to kTileBytes
-/// (or one), the extents of freed cells (8 kB each), meshes of plants as the prototype cache has them, images of
-/// materials, and what the generation of a cell needs for a moment.
+/// Memory: the budget holds for meshes, hierarchies and textures of cells, and for the prototypes and materials that
+/// they show. Prepared tiles may use the rest of the budget. Not in the budget are the recipes, prepared tiles up to
+/// kTileBytes (or one), the extents of freed cells (8 kB each), meshes of plants in the prototype cache, images of
+/// materials, and memory that generating a cell needs for a moment.
 class CellCache {
  public:
   static constexpr std::size_t kTileBytes = 100'000'000;
 
-  /// @param origin  Of the world, plane metres.
-  /// @param budget_bytes  A ray can always go on: the cell that it needs is kept even if that alone exceeds the budget.
+  /// @param origin        The world's origin in plane metres.
+  /// @param budget_bytes   The limit above which cells are freed. The cell that a ray needs is kept even if it alone
+  /// exceeds the budget.
   CellCache(RTCDevice device, std::shared_ptr<const CellSource> source, Vec3 origin, std::size_t budget_bytes);
   ~CellCache();
 

@@ -1,4 +1,6 @@
-// Where a cell has anything: what is kept of a cell that was freed, so that rays which miss it need not wait for it.
+// The extent of a cell: the space that the cell's meshes take up. A cell has the meshes on one piece of the ground,
+// which may be freed and generated again. The extent is kept, so that rays which miss the meshes need not wait for the
+// cell.
 //
 //     ─────ray──────────────►        a grid of columns over the cell's box, each from its lowest to its highest point;
 //        ▁▁█▁▁  ▁█▁▁▁▁▁▁             the ray needs the cell only if it meets a column
@@ -11,16 +13,16 @@
 
 namespace citykiln::preview {
 
-/// Total; a box without anything in it is met by no ray. 8 kB.
+/// A grid of 32 by 32 columns over a cell's box, with a range of heights in each. No ray meets an empty grid. 8 kB.
 class CellExtent {
  public:
-  /// @param box  Of the cell, about the world's origin.
+  /// @param box  The cell's box, relative to the world's origin.
   explicit CellExtent(const RTCBounds& box);
 
-  /// Adds a box that lies in the cell's.
+  /// Adds a box that lies in the cell's box.
   void add(const RTCBounds& box);
-  /// False only if the ray, between its ends, is farther than rounding errors from all boxes that were added.
-  /// O(columns across).
+  /// True if the ray may meet the meshes: if, between its ends, it comes as near as rounding errors to one of the added
+  /// boxes. May be true for other rays, never false for these. O(columns across).
   bool may_meet(const RTCRay& ray) const;
 
  private:

@@ -1,4 +1,5 @@
-// The ground cells of a scene of recipes, which are baked when they are asked for.
+// The cells of a scene of recipes, which are baked on request. A cell has the meshes of all objects on one piece of the
+// ground; a tile consists of cells, and has one chunk of the scene's recipes.
 #pragma once
 
 #include <atomic>
@@ -8,13 +9,13 @@
 #include <mutex>
 #include <vector>
 
-#include "compiler/bake/bake_cell.h"
+#include "compiler/bake/cells/bake_cell.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::preview {
 
-/// Thread-safe. A cell depends on scene and view alone. Tiles are prepared when one of their cells is first baked, and
-/// kept until they are dropped.
+/// The cells of a scene, baked for a view. Thread-safe. A cell depends on scene and view alone. The data that all cells
+/// of a tile share are prepared when the first cell of the tile is baked, and kept until drop_tile() frees them.
 class CellSource {
  public:
   CellSource(scene::Scene scene, const bake::View& view);
@@ -22,23 +23,26 @@ class CellSource {
   const scene::Scene& scene() const { return scene_; }
   const bake::ViewLevels& levels() const { return levels_; }
   std::size_t size() const { return cells_.size(); }
-  /// What the cell bakes lies in these bounds, plane metres.
+  /// Returns bounds of all that bake() returns for a cell, plane metres.
   const bake::Bounds& bounds(std::size_t cell) const { return cells_[cell].bounds; }
   const bake::PrototypeCache& prototypes() const { return *prototypes_; }
+  /// Returns the meshes of a cell.
+  /// @param cell  0 … size() - 1.
   bake::BakedCell bake(std::size_t cell) const;
 
-  /// Bytes of the prepared tiles; a bake in progress may prepare one more.
+  /// Returns the bytes of the prepared tiles; a bake in progress may prepare one more.
   std::size_t tile_bytes() const { return tile_bytes_; }
-  /// Sum over threads.
+  /// Returns the time spent on preparing tiles, summed over threads.
   double preparing_s() const { return static_cast<double>(preparing_us_) * 1e-6; }
-  /// How often tiles were prepared.
+  /// Returns the number of times that a tile was prepared.
   std::size_t tiles_prepared() const { return prepared_; }
-  /// Drops the prepared tile that was used least recently; false where there is none but that of the last bake.
+  /// Drops the prepared tile that was used least recently. Returns false if no tile but the one of the last bake is
+  /// prepared.
   bool drop_tile() const;
 
  private:
   struct Cell {
-    std::size_t chunk, number;  // of the chunk's cells
+    std::size_t chunk, number;  // `number` is an index into the chunk's cells
     bake::Bounds bounds;
   };
   struct Tile {

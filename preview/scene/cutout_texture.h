@@ -1,4 +1,5 @@
-// A cutout as rays see it: colour and normal, filtered over the ray's footprint, and its holes.
+// A cutout (a flat image with holes, such as a card of leaves) for rays: colour and normal, filtered over the ray's
+// footprint, and the holes.
 #pragma once
 
 #include <optional>
@@ -8,22 +9,24 @@
 
 namespace citykiln::preview {
 
-/// Refers to the cutout, which must outlive it. Filtered up to its second mip level, as facade atlases are.
+/// The textures of a cutout. Refers to the cutout, which must outlive this object. At most the second mip level is
+/// used.
 class CutoutTexture {
  public:
-  /// @param cutout  With texels.
+  /// @param cutout  Has texels.
   explicit CutoutTexture(const impostor::Cutout& cutout);
 
-  /// Alpha test for one ray: whether the opacity, interpolated between four texels, is at least impostor::kCutoff. The
-  /// average over many rays is the coverage.
+  /// True if the cutout has no hole at a point: the opacity, interpolated between four texels, is at least
+  /// impostor::kAlphaCutoff.
+  /// @param at_m  Metres on the image.
   bool is_there(Vec2 at_m) const;
-  /// Mean linear reflectance over a footprint.
+  /// Returns the mean linear reflectance over a footprint.
   std::array<double, 3> colour(const TextureFootprint& footprint) const { return colour_.mean(footprint); }
-  /// Unit normal: along u, against v, outwards.
+  /// Returns the unit normal over a footprint: its components along u, against v, and outwards.
   Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
   const impostor::Cutout& cutout() const { return *cutout_; }
-  std::size_t bytes() const;  ///< With the images.
+  std::size_t bytes() const;  ///< The bytes of the textures with their images.
 
  private:
   double opacity(std::int64_t column, std::int64_t row) const;

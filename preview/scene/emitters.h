@@ -1,4 +1,4 @@
-// Triangles that shine.
+// Emitters: triangles that shine.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,12 @@ namespace citykiln::preview {
 
 /// A triangle that shines from its front, in the world's frame.
 struct Emitter {
+  /// A corner, and the vectors from it to the two others. Counter-clockwise seen from the front.
   Vec3 corner, edge1, edge2;
   Rgb radiance{};  ///< Mean over the triangle, in the sky's unit.
 };
 
+/// The index of an emitter where there is none.
 inline constexpr std::uint32_t kNoEmitter = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace citykiln::preview

@@ -1,4 +1,5 @@
-// A facade atlas as rays see it: colour, roughness, metalness, emission and normal, filtered over the ray's footprint.
+// A facade atlas (an image of many small pictures of walls) for rays: colour, roughness, metalness, emission and
+// normal, filtered over the ray's footprint. A footprint is the part of an image that a ray covers.
 #pragma once
 
 #include <optional>
@@ -9,29 +10,30 @@
 
 namespace citykiln::preview {
 
-/// Refers to the atlas, which must outlive it. Filtered up to its second mip level, where its pictures are still apart,
-/// and within one picture: a face looks the same on any atlas. Objects so small in the picture that they need more have
-/// a coarser level of detail.
+/// The textures of a facade atlas. Refers to the atlas, which must outlive this object. Filters stay within one picture
+/// of the atlas, and use at most the second mip level, on which pictures do not mix yet: so a face looks the same on
+/// any atlas.
 class FacadeAtlasTexture {
  public:
-  /// @param atlas  With texels.
+  /// @param atlas  Has texels.
   explicit FacadeAtlasTexture(const impostor::Atlas& atlas);
 
   const impostor::Atlas& atlas() const { return *atlas_; }
-  /// Mean linear reflectance over a footprint of one of the atlas's pictures.
+  /// Returns the mean linear reflectance over a footprint.
+  /// @param picture  The texels of the picture that contains the footprint.
   std::array<double, 3> colour(const TextureFootprint& footprint, const TexelRectangle& picture) const {
     return colour_.mean(footprint, picture);
   }
-  /// Mean linear emission, as a share of materials::kEmission_cd_m2.
+  /// Returns the mean linear emission as a share of materials::kEmission_cd_m2.
   std::array<double, 3> emission(const TextureFootprint& footprint, const TexelRectangle& picture) const {
     return emission_ ? emission_->mean(footprint, picture) : std::array<double, 3>{};
   }
-  /// Unit normal: along u, against v, outwards.
+  /// Returns the unit normal over a footprint: its components along u, against v, and outwards.
   Vec3 normal(const TextureFootprint& footprint, const TexelRectangle& picture) const;
   bool shines() const { return emission_.has_value(); }
   bool has_normals() const { return normal_.has_value(); }
-  std::size_t bytes() const;  ///< With the images.
-  /// Mean roughness and metalness, in [0, 1].
+  std::size_t bytes() const;  ///< The bytes of the textures with their images.
+  /// Returns the mean roughness and metalness, in [0, 1].
   std::pair<float, float> surface(const TextureFootprint& footprint, const TexelRectangle& picture) const {
     const auto mean = surface_.mean(footprint, picture);
     return {static_cast<float>(mean[1]), static_cast<float>(mean[2])};

@@ -8,13 +8,13 @@
 
 namespace citykiln::preview {
 
-/// Returns for each triangle the texels that the bounds of its face's uvs touch. Triangles that share vertices,
-/// directly or through others, are one face; faces on an atlas share none. Uvs may be a sixteenth of a texel off.
+/// Returns for each triangle the texels that the bounds of its face's uvs touch. A face is all triangles that are
+/// connected by shared vertices; faces on an atlas share none. Uvs may be a sixteenth of a texel off.
 ///
-/// @param primitive  With uvs: metres on the image.
+/// @param primitive  Has uvs: metres on the image.
 ///
-/// Guarantees: the rectangles depend on the size of texels and on uvs relative to whole texels, so that a face has the
-/// same one wherever its picture lies on an atlas. Total. O(vertices + triangles).
+/// Guarantees: the rectangles depend only on the size of texels and on uvs relative to whole texels, so a face has an
+/// equal rectangle wherever its picture lies on an atlas. Accepts any uvs. O(vertices + triangles).
 std::vector<TexelRectangle> face_rectangles(const bake::Primitive& primitive, const materials::TextureImage& image);
 
 }  // namespace citykiln::preview

@@ -1,5 +1,5 @@
-// All instances of one mesh. An instance of Embree takes some 500 bytes, and a country has millions of trees: here all
-// instances of a mesh are one user geometry, which transforms rays into the mesh's frame.
+// All instances of one mesh. They are one user geometry of Embree, which transforms rays into the mesh's frame, at 32
+// bytes an instance (Embree's own instances take some 500 bytes).
 #pragma once
 
 #include <memory>
@@ -24,19 +24,20 @@ class InstanceSet {
   InstanceSet& operator=(const InstanceSet&) = delete;
 
   const MeshScene& mesh() const { return *mesh_; }
-  /// Adds the instances of a tile whose origin is at `offset` in the world. Refers to both arguments.
-  /// @param features  Of the tile.
+  /// Adds the instances of a tile. Refers to `instanced` and `features`, which must outlive this object.
+  /// @param features   The OSM objects of the tile, which instances index.
+  /// @param offset    The tile's origin in the frame of the world.
   void add(const bake::InstancedMesh& instanced, const std::vector<OsmId>& features, Vec3 offset);
-  /// Adds the instances to the uncommitted top scene, numbered from `first` in RTCHit::instID. The scene refers to this
-  /// object, which must not move.
+  /// Adds the instances to a scene that is not committed yet. Their numbers in RTCHit::instID begin at `first`. The
+  /// scene refers to this object, which must not move.
   void attach_to(RTCDevice device, RTCScene top, unsigned first);
 
-  /// The box of an instance in the world; of a mesh without triangles an empty one.
+  /// Returns the box of an instance in the world; empty for a mesh without triangles.
   RTCBounds box_of(std::size_t instance) const;
   unsigned first() const { return first_; }
   std::size_t size() const { return transforms_.size(); }
   std::size_t bytes() const { return transforms_.capacity() * sizeof(InstanceTransform); }  ///< Without the mesh.
-  /// The hit, in the world's frame, on the instance of found.instID.
+  /// Returns the hit on the instance found.instID, in the world's frame.
   Hit hit_in_world(const RTCHit& found, const RayFootprint& footprint) const;
 
  private:

@@ -18,7 +18,7 @@ constexpr double kTolerance_m = 0.2;
 // Parts of one window are this near to each other.
 constexpr double kGap_m = 0.15;
 
-// A rectangle in an upright plane; x along it.
+// A rectangle in a vertical plane; x along it.
 struct Patch {
   Vec2 along;
   double off_m;  // of the plane, along its outward normal
@@ -56,7 +56,8 @@ void add_patch(Vec3 a, Vec3 b, Vec3 c, double luminance, std::vector<Patch>& pat
   patches.push_back(patch);
 }
 
-// How far what shines about a patch stands out from it: the depth of a room before its back wall.
+// The largest distance by which shining surfaces about a patch stand out from it: the depth of a room before its back
+// wall.
 double depth_m(const Patch& patch, std::span<const Vec3> shining) {
   constexpr double kDeepest_m = 1;
   const Vec2 outward{patch.along.y, -patch.along.x};
@@ -70,7 +71,7 @@ double depth_m(const Patch& patch, std::span<const Vec3> shining) {
   return deepest_m;
 }
 
-// From outside the back of a room is seen, which faces as the window does, and its sides: all through its opening.
+// The back of a room, which faces as the window does, and its sides are all seen from outside through its opening.
 std::vector<LitPane> panes_of(const buildings::Building& building, const buildings::GeneratedBuilding& generated) {
   std::vector<Patch> patches;
   std::vector<Vec3> shining;

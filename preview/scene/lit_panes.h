@@ -1,4 +1,4 @@
-// The lit windows of buildings that are not generated yet.
+// Lit panes: the lit windows of buildings whose meshes are not generated yet, as rectangles.
 #pragma once
 
 #include <span>
@@ -10,21 +10,21 @@
 
 namespace citykiln::preview {
 
-/// An upright rectangle of a building that shines outwards: a curtain, or the back of a lit room.
+/// A vertical rectangle of a building that shines outwards: a curtain, or the opening of a lit room.
 struct LitPane {
   OsmId building;
   Vec3 corner;           ///< Lower left, seen from outside, plane metres.
   Vec2 along{1, 0};      ///< Unit; the outward normal is (along.y, -along.x).
   double width_m = 0;    ///< > 0.
   double height_m = 0;   ///< > 0.
-  double luminance = 0;  ///< Mean of what it shows, about, in the sky's unit. > 0.
+  double luminance = 0;  ///< Mean luminance, approximately, in the sky's unit. > 0.
 };
 
-/// Buildings farther from all eyes are left out.
+/// The distance from the nearest eye beyond which buildings are left out.
 inline constexpr double kLitNear_m = 400;
 
-/// Returns the lit panes of a night scene's buildings near any of the eyes, in the order of its chunks. Each building
-/// is derived once, at 0.2 m, and its mesh dropped. Scenes by day have none.
+/// Returns the lit panes of the buildings near any of the eyes, in the order of the scene's chunks; by day none. Each
+/// building is generated once, at a tolerance of 0.2 m, and its mesh dropped.
 /// @param eyes  Plane metres.
 std::vector<LitPane> lit_panes_of(const scene::Scene& scene, std::span<const Vec3> eyes, int threads);
 

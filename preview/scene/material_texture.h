@@ -1,4 +1,4 @@
-// A material's texture as rays see it: colour and normal, filtered over the ray's footprint.
+// A material's texture for rays: colour and normal, filtered over the ray's footprint.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,20 @@
 
 namespace citykiln::preview {
 
-/// Refers to the texture, which must outlive it. Normals of water are left out, since its waves (water_waves.h) never
-/// repeat.
+/// The textures of a material. Refers to the texture, which must outlive this object. Water has no normals here, since
+/// its waves (water_waves.h) never repeat.
 class MaterialTexture {
  public:
   explicit MaterialTexture(const materials::Texture& texture);
 
   const materials::Texture& texture() const { return *texture_; }
-  /// Mean linear reflectance over a footprint; over the whole texture it is the material's colour.
+  /// Returns the mean linear reflectance over a footprint, which is the part of an image that a ray covers. The mean
+  /// over the whole texture is the material's colour.
   std::array<double, 3> colour(const TextureFootprint& footprint) const;
-  /// Unit normal: along u, against v, outwards.
+  /// Returns the unit normal over a footprint: its components along u, against v, and outwards.
   Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
-  std::size_t bytes() const;  ///< With the images.
+  std::size_t bytes() const;  ///< The bytes of the textures with their images.
 
  private:
   const materials::Texture* texture_;

@@ -60,8 +60,8 @@ TextureFootprint texture_footprint_of(const HitTriangle& t, const RayFootprint& 
   return {uv_at(t), in_uvs(along, edge1, edge2, t.uv[1] - t.uv[0], t.uv[2] - t.uv[0]), ray.across_m, false};
 }
 
-// The same where a metre of the surface need not be a metre of the image: joined atlases of several levels have one
-// texel size, and plants have many sizes.
+// The part of an image that a ray covers, if a metre of the surface need not be a metre of the image: joined atlases of
+// several levels have one texel size, and plants have many sizes.
 TextureFootprint scaled_footprint_of(const HitTriangle& t, const RayFootprint& ray) {
   TextureFootprint footprint = texture_footprint_of(t, ray);
   const double area = length(cross(t.at[1] - t.at[0], t.at[2] - t.at[0]));

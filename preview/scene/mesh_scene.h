@@ -1,4 +1,4 @@
-// A mesh of its own frame in Embree, which instances share.
+// A mesh in its own frame in Embree, which instances share.
 #pragma once
 
 #include <memory>
@@ -9,28 +9,29 @@
 
 namespace citykiln::preview {
 
-/// Immutable once built. Refers to the primitives and textures, which must outlive it.
+/// A mesh in Embree. Immutable. Refers to the primitives and textures, which must outlive this object.
 class MeshScene {
  public:
-  /// @param marking_atlas  Of the mesh's tile; null where it has none.
-  /// @param materials  Per primitive the texture of its material; null where it has none.
-  /// @param cutout  Of the mesh; null where it has none.
+  /// @param marking_atlas  The atlas of the mesh's tile; null: none.
+  /// @param materials      The texture of each primitive's material; null: none.
+  /// @param cutout         The mesh's cutout; null: none.
   MeshScene(RTCDevice device, const std::vector<bake::Primitive>& primitives, const MipTexture* marking_atlas,
             std::vector<const MaterialTexture*> materials, std::shared_ptr<const CutoutTexture> cutout);
   ~MeshScene();
   MeshScene(const MeshScene&) = delete;
   MeshScene& operator=(const MeshScene&) = delete;
 
-  /// Whether another mesh is the same, triangle by triangle, with the same images.
+  /// True if `mesh` is equal to this one, triangle by triangle, and has equal images.
   bool is_of(const bake::InstancedMesh& mesh, const MipTexture* marking_atlas,
              std::span<const MaterialTexture* const> materials) const;
 
   RTCScene scene() const { return scene_; }
   const std::vector<MeshPart>& parts() const { return parts_; }
   const std::shared_ptr<const CutoutTexture>& cutout() const { return cutout_; }
+  /// Returns the lowest corner of the mesh's box; high() returns the highest.
   Vec3 low() const { return low_; }
   Vec3 high() const { return high_; }
-  /// Of the copies of positions; without primitives and Embree's hierarchy.
+  /// Returns the bytes of the copied positions, without primitives and Embree's hierarchy.
   std::size_t bytes() const;
 
  private:

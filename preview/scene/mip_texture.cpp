@@ -77,7 +77,7 @@ MipTexture::Texel MipTexture::texel(const Level& level, std::size_t column, std:
   return {values[r], values[g], values[b]};
 }
 
-// Without texels.
+// A level whose texels are not set.
 MipTexture::Level MipTexture::blank_level(std::size_t columns, std::size_t rows) const {
   const auto per_m = [&](std::size_t count, std::uint32_t side) {
     return static_cast<double>(count) / (side * static_cast<double>(image_->texel_m));

@@ -1,4 +1,4 @@
-// An image as rays see it, filtered over the ray's footprint.
+// An image for rays, filtered over the footprint of a ray: the part of the image that the ray covers.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@ namespace citykiln::preview {
 /// The part of an image that a ray covers: an ellipse about `centre`, `across_m` wide and elongated along `along`.
 struct TextureFootprint {
   Vec2 centre;            ///< Metres on the image.
-  Vec2 along;             ///< From the centre to the far end; zero: a disk.
-  double across_m = 0;    ///< Diameter. 0: single texels.
-  bool is_rough = false;  ///< Whether the nearest texel of the nearest level will do.
+  Vec2 along;             ///< From the centre to the far end of the ellipse; zero: a disk.
+  double across_m = 0;    ///< Diameter; 0: single texels.
+  bool is_rough = false;  ///< True: the value of one texel suffices, without interpolation.
 };
 
 /// The meaning of texels.
@@ -24,16 +24,18 @@ enum class TexelMeaning {
   kNormals   ///< -1 … 1 in each direction (materials::Texture).
 };
 
-/// A part of an image, by its outermost texels, which belong to it.
+/// A rectangular part of an image, by its outermost texels, inclusive.
 struct TexelRectangle {
   std::uint16_t left = 0, top = 0, right = 0, bottom = 0;
   bool operator==(const TexelRectangle&) const = default;
 };
 
-/// What continues an image at its left and right sides; it always repeats along v.
+/// The continuation of an image beyond its left and right sides. It always repeats along v.
 enum class WrapMode { kClamp, kRepeat };
 
-/// Method: mip levels (Williams, "Pyramidal Parametrics", SIGGRAPH 1983), each with exactly the mean of the image;
+/// A filtered image.
+///
+/// Method: mip levels (Williams, "Pyramidal Parametrics", SIGGRAPH 1983), each with exactly the mean of the image, and
 /// trilinear interpolation in linear light. An elongated footprint is filtered as several disks in a row (McCormack et
 /// al., "Feline", SIGGRAPH 1999), at most 16.
 ///
@@ -41,19 +43,19 @@ enum class WrapMode { kClamp, kRepeat };
 class MipTexture {
  public:
   static constexpr std::size_t kAllLevels = 64;
-  /// @param image  With texels.
+  /// @param image   Has texels.
   /// @param levels  Largest number of levels, the image itself included.
   explicit MipTexture(const materials::TextureImage& image, TexelMeaning texels = TexelMeaning::kColours,
                       WrapMode sides = WrapMode::kClamp, std::size_t levels = kAllLevels);
 
   const materials::TextureImage& image() const { return *image_; }
-  std::size_t bytes() const;  ///< With the image.
-  /// The mean over a footprint: linear reflectance, numbers, or the normal. Footprints that are not finite give the
-  /// mean of the image.
+  std::size_t bytes() const;  ///< The bytes of the levels and the image.
+  /// Returns the mean over a footprint: linear reflectance, numbers, or the normal. Footprints that are not finite give
+  /// the mean of the image.
   std::array<double, 3> mean(const TextureFootprint& footprint) const;
-  /// The mean over a footprint of a part of the image, whose outermost texels continue it at all sides: no other texel
-  /// counts but those that share one of a coarser level with the part's. Without turns of the image. Levels have half
-  /// the columns and rows of the finer one, exactly.
+  /// Returns the mean over a footprint on a part of the image. The part is continued on all sides by its outermost
+  /// texels, so texels outside of it have no effect, except those that share a texel of a coarser level with the part.
+  /// Requires that each level has exactly half the columns and rows of the finer one; the image does not repeat.
   std::array<double, 3> mean(const TextureFootprint& footprint, const TexelRectangle& part) const;
 
  private:
@@ -64,7 +66,7 @@ class MipTexture {
     std::vector<Texel> texels;  // empty at level 0, which is the image
   };
 
-  // A side of the image, or of a part of it, on a level.
+  // One axis of the image, or of a part of it, on a level.
   struct Side {
     std::size_t first, count;  // its texels
     double texels_per_m;

@@ -1,4 +1,4 @@
-// Triangles and sets of instances in one Embree scene, and what hits on them mean.
+// Triangles and sets of instances in one Embree scene, and the surfaces that hits on them give.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace citykiln::preview {
 
-/// Built once: add everything, then commit; immutable from then on.
+/// The geometry of a scene. Add all parts and sets, then call commit(); the geometry is immutable from then on.
 class SceneGeometry {
  public:
   explicit SceneGeometry(RTCDevice device) : device_(device), scene_(rtcNewScene(device)) {}
@@ -25,11 +25,11 @@ class SceneGeometry {
   void commit();
 
   RTCScene scene() const { return scene_; }
-  /// The meaning of a hit in the scene: in the world's frame, its normals not turned towards the ray.
+  /// Returns the surface of a hit, in the world's frame. Its normals are not turned towards the ray yet.
   Hit hit_of(const RTCHit& found, const RayFootprint& footprint) const;
-  /// Adds the boxes of all triangles and instances. O(n).
+  /// Adds the boxes of all triangles and instances to an extent. O(n).
   void add_to(CellExtent& extent) const;
-  /// Of corners and instances, without primitives, meshes of instances and Embree's hierarchies.
+  /// Returns the bytes of corners and instances, without primitives, meshes of instances and Embree's hierarchies.
   std::size_t bytes() const;
 
  private:

@@ -1,4 +1,4 @@
-// Rooms behind window panes, which tiles do not hold: boxes, made by the pane that a ray passes.
+// Rooms behind window panes. Tiles have no rooms: a room is a box that is computed from the pane that a ray passes.
 #pragma once
 
 #include <optional>
@@ -9,33 +9,36 @@
 
 namespace citykiln::preview {
 
-/// A rectangular pane of a wall, in the world's frame.
+/// A rectangular pane in a wall, in the world's frame.
 struct Pane {
-  Vec3 corner{};                  ///< The lower left one, seen from outside.
-  Vec3 across{}, up{}, inward{};  ///< Unit, at right angles; across is level, to the right.
+  Vec3 corner{};                  ///< Lower left corner, seen from outside.
+  Vec3 across{}, up{}, inward{};  ///< Unit vectors at right angles; across is level, to the right.
   double width_m = 0, height_m = 0;
 };
 
-/// The pane of which a triangle, counter-clockwise from outside, is one half. Empty: it is not half of an upright
-/// rectangle of at least 0.2 m.
+/// Returns the pane of which a triangle, counter-clockwise from outside, is one half. Empty: the triangle is not half
+/// of a vertical rectangle with sides of at least 0.2 m.
 std::optional<Pane> pane_of(const Vec3 (&triangle)[3]);
 
-/// A way of light through the pane to a surface of the room, and from there, perhaps by other surfaces, towards the
-/// eye. The pane itself, passed twice, is not part of `weight`.
+/// A path of light from outside through the pane to a surface of the room, and from there, perhaps by one more surface,
+/// to the eye.
 struct RoomWay {
   Vec3 from{}, direction{};  ///< A point of the pane, and the unit direction, outward, from which light comes.
-  Rgb weight{};              ///< Light towards the eye per light from there, over the density; 0: no light.
-  Vec3 seen_at{};            ///< The first surface of the room that the eye sees.
-  Rgb albedo{};              ///< Its reflectance.
-  Vec3 normal{};             ///< Of it, unit, into the room.
+  /// Radiance towards the eye per radiance from `direction`, divided by the density, without the losses in the glass;
+  /// 0: no light.
+  Rgb weight{};
+  Vec3 seen_at{};  ///< The first surface of the room that the eye sees.
+  Rgb albedo{};    ///< The reflectance at seen_at.
+  Vec3 normal{};   ///< The unit normal at seen_at, into the room.
 };
 
 /// Follows a ray into a room and out again.
 ///
-/// The room is deeper and wider than the pane, by amounts that depend on the pane's place (in the plane: `origin` is
-/// the world's), with its floor where floors usually are below panes of this height. Its walls are plain and matt.
-/// Unbiased for one further reflection in the room.
-/// @param at  On the pane. @param direction  Unit, inward.
+/// The room is deeper and wider than the pane, by amounts that depend on the pane's place in the plane (`origin` is the
+/// world's). Its floor is where floors usually are below panes of this height. Its walls are plain and matt. Unbiased
+/// for up to one further reflection in the room.
+/// @param at         On the pane.
+/// @param direction  Unit, inward.
 RoomWay way_through_room(const Pane& pane, Vec3 origin, Vec3 at, Vec3 direction, PathDraw& draw);
 
 }  // namespace citykiln::preview

@@ -1,4 +1,4 @@
-// A place on a surface, by what decides how it scatters light.
+// A point of a surface with all that decides how it scatters light.
 #pragma once
 
 #include "compiler/geometry/vec.h"
@@ -6,14 +6,14 @@
 
 namespace citykiln::preview {
 
-/// In the world's frame.
+/// A point of a surface, with normals in the world's frame.
 struct SurfacePoint {
   Vec3 geometric_normal{};  ///< Unit, towards the ray's origin.
   Vec3 shading_normal{};    ///< Unit, interpolated, on the same side.
   Rgb albedo{};             ///< Linear: the colour of material or image, times tint.
-  float roughness = 1;      ///< As in glTF.
+  float roughness = 1;      ///< glTF's roughness: the square root of the microfacets' alpha.
   float metallic = 0;
-  float f0 = 0.04f;         ///< Reflectance at normal incidence, of what is not metal.
+  float f0 = 0.04f;         ///< Reflectance at normal incidence of the part that is not metal.
   double translucency = 0;  ///< Light that passes a leaf as a share of the light that it reflects.
 };
 

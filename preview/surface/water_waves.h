@@ -5,13 +5,13 @@
 
 namespace citykiln::preview {
 
-/// A wavy surface as one pixel sees it.
+/// The waves in the footprint of a pixel: the part of the surface that it covers.
 struct Waves {
-  Vec3 normal{0, 0, 1};     ///< Unit; of the waves that are longer than the footprint.
-  double slope_spread = 0;  ///< Variance of the slope, in one direction, of all shorter waves.
+  Vec3 normal{0, 0, 1};     ///< Unit normal of the waves that are longer than the footprint.
+  double slope_spread = 0;  ///< Variance, in one direction, of the slope of all shorter waves.
 };
 
-/// The waves at a place of the plane, metres: a function of the place, whatever the viewpoint. Smooth; the total
+/// Returns the waves at a place of the plane, in metres. They depend on the place alone, and are smooth. The total
 /// variance is the same for any footprint.
 /// @param footprint_m  Length of the part of the surface that a pixel covers. > 0.
 Waves waves_at(Vec2 place, double footprint_m);

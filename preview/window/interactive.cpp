@@ -1,20 +1,63 @@
 #include "preview/window/interactive.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "exporters/load_module.h"
+#include "compiler/contract/load_module.h"
+#include "preview/camera/camera.h"
+#include "preview/camera/camera_rays.h"
 #include "preview/picture/exposure.h"
 #include "preview/picture/tone_map.h"
-#include "preview/window/flight.h"
 #include "preview/window/refining_picture.h"
+#include "preview/window_module/window_io.h"
 
 namespace citykiln::preview {
 namespace {
 
-// Without GLFW at build time there is no module.
+// ---- flight ---------------------------------------------------------------------------------------------------------
+
+constexpr double kSpeed_m_s = 20, kFast = 10;
+
+// Longest time of one step: after a pause the camera does not jump.
+constexpr double kLongest_s = 0.2;
+
+constexpr double kSteepest_rad = 89 * std::numbers::pi / 180;
+
+// The view's direction, turned to the right and down by angles.
+Vec3 turned_view(Vec3 forward, double right_rad, double down_rad) {
+  const double bearing = std::atan2(forward.x, forward.y) + right_rad;
+  const double rise = std::clamp(std::asin(std::clamp(forward.z, -1.0, 1.0)) - down_rad, -kSteepest_rad, kSteepest_rad);
+  return {std::sin(bearing) * std::cos(rise), std::cos(bearing) * std::cos(rise), std::sin(rise)};
+}
+
+// True if input moves or turns the camera.
+bool is_moving(const CitykilnInput& input) {
+  return input.ahead != 0 || input.aside != 0 || input.upward != 0 || input.turn_px != 0 || input.tilt_px != 0;
+}
+
+// Returns the camera after input. Keys move it along the view, aside and up, at 20 m/s, or 200 m/s with shift. The
+// mouse turns it about the vertical and tilts it to at most 89°; a drag over the picture's height turns by the field
+// of view. The distance of look_at stays.
+Camera moved(const Camera& camera, const CitykilnInput& input) {
+  const ViewAxes axes = axes_of({camera.eye, camera.look_at});
+  const double far_m = std::max(length(camera.look_at - camera.eye), 1.0);
+  const double pixel_rad = camera.vertical_fov_deg * std::numbers::pi / 180 / std::max(input.height, 1);
+  const double step_m = kSpeed_m_s * (input.is_fast != 0 ? kFast : 1) * std::clamp(input.seconds, 0.0, kLongest_s);
+  const Vec3 way = axes.forward * input.ahead + axes.right * input.aside + Vec3{0, 0, input.upward};
+  Camera next = camera;
+  next.eye = camera.eye + unit(way) * step_m;
+  const bool turns = input.turn_px != 0 || input.tilt_px != 0;
+  const Vec3 forward =
+      turns ? turned_view(axes.forward, input.turn_px * pixel_rad, input.tilt_px * pixel_rad) : axes.forward;
+  next.look_at = next.eye + forward * far_m;
+  return next;
+}
+
 // The camera counts as resting after this time without input.
 constexpr double kRest_s = 0.25;
 
+// The functions of the window module, which is not there if GLFW was missing at build time.
 struct Module {
   decltype(&citykiln_open_window) open = nullptr;
   decltype(&citykiln_show) show = nullptr;
@@ -23,7 +66,7 @@ struct Module {
 
 template <typename Function>
 Result<Done> load(Function& function, const char* name) {
-  const Result<void*> address = exporters::load_function("citykiln_window.so", name);
+  const Result<void*> address = load_function("citykiln_window.so", name);
   if (!address) return Error{"--interactive", to_string(address.error())};
   function = reinterpret_cast<Function>(*address);
   return Done{};

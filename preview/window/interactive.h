@@ -8,15 +8,15 @@
 
 namespace citykiln::preview {
 
-/// Writes a picture, which is multiplied by `exposure` already.
+/// A function that writes a picture, whose light is multiplied by `exposure` already.
 using WritePicture = std::function<void(const Image& image, const Camera& camera, double exposure)>;
 
-/// An error if a window cannot be shown: the window module is not there, or there is no display.
+/// Checks that a window can be shown. Errors: the window module is not installed, or there is no display.
 Result<Done> check_window();
 
-/// Opens a window and returns when it is closed. Keys W, A, S, D, Q and E move, the mouse with a button held turns,
+/// Opens a window and returns when it is closed. Keys W, A, S, D, Q and E move, the mouse turns while a button is held,
 /// shift is faster, + and - change the exposure, P calls `write` with the picture so far, Esc ends. `options.exposure`
-/// is the exposure at the start. Errors: as check_window().
+/// is the exposure at the start. Errors: the errors of check_window().
 Result<Done> show_interactive(const World& world, const Lights& lights, const LocalLights& local, const Camera& camera,
                               const Options& options, const WritePicture& write);
 

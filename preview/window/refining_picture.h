@@ -8,20 +8,21 @@
 
 namespace citykiln::preview {
 
-/// Renders on a thread of its own. Refers to world and lights, which must outlive it.
+/// A picture that is rendered by a separate thread. Refers to the world and its lights, which must outlive this object.
 ///
-/// While the camera moves, pictures are a quarter as wide and high, with 1 sample a pixel; once it rests, the whole
-/// picture is rendered, and refined until its samples are taken.
+/// While the camera moves, pictures are a quarter as wide and high, with 1 sample a pixel. Once it rests, the whole
+/// picture is rendered, and refined until all of its samples are taken.
 class RefiningPicture {
  public:
   RefiningPicture(const World& world, const Lights& lights, const LocalLights& local, Options options);
   ~RefiningPicture();
 
-  /// Starts anew with another camera, as soon as the pass of the one before is stopped.
+  /// Starts again with another camera. A full picture that is being rendered is stopped; a small one is finished first
+  /// if the camera still moves.
   void restart(const Camera& camera, bool is_moving);
-  /// The picture so far, if it is newer than the one taken before.
+  /// Returns the picture with the samples taken until now, if it is newer than the picture returned before; else empty.
   std::optional<Image> take_newer();
-  /// The last picture of full size; empty before the first.
+  /// Returns the last picture of full size that take_newer() returned; empty before the first.
   const Image& latest() const;
 
  private:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the model of compiler/commands/expected_cost.cpp to runs that measure_cost.py measured. By hand:
+"""Fits the model of compiler/commands/plan/expected_cost.cpp to runs that measure_cost.py measured. By hand:
 
     tests/bench/fit_cost.py FITTED.jsonl… [--check HELD_OUT.jsonl…]
 
@@ -93,7 +93,7 @@ def fit(rows, fixed, values, rounds=8):
 
 
 def time_shares(runs):
-    """What a run of one level takes beside one of all levels: the median of regions that were compiled both ways."""
+    """The time of a run of one level relative to one of all levels: the median of regions that were compiled both ways."""
     key = lambda run: (run["place"], run["region"], run["region_m"], run["tile_m"])
     whole = {key(run): measured_s(run) for run in runs if len(levels_of(run)) == len(LEVELS)}
     return {level: statistics.median(measured_s(run) / whole[key(run)] for run in runs if run["levels"] == level and key(run) in whole)
@@ -121,7 +121,7 @@ class Model:
 
 
 def print_table(model):
-    """As C++."""
+    """Prints the model's constants as C++."""
     braces = lambda values: "{" + ", ".join(f"{value:.3g}" if value > 1e-4 else "0" for value in values) + "}"
     megabytes = lambda values: braces(value / 1e6 for value in values)
     print(f"kAround_s = {braces([*model.time[:2], VERTICES_S])}, kAround_mb = {braces([model.memory[0] / 1e6, WAY_NODES_MB, VERTICES_MB])};")

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "compiler/bake/ground_cells.h"
-#include "compiler/contract/draw.h"
+#include "compiler/bake/ground/ground_cells.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/resample.h"
@@ -64,7 +64,7 @@ void graded_heights(benchmark::State& state) {
   const scene::Chunk& chunk = busiest(scene);
   const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, 0.1);
   const Box2 box = scene::box_of(scene.header, chunk.tile);
-  const Draw draw(1, StableId{1}, "places");
+  const RandomSequence draw(1, StableId{1}, "places");
   std::uint32_t i = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(
@@ -85,7 +85,7 @@ void profiles_of_a_country(benchmark::State& state) {
   const map::Features features = map::locate(osm, plane, box, {}, report);
   std::vector<source::Raster> rasters;
   rasters.push_back(source::fill_voids(*source::read_raster(*source::parse_raster_spec(dem), nullptr), report));
-  const map::Heightfield heights = *map::resample(rasters, plane, features.region, report);
+  const map::Heightfield heights = *map::resample(rasters, plane, features.extent, report);
   const std::vector<roads::Road> roads = roads::plan(features, report);
   const std::vector<roads::Junction> junctions = roads::plan_junctions(roads, report);
   for (auto _ : state)

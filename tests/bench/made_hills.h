@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln {
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures what regions of real extracts cost, for compiler/commands/expected_cost.cpp. By hand:
+"""Measures what regions of real extracts cost, for compiler/commands/plan/expected_cost.cpp. By hand:
 
     tests/bench/measure_cost.py runs.jsonl [--rounds 4] [--check]
 

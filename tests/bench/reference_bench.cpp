@@ -13,7 +13,7 @@ namespace {
 // A mesh during refinement: right triangles of this width, off the grid's lines, jittered.
 std::vector<std::array<Vec3, 3>> triangles(double width_m) {
   std::vector<std::array<Vec3, 3>> all;
-  const Draw draw(1, StableId{1}, "jitter");
+  const RandomSequence draw(1, StableId{1}, "jitter");
   const int count = static_cast<int>(1000 / width_m);
   const auto corner = [&](int i, int j) {
     const auto index = static_cast<std::uint32_t>(2 * (i + j * (count + 1)));
@@ -56,7 +56,7 @@ void measure_by_reference(benchmark::State& state) {
 
 void heights_by_reference(benchmark::State& state) {
   const Reference reference = reference_of_field(made_hills());
-  const Draw draw(1, StableId{1}, "places");
+  const RandomSequence draw(1, StableId{1}, "places");
   std::uint32_t i = 0;
   for (auto _ : state) {
     const Vec2 p{draw.between(0, 1024, i), draw.between(0, 1024, i + 1)};

@@ -1,4 +1,4 @@
-#include "compiler/bake/bake_cell.h"
+#include "compiler/bake/cells/bake_cell.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ bake::View view_above(const scene::Scene& scene, Vec2 place, double above_m) {
 using Shown = std::tuple<materials::Material, bake::Layer, std::array<bake::Float3, 3>, OsmId>;
 using Instance = std::tuple<std::string, bake::Float3, bake::Float4, float, OsmId, std::size_t>;
 
-// What is baked, in any order.
+// Baked triangles and instances, in any order.
 struct Content {
   std::vector<Shown> triangles;
   std::vector<Instance> instances;
@@ -123,7 +123,7 @@ void expect_same(const scene::Scene& scene, const bake::View& view, std::size_t 
 // By night, seen from a roof: fine and coarse levels, grass, lamps, facade textures.
 TEST(BakeCell, CellsTogetherAreTheTownForAView) {
   const scene::Scene scene = town();
-  expect_same(scene, view_above(scene, scene.header.region.centre(), 12), 1000);
+  expect_same(scene, view_above(scene, scene.header.extent.centre(), 12), 1000);
 }
 
 // Bridges, a tunnel, woods, a river, ground under buildings at the edge of the extent.
@@ -131,7 +131,7 @@ TEST(BakeCellReal, CellsTogetherAreAVillageForAView) {
   if (!std::filesystem::exists(real_data("andorra/N42E001.hgt"))) GTEST_SKIP() << "no real data";
   const scene::Scene scene =
       scene_from_files(real_data("andorra/cut-canillo-village.osm.pbf"), real_data("andorra/N42E001.hgt"), "");
-  expect_same(scene, view_above(scene, scene.header.region.centre(), 50), 1000, 30);
+  expect_same(scene, view_above(scene, scene.header.extent.centre(), 50), 1000, 30);
 }
 
 }  // namespace

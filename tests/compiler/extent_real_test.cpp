@@ -3,7 +3,7 @@
 #include <map>
 
 #include "compiler/bake/bake.h"
-#include "compiler/bake/ground_beyond.h"
+#include "compiler/bake/ground/ground_beyond.h"
 #include "tests/compiler/real_scenes.h"
 #include "tests/test_files.h"
 
@@ -59,7 +59,7 @@ bool is_in_any(const std::vector<Box2>& boxes, Vec2 p) {
 void check_tile(const bake::BakedTile& tile, const scene::Header& header, const scene::Chunk& chunk, Count& count) {
   const std::map<OsmId, Box2> boxes = building_boxes(chunk);
   const std::vector<Box2> beyond = bake::ground_beyond(header, chunk);
-  const Box2& extent = header.region;
+  const Box2& extent = header.extent;
   for (const bake::Primitive& primitive : tile.primitives)
     for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
       const Vec2 p = in_plan(tile.origin + bake::widened(primitive.positions[i]));
@@ -90,7 +90,7 @@ TEST(ExtentReal, EverythingButOverhangingBuildingsLiesInIt) {
       Report report;
       check_tile(bake::bake(scene.header, chunk, kTolerance_m, 2, report), scene.header, chunk, count);
       for (const structures::Span& span : chunk.bridges)
-        spans += !std::ranges::all_of(span.axis, [&](Vec2 p) { return scene.header.region.contains(p); });
+        spans += !std::ranges::all_of(span.axis, [&](Vec2 p) { return scene.header.extent.contains(p); });
     }
     EXPECT_GT(count.vertices, 10000u) << place.map;
     EXPECT_GT(count.on_border, 100u) << place.map;
@@ -106,7 +106,7 @@ TEST(ExtentReal, ABuildingBelongsToItByTheCentroidOfItsOutline) {
   if (!std::filesystem::exists(real_data())) GTEST_SKIP();
   const auto compiled = compile(spec_of(kCases[1]), [](auto&&...) {});
   ASSERT_TRUE(compiled);
-  const Box2 extent = compiled->scene.header.region;
+  const Box2 extent = compiled->scene.header.extent;
   std::size_t across = 0;
   for (const scene::Chunk& chunk : compiled->scene.chunks)
     for (const buildings::Building& building : chunk.buildings) {
@@ -134,9 +134,9 @@ TEST(ExtentReal, TheGroundGoesOnUnderBuildingsAcrossItsBorder) {
   for (const scene::Chunk& chunk : compiled->scene.chunks)
     for (const buildings::Building& building : chunk.buildings)
       for (const Vec2 p : building.footprint.outer) {
-        if (header.region.contains(p) || !building.stands_on_ground) continue;
+        if (header.extent.contains(p) || !building.stands_on_ground) continue;
         ++outside;
-        const bool is_near = header.region.widened(bake::kBeyond_m).contains(p);
+        const bool is_near = header.extent.widened(bake::kBeyond_m).contains(p);
         EXPECT_TRUE(!is_near || is_in_any(beyond, p)) << to_string(building.id.osm);
       }
   EXPECT_GT(outside, 20u);

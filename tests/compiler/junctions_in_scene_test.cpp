@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <map>
 
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "compiler/pipeline.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"

@@ -7,7 +7,7 @@
 
 namespace citykiln {
 
-/// The volume that the meshes enclose together, negative where their triangles are clockwise from outside.
+/// The volume that the meshes enclose together, negative if their triangles are clockwise from outside.
 inline double volume_m3(std::span<const materials::MaterialMesh> meshes) {
   double six = 0;
   for (const auto& part : meshes)

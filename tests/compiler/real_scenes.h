@@ -1,4 +1,4 @@
-// Scenes of real extracts, and what covers a place of them: asked of every surface, not of a map of them.
+// Scenes of real extracts, and the land cover at a place, found by a test of every polygon instead of an index.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,7 +35,8 @@ inline std::vector<Box2> boxes_of(std::span<const ground::LandCoverPolygon> surf
   return boxes;
 }
 
-/// @param boxes  Of the surfaces. Null where nothing covers the place.
+/// Returns the polygon that covers a place; null if none does.
+/// @param boxes  Boxes of the surfaces.
 inline const ground::LandCoverPolygon* top_at(std::span<const ground::LandCoverPolygon> surfaces,
                                               std::span<const Box2> boxes, Vec2 p) {
   const ground::LandCoverPolygon* top = nullptr;

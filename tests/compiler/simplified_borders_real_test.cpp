@@ -3,7 +3,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "compiler/ground/cover/merge_slivers.h"
 #include "compiler/pipeline.h"
 #include "compiler/scene/land_cover.h"
@@ -20,7 +20,7 @@ struct CellBorders {
   std::vector<Border> borders;
 };
 
-// Of all cells of an extract, with all pieces of its roads.
+// The borders of all cells of an extract, with all pieces of its roads.
 std::vector<CellBorders> borders_of_cells(const char* extract) {
   CompileSpec spec;
   spec.map_path = real_data(extract);

@@ -36,7 +36,7 @@ class SpecFile {
 
 TEST(Spec, HasTheDefaultTolerances) {
   const CompileSpec spec;
-  EXPECT_EQ(spec.outputs.ladder_m, std::vector(kDefaultLevels_m.begin(), kDefaultLevels_m.end()));
+  EXPECT_EQ(spec.outputs.tolerances_m, std::vector(kDefaultLevels_m.begin(), kDefaultLevels_m.end()));
   EXPECT_EQ(spec.tile_m, 1024);
 }
 
@@ -146,7 +146,7 @@ TEST(SpecFile, SaysTheSameAsTheCommandLine) {
   EXPECT_EQ(spec->rasters[1].path, "y.tif");
   EXPECT_EQ(spec->map.bbox, (source::LonLatBox{1, 2, 3, 4}));
   EXPECT_EQ(spec->tile_m, 512);
-  EXPECT_EQ(spec->outputs.ladder_m, (std::vector{0.5, 4.0}));
+  EXPECT_EQ(spec->outputs.tolerances_m, (std::vector{0.5, 4.0}));
   EXPECT_TRUE(spec->strict.is_on);
 }
 

@@ -8,7 +8,7 @@
 
 #include "compiler/bake/view_levels.h"
 #include "compiler/contract/detail_tolerances.h"
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/pipeline.h"
 #include "compiler/scene/graded_terrain.h"
@@ -61,7 +61,7 @@ std::vector<Seen> seen_village(const scene::Scene& scene, const bake::ViewLevels
 
 // Fifty metres above the middle of the village.
 bake::View view_of(const scene::Scene& scene) {
-  const Vec2 middle = scene.header.region.centre();
+  const Vec2 middle = scene.header.extent.centre();
   double ground_m = 0;
   for (const scene::Chunk& chunk : scene.chunks)
     if (scene::box_of(scene.header, chunk.tile).contains(middle)) ground_m = map::height_m_at(chunk.heights, middle);
@@ -117,7 +117,7 @@ std::vector<Edge> edges_on_line(const ground::GroundMesh& ground, double Vec3::*
 }
 
 TEST_F(ViewReal, RandomPlacesAreWithinTheRequestedPixelError) {
-  const Draw draw(7, StableId{8}, "places");
+  const RandomSequence draw(7, StableId{8}, "places");
   std::uint32_t dice = 0;
   std::map<double, int> places;
   for (const Seen& s : seen) {

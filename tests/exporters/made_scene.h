@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::exporters {
@@ -55,10 +55,10 @@ class SceneMaker {
             .lumen = static_cast<std::uint32_t>(below(20000))};
   }
 
-  /// Two tiles side by side, one of coarse points, one of fine ones.
+  /// Returns two tiles side by side, one of coarse points, one of fine ones.
   scene::Scene scene() {
     scene::Header h;
-    h.origin = {7.25, 43.5}, h.region = {{-128, 0}, {128, 128}}, h.tile_m = 128, h.seed = dice_();
+    h.origin = {7.25, 43.5}, h.extent = {{-128, 0}, {128, 128}}, h.tile_m = 128, h.seed = dice_();
     h.resampling_error_m = 0.125;
     h.sky = {"2024-06-21T12:00:00Z", {0.6, 0, 0.8}, 2.6};
     h.sky.to_sun = {629146 * 0x1p-20, 0, 838861 * 0x1p-20};
@@ -111,7 +111,7 @@ class SceneMaker {
   map::LandCoverClass surface() { return pick(map::LandCoverClass::kCount); }
   double metres(std::uint32_t most) { return (1 + below(most * 1024)) * kQuantum_m; }
   double coordinate() { return (static_cast<double>(below(1u << 20)) - (1 << 19)) * finest_m_; }
-  // a third of all points were there before, as shared borders are
+  // a third of all points repeat an earlier one, as shared borders do
   Vec2 point() {
     if (!points_.empty() && below(3) == 0) return points_[below(static_cast<std::uint32_t>(points_.size()))];
     return points_.emplace_back(Vec2{coordinate(), coordinate()});

@@ -7,7 +7,7 @@
 
 namespace citykiln::exporters {
 
-/// Triangles on the 2^-10 m grid; as many corners as asked for.
+/// Returns triangles on the 2^-10 m grid, with the given number of corners.
 inline bake::Primitive made_primitive(std::mt19937& dice, materials::Material material, std::uint32_t corners,
                                       std::uint32_t features, bake::Layer layer = bake::Layer::kGround) {
   const auto number = [&](int most) {
@@ -25,7 +25,7 @@ inline bake::Primitive made_primitive(std::mt19937& dice, materials::Material ma
   return p;
 }
 
-/// Places of a mesh, each with its own size.
+/// Returns a mesh with placements, each with its own size.
 inline bake::InstancedMesh made_instances(std::mt19937& dice, const char* name, int places, std::uint32_t features) {
   bake::InstancedMesh all{
       name, {made_primitive(dice, materials::Material::kGrass, 6, 0, bake::Layer::kPlants)}, {}, {}, {}, {}};
@@ -62,8 +62,8 @@ inline materials::TextureImage made_sheet(std::mt19937& dice) {
   return sheet;
 }
 
-/// The same with a road on the marking atlas, a road with uvs on its material, and an instanced mesh of which a part is
-/// on the marking atlas.
+/// Returns made_tile() with a road on the marking atlas, a road with uvs on its material, and an instanced mesh that is
+/// partly on the marking atlas.
 inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 1000);
   bake::BakedTile tile = made_tile(seed);
@@ -87,7 +87,7 @@ inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   return tile;
 }
 
-/// Leaves cut out of cards; every other time with normals.
+/// Adds leaves that are cut out of cards to a tree.
 inline void make_leafy(std::mt19937& dice, bake::InstancedMesh& tree, bool has_normals) {
   bake::Primitive leaves = made_primitive(dice, materials::Material::kBroadLeaf, 12, 0, bake::Layer::kPlants);
   for (const bake::Float3& at : leaves.positions) leaves.uvs.push_back({at[0], at[2]});
@@ -100,14 +100,14 @@ inline void make_leafy(std::mt19937& dice, bake::InstancedMesh& tree, bool has_n
   tree.cutout = std::move(cutout);
 }
 
-/// A primitive of buildings, whose features ascend.
+/// Returns a primitive of buildings whose features ascend.
 inline bake::Primitive made_buildings(std::mt19937& dice, materials::Material material) {
   bake::Primitive p = made_primitive(dice, material, 12, 4, bake::Layer::kBuildings);
   for (std::size_t i = 0; i < p.features.size(); ++i) p.features[i] = static_cast<std::uint32_t>(1 + i / 6);
   return p;
 }
 
-/// The same with buildings, some on a facade atlas, and leaves on cutouts, two of which are equal.
+/// Returns made_marked_tile() with buildings, some on a facade atlas, and leaves on cutouts, two of which are equal.
 inline bake::BakedTile made_facade_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 3000);
   bake::BakedTile tile = made_marked_tile(seed);
@@ -129,7 +129,7 @@ inline bake::BakedTile made_facade_tile(std::uint32_t seed) {
   return tile;
 }
 
-/// The tile without uvs: those of a damaged file need not lie on the grid of their image, and move onto it.
+/// Returns the tile without uvs. Uvs of a damaged file need not lie on the grid of their image, and move onto it.
 inline bake::BakedTile without_uvs(bake::BakedTile tile) {
   const auto clear = [](std::vector<bake::Primitive>& primitives) {
     for (bake::Primitive& p : primitives) p.uvs.clear();
@@ -139,8 +139,8 @@ inline bake::BakedTile without_uvs(bake::BakedTile tile) {
   return tile;
 }
 
-/// The same on textures: land, water, a wall, a primitive too wide for 16 bits, one of a textured material that has no
-/// places, and a copied mesh with bark.
+/// Returns made_marked_tile() with textures: land, water, a wall, a primitive too wide for 16 bits, one of a textured
+/// material without uvs, and an instanced mesh with bark.
 inline bake::BakedTile made_textured_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 2000);
   bake::BakedTile tile = made_marked_tile(seed);

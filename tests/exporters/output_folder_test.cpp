@@ -9,6 +9,7 @@
 #include <functional>
 #include <iterator>
 
+#include "exporters/run_files.h"
 #include "exporters/settle_folder.h"
 #include "tests/scratch_folder.h"
 

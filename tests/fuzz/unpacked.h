@@ -104,7 +104,7 @@ inline Bytes packed_manifest(ByteSpan seed) {
   return bytes;
 }
 
-/// A stream of the first numbers of a stream.
+/// Returns the beginning of a stream with its first numbers.
 inline Bytes first_steps(const Bytes& stream, std::size_t count) {
   StreamReader reader(stream);
   for (std::size_t i = 0; i < count; ++i) reader.get();

@@ -16,7 +16,7 @@ inline bool is_finite(const Derivation& derivation) {
   return all;
 }
 
-/// True if the surface is near enough to the origin to be measured in doubles.
+/// True if the surface is near enough to the origin to be measured in double precision.
 inline bool is_near(const std::vector<Triangle3>& surface) {
   constexpr double kNear_m = 1000;
   return std::all_of(surface.begin(), surface.end(), [](const Triangle3& t) {
@@ -37,7 +37,7 @@ inline bool are_same(const Derivation& a, const Derivation& b) {
 }
 
 /// Derives at tolerance 0 and at that of the options. Returns the guarantee that does not hold, or "".
-/// @param is_sound  The faces of the shape do not cross themselves, so distances can be measured.
+/// @param is_sound  True if the faces of the shape do not cross themselves, so that distances can be measured.
 template <typename Chance>
 std::string broken_claim(const Program& program, const Shape& shape, DeriveOptions options, bool is_sound,
                          Chance chance) {

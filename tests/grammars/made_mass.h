@@ -14,11 +14,11 @@ struct MadeMass {
   std::vector<std::size_t> street = {0};  ///< Edges of the outer ring that face a street.
   std::vector<std::size_t> party = {};    ///< Edges that stand against a neighbour.
   roofs::RoofShape roof;
-  double height_m = 10;  ///< From the lot, at 0, to the eaves.
+  double height_m = 10;  ///< Height of the eaves above the lot, which is at 0.
   StableId id{1};
 };
 
-/// Like compiler/buildings/mass_model.h: gables are tagged kVertical, the floor of the roof is left out.
+/// Adds a roof as compiler/buildings/mass_model.h does: gables are tagged kVertical, the floor of the roof is left out.
 inline void add_roof(const roofs::Roof& roof, double eaves_m, std::vector<Face>& faces) {
   for (Face& face : faces_of(roof)) {
     if (face.tag == FaceTag::kBottom) continue;
@@ -41,7 +41,7 @@ inline void add_walls(const MadeMass& made, const Ring& ring, bool is_outer, std
   }
 }
 
-/// The mass as first shape: scope x along the first edge, y up.
+/// Returns the mass as first shape: scope x along the first edge, y up.
 inline Shape mass_model_of(const MadeMass& made, roofs::Form* became = nullptr) {
   Report ignored;
   const roofs::Roof roof = roofs::generate_roof(made.footprint, made.roof, 0.02, {}, ignored);

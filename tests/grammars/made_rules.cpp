@@ -30,10 +30,10 @@ std::vector<std::string> words_in(std::string_view text, char between) {
 /// Writes one rule file.
 struct RuleWriter {
   Choices& choices;
-  int level = 0;      ///< Of the rule being written.
-  int nested = 0;     ///< Expressions and blocks in each other.
-  int arity = 0;      ///< Of the rule being written: x, y.
-  bool asks = false;  ///< Expressions may ask for the shape: not those of attributes.
+  int level = 0;      ///< Number of the rule that is being written.
+  int nested = 0;     ///< Depth of nested expressions and blocks.
+  int arity = 0;      ///< Number of the rule's parameters: x, y.
+  bool asks = false;  ///< True if expressions may refer to the shape; those of attributes may not.
 
   // ---- expressions
 

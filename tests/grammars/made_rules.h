@@ -16,15 +16,15 @@
 
 namespace citykiln::grammars {
 
-/// Choices made by bytes; after the last byte always the first choice.
+/// Choices that are read from bytes; after the last byte always the first choice.
 class Choices {
  public:
   explicit Choices(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
   std::uint32_t byte() { return next_ < bytes_.size() ? bytes_[next_++] : 0; }
   std::uint32_t below(std::size_t count) { return byte() % static_cast<std::uint32_t>(count); }
-  /// One of 256 values.
+  /// Returns one of 256 evenly spaced values.
   double between(double low, double high) { return low + (high - low) * byte() / 255; }
-  /// True one time in `count`, and never where there are no more bytes.
+  /// True one time in `count`; never after the last byte.
   bool one_in(std::uint32_t count) { return byte() % count == count - 1; }
   template <typename List>
   auto of(const List& list) {
@@ -37,19 +37,19 @@ class Choices {
   std::size_t next_ = 0;
 };
 
-/// A rule file of attributes, constants, functions and six rules, the first of which is "Lot". Rules lead to later
-/// rules, sometimes to any.
+/// Returns a rule file of attributes, constants, functions and six rules, the first of which is "Lot". Rules lead to
+/// later rules, sometimes to any.
 std::string made_rules(Choices& choices);
 
-/// A footprint: a rectangle, steps or a star, with a hole or without; or an invalid one: rings that cross themselves,
-/// repeated corners, slivers, no corners. Plane metres; counter-clockwise if valid.
+/// Returns a footprint: a rectangle, steps or a star, with a hole or without; or an invalid one: rings that cross
+/// themselves, repeated corners, slivers, no corners. Plane metres; counter-clockwise if valid.
 Polygon made_footprint(Choices& choices);
 
 /// True if no rings cross, holes are inside, and the footprint is no larger than a city block, so that distances can be
 /// measured.
 bool is_sound(const Polygon& footprint);
 
-/// The footprint as a lot, or as a mass with walls and some roof.
+/// Returns the footprint as a lot, or as a mass with walls and some roof.
 Shape made_shape(Choices& choices, const Polygon& footprint);
 
 }  // namespace citykiln::grammars

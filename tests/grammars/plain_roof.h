@@ -1,4 +1,4 @@
-// A roof builder for tests that is not rounded to a grid.
+// A roof builder for tests that does not round to a grid.
 #pragma once
 
 #include <algorithm>
@@ -86,8 +86,8 @@ inline std::vector<Face> shed(const RoofRequest& request) {
 
 }  // namespace plain_roofs
 
-/// Pyramids and sheds on convex footprints without holes or overhang, in exact doubles. The apex of a pyramid is over
-/// the centroid, as high as the angle gives over the nearest edge.
+/// Returns pyramids and sheds on convex footprints without holes or overhang, in double precision. The apex of a
+/// pyramid is over the centroid; its height is the one that the angle gives over the nearest edge.
 inline std::optional<std::vector<Face>> plain_roof(const RoofRequest& request) {
   using namespace plain_roofs;
   const bool simple = request.footprint.holes.empty() && request.overhang_m == 0 && is_convex(request.footprint.outer);

@@ -1,4 +1,4 @@
-// The examples and tables of the README agree with the code.
+// The examples and tables of cga.md agree with the code.
 #include <gtest/gtest.h>
 
 #include "grammars/language/builtin.h"
@@ -10,7 +10,7 @@ namespace citykiln::grammars {
 namespace {
 
 std::string readme() {
-  const Result<std::string> text = text_of_tree("grammars/README.md");
+  const Result<std::string> text = text_of_tree("grammars/cga.md");
   return text ? *text : "";
 }
 

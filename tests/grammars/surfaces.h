@@ -54,7 +54,8 @@ inline double distance_m(Vec3 p, const std::vector<Triangle3>& surface) {
   return nearest_m;
 }
 
-/// A point of the triangle from three numbers; every second one is on its border, where distances are largest.
+/// Returns a point of the triangle from three numbers. About every second one is on its border, where distances are
+/// largest.
 inline Vec3 point_on(const Triangle3& t, std::uint32_t first, std::uint32_t second, std::uint32_t border) {
   double u = first / 4294967296.0, v = second / 4294967296.0;
   if (u + v > 1) u = 1 - u, v = 1 - v;
@@ -63,8 +64,8 @@ inline Vec3 point_on(const Triangle3& t, std::uint32_t first, std::uint32_t seco
   return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
 }
 
-/// The largest distance of sampled points of one surface from the other.
-/// @param chance  Gives 32 bits a call.
+/// The largest distance between sampled points of one surface and the other surface.
+/// @param chance  Returns 32 random bits a call.
 template <typename Chance>
 double sampled_m(const std::vector<Triangle3>& from, const std::vector<Triangle3>& to, int points, Chance chance) {
   double farthest_m = 0;

@@ -108,7 +108,7 @@ def copies_of(tile, node):
 
 
 def facts_of(path):
-    """What a .glb holds: `meshes` by name, each with `triangles` by material, `low` and `high` (its box); `places` of each mesh, matrices
+    """The content of a .glb: `meshes` by name, each with `triangles` by material, `low` and `high` (its box); `places` of each mesh, matrices
     by rows in the file's order; `materials`, their names; `pictures`, the size of the base colour's picture by material."""
     tile, places = Glb(path), {}
     gltf = tile.gltf

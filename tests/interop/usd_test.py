@@ -58,7 +58,7 @@ class ReadersOfUsd(ProgramTest):
                 self.assertNear(mesh["low"] + mesh["high"], bounds(spec["points"]), mesh["path"])
 
     def has_instancers(self, read, own):
-        """The same instances, and the same table of features."""
+        """Both have equal instances and equal tables of features."""
         instancers = dict(below(own, "PointInstancer"))
         self.assertGreater(len(instancers), 0)
         for path, instancer in below(read, "PointInstancer"):

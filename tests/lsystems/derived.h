@@ -1,4 +1,4 @@
-// Helpers of tests: L-systems in a line, and their derived strings.
+// Helpers for tests: L-systems in a line of text, and their derived strings.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ inline LSystem system_of(const std::string& text) {
   return system ? *system : LSystem{};
 }
 
-/// The string after a number of steps.
+/// Returns the string after a number of steps, as text.
 inline std::string grown(const std::string& text, int steps, std::uint64_t seed = 0) {
   const LSystem system = system_of(text);
   DeriveOptions options;
@@ -29,7 +29,7 @@ inline std::string grown(const std::string& text, int steps, std::uint64_t seed 
   return text_of(system, derive(system, options).string);
 }
 
-/// The text of a file of the source tree.
+/// Returns the text of a file of the source tree.
 inline std::string text_of_tree(const std::string& path) {
   std::ifstream in(source_file(path));
   EXPECT_TRUE(in) << path;

@@ -1,4 +1,4 @@
-// Checks statements of lsystems/README.md.
+// Checks statements of lsystems/notation.md.
 #include <gtest/gtest.h>
 
 #include "lsystems/turtle.h"
@@ -7,7 +7,7 @@
 namespace citykiln::lsystems {
 namespace {
 
-std::string readme() { return text_of_tree("lsystems/README.md"); }
+std::string readme() { return text_of_tree("lsystems/notation.md"); }
 
 std::vector<std::string> examples() {
   std::vector<std::string> found;

@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, EachSpecies, testing::ValuesIn(names()),
                          [](const testing::TestParamInfo<std::string>& info) { return info.param; });
 
 TEST(Species, AreListedInTheReadme) {
-  const std::string readme = text_of_tree("lsystems/README.md");
+  const std::string readme = text_of_tree("lsystems/notation.md");
   ASSERT_EQ(names().size(), 23u);
   for (const std::string& name : names()) EXPECT_NE(readme.find("`" + name + "`"), std::string::npos) << name;
 }

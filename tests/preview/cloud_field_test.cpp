@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "preview/clouds/cloud_paths.h"
 
 namespace citykiln::preview {
@@ -18,7 +18,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Numbers of a sequence of its own.
 struct Random {
-  Draw draw;
+  RandomSequence draw;
   std::uint32_t next = 0;
   double operator()() { return draw.unit(next++); }
 };
@@ -98,7 +98,7 @@ void compare(const sky::Cloud& cloud, const CloudLight& light, Ratios& ratios) {
   for (const Vec3 side : {Vec3{1, 0, -0.3}, Vec3{0, 1, -0.3}, Vec3{-1, 0, -0.3}, Vec3{0, -1, -0.3}}) {
     double fast = 0, exact = 0;
     for (std::uint32_t i = 0; i < 600; ++i) {
-      const Draw draw(3, StableId{i}, "ray");
+      const RandomSequence draw(3, StableId{i}, "ray");
       const auto off = [&](std::uint32_t n) { return draw.between(-0.6, 0.6, n) * cloud.radius_m; };
       const Vec3 eye = middle + side * 3000, along = unit(middle + Vec3{off(0), off(1), off(2) / 2} - eye);
       fast += field.along(eye, along, kInfinity).added[1];

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "preview/clouds/cloud_dome.h"
 #include "preview/clouds/cloud_shadow.h"
 #include "preview/turn.h"
@@ -24,7 +24,7 @@ const CloudField& cumulus_field() {
 
 TEST(CloudShadow, IsThatOfRays) {
   const CloudShadow shadow(cumulus_field(), kLight.to_sun, {}, 2);
-  const Draw draw(3, StableId{1}, "places");
+  const RandomSequence draw(3, StableId{1}, "places");
   double error = 0, mean = 0;
   constexpr std::uint32_t kPlaces = 2000;
   for (std::uint32_t i = 0; i < kPlaces; ++i) {
@@ -44,7 +44,7 @@ TEST(CloudShadow, IsThatOfRays) {
 TEST(CloudDome, HasTheLightOfRaysOnTheAverage) {
   const sky::SkyModel model = sky::generate(sky::Sky{.time = "", .to_sun = kLight.to_sun}, 0);
   const CloudDome dome(cumulus_field(), model, kEye, 2);
-  const Draw draw(3, StableId{1}, "rays");
+  const RandomSequence draw(3, StableId{1}, "rays");
   double ours = 0, exact = 0, passed = 0, exactly_passed = 0;
   constexpr std::uint32_t kRays = 3000;
   for (std::uint32_t i = 0; i < kRays; ++i) {

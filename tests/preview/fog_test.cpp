@@ -26,16 +26,16 @@ TEST(PassedFog, IsTheIntegralOfTheLayer) {
     for (const Vec3 direction :
          {Vec3{1, 0, 0}, unit(Vec3{1, 0, 0.1}), unit(Vec3{1, 0, -0.2}), Vec3{0, 0, 1}, Vec3{0, 0, -1}})
       for (const double distance_m : {1.0, 50.0, 400.0})
-        EXPECT_NEAR(passed_fog(kFog, {0, 0, z}, direction, distance_m), stepped({0, 0, z}, direction, distance_m),
-                    1e-4);
+        EXPECT_NEAR(fog_transmittance(kFog, {0, 0, z}, direction, distance_m),
+                    stepped({0, 0, z}, direction, distance_m), 1e-4);
 }
 
 TEST(PassedFog, HidesAllBelowTheTopAndNothingAboveIt) {
-  EXPECT_NEAR(passed_fog(kFog, {0, 0, 900}, {1, 0, 0}, kFog.visibility_m), 0.02, 1e-3);
-  EXPECT_GT(passed_fog(kFog, {0, 0, 1300}, {1, 0, 0}, 10000), 0.99);
+  EXPECT_NEAR(fog_transmittance(kFog, {0, 0, 900}, {1, 0, 0}, kFog.visibility_m), 0.02, 1e-3);
+  EXPECT_GT(fog_transmittance(kFog, {0, 0, 1300}, {1, 0, 0}, 10000), 0.99);
   const double endless = std::numeric_limits<double>::infinity();
-  EXPECT_LT(passed_fog(kFog, {0, 0, 1300}, unit(Vec3{1, 0, -0.2}), endless), 1e-6);
-  EXPECT_GT(passed_fog(kFog, {0, 0, 1300}, unit(Vec3{1, 0, 0.2}), endless), 0.99);
+  EXPECT_LT(fog_transmittance(kFog, {0, 0, 1300}, unit(Vec3{1, 0, -0.2}), endless), 1e-6);
+  EXPECT_GT(fog_transmittance(kFog, {0, 0, 1300}, unit(Vec3{1, 0, 0.2}), endless), 0.99);
 }
 
 }  // namespace

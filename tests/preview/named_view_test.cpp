@@ -35,7 +35,7 @@ bake::BakedTile village(Vec3 origin) {
   return tile(origin, {meadow(), street, houses, east});
 }
 
-// Of 9 by 9 rays through a picture, how many meet something.
+// The number of rays that hit something, of 9 by 9 through a picture.
 int rays_that_hit(std::span<const bake::BakedTile> tiles, const Camera& camera) {
   const World world(tiles, camera.eye);
   const Vec3 forward = unit(camera.look_at - camera.eye);

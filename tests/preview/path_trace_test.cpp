@@ -45,7 +45,7 @@ Rgb albedo_of(Material material) {
   return {colour[0], colour[1], colour[2]};
 }
 
-// What a surface reflects of even light: towards an eye at this cosine, or on average for cosine 0.
+// The share of even light that a surface reflects: towards an eye at this cosine, or on average for cosine 0.
 Rgb reflectance_of(Material material, double cosine = 0) {
   const materials::MaterialValues& values = values_of(material);
   Hit hit;

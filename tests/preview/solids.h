@@ -1,4 +1,4 @@
-// Simple solids as baked tiles, whose light can be computed by hand.
+// Simple solids as baked tiles, for which light can be computed by hand.
 #pragma once
 
 #include <initializer_list>

@@ -34,7 +34,7 @@ EXTRACTS = [
     ("small/regglisweiler-10.068_48.135.osm", None, "0.1"),
 ]
 
-# Of an extract with more tiles, every n-th is validated.
+# If an extract has more tiles than this, every n-th is validated.
 MOST_VALIDATED = 24
 
 VALIDATOR = ROOT / "tests" / "interop" / "validate_glb.mjs"

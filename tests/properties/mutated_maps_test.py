@@ -43,7 +43,7 @@ def limit_time():
 
 
 def fault_of(path, out):
-    """What is wrong with a run, or nothing."""
+    """The fault of a run, or None."""
     done = run("compile", path, "-o", out, "--lods", "0.5,12.5", "--threads", "1", "--quiet", preexec_fn=limit_time)
     if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
         return f"over {MOST_S} s"

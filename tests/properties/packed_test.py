@@ -35,7 +35,7 @@ class Packed:
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_the_report_states_the_error_of_compression(self):
-        plain, packed = report_of(self.compiled("plain", *ARGUMENTS)), report_of(self.packed_once())
+        plain, packed = report_of(self.compiled_once(*ARGUMENTS)), report_of(self.packed_once())
         self.assertTrue(plain["tiles"])
         for before, after in zip(plain["tiles"], packed["tiles"], strict=True):
             self.assertGreater(after["error_m"], before["error_m"])

@@ -38,7 +38,7 @@ def pixels(path):
 
 
 def mean_difference(a, b):
-    """Of all channels of all pixels of two pictures of one size, 0 to 1."""
+    """The mean difference of all channels of all pixels of two pictures of equal size, 0 to 1."""
     one, other = pixels(a), pixels(b)
     assert one[:3] == other[:3], (a, b)
     return sum(abs(x - y) for x, y in zip(one[3], other[3], strict=True)) / len(one[3]) / 255

@@ -72,7 +72,8 @@ class Runs(ProgramTest):
             # every fourth run goes on with what the one before left
             if moment % 4:
                 shutil.rmtree(old / ".new", ignore_errors=True)
-            self.killed_after(seconds * (moment + 0.5) / MOMENTS, old)
+            # SIGABRT: how a failed assertion ends a run
+            self.killed_after(seconds * (moment + 0.5) / MOMENTS, old, signal.SIGABRT if moment % 2 else signal.SIGKILL)
             # reading the folder finishes a commit that was interrupted
             self.assertEqual(run("inspect", old).returncode, 0)
             now = contents(old)

@@ -484,7 +484,7 @@ def rotated(q, v):
 
 
 def faults(stage):
-    """What is wrong with the prims of a stage, a line each."""
+    """The faults of the prims of a stage, a line each."""
     found = []
     for mesh in stage.root.below("Mesh"):
         points, indices = mesh.attributes["points"], mesh.attributes["faceVertexIndices"]

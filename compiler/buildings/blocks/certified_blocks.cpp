@@ -14,7 +14,7 @@ using simplify::TriangleTree;
 // Shapes use at most this share of the tolerance, and are no coarser than the coarsest level of a tile by default.
 constexpr double kShapeShare = 0.25, kCoarsestShape_m = 12.5;
 
-// Shares of the tolerance: bounds are this exact, and smaller distances are not told apart.
+// Shares of the tolerance: the precision of bounds, and the least distance that is measured.
 constexpr double kPrecision = 0x1p-4, kLeast = 0.25;
 
 void add(std::vector<Corners>& all, const Mesh& mesh) {
@@ -38,7 +38,7 @@ void append(std::vector<Corners>& all, const std::vector<Corners>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// What every round needs.
+// The shapes of all buildings, which all rounds use.
 struct Shapes {
   std::vector<std::vector<Corners>> of_building;
   TriangleTree all;

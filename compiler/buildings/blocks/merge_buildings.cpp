@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "compiler/contract/disjoint_sets.h"
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/label_faces.h"
@@ -143,22 +144,18 @@ struct Sets {
   struct Range {
     double low_m, high_m;
   };
-  std::vector<std::uint32_t> parent;
-  std::vector<Range> range;
+  DisjointSets sets;
+  std::vector<Range> range;  // of the set that a number represents
 
-  explicit Sets(std::span<const Building> buildings) : parent(buildings.size()) {
-    std::iota(parent.begin(), parent.end(), 0u);
+  explicit Sets(std::span<const Building> buildings) : sets(buildings.size()) {
     for (const Building& b : buildings) range.push_back({height_m(b), height_m(b)});
   }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  }
   void join(std::uint32_t i, std::uint32_t j, double most_m) {
-    std::tie(i, j) = std::minmax(find(i), find(j));
+    i = sets.find(i), j = sets.find(j);
     const Range both{std::min(range[i].low_m, range[j].low_m), std::max(range[i].high_m, range[j].high_m)};
     if (i == j || both.high_m - both.low_m > most_m) return;
-    parent[j] = i, range[i] = both;
+    sets.join(i, j);
+    range[sets.find(i)] = both;
   }
 };
 
@@ -170,13 +167,13 @@ struct Groups {
 
 Groups groups_of(const Plan& plan, std::span<const Building> buildings, std::span<const BlockRole> roles,
                  double tolerance_m) {
-  Sets sets(buildings);
+  Sets blocks(buildings);
   for (const auto& [apart_m, i, j] : links_of(plan, buildings, kGapShare * tolerance_m))
-    if (roles[i] == BlockRole::kMerged && roles[j] == BlockRole::kMerged) sets.join(i, j, kHeightShare * tolerance_m);
+    if (roles[i] == BlockRole::kMerged && roles[j] == BlockRole::kMerged) blocks.join(i, j, kHeightShare * tolerance_m);
   Groups groups{std::vector<std::uint32_t>(buildings.size(), kFree), {}};
   for (std::uint32_t i = 0; i < buildings.size(); ++i) {
     if (roles[i] == BlockRole::kAbsent) continue;
-    std::uint32_t& group = groups.of_building[sets.find(i)];
+    std::uint32_t& group = groups.of_building[blocks.sets.find(i)];
     if (group == kFree) group = static_cast<std::uint32_t>(groups.members.size()), groups.members.emplace_back();
     groups.members[group].push_back(i);
     groups.of_building[i] = group;
@@ -290,8 +287,8 @@ void add_wall(Mesh& wall, GridPoint a, GridPoint b, std::uint32_t group, std::ui
   if (at_a.foot_m < at_a.roof_m) wall.triangles.push_back({low_a, high_b, high_a});
 }
 
-void raise(std::vector<Block>& blocks, const ground::Regions& plan, const Heights& heights) {
-  const auto group_of = [&](std::uint32_t f) { return plan.regions[plan.of_face[f]].surface; };
+void raise(std::vector<Block>& blocks, const ground::CoverFaces& plan, const Heights& heights) {
+  const auto group_of = [&](std::uint32_t f) { return plan.cover_faces[plan.of_face[f]].surface; };
   for (std::uint32_t f = 0; f < plan.of_face.size(); ++f) {
     const std::uint32_t group = group_of(f);
     if (group == kFree) continue;
@@ -333,7 +330,7 @@ std::vector<Block> merge_buildings(std::span<const Building> buildings, std::spa
 
   std::vector<Block> blocks;
   for (const std::vector<std::uint32_t>& members : groups.members) blocks.push_back({members, {}, {}});
-  raise(blocks, ground::regions_between(outlines.borders), {plan, buildings, groups, sizes});
+  raise(blocks, ground::faces_between(outlines.borders), {plan, buildings, groups, sizes});
   return blocks;
 }
 

@@ -1,4 +1,4 @@
-// Blocks: prisms of neighbouring buildings, merged where their heights are alike and the gaps between them narrow.
+// Merges neighbouring buildings of similar height and with narrow gaps between them into blocks, which are prisms.
 //
 //    plan: footprints       gaps closed, outline      section:   _     _          ____
 //    ▒▒▒ ▒▒  ▒▒▒            straightened                        | |_ | |   →     |    |
@@ -14,26 +14,27 @@
 
 namespace citykiln::buildings {
 
-/// How a building takes part.
+/// The role of a building in merging.
 enum class BlockRole : std::uint8_t {
-  kMerged,  ///< It may be merged with neighbours, and left out where its block is small.
-  kAlone,   ///< It is a block of its own.
-  kAbsent   ///< Its area is free.
+  kMerged,  ///< The building may be merged with neighbours. Small blocks are left out.
+  kAlone,   ///< The building is a block of its own.
+  kAbsent   ///< The building is in no block, and other buildings may take its area.
 };
 
-/// The shares of the tolerance that each step of merging may use.
-inline constexpr double kHeightShare = 0.25;    ///< Heights of a block's buildings differ by at most this.
-inline constexpr double kGapShare = 0.5;        ///< Longest edge of a triangle that closes a gap.
-inline constexpr double kOutlineShare = 0.125;  ///< How far outlines may move.
-/// Blocks that are lower than the first, or lower than the second and smaller than its square, are left out.
+/// The share of the tolerance that each step of merging may use.
+inline constexpr double kHeightShare = 0.25;    ///< The largest difference of heights in a block.
+inline constexpr double kGapShare = 0.5;        ///< The longest edge of a triangle that closes a gap.
+inline constexpr double kOutlineShare = 0.125;  ///< The largest movement of an outline.
+/// Blocks are left out if they are lower than kLowShare, or lower than kSmallShare and smaller than its square, in
+/// units of the tolerance.
 inline constexpr double kLowShare = 0.0625, kSmallShare = 0.25;
 
 struct Block {
-  std::vector<std::uint32_t> members;  ///< Ascending. Those of a block that is left out, too.
-  Mesh roof, walls;                    ///< Empty where the block is left out.
+  std::vector<std::uint32_t> members;  ///< Indices of buildings, ascending, even if the block is left out.
+  Mesh roof, walls;                    ///< Empty if the block is left out.
 };
 
-/// Returns blocks of buildings; each building that is not absent is a member of one.
+/// Returns blocks of buildings. Each building that is not kAbsent is a member of one block.
 ///
 /// - Where footprints overlap, the highest building has the area. Buildings that touch, and those across a gap that a
 ///   triangle of their Delaunay triangulation with edges up to kGapShare closes, are neighbours. Neighbours whose

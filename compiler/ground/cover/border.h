@@ -1,4 +1,4 @@
-// Edges between land cover faces.
+// Borders: edges between land cover faces.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace citykiln::ground {
 
-/// A visible piece of border and the polygons to its left and right. The cell's own border has the same polygon on both
-/// sides: the one inside.
+/// A piece of a visible border, and the polygons to its left and right. The cell's own border has the polygon inside
+/// the cell on both sides.
 struct Border {
   GridPoint a, b;  ///< a < b
   std::uint32_t left = 0, right = 0;
@@ -27,23 +27,23 @@ inline bool is_before(const Border& one, const Border& other) {
   return std::tie(one.a, one.b) < std::tie(other.a, other.b);
 }
 
-/// Returns the ends of borders, sorted, each once.
+/// Returns the ends of borders, sorted, without repeats.
 std::vector<GridPoint> ends_of(std::span<const Border> borders);
 
-/// The ends of edge i of a triangulation's face, which lies to the left of it.
+/// Returns the ends of edge i, 0 to 2, of a triangulation's face. The face lies to the left of the edge.
 inline std::pair<GridPoint, GridPoint> edge_of(const Delaunay& net, std::uint32_t face, int i) {
   const auto& v = net.faces()[face].vertices;
   return {net.vertices()[v[(i + 1) % 3]], net.vertices()[v[(i + 2) % 3]]};
 }
 
-/// Returns whether a point of the cell lies on the cell's border.
+/// True if a point of the cell lies on the cell's border.
 inline bool is_on_border(GridPoint p, const Box2& cell) {
   const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
   return p.x == min.x || p.x == max.x || p.y == min.y || p.y == max.y;
 }
 
-/// A piece of the cell's border along which a ring runs, mostly for some grid steps where snapping has bent the ring
-/// onto it. The neighbouring cell may have another polygon there.
+/// A piece of the cell's border along which a ring runs, mostly for a few grid steps as snapping has bent the ring onto
+/// it. The neighbouring cell may have another polygon there.
 struct CellBorderPiece {
   GridPoint a, b;            ///< a < b
   std::uint32_t beyond = 0;  ///< The neighbour's polygon.

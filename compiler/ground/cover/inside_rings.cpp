@@ -6,7 +6,7 @@
 namespace citykiln::ground {
 namespace {
 
-// As high as a few edges of a river's bank are long.
+// The height of a band: the length of a few edges of a river's bank.
 constexpr double kBand_m = 32;
 constexpr std::size_t kMaxBands = 4096;
 

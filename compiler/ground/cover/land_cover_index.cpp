@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/geometry/segment.h"
+
 namespace citykiln::ground {
 namespace {
 
@@ -169,9 +171,7 @@ double squared_distance(const LandCoverIndex& map, const BucketEntry& entry, Vec
   for (const auto& [a, b] : edges_of_entry(map, entry)) {
     const Box2 box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
     if (squared_distance(box, p) >= nearest) continue;
-    const Vec2 along = b - a;
-    const double t = std::clamp(dot(p - a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
-    const Vec2 off = p - (a + along * t);
+    const Vec2 off = p - nearest_point(a, b, p);
     nearest = std::min(nearest, dot(off, off));
   }
   return nearest;

@@ -1,4 +1,4 @@
-// A spatial index of land cover polygons: what covers a place, and how far the next polygon is.
+// A spatial index of land cover polygons: finds the topmost polygon at a place and the distance to the nearest border.
 #pragma once
 
 #include <cstdint>
@@ -10,50 +10,58 @@
 
 namespace citykiln::ground {
 
+/// The index of a polygon where there is none.
 inline constexpr std::uint32_t kNoLandCover = 0xffffffffu;
 
 /// A polygon in one bucket: its winding number at the bucket's south-west corner, and its edges near the bucket.
 struct BucketEntry {
-  std::uint32_t surface = 0;
-  std::int32_t winding = 0;
-  std::int32_t priority = 0;  ///< Of its class.
-  std::uint32_t first_edge = 0, edge_count = 0;
-  Box2 edges;  ///< The box of these edges, whole.
+  std::uint32_t surface = 0;                     ///< Index of the polygon in LandCoverIndex::surfaces.
+  std::int32_t winding = 0;                      ///< Winding number of its rings about that corner.
+  std::int32_t priority = 0;                     ///< Priority of its class: the higher one is on top.
+  std::uint32_t first_edge = 0, edge_count = 0;  ///< Range in LandCoverIndex::edges.
+  Box2 edges;                                    ///< The box of these edges, not cut to the bucket.
 };
 
-/// Polygons sorted into square buckets of a box. Refers to the polygons, which must outlive it.
-/// The lattice lies off the plane's grid, so that no vertex lies on a bucket's side.
+/// Polygons sorted into buckets, the squares of a grid over a box. Refers to the polygons, which must outlive it. The
+/// sides of buckets do not lie on the plane's grid, so that no vertex lies on them.
 struct LandCoverIndex : BucketGrid {
   struct Edge {
     Vec2 a, b;
   };
-  std::span<const LandCoverPolygon> surfaces;
-  Box2 box;
-  std::vector<std::uint32_t>
-      bucket_starts;  ///< columns · rows + 1 offsets into entries, which are sorted from the top down in each bucket.
-  std::vector<BucketEntry> entries;
-  std::vector<bool> is_far;  ///< Per bucket: all polygons are farther than kIndexNear_m.
-  std::vector<Edge> edges;   ///< In the order of entries.
+  std::span<const LandCoverPolygon> surfaces;  ///< The polygons.
+  Box2 box;                                    ///< The box in which queries are allowed.
+  /// columns · rows + 1 offsets into `entries`, which go from the top down in each bucket.
+  std::vector<std::uint32_t> bucket_starts;
+  std::vector<BucketEntry> entries;  ///< Bucket by bucket.
+  std::vector<bool> is_far;          ///< Per bucket: true if all polygons are farther away than kIndexNear_m.
+  std::vector<Edge> edges;           ///< Edges of all entries, in the order of `entries`.
 };
 
-/// Smaller buckets repeat large polygons too often; larger ones hold too many edges.
+/// The default side of buckets. Smaller buckets repeat large polygons too often; larger ones have too many edges.
 inline constexpr double kIndexBucket_m = 32;
 
-/// Rare cover (water) is farther than this from most places, which clearance_m() then sees in O(1).
+/// The distance up to which clearance_m() takes O(1) in buckets that are farther than this from all polygons: most
+/// buckets of an index that holds only water, for example.
 inline constexpr double kIndexNear_m = 16;
 
 /// Builds the index.
-/// @param bucket_m  Choose smaller ones for narrow polygons that are asked about often.
+/// @param surfaces  The polygons, which must outlive the index.
+/// @param box       The box in which queries are allowed.
+/// @param bucket_m   Side of the buckets; smaller ones suit narrow polygons with many queries.
 /// O(vertices), plus buckets times vertices for polygons that span many buckets.
 LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, const Box2& box,
                                 double bucket_m = kIndexBucket_m);
 
-/// Returns the index of the polygon on top at p, or kNoLandCover. p must lie in the box. O(edges in p's bucket).
+/// Returns the index, in the `surfaces` of the spatial index `map`, of the polygon on top at p, or kNoLandCover. p must
+/// lie in the box. O(edges in p's bucket).
 std::uint32_t land_cover_at(const LandCoverIndex& map, Vec2 p);
 
-/// Returns the distance from p to the nearest border of a polygon whose class has at least this priority: at most
-/// `reach_m`; 0 where such a polygon covers p. p must lie in the box; borders outside it do not count. O(edges in the
-/// buckets within reach); O(1) where nothing lies within kIndexNear_m and reach_m is no larger.
+/// Returns the distance from p to the nearest border of a polygon whose class has at least this priority, at most
+/// `reach_m`; 0 if such a polygon covers p.
+/// @param map      The spatial index.
+/// @param p        A place in the box; borders outside of the box do not count.
+/// @param reach_m  Largest distance that is searched.
+/// O(edges in the buckets within reach_m); O(1) if no polygon lies within kIndexNear_m and reach_m is no larger.
 double clearance_m(const LandCoverIndex& map, Vec2 p, int priority, double reach_m);
 
 }  // namespace citykiln::ground

@@ -12,6 +12,7 @@
 #include "compiler/contract/tolerance.h"
 #include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/point_buckets.h"
+#include "compiler/geometry/segment.h"
 
 namespace citykiln::ground {
 namespace {
@@ -20,11 +21,12 @@ double area_of_steps_m2(std::int64_t twice_steps) {
   return static_cast<double>(twice_steps) / 2 * kQuantum_m * kQuantum_m;
 }
 
-// Regions while some are merged into others.
+// The land cover faces (CoverFace) while some are merged into others. Comments here call the faces of the net
+// triangles.
 struct MergingRegions {
   const Delaunay& net;
   std::span<const std::uint32_t> of_face;
-  std::vector<Region> regions;
+  std::vector<CoverFace> cover_faces;
 };
 
 Delaunay triangulate_borders(std::span<const Border> borders) {
@@ -37,7 +39,7 @@ Delaunay triangulate_borders(std::span<const Border> borders) {
   return Delaunay(vertices, edges);
 }
 
-// Returns the polygon on the face's side of its edge i.
+// Returns the polygon on the triangle's side of its edge i.
 std::uint32_t surface_by(std::span<const Border> borders, const Delaunay& net, std::uint32_t face, int i) {
   const auto [from, to] = edge_of(net, face, i);
   const Border key{std::min(from, to), std::max(from, to)};
@@ -45,56 +47,56 @@ std::uint32_t surface_by(std::span<const Border> borders, const Delaunay& net, s
   return from < to ? border->left : border->right;
 }
 
-// Flood-fills a region from one of its faces.
-Region region_from(Regions& all, std::span<const Border> borders, std::uint32_t start) {
-  const auto number = static_cast<std::uint32_t>(all.regions.size());
-  Region region;
-  region.merged_into = number;
+// Flood-fills a land cover face from one of its triangles.
+CoverFace region_from(CoverFaces& all, std::span<const Border> borders, std::uint32_t start) {
+  const auto number = static_cast<std::uint32_t>(all.cover_faces.size());
+  CoverFace cover_face;
+  cover_face.merged_into = number;
   std::vector<std::uint32_t> open = {start};
   all.of_face[start] = number;
   while (!open.empty()) {
     const std::uint32_t f = open.back();
     open.pop_back();
     const auto [a, b] = edge_of(all.net, f, 0);
-    region.twice_area += turn(a, b, edge_of(all.net, f, 1).second);
-    region.faces.push_back(f);
+    cover_face.twice_area += turn(a, b, edge_of(all.net, f, 1).second);
+    cover_face.faces.push_back(f);
     const DelaunayFace& face = all.net.faces()[f];
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t beyond = face.neighbours[i];
-      if (beyond == kNoFace) region.touches_cell_border = true;
-      if (face.is_constrained[i]) region.surface = surface_by(borders, all.net, f, i);
+      if (beyond == kNoFace) cover_face.touches_cell_border = true;
+      if (face.is_constrained[i]) cover_face.surface = surface_by(borders, all.net, f, i);
       if (face.is_constrained[i] || beyond == kNoFace || all.of_face[beyond] != kNoFace) continue;
       all.of_face[beyond] = number;
       open.push_back(beyond);
     }
   }
-  region.own_m2 = area_of_steps_m2(region.twice_area);
-  return region;
+  cover_face.own_m2 = area_of_steps_m2(cover_face.twice_area);
+  return cover_face;
 }
 
-std::uint32_t merged_region_of(const MergingRegions& all, std::uint32_t region) {
-  while (all.regions[region].merged_into != region) region = all.regions[region].merged_into;
-  return region;
+std::uint32_t merged_region_of(const MergingRegions& all, std::uint32_t cover_face) {
+  while (all.cover_faces[cover_face].merged_into != cover_face) cover_face = all.cover_faces[cover_face].merged_into;
+  return cover_face;
 }
 
-// Returns whether edge i of a face bounds the region the face belongs to now.
-bool is_border(const MergingRegions& all, const DelaunayFace& face, std::uint32_t region, int i) {
+// Returns whether edge i of a triangle bounds the land cover face to which the triangle belongs now.
+bool is_border(const MergingRegions& all, const DelaunayFace& face, std::uint32_t cover_face, int i) {
   if (!face.is_constrained[i]) return false;
-  return face.neighbours[i] == kNoFace || merged_region_of(all, all.of_face[face.neighbours[i]]) != region;
+  return face.neighbours[i] == kNoFace || merged_region_of(all, all.of_face[face.neighbours[i]]) != cover_face;
 }
 
-// A piece of a region's border, listed under each of its ends.
+// A piece of a face's border, listed under each of its ends.
 struct BorderEnd {
   std::uint32_t vertex, other;
   auto operator<=>(const BorderEnd&) const = default;
 };
 
-std::vector<BorderEnd> border_of(const MergingRegions& all, std::uint32_t region) {
+std::vector<BorderEnd> border_of(const MergingRegions& all, std::uint32_t cover_face) {
   std::vector<BorderEnd> border;
-  for (const std::uint32_t f : all.regions[region].faces)
+  for (const std::uint32_t f : all.cover_faces[cover_face].faces)
     for (int i = 0; i < 3; ++i) {
       const DelaunayFace& face = all.net.faces()[f];
-      if (!is_border(all, face, region, i)) continue;
+      if (!is_border(all, face, cover_face, i)) continue;
       const std::uint32_t u = face.vertices[(i + 1) % 3], v = face.vertices[(i + 2) % 3];
       border.push_back({u, v});
       border.push_back({v, u});
@@ -108,13 +110,6 @@ struct Piece {
   Vec2 a, b;
 };
 
-double distance_m(const Piece& piece, Vec2 p) {
-  const Vec2 along = piece.b - piece.a;
-  const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(p - piece.a, along) / squared, 0.0, 1.0) : 0;
-  return distance(p, piece.a + along * share);
-}
-
 // Returns a bound for the largest distance of a triangle's points to the nearest of some pieces. The distance to one
 // piece is convex, so it is largest at a corner. Where that is too far, the triangle is halved: its halves may be near
 // different pieces.
@@ -122,8 +117,8 @@ double distance_bound_m(std::span<const Piece> pieces, const std::array<Vec2, 3>
                         int halvings) {
   double reach_m = std::numeric_limits<double>::infinity();
   for (const Piece& piece : pieces) {
-    const double farthest_m =
-        std::max({distance_m(piece, corners[0]), distance_m(piece, corners[1]), distance_m(piece, corners[2])});
+    double farthest_m = 0;
+    for (const Vec2 p : corners) farthest_m = std::max(farthest_m, distance_to_segment(piece.a, piece.b, p));
     reach_m = std::min(reach_m, farthest_m);
   }
   if (reach_m <= enough_m || halvings == 0) return reach_m;
@@ -136,22 +131,22 @@ double distance_bound_m(std::span<const Piece> pieces, const std::array<Vec2, 3>
   return std::max(one_m, distance_bound_m(pieces, {tip, middle, v}, enough_m, halvings - 1));
 }
 
-// Returns a face and up to `count` faces about it, breadth first, within one region.
-std::vector<std::uint32_t> faces_about(const MergingRegions& all, std::uint32_t region, std::uint32_t face,
+// Returns a triangle and up to `count` triangles about it, breadth first, within one land cover face.
+std::vector<std::uint32_t> faces_about(const MergingRegions& all, std::uint32_t cover_face, std::uint32_t face,
                                        std::size_t count) {
   std::vector<std::uint32_t> about = {face};
   for (std::size_t next = 0; next < about.size() && about.size() < count; ++next) {
     const DelaunayFace& here = all.net.faces()[about[next]];
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t beyond = here.neighbours[i];
-      if (beyond == kNoFace || merged_region_of(all, all.of_face[beyond]) != region) continue;
+      if (beyond == kNoFace || merged_region_of(all, all.of_face[beyond]) != cover_face) continue;
       if (std::ranges::find(about, beyond) == about.end()) about.push_back(beyond);
     }
   }
   return about;
 }
 
-// Returns the border's pieces at the corners of some faces: in a strip, those of both sides.
+// Returns the border's pieces at the corners of some triangles: in a strip, those of both sides.
 std::vector<Piece> pieces_at(const MergingRegions& all, std::span<const BorderEnd> border,
                              std::span<const std::uint32_t> faces) {
   std::vector<Piece> pieces;
@@ -164,69 +159,69 @@ std::vector<Piece> pieces_at(const MergingRegions& all, std::span<const BorderEn
   return pieces;
 }
 
-// Limits of the proof that a triangle is thin: how often it is halved, and how many faces about it are searched.
+// Limits of the proof that a triangle is thin: how often it is halved, and how many triangles about it are searched.
 constexpr int kHalvings = 12;
 constexpr std::size_t kFacesAbout = 24;
 
-double face_bound_m(const MergingRegions& all, std::span<const BorderEnd> border, std::uint32_t region,
+double face_bound_m(const MergingRegions& all, std::span<const BorderEnd> border, std::uint32_t cover_face,
                     std::uint32_t face, double enough_m) {
   const auto corner = [&](int i) { return plane_point(all.net.vertices()[all.net.faces()[face].vertices[i]]); };
   const std::array<Vec2, 3> corners = {corner(0), corner(1), corner(2)};
   // nearly always the pieces at its own corners suffice
   const double reach_m = distance_bound_m(pieces_at(all, border, std::array{face}), corners, enough_m, 0);
   if (reach_m <= enough_m) return reach_m;
-  return distance_bound_m(pieces_at(all, border, faces_about(all, region, face, kFacesAbout)), corners, enough_m,
+  return distance_bound_m(pieces_at(all, border, faces_about(all, cover_face, face, kFacesAbout)), corners, enough_m,
                           kHalvings);
 }
 
-// Returns a bound for the largest distance of a region's points to its border; any value above `enough_m` where it is
-// no sliver.
-double region_bound_m(const MergingRegions& all, std::uint32_t region, double enough_m) {
-  const std::vector<BorderEnd> border = border_of(all, region);
+// Returns a bound for the largest distance of a face's points to its border; any value above `enough_m` if it is no
+// sliver.
+double face_bound_m(const MergingRegions& all, std::uint32_t cover_face, double enough_m) {
+  const std::vector<BorderEnd> border = border_of(all, cover_face);
   double perimeter_m = 0;
   const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
   for (const BorderEnd& piece : border) perimeter_m += distance(place(piece.vertex), place(piece.other)) / 2;
   // a band along the border covers at most its width times its length
-  if (area_of_steps_m2(all.regions[region].twice_area) > perimeter_m * enough_m)
+  if (area_of_steps_m2(all.cover_faces[cover_face].twice_area) > perimeter_m * enough_m)
     return std::numeric_limits<double>::infinity();
   double reach_m = 0;
-  for (const std::uint32_t f : all.regions[region].faces) {
-    reach_m = std::max(reach_m, face_bound_m(all, border, region, f, enough_m));
+  for (const std::uint32_t f : all.cover_faces[cover_face].faces) {
+    reach_m = std::max(reach_m, face_bound_m(all, border, cover_face, f, enough_m));
     if (reach_m > enough_m) break;
   }
   return reach_m;
 }
 
-// A piece of border, and the region beyond it.
+// A piece of border, and the face beyond it.
 struct Shared {
-  std::uint32_t region;
+  std::uint32_t cover_face;
   double length_m;
 };
 
-// Returns the neighbour with the longest common border; the region itself if there is none.
-std::uint32_t closest_neighbour(const MergingRegions& all, std::uint32_t region) {
+// Returns the neighbour with the longest common border; the face itself if there is none.
+std::uint32_t closest_neighbour(const MergingRegions& all, std::uint32_t cover_face) {
   std::vector<Shared> shared;
-  for (const std::uint32_t f : all.regions[region].faces)
+  for (const std::uint32_t f : all.cover_faces[cover_face].faces)
     for (int i = 0; i < 3; ++i) {
       const DelaunayFace& face = all.net.faces()[f];
-      if (!is_border(all, face, region, i)) continue;
+      if (!is_border(all, face, cover_face, i)) continue;
       const auto [a, b] = edge_of(all.net, f, i);
       shared.push_back(
           {merged_region_of(all, all.of_face[face.neighbours[i]]), distance(plane_point(a), plane_point(b))});
     }
-  std::ranges::stable_sort(shared, {}, &Shared::region);
-  Shared longest{region, 0};
+  std::ranges::stable_sort(shared, {}, &Shared::cover_face);
+  Shared longest{cover_face, 0};
   for (std::size_t i = 0, end = 0; i < shared.size(); i = end) {
-    Shared sum{shared[i].region, 0};
-    for (; end < shared.size() && shared[end].region == sum.region; ++end) sum.length_m += shared[end].length_m;
+    Shared sum{shared[i].cover_face, 0};
+    for (; end < shared.size() && shared[end].cover_face == sum.cover_face; ++end) sum.length_m += shared[end].length_m;
     if (sum.length_m > longest.length_m) longest = sum;
   }
-  return longest.region;
+  return longest.cover_face;
 }
 
-void merge_into(MergingRegions& all, std::uint32_t region, std::uint32_t neighbour) {
-  Region& from = all.regions[region];
-  Region& to = all.regions[neighbour];
+void merge_into(MergingRegions& all, std::uint32_t cover_face, std::uint32_t neighbour) {
+  CoverFace& from = all.cover_faces[cover_face];
+  CoverFace& to = all.cover_faces[neighbour];
   from.merged_into = neighbour;
   to.twice_area += from.twice_area;
   to.touches_cell_border |= from.touches_cell_border;
@@ -238,8 +233,10 @@ void merge_into(MergingRegions& all, std::uint32_t region, std::uint32_t neighbo
 // depend on the order of the input.
 struct QueueEntry {
   std::int64_t twice_area;
-  std::uint32_t region;
-  bool operator<(const QueueEntry& o) const { return std::tie(twice_area, region) > std::tie(o.twice_area, o.region); }
+  std::uint32_t cover_face;
+  bool operator<(const QueueEntry& o) const {
+    return std::tie(twice_area, cover_face) > std::tie(o.twice_area, o.cover_face);
+  }
 };
 
 // Returns the borders that still lie between two polygons.
@@ -251,10 +248,10 @@ std::vector<Border> borders_left(const MergingRegions& all) {
       if (!faces[f].is_constrained[i]) continue;
       const auto [a, b] = edge_of(all.net, f, i);
       const std::uint32_t beyond = faces[f].neighbours[i];
-      const std::uint32_t here = all.regions[merged_region_of(all, all.of_face[f])].surface;
+      const std::uint32_t here = all.cover_faces[merged_region_of(all, all.of_face[f])].surface;
       if (beyond == kNoFace) left.push_back({std::min(a, b), std::max(a, b), here, here, true});
       if (beyond == kNoFace || b < a) continue;
-      const std::uint32_t there = all.regions[merged_region_of(all, all.of_face[beyond])].surface;
+      const std::uint32_t there = all.cover_faces[merged_region_of(all, all.of_face[beyond])].surface;
       if (here != there) left.push_back({a, b, here, there, false});
     }
   std::ranges::sort(left, is_before);
@@ -263,47 +260,48 @@ std::vector<Border> borders_left(const MergingRegions& all) {
 
 }  // namespace
 
-Regions regions_between(std::span<const Border> borders) {
+CoverFaces faces_between(std::span<const Border> borders) {
   std::vector<Border> sorted(borders.begin(), borders.end());
   std::ranges::sort(sorted, is_before);
-  Regions all{triangulate_borders(sorted), {}, {}};
+  CoverFaces all{triangulate_borders(sorted), {}, {}};
   all.of_face.assign(all.net.faces().size(), kNoFace);
   for (std::uint32_t f = 0; f < all.of_face.size(); ++f)
-    if (all.of_face[f] == kNoFace) all.regions.push_back(region_from(all, sorted, f));
+    if (all.of_face[f] == kNoFace) all.cover_faces.push_back(region_from(all, sorted, f));
   return all;
 }
 
 MergedSlivers merge_slivers(std::span<const Border> borders, double thickness_m,
                             const std::function<bool(std::uint32_t)>& may_merge) {
-  return merge_slivers(regions_between(borders), thickness_m, may_merge);
+  return merge_slivers(faces_between(borders), thickness_m, may_merge);
 }
 
-MergedSlivers merge_slivers(const Regions& between, double thickness_m,
+MergedSlivers merge_slivers(const CoverFaces& between, double thickness_m,
                             const std::function<bool(std::uint32_t)>& may_merge) {
   assert(thickness_m >= 0);
-  MergingRegions all{between.net, between.of_face, between.regions};
+  MergingRegions all{between.net, between.of_face, between.cover_faces};
   std::priority_queue<QueueEntry> turns;
-  for (std::uint32_t r = 0; r < all.regions.size(); ++r) turns.push({all.regions[r].twice_area, r});
+  for (std::uint32_t r = 0; r < all.cover_faces.size(); ++r) turns.push({all.cover_faces[r].twice_area, r});
   MergedSlivers merged;
   while (!turns.empty()) {
     const QueueEntry turn = turns.top();
     turns.pop();
-    const Region& region = all.regions[turn.region];
-    const bool is_stale = region.merged_into != turn.region || region.twice_area != turn.twice_area;
-    if (is_stale || region.touches_cell_border || !may_merge(region.surface)) continue;
-    const double reach_m = region_bound_m(all, turn.region, thickness_m);
+    const CoverFace& cover_face = all.cover_faces[turn.cover_face];
+    const bool is_stale = cover_face.merged_into != turn.cover_face || cover_face.twice_area != turn.twice_area;
+    if (is_stale || cover_face.touches_cell_border || !may_merge(cover_face.surface)) continue;
+    const double reach_m = face_bound_m(all, turn.cover_face, thickness_m);
     if (reach_m > thickness_m) continue;
-    const std::uint32_t neighbour = closest_neighbour(all, turn.region);
-    if (neighbour == turn.region) continue;
+    const std::uint32_t neighbour = closest_neighbour(all, turn.cover_face);
+    if (neighbour == turn.cover_face) continue;
     ++merged.faces;
     merged.error_m = std::max(merged.error_m, reach_m);
-    merge_into(all, turn.region, neighbour);
-    turns.push({all.regions[neighbour].twice_area, neighbour});
+    merge_into(all, turn.cover_face, neighbour);
+    turns.push({all.cover_faces[neighbour].twice_area, neighbour});
   }
   merged.borders = borders_left(all);
-  for (std::uint32_t r = 0; r < all.regions.size(); ++r)
-    if (all.regions[r].merged_into != r && all.regions[merged_region_of(all, r)].surface != all.regions[r].surface)
-      merged.area_m2 += all.regions[r].own_m2;
+  for (std::uint32_t r = 0; r < all.cover_faces.size(); ++r)
+    if (all.cover_faces[r].merged_into != r &&
+        all.cover_faces[merged_region_of(all, r)].surface != all.cover_faces[r].surface)
+      merged.area_m2 += all.cover_faces[r].own_m2;
   return merged;
 }
 

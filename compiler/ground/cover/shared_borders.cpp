@@ -4,6 +4,7 @@
 #include <cassert>
 #include <tuple>
 
+#include "compiler/contract/disjoint_sets.h"
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/cover/inside_rings.h"
 
@@ -84,18 +85,9 @@ std::vector<Pair> shared_borders(std::span<const LandCoverPolygon> surfaces, std
 
 std::vector<std::uint32_t> groups_of(std::size_t count, std::span<const Pair> pairs) {
   assert(std::ranges::all_of(pairs, [&](const Pair& p) { return p.first < count && p.second < count; }));
-  std::vector<std::uint32_t> group(count);
-  for (std::uint32_t i = 0; i < count; ++i) group[i] = i;
-  const auto root = [&](std::uint32_t i) {
-    while (group[i] != i) i = group[i] = group[group[i]];
-    return i;
-  };
-  for (const auto& [a, b] : pairs) {
-    const std::uint32_t ra = root(a), rb = root(b);
-    group[std::max(ra, rb)] = std::min(ra, rb);
-  }
-  for (std::uint32_t i = 0; i < count; ++i) group[i] = root(i);
-  return group;
+  DisjointSets sets(count);
+  for (const auto& [a, b] : pairs) sets.join(a, b);
+  return sets.lowest();
 }
 
 }  // namespace citykiln::ground

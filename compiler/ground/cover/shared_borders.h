@@ -1,4 +1,4 @@
-// Finds polygons that share a border.
+// Finds land cover polygons that share a border.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@ namespace citykiln::ground {
 /// Two points, the lower first.
 using Edge = std::pair<Vec2, Vec2>;
 
-/// Returns the edges with a member on either side, sorted; not edges of members that lie on top of each other. O(n log
-/// n).
+/// Returns the edges along which two different member polygons meet, sorted. Edges with the same member on both sides,
+/// or where members lie on top of each other, are left out. O(n log n).
+/// @param members  Indices of polygons.
 std::vector<Edge> edges_between(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members);
 
-/// Returns pairs of members, the lower first, sorted, each once: polygons with a common edge in either direction, and
-/// polygons one of which has a vertex inside the other. The numbers are places in `members`.
+/// Returns pairs of members, as indices into `members`, the lower first, sorted, without repeats: polygons with a
+/// common edge in either direction, and polygons one of which has a vertex inside the other.
 ///
 /// @param members  Indices of polygons.
 /// O(n log n) in edges, plus vertices times edges in their bands for pairs whose boxes touch.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> shared_borders(std::span<const LandCoverPolygon> surfaces,
                                                                     std::span<const std::uint32_t> members);
 
-/// Returns for each of `count` things the lowest member of its group; the things of a pair are in one group.
-/// Union-find.
+/// Returns for each number below `count` the lowest number of its group. Numbers of a pair are in one group.
 std::vector<std::uint32_t> groups_of(std::size_t count, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
 
 }  // namespace citykiln::ground

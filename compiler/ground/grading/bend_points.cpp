@@ -94,7 +94,7 @@ struct Joints {
   }
 };
 
-// What one piece needs as vertices: its ends, points between them.
+// The points of one piece that must be vertices: its ends, points between them.
 struct PieceBends {
   bool first = false, last = false;
   std::vector<Vec2> between;

@@ -1,5 +1,5 @@
-// A cache of graded heights for one cell: rings share corners, grading lines share ends, and both are sampled again
-// when they are triangulated.
+// A cache of heights of the graded terrain (the terrain after roads and water have cut into it) for one cell. Rings
+// share corners and grading lines share ends, and both are sampled again when they are triangulated.
 #pragma once
 
 #include <bit>
@@ -19,19 +19,19 @@ inline std::size_t hash_of_place(std::uint64_t x, std::uint64_t y) {
   return static_cast<std::size_t>(mixed ^ mixed >> 29);
 }
 
-/// The cache refers to the graded terrain, which must outlive it. It grows with the number of different places.
+/// The cache. Refers to the graded terrain, which must outlive it. Grows with the number of different places.
 class GradedHeights {
  public:
   explicit GradedHeights(const GradedTerrain& graded) : graded_(graded) {}
 
-  /// Returns sample_heights() at p, bit for bit. The reference stays valid. O(1) for places sampled before.
+  /// Returns sample_heights() at p, equal in every bit. The reference stays valid. O(1) for places sampled before.
   const HeightSample& at(Vec2 p) {
     const auto [found, is_new] = samples_.try_emplace(p);
     if (is_new) found->second = sample_heights(graded_, p);
     return found->second;
   }
 
-  /// Returns the heights at p without keeping them: for places that are sampled once.
+  /// Returns the heights at p without storing them, for places that are sampled once.
   Heights uncached_at(Vec2 p) const {
     const auto found = samples_.find(p);
     return found == samples_.end() ? heights_at(graded_, p) : found->second.heights;

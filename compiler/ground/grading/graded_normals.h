@@ -1,5 +1,5 @@
-// A cache of normals of the graded terrain: a normal needs four height samples, faces of several layers share vertices,
-// and the levels of a cell share most of them.
+// A cache of normals of the graded terrain (the terrain after roads and water have cut into it). A normal needs four
+// height samples, and layers and levels of a cell share most vertices.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace citykiln::ground {
 
-/// The cache refers to the graded terrain, which must outlive it. It grows with the number of different places.
+/// The cache. Refers to the graded terrain, which must outlive it. Grows with the number of different places.
 class GradedNormals {
  public:
   explicit GradedNormals(const GradedTerrain& graded) : graded_(graded) {}
 
-  /// Returns the layer's normal of normals_at() at p, bit for bit. O(1) for places asked before.
+  /// Returns the layer's normal of normals_at() at p, bit for bit. O(1) for places sampled before.
   Vec3 at(GridPoint p, HeightLayer layer) {
     const auto [found, is_new] = normals_.try_emplace(p);
     if (is_new) found->second = normals_at(graded_, plane_point(p));

@@ -1,13 +1,24 @@
-// The graded terrain: heights as functions of the place, one per layer, where roads and water cut into the terrain.
+// The graded terrain: the ground after roads and water have cut into the terrain and filled it. Its heights are four
+// functions of the place, one per height layer: land, roads at the top of their kerbs, carriageways and water
+// (height_layer.h). All four exist everywhere; each face of the ground takes the height of one.
 //
-//     terrain ─ ─ ─ ─ ─.                   the land is the terrain, clamped between two slopes that start at the edge
-//                   .    ╲ cut             of every road: it is never above the one nor below the other. They are as
-//     ▁▁▁▁▁▁▁▁▁▁▁▁▁▁      ╲▁▁▁▁▁▁ road     steep as earth stands, and steeper where they would not meet the terrain
-//      fill ╱                              within kGrading_m, or between a higher road and what lies below: up to
-//          ╱                               kWallSlope; what is left then is a step at the higher edge: a wall
+//     terrain ─ ─ ─ ─ ─.
+//                   .    ╲ cut
+//     ▁▁▁▁▁▁▁▁▁▁▁▁▁▁      ╲▁▁▁▁▁▁ road
+//      fill ╱
+//          ╱
 //
-// The land keeps below decks and covers bores (span_influence.h). Heights depend on recipes and terrain within
-// kGrading_m and the roads' widths, so tiles agree bit for bit.
+// - The land is the terrain, clamped at each place. From the edge of every road one slope rises outwards and one falls
+//   outwards. The land is never above the rising slope nor below the falling one.
+// - The slopes have kEarthSlope. They are steeper where they would not meet the terrain within kGrading_m (16 m).
+// - A bank that carries a higher road, and that ends at a lower road or water, may also be steeper: up to 1.5 up for 1
+//   along. If even that is too flat, the rest of the difference is a vertical step at the edge of the higher
+//   road: a wall.
+// - Below the deck of a bridge the land leaves the clearance free. Over a bored tunnel it covers the roof
+//   (span_influence.h).
+//
+// A height depends only on the terrain and on roads, water, bridges and tunnels whose edges are within kGrading_m of
+// the place. So tiles that are generated separately have equal heights at their common border, bit for bit.
 #pragma once
 
 #include <algorithm>
@@ -25,40 +36,45 @@
 #include "compiler/ground/height_layer.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/ground/water/water_height.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 
-/// The slope of earth beside a road that stands without support: 1 up for 1.5 along.
+/// The slope at which earth beside a road stands without support: 1 up for 1.5 along.
 inline constexpr double kEarthSlope = 2.0 / 3;
 
-/// Can be moved but not copied: the indices refer to the polygons.
+/// The terrain of a box with all data that grade it. Can be moved but not copied: the indices refer to the polygons.
 struct GradedTerrain {
+  /// A terrain that nothing grades yet; grade_terrain() fills the other members.
   explicit GradedTerrain(map::Heightfield&& terrain);
   GradedTerrain(GradedTerrain&&) = default;
   GradedTerrain& operator=(GradedTerrain&&) = default;
 
-  map::Heightfield terrain;
-  RoadInfluenceIndex roads;
-  SpanInfluenceIndex decks, bores;
-  WaterIndex waters;
-  std::vector<LandCoverPolygon> paved, wet;  ///< What roads and junctions cover; what water covers.
+  map::Heightfield terrain;                  ///< The terrain before grading.
+  RoadInfluenceIndex roads;                  ///< The roads on the ground.
+  SpanInfluenceIndex decks, bores;           ///< Bridges; bored tunnels.
+  WaterIndex waters;                         ///< The heights of water.
+  std::vector<LandCoverPolygon> paved, wet;  ///< Polygons of roads and junctions; polygons of water.
   LandCoverIndex paved_index;                ///< For the distance to rounded corners of roads.
   LandCoverIndex wet_index;                  ///< For the distance to the shore.
-  BoxGrid shores;                            ///< Of the boxes within kGrading_m of water.
+  BoxGrid shores;                            ///< Boxes of water, widened by kGrading_m.
 };
 
-/// What grades the terrain in a box. One owner for maps and tiles: the polygons of `streams` are added to the water
-/// that `surfaces` hold, whether they are among them or not.
+/// The recipes (planned objects, without triangles) that grade the terrain in a box, of a map or a tile. A Strip is a
+/// watercourse: an axis with a width on both sides. The polygons of `streams` count as water, whether
+/// `surfaces` contains them or not.
 struct GradingInputs {
-  std::span<const roads::Road> roads;          ///< All within kGrading_m of the box, with their widths.
-  std::span<const roads::Strip> streams;       ///< All whose water lies within kGrading_m of it.
-  std::span<const LandCoverPolygon> surfaces;  ///< All within kGrading_m; only those on road and water layers count.
-  Box2 box;                                    ///< Where heights may be asked for.
-  bool has_kerbs = true;                       ///< False for tolerances that see no kerbs.
-  std::span<const roads::Road> decks{};        ///< Bridges within kGrading_m of the box, whole.
-  std::span<const roads::Road> bores{};        ///< Bored tunnels within kGrading_m of the box, whole.
+  std::span<const roads::Road> roads;     ///< All roads whose edges are within kGrading_m of the box.
+  std::span<const roads::Strip> streams;  ///< All streams whose water is within kGrading_m of it.
+  /// All polygons within kGrading_m of the box whose height layer is a road's, a carriageway's or water. Further
+  /// polygons do no harm.
+  std::span<const LandCoverPolygon> surfaces;
+  Box2 box;                              ///< The box in which heights can be queried.
+  bool has_kerbs = true;                 ///< False for tolerances at which kerbs are left out.
+  std::span<const roads::Road> decks{};  ///< Bridges within kGrading_m of the box, whole.
+  std::span<const roads::Road> bores{};  ///< Bored tunnels within kGrading_m of the box, whole.
 };
+/// Indexes all data that grade a terrain. Heights are computed later, by heights_at().
 GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts);
 
 /// Grades the terrain of a map or a tile from its recipes: every bridge is a deck, every tunnel with `is_bored` a bore.
@@ -72,25 +88,27 @@ GradedTerrain grade_terrain(map::Heightfield terrain, GradingInputs parts, std::
   return grade_terrain(std::move(terrain), parts);
 }
 
-/// Returns the heights of all layers at p, which lies in the box. Farther than kGrading_m from roads and from water all
-/// layers are at the land's height. O(roads near).
+/// Returns the heights of all layers at p, which must lie in the box; layer_height_m() reads one of them. Farther than
+/// kGrading_m from roads and water, all layers have the land's height. O(roads near).
 Heights heights_at(const GradedTerrain& graded, Vec2 p);
 
-/// Heights at a place, and the terrain before grading.
+/// Heights at a place.
 struct HeightSample {
-  Heights heights;
-  double terrain_m = 0;
+  Heights heights;       ///< One per layer.
+  double terrain_m = 0;  ///< The height of the terrain before grading.
 };
+/// Returns heights_at() together with the terrain's height.
 HeightSample sample_heights(const GradedTerrain& graded, Vec2 p);
 
-/// Returns the height at which things on the ground stand: the land's, and on roads that of the tops of their kerbs.
+/// Returns the height of HeightLayer::kLand at p, on which objects stand. On a road it is the height of the kerbs'
+/// tops.
 double land_m(const GradedTerrain& graded, Vec2 p);
 
-/// Returns one normal per layer, smoothed over 2 · kNormalStep_m; without grading, the terrain's own, smoothed over its
-/// grid squares. Unit length.
+/// Returns one normal per layer, of unit length. A normal of a layer that differs from the terrain comes from heights
+/// 1 m to each side of p. The others are normals of the terrain, smoothed over its grid squares.
 std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p);
 
-/// Returns false where the graded terrain in the box is the terrain itself.
+/// True if a road, a structure or water may change the terrain in the box.
 bool has_grading(const GradedTerrain& graded, const Box2& box);
 
 }  // namespace citykiln::ground

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/geometry/segment.h"
+
 namespace citykiln::ground {
 namespace {
 
@@ -53,10 +55,9 @@ Box2 reach_of(const GradedSegment& s) { return box_of(std::array{s.from, s.to}).
 
 // Returns false only where no place of the box is within the segment's influence.
 bool may_reach(const GradedSegment& s, const Box2& box) {
-  const Vec2 along = s.to - s.from, centre = box.centre();
-  const double t = std::clamp(dot(centre - s.from, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
+  const Vec2 centre = box.centre();
   constexpr double kSlack_m = 0x1p-10;
-  return distance(centre, s.from + along * t) <= segment_reach_m(s) + distance(centre, box.max) + kSlack_m;
+  return distance_to_segment(s.from, s.to, centre) <= segment_reach_m(s) + distance(centre, box.max) + kSlack_m;
 }
 
 SegmentLine line_of(const GradedSegment& s, const Profile& profile) {

@@ -1,9 +1,16 @@
-// Road influence: the heights of roads as functions of the place. Near one road: its profile at the nearest point of
-// the axis, tilted as the profile says. Where strips overlap the heights are blended, so roads have no steps.
+// Road influence: the height that roads give to the ground near them. The profile of a road states its height along its
+// axis, and its tilt across. The height that one road gives to a place is that of its profile at the nearest point of
+// the axis, tilted.
+//
+// Where several roads are near, their heights are averaged with weights. So roads of similar height join without a
+// step. If one road is clearly higher (by some 0.5 m), both keep their own heights, and a wall joins them beside the
+// higher road's edge (kWallTop_m, kWallFoot_m).
 //
 //        A's own height     blended     B's own height
 //     |---------------------|=======|---------------------|
-//     weights: 1 on a road's own axis, 0 at its edge
+//
+// The weight of a road is about 1 on its axis and falls smoothly to below 0.001 at kBlend_m beyond its edge. Beyond
+// that the small rest falls with the cube of the distance, so the nearest road decides.
 #pragma once
 
 #include <cstdint>
@@ -17,75 +24,83 @@
 
 namespace citykiln::ground {
 
-/// The top of a kerb above the carriageway; 10 to 15 cm are built.
+/// The height of a kerb's top above the carriageway; 10 to 15 cm are usual.
 inline constexpr double kKerbRise_m = 0.125;
 
-/// A road influences the ground up to this distance from its edge; every cut and bank has met the terrain there.
+/// The distance from a road's edge within which the road changes the ground: every cut and bank meets the terrain
+/// there.
 inline constexpr double kGrading_m = 16;
 
-/// Beside its edge a road's height is blended with those of others over this distance.
+/// The distance beyond a road's edge up to which its height is blended with those of other roads.
 inline constexpr double kBlend_m = 1.5;
 
-/// Where one of two adjacent roads is higher, a wall stands between them: distances of its top and foot from the higher
-/// road's edge.
+/// If one of two adjacent roads is higher, a wall stands between them. These are the distances of its top and its foot
+/// from the higher road's edge.
 inline constexpr double kWallTop_m = 0.125, kWallFoot_m = 0.375;
 
 /// A straight piece of a road that has a profile, kerbs, or both.
 struct GradedSegment {
-  Vec2 from, to;                   ///< Of the axis, plane metres.
-  double from_m = 0, to_m = 0;     ///< Along the whole way.
-  double left_m = 0, right_m = 0;  ///< From the axis to the outer edges, with pavements.
+  Vec2 from, to;                   ///< Ends on the axis, plane metres.
+  double from_m = 0, to_m = 0;     ///< Distances of the ends along the whole way.
+  double left_m = 0, right_m = 0;  ///< From the axis to the outer edges, pavements included.
   double kerb_m = 0;               ///< Depth of the carriageway below the edges.
-  std::uint32_t road = 0;          ///< Index into profiles.
+  std::uint32_t road = 0;          ///< Index into RoadInfluenceIndex::profiles.
 };
 
-/// What every query needs of a segment.
+/// Precomputed values of a segment.
 struct SegmentLine {
-  Vec2 along;  ///< From its beginning to its end.
-  double length2_m2 = 0, length_m = 0;
+  Vec2 along;                                    ///< Vector from its beginning to its end.
+  double length2_m2 = 0, length_m = 0;           ///< The length in plan, squared and as it is.
   std::uint32_t first_knot = 0, knot_count = 0;  ///< The knots of the road's profile along the segment.
 };
 
+/// The segments of all roads that have a profile or kerbs, with a spatial index.
 struct RoadInfluenceIndex {
   std::vector<GradedSegment> segments;  ///< In the order of roads.
   std::vector<SegmentLine> lines;       ///< One per segment.
   std::vector<Profile> profiles;        ///< One per road with segments; empty: the road follows the terrain.
-  std::vector<Box2> reaches;            ///< Per segment: it influences nothing outside.
-  BoxGrid grid;                         ///< Of the boxes.
-  BoxGrid near;                         ///< Of the boxes, in smaller buckets, without segments too far from a bucket.
+  std::vector<Box2> reaches;            ///< Per segment the box in which it influences heights.
+  BoxGrid grid;                         ///< Grid of these boxes.
+  BoxGrid near;  ///< Finer grid of these boxes. A bucket (square of the grid) lists only segments whose edges are
+                 ///< within kGrading_m of the bucket.
 };
 
-/// Returns height and tilt of the segment's road at a share of the segment's length. The road has a profile. O(log
-/// knots there).
+/// Returns height and tilt of the segment's road, which must have a profile. O(log knots of the segment).
+/// @param field    The index.
+/// @param segment  Index into field.segments.
+/// @param share    Position along the segment, 0 to 1.
 Knot knot_on(const RoadInfluenceIndex& field, std::uint32_t segment, double share);
 
 /// Indexes the segments of roads that have a profile or kerbs.
-/// @param has_kerbs  False for tolerances that see no kerbs: carriageways then lie level with what is beside them.
+/// @param has_kerbs  False for tolerances at which kerbs are left out: carriageways are then as high as pavements.
 RoadInfluenceIndex index_road_influence(std::span<const roads::Road> roads, bool has_kerbs);
 
 /// The influence of one segment at a place.
 struct RoadInfluence {
   double z_m = 0;          ///< Height of the road there, at the top of its kerbs.
-  double kerb_m = 0;       ///< Depth of the carriageway below that.
-  double weight = 0;       ///< Largest on the axis, close to 0 far from the edge.
-  double beyond_m = 0;     ///< From the edge; 0 on the road.
-  bool is_graded = false;  ///< False where the road follows the terrain.
+  double kerb_m = 0;       ///< Depth of the carriageway below z_m.
+  double weight = 0;       ///< Largest on the axis (1.128), below 0.001 from kBlend_m beyond the edge on.
+  double beyond_m = 0;     ///< Distance from the road's edge; 0 on the road.
+  bool is_graded = false;  ///< False if the road follows the terrain.
 
   bool operator==(const RoadInfluence&) const = default;
 };
 
-/// Returns the influences of segments whose edge is nearer than kGrading_m, in the order of the index's segments.
+/// Returns the influences of the segments whose edge is nearer to p than kGrading_m, in the order of field.segments.
+/// @param field      The index.
 /// @param terrain_m  The terrain's height at p.
-/// @param memory     For the result: most places are asked once, so the heap should not be used.
+/// @param memory     Memory for the result, so that the many queries do not allocate on the heap.
 std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& field, Vec2 p, double terrain_m,
                                                    std::pmr::memory_resource* memory);
 
-/// Blends influences by their weights into one continuous height; there must be one at least. Roads of about one height
-/// are blended over kBlend_m beside their edges. A road that is higher by more keeps its height, to a decimetre, up to
-/// kWallTop_m beyond its edge; the lower one has its own from kWallFoot_m on.
+/// The height of roads at a place.
 struct RoadHeight {
-  double z_m = 0, kerb_m = 0;
+  double z_m = 0, kerb_m = 0;  ///< Height of the kerbs' tops; depth of the carriageway below them.
 };
+/// Blends influences (at least one) by their weights into one continuous height. If all heights are within about 6 cm
+/// of their mean, the result is the weighted mean. If they differ by some 0.5 m or more, the higher road keeps its
+/// height, within a decimetre, up to kWallTop_m beyond its edge, and the lower road has its own height from kWallFoot_m
+/// on. Between these two cases the result is interpolated.
 RoadHeight blend(std::span<const RoadInfluence> influences);
 
 }  // namespace citykiln::ground

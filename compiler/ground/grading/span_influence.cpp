@@ -15,10 +15,10 @@ constexpr double kRoadBore_m = 5, kRailBore_m = 6, kPathBore_m = 2.75;
 
 // A place as seen from a span's segment.
 struct SpanView {
-  double z_m = 0;       ///< Of the road.
-  double beside_m = 0;  ///< Beyond its edges, square to it.
-  double before_m = 0;  ///< Beyond the way's ends, along it.
-  double inside_m = 0;  ///< To the nearer end of the way.
+  double z_m = 0;       ///< Height of the road.
+  double beside_m = 0;  ///< Distance beyond its edges, square to it.
+  double before_m = 0;  ///< Distance beyond the way's ends, along it.
+  double inside_m = 0;  ///< Distance to the nearer end of the way.
 };
 
 // True for most segments; decided without division, hence with some slack.

@@ -1,17 +1,19 @@
-// The vertical error of a linear piece against the terrain, and where it is largest. Both are piecewise linear, so the
-// largest error lies at a vertex of their overlay: a vertex of either, or a crossing of an edge with a grid line.
+// Finds the largest vertical error of an edge or face of a mesh against the terrain. The terrain is a grid of heights
+// whose squares are split by diagonals into triangles. Mesh and terrain are both piecewise linear, so the largest error
+// is at a vertex of the mesh, at a vertex of the terrain, or where an edge of the mesh crosses a grid line or diagonal.
 #pragma once
 
 #include <array>
 
 #include "compiler/geometry/vec.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 
+/// The largest error and its place.
 struct WorstPoint {
-  double error_m = 0;
-  Vec2 at;
+  double error_m = 0;  ///< 0 if there is no error.
+  Vec2 at;             ///< The place, in metres on the map plane.
 };
 
 /// Replaces the worst point by `at` if the error there is larger.
@@ -20,12 +22,20 @@ inline void consider(WorstPoint& worst, double error_m, Vec2 at) {
 }
 
 /// Returns the largest error along an edge from a to b, without its ends. O(grid lines crossed).
+/// @param field  The terrain.
+/// @param a, b   The ends of the edge, in metres on the map plane with their heights.
 WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 
-/// Returns the largest error along an edge of the cell border (parallel to an axis, on whole metres, ends on the 2^-10
-/// m grid), without its ends. Diagonals are evaluated at the grid point nearest to their crossing, where a
-/// triangulation with grid lines as edges has a vertex: so reference.h finds the same bits for a neighbour that is
-/// graded. The same from b to a.
+/// Returns the largest error along an edge on the border of a ground cell, without its ends. Ground cells are squares
+/// of the map plane whose ground is meshed separately. The result must be equal in the cells on both sides, to the last
+/// bit.
+///
+/// Where the edge crosses a diagonal of the terrain, the error is evaluated at the multiple of 2^-10 m nearest to the
+/// crossing. The other cell may have roads that change its ground: its mesh is then compared with a triangulation that
+/// has the terrain's edges, and the vertex of that triangulation at the crossing is rounded to the same place. Both
+/// directions of an edge give the same result. O(grid lines crossed).
+/// @param a, b  The ends of the edge, which is parallel to the x or y axis. Its distance from that axis is in whole
+///              metres; the ends are at multiples of 2^-10 m along it.
 WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 
 /// Returns the largest error at grid vertices inside a triangle (in plan, counter-clockwise), without its edges.

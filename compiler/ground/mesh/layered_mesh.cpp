@@ -96,7 +96,8 @@ struct LayeredMeshBuilder {
   }
 
   static bool are_level(const Ledge& one, const Ledge& other) { return one.a == other.a && one.b == other.b; }
-  // Of ledges that cross halfway the one that is higher at the lower end in plan, so that both cells of a border agree.
+  // If ledges cross halfway, the one that is higher at the lower end in plan counts, so that both cells of a border
+  // agree.
   static bool is_higher(const Ledge& one, const Ledge& other) {
     const double one_m = one.a.z + one.b.z, other_m = other.a.z + other.b.z;
     if (one_m != other_m) return one_m > other_m;

@@ -68,7 +68,7 @@ struct Growing {
     return places_of(refined.triangulation.faces()[f].vertices, layer_of(f));
   }
 
-  // An edge within a region was perhaps measured from the neighbour.
+  // An edge between two triangles of one land cover face may have been measured from the neighbour.
   WorstPoint worst_on(std::uint32_t f, int i) const {
     const DelaunayFace& face = refined.triangulation.faces()[f];
     const std::uint32_t beyond = face.neighbours[i];
@@ -221,7 +221,8 @@ struct Growing {
     const FaceHeight height = refined.face_height[split];
     const auto changed = refined.triangulation.insert(grid_point(p), split);
     add_vertex(p);
-    // the new vertex lies inside a region, or on an edge between two faces of one, so all faces about it belong to it
+    // the new vertex lies inside a land cover face, or on an edge between two triangles of one, so all triangles about
+    // it belong to that face
     const std::size_t count = refined.triangulation.faces().size();
     refined.face_cover.resize(count, surface), refined.face_height.resize(count, height), errors.resize(count);
     for (const std::uint32_t c : changed)

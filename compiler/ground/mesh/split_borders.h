@@ -1,4 +1,5 @@
-// Splits borders where the ground bends under them.
+// Splits borders between land cover polygons so that their heights follow the reference (the graded terrain of a cell
+// at full detail).
 #pragma once
 
 #include <span>
@@ -10,16 +11,17 @@
 namespace citykiln::ground {
 
 struct SplitBorders {
-  std::vector<Border> borders;    ///< Those given, split; the cell's own border whole.
-  std::vector<GridPoint> points;  ///< On the cell's own border.
+  std::vector<Border> borders;    ///< The given borders, split, except for the cell's own border.
+  std::vector<GridPoint> points;  ///< Points that split the cell's own border.
 };
 
-/// Splits borders.
-/// @param heights      One per polygon; kNoLandCover lies on the land.
-/// @param sides_m      Tolerance on the cell's border, for all layers.
-/// @param inner_m      Tolerance elsewhere, for the layers on both sides; standing water needs no points.
-/// Guarantees: how a border is split depends on its ends and on the heights along it alone, so both cells of a common
-/// border split it alike; other borders get no point on the cell's. O(points + edges of the reference crossed).
+/// Splits borders until their errors are within the tolerances.
+/// @param borders  Borders inside the cell, and the cell's own.
+/// @param heights  Height layer or water level of each polygon. Faces without a polygon lie on the land.
+/// @param sides_m  Tolerances on the cell's border, for all layers.
+/// @param inner_m  Tolerance of other borders, for the layers on both sides. Standing water needs no points.
+/// Guarantees: the points of a border depend only on its ends and on the heights along it, so both cells of a common
+/// border split it alike; other borders get no point on the cell's border. O(points + edges of the reference crossed).
 SplitBorders split_borders(const Reference& reference, std::span<const Border> borders,
                            std::span<const FaceHeight> heights, const SideTolerances& sides_m, double inner_m);
 

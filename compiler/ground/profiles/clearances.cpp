@@ -17,8 +17,8 @@ using map::Passage;
 /// A crossing that was cleared and lost up to this to a neighbour is cleared once more.
 constexpr double kMaxSecondLift_m = 2;
 
-// What moves, in this order: tunnels under what is no bridge, bridges, tunnels below bridges that could not rise,
-// paths.
+// The lines that move, in this order: tunnels below other lines than bridges, bridges, tunnels below bridges that could
+// not rise, paths.
 enum class Mover { kTunnels, kBridges, kTunnelsUnderBridges, kPaths };
 
 // A place of a way that must rise.
@@ -37,7 +37,7 @@ struct Clearer {
   std::vector<bool> is_above = {};   // by way: whether it is the upper one of some crossing
   std::vector<bool> of_graded = {};  // by node
 
-  // What is not in the graph stays, like the ground.
+  // Lines that are not in the graph do not move, like the ground.
   Passage passage_of(std::uint32_t way) const {
     return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
   }

@@ -9,6 +9,7 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
@@ -62,27 +63,6 @@ BoxGrid grid_of_off_ground(const ProfileGraph& graph) {
     for (std::size_t i = 0; way.road == kNone && i + 1 < way.track->axis.size(); ++i)
       boxes.push_back(box_of(std::span(way.track->axis).subspan(i, 2)).widened(2 * kWidest_m));
   return grid_of(boxes, kCrossingBucket_m);
-}
-
-// Returns the shares along ab and cd at which they cross, if they do.
-std::optional<std::pair<double, double>> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const double area = cross(b - a, d - c);
-  if (area == 0) return std::nullopt;
-  const double s = cross(c - a, d - c) / area, t = cross(c - a, b - a) / area;
-  if (s < 0 || s > 1 || t < 0 || t > 1) return std::nullopt;
-  return std::pair(s, t);
-}
-
-double nearest_along(Vec2 a, Vec2 b, Vec2 p) {
-  return std::clamp(dot(p - a, b - a) / std::max(dot(b - a, b - a), 1e-9), 0.0, 1.0);
-}
-
-double distance_to(const Polyline& axis, Vec2 p) {
-  double least_m = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-    least_m =
-        std::min(least_m, distance(p, axis[i] + (axis[i + 1] - axis[i]) * nearest_along(axis[i], axis[i + 1], p)));
-  return least_m;
 }
 
 bool share_a_node(const Track& a, const Track& b) {
@@ -176,7 +156,7 @@ struct Finder {
   bool are_beside(std::span<const Vec2> landings, std::uint32_t way, std::uint32_t other) const {
     const Track& beside = *graph.ways[other].track;
     const double reach_m = half_width_m(*graph.ways[way].track) + half_width_m(beside);
-    return std::ranges::any_of(landings, [&](Vec2 at) { return distance_to(beside.axis, at) < reach_m; });
+    return std::ranges::any_of(landings, [&](Vec2 at) { return distance_to_polyline(beside.axis, at) < reach_m; });
   }
 
   // Returns whether a way on the ground goes on, within kJoined_m, as a bridge or tunnel that begins beside another in
@@ -194,7 +174,7 @@ struct Finder {
         [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? 2 * kJoined_m : joining_m(leg); },
         [&](std::uint32_t node, double) {
           found_twin |= std::ranges::any_of(graph.legs_of(node), is_twin) &&
-                        distance_to(beside.axis, graph.nodes[node].at) < kWidest_m;
+                        distance_to_polyline(beside.axis, graph.nodes[node].at) < kWidest_m;
           return !found_twin;
         });
     return found_twin;
@@ -293,7 +273,7 @@ struct Finder {
         const Segment& other = segments[s];
         if (other.way == w) continue;
         if (other.way != kNone && graph.ways[other.way].road == kNone && other.way < w) continue;
-        if (const auto hit = intersection(axis[i], axis[i + 1], other.a, other.b))
+        if (const auto hit = crossing_shares(axis[i], axis[i + 1], other.a, other.b))
           visit(at_m + hit->first * length_m, other, hit->second);
       }
       at_m += length_m;
@@ -341,7 +321,7 @@ struct Finder {
     for (const std::uint32_t s : boxes_about(grid, Box2{at, at}.widened(half_m + kWidest_m))) {
       const Segment& other = segments[s];
       if (other.way == kNone || other.way == w) continue;
-      const double along = nearest_along(other.a, other.b, at);
+      const double along = nearest_share(other.a, other.b, at);
       const double apart_m = distance(at, other.a + (other.b - other.a) * along);
       if (apart_m >= half_m + half_width_m(*graph.ways[other.way].track)) continue;
       if (are_side_by_side(w, other.way, apart_m)) continue;

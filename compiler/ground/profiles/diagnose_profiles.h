@@ -1,4 +1,4 @@
-// Diagnoses of planned heights: lines over their grade limit, and tunnels far below the line between their mouths.
+// Diagnoses planned heights: lines steeper than their grade limit, and tunnels far below the line between their mouths.
 #pragma once
 
 #include <span>
@@ -8,12 +8,12 @@
 
 namespace citykiln::ground {
 
-/// Diagnoses kTooSteep and kTunnelLowered for the lines whose heights a graph decides: of Lines::kGraded not the
-/// bridges and tunnels of paths, whose heights are only first guesses there; of Lines::kPaths these, not paths on the
-/// ground.
+/// Diagnoses kTooSteep and kTunnelLowered for the lines whose heights the graph decides. In a graph of Lines::kGraded
+/// these are all lines except bridges and tunnels of paths, whose heights are preliminary there; in a graph of
+/// Lines::kPaths these are the bridges and tunnels of paths.
 ///
-/// @param lines_m  Heights by node on the terrain, off the ground on the line between the ends.
-/// @param z_m      Heights by node as planned.
+/// @param lines_m  Initial heights by node: the terrain, off the ground the line between the ends.
+/// @param z_m      Planned heights by node.
 void diagnose_profiles(const ProfileGraph& graph, std::span<const double> lines_m, std::span<const double> z_m,
                        Report& report);
 

@@ -133,7 +133,7 @@ double Enforcer::room_m(std::uint32_t unit, std::span<const double> cap_m) const
   return std::max(least_m, 0.0);
 }
 
-// Limits the rise of units to their room. What a unit cannot rise holds back its neighbours (Dijkstra 1959), so that no
+// Limits the rise of units to their room. A unit that cannot rise holds back its neighbours (Dijkstra 1959), so that no
 // line to it becomes steeper than its limit.
 void Enforcer::hold_back(std::span<const double> cap_m, std::vector<double>& by_m) {
   const auto hold = [&](std::uint32_t unit, double most_m) {

@@ -1,4 +1,6 @@
-// Walks a graph from some nodes outwards, nearest first (Dijkstra 1959).
+// Walks the profile graph from some nodes outwards, nearest first (Dijkstra 1959). A node is a station, a place along a
+// road at which its height is decided; a leg is a directed edge between neighbouring stations; pinned nodes keep their
+// heights.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +24,10 @@ class GraphWalk {
   /// A start node and its initial cost.
   using Start = std::pair<double, std::uint32_t>;
 
-  /// Calls reached(node, cost) once for each node that costs at most `most`, in the order of costs, then of nodes;
-  /// continues beyond nodes for which it returns true. cost_of(leg) >= 0. O(s log s) in the legs seen.
+  /// Calls reached(node, cost) once for each node that can be reached at a cost of at most `most`, in the order of
+  /// costs, then of nodes. The walk continues beyond a node if reached() returns true.
+  /// @param cost_of  The cost of a leg, >= 0.
+  /// O(s log s) in the legs seen.
   template <typename CostOf, typename Reached>
   void from(std::span<const Start> starts, double most, CostOf cost_of, Reached reached) {
     for (const auto& [cost, node] : starts) improve(node, cost, most);
@@ -60,41 +64,46 @@ class GraphWalk {
   std::vector<Start> queue_;
 };
 
-/// Returns the stations before and after a place along a way, as starts at no cost.
+/// Returns the stations before and after a place along a way, as starts of cost 0.
+/// @param at_m  Distance along the way.
 std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint32_t way, double at_m);
 
-/// Returns by node whether a line with a profile of its own goes through it: paths are planned after these, so that no
-/// road rises with a footbridge that ends on it.
+/// Returns for each node true if a road or rail goes through it. Paths are planned after roads and rails and must not
+/// move these nodes.
 std::vector<bool> nodes_of_graded(const ProfileGraph& graph);
 
-/// Returns the grade limit of a leg.
+/// Returns the grade limit of a leg: the largest rise over run.
 double limit_of(const ProfileGraph& graph, const Leg& leg);
 
-/// Returns whether a way may exceed its limit for a clearance: streets and paths, not rails, motorways and runways.
+/// True for ways that may exceed their limit for a clearance: streets and paths, not rails, motorways and runways.
 bool may_be_steeper(const ProfileGraph& graph, std::uint32_t way);
 
-/// A node caps heights up to this far above its own.
+/// A pinned node limits heights of other nodes up to this height above its own.
 inline constexpr double kPinRadius_m = 64;
 
-/// Returns by node the greatest height that the grade limits allow above pinned nodes; infinity where none is near.
+/// Returns for each node the greatest height that the grade limits allow from the pinned nodes near it; infinity if
+/// none is near.
+/// @param z_m  Heights by node.
 std::vector<double> caps_near_pinned(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> z_m);
 
-/// A line on the ground is lowered by at most this below its terrain: under a railway, with the slope of its cutting.
+/// The largest depth below its terrain to which a line on the ground may be lowered, as under a railway, with slopes on
+/// both sides.
 inline constexpr double kMaxCutting_m = 8;
-/// A street on the ground is lowered by at most this for an access road, such as the ramp of a garage.
+/// The largest lowering of a street on the ground for the sake of an access road, such as the ramp of a garage.
 inline constexpr double kMaxCuttingForAccess_m = 2.5;
 
-/// Service roads, farm tracks and unpaved roads: no street is lowered with them.
+/// True for service roads, farm tracks and unpaved roads. Streets are hardly lowered for them (kMaxCuttingForAccess_m).
 bool is_access_road(map::LandCoverClass surface);
 
-/// How far down pushes may move the ground, by what is lowered: access roads or other lines.
+/// The lowest allowed heights by node, with changed sign.
 struct LoweringCaps {
-  std::vector<double> of_access, of_others;  ///< By node, the greatest height with its sign changed.
+  std::vector<double> of_access, of_others;  ///< For lowering with an access road, and with any other line.
 };
 
-/// Returns how low lines may lie: on the ground at most kMaxCutting_m below the heights given, streets at most
-/// kMaxCuttingForAccess_m for access roads; tunnels, and access roads beside streets, as far below that as their grade
-/// limits reach; no lower than the grade limits allow near pinned nodes. Influence: kPinRadius_m of height.
+/// Returns the lowest allowed heights. Lines on the ground may be kMaxCutting_m below `ground_m`; streets that are
+/// lowered with an access road kMaxCuttingForAccess_m. Tunnels, and access roads connected to such streets, may go
+/// lower at their grade limits. Near pinned nodes grade limits apply, too. Radius of influence: kPinRadius_m of height.
+/// @param ground_m  Heights by node before any lowering.
 LoweringCaps lowering_caps(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> ground_m);
 
 }  // namespace citykiln::ground

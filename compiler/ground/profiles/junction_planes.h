@@ -1,4 +1,5 @@
-// Junction planes: within a junction, from its nodes to its cuts, the heights of all arms lie on one plane.
+// Junction planes: within a junction, from its nodes to its cuts, the heights of all its roads lie on one plane. A cut
+// is the line across a road at which the junction ends.
 #pragma once
 
 #include <span>
@@ -8,21 +9,22 @@
 
 namespace citykiln::ground {
 
-/// Largest slope of a junction plane; the limits of its roads apply too.
+/// The largest slope of a junction plane; the limits of its roads apply, too.
 inline constexpr double kPlaneSlope = 0.08;
-/// What a plane moves its arms' ends by fades out along the roads at 1 in kSpread, over at least and at most these
-/// lengths.
+/// A plane moves the ends of its roads. Along each road this move fades out at 1 m in kSpread m, over at least
+/// kMinSpread_m and at most kMaxSpread_m.
 inline constexpr double kSpread = 20, kMinSpread_m = 16, kMaxSpread_m = 64;
 
+/// Heights after planes were fitted.
 struct JunctionPlanes {
-  std::vector<double> z_m;     ///< By node.
-  std::vector<Vec2> gradient;  ///< By node: its junction plane's, zero off junctions.
+  std::vector<double> z_m;     ///< Heights by node.
+  std::vector<Vec2> gradient;  ///< By node the gradient of its junction plane; zero off junctions.
 };
 
 /// Fits a plane to the nodes of each junction by least squares (weights: length of road and class), moves the nodes
 /// onto it and fades the difference out along the network. Guarantees: nodes of one junction lie on one plane, no
-/// steeper than kPlaneSlope; nodes farther than kMaxSpread_m along the network from any junction stay. Total. O(n log
-/// n).
+/// steeper than kPlaneSlope; nodes farther than kMaxSpread_m along the network from any junction stay. O(n log n).
+/// @param z_m  Heights by node.
 JunctionPlanes fit_junction_planes(const ProfileGraph& graph, std::span<const double> z_m);
 
 }  // namespace citykiln::ground

@@ -2,24 +2,74 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
+#include <vector>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/grading/graded_box.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/ground/profiles/approach_paths.h"
-#include "compiler/ground/profiles/clearance_shortfalls.h"
 #include "compiler/ground/profiles/clearances.h"
+#include "compiler/ground/profiles/crossings.h"
 #include "compiler/ground/profiles/diagnose_profiles.h"
 #include "compiler/ground/profiles/enforce_clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/initial_heights.h"
+#include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/profiles/planned_spans.h"
 #include "compiler/ground/profiles/profile_knots.h"
 #include "compiler/roads/plan.h"
 
 namespace citykiln::ground {
 namespace {
+
+// ---- clearance shortfalls of stored profiles ------------------------------------------------------------------------
+
+Vec2 place_along(const ProfileGraph& graph, const GraphWay& way, double at_m) {
+  const std::uint32_t i = station_before(graph, way, at_m);
+  const Station &a = graph.stations[way.first + i], &b = graph.stations[way.first + i + 1];
+  const Vec2 from = graph.nodes[a.node].at, to = graph.nodes[b.node].at;
+  return from + (to - from) * std::clamp((at_m - a.at_m) / (b.at_m - a.at_m), 0.0, 1.0);
+}
+
+struct WrittenHeights {
+  const ProfileGraph& graph;
+  const Profiles& profiles;
+  const BelowBridges& below;
+
+  double height_m(std::uint32_t w, double at_m) const {
+    const GraphWay& way = graph.ways[w];
+    const Profile& profile = profile_of(profiles, way);
+    if (!profile.empty()) return knot_at(profile, at_m).z_m;
+    // roads without profile lie at 0, paths without on the ground
+    return is_graded(way.track->surface) || way.road == kNone ? 0 : below.ground_m(place_along(graph, way, at_m));
+  }
+
+  double shortfall_m(const Crossing& c) const {
+    const double lower_m = c.lower == kNone ? c.lower_z_m : height_m(c.lower, c.lower_at_m);
+    const double upper_m = c.upper == kNone ? c.upper_z_m : height_m(c.upper, c.upper_at_m);
+    return lower_m + c.wanted_m - upper_m;
+  }
+};
+
+// Returns one shortfall per pair of lines, sorted by ids.
+// @param graph  The graph of all lines (Lines::kAll).
+std::vector<ClearanceShortfall> find_shortfalls(const ProfileGraph& graph, const map::Features& features,
+                                                const Profiles& profiles, const BelowBridges& below) {
+  const WrittenHeights heights{graph, profiles, below};
+  const auto id_of = [&](std::uint32_t way, OsmId outside) {
+    return way == kNone ? outside : graph.ways[way].track->id.osm;
+  };
+  std::vector<ClearanceShortfall> all;
+  for (const Crossing& c : find_crossings(graph, features, below))
+    all.push_back({id_of(c.upper, c.outside), id_of(c.lower, c.outside), heights.shortfall_m(c), c.is_contradictory});
+  // the largest of a pair first
+  std::ranges::sort(all, {}, [](const ClearanceShortfall& s) { return std::tuple(s.upper, s.lower, -s.shortfall_m); });
+  erase_repeated(all, [](const ClearanceShortfall& s) { return std::pair(s.upper, s.lower); });
+  return all;
+}
 
 using map::Track;
 
@@ -161,7 +211,7 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
   const GradedTerrain graded = grade_terrain(terrain.heights, {.roads = profiles.roads,
                                                                .streams = terrain.streams,
                                                                .surfaces = terrain.waters,
-                                                               .box = graded_box(features.region, terrain.heights),
+                                                               .box = graded_box(features.extent, terrain.heights),
                                                                .has_kerbs = false,
                                                                .decks = spans.decks,
                                                                .bores = spans.bores});

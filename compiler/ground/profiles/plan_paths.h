@@ -1,8 +1,8 @@
-// Profiles of foot bridges, underpasses and the paths that lead up and down to them.
+// Plans profiles of foot bridges, underpasses and the paths that lead up and down to them.
 //
 // They are planned last, on the terrain that roads, their tunnels and water have graded: a foot bridge comes down on
-// the pavement beside a street's cutting, not on the heightmap above it. Where clearance is missing, its approach paths
-// (approach_paths.h) rise or fall with it.
+// the pavement beside a street's cutting, not on the heightmap above it. If a foot bridge or underpass moves for a
+// clearance, its approach paths (approach_paths.h) move with it.
 #pragma once
 
 #include <span>
@@ -18,14 +18,16 @@ struct TerrainWithoutRoads {
   const map::Heightfield& heights;
 };
 
-/// Plans the profiles of paths that leave the ground, and of approach paths that must move.
+/// Plans the profiles of paths that leave the ground, and of approach paths that must move. An approach path leads up
+/// to a bridge, down to a tunnel, or below a bridge.
 ///
-/// @param profiles  Those of other lines are decided; those of paths off the ground may be anything.
+/// @param profiles  Final profiles of all other lines. The profiles of paths off the ground are replaced.
+/// @param terrain   Terrain and water before roads grade it.
 ///
-/// Guarantees: other lines stay; at map nodes paths meet within kKnotError_m, and other lines within twice that.
-/// Approach paths that need not move get no profile, unless they pass below another line. Reports kClearanceNotMet or
-/// kLayersContradict for all lines, and kCrossingWithoutOrder. Total. Depends on what
-/// lies within the distances of approach_paths(), kSpanEndRadius_m along bridges and tunnels, and kGrading_m.
+/// Guarantees: other lines stay. At map nodes paths have equal heights within kKnotError_m, and meet other lines within
+/// twice that. An approach path gets a profile only if it must move, or passes below another line. Reports
+/// kClearanceNotMet or kLayersContradict for all lines, and kCrossingWithoutOrder. Cannot fail. Depends on data within
+/// the distances of approach_paths(), kSpanEndRadius_m along bridges and tunnels, and kGrading_m.
 Profiles plan_paths(const map::Features& features, Profiles profiles, const TerrainWithoutRoads& terrain,
                     Report& report);
 

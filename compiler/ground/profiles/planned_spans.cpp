@@ -9,10 +9,6 @@
 namespace citykiln::ground {
 namespace {
 
-// The least covered share of a bore, away from both ends where it is longer than that, and the spacing of samples.
-// The same figures as structures::is_underground(), which knows how a tunnel ends.
-constexpr double kMinCoveredShare = 0.6, kPortalLength_m = 16, kSampleSpacing_m = 4;
-
 struct Samples {
   int all = 0, covered = 0;
 };
@@ -23,7 +19,7 @@ Samples sample_cover(const roads::Road& tunnel, double from_m, double to_m, cons
   Samples samples;
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const double long_m = along[i + 1] - along[i];
-    for (double at_m = along[i]; at_m < along[i + 1]; at_m += kSampleSpacing_m) {
+    for (double at_m = along[i]; at_m < along[i + 1]; at_m += kCoverSample_m) {
       if (at_m < from_m || at_m > to_m) continue;
       const Vec2 at = tunnel.axis[i] + (tunnel.axis[i + 1] - tunnel.axis[i]) * ((at_m - along[i]) / long_m);
       ++samples.all;
@@ -33,10 +29,11 @@ Samples sample_cover(const roads::Road& tunnel, double from_m, double to_m, cons
   return samples;
 }
 
+// Samples as structures::is_underground() does, which also knows how a tunnel ends.
 bool is_bored(const roads::Road& tunnel, const map::Heightfield& heights) {
   if (tunnel.profile.empty()) return false;
   const double long_m = roads::distances_along(tunnel.axis, 0).back();
-  const double end_m = std::min(kPortalLength_m, std::max(0.0, long_m / 2 - kSampleSpacing_m));
+  const double end_m = std::min(kPortalLength_m, std::max(0.0, long_m / 2 - kCoverSample_m));
   const Samples samples = sample_cover(tunnel, end_m, long_m - end_m, heights);
   return samples.covered >= kMinCoveredShare * samples.all;
 }

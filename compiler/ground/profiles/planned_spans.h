@@ -1,4 +1,4 @@
-// Bridges and tunnels with decided profiles, as the grading of the terrain takes them.
+// Selects the bridges and tunnels that limit the height of the land: land lies below decks and above bores.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,17 @@
 
 namespace citykiln::ground {
 
+/// The least share of a bore's ceiling that is below the terrain, not counting kPortalLength_m at both ends, and the
+/// spacing of samples.
+inline constexpr double kMinCoveredShare = 0.6, kPortalLength_m = 16, kCoverSample_m = 4;
+
+/// Bridges and tunnels as roads with profiles.
 struct PlannedSpans {
-  std::vector<roads::Road> decks;  ///< Bridges: the land keeps below them.
-  std::vector<roads::Road> bores;  ///< Tunnels whose ceiling lies under the terrain for most of their length.
+  std::vector<roads::Road> decks;  ///< Bridges; the land is below them.
+  std::vector<roads::Road> bores;  ///< Tunnels whose ceiling is below the terrain for most of their length.
 };
 
-/// Returns the spans that are driven on, not those of paths. O(length of tunnels).
+/// Returns the bridges and tunnels of roads and rails, not those of paths. O(length of tunnels).
 PlannedSpans planned_spans(const map::Features& features, const Profiles& profiles, const map::Heightfield& heights);
 
 }  // namespace citykiln::ground

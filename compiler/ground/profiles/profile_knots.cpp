@@ -52,8 +52,8 @@ struct Placed {
   double at_m;
 };
 
-// Of two stations rounded to one place one gets a knot: the way's end. But an end that meets nothing leaves its knot to
-// a junction beside it: rounding of two knots so close would tilt the piece between them.
+// If two stations are rounded to one place, the way's end gets the knot. But an end that meets nothing leaves its knot
+// to a junction beside it, since rounding of two knots so close would tilt the piece between them.
 std::vector<Placed> knot_places_of(const ProfileGraph& graph, std::span<const Station> stations) {
   const auto is_free_end = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() == 1; };
   const auto is_meeting = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() > 2; };

@@ -1,29 +1,32 @@
-// Measures planned water against its promises, from its recipes and the terrain alone.
+// Measures whether planned water keeps its guarantees, from its recipes (polygons with levels, watercourses with height
+// profiles) and the terrain only.
 #pragma once
 
 #include <cstddef>
 #include <span>
 
 #include "compiler/ground/recipe.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::ground {
 
+/// Numbers of waters and their largest deviations, in metres.
 struct WaterMeasures {
   std::size_t streams = 0, standing = 0;
-  std::size_t streams_that_rise = 0;  ///< Along their axis, or from one to another at a common vertex.
+  std::size_t streams_that_rise = 0;  ///< Streams that rise along their axis, or to another at a common vertex.
   std::size_t waters_not_level = 0;   ///< Pairs of polygons with a common edge and different levels (a dam).
   double largest_rise_m = 0;
   double deepest_below_land_m = 0,
-         highest_above_land_m = 0;  ///< Of streams, at knots and vertices in the terrain's box.
+         highest_above_land_m = 0;  ///< At knots and vertices of streams in the terrain's box.
 };
 
-/// Measures. Streams without profile count as lying on the terrain. O(n log n).
+/// Measures planned water. Streams without profile count as lying on the terrain. O(n log n).
 WaterMeasures measure_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                              const map::Heightfield& heights);
 
-/// Returns the height of a stream's water at a distance along its whole way; the terrain's at `there` without profile.
+/// Returns the height of a stream's water at a distance along its whole way.
+/// @param there  The place at that distance; a stream without profile has the terrain's height there.
 double water_at_station_m(const roads::Strip& stream, double at_m, Vec2 there, const map::Heightfield& heights);
 
 }  // namespace citykiln::ground

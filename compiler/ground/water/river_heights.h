@@ -1,4 +1,4 @@
-// Heights of all nodes of a river network.
+// Finds the heights of all nodes of a river network: places along watercourses, and lakes as one node each.
 #pragma once
 
 #include <vector>
@@ -7,24 +7,28 @@
 
 namespace citykiln::ground {
 
-/// The cost of a metre of water above the terrain; a metre below costs 1. More means fewer dams of water over pits and
-/// deeper cuts beside them.
+/// The cost of a metre of water above the terrain, if a metre below costs 1. With a higher cost less water stands above
+/// pits of the terrain, and cuts beside the pits are deeper.
 inline constexpr int kAboveCost = 3;
+/// The largest depth that smoothing adds.
 inline constexpr double kMaxSmoothing_m = 4;
 
 struct RiverHeights {
   std::vector<double> height_m;  ///< Per node.
-  std::vector<bool> is_cycle;    ///< Nodes on a cycle other than standing water.
+  std::vector<bool> is_cycle;    ///< Per node: true on a cycle, except for standing water.
 };
 
 /// Fits heights that never rise downstream to the terrain, then smooths them.
 ///
-/// Method: (1) cycles are contracted to one node, hence level: only then is downstream an order; (2) fit_descending()
-/// with kAboveCost above the terrain, so that water lies at the lower quarter of what it pools; (3) rounds in which a
-/// node moves towards the lowest of the nodes upstream and the highest of those downstream, which keeps heights
-/// descending. Smoothing never lifts water above all terrain upstream of it and cuts at most kMaxSmoothing_m deeper;
-/// standing water, springs and ends stay.
-/// Guarantees: no node lies lower than one downstream of it; the sea lies at 0. Priorities: descent, then levels of
+/// @param seas  For each standing water: true if it is the sea.
+///
+/// Method: (1) Each cycle is contracted to one node and so becomes level, since downstream is an order only without
+/// cycles. (2) fit_descending() with kAboveCost, so that a level part of a river is at the lower quartile of its
+/// terrain. (3) Rounds in which a node moves towards the lowest node upstream and the highest node downstream, which
+/// keeps heights descending. Smoothing never lifts water above all terrain upstream of it, and cuts at most
+/// kMaxSmoothing_m deeper; standing water, springs and ends stay.
+///
+/// Guarantees: no node is lower than a node downstream of it; the sea is at 0. Priorities: descent, then levels of
 /// standing water, then the terrain. A pit of width w lowers the river beside it by no more than its bed falls over
 /// kAboveCost · w. O(n log² n).
 RiverHeights find_river_heights(const RiverNetwork& network, const std::vector<bool>& seas);

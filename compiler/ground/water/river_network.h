@@ -1,4 +1,5 @@
-// Waterways as a network: where they meet, where they cross standing water, and the terrain along them.
+// The network of waterways: stations along them with the terrain's heights, joined at common vertices and lakes. A
+// station is a place along a waterway at which a height is fitted; a node is one or several stations of equal height.
 //
 //   ~o~~o~~o~~o~~•~~o~~o~~[  lake  ]~~o~~o~~•      stations: o on the way, • where lines meet or end,
 //                 \~o~~o~~/                        [ ] where one enters and leaves; a lake is one node
@@ -9,40 +10,44 @@
 #include <vector>
 
 #include "compiler/ground/water/standing_water.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::ground {
 
 /// A node whose height is to be found.
 struct RiverNode {
-  double land_m = 0;           ///< Of the terrain; of standing water its level by the shore.
-  std::int64_t weight_mm = 1;  ///< Length of river that it stands for; 1 where the terrain says nothing.
+  double land_m = 0;           ///< Height of the terrain; for standing water its level by the shore.
+  std::int64_t weight_mm = 1;  ///< Length of river that it represents; 1 if the terrain is unknown there.
   bool is_known() const { return weight_mm > 1; }
 };
 
+/// A place along a line.
 struct RiverStation {
-  double at_m = 0;  ///< Along the line.
+  double at_m = 0;  ///< Distance along the line.
   std::uint32_t node = 0;
-  bool is_pinned = false;  ///< At ends, junctions and shores: becomes a knot. Others are multiples of 1/8 m.
+  bool is_pinned = false;  ///< True at ends, junctions and shores: it becomes a knot. Others are at multiples of 1/8 m.
 };
 
+/// The stations of one waterway.
 struct RiverLine {
-  std::vector<RiverStation> stops;  ///< By at_m, strictly rising, from one end of the line to the other.
+  std::vector<RiverStation> stops;  ///< With strictly increasing at_m, from one end of the line to the other.
 };
 
 struct RiverNetwork {
-  std::vector<RiverNode> nodes;  ///< Those of standing waters first, in their order.
-  std::vector<RiverLine> lines;  ///< Of the streams, then of the covered axes.
+  std::vector<RiverNode> nodes;  ///< Nodes of standing waters first, in their order.
+  std::vector<RiverLine> lines;  ///< Lines of the streams, then of the covered axes.
   std::size_t water_count = 0;
   bool is_water(std::uint32_t node) const { return node < water_count; }
 };
 
 /// Builds the network. Lines meet at common vertices. Stations are half a grid step of the terrain apart, at least 8 m.
 ///
-/// @param covered  Axes of culverts and aqueducts, downstream like the streams: they connect rivers.
-/// Does not depend on the order of lines, except for node numbers. O(n log n) in vertices and stations, plus streams
-/// times waters.
+/// @param covered   Axes of culverts and aqueducts, which connect rivers, directed downstream.
+/// @param surfaces  Land cover, with the polygons of `waters`.
+///
+/// The order of lines decides only the numbers of nodes. O(n log n) in vertices and stations, plus streams times
+/// waters.
 RiverNetwork make_river_network(std::span<const roads::Strip> streams, std::span<const Polyline> covered,
                                 std::span<const LandCoverPolygon> surfaces, const StandingWaters& waters,
                                 const map::Heightfield& heights);

@@ -1,4 +1,4 @@
-// Standing water and its level by the terrain along its shore.
+// Finds bodies of standing water, and their levels from the terrain along the shore.
 #pragma once
 
 #include <cstdint>
@@ -8,54 +8,55 @@
 #include "compiler/contract/report.h"
 #include "compiler/ground/cover/shared_borders.h"
 #include "compiler/ground/recipe.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 
-/// The share of a shore that may lie below its water: heightmaps are coarse and have pits, but no lake stands above
-/// most of its shore.
+/// The share of a shore that may be below its water. Heightmaps are coarse and have pits, but no lake is above most of
+/// its shore.
 inline constexpr double kShoreQuantile = 0.2;
-/// Waters with a common border are one unless their shores differ by more than this: then a dam parts them.
+/// Polygons with a common border are one water if their shores differ by at most this. A larger difference means a dam.
 inline constexpr double kDam_m = 10;
 
 inline constexpr std::uint32_t kNoWater = 0xffffffffu;
 
 /// One body of standing water: one or more polygons.
 struct StandingWater {
-  ObjectId id;          ///< The lowest of its polygons'.
-  double level_m = 0;   ///< By its shore alone; the sea's is 0. A multiple of kProfileQuantum_m.
-  double shore_m = 0;   ///< Length of shore sampled, in whole metres.
-  bool is_sea = false;  ///< The sea, and docks and lagoons at its border that lie low.
+  ObjectId id;          ///< The lowest id of its polygons.
+  double level_m = 0;   ///< Level from the shore, 0 for the sea; a multiple of kProfileQuantum_m.
+  double shore_m = 0;   ///< Length of the sampled shore, in whole metres.
+  bool is_sea = false;  ///< True for the sea, and for low docks and lagoons at its border.
 };
 
 struct StandingWaters {
   std::vector<StandingWater> waters;    ///< Sorted by id.
-  std::vector<std::uint32_t> water_of;  ///< Per polygon its water, or kNoWater.
+  std::vector<std::uint32_t> water_of;  ///< Per polygon the index of its water, or kNoWater.
 };
 
-/// Returns true for sea, lake, reservoir, basin, pool and dock, not for rivers.
+/// True for sea, lake, reservoir, basin, pool and dock; false for rivers.
 bool is_standing(map::LandCoverClass surface);
 
-/// Samples the terrain along rings and returns quantiles of its height and the length sampled. Left out: edges more
-/// than eight times as long as their ring's median (a misplaced node has two), places outside the terrain (rings are
-/// trimmed there), and edges in `shared` (sorted), which have water on both sides. If nothing is left, all is sampled.
-/// O(n log n).
+/// Quantiles of the terrain's height along a shore, and the sampled length.
 struct Shore {
-  double low_m = 0, high_m = 0;  ///< Heights below and above which kShoreQuantile of the shore lies.
+  double low_m = 0, high_m = 0;  ///< A share kShoreQuantile of the shore is below low_m, the same above high_m.
   double length_m = 0;
 };
+/// Samples the terrain along rings. Left out are edges more than eight times as long as their ring's median (a
+/// misplaced node has two), places outside the terrain, where rings are trimmed, and edges in `shared` (sorted), which
+/// have water on both sides. If nothing is left, all is sampled. O(n log n).
 Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std::span<const Edge> shared = {});
 
-/// Groups standing polygons with common borders into waters and finds their levels.
+/// Groups polygons of standing water with common borders into waters and finds their levels.
 ///
-/// @param stands  Per polygon: whether it is standing water.
-/// Guarantees: does not depend on the order of polygons; at most kShoreQuantile of the shore of a water of one polygon
-/// lies below its level. Total. Reports kSeaLevelOffShore for a sea with a shore more than kSeaShore_m from 0.
+/// @param stands  Per polygon: true if it is standing water.
+/// Guarantees: does not depend on the order of polygons; for a water of one polygon, at most kShoreQuantile of the
+/// shore is below its level. Reports kSeaLevelOffShore for a sea whose shore is more than kSeaShore_m from 0.
 StandingWaters find_standing_waters(std::span<const LandCoverPolygon> surfaces, const std::vector<bool>& stands,
                                     const map::Heightfield& heights, Report& report);
 
-/// Returns the polygon without misplaced vertices: both edges many times longer than the ring's others, and the terrain
-/// there and halfway far from the level. Reports kShoreSpike for each.
+/// Returns the polygon without misplaced vertices, for which both edges are many times longer than the ring's other
+/// edges, and the terrain at the vertex and in the middle of the edges is far from the level. Reports kShoreSpike for
+/// each.
 LandCoverPolygon without_spikes(LandCoverPolygon surface, double level_m, const map::Heightfield& heights,
                                 Report& report);
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/geometry/segment.h"
+
 namespace citykiln::ground {
 namespace {
 
@@ -17,9 +19,8 @@ struct Foot {
 };
 
 Foot foot_on(Vec2 a, Vec2 b, Vec2 p) {
-  const Vec2 along = b - a;
-  const double t = std::clamp(dot(p - a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
-  return {distance(p, a + along * t), t};
+  const double share = nearest_share(a, b, p);
+  return {distance(p, a + (b - a) * share), share};
 }
 
 // Adds an axis cut at its vertices and knots, so that the height is linear along each piece.
@@ -68,7 +69,7 @@ struct NearShore {
   std::optional<double> level_m;
 };
 
-// Of equally near shores the first polygon's counts.
+// On a tie the shore of the first polygon counts.
 NearShore nearest_shore(const WaterIndex& index, Vec2 p) {
   NearShore nearest;
   for (const std::uint32_t i : boxes_about(index.shores_grid, p)) {

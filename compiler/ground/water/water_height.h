@@ -1,7 +1,7 @@
 // The height of water at a place, from recipes with levels, profiles and influence radii.
 //
-//   ‾‾‾‾\  ~ ~ ~ ~ ~ ~ ~ ~  /‾‾‾     Across a river the heights of all pieces of axes near by are blended, the nearer
-//        \_______•_________/         the more: so a bend, an arm or a mouth makes no step.
+//   ‾‾‾‾\  ~ ~ ~ ~ ~ ~ ~ ~  /‾‾‾     Across a river the heights of all pieces of axes near by are blended, nearer ones
+//        \_______•_________/         with more weight, so that bends, arms and mouths make no steps.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,14 @@
 
 namespace citykiln::ground {
 
-/// The level of standing water is known up to this distance: farther than any simplified shore moves.
+/// The level of standing water applies up to this distance from its shore, farther than simplification moves any shore.
 inline constexpr double kStandingInfluence_m = 32;
 
-/// Returns the influence radius of a stream: beyond its own strip, and over its river's area.
+/// Returns the influence radius of a stream: the distance from its axis within which its profile gives heights. It
+/// contains the stream's own strip, and the area of its river.
 double reach_m(const roads::Strip& stream);
 
-/// Recipes of water, indexed. Holds copies; can be moved, not copied.
+/// An index of water recipes. Contains copies of them; can be moved, not copied.
 struct WaterIndex {
   /// A piece of an axis along which the height is linear.
   struct Piece {
@@ -37,10 +38,10 @@ struct WaterIndex {
     double level_m;
   };
   std::vector<LandCoverPolygon> standing;
-  LandCoverIndex map;  ///< Of `standing`.
+  LandCoverIndex map;  ///< Index of `standing`.
   std::vector<Piece> pieces;
   std::vector<Shore> shores;
-  BoxGrid pieces_grid, shores_grid;  ///< Of the boxes that pieces and shores influence, within the index's box.
+  BoxGrid pieces_grid, shores_grid;  ///< Grids of the boxes of influence of pieces and shores, in the index's box.
 
   WaterIndex() = default;
   WaterIndex(WaterIndex&&) = default;
@@ -48,18 +49,18 @@ struct WaterIndex {
   WaterIndex(const WaterIndex&) = delete;
 };
 
-/// Builds the index.
-/// @param box  Where heights may be asked for.
-/// Polygons without level and streams without profile are ignored. Linear, times the 32 m buckets within a radius.
+/// Builds the index. Polygons without level and streams without profile are ignored. Linear, times the 32 m buckets
+/// within a radius.
+/// @param box  The box in which heights can be queried.
 WaterIndex index_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                         const Box2& box);
 
-/// Returns the height of water at p: on a shore or inside standing water its level; else that of running water within
-/// its radius; else the level of the nearest shore within kStandingInfluence_m; else nothing.
+/// Returns the height of water at p: inside standing water and on its shore its level; else the height of running water
+/// whose radius of influence contains p; else the level of the nearest shore within kStandingInfluence_m; else nothing.
 ///
-/// Guarantees: on an axis the height of its profile; between the lowest and highest axis in range; continuous where
-/// running water is alone. Depends only on polygons within kStandingInfluence_m of p and on axes within their radius,
-/// in the order of their ids: an index of recipes trimmed no nearer gives the same bits. p must lie in the index's box.
+/// Guarantees: on an axis, the height of its profile; elsewhere a height between the lowest and highest axis in range;
+/// continuous away from standing water. Depends only on polygons within kStandingInfluence_m of p and on axes whose
+/// radius contains p, in the order of their ids, so trimmed recipes give the same bits. p must lie in the index's box.
 /// O(pieces in range).
 std::optional<double> water_m(const WaterIndex& index, Vec2 p);
 

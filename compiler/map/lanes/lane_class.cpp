@@ -4,8 +4,8 @@
 #include <cassert>
 
 #include "compiler/map/land_cover_class.h"
+#include "compiler/map/lanes/track_rules.h"
 #include "compiler/map/tag_values.h"
-#include "compiler/map/track_rules.h"
 
 namespace citykiln::map {
 namespace {
@@ -34,27 +34,28 @@ bool is_for_buses(const LaneTags& tags) {
 }
 
 struct RegionRow {
-  RoadRegion region;
+  RoadGuidelines guidelines;
   std::string_view value;
   double width_m;
   int lanes;
 };
 constexpr RegionRow kRegionalWidths[] = {
-#define REGIONAL(region, highway, width_m, lanes) {RoadRegion::region, highway, width_m, lanes},
+#define REGIONAL(guidelines, highway, width_m, lanes) {RoadGuidelines::guidelines, highway, width_m, lanes},
 #include "compiler/map/lanes/regional_widths.inc"
 #undef REGIONAL
 };
 
-// The row with the region's width and number of lanes, where they differ.
-TrackRow regional(TrackRow row, RoadRegion region) {
+// The row with the guidelines' width and number of lanes, if they differ.
+TrackRow by_guidelines(TrackRow row, RoadGuidelines guidelines) {
   if (row.key != "highway") return row;
   for (const RegionRow& other : kRegionalWidths)
-    if (other.region == region && other.value == row.value) row.width_m = other.width_m, row.lanes = other.lanes;
+    if (other.guidelines == guidelines && other.value == row.value)
+      row.width_m = other.width_m, row.lanes = other.lanes;
   return row;
 }
 
 LaneClass class_of(const LaneTags& tags, const TrackRow& usual) {
-  const TrackRow row = regional(usual, tags.region);
+  const TrackRow row = by_guidelines(usual, tags.guidelines);
   LaneClass result{kind_of(row), row.width_m, row.lanes, row.surface == LandCoverClass::kMotorwayRoad, false, false};
   result.is_road = row.key == "highway" && (result.kind == LaneKind::kDriving || result.kind == LaneKind::kBus);
   result.is_both_ways = !result.is_road && result.kind != LaneKind::kCycle;

@@ -1,4 +1,4 @@
-// The lane class of a way: its row of track_rules.inc in terms of lanes.
+// The lane class of a way: the default kind, width and number of its lanes.
 #pragma once
 
 #include "compiler/map/lanes/lane_tags.h"
@@ -7,16 +7,17 @@ namespace citykiln::map {
 
 struct LaneClass {
   LaneKind kind = LaneKind::kFoot;
-  double width_m = 2;         ///< Of one lane; of the whole where lanes are not counted.
+  double width_m = 2;         ///< Width of one lane, or of the whole way if lanes are not counted.
   int lanes = 0;              ///< The default number; 0: lanes are not counted.
-  bool is_motorway = false;   ///< Keeps its number of lanes when one-way.
-  bool is_road = false;       ///< Has a carriageway, roadsides and pavements by tags.
-  bool is_both_ways = false;  ///< Used both ways regardless of oneway=*: foot, rails, runways.
+  bool is_motorway = false;   ///< True if one-way roads have the default number of lanes, too.
+  bool is_road = false;       ///< True if tags can give it roadsides and pavements.
+  bool is_both_ways = false;  ///< True if used both ways regardless of oneway=*: foot, rails, runways.
 
-  /// Returns the total width where untagged, by the lanes counted in tags (1.5 is possible).
+  /// Returns the default total width of `counted` lanes; 1.5 lanes are possible.
   double width_m_of(double counted) const;
 };
 
+/// Returns the lane class of a way.
 LaneClass lane_class_of(const LaneTags& tags);
 
 /// Widths of lane_rules.inc, metres.

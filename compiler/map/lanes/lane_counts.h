@@ -1,4 +1,4 @@
-// The number of lanes of each flow of a road.
+// Counts the lanes of a road, by direction of traffic (flow).
 #pragma once
 
 #include "compiler/map/lanes/lane_class.h"
@@ -10,18 +10,19 @@ namespace citykiln::map {
 /// The lanes for cars, buses and turning, without cycle lanes.
 struct LaneCounts {
   PerFlow<int> flows;
-  int in_middle = 0;               ///< Shared by both flows.
-  bool is_middle_to_turn = false;  ///< For turning, else for driving.
-  bool is_contraflow_bus = false;  ///< The opposite flow of a one-way road is a bus lane.
-  double counted = 0;              ///< The count by which the class computes its width: lanes=1.5 is one and a half.
-  bool is_tagged = false;          ///< By tags; otherwise the class's default.
+  int in_middle = 0;               ///< Lanes that both flows share.
+  bool is_middle_to_turn = false;  ///< True if the middle lanes are for turning, else they are for driving.
+  bool is_contraflow_bus = false;  ///< True if the opposite flow of a one-way road is a bus lane.
+  double counted = 0;              ///< The number from which default widths follow: 1.5 for lanes=1.5.
+  bool is_tagged = false;          ///< True if from tags, else the class's default.
 
   int total() const { return flows[Flow::kForward] + flows[Flow::kBackward] + in_middle; }
 };
 
 /// Returns the counts by lanes, lanes:forward, lanes:backward, lanes:both_ways, centre_turn_lane and the lengths of the
-/// lists, in the order of precedence of lanes.h. At least one lane, at most kMaxLanes a flow and kMaxLanesOfRoad in
-/// all. Diagnosed: kBadTagValue for contradictions.
+/// …:lanes lists, with the precedence of lanes.h. There is at least one lane, at most kMaxLanes per flow and
+/// kMaxLanesOfRoad in all. Contradictions are diagnosed kBadTagValue.
+/// @param lists  The …:lanes lists of each flow.
 LaneCounts lane_counts_of(const LaneTags& tags, const LaneClass& lane_class, const PerFlow<LaneList>& lists);
 
 }  // namespace citykiln::map

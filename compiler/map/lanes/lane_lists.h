@@ -1,4 +1,5 @@
-// The …:lanes lists of one flow: turn:lanes, bus:lanes, psv:lanes, bicycle:lanes, width:lanes.
+// Reads the …:lanes lists of one flow (the traffic in one direction): turn:lanes, bus:lanes, psv:lanes, bicycle:lanes,
+// width:lanes.
 #pragma once
 
 #include <vector>
@@ -7,7 +8,7 @@
 
 namespace citykiln::map {
 
-/// One entry of the lists. width_m 0: untagged.
+/// The entries of all lists for one lane. width_m 0: not tagged.
 struct ListedLane {
   LaneKind kind = LaneKind::kDriving;  ///< kDriving, kBus or kCycle.
   double width_m = 0;
@@ -23,10 +24,12 @@ struct LaneList {
   int driven_count() const { return static_cast<int>(lanes.size()) - cycle_count(); }
 };
 
+/// Returns the lists of a flow; empty if none is tagged.
 LaneList listed_lanes(const LaneTags& tags, Flow flow);
 
-/// Returns the LaneTurn bits of one lane's turns ("left;through"). Unknown words set no bit, lists of several lanes
-/// none at all; both set `is_known` to false.
+/// Returns the LaneTurn bits of one lane's turns ("left;through").
+/// @param is_known  Set to false for an unknown word, which sets no bit, and for a text with several lanes
+///                  ("left|right"), which gives no bits at all.
 std::uint16_t turns_of(std::string_view text, bool& is_known);
 
 }  // namespace citykiln::map

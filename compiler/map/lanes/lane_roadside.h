@@ -1,4 +1,6 @@
-// The roadsides of a road: cycle lanes, parked cars, shoulders, verges, cycle tracks, pavements.
+// Reads the roadsides of a road from its tags. A flow is the traffic in one direction of the way: forward or backward.
+// The roadside of a flow is on its side of the road: the lanes beside the moving traffic, such as cycle lanes, parked
+// cars and pavements.
 #pragma once
 
 #include <vector>
@@ -8,16 +10,19 @@
 
 namespace citykiln::map {
 
-/// A lane of a roadside. inside_m is the part of it that width=* counts.
+/// A lane of a roadside.
 struct RoadsideLane {
   Lane lane;
-  double inside_m = 0;
+  double inside_m = 0;  ///< The part of the lane's width that the tag width=* includes; 0 for lanes outside the kerb.
 };
 
-/// Returns the roadside of a flow, from its outer lane outwards: buffer, cycle lane, parking, shoulder; then, raised,
-/// verge, buffer, cycle track and pavement. At most six lanes. One-way roads have a roadside on both sides.
+/// Returns the lanes on the side of one flow, from the moving traffic outwards: buffer, cycle lane, parking and
+/// shoulder on the carriageway; then verge, buffer, cycle track and pavement behind the kerb. At most six lanes.
 ///
-/// @param has_cycle_lane  The flow's own lanes include one.
+/// @param flow            The side: Flow::kForward is the side on which forward traffic drives. One-way roads have both
+///                        sides, too.
+/// @param has_cycle_lane  True if bicycle:lanes lists a cycle lane among the moving lanes of the flow: cycleway=lane
+///                        then adds no second one.
 std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lane_class, Flow flow,
                                       bool has_cycle_lane);
 

@@ -1,7 +1,8 @@
-// A road's tags by direction of traffic and by roadside, independent of the driving side.
+// Reads a road's tags by direction of traffic and by side, for both driving sides.
 //
-// The two flows of a road are mirror images: every lane list here runs from the middle of the road outwards, and the
-// roadside of a flow is the one beside its outer lane. So one implementation serves both flows and both driving sides.
+// The two flows of a road are mirror images. Every lane list in this folder runs from the middle of the road outwards,
+// and the roadside of a flow is the one beside its outer lane. So one implementation serves both flows and both driving
+// sides.
 #pragma once
 
 #include <array>
@@ -13,10 +14,11 @@
 
 #include "compiler/map/lanes/lanes.h"
 #include "compiler/map/read_context.h"
-#include "compiler/map/road_region.h"
+#include "compiler/map/road_guidelines.h"
 
 namespace citykiln::map {
 
+/// The traffic in one direction: along the way, or against it.
 enum class Flow : std::uint8_t { kForward, kBackward };  ///< Along the way, and against it.
 inline constexpr std::array kFlows = {Flow::kForward, Flow::kBackward};
 
@@ -25,7 +27,7 @@ inline LaneDirection way_of(Flow flow) {
   return flow == Flow::kForward ? LaneDirection::kForward : LaneDirection::kBackward;
 }
 
-/// The flows of a road.
+/// The directions in which a road is used.
 enum class Traffic : std::uint8_t { kTwoWay, kForward, kBackward, kInTurns /* oneway=reversible, alternating */ };
 
 /// One value for each flow.
@@ -36,12 +38,13 @@ struct PerFlow {
   const T& operator[](Flow flow) const { return values[static_cast<std::size_t>(flow)]; }
 };
 
+/// The tags of one way.
 struct LaneTags {
   const ReadContext& context;
   OsmId id;
   source::Range tags;
   DrivingSide side;
-  RoadRegion region = RoadRegion::kElsewhere;
+  RoadGuidelines guidelines = RoadGuidelines::kElsewhere;
   Traffic traffic = Traffic::kTwoWay;
 
   std::string_view operator()(std::string_view key) const { return context.tag(tags, key); }
@@ -56,31 +59,31 @@ struct LaneTags {
     assert(is_one_way());
     return traffic == Traffic::kBackward ? Flow::kBackward : Flow::kForward;
   }
-  /// True where the flow has lanes of its own: not for the opposite flow of a one-way road.
+  /// True if the flow has lanes of its own; false for the opposite flow of a one-way road.
   bool has(Flow flow) const { return traffic == Traffic::kTwoWay || (is_one_way() && flow == only_flow()); }
 
-  /// ":forward" or ":backward".
+  /// Returns ":forward" or ":backward".
   static std::string_view suffix(Flow flow) { return flow == Flow::kForward ? ":forward" : ":backward"; }
-  /// "left" or "right": the roadside of a flow.
+  /// Returns the side of the road on which a flow drives: "left" or "right", as seen along the way.
   std::string_view roadside(Flow flow) const;
-  /// The value of key:<side>suffix, else of key:both+suffix; "" where neither is tagged.
+  /// The value of key:<side><suffix> for the side of a flow, else of key:both<suffix>; "" if neither is tagged.
   std::string_view beside(Flow flow, std::string_view key, std::string_view suffix = "") const;
-  /// The key that states something for the lanes of one flow: key+":forward", or, where that is untagged, key alone on
-  /// a one-way road of that flow.
+  /// The key that applies to the lanes of one flow: key+":forward" or key+":backward"; if that is not tagged and the
+  /// road is one-way in this direction, the key alone.
   std::string key_along(Flow flow, const std::string& key) const;
-  /// The list "a|b|c" of one flow's lanes, from the middle of the road outwards; empty where untagged.
+  /// The entries of a list "a|b|c" for one flow's lanes, from the middle of the road outwards; empty if not tagged.
   std::vector<std::string_view> list_along(Flow flow, const std::string& key) const;
 
-  /// A number of lanes, least … kMaxLanes; else nothing, diagnosed.
+  /// A tagged number of lanes, `least` to kMaxLanes; nothing if the key is not tagged. Other values are diagnosed.
   std::optional<double> count(const std::string& key, double least) const;
-  /// A width beside the road, 0.1 … 20 m; for verges also verge:width. Not diagnosed here, since one value may serve
-  /// both sides.
+  /// The tagged width of a lane on the side of a flow, 0.1 to 20 m; for verges also verge:width. Bad values are not
+  /// diagnosed here, since one value may apply to both sides (diagnose_widths_beside()).
   std::optional<double> width_beside(Flow flow, std::string_view key) const;
 };
 
-/// One way.
+/// The most lanes of a flow.
 inline constexpr int kMaxLanes = 16;
-/// In both directions; with four cycle lanes and two roadsides of six, 42.
+/// The most lanes of both flows together; with four cycle lanes and two roadsides of six, 42 lanes.
 inline constexpr int kMaxLanesOfRoad = 26;
 
 /// Returns the traffic of a value of oneway=*; nothing for unknown values.

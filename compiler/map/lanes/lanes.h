@@ -4,16 +4,15 @@
 //   1. lanes:forward, lanes:backward, lanes:both_ways over lanes; lanes over the number of entries of …:lanes lists
 //   2. bicycle:lanes, bus:lanes, psv:lanes over lanes:bus, lanes:psv, busway, cycleway
 //   3. …:left and …:right over …:both over the key alone; parking:… over parking:lane:…
-//   4. width:lanes over width over est_width over the class's widths (regional_widths.inc, track_rules.inc); never
-//   narrower than
-//      kNarrowestLane_m of lane_rules.inc, except for a single lane. A width that leaves each lane that lanes=* counts
-//      more than kWidestLane_m, beside two rows of parked cars, is that of the whole street: it is not used
+//   4. width:lanes over width over est_width over the class's widths (regional_widths.inc, track_rules.inc). Lanes are
+//      never narrower than kNarrowestLane_m of lane_rules.inc, except for a single lane. A width that would give each
+//      lane of lanes=* more than kWidestLane_m, beside two rows of parked cars, is that of the whole street and ignored
 //
 // Defaults without tags:
-//   - pavements, verges, shoulders, parking and cycle lanes exist only where tagged
+//   - pavements, verges, shoulders, parking and cycle lanes exist only if tagged
 //   - lanes=* counts driving, bus and turning lanes, neither cycle lanes nor parking
 //   - the odd lane of a two-way road is driven both ways
-//   - a road of two lanes that no tag counts is one lane where two cars could not pass
+//   - two lanes that no tag counts become one if two cars could not pass
 //   - roundabouts and motorways are one-way
 //   - width=* is kerb to kerb: it includes cycle lanes and cars parked on the carriageway, but not bays, shoulders,
 //     verges, raised cycle tracks and pavements
@@ -25,27 +24,27 @@
 
 #include "compiler/map/cross_section.h"
 #include "compiler/map/read_context.h"
-#include "compiler/map/road_region.h"
+#include "compiler/map/road_guidelines.h"
 
 namespace citykiln::map {
 
-/// Returns the cross-section of the way with these tags.
+/// Returns the cross-section of a way.
 ///
 /// Guarantees: where only class, lanes, oneway and width are tagged and agree, the lanes together have the width of
 /// track_rules.inc. Swapping the driving side and left and right in all tags mirrors the lanes exactly. Reversing the
-/// way and swapping forward and backward, left and right in all tags reverses them, up to 2^-10 m a lane. Lanes beside
-/// the carriageway do not move the axis. Total: unreadable values are diagnosed kBadTagValue and ignored; a way of
-/// unknown class is a path. O(length of the tags).
+/// way and swapping forward and backward, left and right in all tags reverses them, up to 2^-10 m a lane. Raised lanes
+/// do not move the axis. Unreadable values are diagnosed kBadTagValue and ignored; a way of unknown class is a path.
+/// O(length of the tags).
 CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side);
 
-/// The cross-section of a way, and what of it tags state.
+/// The cross-section of a way, and which of its values are tagged.
 struct TaggedSection {
   CrossSection section;
-  bool has_width = false;      ///< The carriageway's, by width=*, est_width=* or width:lanes=*.
-  bool has_placement = false;  ///< That of the axis, by placement=*.
+  bool has_width = false;      ///< True if width=*, est_width=* or width:lanes=* states the carriageway's width.
+  bool has_placement = false;  ///< True if placement=* states the place of the axis.
 };
-/// Returns cross_section_of() with its sources, by the widths and numbers of lanes that are usual in the region.
+/// Returns the cross-section and its sources; default widths and numbers of lanes follow a set of guidelines.
 TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side,
-                                RoadRegion region = RoadRegion::kElsewhere);
+                                RoadGuidelines guidelines = RoadGuidelines::kElsewhere);
 
 }  // namespace citykiln::map

@@ -1,4 +1,4 @@
-// How narrow lanes can be whose width no tag states.
+// The smallest widths of lanes whose width is not tagged.
 #pragma once
 
 #include "compiler/map/cross_section.h"
@@ -6,8 +6,8 @@
 
 namespace citykiln::map {
 
-/// Returns the least width of a lane on a road of a class, by lane_rules.inc, metres. Lanes used both ways, and whole
-/// carriageways that are not divided into lanes, are at least a vehicle wide.
+/// Returns the smallest width of a lane on a road of a class, by lane_rules.inc, metres. Lanes used both ways, and
+/// carriageways that are not divided into lanes, are at least as wide as a vehicle (2.5 m).
 double narrowest_m(const Lane& lane, LandCoverClass surface);
 
 }  // namespace citykiln::map

@@ -84,7 +84,7 @@ void for_each_plant(const Planting& planting, const Box2& box, double share, std
   for (std::int64_t row = rows.first; row <= rows.last; ++row)
     for (std::int64_t plant = plants.first; plant <= plants.last; ++plant) {
       const auto number = static_cast<std::uint64_t>(plant) << 32 ^ (static_cast<std::uint64_t>(row) & 0xffffffffu);
-      const Draw draw(seed, stable_id(stable_id(planting.surface), "plant", number), "plant");
+      const RandomSequence draw(seed, stable_id(stable_id(planting.surface), "plant", number), "plant");
       if (draw.unit(kKeptDraw) >= share) continue;
       const double x = static_cast<double>(plant) + jitter * (draw.unit(kAlongDraw) - 0.5);
       const double y = static_cast<double>(row) + jitter * (draw.unit(kAcrossDraw) - 0.5);
@@ -100,7 +100,7 @@ void place_planting(PlacedPlants& placed, const Planting& planting, const Obstac
   if (here.is_empty()) return;
   const double clear_m = planting.height_m <= kLow_m ? kLowClearance_m : kTrunkClearance_m;
   const Vec2 along = row_direction(planting.heading);
-  for_each_plant(planting, here, share, context.seed, [&](Vec2 at, const Draw& draw) {
+  for_each_plant(planting, here, share, context.seed, [&](Vec2 at, const RandomSequence& draw) {
     if (ground::land_cover_at(context.surfaces, at) != surface || is_near_obstacle(trees, at)) return;
     if (clearance_m(context.surfaces, at, kLeastObstaclePriority, clear_m) < clear_m) return;
     const double height_m =

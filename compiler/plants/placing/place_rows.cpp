@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cmath>
 
-#include "compiler/geometry/snap.h"
 #include "compiler/plants/placing/placing.h"
 #include "compiler/plants/plant_size.h"
 
@@ -18,7 +16,7 @@ constexpr double kCrownSpacing = 0.95, kLeastSpacing_m = 2, kMostSpacing_m = 14;
 constexpr double kAbout_m = 8;
 
 // All trees of a row have the species drawn at its middle.
-Species species_of_row(const TreeRow& row, const PlacingContext& context, const Draw& draw) {
+Species species_of_row(const TreeRow& row, const PlacingContext& context, const RandomSequence& draw) {
   return draw_species(row.species_mix, habitat_of(context, row.axis[row.axis.size() / 2]), context.seed,
                       draw.unit(kSpeciesDraw));
 }
@@ -28,41 +26,26 @@ double spacing_m_of(const TreeRow& row, Species species, double height_m) {
   return std::clamp(kCrownSpacing * values_of(species).crown_share * height_m, kLeastSpacing_m, kMostSpacing_m);
 }
 
-// Calls visit(place, number) at equal distances along an axis, including its ends; a closed axis has one end.
-template <typename Visit>
-void for_each_along(const Polyline& axis, double spacing_m, Visit visit) {
-  const double length = length_m(axis);
-  const auto gaps = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(std::ceil(length / spacing_m)));
-  const bool is_closed = axis.size() > 3 && axis.front() == axis.back();
-  double passed_m = 0;
-  std::size_t segment = 0;
-  for (std::uint32_t i = 0; i < gaps + (is_closed ? 0 : 1); ++i) {
-    const double at_m = length * i / gaps;
-    while (segment + 2 < axis.size() && passed_m + distance(axis[segment], axis[segment + 1]) < at_m)
-      passed_m += distance(axis[segment], axis[segment + 1]), ++segment;
-    const Vec2 a = axis[segment], b = axis[segment + 1];
-    visit(snapped(a + (b - a) * std::min((at_m - passed_m) / distance(a, b), 1.0)), i);
-  }
-}
-
 void place_row(PlacedPlants& placed, const TreeRow& row, const ObstacleIndex& mapped, const PlacingContext& context,
                std::vector<Obstacle>& trees) {
-  const Draw of_row(context.seed, stable_id(row.id), "row");
+  const RandomSequence of_row(context.seed, stable_id(row.id), "row");
   const Species species = species_of_row(row, context, of_row);
   const double mean_m = row.height_m > 0 ? row.height_m : default_height_m(species);
   const double spacing_m = spacing_m_of(row, species, mean_m);
   const Box2 about = context.box.widened(kAbout_m);
-  for_each_along(row.axis, spacing_m, [&](Vec2 at, std::uint32_t number) {
-    if (!about.contains(at) || is_blocked_ground(context.surfaces, at)) return;
+  const std::vector<Vec2> places = spaced_along(row.axis, spacing_m);
+  for (std::uint32_t number = 0; number < places.size(); ++number) {
+    const Vec2 at = places[number];
+    if (!about.contains(at) || is_blocked_ground(context.surfaces, at)) continue;
     const bool is_mapped = std::ranges::any_of(boxes_about(mapped.grid, at), [&](std::uint32_t i) {
       return distance(mapped.all[i].at, at) < std::min(spacing_m / 2, mapped.all[i].radius_m);
     });
-    if (is_mapped) return;
-    const Draw draw(context.seed, stable_id(stable_id(row.id), "tree", number), "tree");
+    if (is_mapped) continue;
+    const RandomSequence draw(context.seed, stable_id(stable_id(row.id), "tree", number), "tree");
     const double height_m = mean_m * draw.between(1 - kRowHeightSpread, 1 + kRowHeightSpread, kHeightDraw);
     trees.push_back({at, crown_clearance_m(species, height_m)});
     if (is_in_half_open(context.box, at)) place_plant(placed, context, species, at, height_m, draw, row.id.osm);
-  });
+  }
 }
 
 }  // namespace
@@ -73,22 +56,6 @@ std::vector<Obstacle> place_rows(PlacedPlants& placed, std::span<const TreeRow> 
   const ObstacleIndex mapped = index_obstacles(single);
   for (const TreeRow& row : rows) place_row(placed, row, mapped, context, trees);
   return trees;
-}
-
-void add_hedge(const HedgeLine& hedge, const PlacingContext& context, PlacedPlants& placed) {
-  const double length = length_m(hedge.axis);
-  if (length <= 0 || hedge.height_m <= 0) return;
-  std::uint32_t piece = 0;
-  Vec2 before;
-  for_each_along(hedge.axis, hedge.height_m, [&](Vec2 at, std::uint32_t number) {
-    const Vec2 middle = snapped((before + at) * 0.5);
-    if (number > 0 && before != at && is_in_half_open(context.box, middle)) {
-      const Draw draw(context.seed, stable_id(stable_id(ObjectId{hedge.feature, 0}), "piece", piece), "hedge");
-      place_plant_along(placed, context, Species::kHedge, middle, hedge.height_m, unit(at - before), draw,
-                        hedge.feature);
-    }
-    before = at, ++piece;
-  });
 }
 
 }  // namespace citykiln::plants

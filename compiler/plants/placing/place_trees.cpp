@@ -14,7 +14,7 @@ struct TreeGrowth {
   double height_m;
 };
 
-TreeGrowth grown(const Tree& tree, const PlacingContext& context, const Draw& draw) {
+TreeGrowth grown(const Tree& tree, const PlacingContext& context, const RandomSequence& draw) {
   const Habitat habitat = habitat_of(context, tree.at);
   const Species species = draw_species(tree.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
   if (tree.height_m > 0) return {species, tree.height_m};
@@ -69,7 +69,7 @@ std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> tr
     if (is_here) ++account.in;
     if (is_here && !at) report.drop(account, Code::kTreeOnRoad, tree.id.osm, inside_m(context.surfaces, tree.at));
     if (!at) continue;
-    const Draw draw(context.seed, stable_id(tree.id), "tree");
+    const RandomSequence draw(context.seed, stable_id(tree.id), "tree");
     const auto [species, height_m] = grown(tree, context, draw);
     obstacles.push_back({*at, crown_clearance_m(species, height_m)});
     if (!is_here) continue;

@@ -46,7 +46,7 @@ bool is_at_edge(const WoodMap& woods, Vec2 p) {
 void place_tree(PlacedPlants& placed, const WoodMap& woods, const Sample& sample) {
   const Wood& wood = woods.woods[sample.density.owner];
   const PlacingContext& context = woods.context;
-  const Draw draw(context.seed, sample.id, "tree");
+  const RandomSequence draw(context.seed, sample.id, "tree");
   const Habitat habitat = habitat_of(context, sample.at);
   Species species = draw_species(wood.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
   if (draw.unit(kKeptDraw) < kEdgeBushes && is_at_edge(woods, sample.at)) species = Species::kBush;

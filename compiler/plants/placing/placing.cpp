@@ -1,6 +1,7 @@
 #include "compiler/plants/placing/placing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/trig.h"
@@ -18,8 +19,25 @@ bool is_by_water(const ground::GradedTerrain& ground, Vec2 p) {
 
 }  // namespace
 
+std::vector<Vec2> spaced_along(const Polyline& axis, double spacing_m) {
+  const double length = length_m(axis);
+  const auto gaps = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(std::ceil(length / spacing_m)));
+  const bool is_closed = axis.size() > 3 && axis.front() == axis.back();
+  std::vector<Vec2> places;
+  double passed_m = 0;
+  std::size_t segment = 0;
+  for (std::uint32_t i = 0; i < gaps + (is_closed ? 0 : 1); ++i) {
+    const double at_m = length * i / gaps;
+    while (segment + 2 < axis.size() && passed_m + distance(axis[segment], axis[segment + 1]) < at_m)
+      passed_m += distance(axis[segment], axis[segment + 1]), ++segment;
+    const Vec2 a = axis[segment], b = axis[segment + 1];
+    places.push_back(snapped(a + (b - a) * std::min((at_m - passed_m) / distance(a, b), 1.0)));
+  }
+  return places;
+}
+
 void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
-                       Vec2 along, const Draw& draw, OsmId feature) {
+                       Vec2 along, const RandomSequence& draw, OsmId feature) {
   assert(species < Species::kCount && height_m > 0);
   const auto variant = static_cast<std::uint8_t>(draw.unit(kVariantDraw) * kVariants);
   const Vec3 foot = snapped(at_height(at, land_m(context.ground, at)));
@@ -31,7 +49,7 @@ void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Spec
 }
 
 void place_plant(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
-                 const Draw& draw, OsmId feature) {
+                 const RandomSequence& draw, OsmId feature) {
   place_plant_along(placed, context, species, at, height_m, direction_of(draw.unit(kYawDraw)), draw, feature);
 }
 

@@ -1,11 +1,12 @@
-// Placing of plants: what the steps for single trees, tree rows, woods, plantings and hedges share.
+// The data and functions that the steps of placing plants share: single trees, tree rows, woods, plantings, hedges. A
+// prototype is one of the few distinct plants of a species; plants are scaled copies of its mesh.
 #pragma once
 
 #include <map>
 #include <span>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/report.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/placement.h"
@@ -15,21 +16,21 @@
 
 namespace citykiln::plants {
 
-/// Plants by prototype; Placement::scale is the height in metres.
+/// The placed plants by prototype. Placement::scale is the height in metres.
 using PlacedPlants = std::map<Prototype, std::vector<Placement>>;
 
-/// Least distance of trunks of woods and plantings to roads, paths, rails, water, buildings and other land cover of
-/// priority kLeastObstaclePriority and more.
+/// The least distance of trunks of woods and plantings to roads, paths, rails, water, buildings and other land cover of
+/// priority kLeastObstaclePriority or more.
 inline constexpr double kTrunkClearance_m = 1.25;
 
-/// Priority (map/land_cover_classes.inc) of water, pitches, squares, paths, rails, roads and buildings, and of nothing
-/// below it.
+/// The lowest priority (map/land_cover_classes.inc) of land cover without trunks: water, pitches, squares, paths,
+/// rails, roads and buildings.
 inline constexpr int kLeastObstaclePriority = 50;
 
-/// Influence radius of land cover on a wood's trees: how far beyond the box polygons must be known.
+/// The influence radius of land cover on the trees of woods: polygons must be known up to this distance beyond the box.
 inline constexpr double kInfluenceRadius_m = 48;
 
-/// Limit of all plant heights.
+/// The limit of all plant heights.
 inline constexpr double kTallestPlant_m = 40;
 
 /// The ground on which plants are placed.
@@ -41,58 +42,67 @@ struct PlacingContext {
   double latitude_deg = 0;
 };
 
-/// Indices of a plant's random draws.
+/// The indices of a plant's random draws.
 enum DrawIndex : std::uint32_t {
-  kHeightDraw,
-  kSpeciesDraw,
-  kYawDraw,
-  kVariantDraw,
-  kAlongDraw,
-  kAcrossDraw,
-  kKeptDraw
+  kHeightDraw,   ///< The height.
+  kSpeciesDraw,  ///< The species among those of a mix.
+  kYawDraw,      ///< The turn about the vertical.
+  kVariantDraw,  ///< The variant: one of the differently grown plants of its species.
+  kAlongDraw,    ///< The offset along a row or grid.
+  kAcrossDraw,   ///< The offset across it.
+  kKeptDraw      ///< The decision to keep or omit the plant, or to replace a tree at a wood's edge by a bush.
 };
 
-/// Adds a plant at a plane place, with its foot on the graded terrain.
+/// Adds a plant at a position in the plane, with its foot on the graded terrain.
 void place_plant(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
-                 const Draw& draw, OsmId feature);
-/// The same, turned to a direction.
-/// @param along  Unit.
+                 const RandomSequence& draw, OsmId feature);
+/// Adds a plant as place_plant() does, but turned to a direction.
+/// @param along  A unit vector.
 void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
-                       Vec2 along, const Draw& draw, OsmId feature);
+                       Vec2 along, const RandomSequence& draw, OsmId feature);
 
-/// Whether the box contains a place, without its upper sides.
+/// Returns places at equal distances of about `spacing_m` along an axis, including its ends; the ends of a closed axis
+/// are one place. The axis is longer than 0.
+std::vector<Vec2> spaced_along(const Polyline& axis, double spacing_m);
+
+/// True if the box without its upper sides contains a position.
 bool is_in_half_open(const Box2& box, Vec2 p);
 
-/// Whether the topmost land cover at a place is a carriageway, rail, building or water. Pedestrian streets are free.
+/// True if the topmost land cover at a position is a carriageway, rail, building or water, where no plant stands.
+/// Pedestrian streets may have plants.
 bool is_blocked_ground(const ground::LandCoverIndex& map, Vec2 p);
 
+/// Returns the growing conditions at a position.
 Habitat habitat_of(const PlacingContext& context, Vec2 p);
 
-/// A mapped tree or one of a row, which woods keep clear of.
+/// A mapped tree, or a tree of a row, of which woods keep clear.
 struct Obstacle {
   Vec2 at;
-  double radius_m = 0;  ///< Clearance to trunks of woods: half of the crown's width, and room for another crown.
+  double radius_m = 0;  ///< The clearance to trunks of woods: half of the crown's width, and room for another crown.
 };
+/// Returns Obstacle::radius_m for a plant, at most kMostClearance_m.
 double crown_clearance_m(Species species, double height_m);
 inline constexpr double kMostClearance_m = 7;
 
-/// Places single trees and returns them and those near the box as obstacles. Ledger "bake/tree".
+/// Places single trees. Returns them and the trees near the box as obstacles. Ledger "bake/tree".
 std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& context,
                                   Report& report);
 
-/// Places trees of rows, except where a tree of `trees` stands. Returns `trees` and those of rows.
+/// Places the trees of rows, except where an obstacle of `trees` stands. Returns `trees` and the trees of rows.
 std::vector<Obstacle> place_rows(PlacedPlants& placed, std::span<const TreeRow> rows, std::vector<Obstacle> trees,
                                  const PlacingContext& context);
 
+/// Places the trees of woods.
+/// @param trees  Obstacles: mapped trees and trees of rows, which trees of woods keep clear of.
 void place_woods(PlacedPlants& placed, std::span<const Wood> woods, std::span<const Obstacle> trees,
                  std::span<const PowerLineCorridor> corridors, const PlacingContext& context);
 
-/// Places all plantings without blades.
-/// @param trees  Gaps in the rows.
+/// Places all plantings (plants in rows) except blades: grass, reed and corn.
+/// @param trees  Obstacles, which leave gaps in the rows.
 void place_plantings(PlacedPlants& placed, std::span<const Planting> plantings, std::span<const Obstacle> trees,
                      const PlacingContext& context);
 
-/// Places plantings of grass, reed and corn; a share of them where they would be more than `most_per_km2`.
+/// Places plantings of grass, reed and corn; only a share of the blades if there would be more than `most_per_km2`.
 void place_blades(PlacedPlants& placed, std::span<const Planting> plantings, double most_per_km2,
                   const PlacingContext& context);
 
@@ -103,15 +113,17 @@ struct HedgeLine {
   OsmId feature;
 };
 
-/// Adds the pieces of a hedge along its axis, each as long as it is high, whatever the land cover. O(length).
-void add_hedge(const HedgeLine& hedge, const PlacingContext& context, PlacedPlants& placed);
+/// Adds the pieces of a hedge along its axis, each as long as it is high. Ignores land cover. O(length).
+void place_hedge(PlacedPlants& placed, const HedgeLine& hedge, const PlacingContext& context);
 
-/// Obstacles in a grid of boxes.
+/// Obstacles with a spatial index.
 struct ObstacleIndex {
   std::span<const Obstacle> all;
   BoxGrid grid;
 };
+/// Builds the index.
 ObstacleIndex index_obstacles(std::span<const Obstacle> all);
+/// True if a position is nearer to an obstacle than its radius.
 bool is_near_obstacle(const ObstacleIndex& obstacles, Vec2 p);
 
 }  // namespace citykiln::plants

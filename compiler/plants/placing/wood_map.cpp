@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/geometry/segment.h"
 #include "compiler/plants/tree_line.h"
 
 namespace citykiln::plants {
@@ -26,12 +27,6 @@ std::vector<std::uint32_t> woods_by_surface(std::span<const Wood> woods,
       of_surface[s] = static_cast<std::uint32_t>(found - woods.begin());
   }
   return of_surface;
-}
-
-double distance_to(const CorridorIndex::Segment& s, Vec2 p) {
-  const Vec2 along = s.b - s.a;
-  const double t = std::clamp(dot(p - s.a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
-  return distance(p, s.a + along * t);
 }
 
 }  // namespace
@@ -63,7 +58,7 @@ SampleDensity density_at(const WoodMap& woods, Vec2 p) {
   return density;
 }
 
-double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const Draw& draw) {
+double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const RandomSequence& draw) {
   return wood.height_m * std::min(values_of(species).height_m / kTall_m, 1.4) * height_factor(habitat) *
          draw.between(1 - kWoodHeightSpread, 1 + kWoodHeightSpread, kHeightDraw);
 }
@@ -85,7 +80,8 @@ CorridorIndex index_corridors(std::span<const PowerLineCorridor> corridors, cons
 
 bool is_in_corridor(const CorridorIndex& corridors, Vec2 p) {
   return std::ranges::any_of(boxes_about(corridors.grid, p), [&](std::uint32_t i) {
-    return distance_to(corridors.segments[i], p) < corridors.segments[i].half_m;
+    const CorridorIndex::Segment& s = corridors.segments[i];
+    return distance_to_segment(s.a, s.b, p) < s.half_m;
   });
 }
 

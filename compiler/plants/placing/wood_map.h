@@ -1,4 +1,5 @@
-// The woods of a tile by place: species mix, density and tree heights; and corridors without trees.
+// Looks up the woods of a tile by position: species mix, density and tree heights. Also looks up power-line corridors,
+// where no trees grow.
 #pragma once
 
 #include "compiler/plants/placing/blue_noise.h"
@@ -6,27 +7,29 @@
 
 namespace citykiln::plants {
 
+/// Woods with the data for queries. Refers to woods and context, which must outlive it.
 struct WoodMap {
   std::span<const Wood> woods;
   const PlacingContext& context;
-  std::vector<std::uint32_t> of_surface;  ///< Index of the wood of each polygon of context.surfaces, or kNoLandCover.
-  std::vector<SampleDensity> densities;   ///< One a wood.
+  std::vector<std::uint32_t> of_surface;  ///< By polygon of context.surfaces: the index of its wood, or kNoLandCover.
+  std::vector<SampleDensity> densities;   ///< One per wood.
 };
 
+/// Prepares the map.
 /// @param woods  Sorted by surface.
 WoodMap map_woods(std::span<const Wood> woods, const PlacingContext& context);
 
-/// The wood whose polygon is topmost at a place, or kNoLandCover.
+/// Returns the index of the wood whose polygon is topmost at a position, or kNoLandCover.
 std::uint32_t wood_at(const WoodMap& map, Vec2 p);
 
-/// The density of trees at a place: none outside woods, within kTrunkClearance_m of obstacles, and outside the
-/// polygons' box; fewer towards the tree line.
+/// Returns the density of trees at a position: none outside woods, within kTrunkClearance_m of obstacles, and outside
+/// the polygons' box; less towards the tree line.
 SampleDensity density_at(const WoodMap& map, Vec2 p);
 
-/// Height of a tree in a wood, by species, habitat and its draws.
-double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const Draw& draw);
+/// Returns the height of a tree in a wood, by species, habitat and its random draws.
+double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const RandomSequence& draw);
 
-/// Segments of power-line corridors in a grid of boxes.
+/// The segments of power-line corridors, with a spatial index.
 struct CorridorIndex {
   struct Segment {
     Vec2 a, b;
@@ -37,6 +40,7 @@ struct CorridorIndex {
 };
 /// Indexes the corridors that touch the box.
 CorridorIndex index_corridors(std::span<const PowerLineCorridor> corridors, const Box2& box);
+/// True if a position lies in a power-line corridor.
 bool is_in_corridor(const CorridorIndex& corridors, Vec2 p);
 
 }  // namespace citykiln::plants

@@ -92,7 +92,7 @@ int raised_corners(const Lattice& lattice, int column, int row) {
 }
 
 // Height of a raised vertex above the ground.
-double canopy_height_m(const CrownAverage& mix) { return mix.height_m * std::lerp(kLowest, kHighest, mix.chance); }
+double canopy_height_m(const CrownAverage& mix) { return mix.height_m * std::lerp(kLowest, kHighest, mix.uniform); }
 
 // From the slopes of terrain and crowns.
 Vec3 normal_of(const Lattice& lattice, int column, int row) {

@@ -1,4 +1,5 @@
-// Canopies: closed woods at coarse levels as one surface over their crowns, instead of a hull for each tree.
+// Canopies: at coarse levels a closed wood is one surface over its crowns, instead of a hull (a mesh of a few
+// triangles) for each tree.
 //
 //            _   __
 //          _/ \_/  \_         vertices of a lattice, as high as the trees there (crown_average.h); on the ground where
@@ -14,31 +15,34 @@
 
 namespace citykiln::plants {
 
-/// Width of a cell. A tile's side is a multiple of it; land cover is known two cells beyond the tile.
+/// The width of a cell. A tile's side is a multiple of it; land cover is known two cells beyond the tile.
 inline constexpr double kCanopyCell_m = 16;
 
+/// The canopies of the woods in a box.
 struct Canopy {
-  std::vector<materials::MaterialMesh> meshes;  ///< One a wood, plane metres, with normals and tints.
-  double error_m = 0;                           ///< Stated, for the trees that remove_trees_below() removes.
+  std::vector<materials::MaterialMesh> meshes;  ///< One per wood, plane metres, with normals and tints.
+  double error_m = 0;  ///< The stated (not certified) error of the trees that remove_trees_below() removes.
   Box2 box{};
-  int columns = 0;             ///< Number of cells from west to east.
-  std::vector<bool> is_whole;  ///< By cell, row-major from the south-west: all four vertices are raised.
-  std::vector<double> tops_m;  ///< By vertex, row-major: heights of raised vertices, else 0.
+  int columns = 0;             ///< The number of cells from west to east.
+  std::vector<bool> is_whole;  ///< By cell, row by row from the south-west: true if all four vertices are raised, so
+                               ///< that the canopy replaces the trees.
+  std::vector<double> tops_m;  ///< By vertex, row by row from the south-west: the height of a raised vertex, else 0.
 };
 
-/// The canopy in a box. A cell is closed where dense woods cover it except for a path, no corridor crosses it, and its
-/// trees are high enough to see. A vertex is raised if all four of its cells are closed.
+/// Returns the canopy in a box. A cell is closed if dense woods cover it except for a path, no corridor crosses it, and
+/// its trees are high enough to see. A vertex is raised if all four of its cells are closed.
 ///
 /// @param context     Sides of its box are multiples of kCanopyCell_m.
 /// @param tolerance_m  Without Detail::kWoodCanopies the canopy is empty.
 ///
-/// Guarantees: positions, normals and tints of vertices are functions of the place, so neighbouring tiles agree on
-/// their border. Cost: O(cells · samples).
+/// Guarantees: positions, normals and tints of vertices are functions of the position in plan, so neighbouring tiles
+/// agree on their border. Cost: O(cells · samples).
 Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorridor> corridors,
                    const PlacingContext& context, double tolerance_m, Month month);
 
-/// Removes the trees of woods that stand in whole cells, and sets canopy.error_m: the largest distance from their tops
-/// to the canopy, and at least half of their height, as the middle of a trunk lies between ground and canopy.
+/// Removes the trees of woods that stand in cells of Canopy::is_whole. Sets canopy.error_m to the largest distance from
+/// their tops to the canopy, but at least to half of their height, since the middle of a trunk lies between ground and
+/// canopy.
 void remove_trees_below(Canopy& canopy, std::span<const Wood> woods, PlacedPlants& placed);
 
 }  // namespace citykiln::plants

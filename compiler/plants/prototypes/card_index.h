@@ -1,4 +1,4 @@
-// Cards by place: a grid of their centres.
+// Finds cards by position, with a grid of their centres. A card is a rectangle with a picture of leaves (foliage.h).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace citykiln::plants {
 
-/// Cards in grid cells, sorted.
+/// Cards, and the sorted grid cells of their centres.
 struct CardIndex {
   struct Entry {
     std::uint64_t cell;
@@ -25,7 +25,8 @@ struct CardIndex {
   std::vector<Entry> entries{};
 };
 
-/// The number of a place's grid cell, by layer, row and column.
+/// Returns the number of the grid cell that contains a position, in the order of layers, rows and columns.
+/// @param dy, dz  Offset in rows and layers to another cell.
 inline std::uint64_t grid_cell(Vec3 place, double cell_m, int dy = 0, int dz = 0) {
   constexpr double kOffset = 1 << 20;
   const auto step = [&](double v) { return static_cast<std::uint64_t>(std::floor(v / cell_m) + kOffset); };
@@ -33,7 +34,8 @@ inline std::uint64_t grid_cell(Vec3 place, double cell_m, int dy = 0, int dz = 0
          (step(place.y) + static_cast<std::uint64_t>(dy)) << 21 | step(place.x);
 }
 
-/// @param cards  Live as long as the index; centres within 2^19 cells of the origin. O(n log n).
+/// Builds the index. O(n log n).
+/// @param cards  Must outlive the index; their centres are within 2^19 cells of the origin.
 inline CardIndex index_cards(std::span<const Card> cards, double cell_m) {
   assert(cell_m > 0);
   CardIndex index{cards, cell_m};
@@ -42,7 +44,8 @@ inline CardIndex index_cards(std::span<const Card> cards, double cell_m) {
   return index;
 }
 
-/// Whether any card fulfils a condition, of those whose centres lie in the place's grid cell or beside it.
+/// True if a card fulfils a condition, among the cards whose centres lie in the grid cell of `place` or in a cell
+/// beside it.
 template <typename Condition>
 bool any_near(const CardIndex& index, Vec3 place, Condition condition) {
   for (const int dz : {0, -1, 1})

@@ -52,8 +52,8 @@ double hidden_share(const Wood& wood, Species species, double height_m, double l
   return std::lerp(kTwigs, 1.0, leaf_share) * layers / (1 + layers);
 }
 
-void add_tree(CrownAverage& mix, const Wood& wood, const Habitat& habitat, std::uint64_t seed, const Draw& draw,
-              Month month, const Colour& ground) {
+void add_tree(CrownAverage& mix, const Wood& wood, const Habitat& habitat, std::uint64_t seed,
+              const RandomSequence& draw, Month month, const Colour& ground) {
   const Species species = draw_species(wood.species_mix, habitat, seed, draw.unit(kSpeciesDraw));
   const auto variant = static_cast<std::uint8_t>(draw.unit(kVariantDraw) * kVariants);
   const double height_m = height_in_wood_m(wood, species, habitat, draw);
@@ -91,11 +91,11 @@ CrownAverage crown_average_at(const WoodMap& woods, Vec2 p, Month month) {
   const map::Heightfield& terrain = context.ground.terrain;
   const Habitat habitat = habitat_at(context.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p), false);
   const Colour ground = ground_of(woods, wood);
-  const Draw draw(context.seed, id_of_place(p), "canopy");
-  mix.chance = draw.unit(0);
+  const RandomSequence draw(context.seed, id_of_place(p), "canopy");
+  mix.uniform = draw.unit(0);
   for (std::uint32_t i = 0; i < kTrees; ++i)
-    add_tree(mix, wood, habitat, context.seed, Draw(context.seed, stable_id(id_of_place(p), "tree", i), "canopy"),
-             month, ground);
+    add_tree(mix, wood, habitat, context.seed,
+             RandomSequence(context.seed, stable_id(id_of_place(p), "tree", i), "canopy"), month, ground);
   const double light = draw.between(kDarkest, kLightest, 1);
   for (double& c : mix.colour) c *= light;
   return mix;

@@ -1,4 +1,5 @@
-// The mean height and colour of a wood around a place, seen from above.
+// The mean height and colour of a wood at a position, as seen from above. The canopy (canopy.h), one surface that
+// replaces the trees of a dense wood at coarse levels, takes the heights and colours of its vertices from here.
 #pragma once
 
 #include <array>
@@ -8,15 +9,22 @@
 
 namespace citykiln::plants {
 
+/// The wood at a position.
 struct CrownAverage {
-  double height_m = 0;             ///< Mean of trees; 0: no wood is near.
-  double chance = 0;               ///< A random number of the place, in [0, 1).
-  std::array<double, 3> colour{};  ///< Linear reflectance of crowns and of the ground between them.
-  std::uint32_t wood = ground::kNoLandCover;
+  double height_m = 0;  ///< Mean height of the sampled trees; 0: no wood within 6 m.
+  /// Uniform random number in [0, 1) that depends on the position only. It varies the canopy's height.
+  double uniform = 0;
+  /// Linear reflectance (red, green, blue) of crowns and of the ground that shows between them.
+  std::array<double, 3> colour{};
+  std::uint32_t wood =
+      ground::kNoLandCover;  ///< Index of the wood in WoodMap::woods; kNoLandCover: no wood within 6 m.
 };
 
-/// The mean of three trees drawn by the place's coordinates: a function of the place and the land cover within 6 m, so
-/// that neighbouring tiles agree. O(trees drawn).
+/// Returns the mean of three trees of the wood at `p` or within 6 m of it. Species and heights of the three are drawn
+/// from a hash of the coordinates; they are not the trees that are placed there. The result depends on the position and
+/// on land cover within 6 m only, so neighbouring tiles agree.
+/// @param p      Plane metres.
+/// @param month  The month decides leaves and their colours.
 CrownAverage crown_average_at(const WoodMap& woods, Vec2 p, Month month);
 
 }  // namespace citykiln::plants

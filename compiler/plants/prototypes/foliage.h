@@ -1,4 +1,4 @@
-// Foliage: a plant's leaves as rectangular cards.
+// Foliage: the leaves of a plant as cards, rectangles with the picture of a spray (a twig with its leaves).
 //
 //         across
 //      +---------->      a card shows the picture of a spray, or is an opaque blade;
@@ -20,36 +20,40 @@
 
 namespace citykiln::plants {
 
-/// A rectangle with sides `across` and `along` at `corner`; its front is cross(along, across).
+/// A rectangle with sides `across` and `along` at `corner`. Its front faces cross(along, across).
 struct Card {
   Vec3 corner, across, along;
-  Vec3 normal;             ///< Unit, for shading: between the card's normal and the direction out of the crown.
+  Vec3 normal;             ///< A unit vector for shading, between the card's normal and the direction out of the crown.
   materials::Tint tint{};  ///< Multiplies the picture's colour.
-  std::uint8_t spray = 0;  ///< Into Foliage::sprays.
-  bool is_clump = false;   ///< Shows several sprays, in place of cards of a larger area.
+  std::uint8_t spray = 0;  ///< Index into Foliage::sprays.
+  bool is_clump = false;   ///< The card shows several sprays: it replaces cards of a larger area.
 
   Vec3 centre() const { return corner + (across + along) * 0.5; }
 };
 
-/// Axis-aligned bounds of the cards' centres.
+/// The axis-aligned bounds of the cards' centres.
 struct CentreBounds {
   Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
 };
 CentreBounds bounds_of(std::span<const Card> cards);
 
+/// Returns the area of a card.
 double area_of(const Card& card);
-/// Distance from a place to the rectangle.
+/// Returns the distance from a position to the rectangle.
 double distance(const Card& card, Vec3 place);
+/// Returns the corners of a card.
 std::array<Vec3, 4> corners_of(const Card& card);
 
-/// In the skeleton's units.
+/// The leaves of a plant, in the skeleton's units.
 struct Foliage {
   std::vector<Card> cards;
-  std::vector<std::string> sprays;  ///< Names of instances in the .lsys file (sprays.h); "" for blades.
+  std::vector<std::string> sprays;  ///< The names of instances in the .lsys file (sprays.h); "" for blades.
   Vec3 crown_centre;
 };
 
-/// Cards for the instances of a skeleton, and for its polygons cards of the same area, in shades of `tint`. O(n).
+/// Returns a card for each leaf instance of a grown skeleton, and cards of equal area for its polygons, in shades of
+/// `tint`. O(n).
+/// @param system  The L-system that names the instances.
 Foliage foliage_of(const lsystems::LSystem& system, const lsystems::Skeleton& skeleton, materials::Tint tint);
 
 }  // namespace citykiln::plants

@@ -76,7 +76,7 @@ const GrownPlant& GrownPlantCache::grown(Prototype prototype) const {
   return slot.grown;
 }
 
-std::shared_ptr<const GrownPlant> GrownPlantCache::recent(Prototype prototype) const {
+std::shared_ptr<const GrownPlant> GrownPlantCache::grown_or_regrown(Prototype prototype) const {
   const auto find = [&]() -> std::shared_ptr<const GrownPlant> {
     const auto found = std::ranges::find(recent_, prototype, &Recent::prototype);
     if (found == recent_.end()) return nullptr;

@@ -1,4 +1,5 @@
-// Cache of grown plants: each prototype is derived once a run, on first use.
+// A cache of grown plants. A prototype is one of the kVariants distinct plants of a species. It is grown by the
+// L-system in the species' .lsys file, and its mesh is made from the result.
 #pragma once
 
 #include <array>
@@ -13,37 +14,40 @@
 
 namespace citykiln::plants {
 
-/// A derived plant, in the units of its file.
+/// A grown prototype: stems and leaves before they are meshed. Lengths are in the units of its .lsys file, which vary
+/// from file to file; meshes are scaled to the height of each placed plant.
 struct GrownPlant {
   lsystems::Skeleton skeleton;
   Foliage foliage;
-  double height_m = 0;  ///< Of its highest leaf or stem; 0: empty.
-  Appearance appearance{};
-  materials::Material bark = materials::Material::kBark;  ///< Of fine levels.
+  double height_m = 0;  ///< Height of its highest leaf or stem, in the units of the .lsys file; 0: the plant is empty.
+  Appearance appearance{};                                ///< Materials and tints in the month.
+  materials::Material bark = materials::Material::kBark;  ///< Bark of levels that are fine enough for a bark texture.
 };
 
-/// The material of a .lsys file's bark name: "furrowed" is furrowed_bark; kBark if there is none.
+/// Returns the bark material with a name of .lsys files: "furrowed" gives furrowed_bark. An unknown name gives kBark.
 materials::Material bark_named(std::string_view name);
 
-/// Derives a prototype; an unreadable text gives an empty plant. Random numbers depend on species and variant alone, so
-/// all scenes have the same plants. The month sets the appearance; fruit is removed unless all leaves are present.
+/// Grows a prototype. A text that is not a valid .lsys file gives an empty plant. Random numbers depend only on species
+/// and variant, so all scenes have the same plants. The month decides leaf share and colours. If some leaves have
+/// fallen, or are not out yet, the plant has no fruit.
 GrownPlant grow(const SpeciesText& text, Prototype prototype, Month month = kMidsummer);
 
-/// Thread-safe. Logically const: a plant is a function of texts, month and prototype. Holds all plants requested.
+/// Grows plants when they are first needed. Thread-safe. Its const functions change only the cache: a plant is a
+/// function of texts, month and prototype.
 class GrownPlantCache {
  public:
-  /// @param texts  Species without a text use the shipped one.
+  /// @param texts  .lsys files by species. A species that is missing uses the file that is compiled into the program.
   explicit GrownPlantCache(std::span<const SpeciesText> texts, Month month = kMidsummer);
   ~GrownPlantCache();
   GrownPlantCache(const GrownPlantCache&) = delete;
   GrownPlantCache& operator=(const GrownPlantCache&) = delete;
 
-  /// Valid as long as the cache. Cost: some 10 ms on first use, 2 MB.
+  /// Returns a plant that stays valid as long as the cache. Cost: some 10 ms and 2 MB on first use.
   const GrownPlant& grown(Prototype prototype) const;
 
-  /// The same plant for callers with little memory: the cache keeps the last kRecent of these only, and grows others
-  /// again.
-  std::shared_ptr<const GrownPlant> recent(Prototype prototype) const;
+  /// Returns the same plant as grown(), for callers with little memory. The cache keeps only the last kRecent plants
+  /// that this function returned, so a plant may be grown several times.
+  std::shared_ptr<const GrownPlant> grown_or_regrown(Prototype prototype) const;
   static constexpr std::size_t kRecent = 16;
 
  private:

@@ -1,8 +1,11 @@
-// Levels of detail of a grown plant, as meshes of a plant 1 m tall (levels.md).
+// The levels of detail of a grown plant, as meshes of a plant 1 m tall (levels.md). A card is a rectangle with a
+// picture of leaves.
 //
 //     tolerance / height   … 0.28    stems as tubes, leaves as cards, merged within the tolerance (leaf_clusters.h)
 //                     0.28 … 1       a hull of 12 triangles (crown_hull.h)
 //                        1 …         nothing
+//
+// Plants of hedges have a box in place of the hull, from 0.12 on.
 #pragma once
 
 #include <vector>
@@ -13,28 +16,35 @@
 
 namespace citykiln::plants {
 
-/// Least tolerances, as shares of the height, of the hull and of a hedge's box.
+/// The least tolerances, as shares of the plant's height, at which a plant becomes a hull (kHullFrom) and a plant of a
+/// hedge becomes a box (kBoxFrom).
 inline constexpr double kHullFrom = 0.28, kBoxFrom = 0.12;
 
+/// The mesh of a plant 1 m tall at one tolerance.
 struct PrototypeMesh {
-  /// Origin at the foot of the trunk, z up, 1 m tall in summer. Empty: dropped.
+  /// The origin is at the foot of the trunk, z up; 1 m tall in summer. Empty: the plant is left out.
   std::vector<materials::MaterialMesh> meshes;
-  bool shows_leaf_atlas = false;  ///< Whether meshes with ColourSource::kByCutout are there.
-  double error_per_m = 0;         ///< Of a plant 1 m tall.
+  bool shows_leaf_atlas = false;  ///< Some meshes have ColourSource::kByCutout.
+  double error_per_m = 0;         ///< The error of a plant 1 m tall.
 };
 
-/// The mesh of a plant that keeps the tolerance when scaled to `height_m`. Empty with error 1 where the tolerance is at
-/// least the height; empty without error where the season leaves no plant.
+/// Returns the mesh of a plant that keeps the tolerance when scaled to `height_m`. Empty with error 1 if the tolerance
+/// is at least the height; empty without error if the season leaves no plant.
 ///
-/// @param atlas  Of the month in which the plant was grown.
+/// @param grown                  The plant's stems and leaves.
+/// @param species                The species of the plant; decides between hull and box.
+/// @param atlas                  The leaf pictures of the month for which the plant was grown.
 /// @param height_m, tolerance_m  > 0.
 ///
-/// Error: certified in both directions for stems and leaf cards, except that stems of a radius below the tolerance are
-/// left out whatever their length; bounded for hulls. Cost: O(n log n), some 10 ms.
+/// Error: for stems and leaf cards error_per_m bounds the distance of the mesh from the plant and of the plant from the
+/// mesh, except that stems with a radius below the tolerance
+/// are left out regardless of their length. For hulls error_per_m is the bound of crown_hull.h. Cost: O(n log n), some
+/// 10 ms.
 PrototypeMesh prototype_mesh(const GrownPlant& grown, const LeafAtlas& atlas, Species species, double height_m,
                              double tolerance_m);
 
-/// Number of variants of a species used at a tolerance: fine meshes are large, and hulls look alike.
+/// Returns the number of variants of a species, differently grown plants, that are used at a tolerance: few for fine
+/// meshes, which are large, and for hulls, which look alike.
 int variants_at(double tolerance_m);
 
 }  // namespace citykiln::plants

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/impostor/impostor.h"
 
@@ -67,7 +67,8 @@ struct SprayPlace {
   Vec2 turned(Vec2 p) const { return along * p.y - left_of(along) * p.x; }
 };
 
-void add_leaves(Shaded& shaded, const Spray& spray, double leaf_share, const SprayPlace& on, const Draw& draw) {
+void add_leaves(Shaded& shaded, const Spray& spray, double leaf_share, const SprayPlace& on,
+                const RandomSequence& draw) {
   for (int i = 0; i < spray.leaves; ++i) {
     const auto dice = static_cast<std::uint32_t>(8 * i);
     const bool is_tip = i + 1 == spray.leaves;
@@ -88,7 +89,7 @@ void add_leaves(Shaded& shaded, const Spray& spray, double leaf_share, const Spr
 void add_clump(Shaded& shaded, const Spray& spray, double leaf_share) {
   constexpr double kLong = 0.34, kGoldenTurn = 0.381966;
   for (int i = 0; i < kClumpSprays; ++i) {
-    const Draw draw(1, stable_id(StableId{}, "clump", static_cast<std::uint64_t>(i)), "spray");
+    const RandomSequence draw(1, stable_id(StableId{}, "clump", static_cast<std::uint64_t>(i)), "spray");
     const Vec2 round = direction_of(kGoldenTurn * i), out{round.x * spray.spread, round.y};
     const double from = 0.5 * std::sqrt((i + 0.5) / kClumpSprays) - 0.75 * kLong;
     add_leaves(shaded, spray, leaf_share, {Vec2{0, 0.5} + out * from, round * kLong}, draw);
@@ -122,7 +123,7 @@ impostor::Picture picture_of_spray(std::string_view name, materials::Material ma
   Shaded shaded;
   const Spray* spray = spray_called(name);
   if (spray != nullptr && is_clump) add_clump(shaded, *spray, leaf_share);
-  if (spray != nullptr && !is_clump) add_leaves(shaded, *spray, leaf_share, {}, Draw(1, StableId{}, "spray"));
+  if (spray != nullptr && !is_clump) add_leaves(shaded, *spray, leaf_share, {}, RandomSequence(1, StableId{}, "spray"));
   if (spray == nullptr) name.empty() ? add_unit_card(shaded) : add_disc(shaded);
   std::vector<MaterialMesh> meshes;
   for (std::size_t s = 0; s < kShades.size(); ++s)

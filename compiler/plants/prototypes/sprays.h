@@ -1,4 +1,4 @@
-// Sprays: pictures of a twig with its leaves, the alpha-tested textures of leaf cards.
+// Sprays: pictures of a twig with its leaves, which are the alpha-tested textures of leaf cards.
 #pragma once
 
 #include <span>
@@ -9,25 +9,29 @@
 
 namespace citykiln::plants {
 
-/// Texels along a spray, whose length is 1; with a texel on each side a cell of a cutout.
+/// The number of texels along a spray. Together with one texel on each side it fills a cell of a cutout (an image with
+/// transparency).
 inline constexpr std::uint32_t kSprayTexels = 62;
+/// The size of a texel, as a share of the spray's length.
 inline constexpr double kSprayTexel = 1.0 / kSprayTexels;
 
-/// Width of a spray of length 1; 1 for an unknown name.
+/// Returns the width of a spray of length 1; 1 for an unknown name.
 double width_of_spray(std::string_view name);
 
-/// Whether a name is that of round fruit: any name that is not a spray's.
+/// True if a name is not the name of a spray: all other names stand for round fruit.
 bool is_fruit(std::string_view name);
 
-/// The picture of a spray: leaves on both sides of a twig, its tip at the top, in three shades of grey that a card's
-/// tint colours; a disc for fruit; opaque without a name. A function of its arguments alone.
+/// Returns the picture of a spray: leaves on both sides of a twig with its tip at the top, in three shades of grey that
+/// a card's tint colours. Fruit is a disc; without a name (blades) the picture is opaque. Depends only on its
+/// arguments.
 ///
-/// @param leaf_share  Share of the leaves that are present; a twig shows in place of each missing one.
-/// @param is_clump    Shows kClumpSprays smaller sprays about the middle instead of one; blades and fruit are the same.
+/// @param leaf_share  The share of the leaves that are present. A twig shows in place of each missing leaf.
+/// @param is_clump  Shows kClumpSprays smaller sprays around the middle instead of one. No effect for blades and fruit.
 impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share = 1,
                                    bool is_clump = false);
 
-/// The number of a clump's sprays, and the part of a card that it covers, in that of a single spray (mean of species).
+/// The number of sprays in a clump, and the leaf area of a clump divided by that of a single spray (mean of the
+/// species).
 inline constexpr int kClumpSprays = 24;
 inline constexpr double kClumpLeaves = 1.75;
 

@@ -1,4 +1,5 @@
-// Arms as straight lines near their junction, for bearings, corners and overlaps.
+// Straight lines that approximate arms (roads that leave a junction) near the junction, for bearings, corners and
+// overlaps.
 #pragma once
 
 #include <optional>
@@ -9,9 +10,10 @@
 
 namespace citykiln::roads {
 
+/// An arm as a straight line.
 struct ArmLine {
   Vec2 from, along;                ///< `along` is a unit vector.
-  double left_m = 0, right_m = 0;  ///< To the kerbs, seen along the arm.
+  double left_m = 0, right_m = 0;  ///< Distances to the kerbs, seen along the arm.
 };
 
 /// Returns the line from the arm's node to the point 8 m along it, so that an imprecise first metre does not turn it.
@@ -20,22 +22,22 @@ ArmLine arm_line(std::span<const Road> roads, const Arm& arm);
 /// Returns the lines of several arms.
 std::vector<ArmLine> arm_lines(std::span<const Road> roads, std::span<const Arm> arms);
 
-/// Returns the indices of arms counter-clockwise about a centre, by where the arms are 8 m from their nodes.
+/// Returns the indices of arms counter-clockwise about a centre, by the points of the arms 8 m from their nodes.
 std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec2 centre);
 
-/// Returns for each arm the next one counter-clockwise at its node; itself where it is the only one.
+/// Returns for each arm the next one counter-clockwise at its node; the arm itself if it is the only one.
 ///
-/// @param lines  Node by node.
+/// @param lines  The lines of all arms, grouped by node.
 std::vector<std::uint32_t> next_at_node(std::span<const ArmLine> lines);
 
-/// Where the left edge of an arm meets the right edge of the next arm counter-clockwise.
+/// The intersection of the left edge of an arm with the right edge of the next arm counter-clockwise.
 struct Corner {
-  double along_arm_m = 0, along_next_m = 0;  ///< From each arm's node; at least 0.
-  double sine = 1, cosine = 0;               ///< Of the angle between the arms.
+  double along_arm_m = 0, along_next_m = 0;  ///< Distances along the arms from their nodes; at least 0.
+  double sine = 1, cosine = 0;               ///< Sine and cosine of the angle between the arms.
 };
 
-/// Returns the corner between two arms, or nothing where they are more than 160 degrees apart: such a corner needs
-/// neither rounding nor a cut. Both lengths are infinite where the arms run side by side and overlap.
+/// Returns the corner between two arms; nothing if the angle between them is over 160 degrees, as such a corner needs
+/// neither rounding nor a cut. Both lengths are infinite if the arms run side by side and overlap.
 std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next);
 
 }  // namespace citykiln::roads

@@ -1,4 +1,5 @@
-// Merges nodes that a driver takes for one junction.
+// Merges nodes that a driver takes for one junction. A node is a place where roads meet; a link is the part of a road
+// from one node to the next; an arm is a road that leaves a node.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +11,14 @@
 
 namespace citykiln::roads {
 
-/// Returns the group of each node, named by the group's first node.
+/// Returns the group of each node, as the index of the group's first node.
 ///
-/// A link merges two nodes
-/// - where nothing is left of it between their corners;
-/// - between street junctions, where less than a car's length is left;
-/// - where it crosses the median of a dual carriageway no wider than one and a half of the wider carriageway;
-/// - where a second link between the same nodes makes an island.
-/// Street junctions have three arms of residential or higher class. Driveways, car parks, paths, roundabout rings and
-/// circular nodes merge by the first rule alone.
+/// Two nodes merge if a link between them
+/// - has no length left between their corners;
+/// - joins two street junctions and has less than a car's length left;
+/// - crosses the median of a dual carriageway, and is no longer than one and a half times the wider carriageway;
+/// - encloses an island with a second link between the same nodes. Street junctions have three arms of residential or
+/// higher class. Driveways, car parks, paths, roundabout rings and circular nodes merge by the first rule only.
 ///
 /// Each of three rounds merges the pairs of groups that are each other's nearest, so a group has at most eight nodes
 /// and its content depends on a bounded neighbourhood. A group fits into a square of kJunctionRadius_m. Diagnosed:

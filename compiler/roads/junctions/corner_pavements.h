@@ -8,14 +8,15 @@
 
 namespace citykiln::roads {
 
-/// Returns the pavements around corners with raised lanes on both sides, as simple counter-clockwise rings, snapped.
+/// Returns the pavements around those corners of a junction whose two arms (roads) both have raised lanes there. The
+/// rings are simple, counter-clockwise and snapped.
 ///
-/// Each ring covers the corner from the axes of its two arms to the arc that lies outside the kerb's arc by the width
-/// of the raised lanes, at most 6 m. Where the raised lanes are wider than the arc's radius it ends in a sharp corner.
-/// The part outside the carriageways is visible pavement. Along the arms a ring ends where its arc touches them, since
-/// the strips' own pavements continue from there.
+/// Each ring covers the corner between the axes of its two arms and an arc: the kerb's arc, offset by the width of the
+/// raised lanes (at most 6 m). If the raised lanes are wider than the arc's radius, the arc becomes a sharp corner. The
+/// part outside the carriageways is visible pavement. Along the arms a ring ends where its arc touches them; the roads'
+/// own pavements continue from there.
 ///
-/// @param arms  arms_of() for this junction.
+/// @param arms  The entry of arms_of() for this junction.
 std::vector<Ring> stroke_corner_pavements(const Junction& junction, std::span<const Road> roads,
                                           std::span<const Arm> arms);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/geometry/segment.h"
 #include "compiler/roads/junctions/junction.h"
 
 namespace citykiln::roads {
@@ -38,16 +39,6 @@ std::vector<OffsetSegment> offset_axis(const Polyline& axis, double off_m) {
     before_m += length_m;
   }
   return stretches;
-}
-
-double distance_to_axis(const Polyline& axis, Vec2 p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-    const Vec2 step = axis[i + 1] - axis[i];
-    const double t = std::clamp(dot(p - axis[i], step) / dot(step, step), 0.0, 1.0);
-    least = std::min(least, distance(p, axis[i] + step * t));
-  }
-  return least;
 }
 
 TangentPoint touch_at(const OffsetSegment& stretch, Vec2 centre, double off_m) {
@@ -102,8 +93,8 @@ std::optional<Fillet> fillet_between(const ArmPath& arm, const ArmPath& next, do
       if (!centre) continue;
       const Fillet found{*centre, radius_m, touch_at(a, *centre, arm.left_m), touch_at(b, *centre, -next.right_m)};
       if (nearest && found.arm.along_m + found.next.along_m >= nearest->arm.along_m + nearest->next.along_m) continue;
-      if (distance_to_axis(arm.axis, *centre) < off - kClear_m ||
-          distance_to_axis(next.axis, *centre) < off_next - kClear_m)
+      if (distance_to_polyline(arm.axis, *centre) < off - kClear_m ||
+          distance_to_polyline(next.axis, *centre) < off_next - kClear_m)
         continue;
       nearest = found;
     }

@@ -1,4 +1,5 @@
-// Links: the road from one node to the next.
+// Links: parts of roads from one node to the next. A node is a place where roads meet; an arm is a road that leaves a
+// node.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +16,16 @@ inline constexpr std::uint32_t kNoNode = 0xffffffffu;
 struct Link {
   double length_m = 0;
   std::uint32_t node = kNoNode;  ///< The node at its other end.
-  std::uint32_t arm = 0;         ///< The index of the same link among that node's arms.
+  std::uint32_t arm = 0;         ///< The index of the arm at the link's other end, among that node's arms.
 };
 
-/// The node at each vertex of each road. Refers to roads and nodes.
+/// Finds the next node along a road. Refers to roads and nodes, which must outlive it.
 class NodeIndex {
  public:
   NodeIndex(std::span<const Road> roads, std::span<const Node> nodes);
 
-  /// Returns the link of an arm, followed at most for `max_m`; a longer one has a greater length and no node.
-  /// O(vertices passed).
+  /// Returns the link that begins with an arm. A link longer than `max_m` is not followed to its end: its length is
+  /// then greater than max_m, and it has no node. O(vertices passed).
   Link link_of(const Arm& arm, double max_m) const;
 
  private:

@@ -1,4 +1,6 @@
-// The outline of a junction as one ring: right edge out, across the cut, left edge back, corner to the next arm.
+// Traces the outline of a junction as one ring: for each arm (a road that leaves the junction) out along its right
+// edge, across its cut (the line where the junction ends), back along its left edge, and along the corner to the next
+// arm.
 #pragma once
 
 #include <optional>
@@ -10,39 +12,43 @@
 
 namespace citykiln::roads {
 
-/// The arms of a junction in the forms its outline needs, and their order.
+/// The arms of a junction in the forms that its outline needs.
 struct JunctionArms {
-  std::vector<ArmLine> lines;        ///< One an arm.
-  std::vector<ArmPath> paths;        ///< One an arm.
-  std::vector<std::uint32_t> next;   ///< One for each arm, by next_at_node().
-  std::vector<std::uint32_t> order;  ///< Counter-clockwise, without links inside.
-  std::vector<double> disks_m;       ///< One for each node: the radius of its disk, 0 where it is not circular.
+  std::vector<ArmLine> lines;       ///< Straight line of each arm.
+  std::vector<ArmPath> paths;       ///< Axis and widths of each arm near the junction.
+  std::vector<std::uint32_t> next;  ///< For each arm the index of the next one counter-clockwise at its node.
+  /// Indices of arms counter-clockwise, without roads between two nodes of the junction.
+  std::vector<std::uint32_t> order;
+  /// For each node the radius of its disk (a turning circle or mini roundabout); 0 if it has none.
+  std::vector<double> disks_m;
 };
+/// Returns the forms of a junction's arms.
+/// @param arms  The entry of arms_of() for this junction; parameter of all functions here.
 JunctionArms junction_arms(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
 
-/// Returns the outline of a junction of one node that is not circular, if a single pass around it gives a valid one: a
-/// simple counter-clockwise ring, snapped, about the node, that covers the union of stroke_pieces(). Nothing where
-/// edges do not meet as expected; the union then decides. O(n²) in some thirty points.
+/// Returns the outline of a junction of one node without a disk: a simple counter-clockwise ring, snapped, about the
+/// node, that covers the union of stroke_pieces(). Nothing if edges do not meet as expected; the caller then computes
+/// that union. O(n²) in some thirty points.
 std::optional<Ring> trace_outline(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                   const JunctionArms& junction_arms);
 
-/// The ring of trace_outline() before it is checked: what unchecked floating point gives. For charts.
+/// The ring of trace_outline() before it is checked, as floating point gives it. For charts.
 std::optional<Ring> trace_outline_unchecked(const Junction& junction, std::span<const Road> roads,
                                             std::span<const Arm> arms, const JunctionArms& junction_arms);
 
-/// Returns the rings that are united where trace_outline() fails: arms up to their cuts, links inside, a disk about
-/// each open or circular node, rounded corners. Counter-clockwise, snapped.
+/// Returns rings whose union is the junction: arms up to their cuts, links inside, a disk about each open or circular
+/// node, rounded corners. Counter-clockwise, snapped. They are used if trace_outline() fails.
 std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                 const JunctionArms& junction_arms);
 
-/// Appends the arc from its first to its last point, both on kerbs; one point for radius 0. Snapped.
+/// Appends the points of a fillet's arc, from kerb to kerb, snapped; one point if the radius is 0.
 void add_fillet(const Fillet& fillet, Ring& ring);
 
 /// Returns the area between two axes and their fillet: the corner and half of either arm. Simple, counter-clockwise,
-/// snapped. Nothing where it would cross itself, as with arms that cross.
+/// snapped. Nothing if it would cross itself, for example if the arms cross.
 std::optional<Ring> corner_ring(const ArmPath& arm, const ArmPath& next, const Fillet& fillet);
 
-/// True where the inner angle at ring[i] is under 14 degrees.
+/// True if the inner angle at ring[i] is under 14 degrees.
 bool is_spike(const Ring& ring, std::size_t i);
 
 /// Appends the points of an arc about `centre` between two unit directions less than half a turn apart, without its

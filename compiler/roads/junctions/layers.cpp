@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "compiler/contract/disjoint_sets.h"
 #include "compiler/roads/plan.h"
 
 namespace citykiln::roads {
@@ -42,26 +43,9 @@ std::vector<TrackNode> track_nodes_of(const Tracks& tracks) {
   return track_nodes;
 }
 
-// Disjoint sets (union-find), each represented by its first member.
-struct Sets {
-  std::vector<std::uint32_t> parent;
-
-  explicit Sets(std::size_t size) : parent(size) {
-    for (std::uint32_t i = 0; i < size; ++i) parent[i] = i;
-  }
-  std::uint32_t find(std::uint32_t i) {
-    for (; parent[i] != i; i = parent[i]) parent[i] = parent[parent[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-};
-
 // The layer of each track: the minimum over all tracks that shared nodes connect it to.
 std::vector<int> layers_of(const Tracks& tracks) {
-  Sets sets(tracks.size());
+  DisjointSets sets(tracks.size());
   const std::vector<TrackNode> track_nodes = track_nodes_of(tracks);
   for (std::size_t i = 1; i < track_nodes.size(); ++i)
     if (track_nodes[i].meets(track_nodes[i - 1])) sets.join(track_nodes[i].track, track_nodes[i - 1].track);

@@ -15,24 +15,25 @@
 
 namespace citykiln::roads {
 
-/// All ways of one passage and layer.
+/// All ways of one passage (bridge or tunnel) and layer.
 struct RoadLayer {
   int layer = 0;  ///< -10 to 10. Layers do not order heights: a bridge of layer -1 may cross a cutting.
   map::Passage passage{};
   std::vector<Road> roads;          ///< Sorted by id.
-  std::vector<Junction> junctions;  ///< As planned by plan_junctions().
+  std::vector<Junction> junctions;  ///< Result of plan_junctions().
   bool operator==(const RoadLayer&) const = default;
 };
 
-/// Returns every track off the ground in exactly one layer. Sorted by layer, then passage; no layer is empty.
+/// Sorts all tracks off the ground into layers, each track into exactly one. Layers are sorted by number, then passage;
+/// none is empty.
 ///
-/// A bridge without layer=* (or with 0) is in layer 1, a tunnel in layer -1. A way's layer is the minimum over all ways
-/// of its passage that shared nodes connect it to, so distant ways can change it; which ways form a junction depends on
-/// nearby roads alone. No junction spans an abutment or a tunnel portal: the two roads end there.
+/// The layer of a way is the lowest layer of all ways of its passage that are connected to it by shared nodes, so
+/// distant ways can change it. A bridge without layer=* (or with 0) counts as 1, a tunnel as -1. Junctions depend on
+/// nearby roads only. No junction contains an abutment or a tunnel portal: roads end there.
 ///
-/// Junctions of one layer may lie above each other, where a connected bridge passes over itself. outline_junctions()
-/// gives the shared area to one of them. Ledger "roads/junction_off_ground": nodes in, junctions out, nodes merged into
-/// one junction merged. Diagnosed as by plan_junctions(). Total. O(n log n) in vertices off the ground.
+/// Junctions of one layer may lie above each other if a connected bridge passes over itself; outline_junctions() gives
+/// the shared area to one of them. Ledger "roads/junction_off_ground": nodes in, junctions out, nodes that share a
+/// junction merged. Diagnosed as by plan_junctions(). O(n log n) in vertices off the ground.
 std::vector<RoadLayer> plan_layers(const map::Features& features, Report& report);
 
 }  // namespace citykiln::roads

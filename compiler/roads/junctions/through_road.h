@@ -7,10 +7,11 @@
 
 namespace citykiln::roads {
 
-/// True where one road with two arms runs straight through, all other arms have a lower class, and there are no
-/// signals: its lanes and lines then continue across the junction and hide the junction's surface.
+/// True if one road with two arms runs straight through the junction, all other arms have a lower class, and there are
+/// no signals. The lanes and lines of that road then continue across the junction and hide its surface. An arm is a
+/// road that leaves the junction.
 ///
-/// @param arms  The junction's, in the order of arms_of().
+/// @param arms  The entry of arms_of() for this junction.
 bool has_through_road(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
 
 }  // namespace citykiln::roads

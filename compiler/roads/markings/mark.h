@@ -1,4 +1,5 @@
-// Marks: painted polygons on a strip, and the shapes that make them.
+// Marks: painted polygons on a strip of road, and functions that make their shapes. u is metres across the strip from
+// its left edge, v metres along it. A layout is the set of marks of a strip; it repeats along the strip.
 #pragma once
 
 #include <span>
@@ -17,14 +18,14 @@ struct Mark {
 };
 using Marks = std::vector<Mark>;  ///< In painting order: later marks cover earlier ones.
 
-/// Worn white paint: new paint reflects 0.8 of the light, this 0.65.
+/// Worn white paint, which reflects 0.65 of the light; new paint reflects 0.8.
 inline constexpr materials::TextureImage::Texel kWhite = {211, 211, 207};
 
 /// The rectangle between two opposite corners.
 Ring rectangle(Vec2 low, Vec2 high);
 
 /// The dash pattern of a line along the road: dashes of dash_m every period_m, centred in their periods so that the
-/// line looks the same from both ends. Solid where both are equal. The period divides kLayoutLength_m.
+/// line looks equal from both ends. A line is solid if both are equal. The period divides kLayoutLength_m.
 struct DashPattern {
   double dash_m, period_m;
 };
@@ -33,12 +34,12 @@ inline constexpr DashPattern kSolid = {1, 1};
 /// Adds a line along the road, centred at u, over the whole layout.
 void add_line(double u_m, double width_m, DashPattern dashes, Marks& marks);
 
-/// Adds a broken line across the road from u = left to right and v = low to high. Dashes and gaps are scaled to the
-/// width so that there is a dash at each end.
+/// Adds a broken line across the road in the rectangle from u = left_m to right_m and v = low_m to high_m. Dashes and
+/// gaps are scaled to the width so that there is a dash at each end.
 void add_dashes_across(double left_m, double right_m, double low_m, double high_m, DashPattern dashes, Marks& marks);
 
-/// Returns the outline of a polyline of this width with mitred bends and square ends, closed where it ends at its
-/// start. Consecutive points differ, and no bend is sharper than a quarter turn.
+/// Returns the outline of a polyline with a width, mitred bends and square ends; a polyline that ends at its start is
+/// closed. Consecutive points must differ, and no bend may be sharper than a quarter turn.
 Ring stroke(std::span<const Vec2> line, double width);
 
 /// Returns the marks rotated by 180° within the strip: (u, v) becomes (width - u, length - v).

@@ -21,14 +21,14 @@ std::uint32_t rows_of(double texel_m) {
 
 std::uint64_t columns_of(const MarkingLayout& layout, double texel_m) {
   const double columns = std::ceil(width_m(layout) / texel_m - 1e-6);
-  return 2 * kGutter_texels + static_cast<std::uint64_t>(std::clamp<double>(columns, 1, 2 * kMostColumns));
+  return 2 * kGutter_texels + static_cast<std::uint64_t>(std::clamp<double>(columns, 1, 2 * kWidest_texels));
 }
 
 // The number of layouts, from the first, that fit side by side.
 std::size_t fitting(std::span<const MarkingLayout> layouts, std::uint32_t rows) {
   std::uint64_t columns = 0;
   std::size_t count = 0;
-  while (count < layouts.size() && (columns += columns_of(layouts[count], kLayoutLength_m / rows)) <= kMostColumns)
+  while (count < layouts.size() && (columns += columns_of(layouts[count], kLayoutLength_m / rows)) <= kWidest_texels)
     ++count;
   return count;
 }

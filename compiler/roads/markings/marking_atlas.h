@@ -1,4 +1,5 @@
-// The marking atlas: layouts drawn side by side into one image.
+// The marking atlas: one image with the marking layouts of a tile side by side, a column for each. A marking layout is
+// the pattern of painted lines on a strip of road; u runs across the strip, v along it, in metres.
 //
 //     gg|  .  |gggg|  :  :  |gg      g: gutters, which repeat a layout's outermost texels
 #pragma once
@@ -11,33 +12,35 @@
 
 namespace citykiln::roads {
 
-/// The finest texel: no line is narrower than four of these.
+/// The size of the finest texel, a quarter of the narrowest line.
 inline constexpr double kFinestTexel_m = 0.03;
-/// The coarsest texel that shows lines. If even these do not fit, layouts go without a column.
+/// The size of the coarsest texel that shows lines. Layouts for which even such texels have no room get no column.
 inline constexpr double kCoarsestTexel_m = 0.5;
-/// The gutter on each side of a column. It keeps columns apart up to the fourth mip level, whose texel is as wide as
-/// two gutters.
+/// The width of the gutter on each side of a column. It keeps columns apart up to the fourth mip level, whose texel is
+/// as wide as two gutters.
 inline constexpr std::uint32_t kGutter_texels = 4;
-/// The maximum width, which every GPU supports. With the finest texels that is 3.3 million texels, 13 MB of RGBA.
-inline constexpr std::uint32_t kMostColumns = 8192;
-/// The position of a layout without a column.
+/// The largest width of the image in texels, which every GPU supports. With the finest texels the image then has 3.3
+/// million texels, 13 MB of RGBA.
+inline constexpr std::uint32_t kWidest_texels = 8192;
+/// The value of MarkingAtlas::left_m for a layout without a column.
 inline constexpr double kNoColumn_m = -1;
 
+/// The atlas of a tile.
 struct MarkingAtlas {
-  materials::TextureImage sheet;  ///< kLayoutLength_m along. Empty without layouts.
-  std::vector<double>
-      left_m;  ///< The position of each layout's u = 0 in the image; kNoColumn_m where it has no column.
+  materials::TextureImage sheet;  ///< The image; kLayoutLength_m long along v. Empty without layouts.
+  /// For each layout the image's u at which its own u is 0; kNoColumn_m if it has no column.
+  std::vector<double> left_m;
 };
 
 /// Draws layouts into an atlas.
 ///
 /// @param layouts  Sorted, without duplicates.
-/// @param tolerance_m  Of the tile.
+/// @param tolerance_m  The tile's tolerance.
 ///
-/// Texels are as large as the tolerance, at least kFinestTexel_m, and divide kLayoutLength_m. Where the image would
-/// exceed kMostColumns they grow until it fits: at 3 cm 245 m of strips fit side by side (24 carriageways of 10 m), at
-/// 6 cm 490 m, at 12 cm 980 m, less 8 texels a layout. Where kCoarsestTexel_m does not suffice (more than 290
-/// carriageways of 10 m) the last layouts get no column.
+/// Texels are as large as the tolerance, at least kFinestTexel_m, and divide kLayoutLength_m. If the image would exceed
+/// kWidest_texels they grow until it fits: at 3 cm 245 m of strips fit side by side (24 carriageways of 10 m), at 6 cm
+/// 490 m, at 12 cm 980 m, less 8 texels a layout. If kCoarsestTexel_m is too small (more than 290 carriageways of 10
+/// m), the last layouts get no column.
 ///
 /// Guarantees: columns and their gutters never overlap; the maximum width holds; same bytes on every machine.
 /// O(texels).

@@ -1,6 +1,6 @@
-// Marking layouts: all that decides the marks of a strip. Roads are cut lengthwise into strips, runs of neighbouring
-// lanes of one kind: a carriageway, a row of parking bays, a raised cycle track, a pavement, a railway. Strips with
-// equal layouts share a column of the marking atlas.
+// Marking layouts: all data that determine the marks of a strip. Roads are cut lengthwise into strips, which are
+// neighbouring lanes of one kind: a carriageway, a row of parking bays, a raised cycle track, a pavement, a railway.
+// Strips with equal layouts share a column of the marking atlas.
 //
 //     v, metres along   12 |  |  :  |  |      u runs across from the strip's left edge as seen along the way, v along
 //                          |  |  :  |  |      the way. Forward lanes are driven towards larger v.
@@ -24,15 +24,15 @@ inline constexpr double kCrossingLength_m = 4;
 inline constexpr double kStandardGauge_m = 1.435;
 
 enum class StretchKind : std::uint8_t {
-  kAlong,          ///< Between junctions; repeats.
-  kStart,          ///< Begins at a junction at v = 0: kEnd for backward lanes.
-  kEnd,            ///< Ends at a junction at v = kLayoutLength_m.
-  kZebra,          ///< Pedestrians have priority: bars.
-  kCrossing,       ///< Pedestrians have a signal: two broken lines.
+  kAlong,          ///< Between junctions; the layout repeats.
+  kStart,          ///< Begins at a junction, at v = 0. It is kEnd for backward lanes.
+  kEnd,            ///< Ends at a junction, at v = kLayoutLength_m.
+  kZebra,          ///< Bars, where pedestrians have priority.
+  kCrossing,       ///< Two broken lines, where pedestrians have a signal.
   kLevelCrossing,  ///< The strip of rails where a road crosses it.
 };
 
-/// Traffic control at the junction of kStart and kEnd.
+/// Traffic control at the junction where a stretch of kStart or kEnd lies.
 enum class Control : std::uint8_t { kNone, kGiveWay, kStop, kSignals };
 
 struct MarkingLayout {
@@ -41,27 +41,29 @@ struct MarkingLayout {
   StretchKind stretch = StretchKind::kAlong;
   Control control = Control::kNone;
   map::DrivingSide side = map::DrivingSide::kRight;
-  bool has_kerb_left = true, has_kerb_right = true;  ///< Typical of towns; without kerbs larger roads get edge lines.
-  double gauge_m = kStandardGauge_m;                 ///< Of kRail lanes.
+  bool has_kerb_left = true, has_kerb_right = true;  ///< Larger roads without kerbs (out of town) get edge lines.
+  double gauge_m = kStandardGauge_m;                 ///< Distance between the rails of kRail lanes.
 };
 
 /// A total order over all members; doubles by std::strong_order.
 std::strong_ordering operator<=>(const MarkingLayout& a, const MarkingLayout& b);
 inline bool operator==(const MarkingLayout& a, const MarkingLayout& b) { return (a <=> b) == 0; }
 
+/// The width of the strip: the sum of its lanes.
 double width_m(const MarkingLayout& layout);
-/// The u of each lane's left side, then the strip's width: lanes.size() + 1 numbers.
+/// The value of u at the left side of each lane, then the strip's width: lanes.size() + 1 numbers.
 std::vector<double> lane_sides_m(const MarkingLayout& layout);
-/// The length in use: kLayoutLength_m, or kCrossingLength_m.
+/// The length of the layout along v: kCrossingLength_m for zebras and crossings, else kLayoutLength_m.
 double length_m(const MarkingLayout& layout);
 
-/// Returns the layout as seen against the way: (u, v) there is (width - u, length - v) here. Its own inverse.
+/// Returns the layout as seen against the way, rotated by 180°: its (u, v) is (width - u, length - v) of the given one.
 MarkingLayout turned_round(const MarkingLayout& layout);
 
-/// The lesser of a layout and its rotation: strips that differ only in the direction of their way share a column.
+/// The lesser of a layout and its rotation, so that strips that differ only in the direction of their way share a
+/// column.
 struct CanonicalLayout {
   MarkingLayout layout;
-  bool is_turned;  ///< Whether (u, v) of the strip is (width - u, length - v) of the layout.
+  bool is_turned;  ///< True if (u, v) of the strip is (width - u, length - v) of the layout.
 };
 CanonicalLayout canonical_layout(const MarkingLayout& layout);
 

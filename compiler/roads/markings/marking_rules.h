@@ -1,4 +1,5 @@
-// Widths and dash patterns of lines by road class.
+// Widths and dash patterns of lines by road class. A marking layout has all data that determine the marks of a strip of
+// road.
 #pragma once
 
 #include "compiler/roads/markings/mark.h"
@@ -6,25 +7,30 @@
 
 namespace citykiln::roads {
 
+/// The lines of a class of roads.
 struct LineMeasures {
-  double narrow_m, broad_m;  ///< Lines between lanes; lines beside bus and cycle lanes or lanes that leave.
+  double narrow_m, broad_m;  ///< Widths of lines between lanes; of lines beside bus, cycle and leaving lanes.
   DashPattern broken, broad_broken;
-  bool has_lane_lines;  ///< Also between opposite directions.
+  bool has_lane_lines;  ///< True if there are lines between lanes, also between opposite directions.
   bool has_edge_lines;
 };
 
+/// Returns the measures for a layout's class.
 LineMeasures measures_of(const MarkingLayout& layout);
 
 /// True for residential, service, pedestrian and lower classes.
 bool is_quiet(const MarkingLayout& layout);
-/// True for surfaces that hold paint: not gravel, earth or ballast.
+/// True for surfaces that can be painted; false for gravel, earth and ballast.
 bool takes_paint(const MarkingLayout& layout);
 
-/// The part of a lane that traffic towards the layout's end uses: all of it, or the traffic's own half of a wide
-/// two-way lane. Empty (low >= high) where there is none.
+/// The part of a lane, from u = low_m to high_m (metres across the strip), on which traffic towards the layout's end
+/// drives: the whole lane, or that traffic's half of a wide two-way lane. Empty (low_m >= high_m) if there is no such
+/// traffic.
 struct LaneSpan {
   double low_m, high_m;
 };
+/// Returns the part of a lane.
+/// @param lane  Index of the lane in the layout.
 LaneSpan arriving_span(const MarkingLayout& layout, std::size_t lane);
 
 /// True for lanes of cars and buses.

@@ -1,12 +1,13 @@
-// Markings: the marks on a strip of road.
+// Markings: the painted marks on a strip of road. A strip is a set of neighbouring lanes of one kind; its layout has
+// all data that determine its marks (marking_layout.h).
 //
 //     |  . | : | . |  bays, lane lines, centre line     Conventions of the Vienna Convention on Road Signs and Signals,
 //     |__._|_:_|^._|  stop line, arrows                 all white. Dimensions from the German RMS-1, with dash patterns
 //     ||||||||||||||  zebra                             of the MUTCD in towns so that every period divides 12 m.
 //
-// Which mark is where:
+// Places of marks:
 //   between opposite directions   broken; two solid lines between two or more lanes each way; none in quiet streets
-//   between lanes of one          broken; broad and dense where one leaves or merges; broad beside a bus lane
+//   between lanes of one          broken; broad and dense if a lane leaves or merges; broad beside a bus lane
 //   at a junction                 solid where drivers may have to stop or arrows assign lanes
 //   edges                         of motorways, primary and secondary roads without a kerb, and before shoulders
 //   cycle lanes                   a broad line, or a dense narrow one where narrow or quiet; tinted; a bicycle
@@ -25,11 +26,11 @@ namespace citykiln::roads {
 ///
 /// Guarantees: marks stay between u = 0 and the strip's width, those of a crossing between v = 0 and kCrossingLength_m.
 /// A rotated layout has rotated marks. A mirrored layout (driving side, lanes and turns) has mirrored marks, except
-/// letters and bicycles. Repeating marks continue across the ends of the layout. Total: lanes of no width and kinds
-/// that make no sense in a strip stay bare. O(marks), at most some hundred.
+/// letters and bicycles. Repeating marks continue across the ends of the layout. Lanes without width, and of kinds that
+/// make no sense in a strip, get no marks. O(marks), at most some hundred.
 Marks marks_of(const MarkingLayout& layout);
 
-/// True where anything is painted. A strip without marks is plain material and needs no column in the atlas.
+/// True if anything is painted. A strip without marks is plain material and needs no column in the atlas.
 bool is_marked(const MarkingLayout& layout);
 
 /// Returns the colour under the marks: the material of the strip, or asphalt between the rails of a level crossing.

@@ -1,4 +1,5 @@
-// The parts of markings.h. Each adds the marks of one kind, as seen by traffic towards the layout's end, or nothing.
+// The parts of marks_of(). Each function adds painted marks of one kind to a strip of road; where direction matters,
+// for traffic towards the end of the strip's layout.
 #pragma once
 
 #include "compiler/roads/markings/mark.h"
@@ -6,21 +7,25 @@
 
 namespace citykiln::roads {
 
-/// Cycle lanes beside cars, tinted red.
+/// Adds the red tint of cycle lanes beside cars.
 void add_tints(const MarkingLayout& layout, Marks& marks);
-/// Lines between neighbouring lanes, along edges, and in two-way cycle tracks.
+/// Adds lines between neighbouring lanes, along edges, and in two-way cycle tracks.
 void add_lane_lines(const MarkingLayout& layout, Marks& marks);
+/// Adds diagonal lines on buffers.
 void add_hatching(const MarkingLayout& layout, Marks& marks);
-/// Parking bays; none within 6 m of a junction.
+/// Adds lines of parking bays, except within 6 m of a junction.
 void add_bays(const MarkingLayout& layout, Marks& marks);
-/// A stop line or a broken give-way line across the arriving lanes.
+/// Adds a stop line or a broken give-way line across the arriving lanes.
 void add_stop_lines(const MarkingLayout& layout, Marks& marks);
-/// Arrows by turn:lanes.
+/// Adds the arrows of turn:lanes.
 void add_arrows(const MarkingLayout& layout, Marks& marks);
-/// Bicycle and BUS symbols.
+/// Adds bicycle and BUS symbols.
 void add_symbols(const MarkingLayout& layout, Marks& marks);
+/// Adds the bars of a zebra crossing.
 void add_zebra(const MarkingLayout& layout, Marks& marks);
+/// Adds the two broken lines of a signalled crossing.
 void add_crossing(const MarkingLayout& layout, Marks& marks);
+/// Adds rails and sleepers.
 void add_rails(const MarkingLayout& layout, Marks& marks);
 
 }  // namespace citykiln::roads

@@ -1,5 +1,5 @@
-// Traffic islands: small faces of the street network. They lie between a slip lane and its streets, in a splitter of a
-// road, or within a roundabout.
+// Traffic islands: small faces of the street network, between a slip lane and its streets, between the branches of a
+// street that splits, or within a roundabout.
 //
 //     ___________      An island's ring runs along the axes of the streets around it and lies under them, so that the
 //     ____   ____      part they do not cover is visible.
@@ -14,6 +14,7 @@
 
 namespace citykiln::roads {
 
+/// A face of the street network that becomes an island.
 struct TrafficIsland {
   ObjectId id;  ///< The lowest id of the streets around it.
   map::LandCoverClass surface{};
@@ -23,10 +24,10 @@ struct TrafficIsland {
 /// The maximum extent of an island in x and y.
 inline constexpr double kWidestIsland_m = 48;
 
-/// Returns the faces of the network of streets (residential or higher) that are islands: at most 300 m² between axes,
-/// or any area within roundabouts up to kWidestIsland_m. Faces over 80 m² within roundabouts are planted. Sorted by id,
-/// each face once. A face whose ring crosses itself, as where streets cross without meeting, is no island. Total. O(n
-/// log n).
+/// Returns the faces between axes of streets (of class residential or higher) that are islands: faces of at most 300 m²
+/// and, within a roundabout, faces of any area up to kWidestIsland_m wide. Faces over 80 m² within roundabouts are
+/// planted. Sorted by id. A face whose ring crosses itself, because streets cross without a common vertex, is no
+/// island. O(n log n).
 std::vector<TrafficIsland> islands_of(std::span<const Road> roads);
 
 }  // namespace citykiln::roads

@@ -1,4 +1,6 @@
-// Pieces: a road as faces of the ground with coordinates of their own, u across and v along.
+// Pieces: a road as faces of the ground with texture coordinates, u across and v along. A strip is a set of
+// neighbouring lanes of one kind (lane_strips.h); a stretch is a part of the road's length with constant markings
+// (stretches.h).
 //
 //      left edge  +-------+---+-----------+      Pieces are strips (lane_strips.h) times stretches (stretches.h) times
 //                 |   1   | 2 |     3    / .     segments of the axis. At a bend neighbours meet on its mitre, so that
@@ -19,43 +21,48 @@ namespace citykiln::roads {
 /// One end of a piece: a line across its strip.
 struct PieceEnd {
   double left_m = 0, right_m = 0;              ///< Offsets of the strip's edges from the axis, to the left positive.
-  double left_along_m = 0, right_along_m = 0;  ///< Where the line meets them, along the axis from PieceFrame::at.
+  double left_along_m = 0, right_along_m = 0;  ///< Distances along the axis, from PieceFrame::at, of the line's ends.
   double v_m = 0;
 };
 
-/// The position of a piece in its strip.
+/// The position of a piece in its strip, from which uv_at() computes texture coordinates.
 struct PieceFrame {
   Vec2 at, along;      ///< A point of the axis and the axis' unit direction there.
   double width_m = 0;  ///< The strip's width without width limits: u at its right edge.
   PieceEnd start, end;
 };
 
-/// Returns (u, v): metres across from the strip's left edge, and along its layout. Width limits stretch u. v is
-/// constant along the start and the end of a piece.
+/// Returns (u, v) at a point: metres across from the strip's left edge, and metres along the marking layout. Width
+/// limits stretch u. v is constant along the start and the end of a piece.
 Vec2 uv_at(const PieceFrame& frame, Vec2 p);
 
 inline constexpr std::uint32_t kNoMarkingLayout = 0xffffffffu;
 
+/// The part of one strip in one stretch and one segment of the axis.
 struct Piece {
   map::LandCoverClass surface{};
   Ring ring;  ///< Counter-clockwise, snapped.
   PieceFrame frame;
-  std::uint32_t layout = kNoMarkingLayout;  ///< An index into RoadPieces::layouts.
-  std::uint32_t run = 0;                    ///< Equal for neighbours along one strip and stretch.
+  std::uint32_t layout = kNoMarkingLayout;  ///< Index into RoadPieces::layouts.
+  std::uint32_t run = 0;                    ///< Number of its strip and stretch: pieces of one run continue each other.
 };
 
+/// A road as pieces.
 struct RoadPieces {
-  std::vector<Piece> pieces;  ///< Along the road, left to right. Overlaps with other roads are resolved elsewhere.
-  std::vector<MarkingLayout> layouts;  ///< Of marked strips.
+  std::vector<Piece> pieces;           ///< Along the road, left to right. They may overlap pieces of other roads.
+  std::vector<MarkingLayout> layouts;  ///< Layouts of marked strips.
 };
 
-/// Returns a road from its left edge to its right one as pieces.
+/// Returns the pieces of a road, from its left edge to its right one.
 ///
-/// Guarantees: the pieces cover stroke_carriageway() and stroke_pavements(), and the verges outside them, except for
-/// snapping and for the inside of bends too sharp for a mitre; neighbours share their corners exactly. Total: where a
-/// mitre does not fit, both segments end square and a joint fills the wedge. O(points · strips).
+/// @param ends         Connections to other roads at both ends.
+/// @param stretches    Result of stretches_of() for this road.
+/// @param tile_m       Side of the tiles.
+/// @param tolerance_m  Strips that are narrower than this are merged into a neighbour.
 ///
-/// @param stretches  stretches_of(road, …).
+/// Guarantees: the pieces cover stroke_carriageway() and stroke_pavements(), and the verges outside these, except for
+/// snapping and for the inside of bends too sharp for a mitre. Neighbours share their corners exactly. At a bend too
+/// sharp for a mitre, both segments end square and a joint fills the wedge. O(points · strips).
 RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double tile_m,
                      double tolerance_m);
 

@@ -1,4 +1,4 @@
-// Stretches: a road cut across its length, where its markings change: before junctions and at crossings.
+// Stretches: parts of a road's length with one kind of markings. They change before junctions and at crossings.
 //
 //     junction |  kStart  |        kAlong        | kZebra |   kAlong   |   kEnd  | junction
 //              12 m at most                         4 m                  12 m at most
@@ -13,33 +13,35 @@
 
 namespace citykiln::roads {
 
-/// Where a junction lies on a road. Distances are along the way from its beginning.
+/// The part of a road that lies in one junction. Distances are along the whole way.
 struct JunctionInterval {
-  double at_m = 0;                   ///< Of the junction's node.
-  double before_m = 0, after_m = 0;  ///< The lengths of the road that the junction takes on either side.
+  double at_m = 0;                   ///< Distance of the junction's node.
+  double before_m = 0, after_m = 0;  ///< Lengths of the road in the junction before and after the node.
   Control before{}, after{};         ///< Control for traffic along the road, and against it.
-  bool is_change = false;            ///< Only the width changes: traffic does not stop.
+  bool is_change = false;            ///< True if only the width changes there, so that traffic does not stop.
 };
 
-/// Returns the street junctions on each road, sorted along it. O(n log n).
+/// Returns for each road its parts in street junctions, sorted along it. O(n log n).
 std::vector<std::vector<JunctionInterval>> junction_intervals_of(std::span<const Road> roads,
                                                                  std::span<const Junction> junctions);
 
-/// A part of a road with one marking layout for each strip.
+/// A part of a road's length with constant markings: each lane strip of the road has one marking layout there.
 struct RoadStretch {
   double from_m = 0, to_m = 0;  ///< Distances along the way.
   StretchKind stretch = StretchKind::kAlong;
   Control control = Control::kNone;
-  double zero_m = 0;  ///< The distance at which v of the layout is 0.
+  double zero_m = 0;  ///< The distance along the way at which the layout's v is 0.
 };
 
 /// Returns the stretches of a road from its first point to its last, without gaps.
 ///
-/// An arm's approach consists of a crossing near the junction (4 m) and the markings before the stop line (12 m, or
-/// what is left of half the way to the next junction). It needs at least 3 m.
+/// Before a junction lie a crossing (4 m) and the markings before the stop line (12 m, or less if half the way to the
+/// next junction is shorter, but at least 3 m).
 ///
-/// @param tile_m  Of the plane's grid of tiles. A tile knows junctions within kJunctionHalo_m. An approach that touches
-/// several tiles is left out unless each of them knows all that it depends on, so that all tiles agree.
+/// @param intervals  The road's entry of junction_intervals_of().
+/// @param tile_m     Side of the tiles. A tile has all junctions within kJunctionHalo_m. Markings before a junction
+///                   that touch several tiles are left out unless each of these tiles has all junctions that they
+///                   depend on, so that tiles agree.
 std::vector<RoadStretch> stretches_of(const Road& road, std::span<const JunctionInterval> intervals, double tile_m);
 
 /// The distance beyond a tile within which all junctions are known.

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/map/building_classes.h"
+#include "compiler/geometry/segment.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::roads {
 namespace {
@@ -91,13 +92,6 @@ void add_beside_segment(ObstacleSearch& search, std::span<const Steps> passages,
   if (const auto right = clipped(*edge, -edge->a.y, -edge->b.y)) add_edge(search, passages, *right, false);
 }
 
-double distance_to_edge(const Edge& edge, Vec2 p) {
-  const Vec2 along = edge.b - edge.a;
-  const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(p - edge.a, along) / squared, 0.0, 1.0) : 0;
-  return distance(p, edge.a + along * share);
-}
-
 // The smallest half width whose mitre touches an edge: the minimum along the edge of the larger of two linear
 // functions.
 double least_of_larger(double f_a, double f_b, double g_a, double g_b) {
@@ -117,7 +111,7 @@ void add_at(ObstacleSearch& search, std::span<const Steps> passages, double alon
 void add_beside_bend(ObstacleSearch& search, std::span<const Steps> passages, Vec2 at, double along_m, Vec2 before,
                      Vec2 after, const Edge& wall) {
   if (dot(before, after) <= 0) {
-    const double half = distance_to_edge(wall, at);
+    const double half = distance_to_segment(wall.a, wall.b, at);
     add_at(search, passages, along_m, half, true), add_at(search, passages, along_m, half, false);
     return;
   }
@@ -200,7 +194,7 @@ void find_passages(ObstacleSearch& search, std::size_t segment, const Polygon& f
 
 // The pairs of footprint and segment that come near each other, sorted by footprint.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_near(const Road& road,
-                                                                const StandingFootprints& footprints) {
+                                                                const ObstructingFootprints& footprints) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   const double reach_m = max_offset_m(road);
   for (std::uint32_t segment = 0; segment + 1 < road.axis.size(); ++segment) {
@@ -213,14 +207,14 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_near(const Road& road
 
 }  // namespace
 
-StandingFootprints::StandingFootprints(std::span<const map::Footprint> footprints) : footprints_(footprints) {
+ObstructingFootprints::ObstructingFootprints(std::span<const map::Footprint> footprints) : footprints_(footprints) {
   constexpr double kBucket_m = 32;
   for (std::uint32_t i = 0; i < footprints.size(); ++i)
     if (obstructs(footprints[i])) indices_.push_back(i), boxes_.push_back(box_of(footprints[i].polygon.outer));
   grid_ = grid_of(boxes_, kBucket_m);
 }
 
-std::vector<std::uint32_t> StandingFootprints::near(const Box2& box) const {
+std::vector<std::uint32_t> ObstructingFootprints::near(const Box2& box) const {
   std::vector<std::uint32_t> found;
   for (const std::uint32_t i : boxes_about(grid_, box))
     if (boxes_[i].touches(box)) found.push_back(indices_[i]);
@@ -228,7 +222,7 @@ std::vector<std::uint32_t> StandingFootprints::near(const Box2& box) const {
 }
 
 BuildingObstacles find_building_obstacles(const Road& road, const StripEnds& ends,
-                                          const StandingFootprints& footprints) {
+                                          const ObstructingFootprints& footprints) {
   assert(road.axis.size() >= 2);
   const double kerb_left = left_m(road), kerb_right = right_m(road), half = (kerb_left + kerb_right) / 2;
   ObstacleSearch search{road,

@@ -1,4 +1,5 @@
-// Obstacles: buildings beside a road, in the road's coordinates (distance along it, distance from its middle).
+// Finds the places where buildings stand in or beside a road, in the road's coordinates: distance along it, and
+// distance from its middle.
 #pragma once
 
 #include <cstdint>
@@ -12,36 +13,39 @@
 
 namespace citykiln::roads {
 
-/// Distances along a road are whole steps and widths whole units, so that kTaper is one unit a step.
+/// Distances along a road are counted in steps of kStep_m, distances from its middle in units of kUnit_m. A limit that
+/// changes by one unit per step has the slope kTaper.
 inline constexpr double kStep_m = 0.25, kUnit_m = 0x1p-5;
 
-/// A limit at one step: a building lets the road's edge go no farther out.
+/// The limit that a building sets to the road's edge at one step.
 struct Obstacle {
-  std::int32_t at_steps = 0;  ///< From the beginning of the whole way.
-  std::int16_t half_units = 0;
+  std::int32_t at_steps = 0;    ///< Distance from the beginning of the whole way.
+  std::int16_t half_units = 0;  ///< Largest distance of the road's edge from its middle, in units of kUnit_m.
   bool is_left = false;
   auto operator<=>(const Obstacle&) const = default;
 };
 
+/// The obstacles of one road.
 struct BuildingObstacles {
-  std::vector<Obstacle> obstacles;  ///< Only where it limits the road's own edge.
-  std::vector<std::int32_t>
-      covered;  ///< Sorted steps at which a building covers the road because the axis runs into or through it.
+  std::vector<Obstacle> obstacles;  ///< Only limits inside the road's full width.
+  /// Sorted steps at which a building covers the road, as the axis runs into or through it.
+  std::vector<std::int32_t> covered;
 };
 
-/// Buildings with less clearance than this obstruct a road: the lowest habitable storey.
+/// A building obstructs a road if the clearance below it is less than this: the height of the lowest habitable storey.
 inline constexpr double kHeadroom_m = 2.5;
 
-/// A building that an axis runs into or through (a passage, a gate, an imprecise way) does not limit that road within
-/// this distance: half a wide street, so that a wall at 45 degrees is ignored.
+/// Where a road's axis runs into or through a building (a passage, a gate, an imprecise way), that building does not
+/// limit the road within this distance. It is half the width of a wide street, so that a wall at 45 degrees is ignored.
 inline constexpr double kPassage_m = 12;
 
-/// Footprints that obstruct roads, in a grid of buckets. Refers to the footprints. O(n log n).
-class StandingFootprints {
+/// An index of the footprints that can obstruct roads. Refers to the footprints, which must outlive it. Construction
+/// O(n log n).
+class ObstructingFootprints {
  public:
-  explicit StandingFootprints(std::span<const map::Footprint> footprints);
+  explicit ObstructingFootprints(std::span<const map::Footprint> footprints);
 
-  /// Returns the indices of footprints whose boxes touch, sorted.
+  /// Returns the indices of footprints whose boxes touch a box, sorted.
   std::vector<std::uint32_t> near(const Box2& box) const;
   const Polygon& operator[](std::uint32_t index) const { return footprints_[index].polygon; }
 
@@ -52,11 +56,10 @@ class StandingFootprints {
   BoxGrid grid_;
 };
 
-/// Returns all obstacles in the strip of a road, pavements and bends included. Between two steps, an edge that keeps to
-/// both limits and runs straight stays out of the building.
-///
-/// Total. O(edges of the footprints near each segment).
+/// Returns all obstacles in the strip of a road, pavements and bends included. A road edge that runs straight between
+/// the limits of neighbouring steps stays out of the building. O(edges of the footprints near each segment).
+/// @param ends  Connections to other roads at both ends.
 BuildingObstacles find_building_obstacles(const Road& road, const StripEnds& ends,
-                                          const StandingFootprints& footprints);
+                                          const ObstructingFootprints& footprints);
 
 }  // namespace citykiln::roads

@@ -201,7 +201,7 @@ void report_covered(const Road& road, const BuildingObstacles& beside, const Sam
 std::vector<Road> limit_widths(std::vector<Road> roads, std::span<const Junction> junctions,
                                std::span<const map::Footprint> footprints, std::span<const OsmId> through_buildings,
                                Report& report) {
-  const StandingFootprints standing(footprints);
+  const ObstructingFootprints standing(footprints);
   const std::vector<StripEnds> ends = ends_of(roads);
   std::vector<BuildingObstacles> beside(roads.size());
   std::vector<std::uint32_t> touched;

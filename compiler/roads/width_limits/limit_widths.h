@@ -1,7 +1,7 @@
-// Limits the width of streets where buildings stand closer than their class suggests.
+// Limits the width of streets beside buildings that stand closer than the street's class suggests.
 //
 //        ___________            1. each building beside a road limits its edge (building_obstacles)
-//       |           |           2. the limit opens and closes by kTaper and continues across the joints of roads
+//       |           |           2. the limit widens and narrows by kTaper and continues across the joints of roads
 //   ____\___________/____       3. at a junction's cuts the carriageway keeps its full width, as its outline does
 //    - - - - - - - - - -        4. the limit at every quarter metre becomes a few points (fit_width_limits)
 //
@@ -18,18 +18,20 @@
 
 namespace citykiln::roads {
 
-/// Returns the roads with width limits, on streets and paths only.
+/// Returns the roads with width limits. Only streets and paths get limits.
 ///
-/// @param junctions  Of these roads at their full width.
-/// @param footprints  In any order. Open roofs, buildings with kHeadroom_m of clearance, outlines that parts replace,
-/// and buildings that the axis runs into (near that point) do not limit a road.
-/// @param through_buildings  Sorted ids of the ways that lead through buildings by their tags: never kBuildingOnRoad.
+/// @param junctions          Junctions of these roads, planned at full width.
+/// @param footprints         In any order. Open roofs, buildings with kHeadroom_m of clearance, and outlines that parts
+///                           replace do not limit a road. A building into which the axis runs does not limit the road
+///                           near that place.
+/// @param through_buildings  Sorted ids of the ways tagged to lead through buildings. kBuildingOnRoad is never
+///                           diagnosed for these.
 ///
-/// Guarantees: edges stay out of footprints, apart from snapping, wherever the minimum width (narrowed_section.h) and
-/// junction cuts allow; no edge turns by more than kTaper, nor steps by more than kUnit_m where two roads join; a road
-/// without a building in its strip stays unchanged; a limit depends on nothing farther along the roads than 1 / kTaper
-/// times half the road's width and a block of 64 m, nor farther across than max_offset_m(); the order of roads and
-/// footprints does not matter. Diagnosed, once a road: kRoadNarrowed, kBuildingOnRoad. Total. O(n log n).
+/// Guarantees: edges stay out of footprints, apart from snapping, unless the minimum width (narrowed_section.h) or a
+/// junction's cut prevents it; no edge turns by more than kTaper, or jumps by more than kUnit_m at a joint of two
+/// roads; a road without a building in its strip stays unchanged. A limit depends on no data farther along the roads
+/// than 1 / kTaper times half the road's width and a block of 64 m, or farther across than max_offset_m(). The order of
+/// roads and footprints does not matter. Diagnosed, once a road: kRoadNarrowed, kBuildingOnRoad. O(n log n).
 std::vector<Road> limit_widths(std::vector<Road> roads, std::span<const Junction> junctions,
                                std::span<const map::Footprint> footprints, std::span<const OsmId> through_buildings,
                                Report& report);

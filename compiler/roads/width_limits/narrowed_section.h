@@ -3,10 +3,10 @@
 //       outer edge _____                _____      1. the pavement narrows down to kMinPavement_m
 //             kerb ___  \______________/  ___      2. then the carriageway down to kMinCarriageway_m
 //                  ...\__/############\__/...      3. then the rest of the pavement
-//           middle - - - - - - - - - - - - - -     4. then nothing: the building stands in the road
+//           middle - - - - - - - - - - - - - -     4. beyond that nothing narrows: the building stands in the road
 //
-// The two sides are independent. No edge turns away from the axis by more than kTaper, because the limit does not and
-// each width is a continuous function of it.
+// The two sides are independent. No edge turns by more than kTaper, because the limit does not, and the position of
+// every edge is a continuous function of the limit.
 #pragma once
 
 #include <vector>
@@ -15,20 +15,20 @@
 
 namespace citykiln::roads {
 
-/// The maximum slope of an edge, in metres sideways a metre along: smooth to drive at walking pace, and without visible
-/// steps.
+/// The largest slope of an edge, in metres sideways per metre along the road: smooth to drive at walking pace, and
+/// without visible steps.
 inline constexpr double kTaper = 0.125;
 
-/// The width a pavement keeps while the carriageway can narrow: a kerb stone and a foot beside it.
+/// The width that a pavement keeps while the carriageway can narrow: a kerb stone and a foot beside it.
 inline constexpr double kMinPavement_m = 0.5;
 
-/// The width a driven carriageway keeps: a vehicle of 2.5 m, the widest without a permit.
+/// The width that a carriageway for cars keeps: a vehicle of 2.5 m, the widest without a permit.
 inline constexpr double kMinCarriageway_m = 2.5;
 
-/// The width a path keeps: one person with a pram.
+/// The width that a path keeps: one person with a pram.
 inline constexpr double kMinPath_m = 1;
 
-/// Returns whether lanes of a kind narrow before the others of the carriageway: parking, shoulders and buffers.
+/// True for lanes that narrow first: parking, shoulders and buffers.
 bool is_soft(map::LaneKind kind);
 
 /// The minimum distance from the carriageway's middle to either kerb.
@@ -36,14 +36,14 @@ double min_half_width_m(const Road& road);
 
 /// The maximum distances of the outer edges from the axis; infinite without a limit.
 struct MaxOffsets {
-  double left_m, right_m;
+  double left_m, right_m;  ///< Left and right of the axis, metres.
 };
 
 /// Returns the limits at a distance along the whole way (distances_along()). They change by at most kTaper. O(log n) in
 /// limits.
 MaxOffsets max_offsets_at(const Road& road, double along_m);
 
-/// Distances from the axis: the road covers -right_m to left_m, its carriageway lies between the kerbs.
+/// Distances of the edges from the axis. The road covers -right_m to left_m; its carriageway lies between the kerbs.
 struct RoadEdges {
   double left_m, kerb_left_m, kerb_right_m, right_m;
 };
@@ -51,26 +51,27 @@ struct RoadEdges {
 /// Returns the edges within the width limits. O(log n) in limits, O(n) in lanes.
 RoadEdges road_edges_at(const Road& road, double along_m);
 
-/// Returns the distances along the whole way between which all edges, that of the paved part included, run straight
-/// beside their axis. Sorted. Empty without limits. O(n log n) in limits.
+/// Returns the distances along the whole way at which an edge bends relative to the axis, the edge of the paved part
+/// included. Sorted. Empty without limits. O(n log n) in limits.
 std::vector<double> bends_of_edges(const Road& road);
 
 /// A narrowed cross-section.
 struct NarrowedSection {
-  double left_m = 0;             ///< From the axis to the outer left edge.
-  std::vector<double> widths_m;  ///< Of the section's lanes, left to right; 0 where a lane is gone.
+  double left_m = 0;             ///< Distance from the axis to the outer left edge.
+  std::vector<double> widths_m;  ///< Widths of the section's lanes, left to right; 0 if no room is left for a lane.
 };
 
-/// Returns the width of each lane. Beyond a kerb, buffers and verges narrow first, then the outermost lane. Between the
-/// kerbs, the outermost parking, shoulders and buffers narrow first, then all other lanes in proportion. Widths add up
-/// to road_edges_at() and are continuous along the road.
+/// Returns the width of each lane. Outside a kerb, buffers and verges narrow first, then the outermost lane. Between
+/// the kerbs, the outermost parking, shoulders and buffers narrow first, then all other lanes in proportion. Widths add
+/// up to road_edges_at() and are continuous along the road.
 NarrowedSection narrowed_section_at(const Road& road, double along_m);
 
-/// The edges of lanes on the full road and where width limits move them, as offsets from the axis to the left.
+/// The edges of a road's lanes at full width, and their positions within the width limits. Offsets from the axis, to
+/// the left positive.
 struct LaneEdges {
   std::vector<double> whole_m, moved_m;  ///< From the left edge to the right one: one more than lanes.
 
-  /// Returns where an offset of the full road is moved to: it keeps its share of its lane.
+  /// Returns where the width limits move a point at an offset of the full road. It keeps its share of its lane's width.
   double moved(double offset_m) const;
 };
 LaneEdges lane_edges_at(const Road& road, double along_m);

@@ -1,4 +1,4 @@
-// What air is made of: molecules, aerosols and ozone, by height and wavelength, over a spherical Earth.
+// The composition of air: molecules, aerosols and ozone, by height and wavelength, over a spherical Earth.
 #pragma once
 
 #include "compiler/sky/recipe.h"
@@ -8,35 +8,42 @@ namespace citykiln::sky {
 /// Radius of the Earth, and the height above which there is no air.
 inline constexpr double kEarth_m = 6371000, kTop_m = 100000;
 
-/// Densities relative to sea level; that of ozone relative to the middle of its layer.
+/// Densities relative to sea level; ozone relative to the middle of its layer.
 struct Densities {
   double molecules, aerosols, ozone;
 };
 
-/// What each wavelength loses and scatters where the density is 1, per metre.
+/// Extinction and scattering of one wavelength where the density is 1, per metre.
 struct Coefficients {
-  double molecules;           ///< Scattering alone.
+  double molecules;           ///< Scattering; molecules absorb nothing.
   double aerosols, absorbed;  ///< Extinction by aerosols, and the part of it that is absorption.
-  double ozone;               ///< Absorption alone.
+  double ozone;               ///< Absorption; ozone scatters nothing.
 };
 
-/// The air of a sky. Densities fall exponentially, but for ozone, which is a layer from 10 to 40 km.
+/// The air of a sky. Densities fall exponentially with height, except ozone, which is a layer from 10 to 40 km.
 struct Air {
-  double aerosols_550_per_m;  ///< Extinction at sea level: 3.912 / visibility (Koschmieder) less that of molecules.
-  double aerosols_height_m;   ///< Scale height: that which gives the column its turbidity.
+  /// Extinction at sea level: 3.912 / visibility (Koschmieder) less the extinction of molecules.
+  double aerosols_550_per_m;
+  double aerosols_height_m;  ///< Scale height of aerosols, with which the column has the sky's turbidity.
   double ground_albedo;
 };
 
-/// The air of a sky's visibility and turbidity. A scale height is from 0.5 to 8 km; beyond, the turbidity gives way.
+/// Returns the air for a sky's visibility and turbidity. The scale height is clamped to 0.5 to 8 km, and then the
+/// turbidity differs from the sky's.
 Air air_of(const Sky& sky);
 
-/// @param height_m  Above sea level; air below sea level is as at sea level.
+/// Returns the densities at a height.
+/// @param height_m  Above sea level. Air below sea level is as at sea level.
 Densities densities_at(const Air& air, double height_m);
+/// Returns the coefficients at a wavelength.
 Coefficients coefficients_at(const Air& air, double nm);
 
-/// Scattering by direction, per steradian; 1 over the sphere. Molecules: Rayleigh. Aerosols: Henyey and Greenstein.
-inline constexpr double kForward = 0.76;  ///< Mean cosine of aerosols.
+/// The mean cosine of scattering by aerosols.
+inline constexpr double kForward = 0.76;  ///< The mean cosine of scattering by aerosols.
+/// Returns the phase function of molecules (Rayleigh) at the cosine of the angle of deflection: scattering per
+/// steradian, with an integral of 1 over the sphere.
 double molecules_phase(double cosine);
+/// Returns the phase function of aerosols (Henyey and Greenstein), in the same terms.
 double aerosols_phase(double cosine);
 
 }  // namespace citykiln::sky

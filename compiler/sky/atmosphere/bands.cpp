@@ -6,7 +6,7 @@
 namespace citykiln::sky {
 namespace {
 
-// What sunlight of a band adds to a colour, if light between bands is linear and beyond the outer ones is as there.
+// The colour of each band's sunlight, if light is linear between bands, and constant beyond the outer ones.
 std::array<Rgb, kBands> make_weights() {
   std::array<Rgb, kBands> weights{};
   for (int nm = kFirst_nm; nm <= kLast_nm; nm += kStep_nm) {

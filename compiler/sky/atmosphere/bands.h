@@ -1,4 +1,4 @@
-// Light at twelve wavelengths, between which it is taken to be linear.
+// Light at twelve wavelengths (bands). Between these, light is interpolated linearly.
 #pragma once
 
 #include <array>
@@ -12,8 +12,7 @@ namespace citykiln::sky {
 
 inline constexpr int kBands = 12;
 
-/// A quantity by wavelength, relative to sunlight outside of the atmosphere where it is light. Loops over it are
-/// vectorised.
+/// A quantity in each band. Light is relative to sunlight outside of the atmosphere. Loops over bands are vectorised.
 using Bands = std::array<float, kBands>;
 
 inline constexpr Bands filled(float value) {
@@ -22,7 +21,7 @@ inline constexpr Bands filled(float value) {
   return bands;
 }
 
-/// Wavelength of a band: evenly from 395 to 725 nm.
+/// Returns the wavelength of a band: evenly spaced from 395 to 725 nm.
 inline double nm_of(int band) { return 395 + 30.0 * band; }
 
 /// Extinction and scattering of air by band, per metre at density 1.
@@ -31,12 +30,12 @@ struct BandCoefficients {
 };
 BandCoefficients band_coefficients(const Air& air);
 
-/// Columns of air: densities times metres.
+/// Columns of air along a ray: the integral of the density of each component over the length, in metres.
 struct Columns {
   float molecules = 0, aerosols = 0, ozone = 0;
 };
 
-/// e^x for x <= 0 within 2e-6 of it; 0 below -87. Without branches, so that loops are vectorised.
+/// Returns e^x for x <= 0, within 2e-6; 0 below -87. It has no branches, so that loops are vectorised.
 inline float exponential_below(float x) {
   const float clamped = x < -87.0f ? -87.0f : x;
   const float power = clamped * 1.44269504f;
@@ -49,7 +48,7 @@ inline float exponential_below(float x) {
   return e * scale;
 }
 
-/// The share of light that passes columns of air.
+/// Returns the share of light that passes columns of air.
 inline Bands transmitted(const BandCoefficients& c, const Columns& columns) {
   Bands share;
   for (int b = 0; b < kBands; ++b)
@@ -58,8 +57,8 @@ inline Bands transmitted(const BandCoefficients& c, const Columns& columns) {
   return share;
 }
 
-/// The colour of light, klx where the sun outside of the atmosphere has 128: linear sRGB, negative outside of its
-/// gamut.
+/// Returns the colour of light: linear sRGB in klx, where the sun outside of the atmosphere has 128; negative outside
+/// of the gamut.
 Rgb rgb_of(const Bands& light);
 
 }  // namespace citykiln::sky

@@ -1,4 +1,5 @@
-// How much air is between a place and the outside.
+// The columns of air along a ray (the integral of the air's density over its length) from a place to outside of the
+// atmosphere.
 #pragma once
 
 #include <vector>
@@ -7,21 +8,23 @@
 
 namespace citykiln::sky {
 
-/// The cosine of the zenith angle at which the sea's horizon is seen; <= 0.
+/// Returns the cosine of the zenith angle of the sea's horizon, seen from a height above sea level; <= 0.
 double horizon_cosine(double height_m);
 
-/// The share of the sun's disk (or the moon's) above the horizon, 0 to 1, by the cosine of its middle's zenith angle.
+/// Returns the share of the disk of sun or moon that is above the horizon, 0 to 1.
+/// @param cos_zenith  The cosine of the zenith angle of the disk's middle.
 double disk_share(double height_m, double cos_zenith);
 
-/// The way along a ray until it leaves the air, or meets the sea.
-/// @param height_m  0 to kTop_m.
+/// Returns the distance at which a ray leaves the air or meets the sea.
+/// @param height_m    0 to kTop_m.
+/// @param cos_zenith  The cosine of the zenith angle of the ray's direction.
 double way_m(double height_m, double cos_zenith);
 
-/// Columns of air from a place to the outside.
+/// A table of the columns of air from a place to outside of the atmosphere.
 class ColumnTable {
  public:
   explicit ColumnTable(const Air& air);
-  /// Within 1 % of the integral. Below the horizon it is that of the horizon. O(1).
+  /// Returns the columns along a ray, within 1 % of the integral; below the horizon, the columns at the horizon. O(1).
   Columns at(double height_m, double cos_zenith) const;
 
  private:

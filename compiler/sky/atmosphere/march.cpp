@@ -11,8 +11,8 @@ namespace {
 // (1 - e^-x) / x, with the series where the difference would lose its digits.
 float mean_share(float x, float share) { return x < 0.01f ? 1 - x * (0.5f - x * (1.0f / 6)) : (1 - share) / x; }
 
-// What the moments of light scattered by molecules and by aerosols are multiplied with, in a direction: (2 l + 1) g_l /
-// 4π, where g_l are the moments of the phase functions, times the factors of the addition theorem.
+// The factors of the moments, in a direction, for light scattered by molecules and by aerosols: (2 l + 1) g_l / 4π,
+// where g_l are the moments of the phase functions, times the factors of the addition theorem.
 struct PhaseMoments {
   float molecules[kMoments], aerosols[kMoments];
 };

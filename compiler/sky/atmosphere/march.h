@@ -1,4 +1,4 @@
-// Light that air scatters into a ray, step by step.
+// The light that air scatters into a ray, summed up step by step (marched). The source is sun or moon.
 #pragma once
 
 #include "compiler/geometry/vec.h"
@@ -7,7 +7,7 @@
 
 namespace citykiln::sky {
 
-/// A source of light, parallel from its direction, and the air that it shines on.
+/// The air with its tables, for a source of parallel light.
 struct LitAir {
   Air air;
   BandCoefficients coefficients;
@@ -15,11 +15,11 @@ struct LitAir {
   explicit LitAir(const Air& given) : air(given), coefficients(band_coefficients(given)), columns(given) {}
 };
 
-/// Light that comes along a ray from the way that was marched. Sunlight has irradiance 1 outside of the atmosphere.
+/// The light that arrives along the marched part of a ray. The source's irradiance outside of the atmosphere is 1.
 struct MarchedLight {
-  Bands molecules{}, aerosols{};  ///< Scattered once, by phase functions of 1.
-  Bands aerosols_twice{};         ///< Scattered by aerosols twice, by a phase function of 1 (aerosols_glow()).
-  Bands more{};                   ///< Scattered more often, or by the ground before.
+  Bands molecules{}, aerosols{};  ///< Light scattered once, before multiplication by the phase functions.
+  Bands aerosols_twice{};         ///< Light that aerosols scattered twice, before multiplication by aerosols_glow().
+  Bands more{};                   ///< Light that was scattered more often, or by the ground.
   Bands passed = filled(1);       ///< Share of light from behind that passes.
 };
 
@@ -29,31 +29,34 @@ struct AirRay {
   Vec3 direction, to_source;
 };
 
-/// Where a ray is after some way.
+/// A place on a ray.
 struct PlaceOnRay {
-  double height_m, source_cosine;  ///< Of the source's zenith angle there.
-  double up, along;                ///< Of the ray's direction there: its z and x.
+  double height_m, source_cosine;  ///< Height above sea level, and cosine of the source's zenith angle there.
+  /// The ray's direction in the frame of the place: its z, and its x towards the azimuth of the source.
+  double up, along;
 };
+/// Returns the place at a distance along a ray.
 PlaceOnRay place_on(const AirRay& ray, double way_m);
 
-/// Which light is scattered into a ray.
+/// The light that is scattered into a ray.
 struct MarchedSources {
-  bool has_direct = true;                 ///< That of the source.
-  const ScatteredField* field = nullptr;  ///< Light that was scattered before; null: none.
+  bool has_direct = true;                 ///< True if direct light of the source is scattered.
+  const ScatteredField* field = nullptr;  ///< Light that was scattered before, which is scattered again; null: none.
 };
 
-/// Marches from one distance to another in one step of even air, and adds to the light.
+/// Adds the light of one step along a ray, with the air of the step's middle.
 void march(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, double from_m, double to_m,
            MarchedLight& light);
 
-/// Marches until the ray leaves the air or meets the sea, in steps that grow with the distance.
+/// Returns the light along a ray until it leaves the air or meets the sea, in `steps` steps that grow with the
+/// distance.
 MarchedLight march_out(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, int steps);
 
-/// The direct light of the source at a place: irradiance of a surface that faces it.
+/// Returns the direct light of the source at a place: the irradiance of a surface that faces the source.
 Bands direct_light(const LitAir& lit, double height_m, double source_cosine);
 
-/// The part of light scattered twice by aerosols that a ScatteredField does not hold: the narrow glow about the source,
-/// of degrees above 4. Per steradian.
+/// Returns the phase function, per steradian, of light that aerosols scatter twice, without its spherical harmonics up
+/// to degree 4, which a ScatteredField holds: the narrow glow about the source.
 double aerosols_glow(double cosine);
 
 }  // namespace citykiln::sky

@@ -1,4 +1,4 @@
-// Light in the air that was scattered at least once, by height and by the zenith angle of its source.
+// The light in the air that was scattered at least once, by height and by the zenith angle of its source.
 #pragma once
 
 #include <vector>
@@ -9,34 +9,37 @@ namespace citykiln::sky {
 
 struct LitAir;
 
-/// Moments of radiance over all directions, in the frame with z up and x towards the source's azimuth: integrals of
-/// radiance times real spherical harmonics up to degree 4, but for those that are odd in y, which are 0 here.
+/// Moments of radiance over all directions, in the frame with z up and x towards the source's azimuth. They are
+/// integrals of radiance times real spherical harmonics up to degree 4. Harmonics that are odd in y are left out, since
+/// their moments are 0.
 inline constexpr int kMoments = 15;
 using Moments = std::array<Bands, kMoments>;
 
-/// The harmonics in a direction {x, y, z}, not normalised: 1; z, x; ...
+/// The values of the harmonics in a direction, not normalised: 1; z, x; ...
 using MomentBasis = std::array<double, kMoments>;
 MomentBasis moment_basis(double z, double x);
 inline constexpr std::array<int, kMoments> kMomentDegrees = {0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4};
-/// Legendre polynomials of the angle between two directions are sums of both bases' products times these factors:
-/// 2 (l - m)! / (l + m)!, times the square of what the basis leaves out of the associated Legendre function.
+/// Factors of the addition theorem: the Legendre polynomial of the angle between two directions is the sum over the
+/// bases' products times these. They are 2 (l - m)! / (l + m)!, times the square of the constant that the basis leaves
+/// out of the associated Legendre function.
 inline constexpr std::array<double, kMoments> kAdditionFactors = {1,    1,     1, 1,     3,      0.75,  1,       0.375,
                                                                   3.75, 0.625, 1, 0.625, 0.3125, 4.375, 0.546875};
 
-/// The field about a place.
+/// The scattered light about a place.
 ///
 /// Method: successive orders of scattering. At nodes in height and zenith angle radiance is gathered from all
-/// directions, by rays through the field of the sweep before, and kept as spherical harmonics. These hold
-/// all that molecules scatter (Rayleigh's phase function has degree 2), and of aerosols all but the narrow glow about
-/// the source after two or more scatterings.
+/// directions, by rays through the field of the previous order, and kept as spherical harmonics. They represent all
+/// light that molecules scatter (Rayleigh's phase function has degree 2), and the light of aerosols except the narrow
+/// glow about the source after two or more scatterings.
 class ScatteredField {
  public:
-  /// @param source_angle_rad  Zenith angle of the source where the field's middle is. Cost: 0.1 s.
+  /// Computes the field. Cost: 0.1 s.
+  /// @param source_angle_rad  Zenith angle of the source at the middle of the field.
   ScatteredField(const LitAir& lit, double source_angle_rad);
 
-  /// Moments at a place; beyond the nodes those of the nearest.
+  /// Returns the moments at a place; outside of the nodes, the moments of the nearest node.
   Moments at(double height_m, double source_cosine) const;
-  /// Irradiance of level ground at sea level, without the source's direct light.
+  /// Returns the irradiance of level ground at sea level, without the source's direct light.
   Bands ground_irradiance(double source_cosine) const;
 
  private:

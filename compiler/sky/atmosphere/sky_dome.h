@@ -7,37 +7,40 @@
 
 namespace citykiln::sky {
 
-/// What air does to light on its way to the eye.
+/// The effect of air on light on its way to the eye: light · passed + added.
 struct AirPath {
   Rgb passed{1, 1, 1};  ///< Share of light from behind that passes.
   Rgb added{};          ///< Light that is scattered into the ray.
 };
 
-/// Radiances in klx per steradian (kcd/m²), linear sRGB, without colours outside of its gamut.
+/// The sky with one source. Radiances are in klx per steradian (kcd/m²), linear sRGB, clamped to its gamut.
 ///
 /// Method: radiance is tabulated by the angle above the horizon (finer near it) and the azimuth from the source, and
-/// light in the air by direction and distance. What aerosols scatter once is kept without its phase function, which is
-/// peaked about the source and multiplied later.
+/// light in the air by direction and distance. Light that aerosols scatter once is stored without its phase function,
+/// which has a peak about the source and is multiplied at each query.
 class SkyDome {
  public:
-  /// @param irradiance  Of the source outside of the atmosphere, relative to the sun's. Cost: 0.2 s.
+  /// Computes the tables. Cost: 0.2 s.
+  /// @param irradiance  The source's irradiance outside of the atmosphere, relative to the sun's.
   SkyDome(const LitAir& lit, Vec3 to_source, double eye_height_m, double irradiance);
 
-  /// The sky in a unit direction, without the source's disk; below the horizon as at it. O(1).
+  /// Returns the radiance of the sky in a unit direction, without the source's disk; below the horizon, the radiance at
+  /// the horizon. O(1).
   Rgb radiance(Vec3 direction) const;
-  /// The air along a ray from the eye, whatever it meets at a distance up to 200 km; beyond as at 200 km. O(1).
+  /// Returns the effect of the air along a ray from the eye up to a distance, at most 200 km. O(1).
   AirPath air(Vec3 direction, double distance_m) const;
 
-  /// Direct light of the source at the eye: illuminance, klx, of a surface that faces it.
+  /// Returns the direct light of the source at the eye: the illuminance, in klx, of a surface that faces the source.
   Rgb direct() const { return direct_; }
-  /// Illuminance of level ground at sea level, klx.
+  /// Returns the illuminance of level ground at sea level, klx.
   Rgb ground() const { return ground_; }
-  /// Whether a ray from the eye meets the sea, and how far away.
+  /// True if a ray from the eye meets the sea.
   bool sees_sea(Vec3 direction) const { return direction.z < horizon_cosine(eye_height_m_); }
+  /// Returns the distance at which a ray for which sees_sea() holds meets the sea.
   double sea_m(Vec3 direction) const { return way_m(eye_height_m_, direction.z); }
 
  private:
-  // Radiances without and with the aerosols' phase function.
+  // Radiances that are complete, and those that the aerosols' phase function multiplies later.
   struct Light {
     std::array<float, 3> smooth, aerosols;
   };

@@ -16,30 +16,31 @@ namespace citykiln::sky {
 /// A street lamp as a source of sky glow.
 struct GroundLight {
   Vec2 from_eye_m;   ///< East and north of the eye.
-  double lumen = 0;  ///< Of the lamp. >= 0.
+  double lumen = 0;  ///< Luminous flux of the lamp. >= 0.
   double temperature_k = 3000;
 };
 
-/// Lamps farther from the eye do not count. By Walker's law, brightness about distance^-2.5, a town gives the eye at 30
-/// km a thousandth of the glow that it has within.
+/// The largest distance of lamps that count, in metres. By Walker's law, brightness about distance^-2.5, a town at 30
+/// km gives a thousandth of the glow inside the town.
 inline constexpr double kGlowRadius_m = 30000;
 
-/// Radiances in klx per steradian (kcd/m²), linear sRGB. Immutable and thread-safe.
+/// The sky glow that an eye sees. Radiances are in klx per steradian (kcd/m²), linear sRGB. Immutable and thread-safe.
 ///
-/// Method: single scattering by molecules and aerosols from a flat Earth, after Garstang, "Model for artificial
+/// Method: single scattering by molecules and aerosols over a flat Earth, after Garstang, "Model for artificial
 /// night-sky illumination", PASP 98, 1986, with his constants: of each lumen of outdoor light 0.15 go up from fixtures,
 /// by the fourth power of the zenith angle, and the ground reflects 0.15 of the rest, by its cosine. Lamps are added up
-/// in cells of 250 m, beyond 4 km of 500 m to 2 km. Street lamps are a third of outdoor light: an eighth in Flagstaff
-/// (Luginbuhl et al., "From the ground up I", PASP 121, 2009), up to a half in towns of Europe.
+/// in cells of 250 m, and beyond 4 km in cells of 500 m to 2 km. Street lamps are taken as a third of outdoor light:
+/// they are an eighth in Flagstaff (Luginbuhl et al., "From the ground up I", PASP 121, 2009), up to a half in towns of
+/// Europe.
 class TownGlow {
  public:
-  /// @param eye_height_m  Above the lamps and the sea. Cost: some 0.5 ms for each cell with lamps, of which there
-  /// are at most some 2,600.
+  /// Computes the glow. Cost: some 0.5 ms for each cell with lamps, of which there are at most some 2,600.
+  /// @param eye_height_m  Above the lamps and the sea.
   TownGlow(const Air& air, std::span<const GroundLight> lights, double eye_height_m);
 
-  /// In a unit direction; below the horizon as at it. O(1).
+  /// Returns the radiance in a unit direction; below the horizon, the radiance at the horizon. O(1).
   Rgb radiance(Vec3 direction) const;
-  /// Illuminance of level ground, klx.
+  /// Returns the illuminance of level ground, klx.
   Rgb ground() const { return ground_; }
 
  private:

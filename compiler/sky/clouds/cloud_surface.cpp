@@ -138,7 +138,7 @@ class SurfaceNet {
     return static_cast<std::int32_t>(surface_.positions.size()) - 1;
   }
 
-  // In cells from the cell's first node.
+  // The mean of the surface's crossings with the cell's edges, in cells from its first node.
   Vec3 mean_crossing(Index3 cell) const {
     Vec3 sum;
     int count = 0;
@@ -156,7 +156,7 @@ class SurfaceNet {
     return sum * (1.0 / count);
   }
 
-  // Of the trilinear function between the corners' distances.
+  // The gradient of the trilinear function between the corners' distances.
   Vec3 gradient(Index3 cell, Vec3 at) const {
     Vec3 sum;
     for (int bits = 0; bits < 8; ++bits) {
@@ -177,7 +177,7 @@ class SurfaceNet {
     return length(turned) > 0 ? unit(turned) : Vec3{0, 0, 1};
   }
 
-  // Cells of cloud in the vertical.
+  // The number of cells of cloud in the vertical.
   double column(Index3 cell, Vec3 at) const {
     const auto of = [&](int x, int y) {
       return columns_[static_cast<std::size_t>((cell[1] + y) * lattice_.size[0] + cell[0] + x)];

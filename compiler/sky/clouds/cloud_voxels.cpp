@@ -24,7 +24,7 @@ struct Grid {
   }
 };
 
-// How much of a length in the plane one in the frame is, at least.
+// The least number of plane metres per metre of the frame, over all directions.
 double shortest(const LayerFrame& frame) { return std::min({frame.stretch, frame.flatten, 1.0}); }
 
 void add_to_block(Distances& distances, const Grid& grid, std::array<int, 3> low, const LayerFrame& frame,
@@ -58,7 +58,7 @@ void add_sphere_to_blocks(Blocks& blocks, const Grid& grid, const LayerFrame& fr
 void add_layer(const LayerParticles& layer, const Grid& grid, std::map<std::array<int, 3>, std::vector<float>>& sums) {
   Blocks blocks;
   for (const CloudParticle& sphere : layer.spheres) add_sphere_to_blocks(blocks, grid, layer.frame, sphere);
-  // the surface is as soft as half a voxel, or a voxel is where the layer is thin
+  // density falls from 1 to 0 over one voxel, in the direction in which the frame is scaled least
   const double soft_m = grid.voxel_m / shortest(layer.frame);
   const double extinction = extinction_per_m(layer.layer.kind);
   for (const auto& [low, distances] : blocks) {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/trig.h"
 
 namespace citykiln::sky {
 namespace {
 
-// Levels of smaller particles on larger ones, and those on each.
+// The number of levels of smaller particles on larger ones, and of particles on each.
 constexpr int kMostLevels = 4;
 constexpr std::uint32_t kOnEach = 14;
 
@@ -30,7 +30,7 @@ bool is_inside(Vec3 p, const CloudParticle& sphere) {
 
 // Spheres side by side: a large one in the middle, and rings of smaller and lower ones that fill the outline.
 std::vector<CloudParticle> first_level(const CloudLayer& layer, const Cloud& cloud) {
-  const Draw draw(layer.seed, cloud.id, "heap");
+  const RandomSequence draw(layer.seed, cloud.id, "heap");
   const double tallest_m = cloud.height_m * 0.62;
   const double middle_m = std::min(tallest_m, cloud.radius_m * 0.75);
   const auto sits = [&](Vec2 offset, double radius_m) {
@@ -50,20 +50,20 @@ std::vector<CloudParticle> first_level(const CloudLayer& layer, const Cloud& clo
   return spheres;
 }
 
-// A particle, what its descendants' random numbers are of, and the particle that it sits on.
+// A particle, the id for random numbers of the particles on it, and the particle below it.
 struct Grown {
   CloudParticle sphere;
   StableId id{};
   CloudParticle below{};
 };
 
-// Adds smaller particles on the surface of one, where neither a heap nor the particle below hides them, down to a
-// radius. Which ones these are depends on nothing else, so that coarser clouds have the same.
-// Returns the largest radius that was left out.
+// Adds smaller particles on the surface of one, down to a radius, where neither a heap nor the particle below hides
+// them. They depend on nothing else, so that coarser clouds have equal ones. Returns the largest radius that was left
+// out.
 double add_on(std::uint64_t seed, const Grown& on, const std::vector<CloudParticle>& heaps, double finest_m,
               std::vector<Grown>& next) {
   double left_out_m = 0;
-  const Draw draw(seed, on.id, "particles");
+  const RandomSequence draw(seed, on.id, "particles");
   const double turn = draw.unit(0), root_m = on.sphere.radius_m;
   for (std::uint32_t i = 0; i < kOnEach; ++i) {
     const CloudParticle grown{on.sphere.centre + place_on_sphere(i, turn) * (root_m * 0.92),
@@ -151,7 +151,7 @@ double optical_depth(CloudKind kind, const CloudParticles& particles, Vec3 from,
 
 double optical_depth_error(const CloudLayer& layer, const Cloud& cloud, double coarse_m, double finest_m, int rays) {
   const CloudParticles fine = generate_cloud(layer, cloud, finest_m), coarse = generate_cloud(layer, cloud, coarse_m);
-  const Draw draw(layer.seed, cloud.id, "rays");
+  const RandomSequence draw(layer.seed, cloud.id, "rays");
   const double around_m = cloud.radius_m * 1.5 + cloud.height_m;
   double largest = 0;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(rays); ++i) {

@@ -1,4 +1,9 @@
-// Generates the particles of a cloud.
+// Generates the particles of a cloud, and integrates its optical depth along rays. A particle is a sphere filled with
+// droplets.
+//
+// The layer's frame is a coordinate system in metres: x along the wind, y across, z up from the layer's base. It is
+// scaled along the wind and upwards so that particles are spheres (LayerFrame in place_clouds.h). LayerFrame::into()
+// and into_direction() convert points and directions of the plane to it.
 #pragma once
 
 #include <utility>
@@ -8,51 +13,56 @@
 
 namespace citykiln::sky {
 
-/// A sphere of cloud, in the layer's frame.
+/// A sphere filled with droplets, in the layer's frame.
 struct CloudParticle {
   Vec3 centre;
   double radius_m = 0;
 };
 
-/// A cloud is the union of its particles above the layer's base, evenly filled with droplets.
+/// The particles of a cloud. The cloud is their union above the layer's base, evenly filled with droplets.
 struct CloudParticles {
   std::vector<CloudParticle> spheres;  ///< The larger ones first.
-  double finest_m = 0;                 ///< Particles of smaller radii were left out.
-  /// The largest error of the optical depth along any ray, against the cloud with all its particles: that of
-  /// kMissedDiameters of the largest particle that was left out. 0 where none was.
+  double finest_m = 0;                 ///< Particles of smaller radii were left out, in metres of the layer's frame.
+  /// The largest error of the optical depth along any ray, relative to the cloud with all its particles: the optical
+  /// depth of a length of kMissedDiameters diameters of the largest particle that was left out. 0 if no particle was
+  /// left out.
   double depth_error = 0;
 };
 
-/// The most diameters of left-out particles that a ray passes outside of the others: it grazes a few heaps, each with
-/// particles on it that have smaller ones on them. Measured: at most 4.0, of 10,000 rays
-/// through each of three clouds at six levels (chart cloud).
+/// The longest way of a ray that is inside of left-out particles but outside of all others, in diameters of the largest
+/// left-out particle. Measured: at most 4.0, with 10,000 rays through each of three clouds at six levels (chart cloud).
 inline constexpr double kMissedDiameters = 5;
 
-/// Extinction by the droplets or the ice of a kind, per metre. Sources: cumulus and stratus have 0.3 and 0.2 g of water
-/// in a cubic metre, in droplets of 10 µm (Rogers, Yau, "A Short Course in Cloud Physics", 1989): 3 w / (2 rho r);
-/// cirrus about 0.3 per km (Sassen, Comstock 2001).
+/// Returns the extinction by the droplets or the ice of a kind of cloud, per metre. Sources: cumulus and stratus have w
+/// = 0.3 and 0.2 g of water in a cubic metre, in droplets of r = 10 µm (Rogers, Yau, "A Short Course in Cloud Physics",
+/// 1989), which gives 3 w / (2 rho r); cirrus has about 0.3 per km (Sassen, Comstock 2001).
 double extinction_per_m(CloudKind kind);
 
-/// The particles of a cloud down to a radius: heaps of spheres, on whose upper surfaces sit smaller ones, and so on
-/// (Bouthors, Neyret, "Modeling Clouds Shape", Eurographics 2004). A coarser cloud lacks the smallest particles, and
-/// has the others where they were.
-/// @param finest_m  > 0, metres of the frame. Cost: O(particles).
+/// Returns the particles of a cloud down to a radius: large spheres (heaps), with smaller spheres on their upper
+/// surfaces, and so on (Bouthors, Neyret, "Modeling Clouds Shape", Eurographics 2004). With a larger `finest_m` the
+/// smallest particles are left out; all others have equal positions and radii. Cost: O(particles).
+/// @param finest_m  Smallest radius, > 0, in metres of the layer's frame.
 CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, double finest_m);
 
-/// The largest error of optical depth of a coarser cloud, of `rays` random rays through it, against `finest_m`.
+/// Returns the largest difference of optical depth, over random rays, between a cloud of particles down to a radius of
+/// `coarse_m` and the same cloud down to `finest_m`, both in metres of the layer's frame.
+/// @param rays  The number of rays.
 double optical_depth_error(const CloudLayer& layer, const Cloud& cloud, double coarse_m, double finest_m, int rays);
 
-/// Where the line that a ray lies on enters and leaves a sphere, in lengths of `direction`; {0, 0} where it does not
-/// meet it. Frame of the layer.
+/// Returns the distances, in units of the length of `direction`, at which the line of a ray enters and leaves a sphere;
+/// {0, 0} if the line misses the sphere. The first distance may be negative. Points and directions are in the layer's
+/// frame.
 std::pair<double, double> chord_of(const CloudParticle& sphere, Vec3 from, Vec3 direction);
-/// The part of a chord above the base; its end is not after its begin where there is none.
+/// Returns the part of a chord (the result of chord_of()) above z = 0, the base of the layer. Its end is not after its
+/// begin if no part is above the base.
 std::pair<double, double> above_base(std::pair<double, double> chord, Vec3 from, Vec3 direction);
-/// Both.
+/// Returns above_base(chord_of(…)): the part of a ray's line inside of a sphere and above the base.
 std::pair<double, double> part_inside(const CloudParticle& sphere, Vec3 from, Vec3 direction);
 
-/// The optical depth of a cloud along a ray. O(n log n).
-/// @param from, direction  In the layer's frame; lengths along the ray are those of `direction`, and its length is that
-///        of one metre of the plane.
+/// Returns the optical depth of a cloud along a ray, from `from` to infinity. O(n log n) in the particles.
+/// @param from       In the layer's frame.
+/// @param direction  LayerFrame::into_direction() of a unit vector of the plane. Its length is then one metre of the
+/// plane, in which extinction is counted.
 double optical_depth(CloudKind kind, const CloudParticles& particles, Vec3 from, Vec3 direction);
 
 }  // namespace citykiln::sky

@@ -4,14 +4,14 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/trig.h"
 
 namespace citykiln::sky {
 namespace {
 
-// How clouds of a kind are shaped. `spacing` is in heights of the layer's frame.
+// The spacing and scaling of clouds of a kind. `spacing` is in heights of the layer's frame.
 struct KindShape {
   double spacing, stretch, flatten;
 };
@@ -27,16 +27,16 @@ KindShape shape_of(CloudKind kind) {
   }
 }
 
-// Discs of these radii at independent places cover as much as is asked for; at most nearly all.
+// The mean square radius with which discs at independent places cover the wanted share, or nearly all of the sky.
 double mean_square_radius_m2(double cover, double kept, double spacing_m) {
   const double wanted = -logarithm(1 - std::min(cover, 0.97));
   return wanted * spacing_m * spacing_m / (kPi * kept);
 }
 
-// The square of a radius is uniform between these shares of its mean.
+// The square of a cloud's radius is uniform between these multiples of the mean square.
 constexpr double kLeastSize = 0.5, kMostSize = 1.5;
 
-// A share of cells that are not empty.
+// The share of cells that have a cloud.
 double kept_share(double cover) { return 0.3 + 0.7 * cover; }
 
 Cloud cloud_at(const CloudLayer& layer, const LayerFrame& frame, std::int64_t column, std::int64_t row) {
@@ -44,7 +44,7 @@ Cloud cloud_at(const CloudLayer& layer, const LayerFrame& frame, std::int64_t co
   const StableId whole = stable_id(ObjectId{{OsmType::kNone, static_cast<std::int64_t>(layer.kind)}}),
                  in_row = stable_id(whole, "row", static_cast<std::uint64_t>(row)),
                  id = stable_id(in_row, "cloud", static_cast<std::uint64_t>(column));
-  const Draw draw(layer.seed, id, "place");
+  const RandomSequence draw(layer.seed, id, "place");
   Cloud cloud;
   cloud.id = id;
   if (draw.unit(0) >= kept_share(layer.cover)) return cloud;

@@ -22,7 +22,7 @@ buildings::Building house(std::int64_t id, Vec2 at, double height_m) {
 // Flat land with rows of houses, some of them low.
 scene::Scene scene_of_house_rows() {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {kLevelTile_m, kLevelTile_m}};
+  scene.header.extent = {{0, 0}, {kLevelTile_m, kLevelTile_m}};
   scene.header.tile_m = kLevelTile_m;
   scene::Chunk& chunk = scene.chunks.emplace_back();
   chunk.heights = {{-64, -64}, {64, 64}, 19, 19, {}, 0};

@@ -24,7 +24,7 @@ buildings::Building block(std::int64_t id, Vec2 at) {
 
 scene::Scene with_blocks(std::int64_t count) {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {kAtlasTile_m, kAtlasTile_m}};
+  scene.header.extent = {{0, 0}, {kAtlasTile_m, kAtlasTile_m}};
   scene.header.tile_m = kAtlasTile_m;
   const auto rules = buildings::shipped_rules();
   scene.header.rules.assign(rules.begin(), rules.end());
@@ -36,9 +36,9 @@ scene::Scene with_blocks(std::int64_t count) {
   return scene;
 }
 
-std::vector<BakedTile> baked(const scene::Scene& scene, const std::vector<double>& ladder_m) {
+std::vector<BakedTile> baked(const scene::Scene& scene, const std::vector<double>& tolerances_m) {
   Report report;
-  return bake(scene.header, scene.chunks[0], ladder_m, 2, report);
+  return bake(scene.header, scene.chunks[0], tolerances_m, 2, report);
 }
 
 // The tile's faces on the facade atlas.

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "compiler/bake/ground_cells.h"
+#include "compiler/bake/ground/ground_cells.h"
 #include "tests/compiler/bake/made_border_map.h"
 
 namespace citykiln::bake {
@@ -63,7 +63,7 @@ GroundMesh ground_of(const MadeBorderMap& map, const Box2& tile, double toleranc
   return std::move(generate_cells(graded, surfaces, std::array{level}, 1, report).front());
 }
 
-/// How often edges on the border of both tiles occur, without upright ones.
+/// The number of times that each edge on the border of both tiles occurs, without vertical ones.
 using Met = std::map<std::pair<Vec3, Vec3>, int>;
 
 void count_met(const GroundMesh& ground, const MadeBorderMap& map, Met& met) {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/strip_cover.h"
@@ -22,14 +22,14 @@ inline constexpr double kMadeBorder_m = 128, kMadeTile_m = 32;
 struct MadeBorderMap {
   std::vector<roads::Road> roads;
   std::vector<roads::Strip> streams;
-  std::vector<ground::LandCoverPolygon> surfaces;  ///< Those of roads and streams too, sorted by id, class and piece.
+  std::vector<ground::LandCoverPolygon> surfaces;  ///< Areas, roads and streams, sorted by id, class and piece.
   map::Heightfield terrain;
   Box2 first, second;  ///< The tiles, side by side or one above the other.
 };
 
-/// Draws in the order of calls.
+/// Random numbers in the order of calls.
 struct Dice {
-  Draw draw;
+  RandomSequence draw;
   std::uint32_t next = 0;
 
   double between(double low, double high) { return draw.between(low, high, next++); }
@@ -43,9 +43,9 @@ struct BorderMapMaker {
   MadeBorderMap made{};
   std::int64_t next_id = 1;
 
-  double share_beside = 0.3;  // of points that lie beside the border
+  double share_beside = 0.3;  // share of points that lie on the border or beside it
 
-  // Near a side of a tile: on it, or some steps of the map's grid or of the plane's beside it.
+  // A coordinate near a side of a tile: on it, or some steps of the map's grid or of the plane's grid beside it.
   double beside(double side_m) {
     const double step_m = dice.is(0.5) ? kQuantum_m : kMapQuantum_m;
     return side_m + (static_cast<double>(dice.below(9)) - 4) * step_m * (dice.is(0.5) ? 0 : 1);
@@ -140,7 +140,7 @@ struct BorderMapMaker {
     made.streams.push_back(std::move(stream));
   }
 
-  // The sea on one side of a shore that keeps near to the border.
+  // The sea on one side of a shore that stays near the border.
   void add_coast() {
     Ring ring;
     for (double at_m = -40; at_m < 80; at_m += on_map(dice.between(1, 20)))
@@ -185,9 +185,9 @@ inline void turn_map(MadeBorderMap& map) {
   for (Box2* tile : {&map.first, &map.second}) *tile = {turned(tile->min), turned(tile->max)};
 }
 
-/// Makes the map of a seed.
+/// Returns the map of a seed.
 inline MadeBorderMap made_border_map(std::uint64_t seed) {
-  BorderMapMaker maker{{Draw(seed, StableId{7}, "map about a border")}};
+  BorderMapMaker maker{{RandomSequence(seed, StableId{7}, "map about a border")}};
   constexpr double kShares[] = {0.1, 0.3, 0.6, 0.9};
   maker.share_beside = kShares[maker.dice.below(4)];
   maker.add_terrain();

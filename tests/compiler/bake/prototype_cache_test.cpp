@@ -12,7 +12,7 @@ using plants::Species;
 
 scene::Header header_with_species(std::vector<plants::SpeciesText> texts) {
   scene::Header header;
-  header.region = {{0, 0}, {128, 128}}, header.tile_m = 128, header.species = std::move(texts);
+  header.extent = {{0, 0}, {128, 128}}, header.tile_m = 128, header.species = std::move(texts);
   return header;
 }
 
@@ -51,12 +51,12 @@ TEST(PrototypeCache, GrowsFromTheHeadersTextsAndElseFromThoseShipped) {
 TEST(PrototypeCache, GivesATileTheSameTreesSharedOrNot) {
   const scene::Header header = header_with_species({});
   const scene::Chunk chunk = planted(20);
-  const double ladder_m[] = {0.1, 2.5, 12.5};
+  const double tolerances_m[] = {0.1, 2.5, 12.5};
   Report report;
   const auto prototypes = std::make_shared<const PrototypeCache>(header);
-  const auto shared = bake(header, chunk, ladder_m, 2, report, prototypes);
-  EXPECT_EQ(bake(header, chunk, ladder_m, 1, report), shared);
-  EXPECT_EQ(bake(header, chunk, ladder_m, 1, report, prototypes), shared);
+  const auto shared = bake(header, chunk, tolerances_m, 2, report, prototypes);
+  EXPECT_EQ(bake(header, chunk, tolerances_m, 1, report), shared);
+  EXPECT_EQ(bake(header, chunk, tolerances_m, 1, report, prototypes), shared);
 }
 
 TEST(PrototypeCache, GrowsInTheMonthOfTheHeadersSky) {

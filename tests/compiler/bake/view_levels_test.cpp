@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compiler/contract/detail_tolerances.h"
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/map/locate.h"
 #include "compiler/scene/land_cover.h"
 
@@ -16,7 +16,7 @@ constexpr double kHillyTile_m = 512;
 
 map::Heightfield random_hills() {
   map::Heightfield field{{-64, -64}, {16, 16}, 73, 73, {}, 0};
-  const Draw draw(1, StableId{2}, "hills");
+  const RandomSequence draw(1, StableId{2}, "hills");
   for (std::uint32_t i = 0; i < 73 * 73; ++i)
     field.heights.push_back(static_cast<std::int32_t>(draw.unit(i) * 40 / map::kHeightQuantum_m));
   return field;
@@ -25,7 +25,7 @@ map::Heightfield random_hills() {
 // Two by two tiles of four by four cells.
 scene::Scene scene_of_four_tiles() {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {2 * kHillyTile_m, 2 * kHillyTile_m}};
+  scene.header.extent = {{0, 0}, {2 * kHillyTile_m, 2 * kHillyTile_m}};
   scene.header.tile_m = kHillyTile_m;
   for (const scene::TileKey tile : scene::tiles_of(scene.header)) {
     scene.chunks.emplace_back().tile = tile;
@@ -40,7 +40,7 @@ View made_view(double pixel_error) {
   return view;
 }
 
-Bounds somewhere(const Draw& draw, std::uint32_t i) {
+Bounds somewhere(const RandomSequence& draw, std::uint32_t i) {
   const Vec2 at{draw.between(-3000, 3000, 4 * i), draw.between(-3000, 3000, 4 * i + 1)};
   const double low_m = draw.between(-100, 400, 4 * i + 2);
   return {Box2{at, at}.widened(draw.between(0, 200, 4 * i + 3)), low_m, low_m + 20};
@@ -54,7 +54,7 @@ std::vector<ViewCell> all_cells(const scene::Scene& scene, const ViewLevels& lev
 }
 
 TEST(ViewLevels, AnErrorIsNoLongerThanThePixelsAskedFor) {
-  const Draw draw(3, StableId{4}, "bounds");
+  const RandomSequence draw(3, StableId{4}, "bounds");
   const View view = made_view(0.75);
   for (std::uint32_t i = 0; i < 2000; ++i) {
     const Bounds bounds = somewhere(draw, i);
@@ -71,7 +71,7 @@ TEST(ViewLevels, EachObjectIsInOnePart) {
   const scene::Scene scene = scene_of_four_tiles();
   const ViewLevels levels = levels_for(scene, made_view(1));
   const std::vector<int> of_tile = levels_of_parts(levels, scene.header, scene.chunks[0]);
-  const Draw draw(5, StableId{6}, "bounds");
+  const RandomSequence draw(5, StableId{6}, "bounds");
   for (std::uint32_t i = 0; i < 500; ++i) {
     int parts = 0;
     for (const int level : of_tile)

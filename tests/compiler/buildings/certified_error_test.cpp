@@ -79,7 +79,7 @@ double measured_m(const Building& building, const Level& finest, const NearestTr
                   farthest_m(finest.triangles, NearestTriangle(level.triangles)));
 }
 
-/// Of all buildings on one level.
+/// Measures of all buildings on one level.
 struct Row {
   std::size_t triangles = 0, dropped = 0;
   double stated_m = 0, measured_m = 0, share = 0;  ///< The largest; `share` of what both levels state.

@@ -123,7 +123,7 @@ double balconies_m2(const GeneratedBuilding& house) {
   return shown.wall_m2;
 }
 
-// As faces they would have five times the area of their bars.
+// If railings were faces, these would have five times the area of their bars.
 TEST(FacadeTextures, ReplaceRailingsByRails) {
   Building block = with_iron_balconies();
   std::size_t houses_with_balconies = 0;
@@ -198,15 +198,15 @@ bool are_same(const Mesh& a, const Mesh& b) { return a.positions == b.positions 
 
 TEST(FacadeTextures, AreTheSameForLevelsTogetherAndAlone) {
   const Building block = building_of_style(Style::kCourtyardBlock, 24, 19);
-  const double ladder_m[] = {0.1, 0.5, 2.5, 12.5};
-  std::vector<Report> reports(std::size(ladder_m));
-  const std::vector<GeneratedBuilding> together = generate(block, rulebook(), {1}, ladder_m, reports);
-  ASSERT_EQ(together.size(), std::size(ladder_m));
+  const double tolerances_m[] = {0.1, 0.5, 2.5, 12.5};
+  std::vector<Report> reports(std::size(tolerances_m));
+  const std::vector<GeneratedBuilding> together = generate(block, rulebook(), {1}, tolerances_m, reports);
+  ASSERT_EQ(together.size(), std::size(tolerances_m));
   for (std::size_t l = 0; l < together.size(); ++l) {
-    const GeneratedBuilding alone = expanded(block, ladder_m[l]);
+    const GeneratedBuilding alone = expanded(block, tolerances_m[l]);
     ASSERT_EQ(together[l].meshes.size(), alone.meshes.size());
     ASSERT_EQ(together[l].textured_faces.size(), alone.textured_faces.size());
-    EXPECT_TRUE(alone.textured_faces.empty() || has_detail(Detail::kFacadeTextures, ladder_m[l]));
+    EXPECT_TRUE(alone.textured_faces.empty() || has_detail(Detail::kFacadeTextures, tolerances_m[l]));
     for (std::size_t i = 0; i < alone.meshes.size(); ++i)
       EXPECT_TRUE(are_same(together[l].meshes[i].mesh, alone.meshes[i].mesh));
     for (std::size_t i = 0; i < alone.textured_faces.size(); ++i) {

@@ -83,6 +83,22 @@ TEST(Generate, KeepsBuildingsWithHigherRoofStructures) {
   EXPECT_EQ(dropped.error_m, 19);
 }
 
+TEST(Generate, SaysThatModelsAndTexturesOfRulesAreNotDrawn) {
+  Building b = with_court(false);
+  b.style = Style::kBarn;
+  const auto diagnoses = [&](const char* rules) {
+    Rulebook rulebook;
+    rulebook.emplace(b.style, *grammars::read_rules_of(rules));
+    Report report;
+    generate(b, rulebook, {1}, 0.02, report);
+    return report.counts()[Code::kRuleWithoutEffect];
+  };
+  EXPECT_EQ(diagnoses("Building --> comp(f) { top : i(\"tank\") Tank. | all : Wall. }"), 1u);
+  EXPECT_EQ(diagnoses("Building --> texture(\"bricks.jpg\") comp(f) { all : Wall. }"), 1u);
+  EXPECT_EQ(diagnoses("Building --> comp(f) { all : tileUV(0, 2, 1) Wall. }"), 1u);
+  EXPECT_EQ(diagnoses("Building --> report(\"faces\", 1) comp(f) { all : Wall. }"), 0u);
+}
+
 TEST(Generate, IsTotalOnCrossingFootprints) {
   Building b = with_court(false);
   b.footprint = {{{0, 0}, {10, 10}, {10, 0}, {0, 14}}, {}};

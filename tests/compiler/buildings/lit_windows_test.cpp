@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {

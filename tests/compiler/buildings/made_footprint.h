@@ -1,4 +1,4 @@
-// Footprints of tests.
+// Footprints of buildings for tests.
 #pragma once
 
 #include "compiler/map/features.h"

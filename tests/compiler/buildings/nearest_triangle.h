@@ -1,4 +1,5 @@
-// The nearest triangle of many, exactly: boxes in a tree, halved along their longest side.
+// The distance to the nearest of many triangles, without approximation: boxes in a tree, halved along their longest
+// side.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ class NearestTriangle {
     if (!triangles_.empty()) build(0, triangles_.size());
   }
 
-  /// To the nearest; or any distance up to `enough_m`, once one is found.
+  /// The distance to the nearest triangle. The search ends early once a triangle within `enough_m` is found.
   double distance_m(Vec3 p, double enough_m = 0) const {
     double best_m = std::numeric_limits<double>::infinity();
     if (!nodes_.empty()) search(0, p, enough_m, best_m);
@@ -33,7 +34,7 @@ class NearestTriangle {
 
   struct Node {
     Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-    std::size_t first = 0, last = 0;  // of triangles; a leaf's
+    std::size_t first = 0, last = 0;  // range of its triangles
     std::size_t second = 0;           // the first child is the next node
   };
 

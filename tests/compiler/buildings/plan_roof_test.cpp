@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "tests/compiler/buildings/made_footprint.h"
 
 namespace citykiln::buildings {

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
+#include "compiler/map/buildings/part_outlines.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -32,8 +33,11 @@ map::Footprint square_block(std::int64_t id, double x, double y, double size, do
 
 map::Features features_of(std::vector<map::Footprint> footprints) {
   map::Features f;
-  f.region = {{-128, -128}, {128, 128}};
+  f.extent = {{-128, -128}, {128, 128}};
   f.footprints = std::move(footprints);
+  const std::vector<std::uint32_t> outlines = map::part_outlines(f.footprints);
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    if (outlines[i] != map::kNoOutline) f.footprints[i].outline = f.footprints[outlines[i]].id;
   return f;
 }
 

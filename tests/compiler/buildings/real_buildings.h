@@ -11,7 +11,7 @@
 
 namespace citykiln::buildings {
 
-/// None where the file cannot be read.
+/// Returns the buildings of an extract; none if the file cannot be read.
 inline std::vector<Building> buildings_in(const std::string& name) {
   Report report;
   const auto osm = source::read_osm(real_data(name), 2, report);

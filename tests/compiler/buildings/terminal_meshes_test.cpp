@@ -123,7 +123,7 @@ TEST(TerminalMeshes, HaveTextureCoordinatesInMetres) {
     for (const Triangle& t : part.mesh.triangles) {
       const auto& p = part.mesh.positions;
       EXPECT_NEAR(distance(part.uvs[t[0]], part.uvs[t[1]]), length(p[t[0]] - p[t[1]]), 0.006);
-      // a wall's height is told by v
+      // v gives the height on a wall
       if (part.material == Material::kBrick) {
         EXPECT_NEAR(part.uvs[t[0]].y, p[t[0]].z, 0.002);
       }

@@ -1,11 +1,11 @@
-// val3dity's rules for solids, written down again: codes 1xx (rings), 2xx (faces) and 3xx (shells) of val3dity 2, by
-// GEOS and CGAL, so that nothing of citykiln's own geometry has a say.
+// val3dity's rules for solids, implemented a second time: codes 1xx (rings), 2xx (faces) and 3xx (shells) of val3dity
+// 2, by GEOS and CGAL, so that the checks do not depend on citykiln's own geometry.
 //
 // Ledoux 2013, "On the validation of solids represented with the international standards for geographic information".
-// Tolerances are val3dity's own: 1 cm and 20 degrees for planes. Two things are stricter here: points are one where
-// they are equal (its default joins what is within 1 mm, which is our grid's step), and every code is looked for (it
-// stops at the first level that fails). One is milder: triangles thinner than the two centimetres that a face may have
-// about its plane are not asked which way they look (204).
+// Tolerances are val3dity's own: 1 cm and 20 degrees for planes. Two checks are stricter here. Points are merged only
+// if they are equal (its default merges points within 1 mm, which is our grid's step), and every code is looked for (it
+// stops at the first level that fails). One is milder: the normal of triangles thinner than 2 cm, the thickness that a
+// face may have about its plane, is not checked (204).
 #pragma once
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -52,8 +52,8 @@ inline Vec3 newell(const Ring& ring) {
   return sum;
 }
 
-/// From above, exact, where turning into the plane would round; what stands upright along itself and up. Keeps which
-/// way round.
+/// Projects a point into a plane and keeps the orientation. Faces that are not vertical are seen from above, which is
+/// exact, while a rotation would round. Vertical faces are projected along the horizontal part of the normal.
 inline Vec2 flattened(Vec3 p, Vec3 normal) {
   if (std::abs(normal.z) > 1e-3) return normal.z > 0 ? Vec2{p.x, p.y} : Vec2{p.y, p.x};
   return {p.y * normal.x - p.x * normal.y, p.z};
@@ -98,7 +98,7 @@ inline void check_ring(const Ring& ring, Vec3 normal, Codes& codes) {
 
 // ---- faces: 2xx
 
-/// What GEOS calls it.
+/// Returns the code for a reason as GEOS names it.
 inline int code_named(std::string_view reason) {
   constexpr std::pair<std::string_view, int> kReasons[] = {
       {"Hole lies outside shell", 206}, {"Holes are nested", 207},  {"Interior is disconnected", 205},
@@ -110,7 +110,7 @@ inline int code_named(std::string_view reason) {
 
 inline std::set<Vec3> places_of(std::span<const Vec3> ring) { return {ring.begin(), ring.end()}; }
 
-// GEOS has no name for it any more.
+// Adds 202 for equal rings, which GEOS no longer reports.
 inline void check_twice(const Face& face, Codes& codes) {
   std::set<std::set<Vec3>> rings = {places_of(face.outer)};
   for (const auto& hole : face.holes)
@@ -138,7 +138,7 @@ inline std::vector<Vec3> points_of(const Face& face) {
   return points;
 }
 
-// The plane that fits best looks along the least axis of the points' spread.
+// The normal of the best plane is the axis of least variance.
 inline void check_plane(const Face& face, Codes& codes) {
   const std::vector<Vec3> points = points_of(face);
   if (points.size() == 3) return;
@@ -199,12 +199,12 @@ inline void constrain(Triangulation& plane, const Ring& ring, Vec3 normal, Shell
     plane.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
 }
 
-/// How many rings lie around each triangle: odd ones are the face.
+/// Counts the rings around each triangle, modulo 2: triangles with 1 are the face.
 inline void count_rings_around(Triangulation& plane) {
   for (auto face = plane.all_faces_begin(); face != plane.all_faces_end(); ++face) face->info() = -1;
   std::vector<Triangulation::Face_handle> front = {plane.infinite_face()};
   front[0]->info() = 0;
-  // what a constraint parts lies one ring deeper, whichever way it is come to
+  // a triangle behind a constraint is one ring deeper, on any path
   for (std::size_t at = 0; at < front.size(); ++at)
     for (int i = 0; i < 3; ++i) {
       const auto next = front[at]->neighbor(i);
@@ -219,7 +219,7 @@ inline Vec3 normal_of(const Shell& shell, const std::array<std::uint32_t, 3>& t)
   return unit(cross(shell.positions[t[1]] - a, shell.positions[t[2]] - a));
 }
 
-/// Of a triangle, over its longest side.
+/// The height of a triangle over its longest side.
 inline double least_height_m(const Shell& shell, const std::array<std::uint32_t, 3>& t) {
   const Vec3 a = shell.positions[t[0]], b = shell.positions[t[1]], c = shell.positions[t[2]];
   return length(cross(b - a, c - a)) / std::max({length(b - a), length(c - b), length(a - c)});
@@ -254,7 +254,7 @@ inline void check_edges(const Shell& shell, Codes& codes) {
   }
 }
 
-/// Around every vertex the triangles are one fan.
+/// Adds 303 if the triangles around a vertex are not one fan.
 inline void check_fans(const Shell& shell, Codes& codes) {
   std::vector<std::map<std::uint32_t, std::uint32_t>> around(shell.positions.size());
   for (const auto& t : shell.triangles)
@@ -284,7 +284,7 @@ inline std::size_t pieces_of(const Shell& shell) {
   return roots.size();
 }
 
-/// Only what is a manifold can be asked whether it cuts itself.
+/// Adds 306 and 307 by CGAL, which needs a manifold.
 inline void check_surface(const Shell& shell, Codes& codes) {
   LandCoverPolygon surface;
   for (const Vec3 p : shell.positions) surface.add_vertex({p.x, p.y, p.z});
@@ -298,7 +298,7 @@ inline void check_surface(const Shell& shell, Codes& codes) {
   if (CGAL::is_closed(surface) && !CGAL::Polygon_mesh_processing::is_outward_oriented(surface)) codes.insert(307);
 }
 
-/// Codes of everything that is wrong with a solid bounded by one shell.
+/// Returns the codes of all faults of a solid bounded by one shell.
 inline Codes codes_of(std::span<const Face> faces) {
   const Geos geos;
   Codes codes;

@@ -5,7 +5,7 @@
 namespace citykiln::commands {
 namespace {
 
-/// What a verb was given and said.
+/// The arguments and state that a verb received.
 struct Heard {
   std::vector<std::string> files, numbers;
   bool is_strict = false, has_run = false, was_quiet = false;

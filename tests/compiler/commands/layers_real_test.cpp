@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "compiler/commands/geojson.h"
-#include "compiler/commands/map_layers.h"
-#include "compiler/commands/scene_layers.h"
+#include "compiler/commands/layers/geojson.h"
+#include "compiler/commands/layers/map_layers.h"
+#include "compiler/commands/layers/scene_layers.h"
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/real_scenes.h"
 #include "tests/test_files.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <tuple>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 namespace citykiln {
 namespace {
@@ -18,7 +18,7 @@ constexpr Box2 kCell{{0, 0}, {128, 128}};
 // Random closed triangles, some far larger than the cell, with corners crowded onto a coarse lattice so that many
 // coincide.
 std::vector<OwnedSegment> random_triangles(std::uint64_t seed, int count, double reach_m, int lattice) {
-  const Draw draw(seed, StableId{1}, "triangles");
+  const RandomSequence draw(seed, StableId{1}, "triangles");
   std::vector<OwnedSegment> segments;
   for (int t = 0; t < count; ++t) {
     GridPoint corner[3];

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 namespace citykiln {
 namespace {
 
 std::vector<Box2> random_boxes(std::uint64_t seed, int count) {
-  const Draw draw(seed, StableId{31}, "boxes");
+  const RandomSequence draw(seed, StableId{31}, "boxes");
   std::vector<Box2> boxes;
   for (int b = 0; b < count; ++b) {
     const auto i = static_cast<std::uint32_t>(4 * b);
@@ -39,7 +39,7 @@ TEST(BoxGrid, FindsTheSameWhateverElseItHolds) {
   boxes.push_back({{-5003.25, -4001.5}, {-5000, -4000}});
   boxes.push_back({{6000, 7000}, {6001.75, 7003}});
   const BoxGrid among = grid_of(boxes, 16);
-  const Draw draw(3, StableId{33}, "places");
+  const RandomSequence draw(3, StableId{33}, "places");
   int found = 0;
   for (std::uint32_t i = 0; i < 2000; ++i) {
     const Vec2 p{draw.between(-400, 460, 2 * i), draw.between(-300, 360, 2 * i + 1)};
@@ -52,13 +52,13 @@ TEST(BoxGrid, FindsTheSameWhateverElseItHolds) {
   EXPECT_GT(found, 100);
 }
 
-// What is denied is where the box has no place.
+// A box is left out only at places in the buckets where it is excluded.
 TEST(BoxGrid, FindsAllBoxesThatAreNotExcluded) {
   const std::vector<Box2> boxes = random_boxes(1, 60);
   const auto is_odd_column = [](const Box2& bucket) { return std::fmod(std::floor(bucket.centre().x / 8), 2) != 0; };
   const BoxGrid whole = grid_of(boxes, 8);
   const BoxGrid some = grid_of(boxes, 8, [&](std::uint32_t, const Box2& bucket) { return is_odd_column(bucket); });
-  const Draw draw(1, StableId{32}, "places");
+  const RandomSequence draw(1, StableId{32}, "places");
   int found = 0;
   for (std::uint32_t i = 0; i < 2000; ++i) {
     const Vec2 p{draw.between(-300, 360, 2 * i), draw.between(-200, 260, 2 * i + 1)};

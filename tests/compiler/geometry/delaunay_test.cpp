@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/point_buckets.h"
 
 namespace citykiln {
@@ -72,7 +72,7 @@ TEST(Delaunay, AFlippedEdgeJoinsTheOtherCorners) {
 
 TEST(Delaunay, TakesPointsAfterFlips) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const Draw draw(seed, StableId{3}, "points");
+    const RandomSequence draw(seed, StableId{3}, "points");
     Delaunay d(std::vector<GridPoint>{{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}}, {});
     for (std::uint32_t n = 0; n < 900; n += 3) {
       const GridPoint p{static_cast<std::int64_t>(draw.between(1, 999, n)),

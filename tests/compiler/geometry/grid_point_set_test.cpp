@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 namespace citykiln {
 namespace {
 
 TEST(GridPointSet, HoldsWhatWasInsertedAndNothingElse) {
-  const Draw draw(1, StableId{1}, "points");
+  const RandomSequence draw(1, StableId{1}, "points");
   const auto point = [&](std::uint32_t i) {
     return GridPoint{static_cast<std::int64_t>(draw.below(2000, 2 * i)) - 1000,
                      static_cast<std::int64_t>(draw.below(2000, 2 * i + 1)) * 1024};

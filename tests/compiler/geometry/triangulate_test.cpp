@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/trig.h"
 
@@ -17,7 +17,7 @@ double triangles_area_m2(const PlaneTriangles& t) {
 
 // A star-shaped ring about a centre, counter-clockwise.
 Ring star(Vec2 centre, double radius_m, int corners, std::uint64_t seed) {
-  const Draw draw(seed, StableId{1}, "star");
+  const RandomSequence draw(seed, StableId{1}, "star");
   Ring ring;
   for (int i = 0; i < corners; ++i)
     ring.push_back(
@@ -71,7 +71,7 @@ TEST(Triangulate, IsTotalOnDegenerateRings) {
 
 TEST(Triangulate, TriangulatesRandomScribblesOnTheGrid) {
   for (int seed = 0; seed < 200; ++seed) {
-    const Draw draw(seed, StableId{2}, "scribble");
+    const RandomSequence draw(seed, StableId{2}, "scribble");
     Polygon polygon;
     for (int i = 0; i < 30; ++i)
       polygon.outer.push_back(snapped(Vec2{draw.between(0, 9, 2 * i), draw.between(0, 9, 2 * i + 1)}));

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/ground/plan.h"
 #include "tests/compiler/roads/made_road.h"
@@ -26,7 +26,7 @@ Heightfield rough_field(Vec2 step_m, double height_m) {
   const int west = steps(256, step_m.x), south = steps(256, step_m.y);
   Heightfield field{{-west * step_m.x, -south * step_m.y}, step_m, west + steps(512, step_m.x) + 1,
                     south + steps(512, step_m.y) + 1,      {},     0};
-  const Draw draw(1, StableId{2}, "heights");
+  const RandomSequence draw(1, StableId{2}, "heights");
   for (int i = 0; i < field.columns * field.rows; ++i)
     field.heights.push_back(
         static_cast<std::int32_t>(draw.unit(static_cast<std::uint32_t>(i)) * height_m / map::kHeightQuantum_m));
@@ -38,7 +38,7 @@ std::vector<LandCoverPolygon> crossing_surfaces(std::uint64_t seed, int count) {
   constexpr LandCoverClass kClasses[] = {LandCoverClass::kMeadow, LandCoverClass::kForest, LandCoverClass::kLake,
                                          LandCoverClass::kResidentialRoad, LandCoverClass::kBuilding};
   std::vector<LandCoverPolygon> surfaces;
-  const Draw draw(seed, StableId{3}, "surfaces");
+  const RandomSequence draw(seed, StableId{3}, "surfaces");
   for (int s = 0; s < count; ++s) {
     Ring ring;
     for (int i = 0; i < 3; ++i) {
@@ -116,7 +116,7 @@ TEST(Ground, StatedErrorIsNeverExceeded) {
     const GroundMesh g =
         generate_cell(crossing_surfaces(9, 20), GradedTerrain(Heightfield(field)), kGeneratedCell, tolerance_m, report);
     EXPECT_LE(g.error_m, tolerance_m);
-    const Draw draw(1, StableId{4}, "samples");
+    const RandomSequence draw(1, StableId{4}, "samples");
     double largest = 0;
     for (std::uint32_t i = 0; i < 200000; ++i) {
       const Triangle& t = g.mesh.triangles[i % g.mesh.triangles.size()];
@@ -143,7 +143,7 @@ std::vector<Vec3> on_line_x(const GroundMesh& g, double x) {
 TEST(Ground, KeepsItsToleranceBesideCellBordersToo) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Heightfield field{{0, 0}, {64, 64}, 17, 17, {}, 0};
-    const Draw draw(seed, StableId{4}, "mountains");
+    const RandomSequence draw(seed, StableId{4}, "mountains");
     for (std::uint32_t i = 0; i < 17 * 17; ++i) {
       const double slope_m = 40.0 * (i % 17) + 25.0 * (i / 17), metres = slope_m + draw.between(0, 30, i);
       field.heights.push_back(static_cast<std::int32_t>(metres / map::kHeightQuantum_m));

@@ -21,9 +21,9 @@ struct RealGround {
   std::vector<Polyline> covered;  ///< Culverts and aqueducts.
 };
 
-inline source::LonLatBox degrees_of(const Box2& region, const map::Plane& plane) {
+inline source::LonLatBox degrees_of(const Box2& extent, const map::Plane& plane) {
   source::LonLatBox box{180, 90, -180, -90};
-  for (const Vec2 p : {region.min, region.max, Vec2{region.min.x, region.max.y}, Vec2{region.max.x, region.min.y}}) {
+  for (const Vec2 p : {extent.min, extent.max, Vec2{extent.min.x, extent.max.y}, Vec2{extent.max.x, extent.min.y}}) {
     const map::LonLat place = plane.backward(p);
     box = {std::min(box.west, place.lon_deg), std::min(box.south, place.lat_deg), std::max(box.east, place.lon_deg),
            std::max(box.north, place.lat_deg)};
@@ -31,7 +31,8 @@ inline source::LonLatBox degrees_of(const Box2& region, const map::Plane& plane)
   return box;
 }
 
-/// @param dem  Empty: without heights.
+/// Reads an extract and its heightmap.
+/// @param dem  Empty: no heights.
 inline Result<RealGround> read_real_ground(const std::string& path, const std::string& dem, Report& report) {
   const auto osm = source::read_osm(path, 0, report);
   if (!osm) return osm.error();
@@ -40,14 +41,14 @@ inline Result<RealGround> read_real_ground(const std::string& path, const std::s
   RealGround ground{map::locate(*osm, plane, box, {}, report), {}, {}, {}, {}};
   std::vector<source::Raster> rasters;
   if (!dem.empty()) {
-    const source::LonLatBox window = degrees_of(ground.features.region, plane);
+    const source::LonLatBox window = degrees_of(ground.features.extent, plane);
     const auto spec = source::parse_raster_spec(dem);
     if (!spec) return spec.error();
     auto raster = source::read_raster(*spec, &window);
     if (!raster) return raster.error();
     rasters.push_back(source::fill_voids(std::move(*raster), report));
   }
-  auto heights = map::resample(rasters, plane, ground.features.region, report);
+  auto heights = map::resample(rasters, plane, ground.features.extent, report);
   if (!heights) return heights.error();
   ground.heights = std::move(*heights);
   ground.surfaces = plan(ground.features, report);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/arrangement.h"
 #include "compiler/ground/recipe.h"
 
@@ -12,13 +12,13 @@ namespace citykiln::ground {
 
 inline constexpr Box2 kWavyCell{{-128, 0}, {0, 128}};
 
-/// Lobed rings of 60 corners with noise, of all sizes, in and about kWavyCell.
+/// Returns lobed rings of 60 corners with noise, of all sizes, in and about kWavyCell.
 inline std::vector<LandCoverPolygon> wavy_surfaces(std::uint64_t seed, int count, double noise_m) {
   constexpr map::LandCoverClass kClasses[] = {map::LandCoverClass::kMeadow, map::LandCoverClass::kForest,
                                               map::LandCoverClass::kLake, map::LandCoverClass::kResidentialRoad,
                                               map::LandCoverClass::kBuilding};
   std::vector<LandCoverPolygon> surfaces;
-  const Draw draw(seed, StableId{20}, "surfaces");
+  const RandomSequence draw(seed, StableId{20}, "surfaces");
   std::uint32_t next = 0;
   for (int s = 0; s < count; ++s) {
     const Vec2 centre{draw.between(-140, 12, next), draw.between(-12, 140, next + 1)};

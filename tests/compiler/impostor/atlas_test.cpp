@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/materials/material.h"
 
 namespace citykiln::impostor {
 namespace {
 
 Picture random_picture(std::uint64_t seed, std::uint32_t widest) {
-  const Draw draw(seed, StableId{}, "picture");
+  const RandomSequence draw(seed, StableId{}, "picture");
   Picture picture{
       1 + static_cast<std::uint32_t>(draw.below(widest, 0)), 1 + static_cast<std::uint32_t>(draw.below(widest, 1)), {}};
   for (std::uint32_t i = 0; i < picture.columns * picture.rows; ++i) {

@@ -24,7 +24,7 @@ Picture chance_picture(std::uint32_t columns, std::uint32_t rows, std::uint32_t 
   return picture;
 }
 
-// The same with patches of 5 × 5 texels.
+// A picture of patches of 5 × 5 equal texels.
 Picture patched_picture(std::uint32_t columns, std::uint32_t rows, std::uint32_t seed) {
   const Picture patches = chance_picture(columns, rows, seed);
   Picture picture = patches;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "tests/compiler/impostor/made_wall.h"
 
 namespace citykiln::impostor {
@@ -31,7 +31,7 @@ View with_slopes(View view) {
 // Random panels in front of and behind a wall of 8 by 8 m; their sides lie between samples, so that mirrored pictures
 // are equal.
 std::vector<MaterialMesh> scattered(std::uint64_t seed, std::size_t count) {
-  const Draw draw(seed, StableId{}, "panels");
+  const RandomSequence draw(seed, StableId{}, "panels");
   std::vector<MaterialMesh> meshes;
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto quarters = [&](std::uint32_t which, std::uint64_t below) {

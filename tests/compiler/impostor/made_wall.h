@@ -7,7 +7,7 @@
 
 namespace citykiln::impostor {
 
-/// An upright rectangle that faces south, its foot from (x0, y, z0) to x1, up to z1.
+/// A vertical rectangle that faces south, from (x0, y, z0) to (x1, y, z1).
 inline materials::MaterialMesh panel(double x0, double z0, double x1, double z1, materials::Material material,
                                      double y = 0) {
   materials::MaterialMesh mesh;
@@ -17,7 +17,7 @@ inline materials::MaterialMesh panel(double x0, double z0, double x1, double z1,
   return mesh;
 }
 
-/// Of the rectangle from (0, 0, 0) to so many texels of a metre, as one stands before it.
+/// The view from the south of a rectangle of `columns` by `rows` metres from (0, 0, 0), with texels of a metre.
 inline View seen_from_south(std::uint32_t columns, std::uint32_t rows) {
   View view;
   view.corner = {0, 0, static_cast<double>(rows)};

@@ -1,4 +1,4 @@
-// Mip levels of opacities as a reader makes them: each texel the mean of 2 × 2, rounded.
+// Mip levels of opacities as a renderer makes them: each texel is the rounded mean of 2 × 2.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,8 @@ struct MipLevel {
   std::vector<std::uint8_t> opacity;
 };
 
-/// @param level  With even sides.
+/// Returns the next level.
+/// @param level  Has an even number of columns and rows.
 inline MipLevel halved(const MipLevel& level) {
   MipLevel half{level.columns / 2, level.rows / 2, {}};
   for (std::size_t row = 0; row < half.rows; ++row)
@@ -31,7 +32,7 @@ inline double opaque_share(const MipLevel& level) {
   return static_cast<double>(opaque) / static_cast<double>(level.opacity.size());
 }
 
-/// The share that passes the cutoff where opacities are interpolated between texels, by 8 × 8 samples a texel.
+/// The share of the area that passes the cutoff if opacities are interpolated between texels, by 8 × 8 samples a texel.
 inline double interpolated_share(const MipLevel& level) {
   constexpr int kSamples = 8;
   const auto columns = static_cast<int>(level.columns), rows = static_cast<int>(level.rows);

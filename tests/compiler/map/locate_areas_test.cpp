@@ -90,7 +90,7 @@ TEST(LocateAreas, ALakeThatReachesFarOutIsKeptNearAndCoversTheSamePlaces) {
   const Features features = features_of("a1 0:0 500000:-300000 700000:400000 -20:600000 natural=water");
   ASSERT_EQ(features.areas.size(), 1u);
   const AreaFeature& lake = features.areas[0];
-  const Box2 far = features.region.widened(70000);
+  const Box2 far = features.extent.widened(70000);
   for (const Vec2 p : lake.polygon.outer) EXPECT_TRUE(far.contains(p)) << p.x << " " << p.y;
   EXPECT_TRUE(contains(lake.polygon, {300, 100}));
   EXPECT_FALSE(contains(lake.polygon, {-300, 100}));

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "tests/compiler/map/map_text.h"
 
 namespace citykiln::map {

@@ -54,7 +54,7 @@ struct Located {
     int sea = 0;
     for (int i = 0; i < 100; ++i)
       for (int j = 0; j < 100; ++j) {
-        const Box2& r = features.region;
+        const Box2& r = features.extent;
         sea += is_sea(plane.backward({r.min.x + (i + 0.5) * r.width() / 100, r.min.y + (j + 0.5) * r.height() / 100}));
       }
     return sea / 10000.0;
@@ -101,7 +101,7 @@ TEST(LocateReal, EveryExtractKeepsTheGuarantees) {
     EXPECT_TRUE(located.report.balances());
     EXPECT_TRUE(ids_rise(f.tracks) && ids_rise(f.footprints) && ids_rise(f.areas) && ids_rise(f.waterways) &&
                 ids_rise(f.barriers) && ids_rise(f.points));
-    const Box2 far = f.region.widened(65536);
+    const Box2 far = f.extent.widened(65536);
     for (const AreaFeature& area : f.areas) expect_good_polygon(area.polygon, far, area.id);
     for (const Footprint& footprint : f.footprints) {
       expect_good_polygon(footprint.polygon, far, footprint.id);
@@ -111,7 +111,7 @@ TEST(LocateReal, EveryExtractKeepsTheGuarantees) {
       EXPECT_EQ(track.axis.size(), track.node_ids.size());
       EXPECT_GE(track.axis.size(), 2u);
       EXPECT_GT(carriageway_width_m(track.section), 0);
-      EXPECT_TRUE(box_of(track.axis).touches(f.region));
+      EXPECT_TRUE(box_of(track.axis).touches(f.extent));
     }
   }
   EXPECT_GT(located_features, 0u);
@@ -242,7 +242,7 @@ TEST(LocateReal, ChicagosTowersHaveTheirHeights) {
 }
 
 Heightfield heights_of(const Located& located, const std::string& dem, Report& report) {
-  const Box2& r = located.features.region;
+  const Box2& r = located.features.extent;
   const LonLat low = located.plane.backward(r.min), high = located.plane.backward(r.max);
   const source::LonLatBox window{low.lon_deg - 0.01, low.lat_deg - 0.01, high.lon_deg + 0.01, high.lat_deg + 0.01};
   source::RasterSpec spec;
@@ -289,7 +289,7 @@ TEST(ResampleReal, AHeightmapOfAnotherCountryIsOneClearLine) {
   const auto raster = source::read_raster(spec, nullptr);
   ASSERT_TRUE(raster);
   Report report;
-  const auto field = resample(std::vector{*raster}, berlin.plane, berlin.features.region, report);
+  const auto field = resample(std::vector{*raster}, berlin.plane, berlin.features.extent, report);
   ASSERT_FALSE(field);
   EXPECT_EQ(field.error().where, "N42E001.hgt");
   EXPECT_EQ(field.error().message.find('\n'), std::string::npos);

@@ -77,12 +77,12 @@ TEST(Locate, TheRegionIsWholeCellsAroundTheBox) {
   for (const double half_m : {1.0, 100.0, 500.0, 3000.0}) {
     const source::LonLatBox box = box_around(half_m);
     Report report;
-    const Box2 region = locate({}, plane, box, {}, report).region;
-    for (const double v : {region.min.x, region.min.y, region.max.x, region.max.y}) EXPECT_EQ(std::fmod(v, kCell_m), 0);
+    const Box2 extent = locate({}, plane, box, {}, report).extent;
+    for (const double v : {extent.min.x, extent.min.y, extent.max.x, extent.max.y}) EXPECT_EQ(std::fmod(v, kCell_m), 0);
     for (const LonLat corner : {LonLat{box.west, box.south}, LonLat{box.east, box.south}, LonLat{box.east, box.north},
                                 LonLat{box.west, box.north}})
-      EXPECT_TRUE(region.contains(plane.forward(corner)));
-    EXPECT_LT(region.width(), 2 * half_m + 3 * kCell_m);
+      EXPECT_TRUE(extent.contains(plane.forward(corner)));
+    EXPECT_LT(extent.width(), 2 * half_m + 3 * kCell_m);
   }
 }
 
@@ -92,7 +92,7 @@ TEST(Locate, AnEmptyExtractGivesEmptyFeatures) {
   const source::LonLatBox box = choose_box(nothing, {});
   EXPECT_EQ(box, (source::LonLatBox{0, 0, 0, 0}));
   const Features features = locate(nothing, Plane(default_origin(box)), box, {}, report);
-  EXPECT_GT(features.region.width(), 0);
+  EXPECT_GT(features.extent.width(), 0);
   EXPECT_TRUE(features.tracks.empty() && features.areas.empty() && features.footprints.empty());
   EXPECT_TRUE(report.balances());
 }
@@ -104,7 +104,7 @@ TEST(Locate, AStrayNodeDoesNotReachAcrossTheWorld) {
   osm.ring_points[2] = {974200000, 0};
   Report report;
   const Features features = features_of(osm, report);
-  const Box2 far = features.region.widened(65536);
+  const Box2 far = features.extent.widened(65536);
   ASSERT_EQ(features.tracks.size(), 1u);
   for (const Vec2 p : features.tracks[0].axis) EXPECT_TRUE(far.contains(p)) << p.x << " " << p.y;
   for (const AreaFeature& area : features.areas)

@@ -22,8 +22,8 @@ inline const LonLat kTestOrigin{7.42, 43.73};
 ///     n5 3:4 natural=tree                               a node
 ///     w12 0:0 10:0 highway=residential width=12~m       a way; ~ stands for a space
 ///     a20 0:0 4:0 4:3 building=yes                      a closed way: in ways and in areas; counter-clockwise
-///     r30 0:0 9:0 9:9 / 2:2 2:4 4:4 ; 20:0 22:0 22:2 natural=water    a multipolygon: holes after /, further polygons
-///     after ;
+///     r30 0:0 9:0 9:9 / 2:2 2:4 4:4 ; 20:0 22:0 22:2 natural=water
+///                                                       a multipolygon: / begins a hole, ; a further polygon
 ///
 /// Places are metres from kTestOrigin; OSM's grid moves them by up to 6 mm. Nodes in one place are one node.
 class MapText {
@@ -123,14 +123,14 @@ class MapText {
 
 inline source::OsmData extract(const std::string& text) { return MapText(text).take(); }
 
-/// A box of degrees, about `half_m` around the origin.
+/// A box in degrees that extends `half_m` from the origin to each side.
 inline source::LonLatBox box_around(double half_m) {
   const Plane plane(kTestOrigin);
   const LonLat low = plane.backward({-half_m, -half_m}), high = plane.backward({half_m, half_m});
   return {low.lon_deg, low.lat_deg, high.lon_deg, high.lat_deg};
 }
 
-/// Located about kTestOrigin, in a region of about 1 km.
+/// Returns the features of an extract, located about kTestOrigin, with an extent of about 1 km.
 inline Features features_of(const source::OsmData& osm, Report& report) {
   return locate(osm, Plane(kTestOrigin), box_around(500), {}, report);
 }
@@ -140,7 +140,7 @@ inline Features features_of(const std::string& text) {
   return features_of(text, report);
 }
 
-/// Everything, coordinates to the last bit: equal text, equal features.
+/// Returns a text of all members, with coordinates to the last bit: equal texts mean equal features.
 inline std::string text_of(const Features& f) {
   std::string text;
   const auto id = [](ObjectId object) { return fmt::format("{}.{}", to_string(object.osm), object.part); };
@@ -158,7 +158,7 @@ inline std::string text_of(const Features& f) {
     return c ? fmt::format("{}.{}.{}", (*c)[0], (*c)[1], (*c)[2]) : std::string("-");
   };
   const auto material = [](const std::optional<materials::Material>& m) { return m ? static_cast<int>(*m) : -1; };
-  text += fmt::format("region {:a}:{:a} {:a}:{:a}\n", f.region.min.x, f.region.min.y, f.region.max.x, f.region.max.y);
+  text += fmt::format("region {:a}:{:a} {:a}:{:a}\n", f.extent.min.x, f.extent.min.y, f.extent.max.x, f.extent.max.y);
   for (const Track& t : f.tracks) {
     text += fmt::format("track {} {} {:a} {} {} {}{}{}{}", id(t.id), values_of(t.surface).name,
                         carriageway_width_m(t.section), t.layer, static_cast<int>(t.passage), t.is_oneway, t.is_lit,

@@ -7,7 +7,7 @@
 namespace citykiln::map {
 namespace {
 
-// What trees of real extracts are called, and what they look like.
+// Names of trees in real extracts, and the kind that they belong to.
 TEST(KindNamed, KnowsGenusSpeciesAndCommonNames) {
   const std::pair<const char*, PlantKind> names[] = {{"Tilia", PlantKind::kLime},
                                                      {"Tilia cordata", PlantKind::kLime},

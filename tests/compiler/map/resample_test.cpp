@@ -30,8 +30,8 @@ Raster raster_of(Height height_m, int columns = 161, int rows = 121, double spac
   return raster;
 }
 
-Heightfield field_of(const std::vector<Raster>& rasters, Report& report, const Box2& region = kRegion) {
-  Result<Heightfield> field = resample(rasters, Plane(kTestOrigin), region, report);
+Heightfield field_of(const std::vector<Raster>& rasters, Report& report, const Box2& extent = kRegion) {
+  Result<Heightfield> field = resample(rasters, Plane(kTestOrigin), extent, report);
   EXPECT_TRUE(field) << to_string(field.error());
   return field ? std::move(*field) : Heightfield{{0, 0}, {1, 1}, 2, 2, {0, 0, 0, 0}, 0};
 }

@@ -296,13 +296,13 @@ TEST(GenerateBlades, AreNoMoreThanTheLimit) {
   EXPECT_GT(static_cast<double>(sorted_placements(blades).size()), 0.85 * most);
 }
 
-TEST(AddHedge, PutsPiecesAsLongAsHighAlongTheLine) {
+TEST(PlaceHedge, PutsPiecesAsLongAsHighAlongTheLine) {
   const PlantedWood scene;
   const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kWoodBox.widened(kInfluenceRadius_m));
   const ground::GradedTerrain ground(scene.heights());
   PlacedPlants placed;
   const Polyline axis = {{-200, 100}, {-188, 100}, {-188, 91}};
-  add_hedge({axis, 1.5, {OsmType::kWay, 6}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg}, placed);
+  place_hedge(placed, {axis, 1.5, {OsmType::kWay, 6}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg});
   ASSERT_EQ(count_of(placed, Species::kHedge), 14u);
   for (const Placement& piece : sorted_placements(placed)) {
     EXPECT_EQ(piece.scale, 1.5);

@@ -112,7 +112,7 @@ TEST(Place, PutsLampsOnTheGroundAndTurnsThem) {
 
 TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
   map::Features f;
-  f.region = {{0, 0}, {128, 128}};
+  f.extent = {{0, 0}, {128, 128}};
   f.barriers = {{{{OsmType::kWay, 9}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kHedge, 1.5, 0.75},
                 {{{OsmType::kWay, 2}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kWall, 1.5, 0.75}};
   f.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree},
@@ -133,7 +133,7 @@ TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
 
 TEST(Plan, BarriersEndALittleOutsideOfTheRegion) {
   map::Features f;
-  f.region = {{0, 0}, {128, 128}};
+  f.extent = {{0, 0}, {128, 128}};
   f.barriers = {
       {{{OsmType::kWay, 9}, 0}, {{-50, 10}, {500, 10}, {500, 20}, {-50, 20}}, map::BarrierKind::kWall, 1.5, 0.75},
       {{{OsmType::kWay, 10}, 0}, {{-50, 0}, {-50, 90}}, map::BarrierKind::kWall, 1.5, 0.75}};

@@ -89,7 +89,7 @@ TEST(LampMesh, NeedsFewTrianglesAndFewerOnCoarserLevels) {
 TEST(LampMesh, KeepsWithinEachLevelOfTheLadder) {
   for (const LampKind kind : kAll)
     for (const double height_m : {4.0, 6.0, 8.0, 10.0, 12.0})
-      for (const double tolerance : kDefaultLadder_m) {
+      for (const double tolerance : kFinestTolerances_m) {
         const GeneratedProp lamp = lamp_mesh(kind, height_m, tolerance);
         EXPECT_LE(lamp.error_m, tolerance);
         EXPECT_EQ(lamp.meshes.empty(), height_m <= tolerance);

@@ -17,7 +17,7 @@ TEST(RegionGrid, EveryTileOfTheExtentIsInOneRegion) {
   for (const RegionKey region : regions_of(kGrid))
     for (const scene::TileKey tile : tiles_of(kGrid, region)) tiles.insert(tile);
   scene::Header header;
-  header.region = kGrid.extent, header.tile_m = kGrid.tile_m;
+  header.extent = kGrid.extent, header.tile_m = kGrid.tile_m;
   const std::vector<scene::TileKey> all = scene::tiles_of(header);
   EXPECT_EQ(std::vector(tiles.begin(), tiles.end()), all);
 }
@@ -44,9 +44,9 @@ TEST(RegionGrid, FarPlacesAreNearNoRegion) {
 }
 
 TEST(RegionGrid, ARegionIsAWholeMultipleOfATile) {
-  EXPECT_TRUE(is_sound(kGrid));
-  EXPECT_FALSE(is_sound({.extent = kGrid.extent, .tile_m = 512, .region_m = 700}));
-  EXPECT_FALSE(is_sound({.extent = kGrid.extent, .tile_m = 512, .region_m = 256}));
+  EXPECT_TRUE(check_grid(kGrid));
+  EXPECT_FALSE(check_grid({.extent = kGrid.extent, .tile_m = 512, .region_m = 700}));
+  EXPECT_FALSE(check_grid({.extent = kGrid.extent, .tile_m = 512, .region_m = 256}));
 }
 
 }  // namespace

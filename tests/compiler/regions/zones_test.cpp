@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compiler/map/locate.h"
-#include "compiler/map/plane.h"
+#include "compiler/map/plane/plane.h"
 
 namespace citykiln::regions {
 namespace {

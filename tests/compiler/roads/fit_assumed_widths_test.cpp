@@ -23,7 +23,7 @@ map::Track two_lane_track(double long_m = 100) {
   return track;
 }
 
-// The same with a row of parked cars on its right.
+// The two-lane track with a row of parked cars on its right.
 map::Track parked_street() {
   map::Track track = two_lane_track();
   track.section.lanes.push_back({LaneKind::kParking, LaneDirection::kForward, 2});

@@ -7,7 +7,7 @@
 
 namespace citykiln::roads {
 
-/// A house on the ground.
+/// A building on the ground, 9 m high.
 inline map::Footprint made_footprint(std::int64_t id, Ring ring) {
   if (signed_area_m2(ring) < 0) std::ranges::reverse(ring);
   map::Footprint footprint;

@@ -5,7 +5,7 @@
 
 namespace citykiln::roads {
 
-/// One lane, with what is raised beside it; the axis is in the lane's middle.
+/// A road of one lane, with raised lanes of these widths beside it. The axis is in the lane's middle.
 inline Road made_road(std::int64_t id, Polyline axis, double width_m,
                       map::LandCoverClass surface = map::LandCoverClass::kResidentialRoad, double raised_left_m = 0,
                       double raised_right_m = 0) {

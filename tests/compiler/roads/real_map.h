@@ -1,4 +1,4 @@
-// An extract located for tests of roads.
+// The located features of an extract, for tests of roads.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace citykiln::roads {
 
 struct RealMap {
-  map::LonLat origin;  ///< Of the plane.
+  map::LonLat origin;  ///< Origin of the plane.
   map::Features features;
 };
 

@@ -16,7 +16,7 @@ inline buildings::NearestTriangle nearest_of(std::span<const Corners> triangles)
   return buildings::NearestTriangle(std::move(all));
 }
 
-/// The largest distance of samples of `from`, `steps` along each edge of a triangle.
+/// The largest distance between samples of `from`, `steps` along each edge of a triangle, and `to`.
 inline double sampled_distance_m(std::span<const Corners> from, std::span<const Corners> to, int steps) {
   const buildings::NearestTriangle nearest = nearest_of(to);
   double farthest_m = 0;
@@ -30,7 +30,7 @@ inline double sampled_distance_m(std::span<const Corners> from, std::span<const 
   return farthest_m;
 }
 
-/// A number in 0…1 for each index.
+/// A random number in [0, 1) for each index.
 inline double noise(std::uint64_t i) {
   i = (i + 0x9e3779b97f4a7c15ull) * 0xbf58476d1ce4e5b9ull;
   i = (i ^ i >> 27) * 0x94d049bb133111ebull;

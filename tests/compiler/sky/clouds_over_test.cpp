@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/sky/clouds/cloud_surface.h"
 #include "compiler/sky/clouds/cloud_voxels.h"
 
@@ -58,7 +58,7 @@ double volume_m3(const LayerParticles& particles) {
     high = {std::max(high.x, centre.x + radius_m), std::max(high.y, centre.y + radius_m),
             std::max(high.z, centre.z + radius_m)};
   }
-  const Draw draw(5, StableId{1}, "points");
+  const RandomSequence draw(5, StableId{1}, "points");
   constexpr std::uint32_t kPoints = 20000;
   int inside = 0;
   for (std::uint32_t i = 0; i < kPoints; ++i)

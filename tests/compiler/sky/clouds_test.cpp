@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/sky/clouds/generate_cloud.h"
 #include "compiler/sky/clouds/read_clouds.h"
 #include "tests/scratch_folder.h"
@@ -25,7 +25,7 @@ double covered(const CloudLayer& layer) {
   constexpr int kRays = 2000;
   int met = 0;
   for (std::uint32_t i = 0; i < kRays; ++i) {
-    const Draw draw(1, StableId{i}, "ray");
+    const RandomSequence draw(1, StableId{i}, "ray");
     const Vec3 from = frame.into({draw.between(-8000, 8000, 0), draw.between(-8000, 8000, 1), 0});
     const Vec3 up = frame.into_direction({0, 0, 1});
     bool is_met = false;

@@ -12,10 +12,10 @@ namespace citykiln::source {
 /// An .osm document around the elements.
 std::string osm(std::string_view elements);
 
-/// All bytes of a file.
+/// Returns all bytes of a file.
 std::string bytes_of(const std::string& path);
 
-/// Everything in `data` but the file's name, one line an element: equal text, equal data.
+/// Returns a text of all of `data` but the file's name, one line for each element: equal texts mean equal data.
 std::string text_of(const OsmData& data);
 
 /// Reads an .osm document of these elements; fails the test on an error.

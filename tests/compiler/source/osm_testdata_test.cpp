@@ -1,5 +1,5 @@
-// The 130 cases of github.com/osmcode/osm-testdata. What each expects stands in its test.json; where we differ, and
-// why, stands in osm_testdata_differences.txt, from which the table compiler/source/osm_testdata.md is made.
+// The 130 cases of github.com/osmcode/osm-testdata. The test.json of a case has the expected areas. Differences and
+// their reasons are in osm_testdata_differences.txt, from which the table compiler/source/osm_testdata.md is made.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,8 @@ Ring without_straight_points(const Ring& ring) {
   return corners;
 }
 
-// The same for rings that enclose the same points: corners only, from the smallest on to the smaller of its neighbours.
+// Returns a ring that is equal for all rings that enclose the same points: corners only, from the smallest on, towards
+// the smaller of its neighbours.
 Ring normal(Ring ring) {
   ring = without_straight_points(ring);
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());

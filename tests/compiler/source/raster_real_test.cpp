@@ -239,8 +239,8 @@ TEST_F(RasterReal, PictureWithoutPlaceOrEncodingIsAnError) {
             "encoding=terrarium needs three bands with 8 bits each");
 }
 
-// Each of these was judged by eye in its surroundings; all other samples are nature's, cliffs and sea stacks among
-// them.
+// Each of these was judged by eye in its surroundings. All other samples are real terrain, such as cliffs and sea
+// stacks.
 TEST_F(RasterReal, SpikesAreFoundAndNoNaturalPlaceIs) {
   const auto spikes = [](const std::string& spec) {
     Report report;

@@ -145,7 +145,7 @@ TEST(SpikesToVoids, AWindowEqualsThatPartOfTheWhole) {
   }
 }
 
-// What stands or falls steeply, but where its neighbours say so.
+// Terrain that rises or falls steeply is no spike if its neighbours rise or fall too.
 TEST(SpikesToVoids, SummitsRidgesCliffsAndShoresStay) {
   const auto cone = [](int c, int r) { return 3000 - 90 * std::hypot(c - 20, r - 20); };
   const auto ridge = [](int c, int r) { return 2000 - 150.0 * std::abs(c - r) + 3 * r; };

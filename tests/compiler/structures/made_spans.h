@@ -1,4 +1,4 @@
-// Spans and what tests ask of meshes.
+// Spans, and measures of meshes, for tests.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace citykiln::structures {
 
-/// A road of two lanes, 6 m from kerb to kerb; with pavements, 2 m each, where asked for.
+/// A span with a road of two lanes, 6 m from kerb to kerb, and with pavements of 2 m each if `has_pavements`.
 inline Span made_span(Polyline axis, Profile profile, bool has_pavements = false) {
   using map::LaneDirection;
   using map::LaneKind;
@@ -34,7 +34,8 @@ inline std::vector<materials::MaterialMesh> all_meshes(const GeneratedStructure&
   return meshes;
 }
 
-/// How often each edge is walked from the one position to the other, less how often back; closed meshes have none.
+/// The number of triangles along each edge in the order of its positions, less those in the opposite order. Edges with
+/// 0 are left out, so closed meshes have none.
 inline std::map<std::pair<Vec3, Vec3>, int> open_edges(const std::vector<materials::MaterialMesh>& meshes) {
   std::map<std::pair<Vec3, Vec3>, int> edges;
   for (const auto& part : meshes)

@@ -36,7 +36,7 @@ Surroundings hills(bool has_sea = false) {
 }
 
 Neighbourhood neighbourhood(const Box2& tiles = kRegion) {
-  return {.region = kRegion,
+  return {.extent = kRegion,
           .is_in_tile = [tiles](Vec2 p) { return tiles.contains(p); },
           .on_border =
               [](Vec2 p) {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "compiler/contract/report.h"
-#include "compiler/map/lonlat_box.h"
+#include "compiler/map/plane/lonlat_box.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/surroundings/curvature.h"
 #include "compiler/surroundings/grid_lines.h"
@@ -17,7 +17,7 @@ namespace citykiln::surroundings {
 namespace {
 
 const map::LonLat kOrigin{1.52, 42.51};
-const Place kPlace{.region = {{-1664, -1664}, {2048, 896}}, .tile_m = 1024};
+const Place kPlace{.extent = {{-1664, -1664}, {2048, 896}}, .tile_m = 1024};
 
 // A raster in degrees that reaches some 80 km to all sides, or less.
 template <typename Height>
@@ -77,7 +77,7 @@ TEST(PlanSurroundings, StatesTheLargestErrorAgainstAllSamplesBeyondTheExtent) {
     for (int c = 0; c < rasters[0].columns; ++c) {
       const auto& g = rasters[0].from_grid;
       const Vec2 p = plane.forward({g[0] + g[1] * c, g[3] + g[5] * r});
-      if (!around.box().contains(p) || kPlace.region.contains(p)) continue;
+      if (!around.box().contains(p) || kPlace.extent.contains(p)) continue;
       const double error_m = std::abs(height_m_at(around, p) - rasters[0].at(c, r));
       largest_m = std::max(largest_m, error_m), sum_m2 += error_m * error_m, ++count;
     }
@@ -109,7 +109,7 @@ TEST(PlanSurroundings, WithoutHeightmapsOrKnowledgeOfTheLandAroundNothingIsPlann
 }
 
 TEST(PlanSurroundings, WhereNoHeightIsKnownNoWallStands) {
-  // known to 1.6° only: some 4 km east of the extent
+  // heightmaps reach to 1.6° only, some 4 km east of the extent
   const Surroundings around = planned({raster_of(hills_m, 0.7, 1.6)});
   ASSERT_FALSE(around.is_empty());
   double steepest = 0;
@@ -121,7 +121,7 @@ TEST(PlanSurroundings, WhereNoHeightIsKnownNoWallStands) {
   }
   EXPECT_GT(around.x_m.back(), 60000);
   EXPECT_LT(steepest, 0.4);
-  // far from all knowledge the land is at the mean
+  // far from all heightmaps the land is at the mean
   double mean_m = 0;
   for (const std::int32_t height : around.heights_m) mean_m += height / static_cast<double>(around.heights_m.size());
   EXPECT_NEAR(around.heights_m[around.index(around.columns() - 1, row)], mean_m, 60);
@@ -129,7 +129,7 @@ TEST(PlanSurroundings, WhereNoHeightIsKnownNoWallStands) {
 
 TEST(PlanSurroundings, SeaStaysSeaAndOnlyWhereThereIsACoast) {
   const auto coast_m = [](double, double lat_deg) { return lat_deg < 42.3 ? 0 : 2000 * (lat_deg - 42.3) + 3; };
-  // the sea is known to 1.6° only
+  // heightmaps reach to 1.6° only
   const std::vector<source::Raster> rasters = {raster_of(coast_m, 0.7, 1.6)};
   Place by_sea = kPlace;
   // a bay in the extent, whose ground is above 0 in the heightmap
@@ -143,7 +143,7 @@ TEST(PlanSurroundings, SeaStaysSeaAndOnlyWhereThereIsACoast) {
     const bool is_south = around.vertex(0, i / around.columns()).y < -26000;
     EXPECT_EQ(around.covers[i] == Cover::kSea, around.heights_m[i] == 0);
     const Vec2 p = around.vertex(i % around.columns(), i / around.columns());
-    EXPECT_TRUE(!kPlace.region.contains(p) || (around.covers[i] == Cover::kSea) == bay.contains(p))
+    EXPECT_TRUE(!kPlace.extent.contains(p) || (around.covers[i] == Cover::kSea) == bay.contains(p))
         << p.x << " " << p.y;
     EXPECT_TRUE(!is_south || around.covers[i] == Cover::kSea) << i;
     seas += around.covers[i] == Cover::kSea;
@@ -157,7 +157,7 @@ TEST(PlanSurroundingsReal, AndorraIsWithinItsStatedErrors) {
   const std::string path = real_data("andorra/N42E001.hgt");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
   const map::Plane plane(kOrigin);
-  const source::LonLatBox window = map::lonlat_box_of(kPlace.region.widened(kReach_m), plane);
+  const source::LonLatBox window = map::lonlat_box_of(kPlace.extent.widened(kReach_m), plane);
   Report report;
   std::vector<source::RasterSpec> specs(1);
   specs[0].path = path;
@@ -176,7 +176,7 @@ TEST(PlanSurroundingsReal, AndorraIsWithinItsStatedErrors) {
     for (int c = 0; c < raster.columns; ++c) {
       const auto& g = raster.from_grid;
       const Vec2 p = plane.forward({g[0] + g[1] * c, g[3] + g[5] * r});
-      const double away = away_m(kPlace.region, p);
+      const double away = away_m(kPlace.extent, p);
       if (away == 0 || !around.box().contains(p)) continue;
       const double error_m = height_m_at(around, p) - raster.at(c, r);
       EXPECT_LE(std::abs(error_m), around.error_m);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "compiler/map/globe.h"
+#include "compiler/map/plane/globe.h"
 #include "exporters/tiles3d/tileset.h"
 
 namespace citykiln::verify {

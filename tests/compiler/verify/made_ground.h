@@ -1,4 +1,4 @@
-// A baked tile of made ground: a square of one feature, flat or sloping.
+// A baked tile for tests: a square of one feature, flat or sloping.
 #pragma once
 
 #include <array>
@@ -11,8 +11,9 @@ namespace citykiln::verify {
 
 inline constexpr OsmId kGroundFeature{OsmType::kWay, 1};
 
-/// 64 m wide from the plane's origin, about the tile's origin (0, 0, 10).
-/// @param corners_m  Heights of the south-western, -eastern, north-eastern and -western corner above the origin's.
+/// Returns a tile with a square of 64 m from the plane's origin. The tile's origin is (0, 0, 10).
+/// @param corners_m  Heights of the south-western, south-eastern, north-eastern and north-western corner above the
+/// tile's origin.
 inline bake::BakedTile made_ground(map::LandCoverClass surface, std::array<float, 4> corners_m) {
   bake::BakedTile tile{{0, 0}, {0, 0, 10}, 0.1, 0, {OsmId{}, kGroundFeature}, {}, {}};
   bake::Primitive ground;

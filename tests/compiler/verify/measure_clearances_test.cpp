@@ -30,7 +30,7 @@ const Polyline kAlong = {{100, 500}, {900, 500}}, kBesideRoad = {{500, 100}, {50
 
 scene::Scene scene_on_level_land(scene::Chunk chunk) {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {1024, 1024}};
+  scene.header.extent = {{0, 0}, {1024, 1024}};
   chunk.heights = {{-64, -64}, {64, 64}, 19, 19, std::vector<std::int32_t>(361, 0), 0};
   scene.chunks = {std::move(chunk)};
   return scene;
@@ -58,17 +58,17 @@ TEST(MeasureClearances, FindTheShortfallOfABridgeOverARoad) {
 TEST(MeasureClearances, CountContradictionsOfTheMapApart) {
   const OsmId bridge{OsmType::kWay, 2}, street{OsmType::kWay, 1}, other{OsmType::kWay, 3};
   Clearances measured{2, {{4, bridge, street, {}}, {3, bridge, other, {}}}, {}};
-  const std::vector<Finding> findings = {
+  const std::vector<outputs::Finding> findings = {
       {{Code::kLayersContradict, bridge, 4, {}, street}, {}, {}, {}, "w2: bridge=yes; w1: layer=1"},
       {{Code::kClearanceNotMet, bridge, 3, {}, other}, {}, {}, {}, "w2: bridge=yes; w3: no tags of height"}};
-  const Clearances c = explained(measured, findings);
+  const Clearances c = with_findings(measured, findings);
   EXPECT_EQ(c.crossings, 2u);
   ASSERT_EQ(c.shortfalls.size(), 1u);
   EXPECT_EQ(c.shortfalls[0].lower, other);
   EXPECT_EQ(c.shortfalls[0].tags, "w2: bridge=yes; w3: no tags of height");
   ASSERT_EQ(c.contradictions.size(), 1u);
   EXPECT_EQ(c.contradictions[0].lower, street);
-  EXPECT_EQ(explained(measured, {}).shortfalls.size(), 2u);
+  EXPECT_EQ(with_findings(measured, {}).shortfalls.size(), 2u);
 }
 
 TEST(MeasureClearances, TakeTheHigherLayerAsUpper) {

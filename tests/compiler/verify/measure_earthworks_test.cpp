@@ -11,7 +11,7 @@ constexpr double kTerrain_m = 100;
 
 scene::Header header_of_one_tile() {
   scene::Header header;
-  header.region = {{0, 0}, {256, 256}};
+  header.extent = {{0, 0}, {256, 256}};
   header.tile_m = 256;
   return header;
 }
@@ -42,7 +42,7 @@ TEST(MeasureEarthworks, AreNoneOnTheTerrainAndNoneOutsideOfTheTile) {
   scene::Chunk chunk = chunk_with_road(90, 90);
   chunk.tile = {1, 0};
   scene::Header header = header_of_one_tile();
-  header.region.max.x = 512;
+  header.extent.max.x = 512;
   EXPECT_TRUE(measure_earthworks(header, chunk).empty());
 }
 

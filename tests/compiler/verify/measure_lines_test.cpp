@@ -16,7 +16,7 @@ roads::Road sloping_road(std::int64_t id, Polyline axis, double from_m, double t
 
 scene::Scene scene_of_chunk(scene::Chunk chunk) {
   scene::Scene scene;
-  scene.header.region = {{0, 0}, {1024, 1024}};
+  scene.header.extent = {{0, 0}, {1024, 1024}};
   scene.chunks = {std::move(chunk)};
   return scene;
 }

@@ -9,14 +9,14 @@ namespace {
 
 const map::Plane kPlane({7, 43});
 
-Finding finding(Code code, std::int64_t way, double size) {
+outputs::Finding finding(Code code, std::int64_t way, double size) {
   return {{code, {OsmType::kWay, way}, size}, map::LonLat{7.001, 43.001}, {}};
 }
 
 TEST(WorstPlaces, AreTheLargestOfEachKindAndOneOfEachObject) {
-  const std::vector<Finding> findings = {finding(Code::kTooSteep, 1, 0.2), finding(Code::kTooSteep, 2, 0.4),
-                                         finding(Code::kTooSteep, 1, 0.3), finding(Code::kTooSteep, 3, 0.1),
-                                         finding(Code::kHeightRaised, 4, 9)};
+  const std::vector<outputs::Finding> findings = {finding(Code::kTooSteep, 1, 0.2), finding(Code::kTooSteep, 2, 0.4),
+                                                  finding(Code::kTooSteep, 1, 0.3), finding(Code::kTooSteep, 3, 0.1),
+                                                  finding(Code::kHeightRaised, 4, 9)};
   const auto kinds = worst_places({}, {}, findings, kPlane, 2);
   ASSERT_EQ(kinds.size(), 2u);
   EXPECT_EQ(kinds[0].name, "TooSteep");
@@ -29,7 +29,8 @@ TEST(WorstPlaces, AreTheLargestOfEachKindAndOneOfEachObject) {
 }
 
 TEST(WorstPlaces, LeaveOutWhatIsNoDefect) {
-  const std::vector<Finding> findings = {finding(Code::kOutsideBounds, 1, 0), finding(Code::kUnknownKind, 2, 0)};
+  const std::vector<outputs::Finding> findings = {finding(Code::kOutsideBounds, 1, 0),
+                                                  finding(Code::kUnknownKind, 2, 0)};
   EXPECT_TRUE(worst_places({}, {}, findings, kPlane, 5).empty());
 }
 
@@ -40,7 +41,7 @@ TEST(WorstPlaces, BeginWithGuaranteesThatDoNotHold) {
   results.clearances.contradictions = {{2, {OsmType::kWay, 6}, {OsmType::kWay, 5}, {1, 2}}};
   const std::vector<Earthwork> earthworks = {{{OsmType::kWay, 7}, "stream", 6, {}},
                                              {{OsmType::kWay, 7}, "stream", -2, {}}};
-  const std::vector<Finding> findings = {finding(Code::kTooSteep, 1, 0.2)};
+  const std::vector<outputs::Finding> findings = {finding(Code::kTooSteep, 1, 0.2)};
   const auto kinds = worst_places(results, earthworks, findings, kPlane, 5);
   std::vector<std::string> names;
   for (const PlacesOfKind& kind : kinds) names.push_back(kind.name);

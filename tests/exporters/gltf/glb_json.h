@@ -1,4 +1,4 @@
-// The JSON of a written .glb, and what is said of one that was changed.
+// The JSON of a written .glb file, and the errors for files that were changed.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ inline scene::Header header() {
   return h;
 }
 
-// With exact pictures, so that the tile can be read back.
+// The tile as .glb with exact pictures, so that it can be read back.
 inline Bytes encoded(const BakedTile& tile, GlbOptions options) {
   options.has_exact_pictures = true;
   return encode_glb(tile, header(), options);
@@ -63,7 +63,7 @@ inline Bytes with_json(const Bytes& bytes, std::string json) {
   return changed;
 }
 
-// The error for a tile in whose JSON one text is replaced by another.
+// The error for a tile whose JSON has one text replaced by another.
 inline std::string refusal_with(const GlbOptions& options, const std::string& text, const std::string& other,
                                 const BakedTile& tile = made_tile(1)) {
   const Bytes bytes = encoded(tile, options);
@@ -83,7 +83,7 @@ inline std::vector<float> floats_of(const Bytes& glb, const nlohmann::json& gltf
   return values;
 }
 
-// The names of all nodes below the root, and of theirs.
+// The names of all children of a node.
 inline std::vector<std::string> names_below(const nlohmann::json& gltf, std::size_t node) {
   std::vector<std::string> names;
   for (const auto& child : gltf["nodes"][node].value("children", nlohmann::json::array()))

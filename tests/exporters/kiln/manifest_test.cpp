@@ -106,7 +106,7 @@ Bytes with_second_frame(const Bytes& bytes, std::span<const std::byte> frame) {
 scene::Scene wide(std::uint64_t seed) {
   SceneMaker maker(seed);
   scene::Scene scene = maker.scene();
-  scene.header.region = {{0, 0}, {8 * 128, 8 * 128}};
+  scene.header.extent = {{0, 0}, {8 * 128, 8 * 128}};
   scene.chunks.clear();
   for (std::int32_t x = 0; x < 8; ++x)
     for (std::int32_t y = 0; y < 8; ++y) scene.chunks.push_back(maker.chunk({x, y}, 0x1p-7));
@@ -256,10 +256,10 @@ TEST(Manifest, TextsTakeNoMoreThanTheirHeader) {
   const std::vector<flatbuffers::Offset<flatbuffers::String>> texts(1000, text);
   const auto named = builder.CreateVector(texts);
   const auto sky = fbs::Sky::Pack(builder, header.sky.get());
-  const auto region = builder.CreateVector(header.region_m);
+  const auto extent = builder.CreateVector(header.region_m);
   const auto index = fbs::Index::Pack(builder, header.index.get());
   builder.Finish(
-      fbs::CreateHeader(builder, 0, header.tables_hash, 7, 43, region, header.tile_m, 0, 0, sky, named, 0, 0, index));
+      fbs::CreateHeader(builder, 0, header.tables_hash, 7, 43, extent, header.tile_m, 0, 0, sky, named, 0, 0, index));
   const Bytes frame = packed({builder.GetBufferPointer(), builder.GetSize()}, nullptr);
   EXPECT_EQ(manifest_refusal(decoded_manifest(assembled(frame, body_of(bytes)))),
             "town.kiln: expected a citykiln manifest, found one whose header is damaged");

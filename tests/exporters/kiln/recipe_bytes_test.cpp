@@ -8,9 +8,9 @@
 
 #include "compiler/buildings/mass_model.h"
 #include "compiler/buildings/rule_attributes.h"
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "exporters/kiln/manifest.h"
 #include "grammars/derivation/derive.h"
 #include "grammars/derivation/form_roofs.h"
@@ -28,7 +28,7 @@ scene::Scene scene_of(const std::vector<Building>& all) {
   const auto tile_at = [&](double m) { return static_cast<std::int32_t>(std::floor(m / scene.header.tile_m)); };
   for (const Building& building : all) {
     const Vec2 anchor = building.footprint.outer.front();
-    scene.header.region.grow(anchor);
+    scene.header.extent.grow(anchor);
     const scene::TileKey tile{tile_at(anchor.x), tile_at(anchor.y)};
     chunks[tile].tile = tile;
     chunks[tile].buildings.push_back(building);
@@ -62,7 +62,7 @@ TEST(RecipeBytesReal, OfChicagosBuildingsAreUnder150Each) {
 // ---- a made-up town
 
 // A house of a row that runs along a street, no two of one size.
-map::Footprint house(std::int64_t id, double& x, double y, const Draw& dice) {
+map::Footprint house(std::int64_t id, double& x, double y, const RandomSequence& dice) {
   const auto at = [&](std::uint32_t index) { return 8 * static_cast<std::uint32_t>(id) + index; };
   const double width_m = snapped_to(0x1p-7, dice.between(22, 32, at(0)));
   const double depth_m = snapped_to(0x1p-7, dice.between(16, 20, at(1)));
@@ -79,9 +79,9 @@ map::Footprint house(std::int64_t id, double& x, double y, const Draw& dice) {
 
 // Streets of rows, back to back, in blocks of eight houses.
 std::vector<Building> town(int rows, int houses_in_row) {
-  const Draw dice(1, StableId{1}, "town");
+  const RandomSequence dice(1, StableId{1}, "town");
   map::Features features;
-  features.region = {{-0x1p16, -0x1p16}, {0x1p16, 0x1p16}};
+  features.extent = {{-0x1p16, -0x1p16}, {0x1p16, 0x1p16}};
   std::int64_t id = 1'000'000;
   for (int row = 0; row < rows; ++row) {
     double x = 0;
@@ -115,7 +115,7 @@ std::size_t windows_of(const Building& building, const buildings::Rulebook& rule
   return reveals / 4;
 }
 
-// As many windows as a data set of Belgrade's facades has.
+// The number of windows is that of a data set of Belgrade's facades.
 TEST(RecipeBytes, Of195431WindowsAreUnderAMegabyte) {
   const std::vector<Building> all = town(46, 40);
   const buildings::Rulebook rulebook = buildings::parse_rulebook(buildings::shipped_rules());

@@ -152,7 +152,7 @@ TEST(Occlusion, PrismsAnswerInsideOverlapsTouches) {
   EXPECT_EQ(count_named(derivation, "FMeets"), 1u);
 }
 
-// Of adjacent pieces exactly one has the entrance.
+// Exactly one of several adjacent pieces has the entrance.
 TEST(Occlusion, EntrancesAreInOnePieceOfTheirWall) {
   DeriveOptions options;
   options.occlusion = entrances_at({{2, 0}, {7.5, 0.25}});

@@ -8,7 +8,7 @@
 namespace citykiln::grammars {
 namespace {
 
-/// What print(expression) prints, on a lot of 10 by 8.
+/// The text that print(expression) prints, on a lot of 10 by 8.
 std::string printed(const std::string& expression, const std::string& declarations = "") {
   const Derivation derivation = derived(declarations + "\nLot --> print(" + expression + ")");
   return derivation.printed.empty() ? "nothing" : derivation.printed.front();

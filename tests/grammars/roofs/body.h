@@ -77,7 +77,7 @@ inline double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
   return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
 }
 
-/// The largest distance of corners, midpoints of edges and centroids of triangles of one body from the other.
+/// The largest distance between one body's corners, midpoints of edges and centroids of triangles, and the other body.
 inline double distance_m(const Mesh& from, const Mesh& to) {
   double farthest_m = 0;
   for (const Triangle& t : from.triangles) {

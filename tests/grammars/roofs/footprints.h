@@ -26,7 +26,7 @@ inline Ring circle(Vec2 centre, double radius_m, int corners) {
 inline Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 inline Ring hole(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}; }
 
-/// Eleven footprints, from a rectangle to degenerate outlines.
+/// Returns eleven footprints, from a rectangle to degenerate outlines.
 inline std::vector<NamedFootprint> made_footprints() {
   return {
       {"rectangle", {box(0, 0, 16, 10), {}}},

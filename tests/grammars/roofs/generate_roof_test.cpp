@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "tests/grammars/roofs/body.h"
 #include "tests/grammars/roofs/footprints.h"
 
@@ -337,7 +337,7 @@ class RandomSource {
   int below(int n) { return std::min(n - 1, static_cast<int>(between(0, n))); }
 
  private:
-  Draw draw_;
+  RandomSequence draw_;
   std::uint32_t next_ = 0;
 };
 

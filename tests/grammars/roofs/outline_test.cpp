@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "tests/grammars/roofs/footprints.h"
 
 namespace citykiln::roofs {
@@ -60,7 +60,7 @@ Distances distances_from(Vec2 p, const Ring& ring) {
 }
 
 // A star with random radii.
-Ring random_star(const Draw& draw, std::uint32_t corners) {
+Ring random_star(const RandomSequence& draw, std::uint32_t corners) {
   Ring ring;
   for (std::uint32_t i = 0; i < corners; ++i) {
     const Vec2 ray = direction_of((i + draw.between(0, 0.9, 2 * i)) / corners);
@@ -72,7 +72,7 @@ Ring random_star(const Draw& draw, std::uint32_t corners) {
 TEST(OffsetEaves, CoverAllThatIsNearBeforeWallsAndNothingFarFromThem) {
   int with_eaves = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    const Draw draw(seed, {}, "eaves");
+    const RandomSequence draw(seed, {}, "eaves");
     const Polygon footprint{random_star(draw, 3 + draw.below(9, 100)), {}};
     const double overhang_m = draw.between(0.1, 1.5, 101), rounding_m = 0.002;
     const Polygon eaves = offset_eaves(footprint, overhang_m);

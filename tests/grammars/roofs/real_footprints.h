@@ -46,7 +46,7 @@ inline std::vector<TaggedFootprint> footprints_of(const std::string& path) {
   return told;
 }
 
-/// The outline of a land cover area whose number of corners is nearest to `corners`; no building has 400.
+/// The outline of the land cover area whose number of corners is nearest to `corners`. No building has 400 corners.
 inline Polygon outline_of(const std::string& path, std::size_t corners) {
   Report report;
   const auto osm = source::read_osm(path, 2, report);

@@ -18,7 +18,7 @@ inline Building box_building(std::int64_t id, Vec2 corner, double width_m, doubl
   return b;
 }
 
-/// Boxes at random places, some of which overlap, on a slope that rises towards the east.
+/// Returns boxes at random places, some of which overlap, on a slope that rises towards the east.
 inline std::vector<Building> random_town(std::uint64_t seed, std::size_t count, double rise = 0.1) {
   std::vector<Building> town;
   for (std::size_t i = 0; i < count; ++i) {
@@ -56,7 +56,7 @@ inline void add(std::vector<simplify::Corners>& all, const GeneratedBuilding& sh
   for (const materials::MaterialMesh& part : shape.meshes) add(all, part.mesh);
 }
 
-/// Roofs and walls of blocks, and the shapes of kept buildings.
+/// Returns the roofs and walls of blocks, and the shapes of kept buildings.
 inline std::vector<simplify::Corners> surface_of(const CertifiedBlocks& made,
                                                  std::span<const GeneratedBuilding> shapes) {
   std::vector<simplify::Corners> all;

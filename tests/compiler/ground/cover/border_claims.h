@@ -1,4 +1,4 @@
-// Claims about a cell's borders and about simplified borders, checked by other means than the code's.
+// Claims about a cell's borders and about simplified borders, checked by methods independent of the code under test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ inline std::vector<Border> borders_of(std::span<const LandCoverPolygon> surfaces
   return visible_borders(all, ring_joints(layers, all.arrangement, cell));
 }
 
-/// Returns the polygon at a place, read from the border straight above it. The cell's own borders must be included.
+/// Returns the polygon at a place, read from the border vertically above it. The cell's own borders must be included.
 inline std::uint32_t surface_between(std::span<const Border> borders, Vec2 p) {
   const Border* above = nullptr;
   double least_m = 0;
@@ -49,7 +49,7 @@ inline bool no_two_cross(std::vector<Border> borders) {
       const int abc = side(turn(a, b, c)), abd = side(turn(a, b, d)), cda = side(turn(c, d, a)),
                 cdb = side(turn(c, d, b));
       const auto inside = [](GridPoint p, GridPoint from, GridPoint to) {
-        return p > from && p < to;  // of points on one line: in order of place
+        return p > from && p < to;  // order of points on one line
       };
       if (abc * abd < 0 && cda * cdb < 0) return false;
       if ((abc == 0 && inside(c, a, b)) || (abd == 0 && inside(d, a, b))) return false;
@@ -59,14 +59,14 @@ inline bool no_two_cross(std::vector<Border> borders) {
   return true;
 }
 
-/// One connected piece between borders.
+/// One connected face between borders.
 struct BorderFace {
   std::uint32_t surface = 0;
   double area_m2 = 0;
   auto operator<=>(const BorderFace&) const = default;
 };
 
-inline std::vector<BorderFace> faces_between(std::span<const Border> borders) {
+inline std::vector<BorderFace> border_faces_between(std::span<const Border> borders) {
   std::vector<GridPoint> vertices;
   for (const Border& b : borders) vertices.insert(vertices.end(), {b.a, b.b});
   std::ranges::sort(vertices);
@@ -110,13 +110,13 @@ inline std::map<std::uint32_t, int> faces_by_surface(const std::vector<BorderFac
   return count;
 }
 
-/// A run of old borders between vertices that were kept: what one new border replaces.
+/// A run of old borders between kept vertices, which one new border replaces.
 struct OldRun {
-  std::vector<GridPoint> points;  ///< The lesser end first.
+  std::vector<GridPoint> points;  ///< Points along the run, the smaller end first.
   std::uint32_t left = 0, right = 0;
 };
 
-/// Returns one run per new border, in their order; empty where there is none.
+/// Returns one run for each new border, in their order; empty if there is none.
 inline std::vector<OldRun> runs_behind(std::span<const Border> old, std::span<const Border> now) {
   std::set<GridPoint> kept;
   for (const Border& b : now) kept.insert({b.a, b.b});
@@ -152,7 +152,7 @@ inline double distance_m(Vec2 p, Vec2 a, Vec2 b) {
   return distance(p, a + (b - a) * t);
 }
 
-/// Returns the Hausdorff distance, by samples.
+/// Returns the Hausdorff distance between a run and a new border, by samples.
 inline double sampled_distance_m(const OldRun& run, const Border& now) {
   constexpr int kSamples = 20;
   const Vec2 a = plane_point(now.a), b = plane_point(now.b);
@@ -172,11 +172,11 @@ inline double sampled_distance_m(const OldRun& run, const Border& now) {
   return farthest;
 }
 
-/// Checks all guarantees of simplify_borders() for one cell that need no second run.
+/// Checks all guarantees of simplify_borders() that need no second run, for one cell.
 inline void expect_simplified(std::span<const Border> old, const SimplifiedBorders& now, double tolerance_m,
                               const Box2& cell) {
   EXPECT_TRUE(no_two_cross(now.borders));
-  const auto faces_before = faces_between(old), faces_after = faces_between(now.borders);
+  const auto faces_before = border_faces_between(old), faces_after = border_faces_between(now.borders);
   EXPECT_EQ(faces_by_surface(faces_before), faces_by_surface(faces_after));
   double area_m2 = 0;
   for (const BorderFace& face : faces_after) area_m2 += face.area_m2;

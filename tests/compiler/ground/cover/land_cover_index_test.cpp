@@ -12,7 +12,7 @@ TEST(LandCoverIndex, AnswersAreThoseOfAnyBuckets) {
     const std::vector<LandCoverPolygon> surfaces = wavy_surfaces(seed, 50, 1);
     const LandCoverIndex large = index_land_cover(surfaces, kWavyCell),
                          small = index_land_cover(surfaces, kWavyCell, 8);
-    const Draw draw(seed, StableId{34}, "places");
+    const RandomSequence draw(seed, StableId{34}, "places");
     int covered = 0;
     for (std::uint32_t i = 0; i < 4000; ++i) {
       const Vec2 p{draw.between(kWavyCell.min.x, kWavyCell.max.x, 3 * i),

@@ -20,9 +20,9 @@ TEST(MergeSlivers, FacesHaveOneLabelAndTileTheCell) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const auto borders = borders_of(wavy_surfaces(seed, 50, 1), kWavyCell);
     const MergedSlivers now = merge_slivers(borders, 1.5, all_may);
-    const auto faces = faces_between(now.borders);
+    const auto faces = border_faces_between(now.borders);
     EXPECT_EQ(total_m2(faces), 128.0 * 128.0);
-    EXPECT_LT(faces.size(), faces_between(borders).size());
+    EXPECT_LT(faces.size(), border_faces_between(borders).size());
     EXPECT_TRUE(no_two_cross(now.borders));
     EXPECT_LE(now.error_m, 1.5);
   }
@@ -33,7 +33,7 @@ TEST(MergeSlivers, WhatChangedWasNearABorder) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const auto borders = borders_of(wavy_surfaces(seed, 50, 1), kWavyCell);
     const MergedSlivers now = merge_slivers(borders, 2, all_may);
-    const Draw draw(seed, StableId{21}, "places");
+    const RandomSequence draw(seed, StableId{21}, "places");
     int changed = 0;
     constexpr int kPlaces = 20000;
     for (std::uint32_t i = 0; i < kPlaces; ++i) {
@@ -54,7 +54,7 @@ TEST(MergeSlivers, AtNoThicknessNothingIsMerged) {
   const auto borders = borders_of(wavy_surfaces(1, 50, 1), kWavyCell);
   const MergedSlivers now = merge_slivers(borders, 0, all_may);
   EXPECT_EQ(now.faces, 0u);
-  EXPECT_EQ(faces_by_surface(faces_between(now.borders)), faces_by_surface(faces_between(borders)));
+  EXPECT_EQ(faces_by_surface(border_faces_between(now.borders)), faces_by_surface(border_faces_between(borders)));
   EXPECT_EQ(now.borders.size(), borders.size());
 }
 
@@ -79,12 +79,12 @@ TEST(MergeSlivers, OrderDoesNotCount) {
 TEST(MergeSlivers, OnlyWhatMayYieldDoes) {
   const auto borders = borders_of(wavy_surfaces(4, 60, 1), kWavyCell);
   EXPECT_EQ(merge_slivers(borders, 2, [](std::uint32_t) { return false; }).faces, 0u);
-  const auto before = faces_by_surface(faces_between(borders));
+  const auto before = faces_by_surface(border_faces_between(borders));
   const auto now = merge_slivers(borders, 2, [](std::uint32_t s) { return s % 2 == 0; });
   ASSERT_GT(now.faces, 0u);
   for (const auto& [surface, faces] : before)
     if (surface % 2 == 1 && surface != 0xffffffffu) {
-      EXPECT_TRUE(faces_by_surface(faces_between(now.borders)).contains(surface));
+      EXPECT_TRUE(faces_by_surface(border_faces_between(now.borders)).contains(surface));
     }
 }
 
@@ -181,7 +181,7 @@ TEST(MergeSlivers, NothingInNothingOut) { EXPECT_TRUE(merge_slivers({}, 1, all_m
 
 TEST(MergeSlivers, RegionsServeManyTolerances) {
   const auto borders = borders_of(wavy_surfaces(3, 50, 1), kWavyCell);
-  const Regions between = regions_between(borders);
+  const CoverFaces between = faces_between(borders);
   for (const double thickness_m : {2.0, 0.1, 1.0, 2.0}) {
     const MergedSlivers one = merge_slivers(between, thickness_m, all_may),
                         other = merge_slivers(borders, thickness_m, all_may);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/tolerance.h"
 #include "tests/compiler/ground/cover/border_claims.h"
 #include "tests/compiler/ground/wavy_surfaces.h"
@@ -74,7 +74,7 @@ TEST(SimplifyBorders, ArrangedAgainNewOnesAreTheSame) {
 TEST(SimplifyBorders, OrderDoesNotCount) {
   auto borders = borders_of(wavy_surfaces(3, 40, 1), kWavyCell);
   const SimplifiedBorders once = simplify_borders(borders, 0.7, nowhere);
-  const Draw draw(1, StableId{4}, "shuffle");
+  const RandomSequence draw(1, StableId{4}, "shuffle");
   for (std::uint32_t i = 1; i < borders.size(); ++i) std::swap(borders[i], borders[draw.below(i + 1, i)]);
   const SimplifiedBorders again = simplify_borders(borders, 0.7, nowhere);
   EXPECT_EQ(once.borders, again.borders);
@@ -178,7 +178,7 @@ TEST(SimplifyBorders, AnIslandStaysInItsLake) {
   const auto borders = borders_with({lake, {island[0], island[1], island[2]}});
   const SimplifiedBorders now = simplify_borders(borders, 30, nowhere);
   expect_simplified(borders, now, 30, kWavyCell);
-  EXPECT_EQ(faces_between(now.borders).size(), 3u);
+  EXPECT_EQ(border_faces_between(now.borders).size(), 3u);
 }
 
 TEST(SimplifyBorders, NothingInNothingOut) { EXPECT_TRUE(simplify_borders({}, 1, nowhere).borders.empty()); }

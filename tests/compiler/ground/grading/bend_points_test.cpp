@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/ground/generate.h"
 
 namespace citykiln::ground {
@@ -40,11 +40,13 @@ SlopingShore sloping_shore() {
   return {surfaces, grade_terrain(slope(), {{}, {}, surfaces, kBendCell.widened(kGrading_m)})};
 }
 
-Vec2 place(const Draw& draw, std::uint32_t i) { return {draw.between(0, 128, 2 * i), draw.between(0, 128, 2 * i + 1)}; }
+Vec2 place(const RandomSequence& draw, std::uint32_t i) {
+  return {draw.between(0, 128, 2 * i), draw.between(0, 128, 2 * i + 1)};
+}
 
 TEST(BendPoints, AreTheSameWhicheverWayALineRuns) {
   const SlopingShore shore = sloping_shore();
-  const Draw draw(1, StableId{1}, "ends");
+  const RandomSequence draw(1, StableId{1}, "ends");
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < 200; i += 2) {
     const Vec2 a = place(draw, i), b = place(draw, i + 1);
@@ -83,7 +85,7 @@ TEST(BendsOnBorder, BothCellsHaveThem) {
 TEST(ReferenceOfCell, FollowsTheGradedTerrain) {
   const SlopingShore shore = sloping_shore();
   const Reference reference = reference_of_cell(shore.surfaces, shore.graded, kBendCell);
-  const Draw draw(2, StableId{2}, "places");
+  const RandomSequence draw(2, StableId{2}, "places");
   double largest_m = 0, sum_m = 0;
   constexpr std::uint32_t kPlaces = 20'000;
   for (std::uint32_t i = 0; i < kPlaces; ++i) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "tests/compiler/ground/grading/made_graded_terrain.h"
 
 namespace citykiln::ground {
@@ -14,7 +14,7 @@ TEST(GradedHeights, CachedHeightsEqualFreshOnes) {
   const GradedTerrain graded = road_over_hills({{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3});
   ASSERT_TRUE(has_grading(graded, {{-16, -16}, {16, 16}}));
   GradedHeights heights(graded);
-  const Draw draw(1, StableId{36}, "places");
+  const RandomSequence draw(1, StableId{36}, "places");
   for (std::uint32_t i = 0; i < 3000; ++i) {
     // few places, on both sides of both axes, so that most occur again
     const Vec2 p{std::floor(draw.between(-16, 16, 3 * i)), std::floor(draw.between(-16, 16, 3 * i + 1)) / 1024};

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "tests/compiler/ground/grading/made_graded_terrain.h"
 
 namespace citykiln::ground {
@@ -14,7 +14,7 @@ TEST(GradedNormals, CachedNormalsEqualFreshOnes) {
                                                 3});
   ASSERT_TRUE(has_grading(graded, {{-16, -16}, {16, 16}}));
   GradedNormals normals(graded);
-  const Draw draw(1, StableId{35}, "places");
+  const RandomSequence draw(1, StableId{35}, "places");
   for (std::uint32_t i = 0; i < 3000; ++i) {
     // few places, so that most occur again, on another layer or the same
     const Vec2 p{std::floor(draw.between(-16, 16, 3 * i)), std::floor(draw.between(-16, 16, 3 * i + 1))};

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/ground/plan.h"
 #include "tests/compiler/roads/made_road.h"
 
@@ -46,7 +46,7 @@ TEST(GradedTerrain, TilesAgreeAllOverWhatBothMayBeAskedFor) {
     return grade_terrain(finely_sampled_level(16), {both.roads, {}, both.surfaces, tile.widened(kGrading_m)});
   };
   const GradedTerrain west = graded(kWest), east = graded(kEast);
-  const Draw draw(1, StableId{1}, "places");
+  const RandomSequence draw(1, StableId{1}, "places");
   int under_water = 0, on_roads = 0;
   for (std::uint32_t i = 0; i < 20000; i += 2) {
     const Vec2 p{draw.between(128 - kGrading_m, 128 + kGrading_m, i), draw.between(0, 128, i + 1)};

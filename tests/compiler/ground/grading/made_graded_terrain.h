@@ -7,7 +7,7 @@
 
 namespace citykiln::ground {
 
-/// Bends at the middle, rises by 5 m; 128 m square about the origin.
+/// Returns a terrain of 128 m square about the origin, graded for a road that bends in the middle and rises by 5 m.
 inline GradedTerrain road_over_hills(decltype(roads::Road::section) section) {
   map::Heightfield field{{-128, -128}, {32, 32}, 9, 9, {}, 0};
   for (int i = 0; i < 81; ++i) field.heights.push_back((i * 7919) % 640);

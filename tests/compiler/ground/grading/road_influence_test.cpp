@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 namespace citykiln::ground {
 namespace {
 
-roads::Road random_road(const Draw& draw, std::uint32_t r) {
+roads::Road random_road(const RandomSequence& draw, std::uint32_t r) {
   roads::Road road;
   road.id = {{OsmType::kWay, static_cast<std::int64_t>(r) + 1}, 0};
   road.surface = map::LandCoverClass::kResidentialRoad;
@@ -32,7 +32,7 @@ std::size_t segments_within(const RoadInfluenceIndex& field, Vec2 p) {
 
 TEST(RoadInfluenceIndex, FindsEverySegmentThatIsNear) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const Draw draw(seed, StableId{33}, "roads");
+    const RandomSequence draw(seed, StableId{33}, "roads");
     std::vector<roads::Road> roads;
     for (std::uint32_t r = 0; r < seed; ++r) roads.push_back(random_road(draw, r));
     const RoadInfluenceIndex field = index_road_influence(roads, false);
@@ -49,7 +49,7 @@ TEST(RoadInfluenceIndex, FindsEverySegmentThatIsNear) {
 
 TEST(RoadInfluenceIndex, ARoadsInfluenceDoesNotDependOnOthers) {
   const auto memory = std::pmr::get_default_resource();
-  const Draw draw(1, StableId{34}, "crowd");
+  const RandomSequence draw(1, StableId{34}, "crowd");
   std::vector<roads::Road> roads;
   for (std::uint32_t r = 0; r < 100; ++r) roads.push_back(random_road(draw, r));
   const RoadInfluenceIndex field = index_road_influence(roads, true);

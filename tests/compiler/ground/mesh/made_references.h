@@ -1,14 +1,14 @@
-// References of random borders and heights, and of a grid.
+// Reference triangulations of random borders and heights, and of a grid.
 #pragma once
 
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/arrangement.h"
 #include "compiler/ground/mesh/reference.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 
 namespace citykiln::ground {
 
@@ -18,9 +18,10 @@ inline Delaunay triangulated(const Arrangement& arrangement) {
   return Delaunay(arrangement.vertices, edges);
 }
 
-/// Crossing segments, some of them along lines of a grid, and points on the cell's border; heights at random.
+/// A reference of crossing segments, some of them along lines of a grid, and of points on the cell's border, with
+/// random heights.
 inline Reference random_reference(const Box2& cell, std::uint64_t seed, int segments, double height_m) {
-  const Draw draw(seed, StableId{7}, "segments");
+  const RandomSequence draw(seed, StableId{7}, "segments");
   std::vector<OwnedSegment> borders;
   for (int s = 0; s < segments; ++s) {
     const auto place = [&](std::uint32_t i) {
@@ -33,14 +34,14 @@ inline Reference random_reference(const Box2& cell, std::uint64_t seed, int segm
   }
   const Arrangement arrangement = arrange(borders, {}, cell);
   std::vector<Heights> heights;
-  const Draw metres(seed, StableId{8}, "heights");
+  const RandomSequence metres(seed, StableId{8}, "heights");
   for (std::uint32_t i = 0; i < arrangement.vertices.size() * 4; i += 4)
     heights.push_back({height_m * metres.unit(i), height_m * metres.unit(i + 1), height_m * metres.unit(i + 2),
                        height_m * metres.unit(i + 3)});
   return reference_of(triangulated(arrangement), std::move(heights), cell);
 }
 
-/// The field's own triangles over its box; all layers alike.
+/// A reference of the field's own triangles over its box; all layers are equal.
 inline Reference reference_of_field(const map::Heightfield& field) {
   std::vector<GridPoint> vertices;
   std::vector<Heights> heights;

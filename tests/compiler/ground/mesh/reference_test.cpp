@@ -63,7 +63,7 @@ double worst_by_all_edges(const Reference& r, Vec3 a, Vec3 b) {
 
 // Random ends of mesh edges: vertices of the reference, points on its edges, on grid lines, on the cell's border,
 // anywhere.
-Vec3 random_end(const Reference& r, const Draw& draw, std::uint32_t i) {
+Vec3 random_end(const Reference& r, const RandomSequence& draw, std::uint32_t i) {
   const std::uint32_t v = draw.below(static_cast<std::uint32_t>(r.heights.size()), 8 * i);
   const Vec2 anywhere{draw.between(r.cell.min.x, r.cell.max.x, 8 * i + 1),
                       draw.between(r.cell.min.y, r.cell.max.y, 8 * i + 2)};
@@ -90,7 +90,7 @@ TEST(Reference, HeightIsExactAtVertices) {
 TEST(Reference, HeightIsThatOfTheFace) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const Reference r = random_reference(kReferenceCell, seed, 40, 30);
-    const Draw draw(seed, StableId{9}, "places");
+    const RandomSequence draw(seed, StableId{9}, "places");
     for (std::uint32_t i = 0; i < 2000; ++i) {
       const Vec2 p{draw.between(-128, 0, 2 * i), draw.between(384, 512, 2 * i + 1)};
       // a face may be a grid step thin: a place is known to 2^-31 m
@@ -102,7 +102,7 @@ TEST(Reference, HeightIsThatOfTheFace) {
 TEST(Reference, HeightsOfAPlaceAreThoseOfItsLayersToTheBit) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const Reference r = random_reference(kReferenceCell, seed, 40, 30);
-    const Draw draw(seed, StableId{12}, "places");
+    const RandomSequence draw(seed, StableId{12}, "places");
     for (std::uint32_t i = 0; i < 500; ++i) {
       const Vec2 p = in_plan(random_end(r, draw, i));
       const Heights heights = heights_at(r, place_at(r, p));
@@ -121,7 +121,7 @@ TEST(Reference, OutsideItIsTheNearestBorder) {
 TEST(Reference, WorstOnEdgeIsThatOfAllCrossings) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Reference r = random_reference(kReferenceCell, seed, 10 + 5 * static_cast<int>(seed), 30);
-    const Draw draw(seed, StableId{10}, "edges");
+    const RandomSequence draw(seed, StableId{10}, "edges");
     for (std::uint32_t i = 0; i < 400; i += 2) {
       const Vec3 a = random_end(r, draw, i), b = random_end(r, draw, i + 1);
       if (in_plan(a) == in_plan(b)) continue;
@@ -132,7 +132,7 @@ TEST(Reference, WorstOnEdgeIsThatOfAllCrossings) {
 
 TEST(Reference, NoSampleAlongAnEdgeIsWorse) {
   const Reference r = random_reference(kReferenceCell, 3, 50, 30);
-  const Draw draw(3, StableId{11}, "edges");
+  const RandomSequence draw(3, StableId{11}, "edges");
   for (std::uint32_t i = 0; i < 100; i += 2) {
     Vec3 a = random_end(r, draw, i), b = random_end(r, draw, i + 1);
     a.z = height_m_at(r, in_plan(a), kLayer), b.z = height_m_at(r, in_plan(b), kLayer);
@@ -155,7 +155,7 @@ TEST(Reference, AnEdgeOfItsOwnHasNoError) {
 
 TEST(Reference, BothWaysAlongAnEdgeAreTheSame) {
   const Reference r = random_reference(kReferenceCell, 5, 60, 30);
-  const Draw draw(5, StableId{12}, "edges");
+  const RandomSequence draw(5, StableId{12}, "edges");
   double largest_m = 0;
   for (std::uint32_t i = 0; i < 400; i += 2) {
     const Vec3 a = random_end(r, draw, i), b = random_end(r, draw, i + 1);
@@ -171,7 +171,7 @@ TEST(Reference, BothWaysAlongAnEdgeAreTheSame) {
 TEST(Reference, OnACommonBorderBothCellsFindTheSame) {
   const Box2 west = kReferenceCell, east{{0, 384}, {128, 512}};
   std::vector<OwnedSegment> across;
-  const Draw draw(6, StableId{13}, "across");
+  const RandomSequence draw(6, StableId{13}, "across");
   for (std::uint32_t i = 0; i < 40; ++i)
     across.push_back(
         {grid_point({-64, draw.between(384, 512, 2 * i)}), grid_point({64, draw.between(384, 512, 2 * i + 1)}), 0, 1});
@@ -209,7 +209,7 @@ WorstPoint worst_for(const Reference& reference, Vec3 a, Vec3 b) {
 // Bit for bit: a graded and an ungraded cell share their border.
 TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
   for (const Vec2 step_m : {Vec2{16, 16}, {17, 11}, {9.5, 15}, {60, 88}, {92, 13}}) {
-    const Draw draw(8, StableId{15}, "edges");
+    const RandomSequence draw(8, StableId{15}, "edges");
     map::Heightfield field{step_m * -8.0, step_m, 24, 24, {}, 0};
     for (std::uint32_t i = 0; i < 24 * 24; ++i)
       field.heights.push_back(static_cast<std::int32_t>(draw.between(0, 3000, 5000 + i)));
@@ -241,7 +241,7 @@ TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
 
 TEST(Reference, WorstInsideIsThatOfAllVertices) {
   const Reference r = random_reference(kReferenceCell, 7, 60, 30);
-  const Draw draw(7, StableId{14}, "triangles");
+  const RandomSequence draw(7, StableId{14}, "triangles");
   double largest_m = 0;
   for (std::uint32_t i = 0; i < 900; i += 3) {
     std::array<Vec3, 3> corners = {random_end(r, draw, i), random_end(r, draw, i + 1), random_end(r, draw, i + 2)};
@@ -274,7 +274,7 @@ TEST(Reference, LayersAreTheirOwn) {
 
 TEST(Reference, NearestVertexIsTheNearest) {
   const Reference r = random_reference(kReferenceCell, 9, 40, 30);
-  const Draw draw(9, StableId{15}, "places");
+  const RandomSequence draw(9, StableId{15}, "places");
   for (std::uint32_t i = 0; i < 2000; ++i) {
     const Vec2 p = snapped(Vec2{draw.between(-140, 10, 2 * i), draw.between(370, 520, 2 * i + 1)});
     double least = 1e300;
@@ -285,11 +285,11 @@ TEST(Reference, NearestVertexIsTheNearest) {
 
 TEST(Reference, OfAGridItAgreesWithTheField) {
   map::Heightfield field{{-64, -64}, {16, 16}, 9, 17, {}};
-  const Draw draw(1, StableId{2}, "heights");
+  const RandomSequence draw(1, StableId{2}, "heights");
   for (int i = 0; i < field.columns * field.rows; ++i)
     field.heights.push_back(static_cast<std::int32_t>(draw.unit(static_cast<std::uint32_t>(i)) * 1280));
   const Reference r = reference_of_field(field);
-  const Draw ends(1, StableId{16}, "ends");
+  const RandomSequence ends(1, StableId{16}, "ends");
   for (std::uint32_t i = 0; i < 3000; i += 3) {
     std::array<Vec3, 3> corners = {random_end(r, ends, i), random_end(r, ends, i + 1), random_end(r, ends, i + 2)};
     EXPECT_NEAR(height_m_at(r, in_plan(corners[0]), kLayer), map::height_m_at(field, in_plan(corners[0])), 1e-9);

@@ -1,4 +1,4 @@
-// The last word on heights: what crossings lack.
+// Heights at crossings after clearances are enforced.
 #include "compiler/ground/profiles/enforce_clearances.h"
 
 #include <gtest/gtest.h>

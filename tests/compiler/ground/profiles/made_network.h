@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/ground/profiles/measure_profiles.h"
 #include "compiler/roads/plan.h"
 
@@ -25,9 +25,9 @@ inline map::Heightfield field_from(const std::function<double(double, double)>& 
   return field;
 }
 
-/// Hills of some 300 m, with noise of some metres like radar samples.
+/// Returns hills of `hills_m`, with noise of `noise_m` like that of radar samples.
 inline map::Heightfield hilly_field(std::uint64_t seed, double hills_m, double noise_m, double half_m = 2048) {
-  const Draw draw(seed, StableId{1}, "hills");
+  const RandomSequence draw(seed, StableId{1}, "hills");
   std::uint32_t next = 0;
   return field_from(
       [&](double x, double y) {
@@ -38,7 +38,7 @@ inline map::Heightfield hilly_field(std::uint64_t seed, double hills_m, double n
       half_m);
 }
 
-/// A way; the id of a map node follows from its place.
+/// A way. The id of a map node is a function of its position.
 inline map::Track track(std::int64_t id, Polyline axis,
                         map::LandCoverClass surface = map::LandCoverClass::kResidentialRoad,
                         map::Passage passage = map::Passage::kGround, int layer = 0) {
@@ -54,11 +54,11 @@ inline map::Track track(std::int64_t id, Polyline axis,
   return t;
 }
 
-/// Streets every 96 m or so, bent and shifted, some missing.
+/// Returns streets every 96 m or so, bent and shifted.
 inline map::Features street_grid(std::uint64_t seed, int count, Vec2 from = {-480, -480}) {
   constexpr map::LandCoverClass kClasses[] = {map::LandCoverClass::kResidentialRoad, map::LandCoverClass::kServiceRoad,
                                               map::LandCoverClass::kTertiaryRoad, map::LandCoverClass::kFarmTrack};
-  const Draw draw(seed, StableId{2}, "streets");
+  const RandomSequence draw(seed, StableId{2}, "streets");
   const auto at = [&](int i, int j) {
     const auto index = static_cast<std::uint32_t>((i + 100) * 1000 + j + 100) * 2;
     return Vec2{std::floor((from.x + 96 * i + draw.between(-20, 20, index)) * 128) / 128,

@@ -220,7 +220,7 @@ TEST(Profiles, DoNotDependOnWhatLiesBeyondTheirReach) {
 }
 
 TEST(Profiles, ASummitAtOneVertexMovesThemByEightMetresAtMost) {
-  const Draw draw(1, StableId{9}, "spikes");
+  const RandomSequence draw(1, StableId{9}, "spikes");
   double largest = 0;
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     const map::Features f = street_grid(seed, 10);
@@ -244,7 +244,7 @@ TEST(Profiles, FollowTheGroundWithoutItsNoise) {
   map::Features f;
   f.tracks = {track(1, {{-900, 3}, {900, 11}}, LandCoverClass::kSecondaryRoad)};
   const auto slope = [](double x) { return 300 + x * 0.04; };
-  const Draw draw(4, StableId{3}, "noise");
+  const RandomSequence draw(4, StableId{3}, "noise");
   std::uint32_t next = 0;
   const auto noisy = field_from([&](double x, double) { return slope(x) + draw.between(-6, 6, next++); });
   const Profile profile = planned(f, noisy).profiles.roads[0].profile;

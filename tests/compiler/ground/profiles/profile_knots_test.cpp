@@ -31,8 +31,8 @@ std::vector<Knot> knots_before(const Profile& profile, double at_m) {
   return {knots.begin(), knots.end()};
 }
 
-// Regions of a plan know no heights far away. On waves so low few stations are knots, and which ones depends on both
-// ends of a stretch.
+// Regions of a plan have no heights far away. On waves so low few stations are knots, and both ends of a stretch decide
+// which.
 TEST(ProfileKnots, DependOnNoHeightsBeyondAStretch) {
   const LongRoad road;
   const auto bump_m = [](double x) { return 0.012 * std::sin(x / 97) + 0.008 * std::sin(x / 41); };

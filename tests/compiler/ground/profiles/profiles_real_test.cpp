@@ -28,7 +28,7 @@ std::ostream& operator<<(std::ostream& out, const Place& place) { return out << 
 
 class ProfilesReal : public testing::TestWithParam<Place> {};
 
-Result<map::Heightfield> read_heights(const Place& place, const map::Plane& plane, const Box2& region, Report& report) {
+Result<map::Heightfield> read_heights(const Place& place, const map::Plane& plane, const Box2& extent, Report& report) {
   std::vector<source::Raster> rasters;
   if (*place.heights != 0) {
     const auto spec = source::parse_raster_spec(real_data(place.heights).string());
@@ -37,7 +37,7 @@ Result<map::Heightfield> read_heights(const Place& place, const map::Plane& plan
     if (!raster) return raster.error();
     rasters.push_back(source::fill_voids(std::move(*raster), report));
   }
-  return map::resample(rasters, plane, region, report);
+  return map::resample(rasters, plane, extent, report);
 }
 
 void print(const ProfileMeasures& m, double took_s) {
@@ -60,7 +60,7 @@ TEST_P(ProfilesReal, MeetWithoutJumpsAndKeepTheirLimits) {
   const auto real = roads::read_real_map(real_data(place.map), report);
   ASSERT_TRUE(real) << to_string(real.error());
   const map::Features& features = real->features;
-  const auto heights = read_heights(place, map::Plane(real->origin), features.region, report);
+  const auto heights = read_heights(place, map::Plane(real->origin), features.extent, report);
   ASSERT_TRUE(heights) << to_string(heights.error());
   const auto roads = roads::plan(features, report);
   const auto junctions = roads::plan_junctions(roads, report);

@@ -22,7 +22,7 @@ struct ObliqueRoad {
 
 TEST(SmoothProfile, NothingBeyondItsReachChangesABit) {
   const ObliqueRoad line(4096);
-  const Draw draw(1, StableId{1}, "data");
+  const RandomSequence draw(1, StableId{1}, "data");
   std::vector<double> data_m, other_m;
   for (std::uint32_t n = 0; n < line.graph.nodes.size(); ++n) {
     data_m.push_back(draw.between(0, 30, n));

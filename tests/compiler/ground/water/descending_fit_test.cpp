@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 
 namespace citykiln::ground {
 namespace {
 
 // A tree: each node flows into one with a lower number.
 FlowGraph random_tree(std::uint64_t seed, std::uint32_t count) {
-  const Draw draw(seed, StableId{1}, "tree");
+  const RandomSequence draw(seed, StableId{1}, "tree");
   FlowGraph flow{{}, std::vector<std::vector<std::uint32_t>>(count), std::vector<bool>(count, false)};
   for (std::uint32_t i = 0; i < count; ++i) {
     flow.given.push_back({{1.0 * draw.below(6, 3 * i), 1 + draw.below(4, 3 * i + 1), 1 + draw.below(9, 3 * i + 1)}});
@@ -57,7 +57,7 @@ TEST(DescendingFit, CostsNoMoreThanAnyOther) {
 TEST(DescendingFit, FallsWhereRiversPart) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     FlowGraph flow = random_tree(seed, 60);
-    const Draw draw(seed, StableId{2}, "arms");
+    const RandomSequence draw(seed, StableId{2}, "arms");
     for (std::uint32_t i = 1; i < 60; ++i) {
       flow.downstream[i].push_back(draw.below(i, 2 * i));
       flow.given[i][0].height_m -= 3;

@@ -8,12 +8,12 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/recipe.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::ground {
 
-/// Land of 4 km by 4 km from {0, 0}, samples 32 m apart.
+/// Returns land of 4 km by 4 km from {0, 0}, with samples 32 m apart.
 inline map::Heightfield made_land(const std::function<double(Vec2)>& height_m) {
   map::Heightfield land{{0, 0}, {32, 32}, 129, 129, {}, 0};
   for (int j = 0; j < land.rows; ++j)
@@ -32,7 +32,7 @@ inline LandCoverPolygon made_water(std::int64_t id, map::LandCoverClass surface,
   return {{{OsmType::kWay, id}, 0}, surface, area_m2, {std::move(ring)}};
 }
 
-/// A shore of 32 edges about a point.
+/// Returns a square shore of 32 edges about a point.
 inline Ring made_shore(Vec2 centre, double radius_m) {
   Ring ring;
   for (int i = 0; i < 8; ++i) ring.push_back(centre + Vec2{radius_m, -radius_m + radius_m * i / 4});

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/contract/draw.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/ground/water/measure_waters.h"
 #include "compiler/ground/water/river_depth.h"
 #include "compiler/ground/water/river_heights.h"
@@ -29,7 +29,7 @@ double largest(const Report& report, Code code) {
 
 // Rough terrain that falls to the south.
 map::Heightfield rough_land(std::uint64_t seed, double fall, double rough_m) {
-  const Draw draw(seed, StableId{7}, "land");
+  const RandomSequence draw(seed, StableId{7}, "land");
   return made_land([&](Vec2 p) {
     const auto index = static_cast<std::uint32_t>(p.x / 32 * 129 + p.y / 32);
     return 100 + p.y * fall + draw.between(-rough_m, rough_m, index);
@@ -38,7 +38,7 @@ map::Heightfield rough_land(std::uint64_t seed, double fall, double rough_m) {
 
 // Lines between points of a common lattice, in any direction: with junctions, forks and cycles.
 std::vector<roads::Strip> random_network(std::uint64_t seed, int count) {
-  const Draw draw(seed, StableId{8}, "streams");
+  const RandomSequence draw(seed, StableId{8}, "streams");
   std::vector<roads::Strip> streams;
   std::uint32_t index = 0;
   for (int s = 0; s < count; ++s) {
@@ -55,7 +55,7 @@ std::vector<roads::Strip> random_network(std::uint64_t seed, int count) {
 }
 
 std::vector<LandCoverPolygon> random_lakes(std::uint64_t seed, int count) {
-  const Draw draw(seed, StableId{9}, "lakes");
+  const RandomSequence draw(seed, StableId{9}, "lakes");
   std::vector<LandCoverPolygon> lakes;
   for (int i = 0; i < count; ++i) {
     const auto index = static_cast<std::uint32_t>(3 * i);

@@ -390,7 +390,7 @@ CrossSection mirrored(CrossSection section) {
   return section;
 }
 
-// The same road drawn from its other end. Lists and turns stay, since they are given as drivers see them.
+// Tags of the road if it is drawn from its other end. Lists and turns stay, since they are given as drivers see them.
 Tags turned_round(const Tags& tags) {
   Tags result;
   for (const auto& [key, value] : tags) {
@@ -508,7 +508,7 @@ const std::vector<Choice>& choices() {
   return all;
 }
 
-// What is only for the fuzz: it has no mirror.
+// Tags for random tests alone, since they have no mirror image.
 const std::vector<Choice>& absolute_choices() {
   static const std::vector<Choice> all = {
       {{"placement", "placement:forward", "placement:backward"},
@@ -587,7 +587,7 @@ TEST(Lanes, WithoutTagsOfLanesTheWholeIsAsWideAsTheTrack) {
     int lanes;
   } classes[] = {
 #define TRACK(key, value, surface, width_m, lanes) {key, value, lanes},
-#include "compiler/map/track_rules.inc"
+#include "compiler/map/lanes/track_rules.inc"
 #undef TRACK
   };
   for (const auto& row : classes)
@@ -607,20 +607,20 @@ TEST(Lanes, WithoutTagsOfLanesTheWholeIsAsWideAsTheTrack) {
 
 TEST(Lanes, WidthsAndNumbersWithoutTagsAreThoseOfTheRegion) {
   static const Plane plane(kTestOrigin);
-  const auto drawn_in = [](RoadRegion region, const std::string& tags) {
+  const auto drawn_in = [](RoadGuidelines guidelines, const std::string& tags) {
     const source::OsmData osm = extract("w1 0:0 50:0 " + tags);
     Report report;
     const ReadContext reading{osm, plane, Box2{}, report};
     const CrossSection section =
-        tagged_section_of(reading, {OsmType::kWay, 1}, osm.ways[0].tags, DrivingSide::kRight, region).section;
+        tagged_section_of(reading, {OsmType::kWay, 1}, osm.ways[0].tags, DrivingSide::kRight, guidelines).section;
     return std::pair(section.lanes.size(), carriageway_width_m(section));
   };
-  EXPECT_EQ(drawn_in(RoadRegion::kElsewhere, "highway=residential"), std::pair(2ul, 5.5));
-  EXPECT_EQ(drawn_in(RoadRegion::kNorthAmerica, "highway=residential"), std::pair(2ul, 6.0));
-  EXPECT_EQ(drawn_in(RoadRegion::kBritishIsles, "highway=primary"), std::pair(2ul, 7.25));
-  EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential"), std::pair(1ul, 4.0));
-  EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential lanes=2"), std::pair(2ul, 5.5));
-  EXPECT_EQ(drawn_in(RoadRegion::kJapan, "highway=residential width=5"), std::pair(1ul, 5.0));
+  EXPECT_EQ(drawn_in(RoadGuidelines::kElsewhere, "highway=residential"), std::pair(2ul, 5.5));
+  EXPECT_EQ(drawn_in(RoadGuidelines::kNorthAmerica, "highway=residential"), std::pair(2ul, 6.0));
+  EXPECT_EQ(drawn_in(RoadGuidelines::kBritishIsles, "highway=primary"), std::pair(2ul, 7.25));
+  EXPECT_EQ(drawn_in(RoadGuidelines::kJapan, "highway=residential"), std::pair(1ul, 4.0));
+  EXPECT_EQ(drawn_in(RoadGuidelines::kJapan, "highway=residential lanes=2"), std::pair(2ul, 5.5));
+  EXPECT_EQ(drawn_in(RoadGuidelines::kJapan, "highway=residential width=5"), std::pair(1ul, 5.0));
 }
 
 TEST(Lanes, AWidthThatIsThatOfTheWholeStreetIsNotUsed) {

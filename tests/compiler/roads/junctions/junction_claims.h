@@ -17,7 +17,7 @@ using Shape = std::unique_ptr<GEOSGeometry, decltype([](GEOSGeometry* g) { GEOSG
 
 inline void keep_silent(const char*, ...) {}
 
-/// GEOS for as long as it lives.
+/// Initialises GEOS for as long as it lives.
 struct Geos {
   Geos() { initGEOS(keep_silent, keep_silent); }
   ~Geos() { finishGEOS(); }
@@ -42,7 +42,7 @@ inline double area_of(const Shape& s) {
   return area;
 }
 
-/// Corners whose inside angle is under 10 degrees, with both sides over half a metre.
+/// The number of corners whose inside angle is under 10 degrees, with both sides over half a metre.
 inline int spikes_of(const Ring& ring) {
   int spikes = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -60,7 +60,7 @@ struct Faults {
   double overlap_m2 = 0;
 };
 
-/// Beyond kJunctionRadius_m.
+/// The distance beyond kJunctionRadius_m that an outline may reach, by the widest road.
 inline double beyond_reach_m(std::span<const Road> roads) {
   double widest = 0;
   for (const Road& road : roads)
@@ -68,7 +68,7 @@ inline double beyond_reach_m(std::span<const Road> roads) {
   return 0.75 * widest;
 }
 
-/// Faults of single outlines.
+/// Counts the faults of single outlines.
 inline void count_faults(const Junction& junction, std::span<const Polygon> outline, double beyond_m, Faults& faults) {
   const Vec2 centre = box_of(junction.nodes).centre();
   for (const Polygon& polygon : outline) {
@@ -79,7 +79,8 @@ inline void count_faults(const Junction& junction, std::span<const Polygon> outl
   }
 }
 
-/// The largest area that two outlines share. Sorted by their western ends, so that only neighbours meet.
+/// The largest area that two outlines share. Polygons are sorted by their western ends, so that only neighbours are
+/// compared.
 inline double largest_overlap_m2(std::span<const std::vector<Polygon>> outlines) {
   struct Placed {
     Box2 box;

@@ -149,7 +149,7 @@ struct Difference {
   double all_m2() const { return beyond_m2 + left_m2; }
 };
 
-// Of every stride-th junction.
+// The differences of every stride-th junction.
 std::vector<Difference> differences(std::span<const Junction> junctions, std::span<const std::vector<Polygon>> outlines,
                                     std::span<const Road> roads, std::size_t stride) {
   Paved all = paved(roads, outlines);

@@ -56,7 +56,7 @@ TEST(MarkingAtlas, ColumnsAndTheirGuttersNeverOverlap) {
 TEST(MarkingAtlas, TheMaximumWidthHolds) {
   for (const int count : {20, 100, 900, 5000}) {
     const MarkingAtlas atlas = make_marking_atlas(carriageways(count), 0.02);
-    EXPECT_LE(atlas.sheet.columns, kMostColumns);
+    EXPECT_LE(atlas.sheet.columns, kWidest_texels);
     EXPECT_EQ(atlas.sheet.texels.size(), std::size_t{atlas.sheet.columns} * atlas.sheet.rows);
     EXPECT_LE(atlas.sheet.texel_m, kCoarsestTexel_m);
   }
@@ -67,7 +67,7 @@ TEST(MarkingAtlas, TexelsGrowNoFurtherThanTheyMust) {
   EXPECT_EQ(make_marking_atlas(carriageways(25), 0.02).sheet.rows, 400u);
   const MarkingAtlas atlas = make_marking_atlas(carriageways(40), 0.02);
   EXPECT_LT(atlas.sheet.rows, 400u);
-  EXPECT_GT(atlas.sheet.columns, kMostColumns * 99 / 100);
+  EXPECT_GT(atlas.sheet.columns, kWidest_texels * 99 / 100);
 }
 
 TEST(MarkingAtlas, WhatDoesNotFitHasNoColumn) {

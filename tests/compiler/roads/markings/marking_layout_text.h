@@ -1,4 +1,4 @@
-// Marking layouts in the notation of compiler/map/cross_section.h: "cddc vv^^"; raised lanes in bars, "|c| |^|".
+// Marking layouts in the notation of compiler/map/cross_section.h: "cddc vv^^". Raised lanes are in bars, "|c| |^|".
 #pragma once
 
 #include <string>

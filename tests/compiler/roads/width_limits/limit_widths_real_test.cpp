@@ -31,7 +31,7 @@ double under_footprints_m2(std::span<const Ring> rings, const Polygon& footprint
   return area_of(Shape(GEOSIntersection(covered.get(), shape(footprint).get())));
 }
 
-double under_footprints_m2(std::span<const Ring> rings, const Box2& box, const StandingFootprints& footprints) {
+double under_footprints_m2(std::span<const Ring> rings, const Box2& box, const ObstructingFootprints& footprints) {
   double shared = 0;
   for (const std::uint32_t f : footprints.near(box)) shared += under_footprints_m2(rings, footprints[f]);
   return shared;
@@ -42,7 +42,7 @@ struct Under {
   double carriageway_m2 = 0, pavement_m2 = 0;
 };
 
-Under under_buildings(const Road& road, const StripEnds& ends, const StandingFootprints& footprints) {
+Under under_buildings(const Road& road, const StripEnds& ends, const ObstructingFootprints& footprints) {
   const Box2 box = box_of(road.axis).widened(max_offset_m(road));
   const double carriageway = under_footprints_m2(stroke_carriageway(road, ends), box, footprints);
   const std::vector<Ring> all = stroke_pavements(road, ends);
@@ -63,7 +63,7 @@ TEST_P(LimitWidthsReal, KeepsOutOfBuildingsOrSaysThatItDoesNot) {
   const std::vector<Road> narrowed =
       limit_widths(roads, plan_junctions(roads, report), features.footprints, {}, report);
 
-  const StandingFootprints footprints(features.footprints);
+  const ObstructingFootprints footprints(features.footprints);
   const std::vector<StripEnds> ends = ends_of(roads);
   std::set<OsmId> told;
   for (const Diagnosis& d : report.diagnoses())

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "compiler/roads/generate.h"
 #include "compiler/roads/trim.h"
 #include "compiler/roads/width_limits/building_obstacles.h"

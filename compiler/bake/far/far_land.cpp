@@ -1,0 +1,200 @@
+// Belts after Ninot, Carrillo, Font, "The vegetation of the Pyrenees" (2007): alpine from 2,300 m, subnival from 2,800
+// m on, where rock outweighs grass. Slopes: the angle of repose of scree (ground_material.h).
+#include "compiler/bake/far/far_land.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "compiler/bake/ground/ground_material.h"
+#include "compiler/bake/ground/ground_tint.h"
+#include "compiler/materials/noise.h"
+#include "compiler/plants/species_mix.h"
+#include "compiler/plants/tree_line.h"
+#include "compiler/surroundings/curvature.h"
+
+namespace citykiln::bake {
+namespace {
+
+using map::LandCoverGroup;
+using materials::Material;
+
+constexpr int kPlaces = 256, kDirections = 64;
+// Covers are means of as many directions on both sides.
+constexpr int kBlur = kDirections / 8;
+
+// Rock begins to show at 35°, and all is rock at 48°.
+constexpr double kFirstRockCosine = 0.819;
+// Towns grow on land below 6°, and on none above 14°, a slope of 1 in 4.
+constexpr double kTownCosine = 0.9945, kTownEndsCosine = 0.970;
+// Between these belts rock grows to this share of level ground.
+constexpr double kRockFrom_m = 2400, kRockUpTo_m = 2900, kRockShare = 0.7;
+// Woods and open land in patches of these wavelengths.
+constexpr double kPatch_m = 900, kSmallPatch_m = 260;
+
+constexpr Material kBase = Material::kScree;
+
+Colour mixed(const Colour& a, const Colour& b, double share) {
+  Colour colour{};
+  for (std::size_t c = 0; c < 3; ++c) colour[c] = a[c] + (b[c] - a[c]) * share;
+  return colour;
+}
+
+EdgeCover mixed(const EdgeCover& a, const EdgeCover& b, double share) {
+  return {std::lerp(a.wood_share, b.wood_share, share), mixed(a.open, b.open, share),
+          std::lerp(a.built_share, b.built_share, share), mixed(a.built, b.built, share)};
+}
+
+Colour colour_of(Material material) {
+  const auto& colour = materials::values_of(material).base_colour;
+  return {colour[0], colour[1], colour[2]};
+}
+
+Colour in_month(Material material, plants::Month month) {
+  const TintFactor tint = seasonal_tint(month, material);
+  const Colour colour = colour_of(material);
+  return {colour[0] * tint.red, colour[1] * tint.green, colour[2] * tint.blue};
+}
+
+bool is_built(LandCoverGroup group) {
+  switch (group) {
+    case LandCoverGroup::kTown:
+    case LandCoverGroup::kIndustry:
+    case LandCoverGroup::kPaved:
+    case LandCoverGroup::kRoad:
+    case LandCoverGroup::kPath:
+    case LandCoverGroup::kRail:
+    case LandCoverGroup::kBuilding:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// The mean colour of places.
+struct MeanColour {
+  double count = 0;
+  Colour sum{};
+
+  void add(const Colour& colour) {
+    ++count;
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c];
+  }
+  Colour or_else(const Colour& otherwise) const {
+    return count == 0 ? otherwise : Colour{sum[0] / count, sum[1] / count, sum[2] / count};
+  }
+};
+
+// Sums over places on land.
+struct Sum {
+  double wood = 0;
+  MeanColour open{}, built{};
+
+  void add(map::LandCoverClass cover, plants::Month month) {
+    const map::LandCoverValues& values = map::values_of(cover);
+    if (values.group == LandCoverGroup::kWater || values.group == LandCoverGroup::kUnknown) return;
+    if (values.group == LandCoverGroup::kForest) return void(++wood);
+    (is_built(values.group) ? built : open).add(in_month(values.material, month));
+  }
+
+  EdgeCover mean(const EdgeCover& otherwise) const {
+    const double grown = wood + open.count, land = grown + built.count;
+    if (land == 0) return otherwise;
+    return {grown > 0 ? wood / grown : otherwise.wood_share, open.or_else(otherwise.open), built.count / land,
+            built.or_else(otherwise.built)};
+  }
+};
+
+// 0 below a, 1 above b, smooth between them.
+double rises(double a, double b, double value) {
+  const double t = std::clamp((value - a) / (b - a), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+// The share of the way around a square, from the middle of its eastern side: as places_on_border().
+double around_square(Vec2 offset) {
+  const double x = offset.x, y = offset.y;
+  const double size = std::max(std::abs(x), std::abs(y));
+  if (size == 0) return 0;
+  const double turn = x == size ? y / size : y == size ? 2 - x / size : -x == size ? 4 - y / size : 6 + x / size;
+  return (turn < 0 ? turn + 8 : turn) / 8;
+}
+
+EdgeCover cover_at(const FarLand& land, Vec2 place) {
+  const auto count = static_cast<int>(land.ring.size());
+  const double at = around_square(place - land.centre) * count;
+  const int low = std::min(static_cast<int>(at), count - 1);
+  const EdgeCover own = mixed(land.ring[static_cast<std::size_t>(low)],
+                              land.ring[static_cast<std::size_t>((low + 1) % count)], std::clamp(at - low, 0.0, 1.0));
+  const double away_m = surroundings::away_m(land.header.extent, place);
+  return mixed(own, land.mean, away_m / (away_m + kEdgeFade_m));
+}
+
+// 0 to 1, in patches.
+double patch_at(Vec2 place, std::uint64_t seed) {
+  const double noise =
+      0.6 * materials::noise_at(place, kPatch_m, seed + 1) + 0.4 * materials::noise_at(place, kSmallPatch_m, seed + 2);
+  return std::clamp(0.5 + 0.8 * noise, 0.0, 1.0);
+}
+
+// The vegetation at a place: woods in patches, on slopes away from the sun more than on others, up to the tree line.
+Colour growing_at(const FarLand& land, const EdgeCover& cover, const plants::Habitat& habitat) {
+  constexpr double kSharpness = 3, kShadeShare = 0.5;
+  const plants::Month month = scene::month_of(land.header);
+  const double dense = plants::wood_share_at(habitat.belt_m), high = (1 - dense) / (1 - plants::kSparseWood);
+  const double share = cover.wood_share * (1 - high) * (1 + kShadeShare * habitat.shade);
+  const double wood = std::clamp((share - patch_at(habitat.at, land.header.seed)) * kSharpness + share, 0.0, 1.0);
+  const Colour open = mixed(cover.open, in_month(Material::kMeadow, month), high);
+  return mixed(open, in_month(Material::kForestFloor, month), wood);
+}
+
+// Towns go on beyond the edge where the land is not steep.
+double built_share(const EdgeCover& cover, Vec3 normal) {
+  return cover.built_share * (1 - rises(-kTownCosine, -kTownEndsCosine, -normal.z));
+}
+
+double rock_share(double belt_m, Vec3 normal) {
+  const double by_slope = rises(-kFirstRockCosine, -kSteepCosine, -normal.z);
+  const double by_height = kRockShare * rises(kRockFrom_m, kRockUpTo_m, belt_m);
+  return by_slope + (1 - by_slope) * by_height;
+}
+
+materials::Tint far_tint(const Colour& colour, TintFactor place) {
+  const Colour base = colour_of(kBase);
+  return bake::tint_of({colour[0] / base[0], colour[1] / base[1], colour[2] / base[2]}, place);
+}
+
+}  // namespace
+
+FarLand far_land_of(const scene::GroundLookup& lookup, const scene::Header& header) {
+  FarLand land{.header = header, .centre = lookup.box().centre(), .ring = {}};
+  const plants::Month month = scene::month_of(header);
+  std::vector<map::LandCoverClass> covers;
+  for (const Vec2 place : scene::places_on_border(lookup.box(), kPlaces)) covers.push_back(lookup.at(place).cover);
+  Sum all;
+  for (const map::LandCoverClass cover : covers) all.add(cover, month);
+  const Colour unknown = in_month(Material::kUnknownGround, month);
+  land.mean = all.mean({0, unknown, 0, unknown});
+  constexpr int kEach = kPlaces / kDirections;
+  for (int direction = 0; direction < kDirections; ++direction) {
+    Sum own;
+    for (int i = -kBlur * kEach; i <= kBlur * kEach; ++i)
+      own.add(covers[static_cast<std::size_t>(direction * kEach + i + kPlaces) % kPlaces], month);
+    land.ring.push_back(own.mean(land.mean));
+  }
+  return land;
+}
+
+materials::SurfaceMaterial far_material_of(const FarLand& land, Vec3 place, Vec3 normal) {
+  assert(!land.ring.empty());
+  const Vec2 at = in_plan(place);
+  const GroundFace face{.surface = map::LandCoverClass::kMeadow, .normal = normal, .centre = place};
+  if (material_of(face, land.header.snow_line_m, land.header.seed) == Material::kSnow) return {Material::kSnow};
+  const plants::Habitat habitat = plants::habitat_at(land.header.origin.lat_deg, at, place.z, normal, false);
+  const EdgeCover cover = cover_at(land, at);
+  const Colour soft = mixed(growing_at(land, cover, habitat), cover.built, built_share(cover, normal));
+  const Colour colour = mixed(soft, colour_of(Material::kRock), rock_share(habitat.belt_m, normal));
+  return {kBase, far_tint(colour, place_tint(at, Material::kMeadow, land.header.seed))};
+}
+
+}  // namespace citykiln::bake

@@ -1,0 +1,151 @@
+#include "compiler/bake/ground/ground_tint.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string_view>
+
+#include "compiler/contract/random_sequence.h"
+#include "compiler/materials/noise.h"
+
+namespace citykiln::bake {
+namespace {
+
+using ground::LandCoverPolygon;
+using map::LandCoverGroup;
+using materials::Material;
+
+// Relative to ripe straw, the colour of farmland in the material table: stubble, ploughed, sown, green, turning, ripe.
+constexpr TintFactor kCrops[] = {{0.92, 0.92, 0.95}, {0.60, 0.58, 0.80}, {0.52, 0.90, 0.52},
+                                 {0.40, 0.70, 0.42}, {0.80, 0.96, 0.60}, {1.00, 0.96, 0.80}};
+
+constexpr std::string_view kCropLetters = "bpogtr";
+
+struct SeasonalTint {
+  char letter;
+  TintFactor factor;
+};
+constexpr SeasonalTint kSeasonalTints[] = {
+#define TINT(letter, red, green, blue) {letter, {red, green, blue}},
+#define MONTHS(material, months)
+#define FIELDS(month, fields)
+#include "compiler/bake/ground/seasonal_tints.inc"
+#undef TINT
+#undef MONTHS
+#undef FIELDS
+};
+
+struct Months {
+  Material material;
+  std::string_view months;
+};
+constexpr Months kMonths[] = {
+#define TINT(letter, red, green, blue)
+#define MONTHS(material, months) {Material::material, months},
+#define FIELDS(month, fields)
+#include "compiler/bake/ground/seasonal_tints.inc"
+#undef TINT
+#undef MONTHS
+#undef FIELDS
+};
+
+constexpr std::string_view kFields[] = {
+#define TINT(letter, red, green, blue)
+#define MONTHS(material, months)
+#define FIELDS(month, fields) fields,
+#include "compiler/bake/ground/seasonal_tints.inc"
+#undef TINT
+#undef MONTHS
+#undef FIELDS
+};
+static_assert(std::size(kFields) == 12 && kFields[5] == kCropLetters);
+
+std::size_t index_of(plants::Month month) { return (static_cast<std::size_t>(month) + 11) % 12; }
+
+TintFactor crop_in(plants::Month month, std::size_t field) {
+  return kCrops[kCropLetters.find(kFields[index_of(month)][field])];
+}
+
+bool is_green(Material material) {
+  switch (material) {
+    case Material::kUnknownGround:
+    case Material::kGrass:
+    case Material::kMeadow:
+    case Material::kFarmland:
+    case Material::kOrchard:
+    case Material::kForestFloor:
+    case Material::kScrub:
+    case Material::kHeath:
+    case Material::kWetland:
+      return true;
+    default:
+      return false;
+  }
+}
+
+TintFactor times(TintFactor a, TintFactor b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }
+
+// @param dryness  -1: bluish green; 1: yellowish.
+TintFactor dried(double dryness) {
+  if (dryness > 0) return {1, 1 - 0.07 * dryness, 1 - 0.30 * dryness};
+  return {1 + 0.24 * dryness, 1 + 0.04 * dryness, 1 + 0.06 * dryness};
+}
+
+}  // namespace
+
+bool is_paved(map::LandCoverClass surface) {
+  const LandCoverGroup group = map::values_of(surface).group;
+  return group == LandCoverGroup::kRoad || group == LandCoverGroup::kPath || group == LandCoverGroup::kRail ||
+         group == LandCoverGroup::kPaved;
+}
+
+bool has_soft_border(map::LandCoverClass surface) {
+  const LandCoverGroup group = map::values_of(surface).group;
+  return group == LandCoverGroup::kForest || group == LandCoverGroup::kGrassland ||
+         group == LandCoverGroup::kScrubland || group == LandCoverGroup::kWetland || group == LandCoverGroup::kBare;
+}
+
+TintFactor seasonal_tint(plants::Month month, Material material) {
+  const auto year = std::ranges::find(kMonths, material, &Months::material);
+  if (year == std::end(kMonths)) return {};
+  return std::ranges::find(kSeasonalTints, year->months[index_of(month)], &SeasonalTint::letter)->factor;
+}
+
+TintFactor surface_tint(const LandCoverPolygon& surface, Material material, std::uint64_t seed, plants::Month month) {
+  if (is_paved(surface.surface)) return {};
+  const RandomSequence draw(seed, stable_id(surface.id), "ground tint");
+  const double level = 1 - values_of(material).variation * draw.unit(0);
+  const TintFactor plain{level, level, level};
+  if (material == Material::kFarmland) return times(plain, crop_in(month, draw.below(std::size(kCrops), 1)));
+  if (!is_green(material)) return plain;
+  return times(times(plain, dried(0.8 * (2 * draw.unit(1) - 1))), seasonal_tint(month, material));
+}
+
+TintFactor place_tint(Vec2 place_m, Material material, std::uint64_t seed) {
+  const double variation = values_of(material).variation;
+  if (variation == 0) return {};
+  struct Wave {
+    double length_m, share;
+  };
+  constexpr Wave kLight[] = {{300, 0.45}, {110, 0.33}, {35, 0.22}}, kDry[] = {{230, 0.6}, {70, 0.4}};
+  const auto sum = [&](const auto& waves, std::uint64_t key) {
+    double noise = 0;
+    for (const Wave& wave : waves) noise += wave.share * materials::noise_at(place_m, wave.length_m, key++);
+    return noise;
+  };
+  const bool grows = is_green(material);
+  const double depth = grows ? 0.10 + variation : variation;
+  const double level = 1 - depth * std::clamp(0.5 + 0.9 * sum(kLight, seed), 0.0, 1.0);
+  const TintFactor light{level, level, level};
+  // a field is sown at once, so it dries evenly
+  const double spread = material == Material::kFarmland ? 0.5 : 1.3;
+  return grows ? times(light, dried(std::clamp(spread * sum(kDry, seed + 100), -1.0, 1.0))) : light;
+}
+
+materials::Tint tint_of(TintFactor surface, TintFactor place) {
+  const auto byte = [](double v) { return static_cast<std::uint8_t>(255 * std::clamp(v, 0.0, 1.0) + 0.5); };
+  const TintFactor both = times(surface, place);
+  return {byte(both.red), byte(both.green), byte(both.blue), 255};
+}
+
+}  // namespace citykiln::bake

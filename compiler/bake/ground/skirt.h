@@ -1,0 +1,23 @@
+// Skirts: vertical strips below the ground along a tile's border. They close the gaps between neighbouring tiles of
+// different levels, whose borders differ by up to their tolerances.
+//
+//     finer ▔▔▔▔▔▔▔╲            seen from the coarser tile, the finer one's skirt fills the
+//                  ┆▁▁▁ coarser  gap; where the coarser one is higher, its own does
+//                  ┆
+#pragma once
+
+#include "compiler/geometry/box.h"
+#include "compiler/materials/material_mesh.h"
+
+namespace citykiln::bake {
+
+/// The depth of a skirt, in tolerances of its tile. It covers the errors of both tiles if the coarser one has at most
+/// five times the tolerance, as in the default levels.
+inline constexpr double kSkirtDepthTolerances = 6;
+
+/// Adds outward-facing vertical faces below every edge of the surface that lies in the tile's border. Their vertices
+/// repeat the normals, tints and uvs of the vertices above, so that they look like the ground beside them. Skirts are
+/// not part of the ground's certified error. O(triangles).
+void add_skirt(materials::MaterialMesh& surface, const Box2& tile, double depth_m);
+
+}  // namespace citykiln::bake

@@ -1,0 +1,261 @@
+#include "compiler/commands/layers/scene_layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "compiler/buildings/style.h"
+#include "compiler/commands/layers/road_properties.h"
+#include "compiler/commands/layers/scene_heights.h"
+#include "compiler/commands/layers/whole_roads.h"
+#include "compiler/contract/erase_repeated.h"
+#include "compiler/geometry/clip_polygon.h"
+#include "compiler/map/buildings/building_classes.h"
+
+namespace citykiln::commands {
+namespace {
+
+using scene::Chunk;
+using scene::Scene;
+
+/// The names of all elements of a scene.
+std::map<OsmId, std::string> element_names(const Scene& scene) {
+  std::map<OsmId, std::string> names;
+  for (const Chunk& chunk : scene.chunks)
+    for (const map::ElementText& text : chunk.texts) names.emplace(text.id, text.name);
+  return names;
+}
+
+/// The data that all layers of a scene need.
+struct Context {
+  const Scene& scene;
+  SceneHeights heights;
+  std::map<OsmId, std::string> names;
+
+  void add_name(Properties& properties, ObjectId id) const {
+    if (const auto name = names.find(id.osm); name != names.end()) properties.add("name", name->second);
+  }
+};
+
+/// Points with the heights that `height_m(point)` returns.
+template <typename HeightAt>
+std::vector<Vec3> lifted(std::span<const Vec2> points, HeightAt height_m) {
+  std::vector<Vec3> line;
+  for (const Vec2 p : points) line.push_back({p.x, p.y, height_m(p)});
+  return line;
+}
+
+template <typename HeightAt>
+LayerFeature& add_lifted_polygons(Layer& layer, ObjectId id, std::string kind, std::span<const Polygon> polygons,
+                                  HeightAt height_m) {
+  LayerFeature& feature =
+      layer.emplace_back(LayerFeature{id, std::move(kind), GeometryKind::kPolygon, {}, /*has_z=*/true});
+  for (const Polygon& polygon : polygons) {
+    auto& rings = feature.parts.emplace_back();
+    for (const Ring& ring : copied_rings(polygon)) rings.push_back(lifted(ring, height_m));
+  }
+  return feature;
+}
+
+// ---- roads and junctions ----
+
+/// Returns the axis of a road with heights; without a profile it lies on the ground.
+std::vector<Vec3> lifted_axis(const Context& context, const roads::Road& road) {
+  const std::vector<double> along = distances_along(road);
+  std::vector<Vec3> line = flat(road.axis);
+  for (std::size_t i = 0; i < line.size(); ++i)
+    line[i].z = road.profile.empty() ? land_m(context.heights, road.axis[i]) : knot_at(road.profile, along[i]).z_m;
+  return line;
+}
+
+/// Adds a road, or another part of the last one.
+void add_road(const Context& context, const roads::Road& road, int layer_number, map::Passage passage, Layer& layer) {
+  const bool is_more = !layer.empty() && layer.back().id == road.id;
+  if (!is_more) {
+    LayerFeature& feature =
+        layer.emplace_back(LayerFeature{road.id, class_of(road.surface), GeometryKind::kLine, {}, /*has_z=*/true});
+    context.add_name(feature.properties, road.id);
+    add_section(feature.properties, road.section);
+    add_surface(feature.properties, road.surface);
+    add_layer_and_passage(feature.properties, layer_number, passage);
+    feature.properties.add("lit", road.is_lit);
+  }
+  layer.back().parts.push_back({lifted_axis(context, road)});
+}
+
+/// The bridges or tunnels of all chunks, each once.
+std::map<ObjectId, const structures::Span*> spans_of(const Scene& scene, std::vector<structures::Span> Chunk::*kind) {
+  std::map<ObjectId, const structures::Span*> spans;
+  for (const Chunk& chunk : scene.chunks)
+    for (const structures::Span& span : chunk.*kind) spans.emplace(span.id, &span);
+  return spans;
+}
+
+Layer planned_roads(const Context& context) {
+  Layer layer;
+  for (const roads::Road& road : whole_roads(context.scene)) add_road(context, road, 0, map::Passage::kGround, layer);
+  for (const auto& [id, span] : spans_of(context.scene, &Chunk::bridges))
+    add_road(context, *span, span->layer, map::Passage::kBridge, layer);
+  for (const auto& [id, span] : spans_of(context.scene, &Chunk::tunnels))
+    add_road(context, *span, span->layer, map::Passage::kTunnel, layer);
+  return layer;
+}
+
+/// The junctions of all chunks, each once.
+std::vector<roads::Junction> all_junctions(const Scene& scene) {
+  std::vector<roads::Junction> all;
+  for (const Chunk& chunk : scene.chunks) all.insert(all.end(), chunk.junctions.begin(), chunk.junctions.end());
+  const auto key = [](const roads::Junction& j) { return std::tie(j.nodes, j.family); };
+  std::ranges::stable_sort(all, [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  erase_repeated(all, [&](const roads::Junction& j) { return std::pair(j.nodes, j.family); });
+  return all;
+}
+
+/// The tile that holds a place, if the scene has it.
+const Chunk* chunk_at(const Scene& scene, Vec2 at) {
+  for (const Chunk& chunk : scene.chunks)
+    if (scene::is_anchored(scene.header, chunk.tile, at)) return &chunk;
+  return nullptr;
+}
+
+/// Junctions take area from each other across the borders of tiles, so all are outlined at once.
+Layer planned_junctions(const Context& context) {
+  const std::vector<roads::Road> roads = whole_roads(context.scene);
+  const std::vector<roads::Junction> junctions = all_junctions(context.scene);
+  const auto outlines = roads::outline_junctions(junctions, roads, 0);
+  const auto arms = roads::arms_of(junctions, roads);
+  Layer layer;
+  for (std::size_t j = 0; j < junctions.size(); ++j) {
+    const Chunk* chunk = chunk_at(context.scene, junctions[j].nodes.front());
+    if (outlines[j].empty() || chunk == nullptr) continue;
+    const roads::Road& main = roads::main_road(roads, arms[j]);
+    LayerFeature& junction = add_lifted_polygons(layer, main.id, class_of(main.surface), outlines[j],
+                                                 [&](Vec2 p) { return land_m(context.heights, p); });
+    context.add_name(junction.properties, main.id);
+    junction.properties.add("layer", 0);
+    junction.properties.add("tile", to_string(chunk->tile));
+  }
+  return layer;
+}
+
+// ---- areas ----
+
+/// The pieces of one area: its polygons in each tile.
+struct AreaPieces {
+  const ground::LandCoverPolygon* first = nullptr;
+  std::vector<Polygon> polygons;
+  std::vector<std::string> tiles;
+};
+
+std::map<std::pair<ObjectId, map::LandCoverClass>, AreaPieces> area_pieces(const Scene& scene) {
+  std::map<std::pair<ObjectId, map::LandCoverClass>, AreaPieces> areas;
+  for (const Chunk& chunk : scene.chunks) {
+    const Box2 box = scene::box_of(scene.header, chunk.tile);
+    for (const ground::LandCoverPolygon& surface : chunk.surfaces) {
+      // footprints and junctions have layers of their own
+      const bool is_area =
+          surface.area_m2 > ground::kPassedJunctionArea_m2 && surface.surface != map::LandCoverClass::kBuilding;
+      if (!is_area) continue;
+      std::vector<Polygon> inside = united_in(surface.rings, box);
+      if (inside.empty()) continue;
+      AreaPieces& pieces = areas[{surface.id, surface.surface}];
+      if (pieces.first == nullptr) pieces.first = &surface;
+      std::ranges::move(inside, std::back_inserter(pieces.polygons));
+      pieces.tiles.push_back(to_string(chunk.tile));
+    }
+  }
+  return areas;
+}
+
+std::vector<Polygon> joined_pieces(const AreaPieces& pieces) {
+  if (pieces.tiles.size() == 1) return pieces.polygons;
+  std::vector<Ring> rings;
+  for (const Polygon& polygon : pieces.polygons) std::ranges::move(copied_rings(polygon), std::back_inserter(rings));
+  return united(rings);
+}
+
+Layer planned_areas(const Context& context) {
+  Layer layer;
+  for (const auto& [key, pieces] : area_pieces(context.scene)) {
+    const auto face = ground::face_height_of(*pieces.first);
+    LayerFeature& area = add_lifted_polygons(layer, key.first, class_of(key.second), joined_pieces(pieces),
+                                             [&](Vec2 p) { return face_m(context.heights, p, face); });
+    context.add_name(area.properties, key.first);
+    add_surface(area.properties, key.second);
+    area.properties.add("area_m2", pieces.first->area_m2);
+    if (pieces.first->level_m) area.properties.add("level_m", *pieces.first->level_m);
+    area.properties.add("tiles", pieces.tiles);
+  }
+  return layer;
+}
+
+// ---- buildings and plants ----
+
+void add_planned_building(Properties& properties, const buildings::Building& building, double foot_m) {
+  properties.add("levels", building.levels);
+  properties.add("roof", roofs::name_of(building.roof_shape.form));
+  properties.add("style", buildings::rule_file_of(building.style));
+  properties.add("wall", materials::values_of(building.wall).name);
+  properties.add("roof_material", materials::values_of(building.roof).name);
+  properties.add("raised", !building.stands_on_ground);
+  properties.add("bottom_m", building.bottom_m);
+  properties.add("height_m", building.top_m - foot_m);
+  properties.add("eaves_m", buildings::eaves_m(building) - foot_m);
+  if (building.year > 0) properties.add("year", building.year);
+  properties.add("shop", building.has_shop);
+}
+
+Layer planned_buildings(const Context& context) {
+  Layer layer;
+  for (const Chunk& chunk : context.scene.chunks) {
+    for (const buildings::Building& building : chunk.buildings) {
+      const std::vector<Polygon> outline = united(copied_rings(building.footprint));
+      if (outline.empty()) continue;
+      const double foot_m = building.stands_on_ground ? building.floor_m : building.bottom_m;
+      const auto kind = map::word_of(static_cast<map::BuildingClass>(building.building_class));
+      LayerFeature& feature =
+          add_lifted_polygons(layer, building.id, std::string(kind), outline, [&](Vec2) { return foot_m; });
+      context.add_name(feature.properties, building.id);
+      add_planned_building(feature.properties, building, foot_m);
+      feature.properties.add("tile", to_string(chunk.tile));
+    }
+  }
+  return layer;
+}
+
+Layer planned_plants(const Context& context) {
+  Layer layer;
+  for (const Chunk& chunk : context.scene.chunks) {
+    for (const plants::Tree& tree : chunk.trees) {
+      // chunks also hold trees close to their tile
+      if (!scene::is_anchored(context.scene.header, chunk.tile, tree.at)) continue;
+      const auto place = lifted(std::span(&tree.at, 1), [&](Vec2 p) { return land_m(context.heights, p); });
+      LayerFeature& plant = layer.emplace_back(
+          LayerFeature{tree.id, plants::name_of(tree.species_mix), GeometryKind::kPoint, {{place}}, /*has_z=*/true});
+      context.add_name(plant.properties, tree.id);
+      if (tree.height_m > 0) plant.properties.add("height_m", tree.height_m);
+      plant.properties.add("tile", to_string(chunk.tile));
+    }
+  }
+  return layer;
+}
+
+}  // namespace
+
+Result<Layer> layer_of(const scene::Scene& scene, const std::string& name) {
+  constexpr std::array<std::pair<std::string_view, Layer (*)(const Context&)>, 5> kLayers = {
+      {{"roads", planned_roads},
+       {"junctions", planned_junctions},
+       {"areas", planned_areas},
+       {"buildings", planned_buildings},
+       {"plants", planned_plants}}};
+  for (const auto& [known, make] : kLayers)
+    if (known == name) return make({scene, heights_of(scene), element_names(scene)});
+  return Error{"--layer", fmt::format("expected {}, found \"{}\"", layer_names(), name)};
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,64 @@
+// Loads a manifest (a compiled scene) for rendering from its recipes. A cell is a 128 m square of ground with the
+// objects on it; it is generated when the first ray meets it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "compiler/commands/verb.h"
+#include "compiler/commands/view/load_tiles.h"
+#include "preview/camera/camera.h"
+#include "preview/scene/cell_cache.h"
+
+namespace citykiln::commands {
+
+/// The memory limit and the fineness of cells.
+struct CellRequest {
+  std::size_t budget_bytes = 0;  ///< 0: default_budget_bytes().
+  double pixel_error = 0.5;      ///< The largest error of visible surfaces, in pixels.
+  double unseen_deg = 0;   ///< The largest angle of errors of surfaces that only scattered light and reflections show.
+  double finest_m = 0.02;  ///< The smallest tolerance, however near the eye. > 0.
+};
+
+/// The pictures to render.
+struct Viewing {
+  std::span<const preview::Camera> cameras;
+  int width_px = 0, height_px = 0;  ///< The size of each picture. > 0.
+};
+
+/// Returns the viewpoints of all pictures; for a moving camera also the viewpoint at the end of the motion.
+/// @param pixel_error  The largest error in a picture, in pixels.
+Viewers viewers_of(const Viewing& viewing, double pixel_error);
+
+/// Returns 2 GB, or half of the machine's memory if that is less.
+std::size_t default_budget_bytes();
+/// Returns the budget of the request, or the default.
+std::size_t budget_bytes_of(const CellRequest& request);
+
+/// Stores a size of memory, such as "200MB", "4GB" or "1.5GiB"; at least 1 MB.
+Take store_bytes(std::size_t& bytes);
+
+/// True if a request is for cells: a manifest without a tolerance.
+bool asks_for_cells(const LoadRequest& request);
+
+/// Reads the manifest and replaces its sky by the requested one. Errors: a manifest that cannot be read or has no
+/// tiles; a time that does not parse.
+Result<scene::Scene> read_scene(const LoadRequest& request);
+
+/// Bakes coarse tiles of a scene, from which named views are chosen.
+std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads);
+
+/// Returns the cells of a scene, as fine as the pictures need. For a single camera at rest, cells that are neither in
+/// the picture nor cast a shadow into it may have errors up to unseen_deg.
+std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const Viewing& viewing,
+                                                     const CellRequest& request);
+
+/// Returns one line of text about the cells: their number, time and memory.
+std::string text_of(const preview::CellCounters& counters, std::size_t budget_bytes);
+/// Returns these numbers, and more, as a JSON object.
+nlohmann::ordered_json json_of(const preview::CellCounters& counters, std::size_t budget_bytes);
+
+}  // namespace citykiln::commands

@@ -1,0 +1,191 @@
+#include "compiler/commands/view/preview_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <filesystem>
+
+#include "compiler/bake/far/bake_surroundings.h"
+#include "compiler/commands/view/ground_height.h"
+#include "compiler/commands/view/hidden_by_land.h"
+#include "compiler/commands/view/requested_sky.h"
+#include "compiler/commands/view/scene_surroundings.h"
+#include "compiler/outputs/run_report.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/kiln/manifest.h"
+
+namespace citykiln::commands {
+namespace {
+
+// The tolerance of the tiles from which views are found: coarse enough to be quick, fine enough for streets and walls.
+constexpr double kViewTolerance_m = 2.5;
+
+// Returns the part of the plane that the tiles cover if that is a box, else an empty box.
+Box2 filled_box(const scene::Scene& recipes) {
+  Box2 all;
+  double area_m2 = 0;
+  for (const scene::Chunk& chunk : recipes.chunks) {
+    const Box2 box = scene::box_of(recipes.header, chunk.tile);
+    all.grow(box.min), all.grow(box.max);
+    area_m2 += box.width() * box.height();
+  }
+  return area_m2 == all.width() * all.height() ? all : Box2{};
+}
+
+void look_around(const scene::Scene& recipes, const SceneRequest& request, PreviewScene& scene) {
+  scene.around = surroundings_of(recipes);
+  if (!recipes.header.around.is_empty()) scene.plain = plain_around(recipes);
+  scene.backdrop = bake::bake_surroundings(recipes);
+  scene.clear = filled_box(recipes);
+  if (request.fog_share) scene.fog = fog_of(recipes, *request.fog_share);
+}
+
+// Does so with the manifest of baked tiles, if there is one.
+void look_around(const std::string& manifest_path, const std::vector<scene::TileKey>& only, const SceneRequest& request,
+                 PreviewScene& scene) {
+  scene.backdrop = std::move(scene.loaded.backdrop);
+  if (manifest_path.empty()) return;
+  const Result<scene::Scene> recipes = exporters::read_manifest(manifest_path, only);
+  if (recipes && !recipes->chunks.empty()) look_around(*recipes, request, scene);
+}
+
+std::vector<scene::TileKey> keys_of(std::span<const bake::BakedTile> tiles) {
+  std::vector<scene::TileKey> keys;
+  for (const bake::BakedTile& tile : tiles) keys.push_back(tile.tile);
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+// The level of a folder for views, if it is coarser than the one that is rendered.
+std::optional<std::size_t> view_level_of(const LoadRequest& request) {
+  std::error_code none;
+  if (!std::filesystem::is_directory(request.paths.front(), none)) return std::nullopt;
+  const Result<outputs::RunRecord> record = outputs::read_report(request.paths.front());
+  if (!record) return std::nullopt;
+  const auto fits = std::ranges::find_if(record->tiles, [](const outputs::WrittenTile& tile) {
+    return std::abs(tile.tolerance_m - kViewTolerance_m) < 0.01 * kViewTolerance_m;
+  });
+  return fits != record->tiles.end() && fits->level != request.level.value_or(0) ? std::optional(fits->level)
+                                                                                 : std::nullopt;
+}
+
+Result<std::vector<bake::BakedTile>> view_tiles_of(const LoadRequest& request) {
+  const OnProgress quiet = [](auto&&...) {};
+  if (request.paths.front().ends_with(".kiln")) {
+    const Result<scene::Scene> scene = read_scene(request);
+    if (!scene) return scene.error();
+    return coarse_tiles(*scene, request.threads);
+  }
+  LoadRequest coarse = request;
+  const std::optional<std::size_t> level = view_level_of(request);
+  if (!level) return std::vector<bake::BakedTile>();
+  coarse.level = *level;
+  Result<Loaded> loaded = load_tiles(coarse, quiet);
+  if (!loaded) return loaded.error();
+  return std::move(loaded->tiles);
+}
+
+}  // namespace
+
+std::optional<double> PreviewScene::ground_height_m(Vec2 place) const {
+  if (!tree)
+    return recipes ? commands::ground_height_m(*recipes, place) : commands::ground_height_m(loaded.tiles, place);
+  constexpr std::size_t kMostKept = 4;
+  std::optional<double> highest;
+  for (const std::string& path : finest_contents_at(tree->root, place)) {
+    if (!ground_tiles_.contains(path)) {
+      if (ground_tiles_.size() >= kMostKept) ground_tiles_.clear();
+      Result<bake::BakedTile> tile = exporters::read_glb(path);
+      if (!tile) continue;
+      ground_tiles_.emplace(path, std::move(*tile));
+    }
+    const auto height_m = commands::ground_height_m(std::span(&ground_tiles_.at(path), 1), place);
+    if (height_m) highest = std::max(highest.value_or(*height_m), *height_m);
+  }
+  return highest;
+}
+
+Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnProgress& on_progress) {
+  const bool is_manifest = request.load.paths.size() == 1 && request.load.paths.front().ends_with(".kiln");
+  if (request.fog_share && !is_manifest)
+    return Error{"--fog", "needs a manifest (scene.kiln), which knows the valleys"};
+  PreviewScene scene;
+  if (asks_for_levels(request.load)) {
+    Result<TileTree> tree = read_tile_tree(request.load, on_progress);
+    if (!tree) return tree.error();
+    scene.loaded.header = header_of(tree->manifest_path, tree->coarse);
+    scene.tree = std::move(*tree);
+    return scene;
+  }
+  if (asks_for_cells(request.load) && !request.needs_tiles) {
+    Result<scene::Scene> recipes = read_scene(request.load);
+    if (!recipes) return recipes.error();
+    scene.loaded.header = recipes->header, scene.sky = recipes->header.sky;
+    look_around(*recipes, request, scene);
+    if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(*recipes, request.load.threads);
+    scene.recipes = std::move(*recipes);
+  } else {
+    Result<Loaded> loaded = load_tiles(request.load, on_progress);
+    if (!loaded) return loaded.error();
+    const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
+    if (!sky) return sky.error();
+    scene.loaded = std::move(*loaded), scene.sky = *sky;
+    if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
+    look_around(scene.loaded.manifest_path, keys_of(scene.loaded.tiles), request, scene);
+  }
+  if (!request.finds_views) return scene;
+  on_progress("find a view", 0);
+  Result<std::vector<bake::BakedTile>> tiles = view_tiles_of(request.load);
+  if (!tiles) return tiles.error();
+  scene.for_views = std::move(*tiles);
+  return scene;
+}
+
+Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const Viewing& viewing,
+                         const OnProgress& on_progress) {
+  if (!scene.tree) return Done{};
+  const Viewers viewers = viewers_of(viewing, request.cells.pixel_error);
+  const auto is_fine = [&](const TileNode& node) { return !viewers.eyes.empty() && is_fine_for(viewers, node); };
+  Result<Loaded> loaded = load_contents(*scene.tree, contents_of(scene.tree->root, is_fine), on_progress);
+  if (!loaded) return loaded.error();
+  const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
+  if (!sky) return sky.error();
+  scene.loaded = std::move(*loaded), scene.sky = *sky;
+  look_around(scene.tree->manifest_path, request.load.only, request, scene);
+  // land in the plane does not meet tiles on the ellipsoid
+  if (scene.tree->is_on_ellipsoid) scene.backdrop.reset();
+  scene.tree.reset();
+  if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
+  return Done{};
+}
+
+bool leave_out_hiding_land(PreviewScene& scene, std::span<const preview::Camera> cameras) {
+  if (!scene.backdrop || !scene.plain || !scene.loaded.header) return false;
+  const auto is_hidden = [&](const preview::Camera& camera) {
+    return is_hidden_by_land(*scene.loaded.header, scene.plain->box, camera.eye, camera.look_at);
+  };
+  if (std::ranges::none_of(cameras, is_hidden)) return false;
+  scene.backdrop.reset(), scene.around = std::move(scene.plain);
+  return true;
+}
+
+std::string levels_text(std::span<const bake::BakedTile> tiles) {
+  std::map<double, std::size_t> counts;
+  for (const bake::BakedTile& tile : tiles) ++counts[tile.tolerance_m];
+  std::string text = "tiles:";
+  for (const auto& [tolerance_m, count] : counts)
+    text += fmt::format("{} {} at {} m", text.ends_with(':') ? "" : ",", count, tolerance_m);
+  return text;
+}
+
+preview::World world_of(const PreviewScene& scene, const Viewing& viewing, const CellRequest& cells) {
+  assert(!viewing.cameras.empty());
+  const Vec3 eye = viewing.cameras.front().eye;
+  const preview::Backdrop backdrop{scene.backdrop ? &*scene.backdrop : nullptr, scene.clear};
+  if (!scene.recipes) return preview::World(scene.loaded.tiles, eye, backdrop);
+  return preview::World(cells_for(*scene.recipes, viewing, cells), eye, budget_bytes_of(cells), backdrop);
+}
+
+}  // namespace citykiln::commands

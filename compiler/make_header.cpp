@@ -1,0 +1,114 @@
+#include "compiler/make_header.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "compiler/buildings/plan.h"
+#include "compiler/map/plane/lonlat_box.h"
+#include "compiler/sky/clouds/read_clouds.h"
+#include "compiler/sky/plan.h"
+#include "compiler/source/read_raster.h"
+#include "compiler/source/read_texts.h"
+#include "compiler/surroundings/grid_lines.h"
+#include "compiler/surroundings/plan.h"
+
+namespace citykiln {
+namespace {
+
+constexpr std::string_view kOsmCredit = "© OpenStreetMap contributors";
+
+/// The land around the region, where the heightmaps cover it.
+Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
+                                                     const scene::Recipes& recipes, const Box2& extent) {
+  const source::LonLatBox window = map::lonlat_box_of(extent.widened(surroundings::kReach_m), plane);
+  Report repeated;  // discarded: diagnosed for the region already, or lies beyond it
+  const Result<std::vector<source::Raster>> rasters =
+      source::read_heightmaps(spec.rasters, &window, repeated, surroundings::kSampleSpacing_m);
+  if (!rasters) return rasters.error();
+  const auto is_sea = [](const ground::LandCoverPolygon& cover) { return cover.surface == map::LandCoverClass::kSea; };
+  surroundings::Place place{.extent = extent, .tile_m = spec.tile_m};
+  std::ranges::copy_if(recipes.surfaces, std::back_inserter(place.sea), is_sea);
+  return surroundings::plan(*rasters, plane, place);
+}
+
+/// Checks that all tiles of `only` are tiles of the map.
+Result<Done> are_tiles_of(const scene::Header& header, std::span<const scene::TileKey> only) {
+  const std::vector<scene::TileKey> tiles = scene::tiles_of(header);
+  for (const scene::TileKey tile : only) {
+    if (std::ranges::binary_search(tiles, tile)) continue;
+    return Error{"--only", fmt::format("the map has no tile {}; its tiles are {} to {}", to_string(tile),
+                                       to_string(tiles.front()), to_string(tiles.back()))};
+  }
+  return Done{};
+}
+
+std::string file_name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+// The mean height, rounded down to whole metres.
+double mean_height_m(const map::Heightfield& heights) {
+  if (heights.heights.empty()) return 0;
+  std::int64_t sum = 0;
+  for (const std::int32_t height : heights.heights) sum += height;
+  return std::floor(static_cast<double>(sum) / static_cast<double>(heights.heights.size()) * map::kHeightQuantum_m);
+}
+
+}  // namespace
+
+Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
+                                  const scene::Recipes& recipes) {
+  const map::Heightfield& heights = recipes.heights;
+  Result<surroundings::Surroundings> around = plan_surroundings(spec, plane, recipes, extent);
+  if (!around) return around.error();
+  Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
+  if (!sky) return sky.error();
+  sky::set_air(spec.air, *sky);
+  sky->ground_m = mean_height_m(heights);
+  if (!spec.clouds.empty()) {
+    Result<std::vector<sky::CloudLayer>> clouds = sky::read_clouds(spec.clouds, sky->ground_m, spec.seed);
+    if (!clouds) return clouds.error();
+    sky->clouds = std::move(*clouds);
+  }
+  scene::Header header{.origin = plane.origin(),
+                       .extent = extent,
+                       .tile_m = spec.tile_m,
+                       .seed = spec.seed,
+                       .resampling_error_m = heights.resampling_error_m,
+                       .sky = std::move(*sky),
+                       .sources = {file_name_of(spec.map_path)},
+                       .attributions = {std::string(kOsmCredit)},
+                       .snow_line_m = spec.snow_line_m,
+                       .around = std::move(*around)};
+  for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));
+  for (const source::RasterSpec& raster : spec.rasters) {
+    const bool is_new = std::ranges::find(header.attributions, raster.credit) == header.attributions.end();
+    if (!raster.credit.empty() && is_new) header.attributions.push_back(raster.credit);
+  }
+  if (const Result<Done> done = are_tiles_of(header, spec.only); !done) return done.error();
+  return header;
+}
+
+Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
+                                                   const std::vector<buildings::Building>& buildings) {
+  std::vector<buildings::RuleText> available;
+  if (!spec.rules_folder.empty()) {
+    Result<std::vector<source::TextFile>> own = source::read_texts(spec.rules_folder, ".cga");
+    if (!own) return own.error();
+    for (source::TextFile& file : *own) available.push_back({std::move(file.name), std::move(file.text)});
+  }
+  for (const buildings::RuleText& rule : buildings::shipped_rules()) {
+    const auto has_its_name = [&](const buildings::RuleText& own) { return own.name == rule.name; };
+    if (std::ranges::none_of(available, has_its_name)) available.push_back(rule);
+  }
+  return buildings::rules_for(buildings::styles_of(buildings), available);
+}
+
+}  // namespace citykiln

@@ -1,0 +1,27 @@
+// The properties of a whole scene: origin, sky, the land around it, sources, rules.
+#pragma once
+
+#include <vector>
+
+#include "compiler/buildings/recipe.h"
+#include "compiler/contract/result.h"
+#include "compiler/geometry/box.h"
+#include "compiler/map/plane/plane.h"
+#include "compiler/scene/assemble.h"
+#include "compiler/scene/scene.h"
+#include "compiler/spec.h"
+
+namespace citykiln {
+
+/// The properties of the whole scene, without rules and species.
+/// @param recipes  Its heights and land cover are used: the land around the extent goes on from them.
+/// Errors: heightmaps or cloud files that cannot be read, a time without a sky, tiles in spec.only that the map lacks.
+Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
+                                  const scene::Recipes& recipes);
+
+/// Returns the rule files for the styles of the buildings. A file in the spec's folder replaces the shipped file of its
+/// name.
+Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
+                                                   const std::vector<buildings::Building>& buildings);
+
+}  // namespace citykiln

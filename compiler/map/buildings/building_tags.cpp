@@ -1,0 +1,182 @@
+#include "compiler/map/buildings/building_tags.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <optional>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/geometry/trig.h"
+#include "compiler/map/buildings/building_classes.h"
+#include "compiler/map/read_context.h"
+#include "compiler/map/tag_values.h"
+#include "grammars/roofs/roof_shape.h"
+
+namespace citykiln::map {
+namespace {
+
+// ---- roofs ----------------------------------------------------------------------------------------------------------
+
+struct TaggedRoof {
+  bool has_shape = false;  // True if roof:shape is tagged.
+  roofs::RoofShape shape;
+};
+
+constexpr double kHighestRoof_m = 1000, kSteepest_deg = 85, kMostRoofLevels = 50;
+
+// Values of roof:shape without a definite shape.
+constexpr std::string_view kIndefinite[] = {"yes", "no", "many", "unknown", "other"};
+
+std::optional<double> tagged_number(const ReadContext& context, OsmId id, source::Range tags, std::string_view key,
+                                    double most) {
+  const std::string_view text = context.tag(tags, key);
+  return number_within(context, id, key, text.substr(0, text.find("\xc2\xb0")), 0, most);
+}
+
+std::optional<Vec2> tagged_direction(const ReadContext& context, OsmId id, source::Range tags) {
+  const auto bearing_deg = parsed_tag(context, id, tags, "roof:direction", bearing_deg_of);
+  return bearing_deg ? std::optional(direction_of((90 - *bearing_deg) / 360)) : std::nullopt;
+}
+
+std::optional<roofs::Form> tagged_form(const ReadContext& context, OsmId id, source::Range tags) {
+  const std::string_view text = context.tag(tags, "roof:shape");
+  if (std::ranges::find(kIndefinite, text) != std::end(kIndefinite)) return std::nullopt;
+  return parsed_text(context, id, "roof:shape", text, roofs::form_named);
+}
+
+double tagged_roof_height_m(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
+  if (const auto height_m = tagged_length_m(context, id, tags, "roof:height", 0, kHighestRoof_m)) return *height_m;
+  return level_m * tagged_number(context, id, tags, "roof:levels", kMostRoofLevels).value_or(0);
+}
+
+// Returns the roof by roof:shape, roof:height (else roof:levels of level_m each), roof:angle, roof:direction and
+// roof:orientation. Diagnosed and ignored: unknown shapes and unreadable numbers, kBadTagValue.
+TaggedRoof tagged_roof(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
+  assert(level_m > 0);
+  const auto form = tagged_form(context, id, tags);
+  TaggedRoof roof{form.has_value(), {form.value_or(roofs::Form::kFlat)}};
+  roof.shape.height_m = tagged_roof_height_m(context, id, tags, level_m);
+  roof.shape.angle_deg = tagged_number(context, id, tags, "roof:angle", kSteepest_deg).value_or(0);
+  roof.shape.direction = tagged_direction(context, id, tags);
+  roof.shape.is_ridge_across = context.tag(tags, "roof:orientation") == "across";
+  return roof;
+}
+
+using materials::Material;
+
+// Minimum height: parts of monuments are a few decimetres high.
+constexpr double kLowest_m = 0.1, kHighestBuilding_m = 1000, kMostBuildingLevels = 250;
+
+// A roof that is mapped as a part without thickness.
+constexpr double kSlab_m = 0.25;
+
+struct MaterialRow {
+  std::string_view value;
+  Material material;
+};
+constexpr MaterialRow kWalls[] = {
+#define WALL(value, material) {value, Material::material},
+#include "compiler/map/buildings/material_values.inc"
+#undef WALL
+};
+constexpr MaterialRow kRoofs[] = {
+#define ROOF(value, material) {value, Material::material},
+#include "compiler/map/buildings/material_values.inc"
+#undef ROOF
+};
+
+template <std::size_t n>
+std::optional<Material> material_of(std::string_view value, const MaterialRow (&rows)[n]) {
+  const MaterialRow* row = row_with(rows, value);
+  return row != nullptr ? std::optional(row->material) : std::nullopt;
+}
+
+// The colour of the first key that is tagged.
+std::optional<Srgb> tagged_colour(const ReadContext& context, OsmId id, source::Range tags, std::string_view british,
+                                  std::string_view american) {
+  return parsed_tag(context, id, tags, context.tag(tags, british).empty() ? american : british, colour_of);
+}
+
+std::optional<double> tagged_levels(const ReadContext& context, OsmId id, source::Range tags, std::string_view key) {
+  return number_within(context, id, key, context.tag(tags, key), 0, kMostBuildingLevels);
+}
+
+// Default heights by area: sheds, houses of two storeys with a roof, town blocks of four to five storeys.
+double height_by_area_m(double area_m2) {
+  return area_m2 < 25 ? 2.8 : area_m2 < 70 ? 4.5 : area_m2 < 220 ? 7.5 : area_m2 < 700 ? 11 : 13;
+}
+
+std::optional<double> tagged_building_height_m(const ReadContext& context, OsmId id, source::Range tags) {
+  const auto height_m = tagged_length_m(context, id, tags, "height", kLowest_m, kHighestBuilding_m);
+  return height_m ? height_m : tagged_length_m(context, id, tags, "building:height", kLowest_m, kHighestBuilding_m);
+}
+
+double untagged_height_m(const ReadContext& context, OsmId id, const Footprint& footprint, double level_m,
+                         double class_height_m, double area_m2) {
+  if (footprint.levels > 0) return std::max(1.0, footprint.levels * level_m);
+  if (footprint.roof.height_m > 0) return 1;  // mostly roof
+  context.report.add(Code::kNoBuildingHeight, id);
+  return class_height_m > 0 ? class_height_m : height_by_area_m(area_m2);
+}
+
+double min_height_m_of(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
+  if (const auto height_m = tagged_length_m(context, id, tags, "min_height", 0, kHighestBuilding_m)) return *height_m;
+  return level_m * tagged_levels(context, id, tags, "building:min_level").value_or(0);
+}
+
+// A height below min_height is that of the part alone; an equal one is the place of a slab, or of one storey. Where no
+// tag states a height, min_height is ignored: nothing says that something is up there.
+void mend_height(bool is_in_metres, double level_m, Footprint& footprint) {
+  const bool is_equal = footprint.height_m == footprint.min_height_m;
+  const double own_m = !is_equal ? footprint.height_m : is_in_metres ? kSlab_m : level_m;
+  const bool is_stated = is_in_metres || footprint.levels > 0 || footprint.roof.height_m > 0;
+  footprint.height_m = snapped(footprint.min_height_m + own_m);
+  if (is_stated && footprint.height_m <= kHighestBuilding_m) return;
+  footprint.height_m = snapped(own_m), footprint.min_height_m = 0;
+}
+
+void read_heights(const ReadContext& context, OsmId id, source::Range tags, const BuildingValues& values,
+                  double area_m2, Footprint& footprint) {
+  const auto height_m = tagged_building_height_m(context, id, tags);
+  footprint.levels = tagged_levels(context, id, tags, "building:levels").value_or(0);
+  footprint.has_roof_in_height = height_m.has_value();
+  // compared as stored
+  footprint.height_m = snapped(
+      height_m ? *height_m : untagged_height_m(context, id, footprint, values.level_m, values.height_m, area_m2));
+  footprint.min_height_m = snapped(min_height_m_of(context, id, tags, values.level_m));
+  if (footprint.min_height_m < footprint.height_m) return;
+  context.report.add(Code::kMinHeightNotBelowHeight, id, footprint.min_height_m - footprint.height_m);
+  mend_height(height_m.has_value(), values.level_m, footprint);
+}
+
+// Amenities with a ground floor of wide windows, like shops.
+constexpr std::string_view kServing[] = {"restaurant", "cafe", "bar",      "pub",        "fast_food",
+                                         "ice_cream",  "bank", "pharmacy", "marketplace"};
+
+}  // namespace
+
+bool is_shop(const ReadContext& context, source::Range tags) {
+  const std::string_view shop = context.tag(tags, "shop"), amenity = context.tag(tags, "amenity");
+  const bool is_served = std::find(std::begin(kServing), std::end(kServing), amenity) != std::end(kServing);
+  return is_served || (says_yes(shop) && shop != "vacant");
+}
+
+Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range tags, std::string_view value,
+                             double area_m2) {
+  Footprint footprint;
+  const BuildingClass building = building_class_of(value);
+  const BuildingValues& values = values_of(building);
+  footprint.building_class = static_cast<std::uint8_t>(building);
+  const TaggedRoof roof = tagged_roof(context, id, tags, values.level_m);
+  footprint.has_roof_shape = roof.has_shape, footprint.roof = roof.shape;
+  read_heights(context, id, tags, values, area_m2, footprint);
+  footprint.wall_colour = tagged_colour(context, id, tags, "building:colour", "building:color");
+  footprint.roof_colour = tagged_colour(context, id, tags, "roof:colour", "roof:color");
+  footprint.wall_material = material_of(context.tag(tags, "building:material"), kWalls);
+  footprint.roof_material = material_of(context.tag(tags, "roof:material"), kRoofs);
+  footprint.year = parsed_tag(context, id, tags, "start_date", year_of).value_or(0);
+  footprint.has_shop = is_shop(context, tags);
+  return footprint;
+}
+
+}  // namespace citykiln::map

@@ -1,0 +1,70 @@
+#include "compiler/map/extent/choose_extent.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "compiler/map/extent/map_box.h"
+#include "compiler/map/plane/lonlat_box.h"
+
+namespace citykiln::map {
+namespace {
+
+using source::LonLatBox;
+using source::OsmData;
+
+bool touches(const LonLatBox& a, const LonLatBox& b) {
+  return a.west <= b.east && b.west <= a.east && a.south <= b.north && b.south <= a.north;
+}
+
+LonLatBox around(const LonLatBox& a, const LonLatBox& b) {
+  return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east), std::max(a.north, b.north)};
+}
+
+LonLatBox in_both(const LonLatBox& a, const LonLatBox& b) {
+  return {std::max(a.west, b.west), std::max(a.south, b.south), std::min(a.east, b.east), std::min(a.north, b.north)};
+}
+
+double area_deg2(const LonLatBox& box) { return (box.east - box.west) * (box.north - box.south); }
+
+bool is_far_larger(const LonLatBox& box, const LonLatBox& map) {
+  const auto exceeds = [](double side, double of_map) { return side > kNeverClipped_deg && side > 2 * of_map; };
+  return exceeds(box.east - box.west, map.east - map.west) || exceeds(box.north - box.south, map.north - map.south);
+}
+
+std::size_t nodes_in(const OsmData& osm) { return osm.way_nodes.size() + osm.nodes.size(); }
+
+Error misses(const LonLatBox& asked, const LonLatBox& map) {
+  const LonLatBox swapped{asked.south, asked.west, asked.north, asked.east};
+  std::string message = fmt::format("lies outside of the map, which lies in {} (W,S,E,N)", text_of(map));
+  if (touches(swapped, map)) message += fmt::format("; latitude and longitude swapped? Try {}", text_of(swapped));
+  return {"--bbox " + text_of(asked), message};
+}
+
+}  // namespace
+
+Result<LonLatBox> choose_extent(const OsmData& osm, const std::optional<LonLatBox>& asked, Report& report) {
+  const MapBox map = map_box(osm);
+  if (!asked) {
+    for (const StrayNode& node : map.strays) report.add(Code::kStrayNode, {OsmType::kNode, node.id}, node.away_deg);
+    return map.box;
+  }
+  if (nodes_in(osm) > 0 && !touches(*asked, around(map.box, osm.node_box))) return misses(*asked, map.box);
+  if (!touches(*asked, map.box) || !is_far_larger(*asked, map.box)) return *asked;
+  const LonLatBox clipped = in_both(*asked, map.box);
+  report.add(Code::kBoxClipped, {}, 1 - area_deg2(clipped) / area_deg2(*asked));
+  return clipped;
+}
+
+Result<Done> check_worth_baking(const Box2& extent, const OsmData& osm, bool has_box) {
+  const double area_m2 = extent.width() * extent.height();
+  const bool is_sparse = !has_box && area_m2 > kSparseFrom_m2 && static_cast<double>(nodes_in(osm)) < area_m2 * 1e-6;
+  if (extent.width() <= kMaxSide_m && extent.height() <= kMaxSide_m && !is_sparse) return Done{};
+  return Error{osm.file_name,
+               fmt::format("the area to compile measures {:.0f} x {:.0f} km and holds {} nodes; give a part of it, of "
+                           "at most {:.0f} km a side, with --bbox W,S,E,N",
+                           extent.width() / 1000, extent.height() / 1000, nodes_in(osm), kMaxSide_m / 1000)};
+}
+
+}  // namespace citykiln::map

@@ -1,0 +1,38 @@
+// Heights of the geoid above the ellipsoid. Heightmaps and OSM state heights above sea level, which is the geoid; 3D
+// Tiles need heights above the ellipsoid.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/contract/result.h"
+#include "compiler/geometry/box.h"
+#include "compiler/map/plane/plane.h"
+
+namespace citykiln::map {
+
+/// The geoid over a box of the plane: heights at the points of a grid, interpolated bilinearly. Beyond the grid, the
+/// nearest height on its border applies.
+struct Geoid {
+  Vec2 low;                             ///< The first point, plane metres.
+  double step_m = 1;                    ///< > 0.
+  std::size_t columns = 1;              ///< Points along x.
+  std::vector<double> heights_m = {0};  ///< Row by row, columns first; multiples of kQuantum_m.
+  bool operator==(const Geoid&) const = default;
+};
+
+/// The grid step of the result of read_geoid(). GeographicLib's own grids have steps of 1' (1.8 km) or more.
+inline constexpr double kGeoidStep_m = 1024;
+
+/// The height of the geoid above the ellipsoid at a point of the plane.
+double height_m(const Geoid& geoid, Vec2 p);
+
+/// Returns the geoid over a box, widened by kGeoidStep_m.
+///
+/// @param source  A height in metres, "47.3", or the file of a grid of GeographicLib's Geoid class, such as egm96-5.pgm
+///                (with cubic interpolation); empty for height 0.
+/// Errors: a file that cannot be read as such a grid. Every CPU gives the same bytes, except for heights that fall on a
+/// tie of kQuantum_m.
+Result<Geoid> read_geoid(const std::string& source, const Box2& box, const Plane& plane);
+
+}  // namespace citykiln::map

@@ -1,0 +1,179 @@
+#include "compiler/outputs/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "compiler/contract/code_names.h"
+#include "compiler/contract/parse.h"
+#include "compiler/geometry/box.h"
+
+namespace citykiln::outputs {
+namespace {
+
+/// Returns the tile that covers a place; empty outside the extent.
+std::optional<scene::TileKey> tile_at(const scene::Header& header, Vec2 at) {
+  const Box2& extent = header.extent;
+  if (at.x < extent.min.x || at.x > extent.max.x || at.y < extent.min.y || at.y > extent.max.y) return std::nullopt;
+  return scene::TileKey{static_cast<std::int32_t>(std::floor(at.x / header.tile_m)),
+                        static_cast<std::int32_t>(std::floor(at.y / header.tile_m))};
+}
+
+/// Adds the places of the objects in `ids`, each of which `place` maps to a point of the plane.
+template <typename Object, typename PlaceOf>
+void add_places(const std::vector<Object>& objects, const std::set<OsmId>& ids, PlaceOf place,
+                std::map<OsmId, Vec2>& places) {
+  for (const Object& object : objects)
+    if (ids.contains(object.id.osm)) places.emplace(object.id.osm, place(object));
+}
+
+/// The places of objects in a chunk: the middle vertex of a line, the first vertex of a footprint.
+std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>& ids) {
+  const auto point = [](const auto& object) { return object.at; };
+  const auto middle = [](const auto& object) { return object.axis[object.axis.size() / 2]; };
+  std::map<OsmId, Vec2> places;
+  add_places(
+      chunk.buildings, ids, [](const auto& b) { return b.footprint.outer.front(); }, places);
+  add_places(chunk.trees, ids, point, places);
+  add_places(chunk.lamps, ids, point, places);
+  add_places(chunk.barriers, ids, middle, places);
+  add_places(chunk.tree_rows, ids, middle, places);
+  add_places(chunk.bridges, ids, middle, places);
+  add_places(chunk.tunnels, ids, middle, places);
+  add_places(chunk.roads, ids, middle, places);
+  return places;
+}
+
+auto sort_key(const Finding& finding) {
+  const Diagnosis& d = finding.diagnosis;
+  return std::tuple(d.code, d.object, d.other, finding.tile, finding.level, d.size, std::string_view(finding.tags));
+}
+
+std::string text_of(const Finding& finding) {
+  const Diagnosis& d = finding.diagnosis;
+  nlohmann::ordered_json properties = {{"code", name_of(d.code)}, {"severity", name_of(severity_of(d.code))}};
+  properties["id"] = nullptr;
+  if (d.object.type != OsmType::kNone) properties["id"] = to_string(d.object);
+  if (d.other.type != OsmType::kNone) properties["other"] = to_string(d.other);
+  properties["size"] = d.size;
+  if (!finding.tags.empty()) properties["tags"] = finding.tags;
+  if (finding.tile) properties["tile"] = to_string(*finding.tile);
+  if (finding.level) properties["level"] = *finding.level;
+  // 1e-7 degrees are the grid of OSM
+  const std::string geometry = finding.at ? fmt::format(R"({{"type":"Point","coordinates":[{:.7f},{:.7f}]}})",
+                                                        finding.at->lon_deg, finding.at->lat_deg)
+                                          : "null";
+  return fmt::format(R"({{"type":"Feature","properties":{},"geometry":{}}})", properties.dump(), geometry);
+}
+
+// Parses the id of an element, such as "w123"; OsmType::kNone for other texts.
+OsmId id_of(const nlohmann::json& id) {
+  constexpr std::string_view kTypes = "-nwr";
+  if (!id.is_string()) return {};
+  const std::string text = id.get<std::string>();
+  const std::size_t type = kTypes.find(text.empty() ? '-' : text.front());
+  const auto number = number_in<std::int64_t>(std::string_view(text).substr(type == std::string_view::npos ? 0 : 1));
+  if (type == std::string_view::npos || type == 0 || !number) return {};
+  return {static_cast<OsmType>(type), *number};
+}
+
+// Returns the tile of a feature, such as "3_-2".
+std::optional<scene::TileKey> tile_of(const nlohmann::json& properties) {
+  if (!properties.contains("tile")) return std::nullopt;
+  const auto numbers = numbers_in<std::int32_t>(properties.at("tile").get<std::string>(), '_', 2);
+  return numbers ? std::optional(scene::TileKey{(*numbers)[0], (*numbers)[1]}) : std::nullopt;
+}
+
+// Reads one feature; empty if this program does not know its code.
+std::optional<Finding> finding_of(const nlohmann::json& feature) {
+  const nlohmann::json& properties = feature.at("properties");
+  const std::optional<Code> code = code_named(properties.at("code").get<std::string>());
+  if (!code) return std::nullopt;
+  Finding finding;
+  finding.diagnosis.code = *code;
+  finding.diagnosis.object = id_of(properties.at("id"));
+  finding.diagnosis.size = properties.at("size").get<double>();
+  finding.tile = tile_of(properties);
+  if (properties.contains("other")) finding.diagnosis.other = id_of(properties.at("other"));
+  finding.tags = properties.value("tags", "");
+  if (properties.contains("level")) finding.level = properties.at("level").get<std::size_t>();
+  if (const nlohmann::json& geometry = feature.at("geometry"); !geometry.is_null())
+    finding.at = {geometry.at("coordinates").at(0).get<double>(), geometry.at("coordinates").at(1).get<double>()};
+  return finding;
+}
+
+// Returns the tag of a diagnosis about one, such as "width=wide"; for two objects their height tags, such as "w1:
+// tunnel=yes layer=-1; w2: no tags of height"; else "".
+std::string tags_of(const Diagnosis& diagnosis, const map::LayerTags& layer_tags) {
+  if (diagnosis.other.type == OsmType::kNone) return diagnosis.tag;
+  std::string text;
+  for (const OsmId object : {diagnosis.object, diagnosis.other}) {
+    const auto found = layer_tags.find(object);
+    if (found == layer_tags.end()) continue;
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", to_string(object),
+                        found->second.empty() ? "no tags of height" : found->second);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<Finding> findings_of(const Report& report, const map::Places& places, const map::LayerTags& layer_tags,
+                                 const scene::Header& header) {
+  const map::Plane plane(header.origin);
+  std::vector<Finding> findings;
+  for (const Diagnosis& diagnosis : report.diagnoses()) {
+    Finding finding{diagnosis, std::nullopt, std::nullopt, {}, tags_of(diagnosis, layer_tags)};
+    if (const auto found = places.find(diagnosis.object); found != places.end()) {
+      finding.at = found->second;
+      finding.tile = tile_at(header, plane.forward(found->second));
+    }
+    findings.push_back(finding);
+  }
+  return findings;
+}
+
+std::vector<Finding> findings_of(const Report& report, const scene::Header& header, const scene::Chunk& chunk,
+                                 std::size_t level) {
+  if (report.diagnoses().empty()) return {};
+  std::set<OsmId> ids;
+  for (const Diagnosis& diagnosis : report.diagnoses()) ids.insert(diagnosis.object);
+  const std::map<OsmId, Vec2> places = places_in(chunk, ids);
+  const Vec2 centre = scene::box_of(header, chunk.tile).centre();
+  const map::Plane plane(header.origin);
+  std::vector<Finding> findings;
+  for (const Diagnosis& diagnosis : report.diagnoses()) {
+    const auto found = places.find(diagnosis.object);
+    const Vec2 at = diagnosis.at_m          ? Vec2{(*diagnosis.at_m)[0], (*diagnosis.at_m)[1]}
+                    : found != places.end() ? found->second
+                                            : centre;
+    findings.push_back({diagnosis, plane.backward(at), chunk.tile, level, {}});
+  }
+  return findings;
+}
+
+std::string findings_json(std::vector<Finding> findings, const scene::Header& header) {
+  std::ranges::stable_sort(findings, {}, sort_key);
+  std::string text = R"({"type":"FeatureCollection","name":"findings","attribution":)" +
+                     nlohmann::json(header.attributions).dump() + ",\"features\":[";
+  for (std::size_t i = 0; i < findings.size(); ++i) text += (i > 0 ? ",\n" : "\n") + text_of(findings[i]);
+  return text + "\n]}\n";
+}
+
+Result<std::vector<Finding>> parse_findings(std::string_view json) {
+  std::vector<Finding> findings;
+  try {
+    const nlohmann::json collection = nlohmann::json::parse(json);
+    for (const nlohmann::json& feature : collection.at("features"))
+      if (std::optional<Finding> finding = finding_of(feature)) findings.push_back(std::move(*finding));
+  } catch (const nlohmann::json::exception& wrong) {
+    return Error{"", fmt::format("is not a list of findings: {}", wrong.what())};
+  }
+  return findings;
+}
+
+}  // namespace citykiln::outputs

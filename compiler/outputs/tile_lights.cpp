@@ -1,0 +1,15 @@
+#include "compiler/outputs/tile_lights.h"
+
+#include "compiler/contract/for_each_slot.h"
+
+namespace citykiln::outputs {
+
+std::vector<std::vector<bake::PlacedLamp>> lights_of_tiles(const scene::Scene& scene, std::size_t most, int threads) {
+  using Lamps = std::vector<bake::PlacedLamp>;
+  if (most == 0) return std::vector<Lamps>(scene.chunks.size());
+  return for_each_slot<Lamps>(scene.chunks.size(), threads, [&](std::size_t i) {
+    return bake::brightest(bake::lamps_of(scene.header, scene.chunks[i]), most);
+  });
+}
+
+}  // namespace citykiln::outputs

@@ -1,0 +1,44 @@
+// Writes the outputs of a scene to a folder. `compile` and `bake` share it, so that both write the same bytes.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "compiler/contract/report.h"
+#include "compiler/contract/result.h"
+#include "compiler/outputs/findings.h"
+#include "compiler/outputs/run_report.h"
+#include "compiler/scene/scene.h"
+#include "compiler/spec.h"
+#include "compiler/stage_timer.h"
+#include "exporters/output_folder.h"
+
+namespace citykiln::outputs {
+
+/// The result of write_outputs().
+struct WrittenOutputs {
+  WrittenFiles files;
+  std::vector<Finding> findings;  ///< The findings of baking.
+  std::string solved;  ///< A line of text with the tolerances that were chosen to keep max_bytes or max_triangles;
+                       ///< empty without these limits.
+  std::vector<std::string> notes{};  ///< Lines for the user.
+  std::size_t taken_over = 0;        ///< Tiles of an earlier run that were reused instead of baked.
+};
+
+/// Bakes tiles one at a time and writes scene.kiln, glb/<x>_<y>_L<n>.glb and usd/… as the outputs ask. Complete tiles
+/// of an earlier run with equal keys (bake_keys.h) are reused; records, report and findings are the same as if they
+/// were baked.
+Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
+                                     exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress);
+
+/// Writes findings.json and report.json, and replaces the earlier run in the folder.
+Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& report_json, const scene::Header& header,
+                            exporters::OutputFolder& folder);
+
+/// Returns lines for the user: the tolerances that limits led to, the number of reused tiles, and the files in the
+/// folder that are not of the run.
+std::vector<std::string> notes_of(const std::string& folder, const WrittenOutputs& written,
+                                  const exporters::FileList& files);
+
+}  // namespace citykiln::outputs

@@ -1,0 +1,39 @@
+// Writes the tile tree of a scene as 3D Tiles.
+#pragma once
+
+#include <vector>
+
+#include "compiler/contract/report.h"
+#include "compiler/contract/result.h"
+#include "compiler/outputs/run_report.h"
+#include "compiler/scene/scene.h"
+#include "compiler/spec.h"
+#include "compiler/stage_timer.h"
+#include "exporters/output_folder.h"
+#include "exporters/tiles3d/tileset.h"
+
+namespace citykiln::outputs {
+
+/// Bakes a scene and writes 3dtiles/tileset.json with its contents. An inner tile is a tile of the tree above the tiles
+/// of the scene.
+///
+/// - The levels of a tile are a chain from coarse to fine. A level whose stated error is not larger than the error of
+///   the next finer level is left out.
+/// - Above the tiles is a quadtree over the extent. The tolerance of an inner tile is twice the tolerance of its
+///   children. Up to 4/3 kCoarsest_m an inner tile is joined from tiles that are baked at 3/4 of its tolerance. Above
+///   that it is joined from its children, without objects near the terrain. The other quarter of the tolerance is spent
+///   on decimating the terrain (bake/tiles/simplify_tile.h), unless the tile is very wide for its tolerance, as above
+///   levels of 2.5 m.
+/// - error_m of each tile is the error of its content, and larger than the errors of its children.
+/// - With Outputs::surroundings the root has no content and two children: the tree and the land around it.
+///
+/// Adds to `report` kNoGeoidHeight and the objects that levels drop, unless .glb files are written too and count these.
+/// Memory: bake_scene(), and the coarse levels of tiles and nodes whose parents are not complete yet.
+Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
+                                               exporters::OutputFolder& folder, Report& report,
+                                               const OnProgress& on_progress);
+
+/// Returns the properties of the tileset of a scene. Error: a geoid that cannot be read.
+Result<exporters::TilesetFacts> tileset_facts(const scene::Header& header, const Outputs& outputs);
+
+}  // namespace citykiln::outputs

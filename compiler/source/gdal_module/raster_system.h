@@ -1,0 +1,27 @@
+// Reference systems of rasters, with GDAL and PROJ.
+#pragma once
+
+#include <string>
+
+#include "compiler/source/read_raster.h"
+
+class OGRSpatialReference;
+
+namespace citykiln::source::gdal {
+
+/// Returns the value of Raster::system_wkt (well-known text) for a system; "" for longitude and latitude on WGS84.
+std::string system_wkt_of(const OGRSpatialReference& system);
+
+/// The system of Web Mercator tiles (EPSG:3857).
+std::string web_mercator_wkt();
+
+/// Returns the spacing of samples: spacing_m_of() of read_raster.h.
+Vec2 sample_spacing_m(const Raster& raster);
+
+/// Returns the transformation from WGS84: to_system_of() of read_raster.h.
+Result<ToRasterSystem> from_wgs84(const Raster& raster);
+
+/// The box of all samples in longitude and latitude, in degrees, from nine of them; zeros if no place can be converted.
+LonLatBox lonlat_box_of(const Raster& raster);
+
+}  // namespace citykiln::source::gdal

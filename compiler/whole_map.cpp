@@ -1,0 +1,82 @@
+#include "compiler/whole_map.h"
+
+#include <utility>
+
+#include "compiler/ground/grading/graded_box.h"
+#include "compiler/ground/plan.h"
+#include "compiler/map/extent/choose_extent.h"
+#include "compiler/map/plane/lonlat_box.h"
+#include "compiler/map/resample.h"
+#include "compiler/scene/land_cover.h"
+#include "compiler/source/read_raster.h"
+
+namespace citykiln {
+namespace {
+
+// Returns the recipes that cover ground, without buildings.
+scene::CoverRecipes cover_recipes_of(const scene::Recipes& recipes) {
+  return {.areas = recipes.surfaces,
+          .roads = recipes.roads,
+          .junctions = recipes.junctions,
+          .watercourses = recipes.watercourses,
+          .footprints = {}};
+}
+
+}  // namespace
+
+bool is_empty(const map::Features& features) {
+  return features.tracks.empty() && features.footprints.empty() && features.areas.empty() &&
+         features.waterways.empty() && features.barriers.empty() && features.points.empty();
+}
+
+Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm,
+                                                   Report& report) {
+  Result<source::LonLatBox> box = map::choose_extent(osm, spec.map.bbox, report);
+  if (!box) return box;
+  const map::Plane plane(spec.map.origin.value_or(map::default_origin(*box)));
+  const bool has_box = spec.map.bbox || osm.header_box;
+  const Result<Done> worthwhile = map::check_worth_baking(map::extent_of(plane, *box), osm, has_box);
+  if (!worthwhile) return worthwhile.error();
+  return box;
+}
+
+Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
+                                      Report& report) {
+  if (spec.rasters.empty()) report.add(Code::kNoHeightmap, {});
+  const source::LonLatBox window = map::lonlat_box_of(extent, plane);
+  const Result<std::vector<source::Raster>> rasters = source::read_heightmaps(spec.rasters, &window, report);
+  if (!rasters) return rasters.error();
+  return map::resample(*rasters, plane, extent, report);
+}
+
+ground::Waters plan_dry_waters(const map::Features& features, Report& report) {
+  std::vector<ground::LandCoverPolygon> surfaces = ground::plan(features, report);
+  return {std::move(surfaces), ground::plan_streams(features, report)};
+}
+
+ground::Waters plan_waters(ground::Waters dry, const map::Features& features, const map::Heightfield& heights,
+                           Report& report) {
+  return ground::plan_water_heights(std::move(dry.surfaces), std::move(dry.streams),
+                                    ground::covered_waterways(features), heights, report);
+}
+
+ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& extent) {
+  // slopes start at the outlines of junctions, as in tiles, so those of roads are needed too
+  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(cover_recipes_of(recipes));
+  return ground::grade_terrain<structures::Span>(recipes.heights,
+                                                 {.roads = recipes.roads,
+                                                  .streams = recipes.watercourses,
+                                                  .surfaces = surfaces,
+                                                  .box = ground::graded_box(extent, recipes.heights),
+                                                  .has_kerbs = false},
+                                                 recipes.structures.bridges, recipes.structures.tunnels);
+}
+
+std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features) {
+  scene::CoverRecipes cover = cover_recipes_of(recipes);
+  for (const map::Footprint& footprint : features.footprints)
+    cover.footprints.push_back(scene::footprint_surface(footprint.id, footprint.polygon));
+  return scene::coarse_land_cover(cover);
+}
+
+}  // namespace citykiln

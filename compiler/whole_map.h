@@ -1,0 +1,46 @@
+// Steps of compile() and survey() that need the whole map: its extent, heights, waters and graded terrain.
+#pragma once
+
+#include <vector>
+
+#include "compiler/contract/report.h"
+#include "compiler/contract/result.h"
+#include "compiler/geometry/box.h"
+#include "compiler/ground/grading/graded_terrain.h"
+#include "compiler/ground/recipe.h"
+#include "compiler/ground/water/plan_water_heights.h"
+#include "compiler/map/features.h"
+#include "compiler/map/plane/heightfield.h"
+#include "compiler/map/plane/plane.h"
+#include "compiler/scene/assemble.h"
+#include "compiler/source/osm_data.h"
+#include "compiler/spec.h"
+
+namespace citykiln {
+
+/// True if a map has no element that a stage builds.
+bool is_empty(const map::Features& features);
+
+/// Returns the box to compile: spec.map.bbox, the map's own box, or that of its elements.
+/// Error: the box is so large and empty that a typing error is likely (map::check_worth_baking()).
+Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm, Report& report);
+
+/// Returns the heights of the region. Error: heightmaps are given, but none covers any part of the region.
+Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
+                                      Report& report);
+
+/// Returns areas and watercourses without heights.
+ground::Waters plan_dry_waters(const map::Features& features, Report& report);
+
+/// Adds levels to areas of water and profiles to watercourses.
+/// @param dry  The result of plan_dry_waters() for these features.
+ground::Waters plan_waters(ground::Waters dry, const map::Features& features, const map::Heightfield& heights,
+                           Report& report);
+
+/// The graded terrain of the whole map, without the rounded street corners, which are made only when baking.
+ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& extent);
+
+/// The land cover of the whole map, in which piers look for free ground. It includes the footprints of building parts.
+std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features);
+
+}  // namespace citykiln
