@@ -10,8 +10,8 @@
 #include "compiler/bake/bake.h"
 #include "compiler/charts/chart.h"
 #include "compiler/geometry/snap.h"
-#include "exporters/gltf/encode_tile.h"
-#include "exporters/gltf/quantise.h"
+#include "exporters/gltf/pack/quantise.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 
 namespace citykiln::charts {

@@ -22,7 +22,7 @@
 #include "compiler/outputs/write_outputs.h"
 #include "compiler/verify/heights_json.h"
 #include "exporters/file.h"
-#include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
 #include "exporters/usd/usdz.h"

@@ -11,7 +11,7 @@ namespace citykiln {
 /// The value of --layout.
 enum class Layout : std::uint8_t {
   kEmbedded,  ///< In the .glb.
-  kShared     ///< In files in glb/shared (exporters/gltf/shared_layout.h).
+  kShared     ///< In files in glb/shared (exporters/gltf/pack/shared_layout.h).
 };
 
 inline constexpr std::array<std::string_view, 2> kLayoutNames = {"embedded", "shared"};

@@ -21,7 +21,7 @@
 #include "compiler/outputs/usd_outputs.h"
 #include "compiler/outputs/write_clouds.h"
 #include "compiler/outputs/write_tiles3d.h"
-#include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/run_files.h"
 
@@ -172,7 +172,7 @@ class TileWriter {
     exporters::GlbOptions options = glb_options_of(outputs_);
     options.compression = Compression::kNone;
     const exporters::EncodedTile encoded = exporters::encode_tile(*tile, scene_.header, options, threads_);
-    const Result<WrittenFile> file = write_output(exporters::kSurroundingsGlb, encoded.glb, folder_);
+    const Result<WrittenFile> file = write_output(exporters::kGlbSurroundingsName, encoded.glb, folder_);
     if (!file) return file.error();
     written.files.files.push_back(*file);
     return Done{};

@@ -19,7 +19,7 @@
 #include "compiler/verify/prepare_tile.h"
 #include "compiler/verify/water_levels.h"
 #include "exporters/file.h"
-#include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/write/encode_tile.h"
 
 namespace citykiln::verify {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "exporters/file.h"
-#include "exporters/gltf/encode_tile.h"
-#include "exporters/gltf/png.h"
+#include "exporters/gltf/pictures/png.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/usd/encode_level.h"
 #include "tests/exporters/made_tile.h"
