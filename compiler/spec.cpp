@@ -158,11 +158,23 @@ Result<Done> set_lights(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
-Result<Done> set_split(CompileSpec& spec, std::string_view text) {
-  const auto split = split_named(text);
-  if (!split) return expected("tile, layer or building", text);
-  spec.outputs.split = *split;
+template <typename T>
+Result<Done> put_named(const std::optional<T>& value, const char* names, std::string_view text, T& place) {
+  if (!value) return expected(names, text);
+  place = *value;
   return Done{};
+}
+
+Result<Done> set_split(CompileSpec& spec, std::string_view text) {
+  return put_named(split_named(text), "tile, layer or building", text, spec.outputs.split);
+}
+
+Result<Done> set_compression(CompileSpec& spec, std::string_view text) {
+  return put_named(compression_named(text), "none, quantize, draco or meshopt", text, spec.outputs.compress);
+}
+
+Result<Done> set_layout(CompileSpec& spec, std::string_view text) {
+  return put_named(layout_named(text), "embedded or shared", text, spec.outputs.layout);
 }
 
 Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
@@ -278,10 +290,10 @@ constexpr Setting kSettings[] = {
      "GeographicLib, such as egm96-5.pgm (default: 0)",
      false, set_geoid},
     {"compress", "none|quantize|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
-     [](CompileSpec& spec, std::string_view text) { return put(parse_compress(text), spec.outputs.compress); }},
+     set_compression},
     {"layout", "embedded|shared",
      "shared: plants, lamps and images of all tiles are files in glb/shared (default: embedded in each .glb)", false,
-     [](CompileSpec& spec, std::string_view text) { return put(parse_layout(text), spec.outputs.layout); }},
+     set_layout},
     {"max-bytes", "N",
      "instead of levels: each .glb is as fine as this many bytes allow, such as 5000000, as target and compression are",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 1), spec.outputs.max_bytes); }},
@@ -425,40 +437,20 @@ Result<Done> fits_target(const Outputs& outputs) {
   // contents of 3D Tiles are written for CesiumJS, which reads all
   if (!outputs.glb) return Done{};
   bool (*const reads)(const TargetValues&) =
-      outputs.compress == Compress::kQuantize  ? [](const TargetValues& t) { return t.reads_quantised; }
-      : outputs.compress == Compress::kDraco   ? [](const TargetValues& t) { return t.reads_draco; }
-      : outputs.compress == Compress::kMeshopt ? [](const TargetValues& t) { return t.reads_meshopt; }
-                                               : [](const TargetValues&) { return true; };
+      outputs.compress == Compression::kQuantize  ? [](const TargetValues& t) { return t.reads_quantised; }
+      : outputs.compress == Compression::kDraco   ? [](const TargetValues& t) { return t.reads_draco; }
+      : outputs.compress == Compression::kMeshopt ? [](const TargetValues& t) { return t.reads_meshopt; }
+                                                  : [](const TargetValues&) { return true; };
   const TargetValues& target = values_of(outputs.target);
   if (reads(target)) return Done{};
   return Error{"--compress", fmt::format("{} cannot be read by the target {}; add --target {}",
                                          name_of(outputs.compress), target.name, targets_with(reads))};
 }
 
-std::string_view name_of(Compress compress) {
-  if (compress == Compress::kQuantize) return "quantize";
-  if (compress == Compress::kDraco) return "draco";
-  return compress == Compress::kMeshopt ? "meshopt" : "none";
-}
-
-Result<Compress> parse_compress(std::string_view text) {
-  for (const Compress compress : {Compress::kNone, Compress::kQuantize, Compress::kDraco, Compress::kMeshopt})
-    if (text == name_of(compress)) return compress;
-  return expected("none, quantize, draco or meshopt", text);
-}
-
 Result<double> parse_tolerance(std::string_view text) {
   const auto tolerance_m = number_in<double>(text);
   if (tolerance_m && *tolerance_m > 0 && *tolerance_m <= kCoarsest_m) return *tolerance_m;
   return expected(fmt::format("a tolerance in metres, above 0 and at most {}, such as 0.1", kCoarsest_m), text);
-}
-
-std::string_view name_of(Layout layout) { return layout == Layout::kShared ? "shared" : "embedded"; }
-
-Result<Layout> parse_layout(std::string_view text) {
-  for (const Layout layout : {Layout::kEmbedded, Layout::kShared})
-    if (text == name_of(layout)) return layout;
-  return expected("embedded or shared", text);
 }
 
 Result<std::vector<double>> parse_ladder(std::string_view text) {

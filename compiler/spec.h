@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/contract/compression.h"
+#include "compiler/contract/layout.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/contract/split.h"
@@ -30,17 +32,6 @@ namespace citykiln {
 /// before it.
 inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, 12.5};
 
-/// Compression of meshes in .glb files (exporters/gltf/compression.h).
-enum class Compress { kNone, kQuantize, kDraco, kMeshopt };
-std::string_view name_of(Compress compress);  ///< "none", "quantize", "draco", "meshopt".
-Result<Compress> parse_compress(std::string_view text);
-
-/// Where the meshes of plants and lamps, and images, are stored: in each .glb, or in files that tiles share
-/// (exporters/gltf/shared_layout.h).
-enum class Layout { kEmbedded, kShared };
-std::string_view name_of(Layout layout);  ///< "embedded", "shared".
-Result<Layout> parse_layout(std::string_view text);
-
 /// The files that a run writes into its folder.
 struct Outputs {
   std::string folder;
@@ -52,7 +43,7 @@ struct Outputs {
   std::string geoid;          ///< The argument of map::read_geoid(); "" if no height of the geoid is given.
   Target target = Target::kGeneric;
   Split split = Split::kLayer;
-  Compress compress = Compress::kNone;
+  Compression compress = Compression::kNone;
   Layout layout = Layout::kEmbedded;
   std::size_t lights = 0;  ///< The number of street lamps per tile, brightest first, that are lights in .glb and USD.
   /// If one is set, each tile has one level: the finest of a fixed sequence of tolerances that is within these limits.

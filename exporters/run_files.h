@@ -1,5 +1,5 @@
 // The names of the files and folders that a run writes into its folder. Names of tiles, levels and textures are made by
-// gltf/encode_tile.h, usd/usd_names.h and tiles3d/tileset.h.
+// gltf/write/encode_tile.h, usd/usd_names.h and tiles3d/tileset.h.
 #pragma once
 
 namespace citykiln::exporters {
@@ -13,6 +13,9 @@ inline constexpr const char* kKeysName = "keys.jsonl";  ///< Keys of the files f
 inline constexpr const char* kStagingName = ".new";     ///< The folder of a run in progress (output_folder.h).
 
 inline constexpr const char* kGlbFolder = "glb";
+inline constexpr const char* kGlbSurroundingsName = "glb/surroundings.glb";
+inline constexpr const char* kGlbCloudsName = "glb/clouds.glb";
+inline constexpr const char* kSharedFolder = "shared/";  ///< In kGlbFolder: files that tiles share.
 
 inline constexpr const char* kUsdFolder = "usd";
 inline constexpr const char* kUsdSceneName = "usd/scene.usda";

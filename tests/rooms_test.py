@@ -48,6 +48,13 @@ FORBIDDEN = {
 # Names that do not say what a file holds.
 VAGUE = re.compile(r"(^|_)(util|utils|common|helper|helpers|manager|misc|core|stuff|tools?)(_|$)")
 
+# tinygltf reads .glb files. Writers fill a JSON document, which becomes text once (exporters/gltf/glb_parts.h): these sources alone know it.
+GLTF_READERS = re.compile(r"exporters/gltf/read/\w+\.(h|cpp)")
+KNOWS_TINYGLTF = re.compile(r"tiny_gltf|tinygltf|TINYGLTF|gltf/read/glb_reader\.h")
+
+# Steps of a folder: files of a folder may include their own and those of earlier rows. "" has the files at the top.
+STEPS = {"exporters/gltf": [["", "pictures"], ["pack"], ["write", "read"]]}
+
 # Functions whose last bits differ between CPUs and C libraries.
 NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
 REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/simplify"] + [room for row in ROWS[4:15] for room in row]
@@ -72,6 +79,14 @@ def room_of(path):
 def node_of(path):
     """The node of the graph inside a room: a folder with all below it, or a file at the room's top."""
     return "/".join(path.parts[:len(Path(room_of(path)).parts) + 1])
+
+
+def step_of(folder, path):
+    """The folder directly in this one in which a file is, "" for files at its top, or None for files elsewhere."""
+    if not path.is_relative_to(folder):
+        return None
+    inside = path.relative_to(folder).parts
+    return inside[0] if len(inside) > 1 else ""
 
 
 def quoted_includes(path):
@@ -187,6 +202,19 @@ class Rooms(unittest.TestCase):
                          "\n".join(f"    {graph[a][b]}: {a} includes {b}" for a, b in zip(cycle, cycle[1:]))
                          for cycle in cycles_of(graph)])
 
+    def test_steps_of_a_folder_include_earlier_ones_only(self):
+        violations = []
+        for folder, rows in STEPS.items():
+            row_of = {step: i for i, row in enumerate(rows) for step in row}
+            for path in (path for path in sources() if path.is_relative_to(folder)):
+                for number, included in quoted_includes(path):
+                    own, other = step_of(folder, path), step_of(folder, Path(included))
+                    if other is not None and own != other and row_of[other] >= row_of[own]:
+                        violations.append(f"{path}:{number}: {own or 'the top'} may not include {included}")
+        self.assertEqual({step_of(folder, path) for folder in STEPS for path in sources()} - {None},
+                         {step for rows in STEPS.values() for row in rows for step in row})
+        self.assertNone(violations)
+
     def test_a_cycle_is_found(self):
         self.assertEqual(cycles_of({"a": {"b": ""}, "b": {"c": ""}}), [])
         self.assertEqual(cycles_of({"a": {"b": ""}, "b": {"c": ""}, "c": {"b": ""}}), [["b", "c", "b"]])
@@ -245,6 +273,14 @@ class Rooms(unittest.TestCase):
                 if NOT_REPRODUCIBLE.search(line.split("//")[0]):
                     violations.append(f"{path}:{number}: {line.strip()}")
         self.assertNone(violations)
+
+    def test_tinygltf_only_reads(self):
+        code = {path: re.sub(r"//.*", "", (ROOT / path).read_text()) for path in sources()}
+        known_by = {path for path in code if KNOWS_TINYGLTF.search(code[path])}
+        readers = {path for path in code if GLTF_READERS.fullmatch(str(path))}
+        self.assertIn(Path("exporters/gltf/read/decode_glb.cpp"), known_by & readers)
+        self.assertNone([f"{path}: tinygltf is for readers of .glb files" for path in sorted(known_by - readers)] +
+                        [f"{path}: tinygltf writes no glTF here" for path in sorted(readers) if "WriteGltf" in code[path]])
 
     def test_no_comment_says_todo(self):
         violations = []

@@ -10,14 +10,12 @@
 #include "compiler/bake/bake.h"
 #include "compiler/charts/chart.h"
 #include "compiler/geometry/snap.h"
-#include "exporters/gltf/encode_tile.h"
-#include "exporters/gltf/quantise.h"
+#include "exporters/gltf/pack/quantise.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 
 namespace citykiln::charts {
 namespace {
-
-using exporters::Compression;
 
 constexpr double kPackedTolerance_m = 0.1;
 /// A finer tolerance than that of the tile, so that packing keeps the map's grid and only the chart sets the step.
@@ -84,7 +82,7 @@ Result<FileCost> cost_of(const bake::BakedTile& tile, const scene::Header& heade
   FileCost cost;
   for (int run = 0; run < kEncodingRuns; ++run) {
     const double begin_s = processor_s();
-    const std::vector<std::byte> glb = exporters::encode_glb(tile, header, options);
+    const std::vector<std::byte> glb = exporters::encode_tile(tile, header, options, 1).glb;
     cost.write_s = std::min(cost.write_s, processor_s() - begin_s), cost.bytes = static_cast<double>(glb.size());
     const double read_s = processor_s();
     const Result<bake::BakedTile> back = exporters::decode_glb(glb, "chart");

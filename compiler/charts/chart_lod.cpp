@@ -15,7 +15,7 @@
 #include "compiler/charts/simplified_meshes.h"
 #include "compiler/charts/stopwatch.h"
 #include "compiler/pipeline.h"
-#include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/write/encode_tile.h"
 
 namespace citykiln::charts {
 namespace {

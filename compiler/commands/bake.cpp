@@ -22,7 +22,7 @@
 #include "compiler/outputs/write_outputs.h"
 #include "compiler/verify/heights_json.h"
 #include "exporters/file.h"
-#include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
 #include "exporters/usd/usdz.h"
@@ -30,6 +30,8 @@
 
 namespace citykiln::commands {
 namespace {
+
+using OrderedJson = nlohmann::ordered_json;
 
 struct BakeRequest {
   std::string manifest_path, out_path;
@@ -93,8 +95,9 @@ Result<Exit> bake_to_file(const BakeRequest& request, const Console& console) {
   if (!error_m) return error_m.error();
   console.print_line(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(),
                                  exporters::triangles_of(*tile), *error_m));
-  console.print_json(fmt::format(R"({{"tiles": {}, "triangles": {}, "error_m": {}}})", scene->chunks.size(),
-                                 exporters::triangles_of(*tile), *error_m));
+  const OrderedJson json = {
+      {"tiles", scene->chunks.size()}, {"triangles", exporters::triangles_of(*tile)}, {"error_m", *error_m}};
+  console.print_json(json.dump());
   return Exit::kDone;
 }
 
@@ -140,9 +143,11 @@ Result<Exit> bake_view_to_file(const BakeRequest& request, const Console& consol
   console.print_line(fmt::format("{}: {} triangles, error {:.3g} pixels ({:.3g} requested; no finer than {:.4g} m)",
                                  request.out_path, exporters::triangles_of(*tile), tile->viewpoint->pixel_error,
                                  view->pixel_error, view->finest_m));
-  console.print_json(fmt::format(R"({{"triangles": {}, "error_m": {}, "focal_px": {}, "pixel_error": {}}})",
-                                 exporters::triangles_of(*tile), *error_m, view->focal_px,
-                                 tile->viewpoint->pixel_error));
+  const OrderedJson json = {{"triangles", exporters::triangles_of(*tile)},
+                            {"error_m", *error_m},
+                            {"focal_px", view->focal_px},
+                            {"pixel_error", tile->viewpoint->pixel_error}};
+  console.print_json(json.dump());
   return Exit::kDone;
 }
 

@@ -139,7 +139,7 @@ void add_region_ledger(const Report& region, Gathered& all) {
 Result<Done> add_trees(const std::string& folder, const std::string& name, std::span<const scene::TileKey> own,
                        const Outputs& outputs, Gathered& all) {
   if (outputs.tiles3d) {
-    Result<exporters::TilesetTile> tree = read_tileset(folder + "/" + exporters::kTilesetFolder, name + "/");
+    Result<exporters::TilesetTile> tree = read_region_tileset(folder + "/" + exporters::kTilesetFolder, name + "/");
     if (!tree) return tree.error();
     all.tilesets.push_back(std::move(*tree));
   }

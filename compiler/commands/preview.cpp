@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "compiler/commands/stop_on_interrupt.h"
@@ -26,6 +27,8 @@
 
 namespace citykiln::commands {
 namespace {
+
+using OrderedJson = nlohmann::ordered_json;
 
 // --exposure: a factor, stops, or automatic.
 struct Exposure {
@@ -119,13 +122,16 @@ void print_json(const Stage& stage, const preview::Image& image, const preview::
                 const preview::World& world) {
   const preview::RenderStatistics& made = image.statistics;
   const auto counters = world.counters();
-  const std::string cells = counters ? ", " + json_of(*counters, budget_bytes_of(stage.request.cells)) : "";
-  stage.console.print_json(fmt::format(
-      R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}, "paths": {}, "seconds": {:.3f}, )"
-      R"("samples": [{}, {}], "complete": {}{}}})",
-      camera.eye.x, camera.eye.y, camera.eye.z, camera.look_at.x, camera.look_at.y, camera.look_at.z,
-      camera.vertical_fov_deg, stage.scene.tiles(), made.paths, made.seconds, made.least_samples, made.most_samples,
-      made.is_complete, cells));
+  OrderedJson json = {{"eye", {camera.eye.x, camera.eye.y, camera.eye.z}},
+                      {"look", {camera.look_at.x, camera.look_at.y, camera.look_at.z}},
+                      {"fov_deg", camera.vertical_fov_deg},
+                      {"tiles", stage.scene.tiles()},
+                      {"paths", made.paths},
+                      {"seconds", made.seconds},
+                      {"samples", {made.least_samples, made.most_samples}},
+                      {"complete", made.is_complete}};
+  if (counters) json.update(json_of(*counters, budget_bytes_of(stage.request.cells)));
+  stage.console.print_json(json.dump());
 }
 
 // The options of render() for a request.

@@ -133,8 +133,8 @@ RunRecord record_of(const OrderedJson& report) {
   if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
   if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
-  if (const auto layout = parse_layout(report.value("layout", "embedded")); layout) record.layout = *layout;
-  if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
+  if (const auto layout = layout_named(report.value("layout", "embedded")); layout) record.layout = *layout;
+  if (const auto compress = compression_named(report.value("compress", "none")); compress) record.compress = *compress;
   for (const OrderedJson& file : report.at("files")) record.has_manifest |= file.at("file") == exporters::kManifestName;
   add_ledger(report.at("ledger"), record.ledger);
   for (const auto& [name, account] : record.ledger.ledger())
@@ -202,18 +202,8 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
   return json.dump(1) + "\n";
 }
 
-namespace {
-
-exporters::Compression compression_of(Compress compress) {
-  if (compress == Compress::kQuantize) return exporters::Compression::kQuantize;
-  if (compress == Compress::kDraco) return exporters::Compression::kDraco;
-  return compress == Compress::kMeshopt ? exporters::Compression::kMeshopt : exporters::Compression::kNone;
-}
-
-}  // namespace
-
 exporters::GlbOptions glb_options_of(const Outputs& outputs) {
-  return {.target = outputs.target, .split = outputs.split, .compression = compression_of(outputs.compress)};
+  return {.target = outputs.target, .split = outputs.split, .compression = outputs.compress};
 }
 
 std::size_t most_instances_of(Target target) {

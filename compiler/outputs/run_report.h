@@ -14,7 +14,6 @@
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
 #include "compiler/stage_timer.h"
-#include "exporters/gltf/compression.h"
 #include "exporters/gltf/glb.h"
 
 namespace citykiln::outputs {
@@ -66,12 +65,12 @@ bool is_violated(const Strictness& strict, const Report& report);
 
 /// The part of report.json that `check` and `preview` need.
 struct RunRecord {
-  std::vector<WrittenTile> tiles, usd;  ///< WrittenFiles::tiles and usd of the run.
-  Target target = Target::kGeneric;     ///< The program for which the files were written.
-  Split split = Split::kLayer;          ///< The division of a tile into meshes.
-  Compress compress = Compress::kNone;  ///< The compression of the meshes.
-  Layout layout = Layout::kEmbedded;    ///< The place of shared meshes and images: in each tile or in files.
-  bool has_manifest = false;            ///< True if the run wrote the scene as a file (scene.kiln).
+  std::vector<WrittenTile> tiles, usd;        ///< WrittenFiles::tiles and usd of the run.
+  Target target = Target::kGeneric;           ///< The program for which the files were written.
+  Split split = Split::kLayer;                ///< The division of a tile into meshes.
+  Compression compress = Compression::kNone;  ///< The compression of the meshes.
+  Layout layout = Layout::kEmbedded;          ///< The place of shared meshes and images: in each tile or in files.
+  bool has_manifest = false;                  ///< True if the run wrote the scene as a file (scene.kiln).
   /// The object counts of the run, without its diagnoses. A Report::ledger() has one account per stage and kind of
   /// objects: how many went into the stage, came out, were merged or were dropped.
   Report ledger;

@@ -1,6 +1,6 @@
 #include "compiler/outputs/usd_outputs.h"
 
-#include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/run_files.h"
 #include "exporters/usd/usd_names.h"
 

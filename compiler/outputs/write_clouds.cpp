@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exporters/gltf/encode_clouds.h"
+#include "exporters/gltf/write/encode_clouds.h"
 #include "exporters/run_files.h"
 #include "exporters/usd/encode_cloud_layer.h"
 #include "exporters/vdb/encode_vdb.h"
@@ -78,7 +78,7 @@ Result<Done> write_clouds(const scene::Scene& scene, const Outputs& outputs, int
     const std::vector<exporters::CloudMeshes> meshes = meshes_of(particles, cell, threads);
     if (!meshes.empty()) {
       const auto glb = exporters::encode_clouds(meshes, scene.header, cell, cell / 2);
-      if (const Result<Done> done = writer.write(exporters::kCloudsGlbName, glb); !done) return done;
+      if (const Result<Done> done = writer.write(exporters::kGlbCloudsName, glb); !done) return done;
     }
   }
   if (!outputs.usd) return Done{};

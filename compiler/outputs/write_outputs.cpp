@@ -21,8 +21,7 @@
 #include "compiler/outputs/usd_outputs.h"
 #include "compiler/outputs/write_clouds.h"
 #include "compiler/outputs/write_tiles3d.h"
-#include "exporters/gltf/encode_tile.h"
-#include "exporters/gltf/shared_layout.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/run_files.h"
 
@@ -54,12 +53,10 @@ ReadyTile ready_glb(const bake::BakedTile& tile, std::size_t level, const Lights
                     const Outputs& outputs, int threads) {
   exporters::GlbOptions options = glb_options_of(outputs);
   options.lights = lights;
-  exporters::EncodedTile encoded = exporters::encode_tile(tile, header, options, threads);
-  exporters::SharedGlb divided = outputs.layout == Layout::kShared ? exporters::share_prototypes(encoded.glb)
-                                                                   : exporters::SharedGlb{std::move(encoded.glb), {}};
-  const WrittenFile file{exporters::glb_name(tile.tile, level), divided.glb.size()};
-  return {std::move(divided.glb),
-          std::move(divided.files),
+  exporters::EncodedTile encoded = exporters::encode_tile(tile, header, options, threads, outputs.layout);
+  const WrittenFile file{exporters::glb_name(tile.tile, level), encoded.glb.size()};
+  return {std::move(encoded.glb),
+          std::move(encoded.shared),
           {.file = file,
            .tile = tile.tile,
            .level = level,
@@ -173,9 +170,9 @@ class TileWriter {
     if (!outputs_.glb) return Done{};
     // one small file: not packed, and on no grid of the tiles
     exporters::GlbOptions options = glb_options_of(outputs_);
-    options.compression = exporters::Compression::kNone;
+    options.compression = Compression::kNone;
     const exporters::EncodedTile encoded = exporters::encode_tile(*tile, scene_.header, options, threads_);
-    const Result<WrittenFile> file = write_output(exporters::kSurroundingsGlb, encoded.glb, folder_);
+    const Result<WrittenFile> file = write_output(exporters::kGlbSurroundingsName, encoded.glb, folder_);
     if (!file) return file.error();
     written.files.files.push_back(*file);
     return Done{};

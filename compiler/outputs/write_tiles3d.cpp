@@ -17,7 +17,7 @@
 #include "compiler/bake_scene.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/plane/geoid.h"
-#include "exporters/gltf/encode_tile.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/run_files.h"
 #include "exporters/tiles3d/quadtree.h"
 #include "exporters/tiles3d/tileset.h"

@@ -19,8 +19,7 @@
 #include "compiler/verify/prepare_tile.h"
 #include "compiler/verify/water_levels.h"
 #include "exporters/file.h"
-#include "exporters/gltf/encode_tile.h"
-#include "exporters/gltf/shared_layout.h"
+#include "exporters/gltf/write/encode_tile.h"
 
 namespace citykiln::verify {
 namespace {
@@ -195,10 +194,8 @@ bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t
   outputs.target = loaded.record.target, outputs.split = loaded.record.split;
   outputs.compress = loaded.record.compress;
   const bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
-  const exporters::EncodedTile encoded =
-      exporters::encode_tile(baked, loaded.scene.header, outputs::glb_options_of(outputs), kOneThread);
-  if (loaded.record.layout == Layout::kShared)
-    return std::ranges::equal(exporters::share_prototypes(encoded.glb).glb, bytes);
+  const exporters::EncodedTile encoded = exporters::encode_tile(
+      baked, loaded.scene.header, outputs::glb_options_of(outputs), kOneThread, loaded.record.layout);
   return std::ranges::equal(encoded.glb, bytes);
 }
 

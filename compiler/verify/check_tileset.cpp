@@ -5,6 +5,7 @@
 #include <GeographicLib/Geocentric.hpp>
 #include <GeographicLib/LocalCartesian.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -18,91 +19,51 @@
 #include "exporters/file.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/run_files.h"
+#include "exporters/tiles3d/read_tileset.h"
 
 namespace citykiln::verify {
 namespace {
 
 using Json = nlohmann::json;
-using Box12 = std::array<double, 12>;
+using exporters::OrientedBox;
+using exporters::TilesetTile;
 
 // Allowed distance of a vertex outside its box, for single precision on the coordinates of a tile.
 constexpr double kSlack_m = 0.002;
-// An upper bound of the depth of trees that runs write: a tree over the whole Earth has 32 levels above its tiles.
-constexpr int kMostDepth = 64;
-
-Vec3 axis(const Box12& box, std::size_t i) { return {box[3 + 3 * i], box[4 + 3 * i], box[5 + 3 * i]}; }
-Vec3 centre(const Box12& box) { return {box[0], box[1], box[2]}; }
 
 // The distance of a point outside a box, along its axes; 0 inside.
-double outside_m(const Box12& box, Vec3 p) {
+double outside_m(const OrientedBox& box, Vec3 p) {
   double farthest_m = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double half_m = length(axis(box, i));
-    farthest_m = std::max(farthest_m, std::abs(dot(unit(axis(box, i)), p - centre(box))) - half_m);
+    const double along_m = dot(box.axes[i], p);
+    farthest_m = std::max({farthest_m, box.low[i] - along_m, along_m - box.high[i]});
   }
   return farthest_m;
 }
 
-double corners_outside_m(const Box12& outer, const Box12& inner) {
+double corners_outside_m(const OrientedBox& outer, const OrientedBox& inner) {
   double farthest_m = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    Vec3 corner = centre(inner);
-    for (std::size_t a = 0; a < 3; ++a) corner = corner + axis(inner, a) * ((i >> a) % 2 == 0 ? -1.0 : 1.0);
-    farthest_m = std::max(farthest_m, outside_m(outer, corner));
-  }
+  for (unsigned i = 0; i < 8; ++i) farthest_m = std::max(farthest_m, outside_m(outer, inner.corner(i)));
   return farthest_m;
 }
 
 // ---- tilesets ----
 
-/// Visits the tiles of one file. Throws Json::exception if a value has another type than expected.
-class Walk {
- public:
-  Walk(const std::string& name, CheckResults& results, ReadTileset& read)
-      : name_(name), results_(results), read_(read) {}
+ContentReference reference_of(const TilesetTile& tile) { return {tile.content, tile.box, tile.error_m}; }
 
-  ContentReference visit(const Json& tile, int depth) {
-    ContentReference own{.uri = {}, .box = box_of(tile), .geometric_error_m = tile.at("geometricError").get<double>()};
-    results_.tileset.test(
-        own.geometric_error_m >= 0 && (depth > 0 || tile.at("refine") == "REPLACE") && depth < kMostDepth,
-        name_ + ": a tile's geometricError, refine or depth");
-    if (tile.contains("content")) add_content(tile.at("content").at("uri").get<std::string>(), own);
-    if (!tile.contains("children") || depth >= kMostDepth) return own;
-    results_.tileset.test(!tile.at("children").empty(), name_ + ": children without a tile");
-    for (const Json& child : tile.at("children")) compare(own, visit(child, depth + 1));
-    return own;
+/// Walks the tiles of one file: compares each with its children, and lists contents. Returns the number of tiles.
+std::uint64_t walk_tiles(const TilesetTile& tile, const std::string& name, CheckResults& results, ReadTileset& read) {
+  if (!tile.content.empty()) (is_external(tile) ? read.external : read.contents).push_back(reference_of(tile));
+  std::uint64_t tiles = 1;
+  for (const TilesetTile& child : tile.children) {
+    const double out_m = corners_outside_m(tile.box, child.box);
+    tiles += walk_tiles(child, name, results, read);
+    results.tileset_boxes.test(out_m <= kSlack_m, fmt::format("{}: a child's volume is {} m outside", name, out_m));
+    results.tileset_errors.test(child.error_m < tile.error_m,
+                                fmt::format("{}: {} m below {} m", name, child.error_m, tile.error_m));
   }
-
- private:
-  static Box12 box_of(const Json& tile) {
-    const auto numbers = tile.at("boundingVolume").at("box").get<std::vector<double>>();
-    if (numbers.size() != 12) throw Json::other_error::create(500, "a box without twelve numbers", nullptr);
-    Box12 box{};
-    std::ranges::copy(numbers, box.begin());
-    return box;
-  }
-
-  void add_content(const std::string& uri, const ContentReference& tile) {
-    // names stay inside the folder
-    const bool is_name = !uri.empty() && uri.find("..") == std::string::npos && uri.front() != '/';
-    results_.tileset.test(is_name && (uri.ends_with(".glb") || uri.ends_with(".json")), name_ + ": content " + uri);
-    ContentReference content = tile;
-    content.uri = uri;
-    (uri.ends_with(".json") ? read_.external : read_.contents).push_back(std::move(content));
-  }
-
-  void compare(const ContentReference& parent, const ContentReference& child) {
-    const double out_m = corners_outside_m(parent.box, child.box);
-    results_.tileset_boxes.test(out_m <= kSlack_m, fmt::format("{}: a child's volume is {} m outside", name_, out_m));
-    results_.tileset_errors.test(
-        child.geometric_error_m < parent.geometric_error_m,
-        fmt::format("{}: {} m below {} m", name_, child.geometric_error_m, parent.geometric_error_m));
-  }
-
-  const std::string& name_;
-  CheckResults& results_;
-  ReadTileset& read_;
-};
+  return tiles;
+}
 
 /// Reads a tileset and all tilesets that it refers to, each once.
 class Reader {
@@ -220,7 +181,7 @@ Vec3 turned(const bake::Float4& q, Vec3 v) {
 }
 
 // The largest distance of a vertex of a tile outside a box.
-double vertices_outside_m(const Box12& box, const bake::BakedTile& tile) {
+double vertices_outside_m(const OrientedBox& box, const bake::BakedTile& tile) {
   double farthest_m = 0;
   for (const bake::Primitive& p : tile.primitives)
     for (const bake::Float3& at : p.positions)
@@ -302,20 +263,16 @@ void check_seams(const std::vector<CheckedContent>& contents, CheckResults& resu
 }  // namespace
 
 ReadTileset read_tileset(const std::string& json, const std::string& name, CheckResults& results) {
-  ReadTileset read;
-  try {
-    const Json tileset = Json::parse(json);
-    const Json& asset = tileset.at("asset");
-    results.tileset.test(asset.at("version") == "1.1", name + ": asset.version is not 1.1");
-    read.attribution = asset.at("extras").at("copyright").get<std::string>();
-    const Json& root = tileset.at("root");
-    if (root.contains("transform")) read.transform = root.at("transform").get<std::vector<double>>();
-    read.root = Walk(name, results, read).visit(root, 0);
-    results.tileset_errors.test(tileset.at("geometricError").get<double>() > read.root.geometric_error_m,
-                                name + ": the tileset's geometricError is not above its root's");
-  } catch (const Json::exception& wrong) {
-    results.tileset.test(false, fmt::format("{}: {}", name, wrong.what()));
+  const Result<exporters::ReadTileset> file = exporters::decode_tileset(json, name);
+  if (!file) {
+    results.tileset.test(false, to_string(file.error()));
+    return {};
   }
+  ReadTileset read{.root = reference_of(file->root), .transform = file->transform, .attribution = file->attribution};
+  results.tileset.test_all(walk_tiles(file->root, name, results, read), !read.attribution.empty(),
+                           name + ": no attribution");
+  results.tileset_errors.test(file->error_m > file->root.error_m,
+                              name + ": the tileset's geometricError is not above its root's");
   return read;
 }
 

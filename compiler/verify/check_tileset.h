@@ -1,32 +1,30 @@
-// Checks the 3D Tiles of a run with independent readers: JSON by the rules of the specification, places on the globe by
-// GeographicLib.
+// Checks the 3D Tiles of a run: the tree of its tilesets, and places on the globe by GeographicLib.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include "compiler/contract/result.h"
 #include "compiler/verify/check_results.h"
 #include "compiler/verify/check_tile.h"
+#include "exporters/tiles3d/oriented_box.h"
 
 namespace citykiln::verify {
 
 /// A content that a tileset refers to.
 struct ContentReference {
-  std::string uri;               ///< Relative to the folder of tilesets.
-  std::array<double, 12> box{};  ///< The bounding box of its tile: centre and half axes.
+  std::string uri{};             ///< Relative to the folder of tilesets.
+  exporters::OrientedBox box{};  ///< The bounding box of its tile.
   double geometric_error_m = 0;
-  auto operator<=>(const ContentReference&) const = default;
 };
 
 /// The parts of one tileset file that are checked.
 struct ReadTileset {
-  std::vector<ContentReference> contents;  ///< .glb files.
-  std::vector<ContentReference> external;  ///< Other tilesets, with the tile that refers to each.
-  ContentReference root;                   ///< Without a uri.
-  std::vector<double> transform;           ///< The transform of the root; empty if it has none.
-  std::string attribution;                 ///< asset.extras.copyright.
+  std::vector<ContentReference> contents{};  ///< .glb files.
+  std::vector<ContentReference> external{};  ///< Other tilesets, with the tile that refers to each.
+  ContentReference root{};                   ///< Without a uri.
+  std::vector<double> transform{};           ///< The transform of the root; empty if it has none.
+  std::string attribution{};                 ///< asset.extras.copyright.
 };
 
 /// Reads a tileset. Tests its structure in results.tileset, volumes in results.tileset_boxes and errors in

@@ -12,9 +12,9 @@
 #include "compiler/bake/bake.h"
 #include "compiler/verify/prepare_tile.h"
 #include "exporters/file.h"
-#include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/leaf_backs.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/run_files.h"
 #include "exporters/usd/read_layer.h"
 #include "exporters/usd/usd_names.h"
@@ -260,7 +260,7 @@ Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& pre
   const auto glb = std::ranges::find_if(loaded.record.tiles, [&](const outputs::WrittenTile& written) {
     return written.tile == level.tile && written.level == level.level;
   });
-  if (glb != loaded.record.tiles.end() && loaded.record.compress == Compress::kNone)
+  if (glb != loaded.record.tiles.end() && loaded.record.compress == Compression::kNone)
     return exporters::read_glb(loaded.folder + "/" + glb->file.name);
   Report ignored;
   return bake::bake_prepared(prepared, number, 1, ignored);

@@ -9,12 +9,14 @@
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/bake/place_lamps.h"
+#include "compiler/contract/compression.h"
 #include "compiler/contract/result.h"
 #include "compiler/contract/split.h"
 #include "compiler/contract/target.h"
-#include "exporters/gltf/compression.h"
 
 namespace citykiln::exporters {
+
+struct GlbParts;  // glb_parts.h, with the JSON library
 
 /// How a tile is written.
 struct GlbOptions {
@@ -49,11 +51,14 @@ struct GlbOptions {
 ///
 /// @param tile  Its primitives and instanced meshes are sorted by layer.
 ///
-/// Guarantees: deterministic for any number of threads; Khronos' validator reports 0 errors and 0 warnings. A packed
-/// .glb holds quantised(tile) (quantise.h) and states its error. Its vertices and triangles are reordered, and its
-/// normals have kPackedNormalBits.
+/// Guarantees: deterministic for any number of threads; Khronos' validator reports 0 errors and 0 warnings. Vertices
+/// and triangles of a packed .glb are reordered, and its normals have kPackedNormalBits. Values that are not on the
+/// grids of quantise.h stay in single precision, so encode_tile() quantises first.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
                                   int threads = 1);
+
+/// Returns the result of encode_glb() before its parts are joined.
+GlbParts build_glb(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options, int threads);
 
 /// Reads a tile from a .glb that encode_glb wrote, for any target. decode_glb(encode_glb(tile)) == tile if the file is
 /// not packed and has exact pictures, and for Split::kBuilding if features ascend in the primitives of buildings, as

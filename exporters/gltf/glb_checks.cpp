@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "exporters/gltf/format_error.h"
 #include "exporters/gltf/glb_parts.h"
-#include "exporters/gltf/glb_reader.h"
 
 namespace citykiln::exporters {
 namespace {

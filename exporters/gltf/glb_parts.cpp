@@ -21,6 +21,13 @@ void append_bytes(std::vector<std::byte>& bytes, const void* from, std::size_t s
 
 }  // namespace
 
+nlohmann::json new_gltf() {
+  return {{"asset", {{"version", "2.0"}, {"generator", "citykiln 0.1.0"}}},
+          {"buffers", nlohmann::json::array({nlohmann::json::object()})},
+          {"scene", 0},
+          {"scenes", nlohmann::json::array({{{"nodes", {0}}}})}};
+}
+
 std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at) {
   assert(at + 4 <= bytes.size());
   std::uint32_t value = 0;
@@ -38,12 +45,6 @@ GlbParts split_glb(std::span<const std::byte> bytes) {
   const auto buffer = bytes.subspan(kHeaderBytes + 2 * kChunkBytes + json.size());
   return {nlohmann::json::parse(json), {buffer.begin(), buffer.end()}};
 }
-
-GlbParts parts_of(PlainGlb plain) {
-  return {nlohmann::json::parse(json_of_glb(std::as_bytes(std::span(plain.without_buffer)))), std::move(plain.buffer)};
-}
-
-std::vector<std::byte> joined_glb(PlainGlb plain) { return join_glb(parts_of(std::move(plain))); }
 
 std::vector<std::byte> join_glb(GlbParts parts) {
   parts.gltf["buffers"][0]["byteLength"] = parts.buffer.size();

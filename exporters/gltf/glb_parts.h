@@ -1,4 +1,5 @@
-// Divides a .glb into its JSON and its buffer, and joins them.
+// Divides a .glb into its JSON and its buffer, and joins them. Writers fill the JSON as a document, which becomes text
+// in join_glb() only.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +9,15 @@
 #include <string_view>
 #include <vector>
 
-#include "exporters/gltf/plain_glb.h"
-
 namespace citykiln::exporters {
 
 struct GlbParts {
-  nlohmann::json gltf;
-  std::vector<std::byte> buffer;
+  nlohmann::json gltf{};            ///< The document, without the length of the buffer.
+  std::vector<std::byte> buffer{};  ///< The bytes of the only buffer in the file.
 };
+
+/// Returns a document with one buffer and one scene, whose root is node 0. The node is not in it yet.
+nlohmann::json new_gltf();
 
 /// Returns the 32-bit little-endian number at an offset. Four bytes must follow it.
 std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at);
@@ -26,9 +28,6 @@ std::string_view json_of_glb(std::span<const std::byte> bytes);
 
 /// Divides a .glb that expect_chunks() has accepted. Throws nlohmann's exceptions if the JSON is invalid.
 GlbParts split_glb(std::span<const std::byte> bytes);
-
-/// Parses the JSON of a .glb whose buffer is separate.
-GlbParts parts_of(PlainGlb plain);
 
 /// Joins the parts and sets the buffer's length. Reuses the buffer's memory for the file.
 std::vector<std::byte> join_glb(GlbParts parts);

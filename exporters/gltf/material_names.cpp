@@ -4,7 +4,7 @@
 #include <cassert>
 #include <iterator>
 
-#include "exporters/gltf/glb_reader.h"
+#include "exporters/gltf/format_error.h"
 
 namespace citykiln::exporters {
 namespace {

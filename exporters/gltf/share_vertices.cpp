@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "exporters/gltf/compression.h"
 #include "exporters/gltf/object_runs.h"
+#include "exporters/gltf/packed_grids.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -79,17 +79,15 @@ void drop_thin_triangles(Primitive& primitive) {
   if (!std::ranges::all_of(primitive.triangles, is_thin)) std::erase_if(primitive.triangles, is_thin);
 }
 
-}  // namespace
-
-void share_vertices(Primitive& primitive) {
-  const std::vector<std::uint32_t> first = first_equals(primitive);
-  std::vector<std::uint32_t> number(first.size());
+void drop_unused_vertices(Primitive& primitive) {
+  const std::vector<bool> used = used_vertices(primitive);
+  std::vector<std::uint32_t> number(used.size());
   std::uint32_t count = 0;
   const auto keep = [&](auto& values, std::size_t from) {
     if (!values.empty()) values[count] = values[from];
   };
-  for (std::size_t v = 0; v < first.size(); ++v) {
-    if (first[v] != v) continue;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
     keep(primitive.positions, v), keep(primitive.normals, v), keep(primitive.colours, v);
     keep(primitive.features, v), keep(primitive.uvs, v);
     number[v] = count++;
@@ -100,8 +98,17 @@ void share_vertices(Primitive& primitive) {
   shorten(primitive.positions), shorten(primitive.normals), shorten(primitive.colours);
   shorten(primitive.features), shorten(primitive.uvs);
   for (auto& t : primitive.triangles)
-    for (std::uint32_t& v : t) v = number[first[v]];
+    for (std::uint32_t& v : t) v = number[v];
+}
+
+}  // namespace
+
+void share_vertices(Primitive& primitive) {
+  const std::vector<std::uint32_t> first = first_equals(primitive);
+  for (auto& t : primitive.triangles)
+    for (std::uint32_t& v : t) v = first[v];
   drop_thin_triangles(primitive);
+  drop_unused_vertices(primitive);
 }
 
 }  // namespace citykiln::exporters

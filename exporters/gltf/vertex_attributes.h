@@ -1,10 +1,12 @@
 // A primitive as glTF stores it: one array per attribute, and indices. Mesh codecs read and write it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace citykiln::exporters {
@@ -23,6 +25,20 @@ inline std::size_t bytes_of(Component component) {
   if (component == Component::kByte || component == Component::kUnsignedByte) return 1;
   return component == Component::kShort || component == Component::kUnsignedShort ? 2 : 4;
 }
+
+/// The component type and the number of components of an element, which is a number or an array of numbers.
+template <typename T>
+struct ElementType {
+  static constexpr Component kComponent = std::is_same_v<T, float> ? Component::kFloat
+                                          : sizeof(T) == 1         ? Component::kUnsignedByte
+                                          : sizeof(T) == 2         ? Component::kUnsignedShort
+                                                                   : Component::kUnsignedInt;
+  static constexpr std::size_t kWidth = 1;
+};
+template <typename T, std::size_t N>
+struct ElementType<std::array<T, N>> : ElementType<T> {
+  static constexpr std::size_t kWidth = N;
+};
 
 /// One attribute: the bytes of its elements in sequence.
 struct VertexAttribute {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "exporters/joined_attributions.h"
+#include "exporters/run_files.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -16,7 +17,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kSuffix = ".json";
 
-bool is_external(const TilesetTile& tile) { return tile.content.ends_with(kSuffix); }
+std::string path_in_run(std::string_view name) { return fmt::format("{}/{}", kTilesetFolder, name); }
 
 std::size_t tiles_of(const TilesetTile& tile) {
   std::size_t count = 1;
@@ -106,7 +107,7 @@ class Divider {
  private:
   void move_out(TilesetTile& tile) {
     const std::string name = fmt::format("tileset_{}{}", files.size() + 1, kSuffix);
-    files.push_back({"3dtiles/" + name, tileset_text(tile, facts_, false)});
+    files.push_back({path_in_run(name), tileset_text(tile, facts_, false)});
     tile.content = name, tile.children.clear();
   }
 
@@ -115,10 +116,12 @@ class Divider {
 
 }  // namespace
 
+bool is_external(const TilesetTile& tile) { return tile.content.ends_with(kSuffix); }
+
 std::vector<TilesetFile> encode_tileset(TilesetTile root, const TilesetFacts& facts) {
   Divider divider(facts);
   divider.divide(root);
-  divider.files.push_back({"3dtiles/tileset.json", tileset_text(root, facts, true)});
+  divider.files.push_back({path_in_run(kTilesetName), tileset_text(root, facts, true)});
   return std::move(divider.files);
 }
 

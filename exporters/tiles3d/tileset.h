@@ -21,6 +21,9 @@ struct TilesetTile {
   std::vector<TilesetTile> children{};
 };
 
+/// True if a tile's content is another tileset.
+bool is_external(const TilesetTile& tile);
+
 /// Facts about a whole tileset.
 struct TilesetFacts {
   std::array<double, 16> to_earth{};  ///< The root's transform, column-major (map::Globe::to_earth()).

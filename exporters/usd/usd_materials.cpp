@@ -7,7 +7,7 @@
 #include "exporters/content_hash.h"
 #include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
-#include "exporters/gltf/picture_formats.h"
+#include "exporters/gltf/pictures/picture_formats.h"
 
 namespace citykiln::exporters {
 namespace {

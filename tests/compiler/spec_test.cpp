@@ -101,7 +101,7 @@ TEST(Spec, SaysWhatIsNotSupportedYet) { EXPECT_NE(objection("world", "cylinder:8
 TEST(Spec, RefusesACompressionThatTheTargetCannotRead) {
   Outputs outputs;
   EXPECT_TRUE(fits_target(outputs));
-  outputs.compress = Compress::kMeshopt;
+  outputs.compress = Compression::kMeshopt;
   const Result<Done> refused = fits_target(outputs);
   ASSERT_FALSE(refused);
   EXPECT_EQ(to_string(refused.error()),

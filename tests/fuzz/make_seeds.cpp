@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "exporters/file.h"
-#include "exporters/gltf/glb.h"
-#include "exporters/gltf/png.h"
+#include "exporters/gltf/pictures/png.h"
+#include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/usd/encode_level.h"
 #include "tests/exporters/made_tile.h"
@@ -34,7 +34,8 @@ void write_made_glbs(const std::filesystem::path& folder, const citykiln::bake::
                                                              {Compression::kMeshopt, "meshopt_"}};
   for (const auto& [compression, name] : kPacked) {
     const auto target = seed % 2 == 0 ? Target::kThree : Target::kGeneric;
-    const auto glb = encode_glb(tile, {}, {.target = target, .compression = compression, .has_exact_pictures = true});
+    const auto glb =
+        encode_tile(tile, {}, {.target = target, .compression = compression, .has_exact_pictures = true}, 1).glb;
     write_seed(folder, name + std::to_string(seed), fuzz::unpacked_glb(span_of(glb)));
   }
 }

@@ -2,7 +2,7 @@
 // is unchanged.
 #include <cstdlib>
 
-#include "exporters/gltf/picture_formats.h"
+#include "exporters/gltf/pictures/picture_formats.h"
 #include "tests/fuzz/unpacked.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -14,7 +14,7 @@
 #include <sstream>
 
 #include "compiler/geometry/mathematics.h"
-#include "exporters/gltf/png.h"
+#include "exporters/gltf/pictures/png.h"
 #include "lsystems/read_lsystem.h"
 #include "lsystems/read_rpforest.h"
 #include "lsystems/tubes.h"

@@ -14,7 +14,7 @@ namespace citykiln::commands {
 /// @param folder  The folder that contains tileset.json.
 /// @param prefix  Is put before the names of contents in the result.
 /// Errors: a file that cannot be read or is not such a tileset.
-Result<exporters::TilesetTile> read_tileset(const std::string& folder, const std::string& prefix);
+Result<exporters::TilesetTile> read_region_tileset(const std::string& folder, const std::string& prefix);
 
 /// Returns a tile without content whose children are the given trees, so that all of them are shown. Its geometric
 /// error is twice the largest error of its children.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "compiler/bake_scene.h"
 #include "compiler/commands/run_paths.h"
@@ -116,13 +117,21 @@ std::string text_of(const preview::CellCounters& c, std::size_t budget_bytes) {
   return text;
 }
 
-std::string json_of(const preview::CellCounters& c, std::size_t budget_bytes) {
-  return fmt::format(
-      R"("cells": {}, "cells_generated": {}, "cells_regenerated": {}, "cells_evicted": {}, "tiles_prepared": {}, )"
-      R"("generating_s": {:.3f}, "budget_bytes": {}, "peak_bytes": {}, "over_bytes": {}, "geometry_bytes": {}, )"
-      R"("hierarchy_bytes": {}, "texture_bytes": {}, "tile_bytes": {}, "outside_m": {:.6f})",
-      c.cells, c.generated, c.regenerated, c.evicted, c.tiles_prepared, c.generating_s, budget_bytes, c.peak_bytes,
-      c.over_bytes, c.geometry_bytes, c.hierarchy_bytes, c.texture_bytes, c.tile_bytes, c.outside_m);
+nlohmann::ordered_json json_of(const preview::CellCounters& c, std::size_t budget_bytes) {
+  return {{"cells", c.cells},
+          {"cells_generated", c.generated},
+          {"cells_regenerated", c.regenerated},
+          {"cells_evicted", c.evicted},
+          {"tiles_prepared", c.tiles_prepared},
+          {"generating_s", c.generating_s},
+          {"budget_bytes", budget_bytes},
+          {"peak_bytes", c.peak_bytes},
+          {"over_bytes", c.over_bytes},
+          {"geometry_bytes", c.geometry_bytes},
+          {"hierarchy_bytes", c.hierarchy_bytes},
+          {"texture_bytes", c.texture_bytes},
+          {"tile_bytes", c.tile_bytes},
+          {"outside_m", c.outside_m}};
 }
 
 }  // namespace citykiln::commands

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -57,7 +58,7 @@ std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const V
 
 /// Returns one line of text about the cells: their number, time and memory.
 std::string text_of(const preview::CellCounters& counters, std::size_t budget_bytes);
-/// Returns these numbers as members of a JSON object, without braces.
-std::string json_of(const preview::CellCounters& counters, std::size_t budget_bytes);
+/// Returns these numbers, and more, as a JSON object.
+nlohmann::ordered_json json_of(const preview::CellCounters& counters, std::size_t budget_bytes);
 
 }  // namespace citykiln::commands

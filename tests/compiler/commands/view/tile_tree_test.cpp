@@ -58,7 +58,8 @@ TEST(TileTree, DistancesAreThoseToTheBox) {
 
 // A tileset of one tile, or what a test makes of it.
 std::string tileset(const std::string& root) { return R"({"asset": {"version": "1.1"}, "root": )" + root + "}"; }
-const std::string kBox = R"("boundingVolume": {"box": [0,0,0, 9,0,0, 0,9,0, 0,0,9]}, )";
+const std::string kBox =
+    R"("boundingVolume": {"box": [0,0,0, 9,0,0, 0,9,0, 0,0,9]}, "refine": "REPLACE", "extras": {"tolerance_m": 1, "plant_error_m": 0}, )";
 
 Result<TileNode> tree_of_tileset(const std::string& json) {
   const ScratchFolder folder;

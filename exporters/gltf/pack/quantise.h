@@ -1,0 +1,29 @@
+// Moves the vertices of a tile onto the grids of packed meshes, and adds the distance to its stated error.
+#pragma once
+
+#include <span>
+
+#include "compiler/bake/baked_tile.h"
+
+namespace citykiln::exporters {
+
+/// Returns an upper bound of the distance by which single precision has moved a position: half of the last bit along
+/// each axis. Ignores coordinates on the grid of kQuantum_m, such as coordinates of the ground, which are exact.
+double rounding_m(std::span<const bake::Primitive> primitives);
+
+/// Returns the tile on the grids of packed meshes (packed_grids.h). error_m grows by the longest move of a position, at
+/// most half a step times √3, and by rounding_m(). plant_error_m grows by the longest move in instances, times their
+/// scale.
+///
+/// - Positions of ground, roads and water stay: they are on the grid of kQuantum_m. Others become multiples of
+///   packed_position_step_m(); of prototypes, of kPrototypeStepRatio of it.
+/// - uvs on images become multiples of the largest power of two that is at most a texel / kUvStepsPerTexel.
+/// - uvs on textures are moved by whole periods, object by object, so that they begin in the first one,
+///   and become multiples of packed_texture_step_m().
+/// - Vertices that have become equal are shared (share_vertices.h); triangles without area are dropped.
+///
+/// Guarantees: equal positions stay equal, also between tiles or levels with the same step, so borders meet. Quantising
+/// twice changes nothing more. Accepts any tile. O(n).
+bake::BakedTile quantised(bake::BakedTile tile);
+
+}  // namespace citykiln::exporters

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <optional>
+
+#include "exporters/file.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/gltf/glb_checks.h"
+#include "exporters/gltf/glb_names.h"
+#include "exporters/gltf/image_units.h"
+#include "exporters/gltf/pack/compress_glb.h"
+#include "exporters/gltf/pack/shared_layout.h"
+#include "exporters/gltf/read/decode_nodes.h"
+#include "exporters/gltf/read/decode_pictures.h"
+#include "exporters/gltf/read/decode_property_table.h"
+#include "exporters/gltf/read/glb_reader.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using bake::BakedTile;
+using tinygltf::Value;
+
+// The image that a primitive's uvs lie on; null where they show none.
+const materials::TextureImage* image_under_uvs(const BakedTile& tile, const bake::Primitive& p,
+                                               const impostor::Cutout* cutout) {
+  if (p.colour_source == materials::ColourSource::kByMarkingAtlas) return &tile.marking_atlas;
+  if (p.colour_source == materials::ColourSource::kByAtlas) return &tile.facade_atlas.colour;
+  if (p.colour_source == materials::ColourSource::kByCutout) return cutout == nullptr ? nullptr : &cutout->colour;
+  const auto texture = std::ranges::find(tile.textures, p.material, &materials::Texture::material);
+  return texture == tile.textures.end() ? nullptr : &shown_image(*texture);
+}
+
+void put_uvs_in_metres(std::vector<bake::Primitive>& primitives, const impostor::Cutout* cutout,
+                       const BakedTile& tile) {
+  for (bake::Primitive& p : primitives) {
+    const materials::TextureImage* image = image_under_uvs(tile, p, cutout);
+    if (image == nullptr) continue;
+    for (bake::Float2& uv : p.uvs) {
+      uv = in_metres(*image, p.colour_source, uv);
+      expect(std::isfinite(uv[0]) && std::isfinite(uv[1]), "texture coordinates in single precision");
+    }
+  }
+}
+
+void put_uvs_in_metres(BakedTile& tile) {
+  put_uvs_in_metres(tile.primitives, nullptr, tile);
+  for (bake::InstancedMesh& instanced : tile.instanced)
+    put_uvs_in_metres(instanced.primitives, &*instanced.cutout, tile);
+}
+
+std::optional<bake::Viewpoint> viewpoint_of(const Value& extras) {
+  if (!extras.Has("viewpoint")) return std::nullopt;
+  const Value &seen = member(extras, "viewpoint"), &eye = member(seen, "eye_m");
+  return bake::Viewpoint{{element(eye, 0), element(eye, 1), element(eye, 2)},
+                         number(member(seen, "focal_px")),
+                         number(member(seen, "pixel_error"))};
+}
+
+BakedTile tile_of(const tinygltf::Model& model) {
+  expect(!model.nodes.empty() && model.buffers.size() == 1, "a node for the tile, and one buffer");
+  GltfReader reader{model, model.buffers.front().data.size()};
+  const tinygltf::Node& root = model.nodes.front();
+  BakedTile tile;
+  const Value &key = member(root.extras, "tile"), &origin = member(root.extras, "origin_m");
+  expect(key.IsArray() && key.ArrayLen() == 2, "the tile's two numbers");
+  tile.tile = {whole(key.Get(0)), whole(key.Get(1))};
+  tile.origin = {element(origin, 0), element(origin, 1), element(origin, 2)};
+  tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
+  tile.plant_error_m = number(member(root.extras, "plant_error_m"));
+  tile.viewpoint = viewpoint_of(root.extras);
+  read_property_table(reader, tile);
+  const auto cutouts = read_nodes(reader, tile);
+  read_pictures(reader, cutouts, tile);
+  const auto& used = model.extensionsUsed;
+  if (std::ranges::find(used, kTextureTransformExtension) == used.end()) put_uvs_in_metres(tile);
+  return tile;
+}
+
+// Leaves images in the buffer, for read_pictures.
+bool leave_picture(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
+                   void*) {
+  return true;
+}
+
+BakedTile tile_of_plain(std::span<const std::byte> bytes) {
+  expect_pictures_inside(bytes);
+  tinygltf::Model model;
+  std::string error, warning;
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  const auto size = static_cast<unsigned int>(bytes.size());
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(leave_picture, nullptr);
+  if (!loader.LoadBinaryFromMemory(&model, &error, &warning, data, size))
+    throw FormatError{"binary glTF: " + error.substr(0, error.find('\n'))};
+  return tile_of(model);
+}
+
+}  // namespace
+
+Result<BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name) {
+  try {
+    expect(bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0,
+           "a binary glTF file, which begins with glTF");
+    expect_chunks(bytes);
+    const auto plain = decompressed_glb(bytes);
+    return tile_of_plain(plain ? *plain : bytes);
+  } catch (const FormatError& wrong) {
+    return Error{name, "expected " + wrong.what};
+  } catch (const std::exception& thrown) {
+    return Error{name, std::string("expected binary glTF: ") + thrown.what()};
+  }
+}
+
+Result<BakedTile> read_glb(const std::string& path) {
+  auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  const auto whole = with_shared_files(std::move(*bytes), std::filesystem::path(path).parent_path().string(), path);
+  if (!whole) return whole.error();
+  return decode_glb(*whole, path);
+}
+
+}  // namespace citykiln::exporters
