@@ -47,9 +47,9 @@ Material untagged_wall(const map::Footprint& footprint) {
   return is_other ? row.other_wall : row.wall;
 }
 
-Material untagged_roof(const map::Footprint& footprint, roofs::Form form) {
+Material untagged_roof(const map::Footprint& footprint, roofs::RoofForm form) {
   const Row& row = materials_row(footprint.building_class);
-  return form == roofs::Form::kFlat ? row.flat_roof : row.pitched_roof;
+  return form == roofs::RoofForm::kFlat ? row.flat_roof : row.pitched_roof;
 }
 
 Material material_for(const std::optional<map::Srgb>& colour, std::initializer_list<Material> choice) {
@@ -72,7 +72,7 @@ Tint tint_for(Material material, const std::optional<map::Srgb>& colour, const R
 
 }  // namespace
 
-BuildingMaterials building_materials(const map::Footprint& footprint, roofs::Form form) {
+BuildingMaterials building_materials(const map::Footprint& footprint, roofs::RoofForm form) {
   const Material wall = footprint.wall_material.value_or(untagged_wall(footprint));
   const Material roof = footprint.roof_material.value_or(untagged_roof(footprint, form));
   return {material_for(footprint.wall_colour, {wall, Material::kPaint}),

@@ -194,7 +194,7 @@ Result<Exit> run_bake(const BakeRequest& asked, const Console& console) {
   if (asked.manifest_path.empty())
     return Error{"", "no manifest is given; expected a file such as out/scene.kiln, or the folder of a run"};
   if (const Result<Done> fits = output_fits(asked); !fits) return fits.error();
-  const Result<std::string> manifest_path = manifest_of(asked.manifest_path);
+  const Result<std::string> manifest_path = settle_and_find_manifest(asked.manifest_path);
   if (!manifest_path) return manifest_path.error();
   BakeRequest request = asked;
   request.manifest_path = *manifest_path;

@@ -138,7 +138,7 @@ class Builder {
     }
   }
 
-  void add(Triangle triangle, Part part, std::uint32_t face) {
+  void add(Triangle triangle, RoofPart part, std::uint32_t face) {
     roof_.triangles.push_back(triangle);
     roof_.parts.push_back(part);
     roof_.faces.push_back(face);
@@ -151,10 +151,10 @@ class Builder {
       top[i] = vertex(column(c, i), top_m(c, i));
       below[i] = vertex(column(c, i), is_over_footprint(c) ? 0 : under_m(c, i));
     }
-    add(top, Part::kRoof, face_of(c));
+    add(top, RoofPart::kRoof, face_of(c));
     if (is_over_footprint(c)) return roof_.floor.push_back(below);
     std::swap(below[1], below[2]);
-    add(below, Part::kSoffit, face_of(c));
+    add(below, RoofPart::kSoffit, face_of(c));
   }
 
   // Adds the vertical faces under an edge of a cell, facing out of the cell.
@@ -162,12 +162,13 @@ class Builder {
     const std::uint32_t beyond = plan_.cells[c].neighbours[edge];
     const int a = (edge + 1) % 3, b = (edge + 2) % 3;
     if (beyond == kNoFacet && !is_over_footprint(c))
-      wall({column(c, a), under_m(c, a), top_m(c, a)}, {column(c, b), under_m(c, b), top_m(c, b)}, Part::kEdge,
+      wall({column(c, a), under_m(c, a), top_m(c, a)}, {column(c, b), under_m(c, b), top_m(c, b)}, RoofPart::kEdge,
            face_of(c));
     else if (beyond == kNoFacet)
-      wall({column(c, a), 0, top_m(c, a)}, {column(c, b), 0, top_m(c, b)}, Part::kGable, wall_of_[column(c, a)]);
+      wall({column(c, a), 0, top_m(c, a)}, {column(c, b), 0, top_m(c, b)}, RoofPart::kGable, wall_of_[column(c, a)]);
     else if (is_border(c, edge))
-      wall({column(c, a), 0, under_m(c, a)}, {column(c, b), 0, under_m(c, b)}, Part::kGable, wall_of_[column(c, a)]);
+      wall({column(c, a), 0, under_m(c, a)}, {column(c, b), 0, under_m(c, b)}, RoofPart::kGable,
+           wall_of_[column(c, a)]);
     else
       step_down(c, a, b, beyond);
   }
@@ -181,11 +182,11 @@ class Builder {
   void step_down(std::uint32_t c, int a, int b, std::uint32_t beyond) {
     const Stretch first{column(c, a), top_beyond_m(beyond, plan_.cells[c].points[a]), top_m(c, a)};
     const Stretch second{column(c, b), top_beyond_m(beyond, plan_.cells[c].points[b]), top_m(c, b)};
-    if (first.high_m > first.low_m || second.high_m > second.low_m) wall(first, second, Part::kGable, ~face_of(c));
+    if (first.high_m > first.low_m || second.high_m > second.low_m) wall(first, second, RoofPart::kGable, ~face_of(c));
   }
 
   // Triangulates all vertices of both columns in between, so that no vertex is inside of an edge.
-  void wall(const Stretch& left, const Stretch& right, Part part, std::uint32_t face) {
+  void wall(const Stretch& left, const Stretch& right, RoofPart part, std::uint32_t face) {
     std::uint32_t a = vertex(left.column, left.low_m), b = vertex(right.column, right.low_m);
     const std::uint32_t end_a = vertex(left.column, std::max(left.low_m, left.high_m));
     const std::uint32_t end_b = vertex(right.column, std::max(right.low_m, right.high_m));
