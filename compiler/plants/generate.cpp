@@ -1,5 +1,9 @@
 #include "compiler/plants/generate.h"
 
+#include <cassert>
+
+#include "compiler/plants/placing/placing_steps.h"
+
 namespace citykiln::plants {
 
 PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report) {

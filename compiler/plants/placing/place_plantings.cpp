@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/placing/placing_steps.h"
 #include "compiler/plants/placing/row_heading.h"
 
 namespace citykiln::plants {

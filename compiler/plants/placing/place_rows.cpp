@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/placing/placing_steps.h"
 #include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {

@@ -1,7 +1,7 @@
 #include <optional>
 
 #include "compiler/geometry/trig.h"
-#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/placing/placing_steps.h"
 #include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/placing/placing_steps.h"
 #include "compiler/plants/placing/wood_index.h"
 
 namespace citykiln::plants {
