@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "compiler/bake/bounds.h"
+#include "compiler/contract/tolerance.h"
 
 namespace citykiln::bake {
 
@@ -35,10 +36,10 @@ bool is_seen(const Sight& sight, const Bounds& bounds);
 
 /// One or several viewpoints, and the error that is allowed there in all directions.
 struct View {
-  Vec3 eye;                         ///< Plane metres.
-  double focal_px = 0;              ///< Focal length in pixels (focal_length_px). > 0.
-  double pixel_error = 1;           ///< The largest allowed error in the picture, in pixels. > 0.
-  double finest_m = 0.02;           ///< The smallest tolerance, for objects near the eye. > 0.
+  Vec3 eye;                              ///< Plane metres.
+  double focal_px = 0;                   ///< Focal length in pixels (focal_length_px). > 0.
+  double pixel_error = 1;                ///< The largest allowed error in the picture, in pixels. > 0.
+  double finest_m = kFinestTolerance_m;  ///< The smallest tolerance, for objects near the eye. > 0.
   std::vector<Bounds> more_eyes{};  ///< Boxes that contain further eyes. Distances count from the nearest eye, which
                                     ///< may be anywhere in its box.
   std::optional<Sight> sight{};     ///< For a single picture: objects that it does not show may be coarser.

@@ -213,7 +213,7 @@ void add_settings(Verb& verb, BakeRequest& request) {
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);
     verb.options.push_back(
-        {flags, std::string(setting.value), std::string(setting.help), setting.repeats,
+        {flags, std::string(setting.value), help_of(setting), setting.repeats,
          [&request, &setting](const std::string& text) { return apply(setting, text, request.spec); }});
   }
 }

@@ -42,7 +42,7 @@ std::optional<double> ground_height_m(std::span<const bake::BakedTile> tiles, Ve
 std::optional<double> ground_height_m(const scene::Scene& scene, Vec2 place) {
   for (const scene::Chunk& chunk : scene.chunks) {
     if (!scene::box_of(scene.header, chunk.tile).contains(place)) continue;
-    return ground::land_m(scene::graded_terrain_of(scene.header, chunk, kFinestTolerances_m.front()), place);
+    return ground::land_m(scene::graded_terrain_of(scene.header, chunk, kFinestTolerance_m), place);
   }
   return std::nullopt;
 }
