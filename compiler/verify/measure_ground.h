@@ -22,9 +22,7 @@ struct GroundFace {
 template <typename Visit>
 void for_each_ground_face(const bake::BakedTile& tile, Visit visit) {
   for (const bake::Primitive& primitive : tile.primitives) {
-    if (primitive.layer != bake::Layer::kGround && primitive.layer != bake::Layer::kRoads &&
-        primitive.layer != bake::Layer::kWater)
-      continue;
+    if (!bake::is_terrain(primitive)) continue;
     for (const auto& triangle : primitive.triangles) {
       GroundFace face{{}, tile.features[primitive.features[triangle[0]]]};
       for (std::size_t i = 0; i < 3; ++i) {

@@ -218,23 +218,4 @@ RaisedRoof raise_facets(const Polygon& footprint, const RoofPlan& plan) {
   return {Builder(cells, plan.facets, heights, thickness_m).take(), heights.uncovered_m2, heights.largest_gap_m};
 }
 
-Mesh closed_body(const Roof& roof, double bottom_m) {
-  assert(bottom_m < 0);
-  Mesh body{roof.positions, {}, roof.triangles};
-  std::vector<std::uint32_t> below(roof.positions.size(), kNoFacet);
-  for (const Triangle& t : roof.floor)
-    for (const std::uint32_t v : t)
-      if (below[v] == kNoFacet) {
-        below[v] = static_cast<std::uint32_t>(body.positions.size());
-        body.positions.push_back(at_height(in_plan(roof.positions[v]), bottom_m));
-      }
-  for (const Triangle& t : roof.floor) body.triangles.push_back({below[t[0]], below[t[2]], below[t[1]]});
-  for (const auto& ring : roof.eaves)
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      body.triangles.push_back({below[ring[j]], below[ring[i]], ring[i]});
-      body.triangles.push_back({below[ring[j]], ring[i], ring[j]});
-    }
-  return body;
-}
-
 }  // namespace citykiln::roofs

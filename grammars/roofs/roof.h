@@ -38,9 +38,4 @@ struct Roof {
   double error_m = 0;               ///< An upper bound of the distance to the roof generated at tolerance 0.
 };
 
-/// Returns roof, walls down to bottom_m and floor as one closed 2-manifold, oriented outward, without duplicate
-/// vertices.
-/// @param bottom_m  < 0, and below the soffits if the body must not touch itself.
-Mesh closed_body(const Roof& roof, double bottom_m);
-
 }  // namespace citykiln::roofs
