@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <filesystem>
@@ -107,22 +108,36 @@ Result<Done> set_tile(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+/// A format that --emit names.
+struct OutputFormat {
+  std::string_view name;
+  bool Outputs::*is_written;
+};
+constexpr std::array kOutputFormats = {OutputFormat{"kiln", &Outputs::manifest}, OutputFormat{"glb", &Outputs::glb},
+                                       OutputFormat{"usd", &Outputs::usd}, OutputFormat{"3dtiles", &Outputs::tiles3d}};
+
 Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
-  spec.outputs.manifest = spec.outputs.glb = spec.outputs.usd = spec.outputs.tiles3d = false;
-  for (const std::string_view form : split(text, ',')) {
-    if (form == "kiln") {
-      spec.outputs.manifest = true;
-    } else if (form == "glb") {
-      spec.outputs.glb = true;
-    } else if (form == "usd") {
-      spec.outputs.usd = true;
-    } else if (form == "3dtiles") {
-      spec.outputs.tiles3d = true;
-    } else {
-      return expected("kiln, glb, usd, 3dtiles or several of them, such as kiln,usd", form);
-    }
+  for (const OutputFormat& format : kOutputFormats) spec.outputs.*format.is_written = false;
+  for (const std::string_view name : split(text, ',')) {
+    const auto format = std::ranges::find(kOutputFormats, name, &OutputFormat::name);
+    if (format == kOutputFormats.end())
+      return expected("kiln, glb, usd, 3dtiles or several of them, such as kiln,usd", name);
+    spec.outputs.*format->is_written = true;
   }
   return Done{};
+}
+
+std::string emitted_in(const CompileSpec& spec) {
+  std::string names;
+  for (const OutputFormat& format : kOutputFormats)
+    if (spec.outputs.*format.is_written) names += (names.empty() ? "" : ",") + std::string(format.name);
+  return names;
+}
+
+/// The default of a value of the sky, as text.
+template <auto kValue>
+std::string default_of_sky(const CompileSpec&) {
+  return fmt::format("{}", sky::Sky{}.*kValue);
 }
 
 Result<Done> set_world(CompileSpec& spec, std::string_view text) {
@@ -270,18 +285,19 @@ constexpr Setting kSettings[] = {
     {"origin", "LON,LAT",
      "origin of the plane in degrees, such as 7.42,43.73 (default: the area's centre, rounded to 0.01)", false,
      set_origin},
-    {"tile", "M", "side of a tile in metres, a multiple of 128 (default: 1024)", false, set_tile},
+    {"tile", "M", "side of a tile in metres, a multiple of 128 (default: {})", false, set_tile,
+     [](const CompileSpec& spec) { return fmt::format("{}", spec.tile_m); }},
     {"only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true,
      [](CompileSpec& spec, std::string_view text) { return add_tiles(text, spec.only); }},
     {"out", "FOLDER", "folder for all outputs; it is created if missing", false,
      [](CompileSpec& spec, std::string_view text) { return put(Result(std::string(text)), spec.outputs.folder); }},
     {"emit", "kiln,glb,usd,3dtiles",
      "outputs to write: kiln (manifest), glb (tiles), usd (a scene of the tiles), 3dtiles (tileset.json, on the "
-     "ellipsoid) or several (default: kiln,glb)",
-     false, set_emit},
-    {"lods", "M,M,...",
-     "levels of detail: largest geometric error of each in metres, finest first (default: 0.1,0.5,1.2,2.5,12.5)", false,
-     [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.tolerances_m); }},
+     "ellipsoid) or several (default: {})",
+     false, set_emit, emitted_in},
+    {"lods", "M,M,...", "levels of detail: largest geometric error of each in metres, finest first (default: {})",
+     false, [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.tolerances_m); },
+     [](const CompileSpec& spec) { return fmt::format("{}", fmt::join(spec.outputs.tolerances_m, ",")); }},
     {"world", "plane|ellipsoid",
      "shape of the world: ellipsoid for --emit 3dtiles, plane for kiln and glb (default: that of the output)", false,
      set_world},
@@ -289,11 +305,11 @@ constexpr Setting kSettings[] = {
      "for 3dtiles: height of the geoid (sea level) above the ellipsoid in metres, such as 47.3, or a geoid of "
      "GeographicLib, such as egm96-5.pgm (default: 0)",
      false, set_geoid},
-    {"compress", "none|quantize|draco|meshopt", "compression of meshes in .glb files (default: none)", false,
-     set_compression},
+    {"compress", "none|quantize|draco|meshopt", "compression of meshes in .glb files (default: {})", false,
+     set_compression, [](const CompileSpec& spec) { return std::string(name_of(spec.outputs.compress)); }},
     {"layout", "embedded|shared",
-     "shared: plants, lamps and images of all tiles are files in glb/shared (default: embedded in each .glb)", false,
-     set_layout},
+     "shared: plants, lamps and images of all tiles are files in glb/shared (default: {} in each .glb)", false,
+     set_layout, [](const CompileSpec& spec) { return std::string(name_of(spec.outputs.layout)); }},
     {"max-bytes", "N",
      "instead of levels: each .glb is as fine as this many bytes allow, such as 5000000, as target and compression are",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 1), spec.outputs.max_bytes); }},
@@ -301,42 +317,45 @@ constexpr Setting kSettings[] = {
      false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 1), spec.outputs.max_triangles); }},
     {"target", "generic|blender|godot|three|cesium|unreal|unity",
-     "program that reads the .glb files; generic uses nothing that a reader may lack (default: generic)", false,
-     set_target},
+     "program that reads the .glb files; generic uses nothing that a reader may lack (default: {})", false, set_target,
+     [](const CompileSpec& spec) { return std::string(values_of(spec.outputs.target).name); }},
     {"split", "tile|layer|building",
      "nodes of a tile: one, one for each layer (ground, roads, water, buildings ...), or one for each building too "
-     "(default: layer)",
-     false, set_split},
+     "(default: {})",
+     false, set_split, [](const CompileSpec& spec) { return std::string(name_of(spec.outputs.split)); }},
     {"surroundings", "",
      "writes the land around the map, as far as the heightmaps know it, as a tile of its own: glb/surroundings.glb, "
      "usd/surroundings.usdc, a tile of 3dtiles",
      false, set_surroundings},
     {"lights", "N",
      "the N brightest street lamps of each tile are lights of .glb (KHR_lights_punctual) and USD (UsdLux) files, at "
-     "any time (default: 0)",
-     false, set_lights},
+     "any time (default: {})",
+     false, set_lights, [](const CompileSpec& spec) { return fmt::format("{}", spec.outputs.lights); }},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
     {"time", "ISO",
      "date and time of the sky in UTC, or with an offset from it, such as 2026-06-21T20:30+02:00 (default: midsummer, "
      "15:00 solar time)",
      false, set_time},
     {"visibility", "KM",
-     "how far one sees at sea level, 1 to 300 km (default: 100, or by the turbidity if that is given)", false,
-     set_visibility},
-    {"turbidity", "T", "haze of the whole sky: 2 clear, 10 hazy (default: 2.6)", false, set_turbidity},
-    {"ground-albedo", "X", "share of light that the land around reflects into the air, 0 to 1 (default: 0.2)", false,
-     set_ground_albedo},
+     "how far one sees at sea level, 1 to 300 km (default: {}, or by the turbidity if that is given)", false,
+     set_visibility, default_of_sky<&sky::Sky::visibility_km>},
+    {"turbidity", "T", "haze of the whole sky: 2 clear, 10 hazy (default: {})", false, set_turbidity,
+     default_of_sky<&sky::Sky::turbidity>},
+    {"ground-albedo", "X", "share of light that the land around reflects into the air, 0 to 1 (default: {})", false,
+     set_ground_albedo, default_of_sky<&sky::Sky::ground_albedo>},
     {"clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky, by name or in layers (default: clear)",
      false, set_clouds},
-    {"seed", "N", "seed of all random choices, a whole number (default: 0)", false, set_seed},
+    {"seed", "N", "seed of all random choices, a whole number (default: {})", false, set_seed,
+     [](const CompileSpec& spec) { return fmt::format("{}", spec.seed); }},
     {"snow-line", "M", "land above this height in metres is covered by snow, such as 2800 (default: no snow)", false,
      set_snow_line},
     {"rules", "FOLDER", "folder of rule files (.cga) that replace shipped files of the same name", false,
      set_text<&CompileSpec::rules_folder>},
     {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",
      false, set_tags},
-    {"threads", "N", "number of threads; 0 uses all processors (default: 0)", false,
-     [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }},
+    {"threads", "N", "number of threads; 0 uses all processors (default: {})", false,
+     [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); },
+     [](const CompileSpec& spec) { return fmt::format("{}", spec.threads); }},
     {"strict", "[=CODE,...]",
      "exit with code 2 if map or height data had to be corrected or left out; with codes, such as "
      "--strict=MissingNode,RoofFallback, if one of these was diagnosed",
@@ -384,6 +403,12 @@ Result<Done> apply_key(const std::string& key, const json& value, CompileSpec& s
 }  // namespace
 
 std::span<const Setting> settings() { return kSettings; }
+
+std::string help_of(const Setting& setting) {
+  std::string help(setting.help);
+  if (setting.default_in) help.replace(help.find("{}"), 2, setting.default_in({}));
+  return help;
+}
 
 Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec) {
   CompileSpec changed = spec;

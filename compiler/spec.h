@@ -30,7 +30,7 @@ namespace citykiln {
 /// The tolerances of the default levels of detail, finest first, in metres. None is more than five times the one before
 /// it, which skirts rely on (bake/ground/skirt.h). Each level has at least an eighth of the triangles of the level
 /// before it.
-inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, 12.5};
+inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, kCoarsestDefault_m};
 
 /// The files that a run writes into its folder.
 struct Outputs {
@@ -86,10 +86,14 @@ struct Setting {
   /// The format of the value, such as "M" or "W,S,E,N"; empty for a switch, which takes "true" or "false". The format
   /// of a switch with an optional value begins with "[=", such as "[=CODE,...]".
   std::string_view value;
-  std::string_view help;
-  bool repeats = false;  ///< True if it may be given several times; the values accumulate.
+  std::string_view help;  ///< "{}" stands for the default value.
+  bool repeats = false;   ///< True if it may be given several times; the values accumulate.
   Result<Done> (*apply)(CompileSpec& spec, std::string_view text);
+  std::string (*default_in)(const CompileSpec& spec) = nullptr;  ///< The value in a spec as text, if help has "{}".
 };
+
+/// Returns the help with the default value, which is that of an empty CompileSpec.
+std::string help_of(const Setting& setting);
 
 /// Returns all settings in the order of the help text.
 std::span<const Setting> settings();

@@ -102,7 +102,7 @@ FolderState compare_folder(const std::string& folder, const FileList& list, int 
     const bool is_there = fs::exists(fs::path(folder) / list[i].name, bad);
     (is_there ? state.changed : state.missing).push_back(list[i].name);
   }
-  state.strange = strange_files(folder, list);
+  state.unlisted = strange_files(folder, list);
   return state;
 }
 

@@ -31,9 +31,9 @@ Result<std::optional<FileList>> read_file_list(const std::string& path);
 
 /// The differences between a folder and its list, sorted by name.
 struct FolderState {
-  std::vector<std::string> missing;  ///< Listed files that the folder lacks.
-  std::vector<std::string> changed;  ///< Files whose size or hash differs from the listed one.
-  std::vector<std::string> strange;  ///< Files and folders that are not listed. Names of folders end in "/".
+  std::vector<std::string> missing;   ///< Listed files that the folder lacks.
+  std::vector<std::string> changed;   ///< Files whose size or hash differs from the listed one.
+  std::vector<std::string> unlisted;  ///< Files and folders that are not listed. Names of folders end in "/".
 };
 
 /// Compares a folder with a list by reading every listed file. Looks for files that are not listed in the folder itself
@@ -41,7 +41,7 @@ struct FolderState {
 /// @param threads  The number of threads that read; 0: one per processor.
 FolderState compare_folder(const std::string& folder, const FileList& list, int threads);
 
-/// Returns FolderState::strange as compare_folder() finds it, but reads no file.
+/// Returns FolderState::unlisted as compare_folder() finds it, but reads no file.
 std::vector<std::string> strange_files(const std::string& folder, const FileList& list);
 
 /// True if a file exists and, if its entry has a hash, has the size and the hash of the entry.

@@ -44,7 +44,7 @@ materials::Tint mixed_tint(materials::Tint a, materials::Tint b, double share) {
 }
 
 // A mesh while one side cuts it.
-struct Cut {
+struct MeshCut {
   MaterialMesh& whole;
   const Side& side;
   std::vector<double> depths_m{};
@@ -108,7 +108,7 @@ void drop_unused(MaterialMesh& whole) {
 
 // Returns whether anything was cut off.
 bool clip_to_side(MaterialMesh& whole, const Side& side) {
-  Cut cut{whole, side};
+  MeshCut cut{whole, side};
   for (const Vec3 p : whole.mesh.positions) cut.depths_m.push_back(side.depth_m(p));
   if (std::ranges::all_of(cut.depths_m, [](double depth_m) { return depth_m >= 0; })) return false;
   std::vector<Triangle> kept;

@@ -10,9 +10,9 @@
 
 namespace citykiln::bake {
 
-Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& map, const Box2& box) {
+Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, const Box2& box) {
   Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), chunk.lamps.size()};
-  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
+  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, land_cover, box);
   lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
   return lamps;
 }

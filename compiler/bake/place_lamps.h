@@ -18,8 +18,8 @@ struct Lamps {
 };
 
 /// Returns the lamps in a box: mapped lamps, then lamps along lit streets.
-/// @param map  Land cover of the box.
-Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& map, const Box2& box);
+/// @param land_cover  Land cover of the box.
+Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, const Box2& box);
 
 /// A lamp on the ground.
 struct PlacedLamp {

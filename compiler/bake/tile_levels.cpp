@@ -8,6 +8,7 @@
 #include "compiler/bake/ground/ground_beyond.h"
 #include "compiler/bake/ground/skirt.h"
 #include "compiler/contract/detail_tolerances.h"
+#include "compiler/plants/placing/placing_steps.h"
 
 namespace citykiln::bake {
 namespace {

@@ -7,8 +7,6 @@
 #include "compiler/bake/ground/skirt.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/geometry/mathematics.h"
-#include "compiler/geometry/snap.h"
 #include "compiler/map/locate.h"
 #include "compiler/plants/generate.h"
 #include "compiler/scene/land_cover.h"
@@ -16,7 +14,6 @@
 namespace citykiln::bake {
 namespace {
 
-constexpr int kNoLevel = ViewLevels::kNoLevel;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
 Bounds ground_bounds(const map::Heightfield& terrain, const Box2& box) {
@@ -70,52 +67,6 @@ int finest_needed(const View& view, const scene::Chunk& chunk, const Box2& box) 
 }
 
 }  // namespace
-
-double focal_length_px(int height_px, double vertical_fov_deg) {
-  assert(height_px > 0 && vertical_fov_deg > 0 && vertical_fov_deg < 180);
-  return snapped(height_px / 2.0 / tangent(vertical_fov_deg / 2));
-}
-
-double tolerance_m_of(const View& view, int level) {
-  return level == kNoLevel ? kFar_m : std::ldexp(view.finest_m, level);
-}
-
-bool is_seen(const Sight& sight, const Bounds& bounds) {
-  constexpr double kLowSun = 1e-3;
-  const double shadow_m = dot(sight.to_sun, sight.to_sun) > 0
-                              ? std::clamp((bounds.high_m - sight.lowest_m) / std::max(sight.to_sun.z, kLowSun), 0.0,
-                                           sight.longest_shadow_m)
-                              : 0;
-  return std::ranges::none_of(sight.sides, [&](const Sight::Plane& side) {
-    const Vec3 n = side.normal;
-    const Vec3 nearest{n.x > 0 ? bounds.plan.min.x : bounds.plan.max.x, n.y > 0 ? bounds.plan.min.y : bounds.plan.max.y,
-                       n.z > 0 ? bounds.low_m : bounds.high_m};
-    return dot(n, nearest) - std::max(shadow_m * dot(n, sight.to_sun), 0.0) > side.offset_m;
-  });
-}
-
-double distance_m(const View& view, const Bounds& bounds) {
-  double nearest_m = distance_m(bounds, view.eye);
-  for (const Bounds& eyes : view.more_eyes) nearest_m = std::min(nearest_m, distance_m(bounds, eyes));
-  return nearest_m;
-}
-
-int level_for(const View& view, const Bounds& bounds) {
-  assert(view.focal_px > 0 && view.pixel_error > 0 && view.finest_m > 0);
-  double error_rad = view.pixel_error / view.focal_px;
-  if (view.sight && view.sight->unseen_rad > error_rad && !is_seen(*view.sight, bounds))
-    error_rad = view.sight->unseen_rad;
-  const double most_m = error_rad * distance_m(view, bounds);
-  int level = 0;
-  while (tolerance_m_of(view, level + 1) <= most_m) ++level;
-  return level;
-}
-
-double pixels_of(const View& view, double error_m, const Bounds& bounds) {
-  const double away_m = distance_m(view, bounds);
-  if (view.pixel_error * away_m < view.finest_m * view.focal_px) return 0;
-  return error_m / away_m * view.focal_px;
-}
 
 ViewLevels levels_for(const scene::Scene& scene, const View& view) {
   assert(view.focal_px > 0 && view.pixel_error > 0 && view.finest_m > 0);

@@ -47,32 +47,35 @@ Material untagged_wall(const map::Footprint& footprint) {
   return is_other ? row.other_wall : row.wall;
 }
 
-Material untagged_roof(const map::Footprint& footprint, roofs::Form form) {
+Material untagged_roof(const map::Footprint& footprint, roofs::RoofForm form) {
   const Row& row = materials_row(footprint.building_class);
-  return form == roofs::Form::kFlat ? row.flat_roof : row.pitched_roof;
+  return form == roofs::RoofForm::kFlat ? row.flat_roof : row.pitched_roof;
 }
 
 Material material_for(const std::optional<map::Srgb>& colour, std::initializer_list<Material> choice) {
   return colour ? tintable_material(paint_reflectance(*colour), choice) : *choice.begin();
 }
 
-// Shares of plaster's base colour: warm whites and creams first, then sand, ochre, pink, grey, sage and terracotta.
-constexpr LinearRgb kPlasterHues[] = {{1.00, 1.00, 1.00}, {0.97, 0.96, 0.94}, {1.00, 0.95, 0.84}, {1.00, 0.93, 0.78},
-                                      {0.95, 0.94, 0.96}, {0.90, 0.83, 0.70}, {0.96, 0.84, 0.62}, {0.93, 0.77, 0.50},
-                                      {0.96, 0.80, 0.72}, {0.92, 0.72, 0.63}, {0.80, 0.82, 0.86}, {0.72, 0.72, 0.73},
-                                      {0.86, 0.80, 0.72}, {1.00, 0.97, 0.90}, {0.78, 0.85, 0.76}, {0.80, 0.55, 0.42}};
+// Colours of untagged plaster as shares of the material's base colour, for all that no rule colours; rules draw
+// `plaster_colour` of building.cga instead. Warm whites and creams first, then sand, ochre, pink, grey, sage and
+// terracotta.
+constexpr LinearRgb kUnruledPlasterHues[] = {
+    {1.00, 1.00, 1.00}, {0.97, 0.96, 0.94}, {1.00, 0.95, 0.84}, {1.00, 0.93, 0.78},
+    {0.95, 0.94, 0.96}, {0.90, 0.83, 0.70}, {0.96, 0.84, 0.62}, {0.93, 0.77, 0.50},
+    {0.96, 0.80, 0.72}, {0.92, 0.72, 0.63}, {0.80, 0.82, 0.86}, {0.72, 0.72, 0.73},
+    {0.86, 0.80, 0.72}, {1.00, 0.97, 0.90}, {0.78, 0.85, 0.76}, {0.80, 0.55, 0.42}};
 
 Tint tint_for(Material material, const std::optional<map::Srgb>& colour, const RandomSequence& draw) {
   if (colour) return tint_towards(material, paint_reflectance(*colour));
   const double brightness = 1 - values_of(material).variation * draw.unit(0);
   if (material != Material::kPlaster) return tint_of({brightness, brightness, brightness});
-  const LinearRgb& hue = kPlasterHues[draw.below(std::size(kPlasterHues), 1)];
+  const LinearRgb& hue = kUnruledPlasterHues[draw.below(std::size(kUnruledPlasterHues), 1)];
   return tint_of({brightness * hue[0], brightness * hue[1], brightness * hue[2]});
 }
 
 }  // namespace
 
-BuildingMaterials building_materials(const map::Footprint& footprint, roofs::Form form) {
+BuildingMaterials building_materials(const map::Footprint& footprint, roofs::RoofForm form) {
   const Material wall = footprint.wall_material.value_or(untagged_wall(footprint));
   const Material roof = footprint.roof_material.value_or(untagged_roof(footprint, form));
   return {material_for(footprint.wall_colour, {wall, Material::kPaint}),

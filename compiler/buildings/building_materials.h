@@ -18,7 +18,7 @@ inline constexpr double kGlassTower_m = 60;
 /// Returns the materials of a footprint: the tagged ones, else by class, height and roof form (building_materials.inc).
 /// If the material cannot be tinted to a tagged colour, a lighter one is chosen; glass stays glass. Random draws depend
 /// only on the footprint's id, since a recipe has no seed. O(vertices).
-BuildingMaterials building_materials(const map::Footprint& footprint, roofs::Form form);
+BuildingMaterials building_materials(const map::Footprint& footprint, roofs::RoofForm form);
 
 /// Returns the tint of the walls or of the roof: towards the tagged colour, else a random brightness within the
 /// material's variation, for plaster with one of 16 hues.

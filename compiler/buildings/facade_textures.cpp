@@ -181,7 +181,8 @@ FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impos
     surfaces.push_back(surface_material_of(appearance));
   FacadeBuilder builder{detailed, texel_m, tolerance_m, feature};
   for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) builder.add(face, surfaces[terminal.appearance], terminal.out_m);
+    for (const Face& face : terminal.faces)
+      builder.add(face, surfaces[terminal.appearance], terminal.detail_distance_m);
   for (auto& [surface, mesh] : builder.uniform)
     if (!mesh.mesh.triangles.empty()) builder.result.meshes.push_back(std::move(mesh));
   return std::move(builder.result);

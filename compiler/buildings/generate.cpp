@@ -53,7 +53,7 @@ void add_roof(const Building& building, const roofs::Roof& roof, Mesh& wall, Mes
     for (const Vec3 p : roof.positions) mesh->positions.push_back({p.x, p.y, p.z + eaves_m(building)});
     for (std::size_t i = 0; i < roof.triangles.size(); ++i) {
       const auto [a, b, c] = roof.triangles[i];
-      const bool is_wall = roof.parts[i] == roofs::Part::kGable;
+      const bool is_wall = roof.parts[i] == roofs::RoofPart::kGable;
       if (is_wall == (mesh == &wall)) mesh->triangles.push_back({first + a, first + b, first + c});
     }
   }
@@ -94,14 +94,14 @@ std::size_t count_without_effect(const grammars::Derivation& derivation) {
 }
 
 // The answers to queries about the surroundings of a shape: entrances and lit rooms.
-grammars::Occlusion surroundings_of(const Level& level, std::vector<Vec2> doors) {
-  grammars::Occlusion entrances, lit;
-  if (!doors.empty()) entrances = grammars::entrances_at(std::move(doors));
+grammars::AnswerContextQuery surroundings_of(const Level& level, std::vector<Vec2> doors) {
+  grammars::AnswerContextQuery entrances, lit;
+  if (!doors.empty()) entrances = grammars::answer_from_entrances(std::move(doors));
   if (level.context.night) lit = lit_windows(level.building, *level.context.night, level.context.seed);
   if (!lit) return entrances;
-  return [entrances = std::move(entrances), lit = std::move(lit)](grammars::OcclusionQuery query,
+  return [entrances = std::move(entrances), lit = std::move(lit)](grammars::ContextQuery query,
                                                                   const grammars::Shape& shape) {
-    if (query == grammars::OcclusionQuery::kIsLit) return lit(query, shape);
+    if (query == grammars::ContextQuery::kIsLit) return lit(query, shape);
     return entrances && entrances(query, shape);
   };
 }
@@ -114,7 +114,7 @@ grammars::Derivation derive(const Level& level, const MassModel& mass, double to
   options.attributes["shop_lit"] = night && is_shop_lit(level.building, *night, level.context.seed);
   std::vector<Vec2> doors = door_positions(level.building);
   options.attributes["entrances"] = static_cast<double>(doors.size());
-  options.occlusion = surroundings_of(level, std::move(doors));
+  options.answer_context_query = surroundings_of(level, std::move(doors));
   options.seed = level.context.seed;
   options.tolerance_m = tolerance_m;
   options.keep_start = true, options.ids = false;

@@ -135,13 +135,13 @@ double lit_share(Use use, WeekTime time) {
 
 double lit_window_share(Use use, WeekTime time) { return lit_share(use, time) * use_row(use).room_share; }
 
-grammars::Occlusion lit_windows(const Building& building, WeekTime time, std::uint64_t seed) {
+grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time, std::uint64_t seed) {
   const Use use = use_of(building);
   return [=, cells = cells_of(building), whole = is_one_unit(building, use),
           units = RandomSequence(seed, id_of(building), "lit unit"),
-          rooms = RandomSequence(seed, id_of(building), "lit room")](grammars::OcclusionQuery query,
+          rooms = RandomSequence(seed, id_of(building), "lit room")](grammars::ContextQuery query,
                                                                      const grammars::Shape& shape) {
-    if (query != grammars::OcclusionQuery::kIsLit) return false;
+    if (query != grammars::ContextQuery::kIsLit) return false;
     const UseRow& row = use_row(use);
     const Vec3 at = middle_of(shape.scope);
     const bool is_lit_room = row.room_share == 1 || rooms.unit(cell_at(cells, at, row.room_m)) < row.room_share;

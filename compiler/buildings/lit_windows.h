@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "compiler/buildings/recipe.h"
-#include "grammars/derivation/occlusion.h"
+#include "grammars/derivation/context_query.h"
 
 namespace citykiln::buildings {
 
@@ -37,10 +37,10 @@ double lit_share(Use use, WeekTime time);
 /// Returns the share of windows that are lit, on average over many buildings of a use.
 double lit_window_share(Use use, WeekTime time);
 
-/// Returns a function that answers OcclusionQuery::kIsLit: true if the window at the middle of a shape's scope is lit.
+/// Returns a function that answers ContextQuery::kIsLit: true if the window at the middle of a shape's scope is lit.
 /// O(1) per query.
 /// @param building  Must outlive the function.
-grammars::Occlusion lit_windows(const Building& building, WeekTime time, std::uint64_t seed);
+grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time, std::uint64_t seed);
 
 /// True if lamps are on in the shops of a building's ground floor.
 bool is_shop_lit(const Building& building, WeekTime time, std::uint64_t seed);

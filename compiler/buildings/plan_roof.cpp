@@ -12,7 +12,7 @@ namespace citykiln::buildings {
 namespace {
 
 using map::BuildingClass;
-using roofs::Form;
+using roofs::RoofForm;
 
 // Untagged footprints up to this size and height have pitched roofs.
 constexpr double kMaxSmall_m2 = 350, kMaxSmall_m = 20;
@@ -30,33 +30,33 @@ bool is_small(const map::Footprint& footprint) {
   return footprint.height_m <= kMaxSmall_m && area_m2(footprint.polygon) <= kMaxSmall_m2;
 }
 
-Form house_roof(const map::Footprint& footprint, bool is_attached) {
-  if (is_attached) return Form::kGabled;
+RoofForm house_roof(const map::Footprint& footprint, bool is_attached) {
+  if (is_attached) return RoofForm::kGabled;
   const std::uint32_t percent = RandomSequence(0, stable_id(footprint.id), "roof").below(100, 0);
-  return percent < 62 ? Form::kGabled : percent < 92 ? Form::kHipped : Form::kHalfHipped;
+  return percent < 62 ? RoofForm::kGabled : percent < 92 ? RoofForm::kHipped : RoofForm::kHalfHipped;
 }
 
-Form untagged_form(const map::Footprint& footprint, bool is_attached) {
-  if (footprint.is_part) return Form::kFlat;
+RoofForm untagged_form(const map::Footprint& footprint, bool is_attached) {
+  if (footprint.is_part) return RoofForm::kFlat;
   const double area = area_m2(footprint.polygon);
   switch (static_cast<BuildingClass>(footprint.building_class)) {
     case BuildingClass::kGarage:
     case BuildingClass::kTower:
     case BuildingClass::kRoof:
     case BuildingClass::kOffice:
-      return Form::kFlat;
+      return RoofForm::kFlat;
     case BuildingClass::kHut:
-      return area < kMinGabledShed_m2 || is_attached ? Form::kFlat : Form::kGabled;
+      return area < kMinGabledShed_m2 || is_attached ? RoofForm::kFlat : RoofForm::kGabled;
     case BuildingClass::kHall:
-      return area < kMaxGabledHall_m2 ? Form::kGabled : Form::kFlat;
+      return area < kMaxGabledHall_m2 ? RoofForm::kGabled : RoofForm::kFlat;
     case BuildingClass::kBarn:
     case BuildingClass::kChurch:
     case BuildingClass::kGreenhouse:
-      return Form::kGabled;
+      return RoofForm::kGabled;
     case BuildingClass::kHouse:
       return house_roof(footprint, is_attached);
     default:
-      return is_small(footprint) ? house_roof(footprint, is_attached) : Form::kFlat;
+      return is_small(footprint) ? house_roof(footprint, is_attached) : RoofForm::kFlat;
   }
 }
 
@@ -66,9 +66,9 @@ double max_rise_m(const map::Footprint& footprint, bool is_height_tagged) {
   return is_height_tagged ? body_m : std::min(kMaxRoofShare * body_m, body_m - kMinWallUnderRoof_m);
 }
 
-bool has_overhang(const map::Footprint& footprint, Form form) {
-  return (form == Form::kGabled || form == Form::kHipped || form == Form::kHalfHipped) && !footprint.is_part &&
-         is_small(footprint);
+bool has_overhang(const map::Footprint& footprint, RoofForm form) {
+  return (form == RoofForm::kGabled || form == RoofForm::kHipped || form == RoofForm::kHalfHipped) &&
+         !footprint.is_part && is_small(footprint);
 }
 
 }  // namespace
@@ -78,14 +78,14 @@ roofs::RoofShape plan_roof(const map::Footprint& footprint, const RoofContext& c
   roofs::RoofShape roof = footprint.roof;
   const bool is_height_tagged = roof.height_m > 0;
   if (!footprint.has_roof_shape) {
-    roof.form = is_height_tagged ? Form::kGabled : untagged_form(footprint, context.is_attached);
-    if (!roof.direction && context.is_attached && roof.form == Form::kGabled) roof.direction = context.street;
+    roof.form = is_height_tagged ? RoofForm::kGabled : untagged_form(footprint, context.is_attached);
+    if (!roof.direction && context.is_attached && roof.form == RoofForm::kGabled) roof.direction = context.street;
     const bool is_hall = footprint.building_class == static_cast<std::uint8_t>(BuildingClass::kHall);
     if (is_hall && roof.angle_deg == 0) roof.angle_deg = kHallPitch_deg;
   }
   const double rise_m = roofs::expected_rise_m(footprint.polygon, roof);
   roof.height_m = snapped(std::min(rise_m, max_rise_m(footprint, is_height_tagged)));
-  if (roof.form == Form::kFlat || roof.height_m < kMinRise_m) return {};
+  if (roof.form == RoofForm::kFlat || roof.height_m < kMinRise_m) return {};
   roof.angle_deg = roof.levels = 0;
   if (roof.direction) roof.direction = snapped(*roof.direction);
   if (!context.is_attached && has_overhang(footprint, roof.form)) roof.overhang_m = kOverhang_m;

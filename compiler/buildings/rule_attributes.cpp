@@ -30,7 +30,7 @@ std::string name_of_class(std::uint8_t building_class) {
 
 }  // namespace
 
-std::map<std::string, grammars::Value> rule_attributes_of(const Building& building, roofs::Form roof) {
+std::map<std::string, grammars::Value> rule_attributes_of(const Building& building, roofs::RoofForm roof) {
   return {
       {"building", name_of_class(building.building_class)}, {"height", eaves_m(building) - building.floor_m},
       {"levels", static_cast<double>(building.levels)},     {"shop", building.has_shop && building.stands_on_ground},

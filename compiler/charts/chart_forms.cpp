@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "compiler/bake/bake.h"
-#include "compiler/bake_scene.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
 #include "compiler/contract/for_each_slot.h"
@@ -143,16 +142,9 @@ RenderedStreet with_heights(const RenderedStreet& place, int factor) {
 Result<RenderedStreet> read_street(const ChartRequest& request) {
   Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
-  std::vector<bake::BakedTile> tiles;
-  Report ignored;
-  const Result<Done> baked = bake_scene(
-      *scene, std::vector{kCoarse_m}, request.threads, ignored, [](std::string_view, double) {},
-      [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
-        tiles.push_back(tile);
-        return Done{};
-      });
-  if (!baked) return baked.error();
-  const Result<preview::Camera> camera = preview::named_view(tiles, "street");
+  Result<std::vector<bake::BakedTile>> tiles = bake_tiles(*scene, kCoarse_m, request.threads);
+  if (!tiles) return tiles.error();
+  const Result<preview::Camera> camera = preview::named_view(*tiles, "street");
   if (!camera) return camera.error();
   return RenderedStreet{std::move(*scene), *camera, request.threads};
 }

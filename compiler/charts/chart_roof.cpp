@@ -13,7 +13,7 @@
 namespace citykiln::charts {
 namespace {
 
-using roofs::Form;
+using roofs::RoofForm;
 
 constexpr double kRoofTolerance_m = 0.02;
 
@@ -23,7 +23,7 @@ constexpr std::size_t kCorners[] = {3, 6, 10, 16, 28, 64};
 constexpr std::size_t kMost = 300;
 
 /// One form for each use of the skeleton: hips only, gables at the ends, two slopes in each face.
-constexpr Form kForms[] = {Form::kHipped, Form::kGabled, Form::kMansard};
+constexpr RoofForm kForms[] = {RoofForm::kHipped, RoofForm::kGabled, RoofForm::kMansard};
 
 using Roofer = bool (*)(const Polygon& footprint, const roofs::RoofShape& shape);
 
@@ -76,7 +76,7 @@ struct Outcome {
   double failed_percent = 0, us = 0;
 };
 
-Outcome outcome_of(const RoofMethod& method, Form form, const std::vector<Polygon>& footprints) {
+Outcome outcome_of(const RoofMethod& method, RoofForm form, const std::vector<Polygon>& footprints) {
   roofs::RoofShape shape;
   shape.form = form;
   const Stopwatch watch;
@@ -92,7 +92,7 @@ double mean_corners(const std::vector<Polygon>& footprints) {
   return sum / static_cast<double>(footprints.size());
 }
 
-void measure_roofs(const RoofMethod& method, Form form, const Classes& classes, Series& failures, Series& time) {
+void measure_roofs(const RoofMethod& method, RoofForm form, const Classes& classes, Series& failures, Series& time) {
   failures.name = time.name = fmt::format("{}: {}", roofs::name_of(form), method.name);
   for (const std::vector<Polygon>& footprints : classes) {
     if (footprints.empty()) continue;
@@ -114,7 +114,7 @@ Result<std::vector<Chart>> chart_roof(const ChartRequest& request) {
   const Axis corners{"corners of the footprint, mean of the class", true};
   Chart failures{"roof_failures", fmt::format("Roofs that fail: {} footprints", count), corners, {"share (%)"}, {}};
   Chart time{"roof_time", "Time for a roof", corners, {"microseconds", true}, {}};
-  for (const Form form : kForms)
+  for (const RoofForm form : kForms)
     for (const RoofMethod& method : kRoofMethods)
       measure_roofs(method, form, classes, failures.series.emplace_back(), time.series.emplace_back());
   return std::vector{failures, time};

@@ -199,7 +199,7 @@ Result<Exit> run_bake(const BakeRequest& asked, const Console& console) {
   if (asked.manifest_path.empty())
     return Error{"", "no manifest is given; expected a file such as out/scene.kiln, or the folder of a run"};
   if (const Result<Done> fits = output_fits(asked); !fits) return fits.error();
-  const Result<std::string> manifest_path = manifest_of(asked.manifest_path);
+  const Result<std::string> manifest_path = settle_and_find_manifest(asked.manifest_path);
   if (!manifest_path) return manifest_path.error();
   BakeRequest request = asked;
   request.manifest_path = *manifest_path;
@@ -218,7 +218,7 @@ void add_settings(Verb& verb, BakeRequest& request) {
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);
     verb.options.push_back(
-        {flags, std::string(setting.value), std::string(setting.help), setting.repeats,
+        {flags, std::string(setting.value), help_of(setting), setting.repeats,
          [&request, &setting](const std::string& text) { return apply(setting, text, request.spec); }});
   }
 }

@@ -47,7 +47,7 @@ Result<Done> take(const CLI::App& command, const Verb& verb) {
   for (const Option& option : verb.options) {
     const std::string name = option.flags.substr(option.flags.rfind(',') + 1);
     for (const std::string& text : command.get_option(name)->results()) {
-      if (const Result<Done> taken = option.take(text); !taken) {
+      if (const Result<Done> taken = option.store(text); !taken) {
         return taken.error().where.empty() ? Error{name, taken.error().message} : taken.error();
       }
     }

@@ -32,7 +32,7 @@ Option option_of(const Setting& setting, CompileRequest& request) {
   if (setting.name == "out") flags = "-o,--out";
   return {flags,
           std::string(setting.value),
-          std::string(setting.help),
+          help_of(setting),
           setting.repeats,
           [&request, &setting, is_dem](const std::string& text) {
             return is_dem && is_map_file(text) ? give_map(request, text) : give(request, setting, text);

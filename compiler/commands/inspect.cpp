@@ -183,7 +183,7 @@ Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
     console.print_line(fmt::format("{}: layer findings", asked.geojson_path));
     return Exit::kDone;
   }
-  const Result<std::string> path = manifest_of(asked.path);
+  const Result<std::string> path = settle_and_find_manifest(asked.path);
   if (!path) return path.error();
   InspectRequest request = asked;
   request.path = *path;

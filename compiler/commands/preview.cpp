@@ -293,7 +293,7 @@ std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
   };
 }
 
-Take store_exposure(Exposure& exposure) {
+StoreValue store_exposure(Exposure& exposure) {
   return [&exposure](const std::string& text) -> Result<Done> {
     exposure = {.factor = 1, .is_auto = text.starts_with("auto"), .is_given = true};
     std::string_view number = std::string_view(text).substr(exposure.is_auto ? 4 : 0);
@@ -310,7 +310,7 @@ Take store_exposure(Exposure& exposure) {
   };
 }
 
-Take store_switch(bool& is_on) {
+StoreValue store_switch(bool& is_on) {
   return [&is_on](const std::string&) -> Result<Done> {
     is_on = true;
     return Done{};

@@ -108,13 +108,13 @@ OrderedJson print_measure(const verify::ReferenceErrors& f, const Console& conso
 }
 
 OrderedJson print_folder(const verify::CheckResults& results, const Console& console) {
-  if (!results.strange.empty())
-    console.print_line(fmt::format("info  {} files in the folder are not of the run: {}", results.strange.size(),
-                                   fmt::join(results.strange, ", ")));
+  if (!results.unlisted.empty())
+    console.print_line(fmt::format("info  {} files in the folder are not of the run: {}", results.unlisted.size(),
+                                   fmt::join(results.unlisted, ", ")));
   if (results.has_unfinished_run)
     console.print_line("info  a later run into the folder was interrupted; the same command goes on with it");
   return {{"measure", "files in the folder that are not of the run"},
-          {"names", results.strange},
+          {"names", results.unlisted},
           {"has_unfinished_run", results.has_unfinished_run}};
 }
 

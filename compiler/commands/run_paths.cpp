@@ -11,7 +11,7 @@ namespace citykiln::commands {
 
 namespace fs = std::filesystem;
 
-Result<std::string> manifest_of(const std::string& path) {
+Result<std::string> settle_and_find_manifest(const std::string& path) {
   const std::string folder = folder_of(path);
   std::error_code none;
   if (!fs::is_directory(folder, none)) return path;

@@ -14,7 +14,7 @@ std::string range_text(NumberRange range) {
 }
 
 template <typename Number>
-Take store_in(Number& number, NumberRange range) {
+StoreValue store_in(Number& number, NumberRange range) {
   return [&number, range](const std::string& text) -> Result<Done> {
     const Result<double> given = parse_number(text);
     const bool is_inside = given && (range.is_closed ? *given >= range.low && *given <= range.high
@@ -26,7 +26,7 @@ Take store_in(Number& number, NumberRange range) {
 }
 
 template <typename Number>
-Take store_tolerance_in(Number& tolerance_m) {
+StoreValue store_tolerance_in(Number& tolerance_m) {
   return [&tolerance_m](const std::string& text) -> Result<Done> {
     const Result<double> given = parse_tolerance(text);
     if (!given) return given.error();
@@ -37,25 +37,25 @@ Take store_tolerance_in(Number& tolerance_m) {
 
 }  // namespace
 
-Take store_text(std::string& text) {
+StoreValue store_text(std::string& text) {
   return [&text](const std::string& given) -> Result<Done> {
     text = given;
     return Done{};
   };
 }
 
-Take append_text(std::vector<std::string>& texts) {
+StoreValue append_text(std::vector<std::string>& texts) {
   return [&texts](const std::string& given) -> Result<Done> {
     texts.push_back(given);
     return Done{};
   };
 }
 
-Take store_number(double& number, NumberRange range) { return store_in(number, range); }
-Take store_number(std::optional<double>& number, NumberRange range) { return store_in(number, range); }
+StoreValue store_number(double& number, NumberRange range) { return store_in(number, range); }
+StoreValue store_number(std::optional<double>& number, NumberRange range) { return store_in(number, range); }
 
-Take store_tolerance(double& tolerance_m) { return store_tolerance_in(tolerance_m); }
-Take store_tolerance(std::optional<double>& tolerance_m) { return store_tolerance_in(tolerance_m); }
+StoreValue store_tolerance(double& tolerance_m) { return store_tolerance_in(tolerance_m); }
+StoreValue store_tolerance(std::optional<double>& tolerance_m) { return store_tolerance_in(tolerance_m); }
 
 Option threads_option(int& threads) {
   return {"--threads", "N", "number of threads; 0 uses all processors (default: 0)", false, store_whole(threads, 0)};

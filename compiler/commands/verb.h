@@ -17,7 +17,7 @@ namespace citykiln::commands {
 enum class Exit : int { kDone = 0, kFailed = 1, kStrictViolation = 2 };
 
 /// A function that parses and stores the value of an option.
-using Take = std::function<Result<Done>(const std::string& text)>;
+using StoreValue = std::function<Result<Done>(const std::string& text)>;
 
 /// One option of a verb.
 struct Option {
@@ -27,7 +27,7 @@ struct Option {
   std::string value;
   std::string help;
   bool repeats = false;
-  Take take;                   ///< Called for each value, in the order of the table.
+  StoreValue store;            ///< Called for each value, in the order of the table.
   bool takes_several = false;  ///< Several values may follow one flag.
 };
 
@@ -56,18 +56,18 @@ struct NumberRange {
 };
 
 /// Returns a function that stores the text in a variable. The variable must outlive the option, here and below.
-Take store_text(std::string& text);
+StoreValue store_text(std::string& text);
 /// Returns a function that appends the text to a list.
-Take append_text(std::vector<std::string>& texts);
+StoreValue append_text(std::vector<std::string>& texts);
 /// Returns a function that stores a number, if it is in the range.
-Take store_number(double& number, NumberRange range);
-Take store_number(std::optional<double>& number, NumberRange range);
+StoreValue store_number(double& number, NumberRange range);
+StoreValue store_number(std::optional<double>& number, NumberRange range);
 /// Returns a function that stores a tolerance: metres above 0, at most kCoarsest_m.
-Take store_tolerance(double& tolerance_m);
-Take store_tolerance(std::optional<double>& tolerance_m);
+StoreValue store_tolerance(double& tolerance_m);
+StoreValue store_tolerance(std::optional<double>& tolerance_m);
 /// Returns a function that stores an integer of at least `least`.
 template <typename Whole>
-Take store_whole(Whole& number, int least) {
+StoreValue store_whole(Whole& number, int least) {
   return [&number, least](const std::string& text) -> Result<Done> {
     const Result<std::int64_t> whole = parse_whole(text, least);
     if (!whole) return whole.error();

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "compiler/contract/tolerance.h"
+
 namespace citykiln {
 
 /// The rows of detail_tolerances.inc.

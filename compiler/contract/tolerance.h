@@ -1,13 +1,14 @@
 // Tolerances: the largest distance between a simplified shape and the full shape (Hausdorff distance), in metres.
 #pragma once
 
-#include <array>
-
 namespace citykiln {
 
-/// Tolerances in metres, finest first. The finest stands for the full shape. The levels of a compile are
-/// kDefaultLevels_m (spec.h).
-inline constexpr std::array kFinestTolerances_m = {0.02, 0.1, 0.5, 2.5, 12.5};
+/// The tolerance that stands for the full shape, in metres.
+inline constexpr double kFinestTolerance_m = 0.02;
+
+/// The tolerance of the coarsest default level (kDefaultLevels_m of spec.h), in metres. A single house is a few pixels
+/// where it is shown, so details that stand for many houses begin beyond it.
+inline constexpr double kCoarsestDefault_m = 12.5;
 
 /// The largest tolerance of a level, in metres. Beyond it nothing of a city is left but the ground.
 inline constexpr double kCoarsest_m = 100;

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "compiler/map/area_rules.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/plant_tags.h"
 #include "compiler/map/tag_values.h"
@@ -7,22 +8,11 @@
 namespace citykiln::map {
 namespace {
 
-struct AreaRow {
-  std::string_view key, value;
-  LandCoverClass surface;
-};
-
-constexpr AreaRow kAreas[] = {
-#define AREA(key, value, surface) {key, value, LandCoverClass::surface},
-#include "compiler/map/area_rules.inc"
-#undef AREA
-};
-
 constexpr std::array<std::string_view, 9> kLandKeys = {"landuse",  "natural", "leisure", "waterway", "amenity",
                                                        "man_made", "aeroway", "golf",    "place"};
 
-const AreaRow* row_of(const ReadContext& context, source::Range tags) {
-  for (const AreaRow& row : kAreas) {
+const AreaRule* row_of(const ReadContext& context, source::Range tags) {
+  for (const AreaRule& row : area_rules()) {
     const std::string_view value = context.tag(tags, row.key);
     if (row.value == "*" ? says_yes(value) : value == row.value) return &row;
   }
@@ -85,7 +75,7 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
   std::vector<AreaFeature> areas;
   Account account;
   for (const source::Area& area : context.osm.areas) {
-    const AreaRow* row = row_of(context, area.tags);
+    const AreaRule* row = row_of(context, area.tags);
     if ((row == nullptr && !carries_land_key(context, area.tags)) || is_line(context, area.tags, area.from.type))
       continue;
     account.in += context.report.counts(area.from);

@@ -127,9 +127,9 @@ OrderedJson tiles_of(std::span<const WrittenTile> written, const scene::Header& 
 
 RunRecord record_of(const OrderedJson& report) {
   RunRecord record;
-  for (const OrderedJson& tile : report.at("tiles")) record.tiles.push_back(written_tile(tile));
+  for (const OrderedJson& tile : report.at("tiles")) record.tiles.push_back(parse_written_tile(tile));
   if (report.contains("usd"))
-    for (const OrderedJson& tile : report.at("usd")) record.usd.push_back(written_tile(tile));
+    for (const OrderedJson& tile : report.at("usd")) record.usd.push_back(parse_written_tile(tile));
   if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
   if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key

@@ -60,7 +60,7 @@ std::string text_of(const TileNote& note) {
 std::optional<TileNote> tile_note(const std::string& text) {
   try {
     const OrderedJson json = OrderedJson::parse(text);
-    return TileNote{written_tile(json.at("tile")), report_of(json)};
+    return TileNote{parse_written_tile(json.at("tile")), report_of(json)};
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }

@@ -10,7 +10,7 @@ nlohmann::ordered_json json_of(const WrittenTile& tile) {
           {"error_m", tile.error_m}, {"triangles", tile.triangles}, {"instances", tile.instances}};
 }
 
-WrittenTile written_tile(const nlohmann::ordered_json& json) {
+WrittenTile parse_written_tile(const nlohmann::ordered_json& json) {
   return {.file = {json.at("file"), json.at("bytes")},
           .tile = {json.at("x"), json.at("y")},
           .level = json.at("level"),

@@ -12,6 +12,6 @@ namespace citykiln::outputs {
 nlohmann::ordered_json json_of(const WrittenTile& tile);
 /// Returns the record in a JSON object that json_of() wrote. Throws an exception of the JSON library if a member is
 /// missing or has another type.
-WrittenTile written_tile(const nlohmann::ordered_json& json);
+WrittenTile parse_written_tile(const nlohmann::ordered_json& json);
 
 }  // namespace citykiln::outputs

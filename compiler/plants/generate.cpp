@@ -1,12 +1,16 @@
 #include "compiler/plants/generate.h"
 
+#include <cassert>
+
+#include "compiler/plants/placing/placing_steps.h"
+
 namespace citykiln::plants {
 
 PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report) {
   assert(!context.box.is_empty());
   PlacedPlants placed;
-  const std::vector<Obstacle> single = place_trees(placed, recipes.trees, context, report);
-  const std::vector<Obstacle> trees = place_rows(placed, recipes.rows, single, context);
+  const std::vector<TreeClearance> single = place_trees(placed, recipes.trees, context, report);
+  const std::vector<TreeClearance> trees = place_rows(placed, recipes.rows, single, context);
   place_woods(placed, recipes.woods, trees, recipes.corridors, context);
   place_plantings(placed, recipes.plantings, trees, context);
   return placed;

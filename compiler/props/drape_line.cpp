@@ -25,14 +25,14 @@ void add_crossings(double from, double to, const GridLines& lines, std::vector<d
 }
 
 // Adds where the segment crosses columns, rows and diagonals of the terrain's grid.
-void add_grid_crossings(Vec2 a, Vec2 b, const map::Heightfield& field, std::vector<double>& shares) {
-  add_crossings(a.x, b.x, {field.min.x, field.step_m.x, field.columns}, shares);
-  add_crossings(a.y, b.y, {field.min.y, field.step_m.y, field.rows}, shares);
+void add_grid_crossings(Vec2 a, Vec2 b, const map::Heightfield& terrain, std::vector<double>& shares) {
+  add_crossings(a.x, b.x, {terrain.min.x, terrain.step_m.x, terrain.columns}, shares);
+  add_crossings(a.y, b.y, {terrain.min.y, terrain.step_m.y, terrain.rows}, shares);
   // the cross product with the diagonal from south-west to north-east is constant on each diagonal, and least in the
   // north-west
-  const auto diagonal = [&](Vec2 p) { return cross(p, field.step_m); };
-  const GridLines diagonals{diagonal(field.vertex(0, field.rows - 1)), field.step_m.x * field.step_m.y,
-                            field.columns + field.rows - 1};
+  const auto diagonal = [&](Vec2 p) { return cross(p, terrain.step_m); };
+  const GridLines diagonals{diagonal(terrain.vertex(0, terrain.rows - 1)), terrain.step_m.x * terrain.step_m.y,
+                            terrain.columns + terrain.rows - 1};
   add_crossings(diagonal(a), diagonal(b), diagonals, shares);
 }
 

@@ -2,27 +2,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "compiler/ground/water/standing_water.h"
-#include "compiler/map/land_cover_class.h"
+#include "compiler/map/area_rules.h"
 
 namespace citykiln::regions {
 namespace {
 
 using map::LandCoverClass;
-
-struct AreaRow {
-  std::string_view key, value;
-  LandCoverClass surface;
-};
-
-constexpr AreaRow kAreas[] = {
-#define AREA(key, value, surface) {key, value, LandCoverClass::surface},
-#include "compiler/map/area_rules.inc"
-#undef AREA
-};
 
 struct PlantRow {
   LandCoverClass surface;
@@ -42,7 +32,7 @@ constexpr PlantRow kPlants[] = {
 
 bool has(const osmium::TagList& tags, std::string_view key) { return tags.has_key(std::string(key).c_str()); }
 
-bool matches(const AreaRow& row, const osmium::TagList& tags) {
+bool matches(const map::AreaRule& row, const osmium::TagList& tags) {
   const char* value = tags.get_value_by_key(std::string(row.key).c_str());
   return value != nullptr && (row.value == "*" || row.value == value);
 }
@@ -53,22 +43,27 @@ bool is_water(LandCoverClass surface) {
 
 }  // namespace
 
+bool describes_building(const osmium::TagList& tags) { return has(tags, "building") || has(tags, "building:part"); }
+
 bool describes_area(const osmium::TagList& tags) {
-  if (has(tags, "building") || has(tags, "building:part")) return true;
-  return std::ranges::any_of(
-      kAreas, [&](const AreaRow& row) { return row.surface != LandCoverClass::kUnknown && matches(row, tags); });
+  if (describes_building(tags)) return true;
+  return std::ranges::any_of(map::area_rules(), [&](const map::AreaRule& row) {
+    return row.surface != LandCoverClass::kUnknown && matches(row, tags);
+  });
 }
 
 bool describes_water(const osmium::TagList& tags) {
   if (has(tags, "waterway") || is_coastline(tags)) return true;
-  return std::ranges::any_of(kAreas, [&](const AreaRow& row) { return is_water(row.surface) && matches(row, tags); });
+  return std::ranges::any_of(map::area_rules(),
+                             [&](const map::AreaRule& row) { return is_water(row.surface) && matches(row, tags); });
 }
 
 bool is_coastline(const osmium::TagList& tags) { return tags.has_tag("natural", "coastline"); }
 
 PlantDensity plant_density(const osmium::TagList& tags) {
-  const auto row = std::ranges::find_if(kAreas, [&](const AreaRow& each) { return matches(each, tags); });
-  if (row == std::end(kAreas)) return {};
+  const std::span<const map::AreaRule> rules = map::area_rules();
+  const auto row = std::ranges::find_if(rules, [&](const map::AreaRule& each) { return matches(each, tags); });
+  if (row == rules.end()) return {};
   const auto plants = std::ranges::find(kPlants, row->surface, &PlantRow::surface);
   return plants == std::end(kPlants) ? PlantDensity{} : plants->density;
 }

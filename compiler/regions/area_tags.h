@@ -5,6 +5,9 @@
 
 namespace citykiln::regions {
 
+/// True if an element may be a building or a part of one.
+bool describes_building(const osmium::TagList& tags);
+
 /// True if an element can become a land cover area or a building by map/area_rules.inc, so that its outline may
 /// surround a region without a vertex near it. True for more elements than become areas, never for fewer.
 bool describes_area(const osmium::TagList& tags);

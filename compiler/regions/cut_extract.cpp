@@ -73,7 +73,7 @@ struct MemberWay {
 
 class Cutter {
  public:
-  Cutter(const Cut& cut, const map::Plane& plane, const RegionGrid& grid)
+  Cutter(const CutRequest& cut, const map::Plane& plane, const RegionGrid& grid)
       : cut_(cut),
         plane_(plane),
         grid_(grid),
@@ -110,7 +110,7 @@ class Cutter {
   /// Writes the elements of spools to a file. @param own  The region without its halo, in the plane.
   Result<RegionFile> write(const std::string& name, std::vector<std::size_t> spools, const Box2& own);
 
-  const Cut& cut_;
+  const CutRequest& cut_;
   const map::Plane& plane_;
   const RegionGrid& grid_;
   std::vector<RegionKey> keys_;
@@ -374,7 +374,7 @@ Result<CutFiles> Cutter::run() {
 
 }  // namespace
 
-Result<CutFiles> cut_extract(const Cut& cut, const map::Plane& plane, const RegionGrid& grid) {
+Result<CutFiles> cut_extract(const CutRequest& cut, const map::Plane& plane, const RegionGrid& grid) {
   if (const Result<source::OsmFormat> format = source::osm_format_of(cut.map_path); !format) return format.error();
   try {
     return Cutter(cut, plane, grid).run();

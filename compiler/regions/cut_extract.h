@@ -21,7 +21,7 @@
 namespace citykiln::regions {
 
 /// The arguments of cut_extract().
-struct Cut {
+struct CutRequest {
   std::string map_path;
   std::string folder;        ///< Must exist. X_Y.osm.pbf is written for each region, and survey.osm.pbf.
   source::LonLatBox extent;  ///< The box in the header of each file.
@@ -55,7 +55,7 @@ Vec2 place_near(const map::Plane& plane, const source::LonLatBox& extent, double
 /// it last changed. Memory: 64 kB per region, 50 bytes per way that is a member of an area, and the pages of the index
 /// of places (16 bytes per node, in FOLDER/.cut) that the system caches. Linear in the bytes of the extract.
 /// Errors: a file that cannot be read, or whose ways come before its nodes; a folder that cannot be written.
-Result<CutFiles> cut_extract(const Cut& cut, const map::Plane& plane, const RegionGrid& grid);
+Result<CutFiles> cut_extract(const CutRequest& cut, const map::Plane& plane, const RegionGrid& grid);
 
 /// Ways farther than this outside the extent are in no file, in metres. Coasts are closed 256 m outside the extent.
 inline constexpr double kCoastMargin_m = 1024;

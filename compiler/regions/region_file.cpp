@@ -99,8 +99,7 @@ void count_plants(const osmium::OSMObject& object, Objects sorted, const Box2& o
 
 void count_way(const osmium::Way& way, const Box2& own_deg, RegionFile& file) {
   ++file.ways;
-  const bool is_building = way.tags().has_key("building") || way.tags().has_key("building:part"),
-             is_road = way.tags().has_key("highway");
+  const bool is_building = describes_building(way.tags()), is_road = way.tags().has_key("highway");
   for (const osmium::NodeRef& node : way.nodes()) {
     ++file.way_nodes;
     if (!node.location().valid() || !own_deg.contains(place_of(node.location()))) continue;

@@ -21,7 +21,7 @@ struct Strip {
   double left_m = 0, right_m = 0;  ///< From the axis to the edges, seen along it; multiples of 2^-10, their sum > 0.
   Profile profile{};               ///< Heights along the axis, by distance from the start of the whole way.
   double start_along_m = 0;        ///< Distance of the axis' first point along the whole way; a multiple of 2^-10.
-  double reach_m = 0;              ///< Rivers with an area: the greatest distance from the axis at which the profile
+  double influence_radius_m = 0;   ///< Rivers with an area: the greatest distance from the axis at which the profile
                                    ///< gives heights; a multiple of 16. 0 for all others.
   bool operator==(const Strip&) const = default;
 };

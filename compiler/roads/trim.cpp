@@ -103,7 +103,8 @@ std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m) {
 std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box, double halo_m) {
   assert(strip.axis.size() >= 2 && halo_m >= 0);
   std::vector<Strip> parts;
-  for (const Run run : runs_near(strip.axis, box.widened(strip.left_m + strip.right_m + strip.reach_m + halo_m)))
+  for (const Run run :
+       runs_near(strip.axis, box.widened(strip.left_m + strip.right_m + strip.influence_radius_m + halo_m)))
     parts.push_back(part_of(strip, distances_along(strip.axis, strip.start_along_m), run));
   return parts;
 }

@@ -77,7 +77,7 @@ Box2 box_of_road(const roads::Road& road) {
 }
 
 Box2 box_of_strip(const roads::Strip& strip) {
-  return citykiln::box_of(strip.axis).widened(ground::reach_m(strip) + ground::kGrading_m);
+  return citykiln::box_of(strip.axis).widened(ground::influence_radius_m(strip) + ground::kGrading_m);
 }
 
 // by_touch() widens by kHalo_m, which is more than plants need.

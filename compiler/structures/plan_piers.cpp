@@ -68,7 +68,7 @@ struct Placing {
   DeckDimensions shape;
   Box2 box;
   std::vector<ground::LandCoverPolygon> near;
-  ground::LandCoverIndex map;
+  ground::LandCoverIndex obstacles_index;
 
   // Five points along a foot, from end to end.
   std::vector<Vec2> foot_at(const Rib& rib) const {
@@ -99,7 +99,7 @@ struct Placing {
     const double clear_m = keep_clear_m();
     return std::ranges::all_of(foot_at(rib), [&](Vec2 p) {
       if (!box.contains(p) || pierces_deck(p, rib.z_m)) return false;
-      return near.empty() || clearance_m(map, p, priority, clear_m) >= clear_m;
+      return near.empty() || clearance_m(obstacles_index, p, priority, clear_m) >= clear_m;
     });
   }
   std::optional<double> nearest_free(double wanted_m, int priority) const {
@@ -129,7 +129,7 @@ Placing placing_of(const Site& site, std::uint32_t number, const Span& bridge) {
     ground::LandCoverPolygon trimmed = ground::trimmed_to(*site.obstacles[i], placing.box.widened(1));
     if (!trimmed.rings.empty()) placing.near.push_back(std::move(trimmed));
   }
-  if (!placing.near.empty()) placing.map = ground::index_land_cover(placing.near, placing.box);
+  if (!placing.near.empty()) placing.obstacles_index = ground::index_land_cover(placing.near, placing.box);
   return placing;
 }
 

@@ -30,7 +30,7 @@ struct CrossLine {
 
 struct GroundSampler {
   const roads::Road& steps;
-  const ground::LandCoverIndex& map;
+  const ground::LandCoverIndex& land_cover;
   const ground::GradedTerrain& ground;
   const Box2& box;
   double left_m, right_m;
@@ -38,8 +38,9 @@ struct GroundSampler {
   // The land cover polygon at a point if it is that of the steps, else null.
   const ground::LandCoverPolygon* land_cover_at(Vec2 p) const {
     if (!box.contains(p)) return nullptr;
-    const std::uint32_t s = ground::land_cover_at(map, p);
-    return s != ground::kNoLandCover && map.surfaces[s].surface == steps.surface ? &map.surfaces[s] : nullptr;
+    const std::uint32_t s = ground::land_cover_at(land_cover, p);
+    return s != ground::kNoLandCover && land_cover.surfaces[s].surface == steps.surface ? &land_cover.surfaces[s]
+                                                                                        : nullptr;
   }
 
   CrossLine crossing(Vec2 p, Vec2 left, const ground::LandCoverPolygon& surface) const {
@@ -172,10 +173,10 @@ void add_flights(std::vector<CrossLine>& run, Stairs& stairs) {
 
 }  // namespace
 
-Stairs stairs_on(const roads::Road& steps, const ground::LandCoverIndex& map, const ground::GradedTerrain& ground,
-                 const Box2& box) {
+Stairs stairs_on(const roads::Road& steps, const ground::LandCoverIndex& land_cover,
+                 const ground::GradedTerrain& ground, const Box2& box) {
   Stairs stairs{steps.id.osm, {}, 0};
-  const GroundSampler sampler{steps, map, ground, box, roads::left_m(steps), roads::right_m(steps)};
+  const GroundSampler sampler{steps, land_cover, ground, box, roads::left_m(steps), roads::right_m(steps)};
   for (std::vector<CrossLine>& run : runs_of(sampler)) add_flights(run, stairs);
   return stairs;
 }

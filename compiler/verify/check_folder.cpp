@@ -86,11 +86,11 @@ Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& resul
   for (const std::string& name : state.changed) results.files.test(false, name + " has another size or hash");
   check_report(run.record, files, results);
   results.stale.test(true, "");
-  for (const std::string& name : state.strange) {
+  for (const std::string& name : state.unlisted) {
     if (is_name_of_run(name))
       results.stale.test(false, fmt::format("{} is not in {}", name, kFileListName));
     else
-      results.strange.push_back(name);
+      results.unlisted.push_back(name);
   }
   results.has_unfinished_run = exporters::has_unfinished_run(run.folder);
   return Done{};

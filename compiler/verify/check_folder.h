@@ -8,7 +8,7 @@
 namespace citykiln::verify {
 
 /// Tests that every file that files.json lists has its size and hash, that report.json names listed files, and that no
-/// other file in the folder has a name that a run gives. Adds the other files to results.strange. Cost: reads every
+/// other file in the folder has a name that a run gives. Adds the other files to results.unlisted. Cost: reads every
 /// file. Error: a files.json that is not a list of files.
 Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& results);
 

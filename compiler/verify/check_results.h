@@ -76,8 +76,8 @@ struct CheckResults {
       0,
       {}};
   // reported without a limit
-  std::vector<std::string> strange;  ///< Other files in the folder that the run did not write; folders end in "/".
-  bool has_unfinished_run = false;   ///< A later run into the folder was interrupted.
+  std::vector<std::string> unlisted;  ///< Other files in the folder that the run did not write; folders end in "/".
+  bool has_unfinished_run = false;    ///< A later run into the folder was interrupted.
   Grades grades;
   ReferenceErrors reference_errors;
   Clearances clearances;

@@ -41,7 +41,8 @@ std::optional<double> height_m_at(const GroundFace& face, Vec2 p) {
 }  // namespace
 
 GroundIndex index_ground(const bake::BakedTile& tile) {
-  GroundIndex index{ground_faces(tile), {}};
+  GroundIndex index;
+  for_each_ground_face(tile, [&](const GroundFace& face) { index.faces.push_back(face); });
   std::erase_if(index.faces, [](const GroundFace& face) { return plan_area_m2(face) <= 0; });
   std::vector<Box2> boxes;
   for (const GroundFace& face : index.faces)

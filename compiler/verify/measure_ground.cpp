@@ -1,39 +1,16 @@
 #include "compiler/verify/measure_ground.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <vector>
 
 #include "compiler/contract/random_sequence.h"
-#include "compiler/contract/tolerance.h"
 
 namespace citykiln::verify {
 namespace {
-
-using Corners = std::array<Vec3, 3>;
-
-bool is_of_ground(bake::Layer layer) {
-  return layer == bake::Layer::kGround || layer == bake::Layer::kRoads || layer == bake::Layer::kWater;
-}
-
-/// Calls visit(corners, feature) for every ground triangle, in plane metres.
-template <typename Visit>
-void for_each_ground_triangle(const bake::BakedTile& tile, Visit visit) {
-  for (const bake::Primitive& primitive : tile.primitives) {
-    if (!is_of_ground(primitive.layer)) continue;
-    for (const auto& triangle : primitive.triangles) {
-      const OsmId feature = tile.features[primitive.features[triangle[0]]];
-      Corners corners;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const bake::Float3& p = primitive.positions[triangle[i]];
-        corners[i] = Vec3{p[0], p[1], p[2]} + tile.origin;
-      }
-      visit(corners, feature);
-    }
-  }
-}
 
 /// A random place in each square of a lattice, with the lowest ground there.
 struct Lattice {
@@ -63,7 +40,8 @@ Lattice lattice_of(const Box2& box, int a_side) {
 }
 
 /// Lowers the lattice heights at all places inside the triangle.
-void lower(Lattice& lattice, const Corners& t, OsmId feature) {
+void lower(Lattice& lattice, const GroundFace& face) {
+  const std::array<Vec3, 3>& t = face.corners;
   const double area = twice_area(in_plan(t[0]), in_plan(t[1]), in_plan(t[2]));
   if (area <= 0) return;
   Box2 box;
@@ -83,48 +61,10 @@ void lower(Lattice& lattice, const Corners& t, OsmId feature) {
       if (a < slack || b < slack || c < slack) continue;
       const std::size_t n = lattice.number(i, j);
       const double z_m = (a * t[0].z + b * t[1].z + c * t[2].z) / area;
-      if (z_m < lattice.lowest_m[n]) lattice.lowest_m[n] = z_m, lattice.features[n] = feature;
+      if (z_m < lattice.lowest_m[n]) lattice.lowest_m[n] = z_m, lattice.features[n] = face.feature;
     }
   }
 }
-
-/// Edges with both ends at the coordinate.
-template <typename Coordinate>
-BorderEdges border_edges(const bake::BakedTile& tile, double at, Coordinate coordinate) {
-  BorderEdges edges;
-  for_each_ground_triangle(tile, [&](const Corners& t, OsmId) {
-    const bool is_upright = twice_area(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0;
-    std::vector<BorderEdge>& kind = is_upright ? edges.vertical : edges.ground;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 a = t[i], b = t[(i + 1) % 3];
-      if (coordinate(a) != at || coordinate(b) != at || in_plan(a) == in_plan(b)) continue;
-      kind.push_back(a < b ? BorderEdge{a, b} : BorderEdge{b, a});
-    }
-  });
-  std::ranges::sort(edges.ground);
-  std::ranges::sort(edges.vertical);
-  return edges;
-}
-
-std::vector<BorderEdge> only_in(const std::vector<BorderEdge>& own, const std::vector<BorderEdge>& other) {
-  std::vector<BorderEdge> only;
-  std::ranges::set_difference(own, other, std::back_inserter(only));
-  return only;
-}
-
-bool are_above_each_other(const BorderEdge& one, const BorderEdge& other) {
-  return in_plan(one[0]) == in_plan(other[0]) && in_plan(one[1]) == in_plan(other[1]);
-}
-
-}  // namespace
-
-std::vector<GroundFace> ground_faces(const bake::BakedTile& tile) {
-  std::vector<GroundFace> faces;
-  for_each_ground_triangle(tile, [&](const Corners& corners, OsmId feature) { faces.push_back({corners, feature}); });
-  return faces;
-}
-
-namespace {
 
 void keep_largest_error(GroundSamples& samples, double error_m, Vec2 at) {
   if (error_m > samples.error_m) samples.error_m = error_m, samples.at = at;
@@ -141,7 +81,7 @@ int samples_a_side(std::size_t faces) {
 GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& deviation_m, const Box2& box, int a_side) {
   assert(a_side > 0 && !box.is_empty());
   Lattice lattice = lattice_of(box, a_side);
-  for_each_ground_triangle(tile, [&](const Corners& corners, OsmId feature) { lower(lattice, corners, feature); });
+  for_each_ground_face(tile, [&](const GroundFace& face) { lower(lattice, face); });
 
   GroundSamples samples;
   samples.count = lattice.lowest_m.size();
@@ -154,23 +94,6 @@ GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& devi
     }
   }
   return samples;
-}
-
-BorderEdges border_edges_along_x(const bake::BakedTile& tile, double at) {
-  return border_edges(tile, at, [](Vec3 p) { return p.x; });
-}
-
-BorderEdges border_edges_along_y(const bake::BakedTile& tile, double at) {
-  return border_edges(tile, at, [](Vec3 p) { return p.y; });
-}
-
-bool borders_match(const BorderEdges& own, const BorderEdges& other) {
-  // both lists are sorted, and a tile has each edge once
-  const std::vector<BorderEdge> here = only_in(own.ground, other.ground), there = only_in(other.ground, own.ground);
-  return std::ranges::equal(here, there, [&](const BorderEdge& a, const BorderEdge& b) {
-    return are_above_each_other(a, b) &&
-           (std::ranges::binary_search(own.vertical, b) || std::ranges::binary_search(other.vertical, a));
-  });
 }
 
 }  // namespace citykiln::verify

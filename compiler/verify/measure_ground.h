@@ -1,11 +1,10 @@
-// Measures a baked tile's ground by its triangles, independently of the code that made them.
+// Samples a baked tile's ground, the triangles of its ground layers, independently of the code that made it.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
-#include <vector>
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/geometry/box.h"
@@ -19,8 +18,21 @@ struct GroundFace {
   OsmId feature;
 };
 
-/// Returns all triangles of the layers ground, roads and water, including vertical ones.
-std::vector<GroundFace> ground_faces(const bake::BakedTile& tile);
+/// Calls visit(face) for each triangle of the layers ground, roads and water, including vertical ones.
+template <typename Visit>
+void for_each_ground_face(const bake::BakedTile& tile, Visit visit) {
+  for (const bake::Primitive& primitive : tile.primitives) {
+    if (!bake::is_terrain(primitive)) continue;
+    for (const auto& triangle : primitive.triangles) {
+      GroundFace face{{}, tile.features[primitive.features[triangle[0]]]};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const bake::Float3& p = primitive.positions[triangle[i]];
+        face.corners[i] = Vec3{p[0], p[1], p[2]} + tile.origin;
+      }
+      visit(face);
+    }
+  }
+}
 
 /// The limits of the number of squares along each side of a tile's sampling grid: 4,096 to 1,048,576 samples.
 inline constexpr int kFewestSamplesASide = 64, kMostSamplesASide = 1024;
@@ -47,22 +59,5 @@ using DeviationAt = std::function<double(Vec2 p, double z_m, OsmId feature)>;
 /// @param a_side  Squares along each side of the box, > 0.
 /// O(triangles + samples).
 GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& deviation_m, const Box2& box, int a_side);
-
-/// An edge of a ground triangle on the border of a tile, in plane metres, lower end first.
-using BorderEdge = std::array<Vec3, 2>;
-
-/// The border edges on one side of a tile, sorted.
-struct BorderEdges {
-  std::vector<BorderEdge> ground;    ///< Edges of triangles that are visible from above.
-  std::vector<BorderEdge> vertical;  ///< Edges of vertical triangles in the border plane: walls and skirts.
-};
-
-/// Returns the edges of ground triangles on the line x = at (or y = at), without vertical edges.
-BorderEdges border_edges_along_x(const bake::BakedTile& tile, double at);
-BorderEdges border_edges_along_y(const bake::BakedTile& tile, double at);
-
-/// True if the ground of two neighbouring tiles meets without gaps: both have the same edges on their common side or,
-/// where a border between surfaces runs along that side, a vertical face of one tile closes the difference.
-bool borders_match(const BorderEdges& own, const BorderEdges& other);
 
 }  // namespace citykiln::verify

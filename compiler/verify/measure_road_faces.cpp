@@ -20,7 +20,7 @@ constexpr double kMixed_m = 2 * ground::kBlend_m;
 /// A straight piece of a road's axis, and the distance up to which the road influences heights.
 struct Piece {
   Vec2 a, b;
-  double from_m = 0, to_m = 0, reach_m = 0;
+  double from_m = 0, to_m = 0, radius_m = 0;
   std::uint32_t road = 0;
 };
 
@@ -28,9 +28,9 @@ std::vector<Piece> pieces_of(const std::vector<roads::Road>& roads) {
   std::vector<Piece> pieces;
   for (std::uint32_t r = 0; r < roads.size(); ++r) {
     const std::vector<double> along = roads::distances_along(roads[r]);
-    const double reach_m = roads::max_offset_m(roads[r]) + kMixed_m;
+    const double radius_m = roads::max_offset_m(roads[r]) + kMixed_m;
     for (std::size_t i = 0; i + 1 < along.size(); ++i)
-      pieces.push_back({roads[r].axis[i], roads[r].axis[i + 1], along[i], along[i + 1], reach_m, r});
+      pieces.push_back({roads[r].axis[i], roads[r].axis[i + 1], along[i], along[i + 1], radius_m, r});
   }
   return pieces;
 }
@@ -38,7 +38,7 @@ std::vector<Piece> pieces_of(const std::vector<roads::Road>& roads) {
 /// True where another road, or another bend of the same road, influences the height.
 bool is_mixed(const std::vector<Piece>& pieces, const BoxGrid& grid, std::uint32_t own, Vec2 p) {
   return std::ranges::any_of(boxes_about(grid, p), [&](std::uint32_t i) {
-    return i != own && distance_to_segment(pieces[i].a, pieces[i].b, p) < pieces[i].reach_m;
+    return i != own && distance_to_segment(pieces[i].a, pieces[i].b, p) < pieces[i].radius_m;
   });
 }
 
@@ -74,7 +74,7 @@ RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool ha
   assert(!box.is_empty());
   const std::vector<Piece> pieces = pieces_of(chunk.roads);
   std::vector<Box2> boxes;
-  for (const Piece& piece : pieces) boxes.push_back(box_of(std::array{piece.a, piece.b}).widened(piece.reach_m));
+  for (const Piece& piece : pieces) boxes.push_back(box_of(std::array{piece.a, piece.b}).widened(piece.radius_m));
   const BoxGrid grid = grid_of(boxes, kFaceBucket_m);
   RoadFaces result;
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {

@@ -21,10 +21,10 @@ bool is_tree(std::string_view name) {
   return false;
 }
 
-bool is_no_place(const ground::LandCoverIndex& map, Vec2 p) {
-  const std::uint32_t top = ground::land_cover_at(map, p);
+bool is_no_place(const ground::LandCoverIndex& land_cover, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(land_cover, p);
   if (top == ground::kNoLandCover) return false;
-  const map::LandCoverClass surface = map.surfaces[top].surface;
+  const map::LandCoverClass surface = land_cover.surfaces[top].surface;
   if (surface == map::LandCoverClass::kPedestrianStreet) return false;
   switch (map::values_of(surface).group) {
     case map::LandCoverGroup::kRoad:
@@ -39,7 +39,7 @@ bool is_no_place(const ground::LandCoverIndex& map, Vec2 p) {
 
 }  // namespace
 
-Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& map) {
+Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& land_cover) {
   Trunks trunks;
   for (const bake::InstancedMesh& instanced : tile.instanced) {
     if (!is_tree(instanced.name)) continue;
@@ -47,7 +47,7 @@ Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex&
       const bake::Float3& offset = instanced.translations[i];
       const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
       ++trunks.trees;
-      if (!is_no_place(map, at)) continue;
+      if (!is_no_place(land_cover, at)) continue;
       if (trunks.misplaced++ == 0) trunks.at = at, trunks.first = tile.features[instanced.features[i]];
     }
   }

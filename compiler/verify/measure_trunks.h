@@ -18,7 +18,7 @@ struct Trunks {
 
 /// Tests every instanced plant of a tile that has a trunk, which excludes hedges, grass and reed. Plants are recognised
 /// by the name of their mesh, such as "oak_3". Pedestrian streets may have trees. O(instances).
-/// @param map  Land cover of the tile.
-Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& map);
+/// @param land_cover  Land cover of the tile.
+Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& land_cover);
 
 }  // namespace citykiln::verify

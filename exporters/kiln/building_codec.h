@@ -21,8 +21,8 @@ void colour(auto& io, std::optional<map::Srgb>& value) {
 
 /// The shape of a roof; flat roofs have only their form.
 void serialise(auto& io, roofs::RoofShape& roof) {
-  enumerator(io, "roof form", roof.form, roofs::Form::kCount);
-  if (roof.form == roofs::Form::kFlat) return;
+  enumerator(io, "roof form", roof.form, roofs::RoofForm::kCount);
+  if (roof.form == roofs::RoofForm::kFlat) return;
   io.metres("roof rise", roof.height_m);
   bool has_direction = roof.direction.has_value();
   flags(io, "roof traits", has_direction, roof.is_ridge_across);

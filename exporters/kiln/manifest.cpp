@@ -497,10 +497,6 @@ std::uint64_t hash_of(const scene::Chunk& chunk) {
   return content_hash(std::as_bytes(std::span(raw)));
 }
 
-Result<Done> write_manifest(const scene::Scene& scene, const std::string& path, int threads) {
-  return write_file(path, encode_manifest(scene, threads));
-}
-
 Result<scene::Scene> read_manifest(const std::string& path, std::span<const scene::TileKey> only) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();

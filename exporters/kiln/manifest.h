@@ -28,8 +28,6 @@ Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std
 std::uint64_t hash_of(const scene::Header& header);
 std::uint64_t hash_of(const scene::Chunk& chunk);
 
-/// Writes a scene to a file. Errors: a file that cannot be written.
-Result<Done> write_manifest(const scene::Scene& scene, const std::string& path, int threads);
 /// Reads a scene from a file, with the errors of decode_manifest().
 /// @param only   If not empty, only the chunks of these tiles are read; a missing tile is an error.
 Result<scene::Scene> read_manifest(const std::string& path, std::span<const scene::TileKey> only);

@@ -160,7 +160,7 @@ void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
   narrowings(io, roads);
 }
 
-// The unit of Strip::reach_m.
+// The unit of Strip::influence_radius_m.
 inline constexpr double kReachStep_m = 16;
 
 /// A strip: a watercourse, as an axis with a width on each side.
@@ -171,11 +171,11 @@ void serialise(auto& io, roads::Strip& s) {
   io.metres("water sides", s.left_m), io.metres("water sides", s.right_m);
   start_offset(io, s.start_along_m);
   profile(io, s.profile);
-  auto reach = static_cast<std::uint64_t>(s.reach_m / kReachStep_m);
+  auto reach = static_cast<std::uint64_t>(s.influence_radius_m / kReachStep_m);
   io.number("water influence", reach);
-  s.reach_m = static_cast<double>(reach) * kReachStep_m;
+  s.influence_radius_m = static_cast<double>(reach) * kReachStep_m;
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
-    if (s.reach_m > kMaxCoordinate_m) io.fail("water influence"), s.reach_m = 0;
+    if (s.influence_radius_m > kMaxCoordinate_m) io.fail("water influence"), s.influence_radius_m = 0;
 }
 
 /// A junction.

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "grammars/derivation/occlusion.h"
+#include "grammars/derivation/context_query.h"
 #include "grammars/derivation/roof_builder.h"
 #include "grammars/language/syntax.h"
 #include "grammars/shapes/shape.h"
@@ -47,8 +47,8 @@ struct DeriveOptions {
   /// that are no wider than the tolerance are then merged into a neighbour (merge_pieces.h).
   bool prune_early = false;
   Limits limits;
-  Occlusion occlusion;  ///< Null: there are no neighbours, entrances or lamps.
-  RoofBuilder roofs;    ///< Null: form_roofs() at 0.01 m.
+  AnswerContextQuery answer_context_query;  ///< Null: there are no neighbours, entrances or lamps.
+  RoofBuilder roofs;                        ///< Null: form_roofs() at 0.01 m.
 };
 
 /// A node of the tree of rule names from the start to the terminals. Path 0 is the root.
@@ -67,9 +67,9 @@ struct Terminal {
   std::optional<TextureProjection> texture;
   std::string asset;  ///< The instance of i("…") that fills the scope; "" for none.
   Scope scope;
-  bool simplified = false;  ///< The terminal replaces the detail of its rule, which is within the tolerance.
-  double error_m = 0;       ///< If simplified: an upper bound of the Hausdorff distance from the detailed surface.
-  double out_m = 0;         ///< If simplified: no point of the detailed surface is farther than this from `faces`.
+  bool simplified = false;       ///< The terminal replaces the detail of its rule, which is within the tolerance.
+  double error_m = 0;            ///< If simplified: an upper bound of the Hausdorff distance from the detailed surface.
+  double detail_distance_m = 0;  ///< If simplified: no point of the detailed surface is farther than this from `faces`.
 };
 
 /// A value that the rules reported by CGA's report(name, value).

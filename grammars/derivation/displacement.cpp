@@ -71,10 +71,10 @@ double distance_to_siblings_m(std::size_t vanished, std::span<const ChildTrace> 
   const std::size_t end = std::min(children.size(), vanished + kNearestSiblings + 1);
   double best_m = kUnbounded_m;
   for (const ChildTrace& sibling : children.subspan(first, end - first)) {
-    // the distance to the result is at least own.back_m
-    if (sibling.vanished || sibling.own.back_m >= best_m) continue;
-    const double enough_m = best_m - sibling.own.back_m;
-    best_m = std::min(best_m, farthest_from_m(children[vanished].vertices, sibling, enough_m) + sibling.own.back_m);
+    // the distance to the result is at least own.to_later_m
+    if (sibling.vanished || sibling.own.to_later_m >= best_m) continue;
+    const double enough_m = best_m - sibling.own.to_later_m;
+    best_m = std::min(best_m, farthest_from_m(children[vanished].vertices, sibling, enough_m) + sibling.own.to_later_m);
   }
   return best_m;
 }
@@ -106,20 +106,21 @@ Ring3 vertices_of(std::span<const Face> faces) {
 
 NodeTrace combine(std::span<const ChildTrace> children) {
   NodeTrace node;
-  SmallVector<double, 8> back_of_group_m;
+  SmallVector<double, 8> to_later_of_group_m;
   for (std::size_t i = 0; i < children.size(); ++i) {
     const ChildTrace& child = children[i];
     node.vanished &= child.vanished;
-    if (!child.vanished) node.moved.out_m = std::max(node.moved.out_m, child.before.out_m + child.own.out_m);
-    const double own_m = child.vanished ? distance_to_siblings_m(i, children) : child.own.back_m;
-    if (child.group >= back_of_group_m.size()) back_of_group_m.resize(child.group + 1, -1);
-    double& back_m = back_of_group_m[child.group];
-    back_m = std::max(back_m, child.before.back_m + own_m);
+    if (!child.vanished)
+      node.moved.to_earlier_m = std::max(node.moved.to_earlier_m, child.before.to_earlier_m + child.own.to_earlier_m);
+    const double own_m = child.vanished ? distance_to_siblings_m(i, children) : child.own.to_later_m;
+    if (child.group >= to_later_of_group_m.size()) to_later_of_group_m.resize(child.group + 1, -1);
+    double& to_later_m = to_later_of_group_m[child.group];
+    to_later_m = std::max(to_later_m, child.before.to_later_m + own_m);
   }
-  node.moved.back_m = kUnbounded_m;
+  node.moved.to_later_m = kUnbounded_m;
   // numbers without children are no groups
-  for (const double back_m : back_of_group_m)
-    if (back_m >= 0) node.moved.back_m = std::min(node.moved.back_m, back_m);
+  for (const double to_later_m : to_later_of_group_m)
+    if (to_later_m >= 0) node.moved.to_later_m = std::min(node.moved.to_later_m, to_later_m);
   if (node.vanished) node.moved = {};
   return node;
 }

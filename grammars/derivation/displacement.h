@@ -14,15 +14,17 @@ namespace citykiln::grammars {
 /// Upper bounds of the two one-sided Hausdorff distances between an earlier surface A and a later surface B, in metres;
 /// infinite if unknown.
 struct Displacement {
-  double out_m = 0;   ///< No point of B is farther than this from A.
-  double back_m = 0;  ///< No point of A is farther than this from B.
-  double largest_m() const { return out_m > back_m ? out_m : back_m; }
+  double to_earlier_m = 0;  ///< No point of B is farther than this from A.
+  double to_later_m = 0;    ///< No point of A is farther than this from B.
+  double largest_m() const { return to_earlier_m > to_later_m ? to_earlier_m : to_later_m; }
 };
 
 inline constexpr double kUnbounded_m = std::numeric_limits<double>::infinity();
 
 /// Returns the displacement of a followed by b, A → B → C, by the triangle inequality.
-inline Displacement operator+(Displacement a, Displacement b) { return {a.out_m + b.out_m, a.back_m + b.back_m}; }
+inline Displacement operator+(Displacement a, Displacement b) {
+  return {a.to_earlier_m + b.to_earlier_m, a.to_later_m + b.to_later_m};
+}
 
 /// Returns the displacement of an affine map of faces: the largest distance between a vertex and its image.
 Displacement affine_displacement(std::span<const Face> from, std::span<const Face> to);
@@ -71,13 +73,14 @@ struct NodeTrace {
 
 /// Returns the trace of a node from the traces of its children.
 ///
-/// out: a point of the result is within own.out of its child's surface, which is within before.out of the parent's.
-/// back: a point of the parent is within before.back of the shape from which a group was cut, hence of a point of one
-/// of the group's children, which is within own.back of the child's result. If that child vanished, the point is within
-/// some distance of a convex face or an edge of a sibling that did not, and from there within own.back of the sibling's
-/// result. The distance to a convex set is convex, so it is largest at a vertex of the vanished child's hull. Every
-/// group and every sibling gives a bound, so the smallest is taken. Only the 256 siblings before and after are tried,
-/// which keeps the cost linear.
+/// to_earlier_m: a point of the result is within own.to_earlier_m of its child's surface, which is within
+/// before.to_earlier_m of the parent's.
+/// to_later_m: a point of the parent is within before.to_later_m of the shape from which a group was cut, hence of a
+/// point of one of the group's children, which is within own.to_later_m of the child's result. If that child vanished,
+/// the point is within some distance of a convex face or an edge of a sibling that did not, and from there within
+/// own.to_later_m of the sibling's result. The distance to a convex set is convex, so it is largest at a vertex of the
+/// vanished child's hull. Every group and every sibling gives a bound, so the smallest is taken. Only the 256 siblings
+/// before and after are tried, which keeps the cost linear.
 NodeTrace combine(std::span<const ChildTrace> children);
 
 }  // namespace citykiln::grammars

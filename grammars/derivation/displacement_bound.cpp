@@ -26,8 +26,8 @@ struct BoundContext {
 };
 
 // Bounds beyond the tolerance are not used, so the evaluation stops there.
-bool exceeds_tolerance(const BoundContext& context, double out_m) {
-  return out_m > context.execution.run.options.tolerance_m;
+bool exceeds_tolerance(const BoundContext& context, double to_earlier_m) {
+  return to_earlier_m > context.execution.run.options.tolerance_m;
 }
 
 // ---- values: intervals instead of numbers
@@ -191,23 +191,24 @@ struct BoundState {
   bool pending = true;                                   ///< The shape has no successor yet.
   bool unbounded = false;                                ///< A statement has no bound.
   std::vector<std::pair<KnownShape, bool>> pushed = {};  ///< With BoundContext::has_set.
-  double out_m = 0;                                      ///< The largest of all children.
-  double back_m = kUnbounded_m;                          ///< The smallest of the groups of children.
+  double to_earlier_m = 0;                               ///< The largest of all children.
+  double to_later_m = kUnbounded_m;                      ///< The smallest of the groups of children.
   bool survives = false;                                 ///< At least one group does.
 };
 
 // @param cover_m  No point of the current surface is farther than this from the children that represent it.
 void add_group(BoundState& state, const DisplacementBound& bound, double cover_m) {
-  state.out_m = std::max(state.out_m, state.shape.moved.out_m + bound.moved.out_m);
+  state.to_earlier_m = std::max(state.to_earlier_m, state.shape.moved.to_earlier_m + bound.moved.to_earlier_m);
   state.pending = false;
   if (!bound.survives) return;
   state.survives = true;
-  state.back_m = std::min(state.back_m, state.shape.moved.back_m + cover_m + bound.moved.back_m);
+  state.to_later_m = std::min(state.to_later_m, state.shape.moved.to_later_m + cover_m + bound.moved.to_later_m);
 }
 
 // The bound of a group of children: the largest distances; it survives only if all children do.
 DisplacementBound worst_of(DisplacementBound a, DisplacementBound b) {
-  return {{std::max(a.moved.out_m, b.moved.out_m), std::max(a.moved.back_m, b.moved.back_m)}, a.survives && b.survives};
+  return {{std::max(a.moved.to_earlier_m, b.moved.to_earlier_m), std::max(a.moved.to_later_m, b.moved.to_later_m)},
+          a.survives && b.survives};
 }
 
 constexpr DisplacementBound kNothing = {{0, kUnbounded_m}, false};
@@ -219,7 +220,7 @@ DisplacementBound worst_of(BoundState& state, const std::vector<Selector>& selec
     const bool nests = selector.size == SizeKind::kRepeat;
     worst = worst_of(
         worst, nests ? worst_of(state, selector.nested) : bound_of_body(state.context, selector.body, state.slots));
-    if (exceeds_tolerance(state.context, worst.moved.out_m)) break;
+    if (exceeds_tolerance(state.context, worst.moved.to_earlier_m)) break;
   }
   return worst;
 }
@@ -285,7 +286,7 @@ DisplacementBound bound_of_end(BoundState& state, const Statement& comp, const s
 // Each end is within the height of the other, so the better one is enough.
 DisplacementBound better_end(BoundState& state, const Statement& comp, const char* one, const char* other) {
   const DisplacementBound a = bound_of_end(state, comp, one), b = bound_of_end(state, comp, other);
-  if (!a.survives || (b.survives && b.moved.back_m < a.moved.back_m)) return b;
+  if (!a.survives || (b.survives && b.moved.to_later_m < a.moved.to_later_m)) return b;
   return a;
 }
 
@@ -298,7 +299,7 @@ void bound_components(BoundState& state, const Statement& statement) {
   // the ends are front and back over a vertical face, top and bottom over a horizontal one
   const DisplacementBound ends =
       worst_of(better_end(state, statement, "front", "back"), better_end(state, statement, "top", "bottom"));
-  add_group(state, {{parts.moved.out_m, ends.moved.back_m}, ends.survives}, state.shape.height_m);
+  add_group(state, {{parts.moved.to_earlier_m, ends.moved.to_later_m}, ends.survives}, state.shape.height_m);
 }
 
 void bound_extrude(BoundState& state, const Statement& statement) {
@@ -306,7 +307,7 @@ void bound_extrude(BoundState& state, const Statement& statement) {
   state.unbounded |= !along_normal || state.shape.is_prism;
   state.shape.is_prism = true;
   state.shape.height_m = largest_m(range_of(state.context, statement.arguments.back(), state.slots));
-  state.shape.moved.out_m += state.shape.height_m;
+  state.shape.moved.to_earlier_m += state.shape.height_m;
 }
 
 void bound_translate(BoundState& state, const Statement& statement) {
@@ -371,10 +372,10 @@ DisplacementBound bound_of_statements(BoundContext context, const Body& body, co
   BoundState state{context, slots};
   for (const Statement& statement : body.statements) {
     bound_statement(state, statement);
-    if (state.unbounded || exceeds_tolerance(context, state.out_m)) return {};
+    if (state.unbounded || exceeds_tolerance(context, state.to_earlier_m)) return {};
   }
   if (state.pending) add_group(state, kUnmoved, 0);
-  return {{state.out_m, state.back_m}, state.survives};
+  return {{state.to_earlier_m, state.to_later_m}, state.survives};
 }
 
 // If no branch applies, the shape stays as it is.
@@ -384,7 +385,7 @@ DisplacementBound bound_of_branches(BoundContext context, const Body& body, cons
     const bool is_tested = body.kind == BodyKind::kCase && !branch.is_else;
     const NumberRange test = is_tested ? range_of(context, branch.test, slots) : kEither;
     if (!is_false(test)) worst = worst_of(worst, bound_of_body(context, branch.body, slots));
-    if (is_true(test) || exceeds_tolerance(context, worst.moved.out_m)) break;
+    if (is_true(test) || exceeds_tolerance(context, worst.moved.to_earlier_m)) break;
   }
   return worst;
 }

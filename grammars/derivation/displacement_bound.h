@@ -33,7 +33,7 @@ using NumberRanges = std::vector<NumberRange>;
 /// A bound of the displacement by a body.
 struct DisplacementBound {
   Displacement moved = {kUnbounded_m, kUnbounded_m};
-  bool survives = false;  ///< True if the result has a surface for certain. If false, `moved.back_m` is undefined.
+  bool survives = false;  ///< True if the result has a surface for certain. If false, `moved.to_later_m` is undefined.
 };
 
 /// A value of KnownBound::attributes: the bound holds for any attributes.

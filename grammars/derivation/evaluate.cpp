@@ -115,12 +115,12 @@ bool is_drawn(Context& context, double share) {
   return is_below;
 }
 
-bool occluded(Context& context, OcclusionQuery query) {
-  const Occlusion& occlusion = context.run.options.occlusion;
-  if (occlusion && context.random.of_shape) context.run.depends_on(0);
+bool answer_query(Context& context, ContextQuery query) {
+  const AnswerContextQuery& answer = context.run.options.answer_context_query;
+  if (answer && context.random.of_shape) context.run.depends_on(0);
   // a query tests every point of the shape
   context.run.spend(vertex_count(context.shape.faces) * 2);
-  return occlusion && occlusion(query, context.shape);
+  return answer && answer(query, context.shape);
 }
 
 Value call_builtin(std::size_t row, const Value* v, const double* n, const std::string* s, std::size_t given,

@@ -2,7 +2,7 @@
 // parameter or local of a rule.
 #pragma once
 
-#include "grammars/derivation/run.h"
+#include "grammars/derivation/execution.h"
 
 namespace citykiln::grammars {
 

@@ -225,7 +225,7 @@ NodeTrace prune(Execution& execution, Displacement moved) {
   Terminal& terminal = run.out.terminals.back();
   terminal.simplified = true;
   terminal.error_m = moved.largest_m();
-  terminal.out_m = moved.out_m;
+  terminal.detail_distance_m = moved.to_earlier_m;
   trace.moved = moved;
   return trace;
 }

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "grammars/derivation/evaluate.h"
-#include "grammars/derivation/run.h"
 
 namespace citykiln::grammars {
 

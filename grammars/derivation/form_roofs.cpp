@@ -14,8 +14,8 @@ namespace citykiln::grammars {
 namespace {
 
 /// By RoofKind.
-constexpr roofs::Form kForms[] = {roofs::Form::kGabled, roofs::Form::kHipped, roofs::Form::kPyramidal,
-                                  roofs::Form::kSkillion, roofs::Form::kMansard};
+constexpr roofs::RoofForm kForms[] = {roofs::RoofForm::kGabled, roofs::RoofForm::kHipped, roofs::RoofForm::kPyramidal,
+                                      roofs::RoofForm::kSkillion, roofs::RoofForm::kMansard};
 
 roofs::RoofShape shape_of(const RoofRequest& request) {
   roofs::RoofShape shape;
@@ -45,7 +45,7 @@ bool can_be_built(const RoofRequest& request) {
   return request.footprint.outer.size() >= 3 && lies_on_the_grid(request.footprint);
 }
 
-/// By roofs::Part.
+/// By roofs::RoofPart.
 constexpr FaceTag kTags[] = {FaceTag::kTop, FaceTag::kSide, FaceTag::kBorder, FaceTag::kBorder};
 
 /// Triangles of a roof in one plane, or nearly so.
@@ -153,7 +153,7 @@ using PatchKey = std::array<std::int64_t, 5>;
 
 PatchKey patch_key(const roofs::Roof& roof, std::size_t i) {
   const auto part = static_cast<std::int64_t>(roof.parts[i]);
-  const bool is_vertical = roof.parts[i] == roofs::Part::kGable || roof.parts[i] == roofs::Part::kEdge;
+  const bool is_vertical = roof.parts[i] == roofs::RoofPart::kGable || roof.parts[i] == roofs::RoofPart::kEdge;
   if (!is_vertical) return {part, roof.faces[i], 0, 0, 0};
   const Vec3 a = roof.positions[roof.triangles[i][0]], b = roof.positions[roof.triangles[i][1]];
   const Vec3 normal = unit(cross(b - a, roof.positions[roof.triangles[i][2]] - a));
@@ -204,7 +204,7 @@ RoofBuilder form_roofs(double tolerance_m) {
     if (!can_be_built(request)) return std::nullopt;
     Report ignored;
     const roofs::Roof roof = roofs::generate_roof(request.footprint, shape_of(request), tolerance_m, {}, ignored);
-    if (roof.triangles.empty() || roof.form == roofs::Form::kFlat) return std::nullopt;
+    if (roof.triangles.empty() || roof.form == roofs::RoofForm::kFlat) return std::nullopt;
     return faces_of(roof);
   };
 }

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "grammars/derivation/run.h"
+#include "grammars/derivation/execution.h"
 
 namespace citykiln::grammars {
 namespace {

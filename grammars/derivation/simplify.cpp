@@ -149,7 +149,7 @@ void simplify_node(const Execution& execution, const Shape& start, std::size_t f
                        .scope = start.scope,
                        .simplified = true,
                        .error_m = trace.moved.largest_m(),
-                       .out_m = trace.moved.out_m});
+                       .detail_distance_m = trace.moved.to_earlier_m});
   run.origins.push_back({start.node, replaced.texture, run.tables.add(std::move(replaced.areas_m2))});
   trace.seen = visible_appearance(run, terminals.back());
 }

@@ -2,7 +2,7 @@
 // node is one application of a rule to a shape; its trace has the distance between the node's surface and its result.
 #pragma once
 
-#include "grammars/derivation/run.h"
+#include "grammars/derivation/execution.h"
 
 namespace citykiln::grammars {
 

@@ -12,7 +12,7 @@ enum class FunctionKind : std::uint8_t {
   kPure,         ///< Depends on its arguments only.
   kUniformDraw,  ///< A uniform random number between bounds given by its arguments.
   kDraw,         ///< A random number.
-  kSurroundings  ///< A query about the surroundings of the shape (derivation/occlusion.h).
+  kSurroundings  ///< A query about the surroundings of the shape (derivation/context_query.h).
 };
 
 /// The data on which a shape value depends: the shape alone, its position, or its number in a split or comp.

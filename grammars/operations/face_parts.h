@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grammars/derivation/run.h"
+#include "grammars/derivation/execution.h"
 
 namespace citykiln::grammars {
 

@@ -45,8 +45,8 @@ struct PieceBounds {
     for (const Slice& slice : slices) {
       const DisplacementBound bound = of(slice);
       worst.survives &= bound.survives;
-      worst.moved.out_m = std::max(worst.moved.out_m, bound.moved.out_m);
-      worst.moved.back_m = std::max(worst.moved.back_m, bound.moved.back_m);
+      worst.moved.to_earlier_m = std::max(worst.moved.to_earlier_m, bound.moved.to_earlier_m);
+      worst.moved.to_later_m = std::max(worst.moved.to_later_m, bound.moved.to_later_m);
     }
     return worst;
   }
@@ -55,7 +55,8 @@ struct PieceBounds {
 double error_m(DisplacementBound left_out, DisplacementBound neighbour) {
   if (!left_out.survives || !neighbour.survives) return kUnbounded_m;
   const Displacement a = left_out.moved, b = neighbour.moved;
-  return std::max(b.out_m + std::max(a.back_m, b.back_m), std::max(a.out_m, b.out_m) + b.back_m);
+  return std::max(b.to_earlier_m + std::max(a.to_later_m, b.to_later_m),
+                  std::max(a.to_earlier_m, b.to_earlier_m) + b.to_later_m);
 }
 
 /// The neighbour that a run of narrow pieces is merged into; `slice` ~0 for none.

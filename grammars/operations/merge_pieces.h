@@ -5,7 +5,7 @@
 //            ≤ tolerance                                           is neither derived nor cut out.
 #pragma once
 
-#include "grammars/derivation/run.h"
+#include "grammars/derivation/execution.h"
 #include "grammars/derivation/sizes.h"
 
 namespace citykiln::grammars {

@@ -1,7 +1,7 @@
 // Declares the functions of the operations, one for each row of language/operations.inc, which describes them.
 #pragma once
 
-#include "grammars/derivation/run.h"
+#include "grammars/derivation/execution.h"
 #include "grammars/language/operation_table.h"
 
 namespace citykiln::grammars {

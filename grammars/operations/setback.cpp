@@ -55,7 +55,7 @@ std::vector<int> selectors_of(const std::vector<Key>& keys, const Scope& scope, 
 }
 
 /// The result of an offset, in space.
-struct Cut {
+struct FaceOffset {
   std::vector<Face> moved;
   std::vector<std::vector<Face>> bands;  ///< Per edge.
   bool on_grid = false;
@@ -79,13 +79,13 @@ bool fits_grid(const Polygon& polygon) {
                              [](Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)) <= kMaxExtent_m; });
 }
 
-Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward) {
+FaceOffset cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward) {
   const FaceFrame frame = frame_of(face);
   const Polygon polygon = flat(face, frame);
   if (!fits_grid(polygon)) return {};
   const std::vector<FaceEdge> edges = face_edges(face);
   const OffsetPolygon offset = outward ? outset(polygon, depth_m) : inset(polygon, limited_depths(depth_m, edges));
-  Cut cut;
+  FaceOffset cut;
   cut.on_grid = offset.on_grid;
   for (const Polygon& moved : offset.moved) cut.moved.push_back(lifted(moved, frame, face, kSnap_m));
   for (std::size_t i = 0; i < offset.bands.size(); ++i) {
@@ -106,7 +106,7 @@ bool add_setback(Execution& execution, const std::vector<Key>& keys, int remaind
   const std::vector<int> chosen = selectors_of(keys, execution.shape.scope, face, edges);
   std::vector<double> depths_m;
   for (const int selector : chosen) depths_m.push_back(selector < 0 ? 0 : depth_m);
-  Cut cut = cut_bands(face, depths_m, false);
+  FaceOffset cut = cut_bands(face, depths_m, false);
   for (std::size_t i = 0; i < cut.bands.size(); ++i)
     for (Face& band : cut.bands[i]) parts.push_back({std::move(band), chosen[i]});
   for (Face& rest : cut.moved) parts.push_back({std::move(rest), remainder});
@@ -124,7 +124,7 @@ void tag(std::vector<Face>& faces, FaceTag as) {
 constexpr double kMaxOffset_m = 1000;
 
 void add_offset(const Face& face, double by_m, std::string_view which, std::vector<Face>& faces, double& reach_m) {
-  Cut cut =
+  FaceOffset cut =
       cut_bands(face, std::vector<double>(face_edges(face).size(), std::min(std::abs(by_m), kMaxOffset_m)), by_m > 0);
   reach_m = std::max(reach_m, cut.reach_m);
   tag(cut.moved, FaceTag::kInside);
@@ -170,10 +170,10 @@ void op_offset(Execution& execution, const Statement& statement, Arguments argum
   const std::string_view which = arguments.size() > 1 ? word_of(arguments[1]) : "all";
   const Ring3 before = vertices_of(execution.shape.faces);
   std::vector<Face> faces;
-  double reach_m = kOfTheGrid.out_m;
+  double reach_m = kOfTheGrid.to_earlier_m;
   for (const Face& face : execution.shape.faces) add_offset(face, by_m, which, faces, reach_m);
   execution.shape.faces = std::move(faces);
-  Displacement moved{by_m > 0 ? reach_m : kOfTheGrid.out_m, kOfTheGrid.back_m};
+  Displacement moved{by_m > 0 ? reach_m : kOfTheGrid.to_earlier_m, kOfTheGrid.to_later_m};
   // without a part, the rest may be far from the surface
   if (which != "all" && (by_m < 0 || which == "border"))
     moved = any_displacement(before, vertices_of(execution.shape.faces));

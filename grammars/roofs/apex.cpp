@@ -89,7 +89,7 @@ class Stack {
   void add_top(double z_m) { join(std::vector<std::uint32_t>(ring_.size(), add_position(at_height(apex_, z_m)))); }
 
   Roof take() && {
-    roof_.parts.assign(roof_.triangles.size(), Part::kRoof);
+    roof_.parts.assign(roof_.triangles.size(), RoofPart::kRoof);
     return std::move(roof_);
   }
 

@@ -11,7 +11,7 @@
 namespace citykiln::roofs {
 namespace {
 
-bool is_strip(Form form) { return form_row(form).method == Method::kStrips || form == Form::kCrossGabled; }
+bool is_strip(RoofForm form) { return form_row(form).method == Method::kStrips || form == RoofForm::kCrossGabled; }
 
 // The width of the rectangle with the area and perimeter of the footprint; of a square if there is none.
 double equivalent_width_m(const Polygon& footprint) {
@@ -23,8 +23,8 @@ double equivalent_width_m(const Polygon& footprint) {
 }  // namespace
 
 double expected_rise_m(const Polygon& footprint, const RoofShape& shape) {
-  assert(shape.form < Form::kCount);
-  if (shape.form == Form::kFlat || footprint.outer.size() < 3) return 0;
+  assert(shape.form < RoofForm::kCount);
+  if (shape.form == RoofForm::kFlat || footprint.outer.size() < 3) return 0;
   if (!is_strip(shape.form)) return rise_of(shape, equivalent_width_m(footprint) / 2);
   const OrientedBox box = oriented_box(footprint.outer, shape.direction, shape.is_ridge_across);
   return rise_of(shape, strip_span_m(shape.form, box, shape.direction.has_value()));

@@ -31,7 +31,7 @@ constexpr std::size_t kMostInexactCorners = 1000, kMostExactCorners = 250;
 // gables.
 constexpr double kMostGap_m = 0.05, kMostUncovered = 0.01, kMostSpan = 0.7;
 
-Roof finished(RaisedRoof raised, Form form, double error_m) {
+Roof finished(RaisedRoof raised, RoofForm form, double error_m) {
   raised.roof.form = form;
   raised.roof.error_m = error_m;
   return std::move(raised.roof);
@@ -58,7 +58,7 @@ Ring box_about(const RoofInput& input) {
 
 Roof flat_roof(const RoofInput& input, double rise_m) {
   const Facet all{.ring = box_about(input), .plane = {input.footprint.outer.front(), {}, 0}};
-  return finished(raise_facets(input.footprint, plan_on(input, {all})), Form::kFlat, with_eaves_m(input, rise_m));
+  return finished(raise_facets(input.footprint, plan_on(input, {all})), RoofForm::kFlat, with_eaves_m(input, rise_m));
 }
 
 // ---- one section along a line
@@ -96,10 +96,10 @@ bool faces_along_box(const RoofInput& input, Vec2 outward) {
   return faces_front_end(input, outward) || faces_front_end(input, outward * -1);
 }
 
-End end_at(const RoofInput& input, Vec2 outward) {
-  const End end = form_row(input.shape.form).end;
-  if (end != End::kHipAndGable) return end;
-  return faces_front_end(input, outward) ? End::kGable : End::kHip;
+WingEnd end_at(const RoofInput& input, Vec2 outward) {
+  const WingEnd end = form_row(input.shape.form).end;
+  if (end != WingEnd::kHipAndGable) return end;
+  return faces_front_end(input, outward) ? WingEnd::kGable : WingEnd::kHip;
 }
 
 std::vector<Plane> inward_planes(const Ring& ring) {
@@ -114,10 +114,10 @@ void open_ends(const RoofInput& input, std::vector<Plane>& planes) {
   const double span_m = span_over(input.footprint.outer, planes);
   const auto is_gable = [&](const Plane& p) {
     const Vec2 outward = p.gradient * -1;
-    return faces_along_box(input, outward) && end_at(input, outward) == End::kGable;
+    return faces_along_box(input, outward) && end_at(input, outward) == WingEnd::kGable;
   };
   for (Plane& p : planes)
-    if (faces_along_box(input, p.gradient * -1) && end_at(input, p.gradient * -1) == End::kHalfHip)
+    if (faces_along_box(input, p.gradient * -1) && end_at(input, p.gradient * -1) == WingEnd::kHalfHip)
       p.offset += span_m / 2;
   planes.erase(std::remove_if(planes.begin(), planes.end(), is_gable), planes.end());
 }
@@ -236,7 +236,7 @@ std::optional<Roof> over_apex(const RoofInput& input) {
   if (!apex) return by_skeleton(input);
   const double span_m = apex_span_m(ring, *apex), reach_m = apex_radius_m(ring, *apex);
   const double rise_m = rise_of(input.shape, span_m);
-  const double seen_m = input.shape.form == Form::kOnion ? std::max(rise_m, kMostSwelling * reach_m) : rise_m;
+  const double seen_m = input.shape.form == RoofForm::kOnion ? std::max(rise_m, kMostSwelling * reach_m) : rise_m;
   if (!is_seen(input, seen_m)) return flat_roof(input, seen_m);
   if (!input.eaves.outer.empty() && is_convex(input.footprint)) return pyramid_convex(input, *apex);
   Roof roof = roof_over_apex(ring, *apex,
@@ -265,7 +265,7 @@ std::optional<Roof> shaped(const RoofInput& input) {
 }  // namespace
 
 Roof generate_roof(const Polygon& footprint, const RoofShape& shape, double tolerance_m, OsmId object, Report& report) {
-  assert(tolerance_m > 0 && shape.form < Form::kCount);
+  assert(tolerance_m > 0 && shape.form < RoofForm::kCount);
   Polygon polygon = cleaned(footprint);
   if (polygon.outer.empty()) {
     report.add(Code::kRoofFallback, object, 0);

@@ -14,7 +14,7 @@
 namespace citykiln::roofs {
 
 /// A function that returns the form of a wing's end which faces `outward` (unit length).
-using WingEndOf = std::function<End(Vec2 outward)>;
+using WingEndOf = std::function<WingEnd(Vec2 outward)>;
 
 /// Facets whose planes give the distance inward from the eaves in metres, and the largest such distance.
 struct InsetFacets {

@@ -138,7 +138,7 @@ class Builder {
     }
   }
 
-  void add(Triangle triangle, Part part, std::uint32_t face) {
+  void add(Triangle triangle, RoofPart part, std::uint32_t face) {
     roof_.triangles.push_back(triangle);
     roof_.parts.push_back(part);
     roof_.faces.push_back(face);
@@ -151,10 +151,10 @@ class Builder {
       top[i] = vertex(column(c, i), top_m(c, i));
       below[i] = vertex(column(c, i), is_over_footprint(c) ? 0 : under_m(c, i));
     }
-    add(top, Part::kRoof, face_of(c));
+    add(top, RoofPart::kRoof, face_of(c));
     if (is_over_footprint(c)) return roof_.floor.push_back(below);
     std::swap(below[1], below[2]);
-    add(below, Part::kSoffit, face_of(c));
+    add(below, RoofPart::kSoffit, face_of(c));
   }
 
   // Adds the vertical faces under an edge of a cell, facing out of the cell.
@@ -162,12 +162,13 @@ class Builder {
     const std::uint32_t beyond = plan_.cells[c].neighbours[edge];
     const int a = (edge + 1) % 3, b = (edge + 2) % 3;
     if (beyond == kNoFacet && !is_over_footprint(c))
-      wall({column(c, a), under_m(c, a), top_m(c, a)}, {column(c, b), under_m(c, b), top_m(c, b)}, Part::kEdge,
+      wall({column(c, a), under_m(c, a), top_m(c, a)}, {column(c, b), under_m(c, b), top_m(c, b)}, RoofPart::kEdge,
            face_of(c));
     else if (beyond == kNoFacet)
-      wall({column(c, a), 0, top_m(c, a)}, {column(c, b), 0, top_m(c, b)}, Part::kGable, wall_of_[column(c, a)]);
+      wall({column(c, a), 0, top_m(c, a)}, {column(c, b), 0, top_m(c, b)}, RoofPart::kGable, wall_of_[column(c, a)]);
     else if (is_border(c, edge))
-      wall({column(c, a), 0, under_m(c, a)}, {column(c, b), 0, under_m(c, b)}, Part::kGable, wall_of_[column(c, a)]);
+      wall({column(c, a), 0, under_m(c, a)}, {column(c, b), 0, under_m(c, b)}, RoofPart::kGable,
+           wall_of_[column(c, a)]);
     else
       step_down(c, a, b, beyond);
   }
@@ -181,11 +182,11 @@ class Builder {
   void step_down(std::uint32_t c, int a, int b, std::uint32_t beyond) {
     const Stretch first{column(c, a), top_beyond_m(beyond, plan_.cells[c].points[a]), top_m(c, a)};
     const Stretch second{column(c, b), top_beyond_m(beyond, plan_.cells[c].points[b]), top_m(c, b)};
-    if (first.high_m > first.low_m || second.high_m > second.low_m) wall(first, second, Part::kGable, ~face_of(c));
+    if (first.high_m > first.low_m || second.high_m > second.low_m) wall(first, second, RoofPart::kGable, ~face_of(c));
   }
 
   // Triangulates all vertices of both columns in between, so that no vertex is inside of an edge.
-  void wall(const Stretch& left, const Stretch& right, Part part, std::uint32_t face) {
+  void wall(const Stretch& left, const Stretch& right, RoofPart part, std::uint32_t face) {
     std::uint32_t a = vertex(left.column, left.low_m), b = vertex(right.column, right.low_m);
     const std::uint32_t end_a = vertex(left.column, std::max(left.low_m, left.high_m));
     const std::uint32_t end_b = vertex(right.column, std::max(right.low_m, right.high_m));
@@ -215,25 +216,6 @@ RaisedRoof raise_facets(const Polygon& footprint, const RoofPlan& plan) {
   const PlanHeights heights = plan_heights(cells, plan.facets, plan.flush_m);
   const double thickness_m = plan.eaves_outline.outer.empty() ? 0 : snapped(plan.thickness_m);
   return {Builder(cells, plan.facets, heights, thickness_m).take(), heights.uncovered_m2, heights.largest_gap_m};
-}
-
-Mesh closed_body(const Roof& roof, double bottom_m) {
-  assert(bottom_m < 0);
-  Mesh body{roof.positions, {}, roof.triangles};
-  std::vector<std::uint32_t> below(roof.positions.size(), kNoFacet);
-  for (const Triangle& t : roof.floor)
-    for (const std::uint32_t v : t)
-      if (below[v] == kNoFacet) {
-        below[v] = static_cast<std::uint32_t>(body.positions.size());
-        body.positions.push_back(at_height(in_plan(roof.positions[v]), bottom_m));
-      }
-  for (const Triangle& t : roof.floor) body.triangles.push_back({below[t[0]], below[t[2]], below[t[1]]});
-  for (const auto& ring : roof.eaves)
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      body.triangles.push_back({below[ring[j]], below[ring[i]], ring[i]});
-      body.triangles.push_back({below[ring[j]], ring[i], ring[j]});
-    }
-  return body;
 }
 
 }  // namespace citykiln::roofs

@@ -12,7 +12,7 @@
 namespace citykiln::roofs {
 
 /// The part of a roof to which a triangle belongs.
-enum class Part : std::uint8_t {
+enum class RoofPart : std::uint8_t {
   kRoof,  ///< Roof planes.
   /// Vertical walls above the eaves plane, up to the underside of the roof: over the border of the footprint, or
   /// between the teeth of a saw-tooth roof.
@@ -26,21 +26,16 @@ enum class Part : std::uint8_t {
 struct Roof {
   std::vector<Vec3> positions;      ///< Each position is used by triangles, eaves or floor.
   std::vector<Triangle> triangles;  ///< Counter-clockwise from outside.
-  std::vector<Part> parts;          ///< By triangle.
+  std::vector<RoofPart> parts;      ///< By triangle.
   /// By triangle. Triangles with equal number and part are in one plane, or nearly; rims (kEdge) go around corners.
   std::vector<std::uint32_t> faces;
   /// The lines where roof and walls meet: rings of positions at height 0 with the body on their left. They follow the
   /// footprint, with further points where a ridge or a valley ends in a gable.
   std::vector<std::vector<std::uint32_t>> eaves;
-  std::vector<Triangle> floor;  ///< The plan inside `eaves` at height 0, facing up.
-  Form form = Form::kFlat;      ///< The form that was built.
-  double height_m = 0;          ///< The height of the highest point.
-  double error_m = 0;           ///< An upper bound of the distance to the roof generated at tolerance 0.
+  std::vector<Triangle> floor;      ///< The plan inside `eaves` at height 0, facing up.
+  RoofForm form = RoofForm::kFlat;  ///< The form that was built.
+  double height_m = 0;              ///< The height of the highest point.
+  double error_m = 0;               ///< An upper bound of the distance to the roof generated at tolerance 0.
 };
-
-/// Returns roof, walls down to bottom_m and floor as one closed 2-manifold, oriented outward, without duplicate
-/// vertices.
-/// @param bottom_m  < 0, and below the soffits if the body must not touch itself.
-Mesh closed_body(const Roof& roof, double bottom_m);
 
 }  // namespace citykiln::roofs

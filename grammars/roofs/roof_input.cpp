@@ -14,7 +14,7 @@ namespace {
 constexpr double kStorey_m = 3;
 // The greatest height by default pitch, except for domes and spires: wide halls have flatter roofs than houses.
 constexpr double kMostDefault_m = 9;
-bool may_tower(Form form) { return form == Form::kDome || form == Form::kOnion || form == Form::kCone; }
+bool may_tower(RoofForm form) { return form == RoofForm::kDome || form == RoofForm::kOnion || form == RoofForm::kCone; }
 // Steeper is a wall.
 constexpr double kSteepest_deg = 85;
 
@@ -30,7 +30,7 @@ constexpr double kMostLeftOut = 0.9, kSharpest = 2;
 // The extent of eaves sideways, with corners, and upward; those of a skillion roof continue upward at its back.
 Vec2 size_of_eaves_m(const RoofInput& input) {
   const double overhang_m = input.shape.overhang_m, width_m = std::min(input.box.width_m(), input.box.length_m());
-  const bool goes_on = input.shape.form == Form::kSkillion && width_m > 0;
+  const bool goes_on = input.shape.form == RoofForm::kSkillion && width_m > 0;
   const double up_m = goes_on ? overhang_m * rise_of(input.shape, width_m) / width_m : 0;
   return {kSharpest * overhang_m, kThickness_m + up_m};
 }

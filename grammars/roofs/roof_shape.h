@@ -10,7 +10,7 @@
 namespace citykiln::roofs {
 
 /// The form of a roof: a value of roof:shape. roof_forms.inc lists the forms.
-enum class Form : std::uint8_t {
+enum class RoofForm : std::uint8_t {
 #define ROOF_FORM(name, tag, pitch_deg, method, end, has_eaves) name,
 #include "grammars/roofs/roof_forms.inc"
 #undef ROOF_FORM
@@ -28,25 +28,25 @@ enum class Method : std::uint8_t {
 
 /// The form of a roof at the end of a wing, for roofs by kSkeleton. kHipAndGable: a gable at the end to which
 /// RoofShape::direction points, hips at the others.
-enum class End : std::uint8_t { kHip, kHalfHip, kGable, kHipAndGable };
+enum class WingEnd : std::uint8_t { kHip, kHalfHip, kGable, kHipAndGable };
 
 /// A row of roof_forms.inc.
 struct FormRow {
   std::string_view name;  ///< The value of roof:shape: "half-hipped".
   double pitch_deg = 0;   ///< The default pitch.
   Method method = Method::kFlat;
-  End end = End::kHip;
+  WingEnd end = WingEnd::kHip;
   /// Eaves may overhang. False for curved roofs, which are vertical at their eaves, and for saw-tooth roofs, whose
   /// teeth would overlap each other.
   bool has_eaves = true;
 };
 /// Returns the row of a form.
-const FormRow& form_row(Form form);
+const FormRow& form_row(RoofForm form);
 
 /// Returns the value of roof:shape of a form: form_row(form).name.
-std::string_view name_of(Form form);
+std::string_view name_of(RoofForm form);
 /// Returns the form of a value of roof:shape or a synonym ("crosspitched"); std::nullopt if it is unknown.
-std::optional<Form> form_named(std::string_view name);
+std::optional<RoofForm> form_named(std::string_view name);
 
 /// The line where the lower and the upper slopes of a mansard roof meet: its height over the eaves, and the angle of
 /// the upper slopes, below 85.
@@ -58,7 +58,7 @@ struct Knee {
 /// The requested shape of a roof. The first of height_m, angle_deg and levels that is above 0 gives the height of the
 /// roof; if all are 0, the default pitch of the form does.
 struct RoofShape {
-  Form form = Form::kFlat;
+  RoofForm form = RoofForm::kFlat;
   double height_m = 0;              ///< The height of the highest point over the eaves plane.
   double angle_deg = 0;             ///< The angle of the main slopes, below 85.
   double levels = 0;                ///< Storeys in the roof.

@@ -117,17 +117,17 @@ Section knee(Vec2 corner, Vec2 size_m, double tolerance_m) {
   return {{{0, 0}, corner, {1, 1}}, 0};
 }
 
-Section section_of(Form form, Vec2 size_m, Measure measure, double tolerance_m) {
+Section section_of(RoofForm form, Vec2 size_m, Measure measure, double tolerance_m) {
   assert(size_m.x > 0 && size_m.y > 0 && tolerance_m > 0);
   switch (form) {
-    case Form::kGambrel:
+    case RoofForm::kGambrel:
       return knee(kGambrelKnee, size_m, tolerance_m);
-    case Form::kMansard:
+    case RoofForm::kMansard:
       return knee(kMansardKnee, size_m, tolerance_m);
-    case Form::kRound:
-    case Form::kDome:
+    case RoofForm::kRound:
+    case RoofForm::kDome:
       return flattened(Arc(size_m), size_m, measure, tolerance_m);
-    case Form::kOnion:
+    case RoofForm::kOnion:
       return flattened(kOgee, size_m, measure, tolerance_m);
     default:
       return {{{0, 0}, {1, 1}}, 0};
@@ -136,17 +136,18 @@ Section section_of(Form form, Vec2 size_m, Measure measure, double tolerance_m) 
 
 }  // namespace
 
-Section section_along(Form form, double span_m, double rise_m, double tolerance_m) {
+Section section_along(RoofForm form, double span_m, double rise_m, double tolerance_m) {
   return section_of(form, {span_m, rise_m}, Measure::kPerpendicular, tolerance_m);
 }
 
-Section section_over_skeleton(Form form, double span_m, double rise_m, double tolerance_m, std::optional<Vec2> corner) {
-  if (form == Form::kMansard && corner) return knee(*corner, {span_m, rise_m}, tolerance_m);
+Section section_over_skeleton(RoofForm form, double span_m, double rise_m, double tolerance_m,
+                              std::optional<Vec2> corner) {
+  if (form == RoofForm::kMansard && corner) return knee(*corner, {span_m, rise_m}, tolerance_m);
   return section_of(form, {span_m, rise_m}, Measure::kVertical, tolerance_m);
 }
 
-Section section_over_apex(Form form, double span_m, double reach_m, double rise_m, double tolerance_m) {
-  if (form == Form::kOnion) return flattened(kOnion, {reach_m, rise_m}, Measure::kPerpendicular, tolerance_m);
+Section section_over_apex(RoofForm form, double span_m, double reach_m, double rise_m, double tolerance_m) {
+  if (form == RoofForm::kOnion) return flattened(kOnion, {reach_m, rise_m}, Measure::kPerpendicular, tolerance_m);
   // the curve is computed over the span; stretched to the reach, its error grows at most by the same factor
   const double stretch = std::max(1.0, reach_m / span_m);
   Section section = section_of(form, {span_m, rise_m}, Measure::kPerpendicular, tolerance_m / stretch);

@@ -29,19 +29,19 @@ struct Section {
 /// Guarantees: x and y never decrease; error_m <= tolerance_m unless that needs more than 256 corners. Arcs are
 /// circular if rise_m <= span_m, else elliptic. Arcs are halved until the chords are within the tolerance, which needs
 /// only square roots, so the result is equal on every machine.
-Section section_along(Form form, double span_m, double rise_m, double tolerance_m);
+Section section_along(RoofForm form, double span_m, double rise_m, double tolerance_m);
 
 /// Returns the section of a roof over a straight skeleton (inset_facets.h). The sides of such a roof meet at any angle,
 /// so the error is the largest vertical distance, which is equal for every angle. Parameters and guarantees are equal
 /// to section_along().
 /// @param knee  The knee of a mansard roof, as shares of span and rise, if it is not the default.
-Section section_over_skeleton(Form form, double span_m, double rise_m, double tolerance_m,
+Section section_over_skeleton(RoofForm form, double span_m, double rise_m, double tolerance_m,
                               std::optional<Vec2> knee = {});
 
 /// Returns the section of a roof over an apex (apex.h). Here x is measured the other way: it is the distance from the
 /// apex as a share of the distance between apex and eaves, so it falls from 1 at the eaves to 0 at the apex. In an
 /// onion x exceeds 1. The error is valid for the corner of the footprint that is farthest from the apex.
 /// @param reach_m  The distance from the apex to that corner, in plan.
-Section section_over_apex(Form form, double span_m, double reach_m, double rise_m, double tolerance_m);
+Section section_over_apex(RoofForm form, double span_m, double reach_m, double rise_m, double tolerance_m);
 
 }  // namespace citykiln::roofs

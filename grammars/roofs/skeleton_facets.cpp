@@ -77,7 +77,7 @@ struct Side {
   Wing wing;
   Ring face;
   std::uint32_t before, after;  // the neighbours, among all sides
-  End end = End::kHip;
+  WingEnd end = WingEnd::kHip;
   double width_m = 0;
 };
 
@@ -89,7 +89,8 @@ std::vector<Side> sides_of(const Polygon& polygon, const std::vector<SkeletonFac
     end = first + n;
     for (std::uint32_t i = 0; i < n; ++i)
       sides.push_back({wing_at(ring, i, first_face + first), without_double_nodes(faces[first + i].ring),
-                       first + (i + n - 1) % n, first + (i + 1) % n, End::kHip, distance(ring[i], ring[(i + 1) % n])});
+                       first + (i + n - 1) % n, first + (i + 1) % n, WingEnd::kHip,
+                       distance(ring[i], ring[(i + 1) % n])});
   }
   return sides;
 }
@@ -119,8 +120,8 @@ InsetFacets skeleton_facets(const Polygon& polygon, SkeletonKernel kernel, const
   choose_ends(sides, end_of);
   InsetFacets inset;
   for (const Side& side : sides)
-    if (side.end != End::kHip)
-      close_end(inset, side.wing, side.face, side.end == End::kHalfHip);
+    if (side.end != WingEnd::kHip)
+      close_end(inset, side.wing, side.face, side.end == WingEnd::kHalfHip);
     else if (side.face.size() >= 3)
       add(inset, side.wing.own, side.face);
   return inset;

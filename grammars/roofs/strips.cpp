@@ -14,7 +14,7 @@ constexpr double kSawBay_m = 6, kGableBay_m = 8;
 // The ridge of a saltbox, and the end of the first slope of a double one: shares of the width from the back.
 constexpr double kSaltboxRidge = 0.68, kDoubleSaltboxSlope = 0.3;
 
-bool is_row(Form form) { return form == Form::kSawtooth || form == Form::kGabledRow; }
+bool is_row(RoofForm form) { return form == RoofForm::kSawtooth || form == RoofForm::kGabledRow; }
 
 // The axis along which strips follow each other: across the box, or along it for rows. From 0 at the back.
 struct StripAxis {
@@ -22,13 +22,13 @@ struct StripAxis {
   double length_m;
 };
 
-StripAxis axis_of(Form form, const OrientedBox& box, bool has_direction) {
+StripAxis axis_of(RoofForm form, const OrientedBox& box, bool has_direction) {
   if (is_row(form) && !has_direction) return {box.position(box.from_m, box.back_m), box.along, box.length_m()};
   return {box.position(box.from_m, box.back_m), box.across, box.width_m()};
 }
 
-double bays_of(Form form, double length_m) {
-  return std::max(2.0, std::floor(length_m / (form == Form::kSawtooth ? kSawBay_m : kGableBay_m) + 0.5));
+double bays_of(RoofForm form, double length_m) {
+  return std::max(2.0, std::floor(length_m / (form == RoofForm::kSawtooth ? kSawBay_m : kGableBay_m) + 0.5));
 }
 
 // A section and its mirror image, from the back over the ridge to the front.
@@ -59,17 +59,17 @@ Section row_of_teeth(double bays) {
   return section;
 }
 
-Section section_across(Form form, double run_m, double rise_m, double tolerance_m) {
+Section section_across(RoofForm form, double run_m, double rise_m, double tolerance_m) {
   switch (form) {
-    case Form::kSkillion:
+    case RoofForm::kSkillion:
       return {{{0, 1}, {1, 0}}, 0};
-    case Form::kSaltbox:
+    case RoofForm::kSaltbox:
       return {{{0, 0}, {kSaltboxRidge, 1}, {1, 0}}, 0};
-    case Form::kDoubleSaltbox:
+    case RoofForm::kDoubleSaltbox:
       return {{{0, 0}, {kDoubleSaltboxSlope, 1}, {1 - kDoubleSaltboxSlope, 1}, {1, 0}}, 0};
-    case Form::kGabledRow:
+    case RoofForm::kGabledRow:
       return row_of_gables(bays_of(form, run_m));
-    case Form::kSawtooth:
+    case RoofForm::kSawtooth:
       return row_of_teeth(bays_of(form, run_m));
     default:
       return mirrored(section_along(form, run_m / 2, rise_m, tolerance_m));
@@ -120,26 +120,26 @@ std::vector<Facet> crossing(const OrientedBox& box, double rise_m, double reach_
 
 }  // namespace
 
-double strip_span_m(Form form, const OrientedBox& box, bool has_direction) {
+double strip_span_m(RoofForm form, const OrientedBox& box, bool has_direction) {
   const double run_m = axis_of(form, box, has_direction).length_m;
-  if (form == Form::kSkillion) return run_m;
-  if (form == Form::kSawtooth) return run_m / bays_of(form, run_m);
-  if (form == Form::kGabledRow) return run_m / bays_of(form, run_m) / 2;
-  if (form == Form::kDoubleSaltbox) return run_m * kDoubleSaltboxSlope;
-  if (form == Form::kCrossGabled) return std::min(box.width_m(), box.length_m()) / 2;
+  if (form == RoofForm::kSkillion) return run_m;
+  if (form == RoofForm::kSawtooth) return run_m / bays_of(form, run_m);
+  if (form == RoofForm::kGabledRow) return run_m / bays_of(form, run_m) / 2;
+  if (form == RoofForm::kDoubleSaltbox) return run_m * kDoubleSaltboxSlope;
+  if (form == RoofForm::kCrossGabled) return std::min(box.width_m(), box.length_m()) / 2;
   return run_m / 2;
 }
 
-Strips strips(Form form, const OrientedBox& box, bool has_direction, double rise_m, double reach_m,
+Strips strips(RoofForm form, const OrientedBox& box, bool has_direction, double rise_m, double reach_m,
               double tolerance_m) {
   assert(rise_m > 0 && reach_m > 0 && tolerance_m > 0);
-  if (form == Form::kCrossGabled) return {crossing(box, rise_m, reach_m), 0};
+  if (form == RoofForm::kCrossGabled) return {crossing(box, rise_m, reach_m), 0};
   const StripAxis axis = axis_of(form, box, has_direction);
   const Section section = section_across(form, axis.length_m, rise_m, tolerance_m);
   const double far_m = box.width_m() + box.length_m() + reach_m;
   Strips made{facets_along(axis, section, rise_m, reach_m, far_m), section.error_m};
   // between teeth there are walls, all other facets meet
-  for (Facet& facet : made.facets) facet.surface = form == Form::kSawtooth ? facet.face : 0;
+  for (Facet& facet : made.facets) facet.surface = form == RoofForm::kSawtooth ? facet.face : 0;
   return made;
 }
 

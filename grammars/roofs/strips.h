@@ -20,13 +20,14 @@ struct Strips {
 /// Returns the distance from the eaves to the ridge in plan. Rise over this distance is the tangent of the roof's
 /// angle.
 /// @param has_direction  The roof has a mapped direction (RoofShape::direction).
-double strip_span_m(Form form, const OrientedBox& box, bool has_direction);
+double strip_span_m(RoofForm form, const OrientedBox& box, bool has_direction);
 
 /// Returns the facets of a form. Forms that are not listed at the top of this file are gabled.
 /// @param reach_m  The distance by which facets extend beyond the box: more than the eaves.
 /// @param has_direction  The roof has a mapped direction: rows of teeth or gables follow each other across the box
 /// instead of along it.
 /// @param rise_m   The height of the ridge over the eaves plane.
-Strips strips(Form form, const OrientedBox& box, bool has_direction, double rise_m, double reach_m, double tolerance_m);
+Strips strips(RoofForm form, const OrientedBox& box, bool has_direction, double rise_m, double reach_m,
+              double tolerance_m);
 
 }  // namespace citykiln::roofs

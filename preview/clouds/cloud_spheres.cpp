@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "preview/user_geometry.h"
+
 namespace citykiln::preview {
 namespace {
 
@@ -97,15 +99,7 @@ void CloudSpheres::build() {
     top_m_ = std::max(top_m_, centre(i).z + frame_.flatten * spheres_[i].radius_m);
   device_ = rtcNewDevice(nullptr);
   scene_ = rtcNewScene(device_);
-  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(spheres_.size()));
-  rtcSetGeometryUserData(geometry, this);
-  rtcSetGeometryBoundsFunction(
-      geometry, [](const RTCBoundsFunctionArguments* args) { Calls::bounds(args); }, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* args) { Calls::intersect(args); });
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene_, geometry);
-  rtcReleaseGeometry(geometry);
+  attach_user_geometry<Calls>(device_, scene_, spheres_.size(), this);
   rtcCommitScene(scene_);
 }
 

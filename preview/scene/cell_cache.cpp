@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "compiler/contract/run_alone.h"
+#include "preview/user_geometry.h"
 
 namespace citykiln::preview {
 
@@ -88,16 +89,7 @@ CellCache::CellCache(RTCDevice device, std::shared_ptr<const CellSource> source,
       top_(rtcNewScene(device)) {
   rtcSetDeviceMemoryMonitorFunction(device, on_memory, this);
   counters_.cells = source_->size();
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(source_->size()));
-  rtcSetGeometryUserData(geometry, this);
-  rtcSetGeometryBoundsFunction(
-      geometry, [](const RTCBoundsFunctionArguments* args) { Calls::bounds(args); }, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* args) { Calls::intersect(args); });
-  rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments* args) { Calls::occluded(args); });
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(top_, geometry);
-  rtcReleaseGeometry(geometry);
+  attach_user_geometry<Calls>(device, top_, source_->size(), this);
   rtcSetSceneFlags(top_, RTC_SCENE_FLAG_ROBUST);
   rtcCommitScene(top_);
 }

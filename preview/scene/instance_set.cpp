@@ -6,6 +6,8 @@
 #include <iterator>
 #include <limits>
 
+#include "preview/user_geometry.h"
+
 namespace citykiln::preview {
 namespace {
 
@@ -87,17 +89,8 @@ void InstanceSet::add(const bake::InstancedMesh& instanced, const std::vector<Os
 
 void InstanceSet::attach_to(RTCDevice device, RTCScene top, unsigned first) {
   first_ = first;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   // a mesh without triangles has no bounds
-  rtcSetGeometryUserPrimitiveCount(geometry, mesh_->parts().empty() ? 0 : static_cast<unsigned>(transforms_.size()));
-  rtcSetGeometryUserData(geometry, this);
-  rtcSetGeometryBoundsFunction(
-      geometry, [](const RTCBoundsFunctionArguments* args) { Calls::bounds(args); }, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* args) { Calls::intersect(args); });
-  rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments* args) { Calls::occluded(args); });
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(top, geometry);
-  rtcReleaseGeometry(geometry);
+  attach_user_geometry<Calls>(device, top, mesh_->parts().empty() ? 0 : transforms_.size(), this);
 }
 
 RTCBounds InstanceSet::box_of(std::size_t instance) const {

@@ -13,7 +13,7 @@ namespace {
 constexpr int kHouses = 24;  // all of different sizes, so that no derivation is shared
 
 // The i-th house along a street at an angle to the axes; mean width `wide` metres.
-Building house(Style style, roofs::Form form, double wide_m, int levels, int i) {
+Building house(Style style, roofs::RoofForm form, double wide_m, int levels, int i) {
   Building b;
   b.id = {{OsmType::kWay, 1000 + i}, 0};
   const double width_m = wide_m * (0.8 + 0.4 * ((i * 7) % kHouses) / kHouses), depth_m = 11 + i % 5 * 0.5;
@@ -23,7 +23,7 @@ Building house(Style style, roofs::Form form, double wide_m, int levels, int i) 
   b.style = style;
   b.levels = static_cast<std::uint8_t>(levels);
   b.roof_shape.form = form;
-  b.roof_shape.height_m = form == roofs::Form::kFlat ? 0 : 4;
+  b.roof_shape.height_m = form == roofs::RoofForm::kFlat ? 0 : 4;
   b.top_m = 3.0 * levels + b.roof_shape.height_m;
   b.wall = materials::Material::kPlaster, b.roof = materials::Material::kRoofTile;
   b.facade_edges.resize(4);
@@ -31,7 +31,7 @@ Building house(Style style, roofs::Form form, double wide_m, int levels, int i) 
   return b;
 }
 
-void generate_street(benchmark::State& state, Style style, roofs::Form form, double wide_m, int levels) {
+void generate_street(benchmark::State& state, Style style, roofs::RoofForm form, double wide_m, int levels) {
   std::vector<Building> street;
   for (int i = 0; i < kHouses; ++i) street.push_back(house(style, form, wide_m, levels, i));
   const Rulebook rulebook = parse_rulebook(shipped_rules());
@@ -51,10 +51,14 @@ void generate_street(benchmark::State& state, Style style, roofs::Form form, dou
   state.counters["houses/s"] = benchmark::Counter(static_cast<double>(houses), benchmark::Counter::kIsRate);
 }
 
-void generate_villas(benchmark::State& state) { generate_street(state, Style::kVilla, roofs::Form::kGabled, 12, 2); }
-void generate_flats(benchmark::State& state) { generate_street(state, Style::kPanelBlock, roofs::Form::kFlat, 40, 5); }
+void generate_villas(benchmark::State& state) {
+  generate_street(state, Style::kVilla, roofs::RoofForm::kGabled, 12, 2);
+}
+void generate_flats(benchmark::State& state) {
+  generate_street(state, Style::kPanelBlock, roofs::RoofForm::kFlat, 40, 5);
+}
 void generate_town_houses(benchmark::State& state) {
-  generate_street(state, Style::kOldTownHouse, roofs::Form::kHipped, 15, 4);
+  generate_street(state, Style::kOldTownHouse, roofs::RoofForm::kHipped, 15, 4);
 }
 
 // tolerance in millimetres

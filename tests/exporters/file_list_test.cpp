@@ -52,7 +52,7 @@ TEST(FileList, FindsWhatIsMissingChangedAndStrange) {
   const FolderState state = compare_folder(folder.path(), list, 2);
   EXPECT_EQ(state.missing, (Names{"gone/d"}));
   EXPECT_EQ(state.changed, (Names{"glb/b", "glb/c"}));
-  EXPECT_EQ(state.strange, (Names{"glb/stranger", "mine/", "notes.txt"}));
+  EXPECT_EQ(state.unlisted, (Names{"glb/stranger", "mine/", "notes.txt"}));
 }
 
 }  // namespace

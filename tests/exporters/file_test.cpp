@@ -102,7 +102,7 @@ TEST_F(File, AFullDiskLeavesTheFileThatWasThere) {
 TEST_F(File, AFullDiskEndsManifestAndTileWithTheirNames) {
   const auto manifest = [&] {
     fill_disk(100);
-    say(message_of(write_manifest(SceneMaker(1).scene(), at("scene.kiln"), 1)));
+    say(message_of(write_file(at("scene.kiln"), encode_manifest(SceneMaker(1).scene(), 1))));
   };
   const auto tile = [&] {
     fill_disk(100);

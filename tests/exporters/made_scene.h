@@ -221,8 +221,8 @@ class SceneMaker {
     return map::Srgb{static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 255};
   }
   roofs::RoofShape roof_shape() {
-    roofs::RoofShape roof{pick(roofs::Form::kCount)};
-    if (roof.form == roofs::Form::kFlat) return roof;
+    roofs::RoofShape roof{pick(roofs::RoofForm::kCount)};
+    if (roof.form == roofs::RoofForm::kFlat) return roof;
     roof.height_m = metres(10), roof.overhang_m = metres(1);
     if (below(2) == 0) roof.direction = Vec2{metres(1), -metres(1)};
     roof.is_ridge_across = below(2) == 0;

@@ -23,7 +23,8 @@ DeriveOptions options_of(Choices& choices) {
   options.prune_early = choices.one_in(2);
   options.memoise = !choices.one_in(4);
   options.roofs = choices.one_in(2) ? form_roofs(0.02) : RoofBuilder(plain_roof);
-  if (choices.one_in(4)) options.occlusion = occlusion_by({{{{{9, -4}, {30, -4}, {30, 20}, {9, 20}}, {}}, 0, 7}});
+  if (choices.one_in(4))
+    options.answer_context_query = answer_from_neighbours({{{{{9, -4}, {30, -4}, {30, 20}, {9, 20}}, {}}, 0, 7}});
   return options;
 }
 

@@ -42,7 +42,7 @@ inline void add_walls(const MadeMass& made, const Ring& ring, bool is_outer, std
 }
 
 /// Returns the mass as first shape: scope x along the first edge, y up.
-inline Shape mass_model_of(const MadeMass& made, roofs::Form* became = nullptr) {
+inline Shape mass_model_of(const MadeMass& made, roofs::RoofForm* became = nullptr) {
   Report ignored;
   const roofs::Roof roof = roofs::generate_roof(made.footprint, made.roof, 0.02, {}, ignored);
   if (became) *became = roof.form;

@@ -278,7 +278,7 @@ Shape made_shape(Choices& choices, const Polygon& footprint) {
   made.height_m = 2 + metres_at(choices, 12);
   if (!is_sound(footprint) || choices.one_in(2))
     return lot(footprint, 2, choices.below(4), StableId{choices.byte()}, {choices.below(4)});
-  made.roof.form = static_cast<roofs::Form>(choices.below(static_cast<std::size_t>(roofs::Form::kCount)));
+  made.roof.form = static_cast<roofs::RoofForm>(choices.below(static_cast<std::size_t>(roofs::RoofForm::kCount)));
   made.roof.overhang_m = choices.one_in(2) ? 0.5 : 0;
   made.party = {choices.below(4)};
   return mass_model_of(made);

@@ -75,9 +75,9 @@ MadeMass mass_in(Order& order) {
   const double x = order.number("x", 0), y = order.number("y", 0);
   made.footprint = plan_of(order.text("plan", ""), x, y, order.number("w", 12), order.number("d", 10));
   made.height_m = order.number("h", 9);
-  made.roof.form = roofs::form_named(order.text("roof", "flat")).value_or(roofs::Form::kFlat);
+  made.roof.form = roofs::form_named(order.text("roof", "flat")).value_or(roofs::RoofForm::kFlat);
   made.roof.angle_deg = order.number("pitch", 0);
-  made.roof.overhang_m = order.number("over", made.roof.form == roofs::Form::kFlat ? 0 : 0.4);
+  made.roof.overhang_m = order.number("over", made.roof.form == roofs::RoofForm::kFlat ? 0 : 0.4);
   made.street = order.edges("street", "0"), made.party = order.edges("party", "");
   made.id = StableId{static_cast<std::uint64_t>(order.number("id", 7 + x * 131 + y))};
   return made;
@@ -90,7 +90,7 @@ Value value_in(const std::string& text) {
   return end != text.c_str() && *end == 0 ? Value(number) : Value(text);
 }
 
-DeriveOptions options_of(const Order& order, const MadeMass& made, roofs::Form became, double tolerance_m) {
+DeriveOptions options_of(const Order& order, const MadeMass& made, roofs::RoofForm became, double tolerance_m) {
   DeriveOptions options;
   options.tolerance_m = tolerance_m;
   options.keep_appearances = true;
@@ -140,7 +140,7 @@ bool add_building(bake::PrimitiveMap& merged, Order order, double tolerance_m) {
   if (!program) return std::fprintf(stderr, "%s\n", to_string(program.error()).c_str()), false;
   const bool is_lot = !order.text("lot", "").empty(), shows_names = !order.text("names", "").empty();
   const MadeMass made = mass_in(order);
-  roofs::Form became{};
+  roofs::RoofForm became{};
   Shape start = mass_model_of(made, &became);
   if (is_lot) start = lot(made.footprint, 0, 0, made.id, made.street);
   Derivation derivation = derive(*program, start, options_of(order, made, became, tolerance_m));

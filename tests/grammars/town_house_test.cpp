@@ -117,7 +117,7 @@ TEST_F(TownHouse, StandsOnAnyFootprint) {
 
 TEST_F(TownHouse, PartyWallsCarryNoWindows) {
   DeriveOptions options;
-  options.occlusion = occlusion_by({{{{{-1, -9}, {12, -9}, {12, 0}, {-1, 0}}, {}}, 0, 15}});
+  options.answer_context_query = answer_from_neighbours({{{{{-1, -9}, {12, -9}, {12, 0}, {-1, 0}}, {}}, 0, 15}});
   const Derivation derivation = house(11, 9, options);
   EXPECT_EQ(count_named(derivation, "PartyWall"), 1u);
   EXPECT_EQ(count_named(derivation, "GlassPane"), 0u);

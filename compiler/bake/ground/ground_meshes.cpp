@@ -204,7 +204,7 @@ Markings lay_out_markings(std::span<const roads::MarkingLayout> layouts, double 
   for (const roads::MarkingLayout& layout : layouts) markings.drawn.push_back(roads::canonical_layout(layout).layout);
   sort_unique(markings.drawn);
   roads::MarkingAtlas atlas = roads::make_marking_atlas(markings.drawn, tolerance_m);
-  markings.atlas = std::move(atlas.sheet), markings.left_m = std::move(atlas.left_m);
+  markings.atlas = std::move(atlas.image), markings.left_m = std::move(atlas.left_m);
   for (const roads::MarkingLayout& layout : layouts) markings.columns.push_back(column_of(markings, layout));
   return markings;
 }

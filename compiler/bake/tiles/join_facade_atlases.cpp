@@ -24,23 +24,23 @@ TextureImage::Texel mean(std::span<const TextureImage::Texel> texels, bool is_li
   return mean;
 }
 
-TextureImage halved(const TextureImage& sheet, bool is_light) {
-  TextureImage half{2 * sheet.texel_m, (sheet.columns + 1) / 2, (sheet.rows + 1) / 2, {}};
+TextureImage halved(const TextureImage& image, bool is_light) {
+  TextureImage half{2 * image.texel_m, (image.columns + 1) / 2, (image.rows + 1) / 2, {}};
   for (std::size_t row = 0; row < half.rows; ++row)
     for (std::size_t column = 0; column < half.columns; ++column) {
       std::array<TextureImage::Texel, 4> four{};
       std::size_t count = 0;
-      for (std::size_t y = 2 * row; y < std::min<std::size_t>(2 * row + 2, sheet.rows); ++y)
-        for (std::size_t x = 2 * column; x < std::min<std::size_t>(2 * column + 2, sheet.columns); ++x)
-          four[count++] = sheet.texels[y * sheet.columns + x];
+      for (std::size_t y = 2 * row; y < std::min<std::size_t>(2 * row + 2, image.rows); ++y)
+        for (std::size_t x = 2 * column; x < std::min<std::size_t>(2 * column + 2, image.columns); ++x)
+          four[count++] = image.texels[y * image.columns + x];
       half.texels.push_back(mean(std::span(four).first(count), is_light));
     }
   return half;
 }
 
 Atlas halved(const Atlas& atlas) {
-  const auto if_any = [](const TextureImage& sheet, bool is_light) {
-    return sheet.texels.empty() ? TextureImage{} : halved(sheet, is_light);
+  const auto if_any = [](const TextureImage& image, bool is_light) {
+    return image.texels.empty() ? TextureImage{} : halved(image, is_light);
   };
   return {halved(atlas.colour, true), halved(atlas.surface, false), if_any(atlas.emission, true),
           if_any(atlas.normal, false)};
@@ -69,9 +69,9 @@ FacadeLayout layout_of(std::span<const Atlas> atlases) {
   return layout;
 }
 
-void draw_facades(const TextureImage& sheet, std::array<std::uint64_t, 2> first, TextureImage& joined) {
-  for (std::size_t row = 0; row < sheet.rows; ++row)
-    std::copy_n(sheet.texels.begin() + static_cast<std::ptrdiff_t>(row * sheet.columns), sheet.columns,
+void draw_facades(const TextureImage& image, std::array<std::uint64_t, 2> first, TextureImage& joined) {
+  for (std::size_t row = 0; row < image.rows; ++row)
+    std::copy_n(image.texels.begin() + static_cast<std::ptrdiff_t>(row * image.columns), image.columns,
                 joined.texels.begin() + static_cast<std::ptrdiff_t>((first[1] + row) * joined.columns + first[0]));
 }
 
@@ -82,8 +82,8 @@ TextureImage blank(double texel_m, const FacadeLayout& layout, TextureImage::Tex
 
 // An empty atlas with the channels that any of the atlases has.
 Atlas blank_like(std::span<const Atlas> atlases, double texel_m, const FacadeLayout& layout) {
-  const auto any_has = [&](TextureImage Atlas::*sheet) {
-    return std::ranges::any_of(atlases, [&](const Atlas& atlas) { return !(atlas.*sheet).texels.empty(); });
+  const auto any_has = [&](TextureImage Atlas::*image) {
+    return std::ranges::any_of(atlases, [&](const Atlas& atlas) { return !(atlas.*image).texels.empty(); });
   };
   constexpr TextureImage::Texel kFlat{128, 128, 255};
   Atlas atlas{blank(texel_m, layout), blank(texel_m, layout), {}, {}};

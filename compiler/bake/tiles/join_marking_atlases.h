@@ -17,12 +17,12 @@ namespace citykiln::bake {
 
 /// The joined atlas, and where each input is in it.
 struct JoinedMarkingAtlases {
-  materials::TextureImage sheet;  ///< The joined atlas.
+  materials::TextureImage image;  ///< The joined atlas.
   std::vector<double> offsets_m;  ///< One per input: the distance by which its u moves in the joined atlas.
 };
 
 /// Joins atlases in the given order.
-/// @param sheets  The atlases. None is null.
+/// @param atlases  The atlases. None is null.
 ///
 /// Guarantees: every texel is in the joined atlas, at its v and at its u plus the offset. Equal atlases are stored
 /// once. Atlases without texels take no space. The number of rows is the least common multiple of the atlases' rows, so
@@ -32,6 +32,6 @@ struct JoinedMarkingAtlases {
 /// coarsest texel size, or to a coarser one: each texel is then the mean, in linear light, of the area that it covers.
 ///
 /// Errors: atlases that would have to be resampled but differ in length along v. O(texels).
-Result<JoinedMarkingAtlases> join_marking_atlases(std::span<const materials::TextureImage* const> sheets);
+Result<JoinedMarkingAtlases> join_marking_atlases(std::span<const materials::TextureImage* const> atlases);
 
 }  // namespace citykiln::bake

@@ -41,14 +41,14 @@ Float2 slid(const Float2& uv, double across_m) { return {static_cast<float>(uv[0
 struct SourceTile {
   const BakedTile& tile;
   Vec3 offset;                          ///< From the joined origin to the tile's.
-  double sheet_m;                       ///< Offset of its marking atlas in the joined one, metres along u.
+  double marking_offset_m;              ///< Offset of its marking atlas in the joined one, metres along u.
   JoinedFacadeAtlases::Place on_atlas;  ///< Place of its facade atlas in the joined one.
   std::vector<std::uint32_t> features;  ///< The joined tile's feature index for each of its own.
 };
 
-SourceTile guest_of(const BakedTile& tile, const BakedTile& joined, double sheet_m,
+SourceTile guest_of(const BakedTile& tile, const BakedTile& joined, double marking_offset_m,
                     const JoinedFacadeAtlases::Place& on_atlas) {
-  SourceTile source{tile, tile.origin - joined.origin, sheet_m, on_atlas, {}};
+  SourceTile source{tile, tile.origin - joined.origin, marking_offset_m, on_atlas, {}};
   for (const OsmId feature : tile.features) {
     source.features.push_back(
         static_cast<std::uint32_t>(std::ranges::lower_bound(joined.features, feature) - joined.features.begin()));
@@ -57,7 +57,7 @@ SourceTile guest_of(const BakedTile& tile, const BakedTile& joined, double sheet
 }
 
 Float2 on_joined(const Float2& uv, materials::ColourSource colour_source, const SourceTile& source) {
-  if (colour_source == materials::ColourSource::kByMarkingAtlas) return slid(uv, source.sheet_m);
+  if (colour_source == materials::ColourSource::kByMarkingAtlas) return slid(uv, source.marking_offset_m);
   if (colour_source != materials::ColourSource::kByAtlas) return uv;
   const auto& [at_m, scale] = source.on_atlas;
   return {static_cast<float>(at_m.x + scale * uv[0]), static_cast<float>(at_m.y + scale * uv[1])};
@@ -137,11 +137,11 @@ Result<BakedTile> join_tiles(std::span<const BakedTile> tiles, JoinPrecision pre
   joined.features.assign(features.begin(), features.end());
   joined.attributes = joined_attributes(joined.features, tiles);
 
-  std::vector<const materials::TextureImage*> sheets;
-  for (const BakedTile& tile : tiles) sheets.push_back(&tile.marking_atlas);
-  Result<JoinedMarkingAtlases> joined_sheets = join_marking_atlases(sheets);
-  if (!joined_sheets) return joined_sheets.error();
-  joined.marking_atlas = std::move(joined_sheets->sheet);
+  std::vector<const materials::TextureImage*> marking_atlases;
+  for (const BakedTile& tile : tiles) marking_atlases.push_back(&tile.marking_atlas);
+  Result<JoinedMarkingAtlases> joined_markings = join_marking_atlases(marking_atlases);
+  if (!joined_markings) return joined_markings.error();
+  joined.marking_atlas = std::move(joined_markings->image);
 
   std::vector<const impostor::Atlas*> atlases;
   for (const BakedTile& tile : tiles) atlases.push_back(&tile.facade_atlas);
@@ -153,7 +153,7 @@ Result<BakedTile> join_tiles(std::span<const BakedTile> tiles, JoinPrecision pre
   double reach_m = 0;
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     const BakedTile& tile = tiles[t];
-    const SourceTile source = guest_of(tile, joined, joined_sheets->offsets_m[t], joined_atlases.places[t]);
+    const SourceTile source = guest_of(tile, joined, joined_markings->offsets_m[t], joined_atlases.places[t]);
     for (const Primitive& p : tile.primitives) add_primitive(primitive_of(joined, key_of(p)), p, source, reach_m);
     for (const InstancedMesh& i : tile.instanced) add_instanced(instanced_of(joined, i, source), i, source, reach_m);
     joined.tolerance_m = std::min(joined.tolerance_m, tile.tolerance_m);

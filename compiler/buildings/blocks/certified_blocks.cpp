@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "compiler/contract/tolerance.h"
 #include "compiler/simplify/distance_bound.h"
 
 namespace citykiln::buildings {
@@ -11,8 +12,8 @@ namespace {
 using simplify::Corners;
 using simplify::TriangleTree;
 
-// Shapes use at most this share of the tolerance, and are no coarser than the coarsest level of a tile by default.
-constexpr double kShapeShare = 0.25, kCoarsestShape_m = 12.5;
+// Shapes use at most this share of the tolerance, and are no coarser than kCoarsestDefault_m.
+constexpr double kShapeShare = 0.25;
 
 // Shares of the tolerance: the precision of bounds, and the least distance that is measured.
 constexpr double kPrecision = 0x1p-4, kLeast = 0.25;
@@ -79,7 +80,7 @@ BlockRole next_role(BlockRole role) { return role == BlockRole::kMerged ? BlockR
 
 }  // namespace
 
-double block_source_tolerance_m(double tolerance_m) { return std::min(kShapeShare * tolerance_m, kCoarsestShape_m); }
+double block_source_tolerance_m(double tolerance_m) { return std::min(kShapeShare * tolerance_m, kCoarsestDefault_m); }
 
 CertifiedBlocks certified_blocks(const BlockSources& sources, double tolerance_m) {
   assert(sources.buildings.size() == sources.shapes.size());

@@ -116,15 +116,6 @@ std::string shell_quoted(const std::string& text) {
   return quoted + "'";
 }
 
-std::string ninja_path(const std::string& path) {
-  std::string escaped;
-  for (const char c : path) {
-    if (c == '$' || c == ' ' || c == ':') escaped += '$';
-    escaped += c == '\n' ? ' ' : c;
-  }
-  return escaped;
-}
-
 std::string ninja_command(const std::string& command) {
   std::string escaped;
   for (const char c : command) escaped += c == '$' ? std::string("$$") : std::string(1, c == '\n' ? ' ' : c);

@@ -10,10 +10,7 @@ namespace citykiln::commands {
 
 /// Quotes any text as one word of a POSIX shell.
 std::string shell_quoted(const std::string& text);
-/// Escapes a path for either side of a build statement of Ninja. A line break, which Ninja cannot express, becomes a
-/// space.
-std::string ninja_path(const std::string& path);
-/// Escapes a command for a rule of a Ninja file.
+/// Escapes a command for a rule of a Ninja file. A line break, which Ninja cannot express, becomes a space.
 std::string ninja_command(const std::string& command);
 
 /// Returns the scripts of a plan by file name. They are run in the folder of the plan, which can be moved.

@@ -27,7 +27,7 @@ constexpr int kMostFrames = 100'000;
 // Speed of a path for which neither a speed nor a number of frames is given: a bicycle.
 constexpr double kSpeed_m_s = 5;
 
-Take store_aperture(std::optional<Aperture>& aperture) {
+StoreValue store_aperture(std::optional<Aperture>& aperture) {
   return [&aperture](const std::string& text) -> Result<Done> {
     const bool is_f_number = text.starts_with("f/");
     const auto number = number_in<double>(std::string_view(text).substr(is_f_number ? 2 : 0));
@@ -40,7 +40,7 @@ Take store_aperture(std::optional<Aperture>& aperture) {
   };
 }
 
-Take store_focus(Focus& focus) {
+StoreValue store_focus(Focus& focus) {
   return [&focus](const std::string& text) -> Result<Done> {
     focus = {};
     if (text.find(',') != std::string::npos) return store_point(focus.at)(text);
@@ -52,7 +52,7 @@ Take store_focus(Focus& focus) {
   };
 }
 
-Take store_frames(std::optional<int>& frames) {
+StoreValue store_frames(std::optional<int>& frames) {
   return [&frames](const std::string& text) -> Result<Done> {
     const auto number = number_in<int>(text);
     if (!number || *number < 1 || *number > kMostFrames)

@@ -8,10 +8,6 @@
 namespace citykiln::commands {
 namespace {
 
-bool is_ground(bake::Layer layer) {
-  return layer == bake::Layer::kGround || layer == bake::Layer::kRoads || layer == bake::Layer::kWater;
-}
-
 // Returns the height of a triangle at a place inside it or on its border; empty for vertical triangles.
 std::optional<double> height_in(Vec3 a, Vec3 b, Vec3 c, Vec2 p) {
   const auto area = [](Vec3 u, Vec3 v, Vec2 w) { return (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x); };
@@ -28,7 +24,7 @@ std::optional<double> ground_height_m(std::span<const bake::BakedTile> tiles, Ve
   std::optional<double> highest;
   for (const bake::BakedTile& tile : tiles)
     for (const bake::Primitive& primitive : tile.primitives) {
-      if (!is_ground(primitive.layer)) continue;
+      if (!bake::is_terrain(primitive)) continue;
       const Vec2 p = place - in_plan(tile.origin);
       const auto corner = [&](std::uint32_t i) { return bake::widened(primitive.positions[i]); };
       for (const auto& [a, b, c] : primitive.triangles) {
@@ -42,7 +38,7 @@ std::optional<double> ground_height_m(std::span<const bake::BakedTile> tiles, Ve
 std::optional<double> ground_height_m(const scene::Scene& scene, Vec2 place) {
   for (const scene::Chunk& chunk : scene.chunks) {
     if (!scene::box_of(scene.header, chunk.tile).contains(place)) continue;
-    return ground::land_m(scene::graded_terrain_of(scene.header, chunk, kFinestTolerances_m.front()), place);
+    return ground::land_m(scene::graded_terrain_of(scene.header, chunk, kFinestTolerance_m), place);
   }
   return std::nullopt;
 }

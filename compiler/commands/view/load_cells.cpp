@@ -42,7 +42,7 @@ std::size_t budget_bytes_of(const CellRequest& request) {
   return request.budget_bytes > 0 ? request.budget_bytes : default_budget_bytes();
 }
 
-Take store_bytes(std::size_t& bytes) {
+StoreValue store_bytes(std::size_t& bytes) {
   return [&bytes](const std::string& text) -> Result<Done> {
     const Error wrong{text, "expected a size of at least 1 MB, such as 200MB or 4GB"};
     double number = 0;
@@ -62,7 +62,7 @@ bool asks_for_cells(const LoadRequest& request) {
 }
 
 Result<scene::Scene> read_scene(const LoadRequest& request) {
-  const Result<std::string> path = manifest_of(request.paths.front());
+  const Result<std::string> path = settle_and_find_manifest(request.paths.front());
   if (!path) return path.error();
   Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();

@@ -39,7 +39,7 @@ std::size_t default_budget_bytes();
 std::size_t budget_bytes_of(const CellRequest& request);
 
 /// Stores a size of memory, such as "200MB", "4GB" or "1.5GiB"; at least 1 MB.
-Take store_bytes(std::size_t& bytes);
+StoreValue store_bytes(std::size_t& bytes);
 
 /// True if a request is for cells: a manifest without a tolerance.
 bool asks_for_cells(const LoadRequest& request);

@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_progress) {
-  const Result<std::string> path = manifest_of(request.paths.front());
+  const Result<std::string> path = settle_and_find_manifest(request.paths.front());
   if (!path) return path.error();
   Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();

@@ -13,7 +13,7 @@
 
 namespace citykiln::commands {
 
-Take store_point(std::optional<GivenPoint>& point) {
+StoreValue store_point(std::optional<GivenPoint>& point) {
   return [&point](const std::string& text) -> Result<Done> {
     std::string numbers = text;
     const std::size_t height = numbers.rfind(',') + 1;
@@ -26,7 +26,7 @@ Take store_point(std::optional<GivenPoint>& point) {
   };
 }
 
-Take store_point(std::optional<Vec3>& point) {
+StoreValue store_point(std::optional<Vec3>& point) {
   return [&point](const std::string& text) -> Result<Done> {
     const Result<std::vector<double>> n = parse_numbers(text, 3);
     if (!n) return n.error();
@@ -35,7 +35,7 @@ Take store_point(std::optional<Vec3>& point) {
   };
 }
 
-Take store_size(PictureSize& size) {
+StoreValue store_size(PictureSize& size) {
   return [&size](const std::string& text) -> Result<Done> {
     constexpr int kMax_px = 32768;  // a limit on memory
     const auto sides = numbers_in<int>(text, 'x', 2);

@@ -23,12 +23,12 @@ struct GivenPoint {
 };
 
 /// Stores three numbers, "X,Y,Z" or "LON,LAT,HEIGHT". A height such as "+2" is above the ground.
-Take store_point(std::optional<GivenPoint>& point);
+StoreValue store_point(std::optional<GivenPoint>& point);
 /// Stores "X,Y,Z".
-Take store_point(std::optional<Vec3>& point);
+StoreValue store_point(std::optional<Vec3>& point);
 
 /// Stores "1280x720".
-Take store_size(PictureSize& size);
+StoreValue store_size(PictureSize& size);
 
 /// The allowed fields of view, in degrees.
 inline constexpr NumberRange kFieldsOfView_deg{0, 180};

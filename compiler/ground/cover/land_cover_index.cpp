@@ -20,10 +20,11 @@ struct BucketEdge {
 };
 
 // Returns false only where all corners of the bucket lie on one side of the edge.
-bool may_pass(const LandCoverIndex& map, int column, int row, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a, centre = map.corner_of(column, row) + Vec2{map.bucket_m / 2, map.bucket_m / 2};
+bool may_pass(const LandCoverIndex& land_cover, int column, int row, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a,
+             centre = land_cover.corner_of(column, row) + Vec2{land_cover.bucket_m / 2, land_cover.bucket_m / 2};
   return std::abs(cross(along, centre - a)) <=
-         (map.bucket_m / 2 + kOffGrid_m) * (std::abs(along.x) + std::abs(along.y));
+         (land_cover.bucket_m / 2 + kOffGrid_m) * (std::abs(along.x) + std::abs(along.y));
 }
 
 // The edges of one polygon, sorted by bucket of the range that its box touches.
@@ -32,17 +33,17 @@ struct Sorted {
   std::vector<BucketEdge> edges;
 };
 
-Sorted sort_edges(const LandCoverIndex& map, const LandCoverPolygon& surface, const Box2& box) {
-  Sorted sorted{map.range(box), {}};
+Sorted sort_edges(const LandCoverIndex& land_cover, const LandCoverPolygon& surface, const Box2& box) {
+  Sorted sorted{land_cover.range(box), {}};
   const BucketRange& range = sorted.range;
   const int across = range.last_column - range.first_column + 1;
   for (const Ring& ring : surface.rings)
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
       const Box2 edge = box_of(std::array{ring[j], ring[i]});
-      if (!edge.touches(map.box)) continue;
-      const BucketRange near = map.range(edge);
+      if (!edge.touches(land_cover.box)) continue;
+      const BucketRange near = land_cover.range(edge);
       for_each_bucket(near, [&](int c, int r) {
-        if (may_pass(map, c, r, ring[j], ring[i]))
+        if (may_pass(land_cover, c, r, ring[j], ring[i]))
           sorted.edges.push_back({static_cast<std::uint32_t>((r - range.first_row) * across + c - range.first_column),
                                   {ring[j], ring[i]}});
       });
@@ -57,7 +58,7 @@ bool is_west_of(Vec2 a, Vec2 b, Vec2 p) { return a.y <= p.y ? cross(b - a, p - a
 // Winding numbers at the corners of a range of buckets, row by row: each edge is counted once per row it crosses, not
 // once per bucket.
 struct Windings {
-  const LandCoverIndex& map;
+  const LandCoverIndex& land_cover;
   BucketRange range;
   std::vector<int> steps;  // differences along a row, which has one more than columns
 
@@ -66,20 +67,23 @@ struct Windings {
 
   // Returns how many columns, from the west, have their corner west of where the edge crosses row r.
   int columns_west(Vec2 a, Vec2 b, int r) const {
-    const double y = map.corner_of(0, r).y, x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
-    int count = static_cast<int>(std::clamp(std::ceil((x - map.corner.x) / map.bucket_m) - range.first_column, 0.0,
-                                            static_cast<double>(across())));
-    const auto is_west = [&](int column) { return is_west_of(a, b, map.corner_of(range.first_column + column, r)); };
+    const double y = land_cover.corner_of(0, r).y, x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
+    int count =
+        static_cast<int>(std::clamp(std::ceil((x - land_cover.corner.x) / land_cover.bucket_m) - range.first_column,
+                                    0.0, static_cast<double>(across())));
+    const auto is_west = [&](int column) {
+      return is_west_of(a, b, land_cover.corner_of(range.first_column + column, r));
+    };
     while (count > 0 && !is_west(count - 1)) --count;
     while (count < across() && is_west(count)) ++count;
     return count;
   }
 
   void add_edge(Vec2 a, Vec2 b) {
-    const BucketRange rows = map.range(box_of(std::array{a, b}));
+    const BucketRange rows = land_cover.range(box_of(std::array{a, b}));
     const int last = std::min(rows.last_row + 1, range.last_row);
     for (int r = std::max(rows.first_row, range.first_row); r <= last; ++r) {
-      const double y = map.corner_of(0, r).y;
+      const double y = land_cover.corner_of(0, r).y;
       if ((a.y <= y) == (b.y <= y)) continue;
       const int winding = a.y <= y ? 1 : -1;
       row(r)[0] += winding, row(r)[columns_west(a, b, r)] -= winding;
@@ -88,8 +92,9 @@ struct Windings {
 };
 
 // Returns one winding number per bucket of the range.
-std::vector<int> windings_of(const LandCoverIndex& map, const LandCoverPolygon& surface, const BucketRange& range) {
-  Windings windings{map, range, {}};
+std::vector<int> windings_of(const LandCoverIndex& land_cover, const LandCoverPolygon& surface,
+                             const BucketRange& range) {
+  Windings windings{land_cover, range, {}};
   windings.steps.assign(static_cast<std::size_t>(windings.across() + 1) * (range.last_row - range.first_row + 1), 0);
   for (const Ring& ring : surface.rings)
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) windings.add_edge(ring[j], ring[i]);
@@ -105,13 +110,13 @@ struct Found {
   BucketEntry entry;
 };
 
-void find_in_buckets(const LandCoverIndex& map, std::uint32_t number, std::vector<LandCoverIndex::Edge>& all_edges,
-                     std::vector<Found>& found) {
-  const LandCoverPolygon& surface = map.surfaces[number];
+void find_in_buckets(const LandCoverIndex& land_cover, std::uint32_t number,
+                     std::vector<LandCoverIndex::Edge>& all_edges, std::vector<Found>& found) {
+  const LandCoverPolygon& surface = land_cover.surfaces[number];
   const Box2 box = box_of(surface);
-  if (box.is_empty() || !box.touches(map.box)) return;
-  const Sorted sorted = sort_edges(map, surface, box);
-  const std::vector<int> windings = windings_of(map, surface, sorted.range);
+  if (box.is_empty() || !box.touches(land_cover.box)) return;
+  const Sorted sorted = sort_edges(land_cover, surface, box);
+  const std::vector<int> windings = windings_of(land_cover, surface, sorted.range);
   const std::int32_t priority = map::values_of(surface.surface).priority;
   std::uint32_t at = 0;
   auto edge = sorted.edges.begin();
@@ -125,19 +130,19 @@ void find_in_buckets(const LandCoverIndex& map, std::uint32_t number, std::vecto
       }
       const auto count = static_cast<std::uint32_t>(all_edges.size()) - first;
       if (count == 0 && windings[at] <= 0) continue;
-      found.push_back({map.index(c, r), {number, windings[at], priority, first, count, about}});
+      found.push_back({land_cover.index(c, r), {number, windings[at], priority, first, count, about}});
     }
 }
 
-std::span<const LandCoverIndex::Edge> edges_of_entry(const LandCoverIndex& map, const BucketEntry& entry) {
-  return std::span(map.edges).subspan(entry.first_edge, entry.edge_count);
+std::span<const LandCoverIndex::Edge> edges_of_entry(const LandCoverIndex& land_cover, const BucketEntry& entry) {
+  return std::span(land_cover.edges).subspan(entry.first_edge, entry.edge_count);
 }
 
 // Counts winding steps from the bucket's corner, where the winding number is known, north to the height of p and then
 // east to p.
-bool covers_point(const LandCoverIndex& map, const BucketEntry& entry, Vec2 corner, Vec2 p) {
+bool covers_point(const LandCoverIndex& land_cover, const BucketEntry& entry, Vec2 corner, Vec2 p) {
   int winding = entry.winding;
-  for (const auto& [a, b] : edges_of_entry(map, entry)) {
+  for (const auto& [a, b] : edges_of_entry(land_cover, entry)) {
     if ((a.x <= corner.x) != (b.x <= corner.x)) {
       const double y = a.y + (b.y - a.y) * ((corner.x - a.x) / (b.x - a.x));
       if (y > corner.y && y <= p.y) winding += a.x <= corner.x ? 1 : -1;
@@ -159,16 +164,16 @@ double squared_distance(const Box2& box, Vec2 p) {
   return squared(aside) + squared(above);
 }
 
-double squared_distance(const LandCoverIndex& map, int column, int row, Vec2 p) {
-  return squared_distance({map.corner_of(column, row), map.corner_of(column + 1, row + 1)}, p);
+double squared_distance(const LandCoverIndex& land_cover, int column, int row, Vec2 p) {
+  return squared_distance({land_cover.corner_of(column, row), land_cover.corner_of(column + 1, row + 1)}, p);
 }
 
 // Returns the squared distance to the entry's edges if it is below `nearest`, else `nearest`. Only squares are
 // compared, so the order of edges does not matter.
-double squared_distance(const LandCoverIndex& map, const BucketEntry& entry, Vec2 p, double nearest) {
+double squared_distance(const LandCoverIndex& land_cover, const BucketEntry& entry, Vec2 p, double nearest) {
   // most edges are farther than one found before
   if (squared_distance(entry.edges, p) >= nearest) return nearest;
-  for (const auto& [a, b] : edges_of_entry(map, entry)) {
+  for (const auto& [a, b] : edges_of_entry(land_cover, entry)) {
     const Box2 box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
     if (squared_distance(box, p) >= nearest) continue;
     const Vec2 off = p - nearest_point(a, b, p);
@@ -178,35 +183,38 @@ double squared_distance(const LandCoverIndex& map, const BucketEntry& entry, Vec
 }
 
 // Stores the entries sorted by bucket, and their edges in the same order, so that a query reads memory in a row.
-void store_entries(LandCoverIndex& map, std::span<const Found> found, std::span<const LandCoverIndex::Edge> edges) {
-  map.bucket_starts.assign(map.size() + 1, 0);
-  map.edges.reserve(edges.size());
+void store_entries(LandCoverIndex& land_cover, std::span<const Found> found,
+                   std::span<const LandCoverIndex::Edge> edges) {
+  land_cover.bucket_starts.assign(land_cover.size() + 1, 0);
+  land_cover.edges.reserve(edges.size());
   for (const Found& f : found) {
-    ++map.bucket_starts[f.bucket + 1];
+    ++land_cover.bucket_starts[f.bucket + 1];
     const auto own = edges.subspan(f.entry.first_edge, f.entry.edge_count);
-    map.entries.push_back(f.entry);
-    map.entries.back().first_edge = static_cast<std::uint32_t>(map.edges.size());
-    map.edges.insert(map.edges.end(), own.begin(), own.end());
+    land_cover.entries.push_back(f.entry);
+    land_cover.entries.back().first_edge = static_cast<std::uint32_t>(land_cover.edges.size());
+    land_cover.edges.insert(land_cover.edges.end(), own.begin(), own.end());
   }
-  for (std::size_t i = 1; i < map.bucket_starts.size(); ++i) map.bucket_starts[i] += map.bucket_starts[i - 1];
+  for (std::size_t i = 1; i < land_cover.bucket_starts.size(); ++i)
+    land_cover.bucket_starts[i] += land_cover.bucket_starts[i - 1];
 }
 
-std::span<const BucketEntry> entries_at(const LandCoverIndex& map, int column, int row) {
-  const std::size_t bucket = map.index(column, row);
-  return std::span(map.entries)
-      .subspan(map.bucket_starts[bucket], map.bucket_starts[bucket + 1] - map.bucket_starts[bucket]);
+std::span<const BucketEntry> entries_at(const LandCoverIndex& land_cover, int column, int row) {
+  const std::size_t bucket = land_cover.index(column, row);
+  return std::span(land_cover.entries)
+      .subspan(land_cover.bucket_starts[bucket],
+               land_cover.bucket_starts[bucket + 1] - land_cover.bucket_starts[bucket]);
 }
 
 // Returns per bucket whether no bucket with entries lies within kIndexNear_m.
-std::vector<bool> far_buckets(const LandCoverIndex& map) {
-  std::vector<bool> is_far(map.size(), true);
-  const int near = static_cast<int>(std::ceil(kIndexNear_m / map.bucket_m));
-  for (int row = 0; row < map.rows; ++row)
-    for (int column = 0; column < map.columns; ++column) {
-      if (entries_at(map, column, row).empty()) continue;
-      for (int r = std::max(row - near, 0); r <= std::min(row + near, map.rows - 1); ++r)
-        for (int c = std::max(column - near, 0); c <= std::min(column + near, map.columns - 1); ++c)
-          is_far[map.index(c, r)] = false;
+std::vector<bool> far_buckets(const LandCoverIndex& land_cover) {
+  std::vector<bool> is_far(land_cover.size(), true);
+  const int near = static_cast<int>(std::ceil(kIndexNear_m / land_cover.bucket_m));
+  for (int row = 0; row < land_cover.rows; ++row)
+    for (int column = 0; column < land_cover.columns; ++column) {
+      if (entries_at(land_cover, column, row).empty()) continue;
+      for (int r = std::max(row - near, 0); r <= std::min(row + near, land_cover.rows - 1); ++r)
+        for (int c = std::max(column - near, 0); c <= std::min(column + near, land_cover.columns - 1); ++c)
+          is_far[land_cover.index(c, r)] = false;
     }
   return is_far;
 }
@@ -218,56 +226,57 @@ LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, cons
   const auto count = [&](double side_m) {
     return std::max(1, static_cast<int>(std::ceil((side_m + kOffGrid_m) / bucket_m)));
   };
-  LandCoverIndex map;
-  static_cast<BucketGrid&>(map) = {box.min - Vec2{kOffGrid_m, kOffGrid_m}, bucket_m, count(box.width()),
-                                   count(box.height())};
-  map.surfaces = surfaces, map.box = box;
+  LandCoverIndex land_cover;
+  static_cast<BucketGrid&>(land_cover) = {box.min - Vec2{kOffGrid_m, kOffGrid_m}, bucket_m, count(box.width()),
+                                          count(box.height())};
+  land_cover.surfaces = surfaces, land_cover.box = box;
   std::vector<std::uint32_t> order(surfaces.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return covers(surfaces[a], surfaces[b]); });
   // entries are made from the top down, so a stable sort by bucket keeps each bucket's in that order
   std::vector<Found> found;
   std::vector<LandCoverIndex::Edge> edges;
-  for (const std::uint32_t i : order) find_in_buckets(map, i, edges, found);
+  for (const std::uint32_t i : order) find_in_buckets(land_cover, i, edges, found);
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.bucket < b.bucket; });
-  store_entries(map, found, edges);
-  map.is_far = far_buckets(map);
-  return map;
+  store_entries(land_cover, found, edges);
+  land_cover.is_far = far_buckets(land_cover);
+  return land_cover;
 }
 
-std::uint32_t land_cover_at(const LandCoverIndex& map, Vec2 p) {
-  assert(map.box.contains(p));
-  const int column = map.column(p.x), row = map.row(p.y);
-  for (const BucketEntry& entry : entries_at(map, column, row))
-    if (covers_point(map, entry, map.corner_of(column, row), p)) return entry.surface;
+std::uint32_t land_cover_at(const LandCoverIndex& land_cover, Vec2 p) {
+  assert(land_cover.box.contains(p));
+  const int column = land_cover.column(p.x), row = land_cover.row(p.y);
+  for (const BucketEntry& entry : entries_at(land_cover, column, row))
+    if (covers_point(land_cover, entry, land_cover.corner_of(column, row), p)) return entry.surface;
   return kNoLandCover;
 }
 
-double clearance_m(const LandCoverIndex& map, Vec2 p, int priority, double reach_m) {
-  assert(map.box.contains(p) && reach_m >= 0);
-  const int own_column = map.column(p.x), own_row = map.row(p.y);
-  if (reach_m <= kIndexNear_m && map.is_far[map.index(own_column, own_row)]) return reach_m;
-  double nearest = squared(reach_m);
-  for (const BucketEntry& entry : entries_at(map, own_column, own_row)) {
+double clearance_m(const LandCoverIndex& land_cover, Vec2 p, int priority, double search_radius_m) {
+  assert(land_cover.box.contains(p) && search_radius_m >= 0);
+  const int own_column = land_cover.column(p.x), own_row = land_cover.row(p.y);
+  if (search_radius_m <= kIndexNear_m && land_cover.is_far[land_cover.index(own_column, own_row)])
+    return search_radius_m;
+  double nearest = squared(search_radius_m);
+  for (const BucketEntry& entry : entries_at(land_cover, own_column, own_row)) {
     // sorted from the top down: all that follow have a lower priority
     if (entry.priority < priority) break;
-    if (covers_point(map, entry, map.corner_of(own_column, own_row), p)) return 0;
-    nearest = squared_distance(map, entry, p, nearest);
+    if (covers_point(land_cover, entry, land_cover.corner_of(own_column, own_row), p)) return 0;
+    nearest = squared_distance(land_cover, entry, p, nearest);
   }
   // edges in other buckets may be nearer still
   const double near_m = std::sqrt(nearest);
-  const BucketRange range = map.range({{p.x - near_m, p.y - near_m}, {p.x + near_m, p.y + near_m}});
+  const BucketRange range = land_cover.range({{p.x - near_m, p.y - near_m}, {p.x + near_m, p.y + near_m}});
   for (int row = range.first_row; row <= range.last_row; ++row)
     for (int column = range.first_column; column <= range.last_column; ++column) {
-      const std::span<const BucketEntry> entries = entries_at(map, column, row);
+      const std::span<const BucketEntry> entries = entries_at(land_cover, column, row);
       if (entries.empty() || (column == own_column && row == own_row)) continue;
-      if (squared_distance(map, column, row, p) >= nearest) continue;
+      if (squared_distance(land_cover, column, row, p) >= nearest) continue;
       for (const BucketEntry& entry : entries) {
         if (entry.priority < priority) break;
-        nearest = squared_distance(map, entry, p, nearest);
+        nearest = squared_distance(land_cover, entry, p, nearest);
       }
     }
-  return nearest < squared(reach_m) ? std::sqrt(nearest) : reach_m;
+  return nearest < squared(search_radius_m) ? std::sqrt(nearest) : search_radius_m;
 }
 
 }  // namespace citykiln::ground

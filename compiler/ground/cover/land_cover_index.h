@@ -52,16 +52,17 @@ inline constexpr double kIndexNear_m = 16;
 LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, const Box2& box,
                                 double bucket_m = kIndexBucket_m);
 
-/// Returns the index, in the `surfaces` of the spatial index `map`, of the polygon on top at p, or kNoLandCover. p must
-/// lie in the box. O(edges in p's bucket).
-std::uint32_t land_cover_at(const LandCoverIndex& map, Vec2 p);
+/// Returns the index, in the `surfaces` of the spatial index `land_cover`, of the polygon on top at p, or kNoLandCover.
+/// p must lie in the box. O(edges in p's bucket).
+std::uint32_t land_cover_at(const LandCoverIndex& land_cover, Vec2 p);
 
 /// Returns the distance from p to the nearest border of a polygon whose class has at least this priority, at most
-/// `reach_m`; 0 if such a polygon covers p.
-/// @param map      The spatial index.
+/// `search_radius_m`; 0 if such a polygon covers p.
+/// @param land_cover      The spatial index.
 /// @param p        A place in the box; borders outside of the box do not count.
-/// @param reach_m  Largest distance that is searched.
-/// O(edges in the buckets within reach_m); O(1) if no polygon lies within kIndexNear_m and reach_m is no larger.
-double clearance_m(const LandCoverIndex& map, Vec2 p, int priority, double reach_m);
+/// @param search_radius_m  Largest distance that is searched.
+/// O(edges in the buckets within search_radius_m); O(1) if no polygon lies within kIndexNear_m and search_radius_m is
+/// no larger.
+double clearance_m(const LandCoverIndex& land_cover, Vec2 p, int priority, double search_radius_m);
 
 }  // namespace citykiln::ground

@@ -124,13 +124,13 @@ Bounds bounds_at(const GradedTerrain& graded, std::span<const RoadInfluence> inf
 }
 
 bool is_near_span(const GradedTerrain& graded, Vec2 p) {
-  return !boxes_about(graded.decks.field.grid, p).empty() || !boxes_about(graded.bores.field.grid, p).empty();
+  return !boxes_about(graded.decks.roads.grid, p).empty() || !boxes_about(graded.bores.roads.grid, p).empty();
 }
 
 // Banks of watercourses are graded as far from the shore as those of roads, so their heights are needed there.
 std::vector<roads::Strip> with_grading_margin(std::span<const roads::Strip> streams) {
   std::vector<roads::Strip> wider(streams.begin(), streams.end());
-  for (roads::Strip& stream : wider) stream.reach_m = reach_m(stream) + kGrading_m;
+  for (roads::Strip& stream : wider) stream.influence_radius_m = influence_radius_m(stream) + kGrading_m;
   return wider;
 }
 
@@ -219,7 +219,7 @@ std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p) 
 }
 
 bool has_grading(const GradedTerrain& graded, const Box2& box) {
-  for (const BoxGrid* grid : {&graded.roads.grid, &graded.shores, &graded.decks.field.grid, &graded.bores.field.grid})
+  for (const BoxGrid* grid : {&graded.roads.grid, &graded.shores, &graded.decks.roads.grid, &graded.bores.roads.grid})
     if (is_any_about(*grid, box)) return true;
   return false;
 }

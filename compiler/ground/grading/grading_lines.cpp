@@ -54,26 +54,26 @@ struct Node {
 
 // Adds an edge of the terrain's grid unless both triangles beside it are one level piece. u and v are their corners off
 // the edge. Beyond its box the terrain continues as at its border.
-void add_terrain_line(const map::Heightfield& field, Node a, Node b, Node u, Node v, std::vector<Line>& lines) {
+void add_terrain_line(const map::Heightfield& terrain, Node a, Node b, Node u, Node v, std::vector<Line>& lines) {
   const auto height = [&](Node n) {
-    return field.height_m_at_vertex(std::clamp(n.i, 0, field.columns - 1), std::clamp(n.j, 0, field.rows - 1));
+    return terrain.height_m_at_vertex(std::clamp(n.i, 0, terrain.columns - 1), std::clamp(n.j, 0, terrain.rows - 1));
   };
   if (height(a) == height(b) && height(a) == height(u) && height(a) == height(v)) return;
-  add_line(field.vertex(a.i, a.j), field.vertex(b.i, b.j), lines);
+  add_line(terrain.vertex(a.i, a.j), terrain.vertex(b.i, b.j), lines);
 }
 
 // Adds rows, columns and diagonals, rectangle by rectangle, so that lines end where they cross.
-void add_terrain_lines(const map::Heightfield& field, const Box2& cell, std::vector<Line>& lines) {
-  const auto column = [&](double x) { return static_cast<int>(std::floor((x - field.min.x) / field.step_m.x)); };
-  const auto row = [&](double y) { return static_cast<int>(std::floor((y - field.min.y) / field.step_m.y)); };
-  const int i0 = std::max(0, column(cell.min.x)), i1 = std::min(field.columns - 1, column(cell.max.x) + 1);
-  const int j0 = std::max(0, row(cell.min.y)), j1 = std::min(field.rows - 1, row(cell.max.y) + 1);
+void add_terrain_lines(const map::Heightfield& terrain, const Box2& cell, std::vector<Line>& lines) {
+  const auto column = [&](double x) { return static_cast<int>(std::floor((x - terrain.min.x) / terrain.step_m.x)); };
+  const auto row = [&](double y) { return static_cast<int>(std::floor((y - terrain.min.y) / terrain.step_m.y)); };
+  const int i0 = std::max(0, column(cell.min.x)), i1 = std::min(terrain.columns - 1, column(cell.max.x) + 1);
+  const int j0 = std::max(0, row(cell.min.y)), j1 = std::min(terrain.rows - 1, row(cell.max.y) + 1);
   for (int j = j0; j <= j1; ++j)
     for (int i = i0; i <= i1; ++i) {
       const Node here{i, j}, east{i + 1, j}, north{i, j + 1}, beyond{i + 1, j + 1};
-      if (i < i1) add_terrain_line(field, here, east, beyond, {i, j - 1}, lines);
-      if (j < j1) add_terrain_line(field, here, north, beyond, {i - 1, j}, lines);
-      if (i < i1 && j < j1) add_terrain_line(field, here, beyond, east, north, lines);
+      if (i < i1) add_terrain_line(terrain, here, east, beyond, {i, j - 1}, lines);
+      if (j < j1) add_terrain_line(terrain, here, north, beyond, {i - 1, j}, lines);
+      if (i < i1 && j < j1) add_terrain_line(terrain, here, beyond, east, north, lines);
     }
 }
 

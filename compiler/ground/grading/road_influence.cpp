@@ -32,13 +32,13 @@ double kerb_of(const roads::Road& road) {
   return roads::raised_left_m(road) > 0 || roads::raised_right_m(road) > 0 ? kKerbRise_m : 0;
 }
 
-void add_segments(const roads::Road& road, double kerb_m, RoadInfluenceIndex& field) {
+void add_segments(const roads::Road& road, double kerb_m, RoadInfluenceIndex& index) {
   const std::vector<double> along = roads::distances_along(road);
   const double left_m = roads::left_m(road) + roads::raised_left_m(road),
                right_m = roads::right_m(road) + roads::raised_right_m(road);
-  const auto number = static_cast<std::uint32_t>(field.profiles.size());
+  const auto number = static_cast<std::uint32_t>(index.profiles.size());
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i)
-    field.segments.push_back({.from = road.axis[i],
+    index.segments.push_back({.from = road.axis[i],
                               .to = road.axis[i + 1],
                               .from_m = along[i],
                               .to_m = along[i + 1],
@@ -46,7 +46,7 @@ void add_segments(const roads::Road& road, double kerb_m, RoadInfluenceIndex& fi
                               .right_m = right_m,
                               .kerb_m = kerb_m,
                               .road = number});
-  field.profiles.push_back(road.profile);
+  index.profiles.push_back(road.profile);
 }
 
 double segment_reach_m(const GradedSegment& s) { return std::max(s.left_m, s.right_m) + kGrading_m; }
@@ -79,9 +79,9 @@ struct SegmentBatch {
   Of<double> from_x, from_y, along_x, along_y, length2_m2, length_m, left_m, right_m;
   Of<double> share, aside_m, beyond_m, weight;
 
-  void add(const RoadInfluenceIndex& field, std::uint32_t number) {
-    const GradedSegment& s = field.segments[number];
-    const SegmentLine& line = field.lines[number];
+  void add(const RoadInfluenceIndex& index, std::uint32_t number) {
+    const GradedSegment& s = index.segments[number];
+    const SegmentLine& line = index.lines[number];
     numbers[count] = number;
     from_x[count] = s.from.x, from_y[count] = s.from.y, left_m[count] = s.left_m, right_m[count] = s.right_m;
     along_x[count] = line.along.x, along_y[count] = line.along.y;
@@ -108,22 +108,22 @@ struct SegmentBatch {
 };
 
 // Fills a result in place: copying would wait for what was just written.
-void fill(RoadInfluence& influence, const RoadInfluenceIndex& field, const SegmentBatch& batch, std::size_t i,
+void fill(RoadInfluence& influence, const RoadInfluenceIndex& index, const SegmentBatch& batch, std::size_t i,
           double terrain_m) {
   const std::uint32_t number = batch.numbers[i];
-  const GradedSegment& s = field.segments[number];
+  const GradedSegment& s = index.segments[number];
   influence.kerb_m = s.kerb_m, influence.beyond_m = batch.beyond_m[i], influence.weight = batch.weight[i];
-  influence.is_graded = field.lines[number].knot_count > 0;
+  influence.is_graded = index.lines[number].knot_count > 0;
   if (!influence.is_graded) return void(influence.z_m = terrain_m);
-  const Knot knot = knot_on(field, number, batch.share[i]);
+  const Knot knot = knot_on(index, number, batch.share[i]);
   influence.z_m = knot.z_m + knot.tilt * std::clamp(batch.aside_m[i], -s.right_m, s.left_m);
 }
 
-void take_batch(std::pmr::vector<RoadInfluence>& influences, const RoadInfluenceIndex& field, SegmentBatch& batch,
+void take_batch(std::pmr::vector<RoadInfluence>& influences, const RoadInfluenceIndex& index, SegmentBatch& batch,
                 Vec2 p, double terrain_m) {
   batch.compute(p);
   for (std::size_t i = 0; i < batch.count; ++i)
-    if (batch.beyond_m[i] < kGrading_m) fill(influences.emplace_back(), field, batch, i, terrain_m);
+    if (batch.beyond_m[i] < kGrading_m) fill(influences.emplace_back(), index, batch, i, terrain_m);
   batch.count = 0;
 }
 
@@ -169,41 +169,41 @@ double share_where_parted(std::span<const RoadInfluence> influences, const RoadI
 }  // namespace
 
 RoadInfluenceIndex index_road_influence(std::span<const roads::Road> roads, bool has_kerbs) {
-  RoadInfluenceIndex field;
+  RoadInfluenceIndex index;
   for (const roads::Road& road : roads) {
     const double kerb_m = has_kerbs ? kerb_of(road) : 0;
-    if (has_graded_height(road, kerb_m)) add_segments(road, kerb_m, field);
+    if (has_graded_height(road, kerb_m)) add_segments(road, kerb_m, index);
   }
-  for (const GradedSegment& s : field.segments) {
-    field.lines.push_back(line_of(s, field.profiles[s.road]));
-    field.reaches.push_back(reach_of(s));
+  for (const GradedSegment& s : index.segments) {
+    index.lines.push_back(line_of(s, index.profiles[s.road]));
+    index.influence_boxes.push_back(reach_of(s));
   }
-  field.grid = grid_of(field.reaches, kRoadBucket_m);
-  field.near = grid_of(field.reaches, near_bucket_m(field.grid.box),
-                       [&](std::uint32_t i, const Box2& bucket) { return may_reach(field.segments[i], bucket); });
-  return field;
+  index.grid = grid_of(index.influence_boxes, kRoadBucket_m);
+  index.near = grid_of(index.influence_boxes, near_bucket_m(index.grid.box),
+                       [&](std::uint32_t i, const Box2& bucket) { return may_reach(index.segments[i], bucket); });
+  return index;
 }
 
-Knot knot_on(const RoadInfluenceIndex& field, std::uint32_t segment, double share) {
-  assert(field.lines[segment].knot_count > 0 && share >= 0 && share <= 1);
-  const GradedSegment& s = field.segments[segment];
-  const SegmentLine& line = field.lines[segment];
-  const auto knots = std::span(field.profiles[s.road]).subspan(line.first_knot, line.knot_count);
+Knot knot_on(const RoadInfluenceIndex& index, std::uint32_t segment, double share) {
+  assert(index.lines[segment].knot_count > 0 && share >= 0 && share <= 1);
+  const GradedSegment& s = index.segments[segment];
+  const SegmentLine& line = index.lines[segment];
+  const auto knots = std::span(index.profiles[s.road]).subspan(line.first_knot, line.knot_count);
   return knot_at(knots, s.from_m + (s.to_m - s.from_m) * share);
 }
 
-std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& field, Vec2 p, double terrain_m,
+std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& index, Vec2 p, double terrain_m,
                                                    std::pmr::memory_resource* memory) {
   std::pmr::vector<RoadInfluence> influences(memory);
-  const std::span<const std::uint32_t> near = boxes_about(field.near, p);
+  const std::span<const std::uint32_t> near = boxes_about(index.near, p);
   influences.reserve(near.size());
   SegmentBatch batch;
   for (const std::uint32_t i : near) {
-    if (!field.reaches[i].contains(p)) continue;
-    batch.add(field, i);
-    if (batch.count == SegmentBatch::kMost) take_batch(influences, field, batch, p, terrain_m);
+    if (!index.influence_boxes[i].contains(p)) continue;
+    batch.add(index, i);
+    if (batch.count == SegmentBatch::kMost) take_batch(influences, index, batch, p, terrain_m);
   }
-  take_batch(influences, field, batch, p, terrain_m);
+  take_batch(influences, index, batch, p, terrain_m);
   return influences;
 }
 

@@ -59,17 +59,17 @@ struct RoadInfluenceIndex {
   std::vector<GradedSegment> segments;  ///< In the order of roads.
   std::vector<SegmentLine> lines;       ///< One per segment.
   std::vector<Profile> profiles;        ///< One per road with segments; empty: the road follows the terrain.
-  std::vector<Box2> reaches;            ///< Per segment the box in which it influences heights.
+  std::vector<Box2> influence_boxes;    ///< Per segment the box in which it influences heights.
   BoxGrid grid;                         ///< Grid of these boxes.
   BoxGrid near;  ///< Finer grid of these boxes. A bucket (square of the grid) lists only segments whose edges are
                  ///< within kGrading_m of the bucket.
 };
 
 /// Returns height and tilt of the segment's road, which must have a profile. O(log knots of the segment).
-/// @param field    The index.
-/// @param segment  Index into field.segments.
+/// @param index    The index.
+/// @param segment  Index into index.segments.
 /// @param share    Position along the segment, 0 to 1.
-Knot knot_on(const RoadInfluenceIndex& field, std::uint32_t segment, double share);
+Knot knot_on(const RoadInfluenceIndex& index, std::uint32_t segment, double share);
 
 /// Indexes the segments of roads that have a profile or kerbs.
 /// @param has_kerbs  False for tolerances at which kerbs are left out: carriageways are then as high as pavements.
@@ -86,11 +86,11 @@ struct RoadInfluence {
   bool operator==(const RoadInfluence&) const = default;
 };
 
-/// Returns the influences of the segments whose edge is nearer to p than kGrading_m, in the order of field.segments.
-/// @param field      The index.
+/// Returns the influences of the segments whose edge is nearer to p than kGrading_m, in the order of index.segments.
+/// @param index      The index.
 /// @param terrain_m  The terrain's height at p.
 /// @param memory     Memory for the result, so that the many queries do not allocate on the heap.
-std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& field, Vec2 p, double terrain_m,
+std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& index, Vec2 p, double terrain_m,
                                                    std::pmr::memory_resource* memory);
 
 /// The height of roads at a place.

@@ -29,8 +29,8 @@ bool is_out_of_reach(const GradedSegment& s, const SegmentLine& line, double run
 }
 
 std::optional<SpanView> view_of(const SpanInfluenceIndex& spans, std::uint32_t number, Vec2 p) {
-  const GradedSegment& s = spans.field.segments[number];
-  const SegmentLine& line = spans.field.lines[number];
+  const GradedSegment& s = spans.roads.segments[number];
+  const SegmentLine& line = spans.roads.lines[number];
   const double run = dot(p - s.from, line.along), aside = cross(line.along, p - s.from), long_m = line.length_m;
   if (is_out_of_reach(s, line, run, aside)) return std::nullopt;
   const double at_m = run / long_m, aside_m = aside / long_m;
@@ -42,7 +42,7 @@ std::optional<SpanView> view_of(const SpanInfluenceIndex& spans, std::uint32_t n
   const double beside_m = std::max(0.0, from_bend_m - half_m), before_m = is_end ? outside_m : 0;
   if (beside_m >= kGrading_m || before_m >= kGrading_m) return std::nullopt;
   const double share = std::clamp(at_m / long_m, 0.0, 1.0), way_m = s.from_m + (s.to_m - s.from_m) * share;
-  const Knot knot = knot_on(spans.field, number, share);
+  const Knot knot = knot_on(spans.roads, number, share);
   return SpanView{knot.z_m + knot.tilt * std::clamp(aside_m, -s.right_m, s.left_m), beside_m, before_m,
                   std::min(way_m, spans.long_m[s.road] - way_m)};
 }
@@ -69,7 +69,7 @@ SpanInfluenceIndex index_span_influence(std::span<const roads::Road> spans) {
 
 double max_land_under_decks_m(const SpanInfluenceIndex& decks, Vec2 p) {
   double most_m = kInfinity_m;
-  for (const std::uint32_t i : boxes_about(decks.field.grid, p)) {
+  for (const std::uint32_t i : boxes_about(decks.roads.grid, p)) {
     const std::optional<SpanView> view = view_of(decks, i, p);
     if (!view) continue;
     const double away_m = view->beside_m + view->before_m;
@@ -81,13 +81,13 @@ double max_land_under_decks_m(const SpanInfluenceIndex& decks, Vec2 p) {
 
 BoreCover bore_cover_at(const SpanInfluenceIndex& bores, Vec2 p) {
   BoreCover over{-kInfinity_m};
-  for (const std::uint32_t i : boxes_about(bores.field.grid, p)) {
+  for (const std::uint32_t i : boxes_about(bores.roads.grid, p)) {
     const std::optional<SpanView> view = view_of(bores, i, p);
     if (!view) continue;
-    const double roof_m = view->z_m + bores.height_m[bores.field.segments[i].road] + kBoreCover_m;
+    const double roof_m = view->z_m + bores.height_m[bores.roads.segments[i].road] + kBoreCover_m;
     over.least_m =
-        std::max(over.least_m, roof_m - kPortalSlope * view->before_m - kDeckClearanceSlope * view->beside_m);
-    const double higher_m = kPortal_m - kPortalSlope * view->before_m - kPortalSideSlope * view->beside_m;
+        std::max(over.least_m, roof_m - kPortalWallSlope * view->before_m - kDeckClearanceSlope * view->beside_m);
+    const double higher_m = kPortalWall_m - kPortalWallSlope * view->before_m - kPortalWallSideSlope * view->beside_m;
     if (higher_m > over.higher_m) over.higher_m = higher_m, over.roof_m = roof_m;
   }
   return over;
@@ -96,8 +96,8 @@ BoreCover bore_cover_at(const SpanInfluenceIndex& bores, Vec2 p) {
 double ceiling_in_mouth_m(const SpanInfluenceIndex& bores, Vec2 a, Vec2 b, double within_m) {
   const Vec2 middle = (a + b) * 0.5;
   double ceiling_m = -kInfinity_m;
-  for (const std::uint32_t i : boxes_about(bores.field.grid, middle)) {
-    const GradedSegment& s = bores.field.segments[i];
+  for (const std::uint32_t i : boxes_about(bores.roads.grid, middle)) {
+    const GradedSegment& s = bores.roads.segments[i];
     const double long_m = bores.long_m[s.road];
     for (const bool is_begin : {true, false}) {
       if (is_begin ? s.from_m != 0 : s.to_m != long_m) continue;
@@ -106,7 +106,7 @@ double ceiling_in_mouth_m(const SpanInfluenceIndex& bores, Vec2 a, Vec2 b, doubl
                    aside_m = cross(is_begin ? in : in * -1.0, middle - mouth);
       const bool is_across = std::abs(dot(unit(b - a), in)) < 0.5;
       if (!is_across || off_m > within_m || aside_m > s.left_m || aside_m < -s.right_m) continue;
-      const Knot knot = knot_at(bores.field.profiles[s.road], is_begin ? 0 : long_m);
+      const Knot knot = knot_at(bores.roads.profiles[s.road], is_begin ? 0 : long_m);
       ceiling_m = std::max(ceiling_m, knot.z_m + bores.height_m[s.road]);
     }
   }

@@ -20,14 +20,14 @@ inline constexpr double kDeckClearance_m = 2.25, kDeckClearanceSlope = 1.5;
 inline constexpr double kBoreCover_m = 0.5;
 /// Over a bore the land may be this much higher than the slopes beside the roads that lead into it. In front of the
 /// bore and beside it this height decreases at these slopes.
-inline constexpr double kPortal_m = 12, kPortalSlope = 1.5, kPortalSideSlope = 2;
+inline constexpr double kPortalWall_m = 12, kPortalWallSlope = 1.5, kPortalWallSideSlope = 2;
 
 /// Returns the height of a bore from its road to its ceiling, which depends on the class of the road or rail.
 double bore_height_m(const roads::Road& road);
 
 /// An index of decks, or of bores (bored tunnels).
 struct SpanInfluenceIndex {
-  RoadInfluenceIndex field;      ///< Their roads.
+  RoadInfluenceIndex roads;      ///< Their roads.
   std::vector<double> long_m;    ///< Length of each way.
   std::vector<double> height_m;  ///< Result of bore_height_m() for each way.
 };

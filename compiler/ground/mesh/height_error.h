@@ -22,9 +22,9 @@ inline void consider(WorstPoint& worst, double error_m, Vec2 at) {
 }
 
 /// Returns the largest error along an edge from a to b, without its ends. O(grid lines crossed).
-/// @param field  The terrain.
+/// @param terrain  The terrain.
 /// @param a, b   The ends of the edge, in metres on the map plane with their heights.
-WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
+WorstPoint worst_on_edge(const map::Heightfield& terrain, Vec3 a, Vec3 b);
 
 /// Returns the largest error along an edge on the border of a ground cell, without its ends. Ground cells are squares
 /// of the map plane whose ground is meshed separately. The result must be equal in the cells on both sides, to the last
@@ -36,10 +36,10 @@ WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 /// directions of an edge give the same result. O(grid lines crossed).
 /// @param a, b  The ends of the edge, which is parallel to the x or y axis. Its distance from that axis is in whole
 ///              metres; the ends are at multiples of 2^-10 m along it.
-WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
+WorstPoint worst_on_cell_border(const map::Heightfield& terrain, Vec3 a, Vec3 b);
 
 /// Returns the largest error at grid vertices inside a triangle (in plan, counter-clockwise), without its edges.
 /// O(vertices in its box).
-WorstPoint worst_inside(const map::Heightfield& field, const std::array<Vec3, 3>& corners);
+WorstPoint worst_inside(const map::Heightfield& terrain, const std::array<Vec3, 3>& corners);
 
 }  // namespace citykiln::ground

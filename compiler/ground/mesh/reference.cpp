@@ -233,7 +233,7 @@ WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, Heigh
 
 WorstPoint worst_on_shared_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer) {
   const bool is_of_terrain = reference.terrain != nullptr && lies_along_border(reference.cell, a.at, b.at);
-  return is_of_terrain ? worst_on_straight_edge(*reference.terrain, a.at, b.at) : worst_on_edge(reference, a, b, layer);
+  return is_of_terrain ? worst_on_cell_border(*reference.terrain, a.at, b.at) : worst_on_edge(reference, a, b, layer);
 }
 
 WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& corners, HeightLayer layer) {

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/graph_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
 #include "compiler/ground/profiles/initial_heights.h"
+#include "compiler/ground/profiles/lowering_caps.h"
 #include "compiler/ground/profiles/ramp_shape.h"
 
 namespace citykiln::ground {

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/graph_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
+#include "compiler/ground/profiles/lowering_caps.h"
 #include "compiler/ground/profiles/ramp_shape.h"
 #include "compiler/ground/profiles/rigid_units.h"
 

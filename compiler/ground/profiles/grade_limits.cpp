@@ -6,7 +6,9 @@
 #include <functional>
 #include <limits>
 
+#include "compiler/ground/profiles/graph_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
+#include "compiler/ground/profiles/lowering_caps.h"
 #include "compiler/ground/profiles/rigid_units.h"
 
 namespace citykiln::ground {

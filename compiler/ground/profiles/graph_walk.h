@@ -68,42 +68,4 @@ class GraphWalk {
 /// @param at_m  Distance along the way.
 std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint32_t way, double at_m);
 
-/// Returns for each node true if a road or rail goes through it. Paths are planned after roads and rails and must not
-/// move these nodes.
-std::vector<bool> nodes_of_graded(const ProfileGraph& graph);
-
-/// Returns the grade limit of a leg: the largest rise over run.
-double limit_of(const ProfileGraph& graph, const Leg& leg);
-
-/// True for ways that may exceed their limit for a clearance: streets and paths, not rails, motorways and runways.
-bool may_be_steeper(const ProfileGraph& graph, std::uint32_t way);
-
-/// A pinned node limits heights of other nodes up to this height above its own.
-inline constexpr double kPinRadius_m = 64;
-
-/// Returns for each node the greatest height that the grade limits allow from the pinned nodes near it; infinity if
-/// none is near.
-/// @param z_m  Heights by node.
-std::vector<double> caps_near_pinned(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> z_m);
-
-/// The largest depth below its terrain to which a line on the ground may be lowered, as under a railway, with slopes on
-/// both sides.
-inline constexpr double kMaxCutting_m = 8;
-/// The largest lowering of a street on the ground for the sake of an access road, such as the ramp of a garage.
-inline constexpr double kMaxCuttingForAccess_m = 2.5;
-
-/// True for service roads, farm tracks and unpaved roads. Streets are hardly lowered for them (kMaxCuttingForAccess_m).
-bool is_access_road(map::LandCoverClass surface);
-
-/// The lowest allowed heights by node, with changed sign.
-struct LoweringCaps {
-  std::vector<double> of_access, of_others;  ///< For lowering with an access road, and with any other line.
-};
-
-/// Returns the lowest allowed heights. Lines on the ground may be kMaxCutting_m below `ground_m`; streets that are
-/// lowered with an access road kMaxCuttingForAccess_m. Tunnels, and access roads connected to such streets, may go
-/// lower at their grade limits. Near pinned nodes grade limits apply, too. Radius of influence: kPinRadius_m of height.
-/// @param ground_m  Heights by node before any lowering.
-LoweringCaps lowering_caps(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> ground_m);
-
 }  // namespace citykiln::ground

@@ -11,18 +11,18 @@
 namespace citykiln::ground {
 namespace {
 
-double filtered_vertex_m(const map::Heightfield& field, int i, int j) {
+double filtered_vertex_m(const map::Heightfield& terrain, int i, int j) {
   std::array<double, 24> about{};
   std::size_t n = 0;
   for (int dj = -2; dj <= 2; ++dj)
     for (int di = -2; di <= 2; ++di)
       if (di != 0 || dj != 0)
-        about[n++] =
-            field.height_m_at_vertex(std::clamp(i + di, 0, field.columns - 1), std::clamp(j + dj, 0, field.rows - 1));
+        about[n++] = terrain.height_m_at_vertex(std::clamp(i + di, 0, terrain.columns - 1),
+                                                std::clamp(j + dj, 0, terrain.rows - 1));
   std::ranges::nth_element(about, about.begin() + 12);
-  const double own_m = field.height_m_at_vertex(i, j), median_m = about[12];
-  return std::abs(own_m - median_m) > std::max(kMinSummit_m, kMaxSummitSlope * field.longer_step_m()) ? median_m
-                                                                                                      : own_m;
+  const double own_m = terrain.height_m_at_vertex(i, j), median_m = about[12];
+  return std::abs(own_m - median_m) > std::max(kMinSummit_m, kMaxSummitSlope * terrain.longer_step_m()) ? median_m
+                                                                                                        : own_m;
 }
 
 bool is_ground(const ProfileGraph& graph, std::uint32_t node) {
@@ -49,15 +49,15 @@ void place_endless_tunnels(const ProfileGraph& graph, std::span<const double> we
 
 }  // namespace
 
-double filtered_height_m(const map::Heightfield& field, Vec2 p) {
-  const auto [i, j, u, v] = map::cell_at(field, p);
-  std::array<double, 4> z = {field.height_m_at_vertex(i, j), field.height_m_at_vertex(i + 1, j),
-                             field.height_m_at_vertex(i, j + 1), field.height_m_at_vertex(i + 1, j + 1)};
+double filtered_height_m(const map::Heightfield& terrain, Vec2 p) {
+  const auto [i, j, u, v] = map::cell_at(terrain, p);
+  std::array<double, 4> z = {terrain.height_m_at_vertex(i, j), terrain.height_m_at_vertex(i + 1, j),
+                             terrain.height_m_at_vertex(i, j + 1), terrain.height_m_at_vertex(i + 1, j + 1)};
   // only a rectangle with a great difference of heights can have one such vertex
   constexpr double kSteep = 0.4;
   const auto [low, high] = std::ranges::minmax(z);
-  if (high - low > kSteep * std::max(field.longer_step_m(), kMinSummit_m))
-    for (int c = 0; c < 4; ++c) z[static_cast<std::size_t>(c)] = filtered_vertex_m(field, i + c % 2, j + c / 2);
+  if (high - low > kSteep * std::max(terrain.longer_step_m(), kMinSummit_m))
+    for (int c = 0; c < 4; ++c) z[static_cast<std::size_t>(c)] = filtered_vertex_m(terrain, i + c % 2, j + c / 2);
   return u >= v ? z[0] + (z[1] - z[0]) * u + (z[3] - z[1]) * v : z[0] + (z[2] - z[0]) * v + (z[3] - z[2]) * u;
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/ground/profiles/graph_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
 
 namespace citykiln::ground {

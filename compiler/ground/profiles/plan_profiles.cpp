@@ -9,7 +9,6 @@
 #include "compiler/ground/profiles/diagnose_profiles.h"
 #include "compiler/ground/profiles/enforce_clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
-#include "compiler/ground/profiles/graph_walk.h"
 #include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/plan_paths.h"
 #include "compiler/ground/profiles/profile_knots.h"

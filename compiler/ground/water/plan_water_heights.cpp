@@ -200,7 +200,8 @@ Waters plan_water_heights(std::vector<LandCoverPolygon> surfaces, std::vector<ro
 
   set_profiles(waters.streams, network, found, heights, report);
   set_levels(waters.surfaces, standing, found, heights, report);
-  for (std::size_t i = 0; i < waters.streams.size(); ++i) waters.streams[i].reach_m = areas.reach_m[i];
+  for (std::size_t i = 0; i < waters.streams.size(); ++i)
+    waters.streams[i].influence_radius_m = areas.influence_radius_m[i];
   return waters;
 }
 

@@ -119,7 +119,8 @@ void set_reaches(std::span<const LandCoverPolygon> surfaces, const RiverGroup& g
     areas.has_no_axis[s] = group.places.empty() || std::ranges::any_of(banks, is_too_far);
     if (areas.has_no_axis[s]) continue;
     for (const Nearest& bank : banks)
-      areas.reach_m[bank.stream] = std::max(areas.reach_m[bank.stream], reach_for(bank.distance_m));
+      areas.influence_radius_m[bank.stream] =
+          std::max(areas.influence_radius_m[bank.stream], reach_for(bank.distance_m));
   }
 }
 

@@ -19,7 +19,7 @@ inline constexpr double kInfluenceStep_m = 16;
 
 struct RiverAreas {
   /// Per stream its influence radius, a multiple of kInfluenceStep_m; 0 if it runs in no area.
-  std::vector<double> reach_m;
+  std::vector<double> influence_radius_m;
   /// Per polygon: true for a river's area if no stream in it or its neighbours is near enough.
   std::vector<bool> has_no_axis;
 };

@@ -22,7 +22,7 @@ inline constexpr double kStandingInfluence_m = 32;
 
 /// Returns the influence radius of a stream: the distance from its axis within which its profile gives heights. It
 /// contains the stream's own strip, and the area of its river.
-double reach_m(const roads::Strip& stream);
+double influence_radius_m(const roads::Strip& stream);
 
 /// An index of water recipes. Contains copies of them; can be moved, not copied.
 struct WaterIndex {
@@ -30,7 +30,7 @@ struct WaterIndex {
   struct Piece {
     Vec2 a, b;
     double from_m, to_m;  ///< Heights at a and b.
-    double reach_m;
+    double influence_radius_m;
   };
   /// A piece of a shore.
   struct Shore {
@@ -38,7 +38,7 @@ struct WaterIndex {
     double level_m;
   };
   std::vector<LandCoverPolygon> standing;
-  LandCoverIndex map;  ///< Index of `standing`.
+  LandCoverIndex standing_index;  ///< Index of `standing`.
   std::vector<Piece> pieces;
   std::vector<Shore> shores;
   BoxGrid pieces_grid, shores_grid;  ///< Grids of the boxes of influence of pieces and shores, in the index's box.

@@ -38,7 +38,7 @@ std::optional<Vec2> tagged_direction(const ReadContext& context, OsmId id, sourc
   return bearing_deg ? std::optional(direction_of((90 - *bearing_deg) / 360)) : std::nullopt;
 }
 
-std::optional<roofs::Form> tagged_form(const ReadContext& context, OsmId id, source::Range tags) {
+std::optional<roofs::RoofForm> tagged_form(const ReadContext& context, OsmId id, source::Range tags) {
   const std::string_view text = context.tag(tags, "roof:shape");
   if (std::ranges::find(kIndefinite, text) != std::end(kIndefinite)) return std::nullopt;
   return parsed_text(context, id, "roof:shape", text, roofs::form_named);
@@ -54,7 +54,7 @@ double tagged_roof_height_m(const ReadContext& context, OsmId id, source::Range 
 TaggedRoof tagged_roof(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
   assert(level_m > 0);
   const auto form = tagged_form(context, id, tags);
-  TaggedRoof roof{form.has_value(), {form.value_or(roofs::Form::kFlat)}};
+  TaggedRoof roof{form.has_value(), {form.value_or(roofs::RoofForm::kFlat)}};
   roof.shape.height_m = tagged_roof_height_m(context, id, tags, level_m);
   roof.shape.angle_deg = tagged_number(context, id, tags, "roof:angle", kSteepest_deg).value_or(0);
   roof.shape.direction = tagged_direction(context, id, tags);

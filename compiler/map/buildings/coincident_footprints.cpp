@@ -84,7 +84,7 @@ std::vector<Footprint> without(std::vector<Footprint> footprints, const std::vec
 // Where the walls of a footprint end, or a little lower if its roof has no tagged height.
 double eaves_m(const Footprint& f) {
   if (!f.has_roof_in_height) return f.height_m;
-  const bool is_flat = f.has_roof_shape && f.roof.form == roofs::Form::kFlat;
+  const bool is_flat = f.has_roof_shape && f.roof.form == roofs::RoofForm::kFlat;
   const double roof_m = f.roof.height_m > 0 ? f.roof.height_m : is_flat ? 0 : kUntaggedRoof_m;
   return std::max(f.min_height_m, f.height_m - roof_m);
 }

@@ -244,8 +244,4 @@ TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Ra
   return {lone_lane(lane_tags, lane_class), tagged_width_m(lane_tags).has_value(), false};
 }
 
-CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side) {
-  return tagged_section_of(context, id, tags, side).section;
-}
-
 }  // namespace citykiln::map

@@ -28,22 +28,19 @@
 
 namespace citykiln::map {
 
-/// Returns the cross-section of a way.
-///
-/// Guarantees: where only class, lanes, oneway and width are tagged and agree, the lanes together have the width of
-/// track_rules.inc. Swapping the driving side and left and right in all tags mirrors the lanes exactly. Reversing the
-/// way and swapping forward and backward, left and right in all tags reverses them, up to 2^-10 m a lane. Raised lanes
-/// do not move the axis. Unreadable values are diagnosed kBadTagValue and ignored; a way of unknown class is a path.
-/// O(length of the tags).
-CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side);
-
 /// The cross-section of a way, and which of its values are tagged.
 struct TaggedSection {
   CrossSection section;
   bool has_width = false;      ///< True if width=*, est_width=* or width:lanes=* states the carriageway's width.
   bool has_placement = false;  ///< True if placement=* states the place of the axis.
 };
-/// Returns the cross-section and its sources; default widths and numbers of lanes follow a set of guidelines.
+/// Returns the cross-section of a way and its sources; default widths and numbers of lanes follow a set of guidelines.
+///
+/// Guarantees: where only class, lanes, oneway and width are tagged and agree, the lanes together have the width of
+/// track_rules.inc. Swapping the driving side and left and right in all tags mirrors the lanes exactly. Reversing the
+/// way and swapping forward and backward, left and right in all tags reverses them, up to 2^-10 m a lane. Raised lanes
+/// do not move the axis. Unreadable values are diagnosed kBadTagValue and ignored; a way of unknown class is a path.
+/// O(length of the tags).
 TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side,
                                 RoadGuidelines guidelines = RoadGuidelines::kElsewhere);
 

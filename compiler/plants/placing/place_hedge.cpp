@@ -1,5 +1,5 @@
 #include "compiler/geometry/snap.h"
-#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/placing/placing_steps.h"
 
 namespace citykiln::plants {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/placing/placing_steps.h"
 #include "compiler/plants/placing/row_heading.h"
 
 namespace citykiln::plants {
@@ -24,12 +24,13 @@ bool is_blade(const Planting& planting) {
          values_of(single_species(planting.species_mix)).leaf_form == LeafForm::kBlade;
 }
 
-// The land-cover polygon of a planting; `map.surfaces` is sorted by id, and a building may have the id of a planting.
-std::uint32_t surface_of(const ground::LandCoverIndex& map, const Planting& planting) {
-  const auto first = std::ranges::lower_bound(map.surfaces, planting.surface, {}, &ground::LandCoverPolygon::id);
-  for (auto at = first; at != map.surfaces.end() && at->id == planting.surface; ++at)
+// The land-cover polygon of a planting; `land_cover.surfaces` is sorted by id, and a building may have the id of a
+// planting.
+std::uint32_t surface_of(const ground::LandCoverIndex& land_cover, const Planting& planting) {
+  const auto first = std::ranges::lower_bound(land_cover.surfaces, planting.surface, {}, &ground::LandCoverPolygon::id);
+  for (auto at = first; at != land_cover.surfaces.end() && at->id == planting.surface; ++at)
     if (map::values_of(at->surface).group != map::LandCoverGroup::kBuilding)
-      return static_cast<std::uint32_t>(at - map.surfaces.begin());
+      return static_cast<std::uint32_t>(at - land_cover.surfaces.begin());
   return ground::kNoLandCover;
 }
 
@@ -92,7 +93,7 @@ void for_each_plant(const Planting& planting, const Box2& box, double share, std
     }
 }
 
-void place_planting(PlacedPlants& placed, const Planting& planting, const ObstacleIndex& trees, double share,
+void place_planting(PlacedPlants& placed, const Planting& planting, const TreeClearanceIndex& trees, double share,
                     const PlacingContext& context) {
   const std::uint32_t surface = surface_of(context.surfaces, planting);
   if (surface == ground::kNoLandCover) return;
@@ -101,7 +102,7 @@ void place_planting(PlacedPlants& placed, const Planting& planting, const Obstac
   const double clear_m = planting.height_m <= kLow_m ? kLowClearance_m : kTrunkClearance_m;
   const Vec2 along = row_direction(planting.heading);
   for_each_plant(planting, here, share, context.seed, [&](Vec2 at, const RandomSequence& draw) {
-    if (ground::land_cover_at(context.surfaces, at) != surface || is_near_obstacle(trees, at)) return;
+    if (ground::land_cover_at(context.surfaces, at) != surface || is_near_tree(trees, at)) return;
     if (clearance_m(context.surfaces, at, kLeastObstaclePriority, clear_m) < clear_m) return;
     const double height_m =
         planting.height_m * draw.between(1 - kPlantingHeightSpread, 1 + kPlantingHeightSpread, kHeightDraw);
@@ -132,11 +133,11 @@ double blades_in_box(std::span<const Planting> plantings, const PlacingContext& 
 
 }  // namespace
 
-void place_plantings(PlacedPlants& placed, std::span<const Planting> plantings, std::span<const Obstacle> trees,
+void place_plantings(PlacedPlants& placed, std::span<const Planting> plantings, std::span<const TreeClearance> trees,
                      const PlacingContext& context) {
-  const ObstacleIndex obstacles = index_obstacles(trees);
+  const TreeClearanceIndex clearances = index_tree_clearances(trees);
   for (const Planting& planting : plantings)
-    if (!is_blade(planting)) place_planting(placed, planting, obstacles, 1, context);
+    if (!is_blade(planting)) place_planting(placed, planting, clearances, 1, context);
 }
 
 void place_blades(PlacedPlants& placed, std::span<const Planting> plantings, double most_per_km2,
@@ -145,7 +146,7 @@ void place_blades(PlacedPlants& placed, std::span<const Planting> plantings, dou
   constexpr double kKm2_m2 = 1e6;
   const double most = most_per_km2 * context.box.width() * context.box.height() / kKm2_m2;
   const double share = std::min(1.0, most / std::max(blades_in_box(plantings, context), 1.0));
-  const ObstacleIndex none = index_obstacles({});
+  const TreeClearanceIndex none = index_tree_clearances({});
   for (const Planting& planting : plantings)
     if (is_blade(planting)) place_planting(placed, planting, none, share, context);
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/placing/placing_steps.h"
 #include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {
@@ -12,7 +12,7 @@ constexpr double kRowHeightSpread = 0.08;
 // Spacing in crown widths, so that crowns touch.
 constexpr double kCrownSpacing = 0.95, kLeastSpacing_m = 2, kMostSpacing_m = 14;
 
-// Distance from the box up to which trees are obstacles to woods; at least the largest crown_clearance_m.
+// Distance from the box up to which woods keep clear of trees; at least the largest crown_clearance_m.
 constexpr double kAbout_m = 8;
 
 // All trees of a row have the species drawn at its middle.
@@ -26,8 +26,8 @@ double spacing_m_of(const TreeRow& row, Species species, double height_m) {
   return std::clamp(kCrownSpacing * values_of(species).crown_share * height_m, kLeastSpacing_m, kMostSpacing_m);
 }
 
-void place_row(PlacedPlants& placed, const TreeRow& row, const ObstacleIndex& mapped, const PlacingContext& context,
-               std::vector<Obstacle>& trees) {
+void place_row(PlacedPlants& placed, const TreeRow& row, const TreeClearanceIndex& mapped,
+               const PlacingContext& context, std::vector<TreeClearance>& trees) {
   const RandomSequence of_row(context.seed, stable_id(row.id), "row");
   const Species species = species_of_row(row, context, of_row);
   const double mean_m = row.height_m > 0 ? row.height_m : default_height_m(species);
@@ -50,10 +50,10 @@ void place_row(PlacedPlants& placed, const TreeRow& row, const ObstacleIndex& ma
 
 }  // namespace
 
-std::vector<Obstacle> place_rows(PlacedPlants& placed, std::span<const TreeRow> rows, std::vector<Obstacle> trees,
-                                 const PlacingContext& context) {
-  const std::vector<Obstacle> single = trees;
-  const ObstacleIndex mapped = index_obstacles(single);
+std::vector<TreeClearance> place_rows(PlacedPlants& placed, std::span<const TreeRow> rows,
+                                      std::vector<TreeClearance> trees, const PlacingContext& context) {
+  const std::vector<TreeClearance> single = trees;
+  const TreeClearanceIndex mapped = index_tree_clearances(single);
   for (const TreeRow& row : rows) place_row(placed, row, mapped, context, trees);
   return trees;
 }

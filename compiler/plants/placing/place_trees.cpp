@@ -1,7 +1,7 @@
 #include <optional>
 
 #include "compiler/geometry/trig.h"
-#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/placing/placing_steps.h"
 #include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {
@@ -31,36 +31,39 @@ constexpr int kDirections = 16;
 static_assert(kInWay_m + kBesideWay_m + kMostClearance_m <= kObstacleInfluence_m);
 
 // How far a tree is moved at most to get out of what covers p.
-double most_moved_m(const ground::LandCoverIndex& map, Vec2 p) {
-  const map::LandCoverGroup group = map::values_of(map.surfaces[ground::land_cover_at(map, p)].surface).group;
+double most_moved_m(const ground::LandCoverIndex& land_cover, Vec2 p) {
+  const map::LandCoverGroup group =
+      map::values_of(land_cover.surfaces[ground::land_cover_at(land_cover, p)].surface).group;
   return group == map::LandCoverGroup::kRoad || group == map::LandCoverGroup::kRail ? kInWay_m : kImprecise_m;
 }
 
 // The nearest place beside what blocks p; none farther out than most_moved_m().
-std::optional<Vec2> beside_blocked(const ground::LandCoverIndex& map, Vec2 p) {
-  for (double in_m = 0; in_m <= most_moved_m(map, p); in_m += kStep_m)
+std::optional<Vec2> beside_blocked(const ground::LandCoverIndex& land_cover, Vec2 p) {
+  for (double in_m = 0; in_m <= most_moved_m(land_cover, p); in_m += kStep_m)
     for (int i = 0; i < kDirections; ++i) {
       const Vec2 out = direction_of(i / double{kDirections});
       const Vec2 place = p + out * (in_m + kBesideWay_m);
-      if (!is_blocked_ground(map, p + out * in_m) && !is_blocked_ground(map, place)) return place;
+      if (!is_blocked_ground(land_cover, p + out * in_m) && !is_blocked_ground(land_cover, place)) return place;
     }
   return std::nullopt;
 }
 
 // The place of a tree, or none where it is dropped; the same for all tiles.
-std::optional<Vec2> place_of_tree(const ground::LandCoverIndex& map, Vec2 p) {
-  if (!map.box.contains(p)) return std::nullopt;
-  return is_blocked_ground(map, p) ? beside_blocked(map, p) : p;
+std::optional<Vec2> place_of_tree(const ground::LandCoverIndex& land_cover, Vec2 p) {
+  if (!land_cover.box.contains(p)) return std::nullopt;
+  return is_blocked_ground(land_cover, p) ? beside_blocked(land_cover, p) : p;
 }
 
 // How far inside what blocks it a dropped tree stands at least.
-double inside_m(const ground::LandCoverIndex& map, Vec2 p) { return map.box.contains(p) ? most_moved_m(map, p) : 0; }
+double inside_m(const ground::LandCoverIndex& land_cover, Vec2 p) {
+  return land_cover.box.contains(p) ? most_moved_m(land_cover, p) : 0;
+}
 
 }  // namespace
 
-std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& context,
-                                  Report& report) {
-  std::vector<Obstacle> obstacles;
+std::vector<TreeClearance> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& context,
+                                       Report& report) {
+  std::vector<TreeClearance> clearances;
   Account account;
   for (const Tree& tree : trees) {
     const std::optional<Vec2> at = place_of_tree(context.surfaces, tree.at);
@@ -71,14 +74,14 @@ std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> tr
     if (!at) continue;
     const RandomSequence draw(context.seed, stable_id(tree.id), "tree");
     const auto [species, height_m] = grown(tree, context, draw);
-    obstacles.push_back({*at, crown_clearance_m(species, height_m)});
+    clearances.push_back({*at, crown_clearance_m(species, height_m)});
     if (!is_here) continue;
     if (*at != tree.at) report.add(Code::kTreeMoved, tree.id.osm, distance(*at, tree.at));
     ++account.out;
     place_plant(placed, context, species, *at, height_m, draw, tree.id.osm);
   }
   report.account("bake", "tree") = account;
-  return obstacles;
+  return clearances;
 }
 
 }  // namespace citykiln::plants

@@ -57,10 +57,10 @@ bool is_in_half_open(const Box2& box, Vec2 p) {
   return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
 }
 
-bool is_blocked_ground(const ground::LandCoverIndex& map, Vec2 p) {
-  const std::uint32_t top = ground::land_cover_at(map, p);
+bool is_blocked_ground(const ground::LandCoverIndex& land_cover, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(land_cover, p);
   if (top == ground::kNoLandCover) return false;
-  const map::LandCoverClass surface = map.surfaces[top].surface;
+  const map::LandCoverClass surface = land_cover.surfaces[top].surface;
   const map::LandCoverGroup group = map::values_of(surface).group;
   if (surface == map::LandCoverClass::kPedestrianStreet) return false;
   return group == map::LandCoverGroup::kRoad || group == map::LandCoverGroup::kRail ||
@@ -71,24 +71,6 @@ Habitat habitat_of(const PlacingContext& context, Vec2 p) {
   const map::Heightfield& terrain = context.ground.terrain;
   return habitat_at(context.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p),
                     is_by_water(context.ground, p));
-}
-
-double crown_clearance_m(Species species, double height_m) {
-  constexpr double kRoom_m = 1.5, kLeast_m = 2;
-  return std::clamp(values_of(species).crown_share * height_m / 2 + kRoom_m, kLeast_m, kMostClearance_m);
-}
-
-ObstacleIndex index_obstacles(std::span<const Obstacle> all) {
-  constexpr double kBucket_m = 16;
-  std::vector<Box2> boxes;
-  for (const Obstacle& o : all) boxes.push_back(Box2{o.at, o.at}.widened(o.radius_m));
-  return {all, grid_of(boxes, kBucket_m)};
-}
-
-bool is_near_obstacle(const ObstacleIndex& obstacles, Vec2 p) {
-  return std::ranges::any_of(boxes_about(obstacles.grid, p), [&](std::uint32_t i) {
-    return distance(obstacles.all[i].at, p) < obstacles.all[i].radius_m;
-  });
 }
 
 }  // namespace citykiln::plants

@@ -1,5 +1,5 @@
-// The data and functions that the steps of placing plants share: single trees, tree rows, woods, plantings, hedges. A
-// prototype is one of the few distinct plants of a species; plants are scaled copies of its mesh.
+// The ground on which plants are placed, and the placing of one plant. A prototype is one of the few distinct plants of
+// a species; plants are scaled copies of its mesh.
 #pragma once
 
 #include <map>
@@ -8,7 +8,6 @@
 
 #include "compiler/contract/random_sequence.h"
 #include "compiler/contract/report.h"
-#include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/placement.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/grading/graded_terrain.h"
@@ -70,60 +69,9 @@ bool is_in_half_open(const Box2& box, Vec2 p);
 
 /// True if the topmost land cover at a position is a carriageway, rail, building or water, where no plant stands.
 /// Pedestrian streets may have plants.
-bool is_blocked_ground(const ground::LandCoverIndex& map, Vec2 p);
+bool is_blocked_ground(const ground::LandCoverIndex& land_cover, Vec2 p);
 
 /// Returns the growing conditions at a position.
 Habitat habitat_of(const PlacingContext& context, Vec2 p);
-
-/// A mapped tree, or a tree of a row, of which woods keep clear.
-struct Obstacle {
-  Vec2 at;
-  double radius_m = 0;  ///< The clearance to trunks of woods: half of the crown's width, and room for another crown.
-};
-/// Returns Obstacle::radius_m for a plant, at most kMostClearance_m.
-double crown_clearance_m(Species species, double height_m);
-inline constexpr double kMostClearance_m = 7;
-
-/// Places single trees. Returns them and the trees near the box as obstacles. Ledger "bake/tree".
-std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& context,
-                                  Report& report);
-
-/// Places the trees of rows, except where an obstacle of `trees` stands. Returns `trees` and the trees of rows.
-std::vector<Obstacle> place_rows(PlacedPlants& placed, std::span<const TreeRow> rows, std::vector<Obstacle> trees,
-                                 const PlacingContext& context);
-
-/// Places the trees of woods.
-/// @param trees  Obstacles: mapped trees and trees of rows, which trees of woods keep clear of.
-void place_woods(PlacedPlants& placed, std::span<const Wood> woods, std::span<const Obstacle> trees,
-                 std::span<const PowerLineCorridor> corridors, const PlacingContext& context);
-
-/// Places all plantings (plants in rows) except blades: grass, reed and corn.
-/// @param trees  Obstacles, which leave gaps in the rows.
-void place_plantings(PlacedPlants& placed, std::span<const Planting> plantings, std::span<const Obstacle> trees,
-                     const PlacingContext& context);
-
-/// Places plantings of grass, reed and corn; only a share of the blades if there would be more than `most_per_km2`.
-void place_blades(PlacedPlants& placed, std::span<const Planting> plantings, double most_per_km2,
-                  const PlacingContext& context);
-
-/// A mapped hedge.
-struct HedgeLine {
-  const Polyline& axis;
-  double height_m = 0;
-  OsmId feature;
-};
-
-/// Adds the pieces of a hedge along its axis, each as long as it is high. Ignores land cover. O(length).
-void place_hedge(PlacedPlants& placed, const HedgeLine& hedge, const PlacingContext& context);
-
-/// Obstacles with a spatial index.
-struct ObstacleIndex {
-  std::span<const Obstacle> all;
-  BoxGrid grid;
-};
-/// Builds the index.
-ObstacleIndex index_obstacles(std::span<const Obstacle> all);
-/// True if a position is nearer to an obstacle than its radius.
-bool is_near_obstacle(const ObstacleIndex& obstacles, Vec2 p);
 
 }  // namespace citykiln::plants

@@ -32,7 +32,7 @@ constexpr double kRimDepth_m = 1;
 
 // The cells of the box and of one row and column around it, and their vertices.
 struct Lattice {
-  const WoodMap& woods;
+  const WoodIndex& woods;
   const Box2& box;
   double tolerance_m;
   int columns, rows;  // of cells in the box
@@ -66,7 +66,7 @@ bool is_closed_cell(const Lattice& lattice, const CorridorIndex& corridors, int 
   return true;
 }
 
-Lattice lattice_of(const WoodMap& woods, const CorridorIndex& corridors, const Box2& box, double tolerance_m,
+Lattice lattice_of(const WoodIndex& woods, const CorridorIndex& corridors, const Box2& box, double tolerance_m,
                    Month month) {
   const auto cells = [](double side_m) { return static_cast<int>(side_m / kCanopyCell_m); };
   Lattice lattice{woods, box, tolerance_m, cells(box.width()), cells(box.height())};
@@ -198,7 +198,7 @@ Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorrido
   assert(is_multiple(context.box.width()) && is_multiple(context.box.height()));
   Canopy canopy;
   if (woods.empty() || !has_detail(Detail::kWoodCanopies, tolerance_m)) return canopy;
-  const WoodMap map = map_woods(woods, context);
+  const WoodIndex map = index_woods(woods, context);
   const Lattice lattice =
       lattice_of(map, index_corridors(corridors, context.box.widened(kCanopyCell_m)), context.box, tolerance_m, month);
   canopy.meshes = mesh_of(lattice);

@@ -30,7 +30,7 @@ constexpr double kDarkest = 0.7, kLightest = 1.1;
 // Tint of light transmitted by leaves.
 constexpr Colour kThrough = {1, 1.1, 1.03};
 
-std::uint32_t wood_near(const WoodMap& woods, Vec2 p) {
+std::uint32_t wood_near(const WoodIndex& woods, Vec2 p) {
   for (const Vec2 off : {Vec2{}, Vec2{kBeside_m, 0}, Vec2{0, kBeside_m}, Vec2{-kBeside_m, 0}, Vec2{0, -kBeside_m}})
     if (const std::uint32_t wood = wood_at(woods, p + off); wood != ground::kNoLandCover) return wood;
   return ground::kNoLandCover;
@@ -68,7 +68,7 @@ void add_tree(CrownAverage& mix, const Wood& wood, const Habitat& habitat, std::
   }
 }
 
-Colour ground_of(const WoodMap& woods, const Wood& wood) {
+Colour ground_of(const WoodIndex& woods, const Wood& wood) {
   const auto surface =
       std::ranges::lower_bound(woods.context.surfaces.surfaces, wood.surface, {}, &ground::LandCoverPolygon::id);
   const auto& base = values_of(map::values_of(surface->surface).material).base_colour;
@@ -82,7 +82,7 @@ StableId id_of_place(Vec2 p) {
 
 }  // namespace
 
-CrownAverage crown_average_at(const WoodMap& woods, Vec2 p, Month month) {
+CrownAverage crown_average_at(const WoodIndex& woods, Vec2 p, Month month) {
   CrownAverage mix;
   mix.wood = wood_near(woods, p);
   if (mix.wood == ground::kNoLandCover) return mix;

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "compiler/plants/placing/wood_map.h"
+#include "compiler/plants/placing/wood_index.h"
 #include "compiler/plants/season.h"
 
 namespace citykiln::plants {
@@ -17,7 +17,7 @@ struct CrownAverage {
   /// Linear reflectance (red, green, blue) of crowns and of the ground that shows between them.
   std::array<double, 3> colour{};
   std::uint32_t wood =
-      ground::kNoLandCover;  ///< Index of the wood in WoodMap::woods; kNoLandCover: no wood within 6 m.
+      ground::kNoLandCover;  ///< Index of the wood in WoodIndex::woods; kNoLandCover: no wood within 6 m.
 };
 
 /// Returns the mean of three trees of the wood at `p` or within 6 m of it. Species and heights of the three are drawn
@@ -25,6 +25,6 @@ struct CrownAverage {
 /// on land cover within 6 m only, so neighbouring tiles agree.
 /// @param p      Plane metres.
 /// @param month  The month decides leaves and their colours.
-CrownAverage crown_average_at(const WoodMap& woods, Vec2 p, Month month);
+CrownAverage crown_average_at(const WoodIndex& woods, Vec2 p, Month month);
 
 }  // namespace citykiln::plants

@@ -48,7 +48,7 @@ struct ShortLink {
   double length_m = std::numeric_limits<double>::infinity();
   std::uint32_t from = kNoNode, to = kNoNode;
   ObjectId road;
-  double reach_m = 0;  // maximum extent of the merged group
+  double max_extent_m = 0;  // maximum extent of the merged group
   // shortest first, ties by the unordered pair of ends
   bool is_before(const ShortLink& o) const {
     return std::tuple(length_m, std::min(from, to), std::max(from, to)) <
@@ -143,14 +143,14 @@ std::vector<ShortLink> short_links(std::span<const Road> roads, std::span<const 
     }
     for (Candidate c : from_here) {
       const bool is_nothing = c.link.length_m <= kShortLink_m || c.between_m <= 0;
-      if (joins_streets(roads, nodes, from_here, c)) c.link.reach_m = kJunctionRadius_m;
-      if (is_nothing || c.link.reach_m == kJunctionRadius_m) links.push_back(c.link);
+      if (joins_streets(roads, nodes, from_here, c)) c.link.max_extent_m = kJunctionRadius_m;
+      if (is_nothing || c.link.max_extent_m == kJunctionRadius_m) links.push_back(c.link);
     }
   }
   return links;
 }
 
-bool fits(const Box2& box, const ShortLink& link) { return std::max(box.width(), box.height()) <= link.reach_m; }
+bool fits(const Box2& box, const ShortLink& link) { return std::max(box.width(), box.height()) <= link.max_extent_m; }
 
 // One round: merges the groups that are each other's nearest.
 void merge_nearest(std::span<const ShortLink> links, std::vector<std::uint32_t>& group, std::vector<Box2>& boxes,

@@ -81,8 +81,8 @@ MarkingAtlas make_marking_atlas(std::span<const MarkingLayout> layouts, double t
     columns += width;
   }
   if (ranges.empty()) return atlas;
-  atlas.sheet = materials::blank_image(texel_m, columns, rows, {});
-  for (std::size_t i = 0; i < ranges.size(); ++i) draw(layouts[i], ranges[i], atlas.sheet);
+  atlas.image = materials::blank_image(texel_m, columns, rows, {});
+  for (std::size_t i = 0; i < ranges.size(); ++i) draw(layouts[i], ranges[i], atlas.image);
   return atlas;
 }
 

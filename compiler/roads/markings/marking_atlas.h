@@ -27,7 +27,7 @@ inline constexpr double kNoColumn_m = -1;
 
 /// The atlas of a tile.
 struct MarkingAtlas {
-  materials::TextureImage sheet;  ///< The image; kLayoutLength_m long along v. Empty without layouts.
+  materials::TextureImage image;  ///< The image; kLayoutLength_m long along v. Empty without layouts.
   /// For each layout the image's u at which its own u is 0; kNoColumn_m if it has no column.
   std::vector<double> left_m;
 };

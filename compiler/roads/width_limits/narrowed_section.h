@@ -19,7 +19,8 @@ namespace citykiln::roads {
 /// without visible steps.
 inline constexpr double kTaper = 0.125;
 
-/// The width that a pavement keeps while the carriageway can narrow: a kerb stone and a foot beside it.
+/// The width that a pavement keeps between buildings while the carriageway can narrow: a kerb stone and a foot beside
+/// it. Its width elsewhere is tagged, or kSidewalk_m of map/lanes/lane_rules.inc.
 inline constexpr double kMinPavement_m = 0.5;
 
 /// The width that a carriageway for cars keeps: a vehicle of 2.5 m, the widest without a permit.

@@ -132,7 +132,7 @@ TEST(Generate, PassesRulesTheSameRoofFormOnEveryLevel) {
   Building b = with_court(true);
   b.footprint = {{{0, 0}, {12, 0}, {12, 9}, {0, 9}}, {}};
   b.style = Style::kBarn;
-  b.roof_shape.form = roofs::Form::kGabled, b.roof_shape.height_m = 2;
+  b.roof_shape.form = roofs::RoofForm::kGabled, b.roof_shape.height_m = 2;
   Rulebook rulebook;
   const auto program = grammars::read_rules_of(R"(
 attr roof = ""

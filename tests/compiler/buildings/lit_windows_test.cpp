@@ -49,8 +49,8 @@ double lit_of_many(Use use, WeekTime time) {
   for (std::int64_t id = 1; id <= kBuildings; ++id) {
     const Building building = slab(use, id);
     EXPECT_EQ(use_of(building), use);
-    const grammars::Occlusion is_lit = lit_windows(building, time, 5);
-    for (const grammars::Shape& window : all) lit += is_lit(grammars::OcclusionQuery::kIsLit, window);
+    const grammars::AnswerContextQuery is_lit = lit_windows(building, time, 5);
+    for (const grammars::Shape& window : all) lit += is_lit(grammars::ContextQuery::kIsLit, window);
   }
   return lit / static_cast<double>(kBuildings * all.size());
 }
@@ -82,9 +82,9 @@ std::vector<std::vector<int>> changes(const Building& building, int minutes) {
   std::vector<std::vector<int>> changed(all.size());
   std::vector<bool> before(all.size());
   for (int minute = 0; minute <= minutes; ++minute) {
-    const grammars::Occlusion is_lit = lit_windows(building, wednesday(17 + minute / 60.0), 5);
+    const grammars::AnswerContextQuery is_lit = lit_windows(building, wednesday(17 + minute / 60.0), 5);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool now = is_lit(grammars::OcclusionQuery::kIsLit, all[i]);
+      const bool now = is_lit(grammars::ContextQuery::kIsLit, all[i]);
       if (minute > 0 && now != before[i]) changed[i].push_back(minute);
       before[i] = now;
     }

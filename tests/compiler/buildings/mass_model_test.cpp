@@ -16,7 +16,7 @@ Building gabled_house() {
   b.id = {{OsmType::kWay, 7}, 0};
   b.footprint.outer = {{0, 0}, {12, 0}, {12, 9}, {0, 9}};
   b.bottom_m = 98, b.floor_m = 100, b.top_m = 109;
-  b.roof_shape.form = roofs::Form::kGabled, b.roof_shape.height_m = 3;
+  b.roof_shape.form = roofs::RoofForm::kGabled, b.roof_shape.height_m = 3;
   b.levels = 2;
   b.facade_edges.resize(4);
   return b;
@@ -49,10 +49,11 @@ TEST(MassModel, HasWallsFromFloorToEaves) {
 }
 
 TEST(MassModel, ClosesButForItsFloor) {
-  for (const roofs::Form form : {roofs::Form::kFlat, roofs::Form::kGabled, roofs::Form::kHipped, roofs::Form::kDome}) {
+  for (const roofs::RoofForm form :
+       {roofs::RoofForm::kFlat, roofs::RoofForm::kGabled, roofs::RoofForm::kHipped, roofs::RoofForm::kDome}) {
     Building b = gabled_house();
     b.roof_shape.form = form;
-    if (form == roofs::Form::kFlat) b.roof_shape = {}, b.top_m = 106;
+    if (form == roofs::RoofForm::kFlat) b.roof_shape = {}, b.top_m = 106;
     const Vec3 open = sum_of(shape_of(b, made(b)).faces);
     EXPECT_NEAR(open.x, 0, 1e-6);
     EXPECT_NEAR(open.y, 0, 1e-6);
@@ -66,7 +67,7 @@ TEST(MassModel, HasWallsInTheOrderOfTheFootprintForEveryRoof) {
   b.facade_edges.resize(6);
   std::vector<Vec2> corners = b.footprint.outer;
   corners.insert(corners.end(), b.footprint.holes[0].begin(), b.footprint.holes[0].end());
-  for (const roofs::Form form : {roofs::Form::kFlat, roofs::Form::kGabled, roofs::Form::kHipped})
+  for (const roofs::RoofForm form : {roofs::RoofForm::kFlat, roofs::RoofForm::kGabled, roofs::RoofForm::kHipped})
     for (const double overhang_m : {0.0, 0.5}) {
       b.roof_shape.form = form, b.roof_shape.overhang_m = overhang_m;
       std::vector<Vec2> starts;

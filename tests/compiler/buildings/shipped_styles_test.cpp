@@ -49,7 +49,7 @@ struct ShippedStyles : testing::TestWithParam<ShippedStyle> {
 
   Derivation derive_on(const MadeMass& made, double levels, std::map<std::string, Value> attributes = {},
                        double tolerance_m = 0) const {
-    roofs::Form became{};
+    roofs::RoofForm became{};
     const Shape mass = mass_model_of(made, &became);
     DeriveOptions options;
     options.attributes = std::move(attributes);
@@ -67,7 +67,7 @@ MadeMass made_of(const ShippedStyle& style) {
   made.footprint = {{{0, 0}, {style.width_m, 0}, {style.width_m, style.depth_m}, {0, style.depth_m}}, {}};
   made.height_m = style.height_m;
   made.roof.form = *roofs::form_named(style.roof);
-  made.roof.overhang_m = made.roof.form == roofs::Form::kFlat ? 0 : 0.4;
+  made.roof.overhang_m = made.roof.form == roofs::RoofForm::kFlat ? 0 : 0.4;
   return made;
 }
 

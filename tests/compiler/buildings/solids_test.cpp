@@ -135,17 +135,17 @@ bool touches_itself(const Polygon& footprint) {
 constexpr double kFinest_m = 0.01, kCoarser_m = 0.25;
 
 TEST(Solid, KeepsVal3ditysRulesOnMadeFootprints) {
-  for (int form = 0; form < static_cast<int>(roofs::Form::kCount); ++form)
+  for (int form = 0; form < static_cast<int>(roofs::RoofForm::kCount); ++form)
     for (const roofs::NamedFootprint& footprint : roofs::made_footprints())
       for (const double overhang_m : {0.0, 0.5})
         for (const double tolerance_m : {kFinest_m, kCoarser_m}) {
           if (touches_itself(footprint.polygon)) continue;
           // a dome of 25 cm width ends in a triangle without area
-          if (footprint.name == "sliver" && static_cast<roofs::Form>(form) == roofs::Form::kDome) continue;
+          if (footprint.name == "sliver" && static_cast<roofs::RoofForm>(form) == roofs::RoofForm::kDome) continue;
           Building building;
           building.footprint = footprint.polygon;
           building.stands_on_ground = false;
-          building.roof_shape.form = static_cast<roofs::Form>(form);
+          building.roof_shape.form = static_cast<roofs::RoofForm>(form);
           building.roof_shape.height_m = form == 0 ? 0 : 3;
           building.roof_shape.overhang_m = overhang_m;
           building.bottom_m = -3, building.top_m = 6 + building.roof_shape.height_m;
@@ -226,7 +226,7 @@ TEST(Solid, KeepsVal3ditysRulesOnHardFootprints) {
       Building building;
       building.footprint = hard.footprint;
       building.stands_on_ground = false;
-      building.roof_shape.form = roofs::Form::kGabled;
+      building.roof_shape.form = roofs::RoofForm::kGabled;
       building.roof_shape.height_m = hard.rise_m, building.roof_shape.overhang_m = hard.overhang_m;
       building.bottom_m = -3, building.top_m = 7.5 + hard.rise_m;
       Report report;

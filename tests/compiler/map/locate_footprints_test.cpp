@@ -90,11 +90,11 @@ TEST(LocateFootprints, ColoursMaterialsAndClassAreRead) {
 }
 
 TEST(LocateFootprints, RoofsAreReadAsSimple3DBuildingsHasThem) {
-  using roofs::Form;
+  using roofs::RoofForm;
   const Footprint f = footprint_of(
       "building=house roof:shape=half-hipped roof:height=3.5 roof:angle=40 roof:direction=SW roof:orientation=across");
   EXPECT_TRUE(f.has_roof_shape);
-  EXPECT_EQ(f.roof.form, Form::kHalfHipped);
+  EXPECT_EQ(f.roof.form, RoofForm::kHalfHipped);
   EXPECT_EQ(f.roof.height_m, 3.5);
   EXPECT_EQ(f.roof.angle_deg, 40);
   EXPECT_TRUE(f.roof.is_ridge_across);

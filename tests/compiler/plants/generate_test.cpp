@@ -8,6 +8,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/plants/placing/blue_noise.h"
+#include "compiler/plants/placing/placing_steps.h"
 #include "tests/compiler/plants/made_surfaces.h"
 
 namespace citykiln::plants {

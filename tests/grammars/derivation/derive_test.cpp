@@ -134,12 +134,12 @@ TEST(Chance, IsTheSameAtAnyTolerance) {
   for (const Terminal& terminal : cut.terminals) EXPECT_EQ(ids.contains(terminal.id), !terminal.simplified);
 }
 
-// ---- occlusion
+// ---- context queries
 
-TEST(Occlusion, PrismsAnswerInsideOverlapsTouches) {
+TEST(ContextQuery, PrismsAnswerInsideOverlapsTouches) {
   DeriveOptions options;
   // a neighbour along the whole west side, half as high, and one that stands in the north east corner
-  options.occlusion = occlusion_by(
+  options.answer_context_query = answer_from_neighbours(
       {{{{{-5, 0}, {0, 0}, {0, 8}, {-5, 8}}, {}}, 0, 5}, {{{{9, 7}, {12, 7}, {12, 12}, {9, 12}}, {}}, 0, 20}});
   const char* const kRules =
       "Lot --> extrude(5) comp(f) { left : L | back : B | front : F | all : NIL }\n"
@@ -153,9 +153,9 @@ TEST(Occlusion, PrismsAnswerInsideOverlapsTouches) {
 }
 
 // Exactly one of several adjacent pieces has the entrance.
-TEST(Occlusion, EntrancesAreInOnePieceOfTheirWall) {
+TEST(ContextQuery, EntrancesAreInOnePieceOfTheirWall) {
   DeriveOptions options;
-  options.occlusion = entrances_at({{2, 0}, {7.5, 0.25}});
+  options.answer_context_query = answer_from_entrances({{2, 0}, {7.5, 0.25}});
   const auto derivation = derived(
       "Lot --> extrude(5) comp(f) { side : split(x) { { 1 : Piece }* } | all : NIL }\n"
       "Piece --> case has_entrance() : Door. else : Wall.",
@@ -169,10 +169,10 @@ TEST(Occlusion, EntrancesAreInOnePieceOfTheirWall) {
 }
 
 // Equal pieces are not copied where only some are lit.
-TEST(Occlusion, PiecesAreLitWhereTheirPlaceSays) {
+TEST(ContextQuery, PiecesAreLitWhereTheirPlaceSays) {
   DeriveOptions options;
-  options.occlusion = [](OcclusionQuery query, const Shape& shape) {
-    return query == OcclusionQuery::kIsLit && shape.scope.centre().x < 3;
+  options.answer_context_query = [](ContextQuery query, const Shape& shape) {
+    return query == ContextQuery::kIsLit && shape.scope.centre().x < 3;
   };
   const auto derivation = derived(
       "Lot --> extrude(5) comp(f) { front : split(x) { { 1 : Piece }* } | all : NIL }\n"

@@ -107,7 +107,7 @@ TEST(FormRoofs, ShedsRiseFromTheirEdge) {
   for (const Vec3 p : tiles) EXPECT_NEAR(p.z, 9 + p.y / 4, 0.01);
 }
 
-std::vector<Face> faces_on(const Polygon& footprint, roofs::Form form, double overhang_m) {
+std::vector<Face> faces_on(const Polygon& footprint, roofs::RoofForm form, double overhang_m) {
   roofs::RoofShape shape;
   shape.form = form, shape.overhang_m = overhang_m;
   Report ignored;
@@ -122,21 +122,22 @@ double tagged_area_m2(const std::vector<Face>& faces, FaceTag tag) {
 
 // A rim goes around corners, so it has to be one face on each side.
 TEST(FacesOfRoofs, HaveRimsAllAround) {
-  const std::vector<Face> faces = faces_on(kFootprints[0], roofs::Form::kFlat, 0.5);
+  const std::vector<Face> faces = faces_on(kFootprints[0], roofs::RoofForm::kFlat, 0.5);
   const double under_m2 = 13 * 9 - 12 * 8, around_m = 2 * (13 + 9), thickness_m = 0.1875;
   EXPECT_NEAR(tagged_area_m2(faces, FaceTag::kBorder), under_m2 + around_m * thickness_m, 1e-6);
 }
 
 // The soffit around a courtyard is inside of the hole of the outer soffit.
 TEST(FacesOfRoofs, KnowWhichRingAHoleIsIn) {
-  for (const Face& face : faces_on(kFootprints[2], roofs::Form::kFlat, 0.5))
+  for (const Face& face : faces_on(kFootprints[2], roofs::RoofForm::kFlat, 0.5))
     for (const Ring3& hole : face.holes) EXPECT_GT(length(area_vector_m2(face.outer)), length(area_vector_m2(hole)));
-  EXPECT_NEAR(tagged_area_m2(faces_on(kFootprints[2], roofs::Form::kFlat, 0.5), FaceTag::kTop), 21 * 17 - 7 * 5, 0.1);
+  EXPECT_NEAR(tagged_area_m2(faces_on(kFootprints[2], roofs::RoofForm::kFlat, 0.5), FaceTag::kTop), 21 * 17 - 7 * 5,
+              0.1);
 }
 
 // Three bays have three gables on each side, which meet in points.
 TEST(FacesOfRoofs, ComeApartWhereTheyTouch) {
-  const std::vector<Face> faces = faces_on({{{0, 0}, {24, 0}, {24, 10}, {0, 10}}, {}}, roofs::Form::kGabledRow, 0);
+  const std::vector<Face> faces = faces_on({{{0, 0}, {24, 0}, {24, 10}, {0, 10}}, {}}, roofs::RoofForm::kGabledRow, 0);
   EXPECT_EQ(std::count_if(faces.begin(), faces.end(), [](const Face& face) { return face.tag == FaceTag::kSide; }), 6);
 }
 
@@ -144,7 +145,7 @@ TEST(FacesOfRoofs, ComeApartWhereTheyTouch) {
 TEST(FacesOfRoofs, AreFlat) {
   const Polygon bent{{{0, 0}, {8, -0x1p-6}, {16, 0}, {16, 10}, {0, 10}}, {}};
   for (const double overhang_m : {0.0, 0.5}) {
-    const std::vector<Face> faces = faces_on(bent, roofs::Form::kHipped, overhang_m);
+    const std::vector<Face> faces = faces_on(bent, roofs::RoofForm::kHipped, overhang_m);
     EXPECT_GE(faces.size(), 5u);
     for (const Face& face : faces) {
       const Vec3 normal = normal_of(face);

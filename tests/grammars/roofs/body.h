@@ -1,4 +1,4 @@
-// Measures of triangle meshes: closed, manifold, volume, distance.
+// The body under a roof, and measures of triangle meshes: closed, manifold, volume, distance.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,31 @@
 #include <vector>
 
 #include "compiler/geometry/mesh.h"
+#include "grammars/roofs/roof.h"
 
 namespace citykiln::roofs {
+
+/// Returns roof, walls down to bottom_m and floor as one closed 2-manifold, oriented outward, without duplicate
+/// vertices.
+/// @param bottom_m  < 0, and below the soffits if the body must not touch itself.
+inline Mesh closed_body(const Roof& roof, double bottom_m) {
+  constexpr std::uint32_t kNone = ~0u;
+  Mesh body{roof.positions, {}, roof.triangles};
+  std::vector<std::uint32_t> below(roof.positions.size(), kNone);
+  for (const Triangle& t : roof.floor)
+    for (const std::uint32_t v : t)
+      if (below[v] == kNone) {
+        below[v] = static_cast<std::uint32_t>(body.positions.size());
+        body.positions.push_back(at_height(in_plan(roof.positions[v]), bottom_m));
+      }
+  for (const Triangle& t : roof.floor) body.triangles.push_back({below[t[0]], below[t[2]], below[t[1]]});
+  for (const auto& ring : roof.eaves)
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      body.triangles.push_back({below[ring[j]], below[ring[i]], ring[i]});
+      body.triangles.push_back({below[ring[j]], ring[i], ring[j]});
+    }
+  return body;
+}
 
 /// True if every edge occurs once in each direction and no triangle repeats a vertex.
 inline bool is_closed(const Mesh& body) {

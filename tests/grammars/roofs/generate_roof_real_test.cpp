@@ -18,7 +18,7 @@ struct Count {
   double seconds = 0;
 };
 
-void tally(Count& count, const TaggedFootprint& building, Form form) {
+void tally(Count& count, const TaggedFootprint& building, RoofForm form) {
   RoofShape shape;
   shape.form = form;
   Report report;
@@ -43,8 +43,8 @@ void expect_roofs(const std::string& file) {
   for (const TaggedFootprint& building : footprints_of(path)) {
     if (building.form) tally(tagged, building, *building.form);
     unknown += !building.tag.empty() && !building.form;
-    tally(in_turn, building, static_cast<Form>(next++ % static_cast<std::size_t>(Form::kCount)));
-    tally(hipped, building, Form::kHipped);
+    tally(in_turn, building, static_cast<RoofForm>(next++ % static_cast<std::size_t>(RoofForm::kCount)));
+    tally(hipped, building, RoofForm::kHipped);
   }
   EXPECT_GT(in_turn.roofs, 0u);
   for (const auto& [name, count] :
@@ -74,7 +74,7 @@ TEST(RoofsReal, StayWithinTheErrorTheyState) {
   std::size_t next = 0, fine_triangles = 0, coarse_triangles = 0;
   for (const TaggedFootprint& building : footprints_of(path)) {
     RoofShape shape;
-    shape.form = static_cast<Form>(next++ % static_cast<std::size_t>(Form::kCount));
+    shape.form = static_cast<RoofForm>(next++ % static_cast<std::size_t>(RoofForm::kCount));
     Report report;
     const Roof fine = generate_roof(building.footprint, shape, 0.02, building.id.osm, report);
     const Roof coarse = generate_roof(building.footprint, shape, 0.5, building.id.osm, report);
@@ -106,13 +106,13 @@ TEST(RoofsReal, StandOnFourHundredCorners) {
   const TaggedFootprint outline{{}, outline_of(lakes, 400), {}, ""};
   for (const TaggedFootprint& building : {*largest, outline}) {
     std::printf("%s: %zu corners\n", to_string(building.id.osm).c_str(), corners_of_building(building));
-    for (int form = 0; form < static_cast<int>(Form::kCount); ++form) {
+    for (int form = 0; form < static_cast<int>(RoofForm::kCount); ++form) {
       Count count;
-      tally(count, building, static_cast<Form>(form));
+      tally(count, building, static_cast<RoofForm>(form));
       EXPECT_EQ(count.open, 0u);
       EXPECT_EQ(count.fallbacks, 0u);
       std::printf("  %-15s %zu triangles, %zu flat instead, %.0f ms\n",
-                  std::string(name_of(static_cast<Form>(form))).c_str(), count.triangles, count.fallbacks,
+                  std::string(name_of(static_cast<RoofForm>(form))).c_str(), count.triangles, count.fallbacks,
                   1000 * count.seconds);
     }
   }

@@ -24,16 +24,16 @@ Made make(const Polygon& footprint, RoofShape shape, double tolerance_m = kToler
   return made;
 }
 
-RoofShape shape_of(Form form, double height_m = 0) {
+RoofShape shape_of(RoofForm form, double height_m = 0) {
   RoofShape shape;
   shape.form = form;
   shape.height_m = height_m;
   return shape;
 }
 
-std::vector<Form> all_forms() {
-  std::vector<Form> forms;
-  for (int i = 0; i < static_cast<int>(Form::kCount); ++i) forms.push_back(static_cast<Form>(i));
+std::vector<RoofForm> all_forms() {
+  std::vector<RoofForm> forms;
+  for (int i = 0; i < static_cast<int>(RoofForm::kCount); ++i) forms.push_back(static_cast<RoofForm>(i));
   return forms;
 }
 
@@ -44,7 +44,7 @@ double roof_m3(const Made& made, const Polygon& footprint) {
 
 TEST(GenerateRoof, ClosesWithItsWallsForAllFormsOnAllFootprints) {
   EXPECT_GE(made_footprints().size(), 11u);
-  for (const Form form : all_forms())
+  for (const RoofForm form : all_forms())
     for (const NamedFootprint& footprint : made_footprints())
       for (const double overhang_m : {0.0, 0.5}) {
         RoofShape shape = shape_of(form);
@@ -75,29 +75,29 @@ TEST(GenerateRoof, HasTheVolumeOfTheShapeOverARectangle) {
   const double r = (w * w / 4 + h * h) / (2 * h), half_angle = std::asin(w / 2 / r);
   const double segment_m2 = r * r * half_angle - (r - h) * w / 2;
   const double hipped = w * h * (3 * l - w) / 6;
-  const std::map<Form, double> volumes = {
-      {Form::kFlat, 0},
-      {Form::kSkillion, a * h / 2},
-      {Form::kGabled, a * h / 2},
-      {Form::kHipped, hipped},
-      {Form::kHalfHipped, a * h / 2 - 2 * (w / 2 * h / 2 / 2) * (w / 4) / 3},
-      {Form::kSideHipped, (a * h / 2 + hipped) / 2},
-      {Form::kPyramidal, a * h / 3},
-      {Form::kCone, a * h / 3},
-      {Form::kGambrel, a * h * (0.4 * 0.65 / 2 + 0.6 * (0.65 + 1) / 2)},
-      {Form::kMansard, mansard()},
-      {Form::kSaltbox, a * h / 2},
-      {Form::kDoubleSaltbox, a * h * 0.7},
-      {Form::kRound, segment_m2 * l},
-      {Form::kCrossGabled, a * h / 2 + 2 * h * (w / 2) * (w / 2) / 3},
-      {Form::kSawtooth, a * h / 2},
-      {Form::kGabledRow, a * h / 2},
+  const std::map<RoofForm, double> volumes = {
+      {RoofForm::kFlat, 0},
+      {RoofForm::kSkillion, a * h / 2},
+      {RoofForm::kGabled, a * h / 2},
+      {RoofForm::kHipped, hipped},
+      {RoofForm::kHalfHipped, a * h / 2 - 2 * (w / 2 * h / 2 / 2) * (w / 4) / 3},
+      {RoofForm::kSideHipped, (a * h / 2 + hipped) / 2},
+      {RoofForm::kPyramidal, a * h / 3},
+      {RoofForm::kCone, a * h / 3},
+      {RoofForm::kGambrel, a * h * (0.4 * 0.65 / 2 + 0.6 * (0.65 + 1) / 2)},
+      {RoofForm::kMansard, mansard()},
+      {RoofForm::kSaltbox, a * h / 2},
+      {RoofForm::kDoubleSaltbox, a * h * 0.7},
+      {RoofForm::kRound, segment_m2 * l},
+      {RoofForm::kCrossGabled, a * h / 2 + 2 * h * (w / 2) * (w / 2) / 3},
+      {RoofForm::kSawtooth, a * h / 2},
+      {RoofForm::kGabledRow, a * h / 2},
   };
   const Polygon footprint{box(0, 0, l, w), {}};
   for (const auto& [form, volume] : volumes) {
     const Made made = make(footprint, shape_of(form, h));
     EXPECT_NEAR(roof_m3(made, footprint), volume, 0.01 * volume + 1e-9) << name_of(form);
-    EXPECT_EQ(made.roof.height_m, form == Form::kFlat ? 0 : h) << name_of(form);
+    EXPECT_EQ(made.roof.height_m, form == RoofForm::kFlat ? 0 : h) << name_of(form);
   }
 }
 
@@ -107,23 +107,23 @@ TEST(GenerateRoof, HasTheVolumeOfTheShapeOverOtherFootprints) {
     return std::find_if(all.begin(), all.end(), [&](const auto& f) { return f.name == name; })->polygon;
   };
   constexpr double h = 4;
-  const auto volume_of = [&](Form form, const std::string& name, double height_m) {
+  const auto volume_of = [&](RoofForm form, const std::string& name, double height_m) {
     return roof_m3(make(named(name), shape_of(form, height_m)), named(name));
   };
   for (const char* name : {"L", "T", "cross", "circle", "sliver"})
-    EXPECT_NEAR(volume_of(Form::kPyramidal, name, h), area_m2(named(name)) * h / 3,
+    EXPECT_NEAR(volume_of(RoofForm::kPyramidal, name, h), area_m2(named(name)) * h / 3,
                 0.01 * area_m2(named(name)) * h / 3);
   // half a ball, and half an ellipsoid
   for (const double height_m : {7.9375, 12.0})
-    EXPECT_NEAR(volume_of(Form::kDome, "circle", height_m), area_m2(named("circle")) * height_m * 2 / 3,
+    EXPECT_NEAR(volume_of(RoofForm::kDome, "circle", height_m), area_m2(named("circle")) * height_m * 2 / 3,
                 0.01 * area_m2(named("circle")) * height_m * 2 / 3);
   // every section across a wing 8 m wide is a triangle of 4 h; where wings meet, four quarters of a pyramid are more
   const double cross_m3 = 4 * 8 * 8 * h / 2 + (8 * 8 * h / 2 + 2 * h * 4 * 4 / 3);
-  EXPECT_NEAR(volume_of(Form::kGabled, "cross", h), cross_m3, 0.01 * cross_m3);
+  EXPECT_NEAR(volume_of(RoofForm::kGabled, "cross", h), cross_m3, 0.01 * cross_m3);
   // a ring of roofs: the triangle's area times the length of its middle line, by Pappus
   const Polygon ring{box(0, 0, 26, 22), {hole(8, 8, 18, 14)}};
   const double ring_m3 = 8 * h / 2 * (2 * 18 + 2 * 14);
-  for (const Form form : {Form::kHipped, Form::kGabled})
+  for (const RoofForm form : {RoofForm::kHipped, RoofForm::kGabled})
     EXPECT_NEAR(roof_m3(make(ring, shape_of(form, h)), ring), ring_m3, 0.01 * ring_m3);
 }
 
@@ -139,27 +139,27 @@ TEST(GenerateRoof, RunsRidgesAlongTheLongerSide) {
       if (p.z > made.roof.height_m - 0.01) box.grow({dot(along, in_plan(p)), dot(left_of(along), in_plan(p))});
     return Vec2{box.width(), box.height()};
   };
-  RoofShape shape = shape_of(Form::kGabled, 3);
+  RoofShape shape = shape_of(RoofForm::kGabled, 3);
   EXPECT_NEAR(ridge_of(shape).x, 20, 0.01);
   EXPECT_NEAR(ridge_of(shape).y, 0, 0.01);
-  EXPECT_NEAR(ridge_of(shape_of(Form::kHipped, 3)).x, 12, 0.01);
+  EXPECT_NEAR(ridge_of(shape_of(RoofForm::kHipped, 3)).x, 12, 0.01);
   shape.is_ridge_across = true;
   EXPECT_NEAR(ridge_of(shape).x, 0, 0.01);
   EXPECT_NEAR(ridge_of(shape).y, 8, 0.01);
   // a compass word, 20 degrees off
-  shape = shape_of(Form::kGabled, 3);
+  shape = shape_of(RoofForm::kGabled, 3);
   shape.direction = Vec2{0.94, 0.34};
   EXPECT_NEAR(ridge_of(shape).y, 8, 0.01);
 }
 
 TEST(GenerateRoof, FallsWhereItsDirectionPoints) {
-  RoofShape shape = shape_of(Form::kSkillion, 3);
+  RoofShape shape = shape_of(RoofForm::kSkillion, 3);
   for (const Vec2 downhill : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
     shape.direction = downhill;
     const Made made = make({box(0, 0, 16, 10), {}}, shape);
-    EXPECT_EQ(std::ranges::count(made.roof.parts, Part::kRoof), 2);
+    EXPECT_EQ(std::ranges::count(made.roof.parts, RoofPart::kRoof), 2);
     for (std::size_t i = 0; i < made.roof.triangles.size(); ++i) {
-      if (made.roof.parts[i] != Part::kRoof) continue;
+      if (made.roof.parts[i] != RoofPart::kRoof) continue;
       const Triangle t = made.roof.triangles[i];
       const Vec3 a = made.roof.positions[t[0]];
       const Vec3 normal = cross(made.roof.positions[t[1]] - a, made.roof.positions[t[2]] - a);
@@ -173,27 +173,27 @@ double gables_m2(const Roof& roof) {
   for (std::size_t i = 0; i < roof.triangles.size(); ++i) {
     const Triangle t = roof.triangles[i];
     const Vec3 a = roof.positions[t[0]];
-    if (roof.parts[i] == Part::kGable) sum += length(cross(roof.positions[t[1]] - a, roof.positions[t[2]] - a)) / 2;
+    if (roof.parts[i] == RoofPart::kGable) sum += length(cross(roof.positions[t[1]] - a, roof.positions[t[2]] - a)) / 2;
   }
   return sum;
 }
 
 TEST(GenerateRoof, PutsGablesWhereWingsEnd) {
   const Polygon t = made_footprints()[2].polygon;
-  EXPECT_NEAR(gables_m2(make(t, shape_of(Form::kGabled, 3)).roof), 3 * 8 * 3 / 2.0, 0.05);
+  EXPECT_NEAR(gables_m2(make(t, shape_of(RoofForm::kGabled, 3)).roof), 3 * 8 * 3 / 2.0, 0.05);
 }
 
 // Every face of a square's skeleton is a triangle; only two of them are ends.
 TEST(RoofBySkeleton, PutsTwoGablesOnASquare) {
   const auto roof =
-      roof_by_skeleton({box(0, 0, 10, 10), {}}, shape_of(Form::kGabled, 3), 0.02, SkeletonKernel::kInexact);
+      roof_by_skeleton({box(0, 0, 10, 10), {}}, shape_of(RoofForm::kGabled, 3), 0.02, SkeletonKernel::kInexact);
   ASSERT_TRUE(roof);
   EXPECT_NEAR(gables_m2(*roof), 2 * 10 * 3 / 2.0, 0.05);
 }
 
 TEST(GenerateRoof, TakesItsHeightFromHeightThenAngleThenLevels) {
   const Polygon footprint{box(0, 0, 16, 10), {}};
-  RoofShape shape = shape_of(Form::kGabled);
+  RoofShape shape = shape_of(RoofForm::kGabled);
   shape.levels = 2;
   EXPECT_EQ(make(footprint, shape).roof.height_m, 6);
   shape.angle_deg = 45;
@@ -203,7 +203,7 @@ TEST(GenerateRoof, TakesItsHeightFromHeightThenAngleThenLevels) {
 }
 
 TEST(GenerateRoof, KeepsTheFootprintsCorners) {
-  for (const Form form : all_forms())
+  for (const RoofForm form : all_forms())
     for (const NamedFootprint& footprint : made_footprints()) {
       const Made made = make(footprint.polygon, shape_of(form));
       std::set<Vec2> eaves;
@@ -220,7 +220,7 @@ TEST(GenerateRoof, KeepsTheFootprintsCorners) {
 
 TEST(GenerateRoof, LetsEavesStandOutAndDown) {
   const Polygon footprint{box(0, 0, 16, 10), {}};
-  for (const Form form : {Form::kGabled, Form::kHipped, Form::kPyramidal, Form::kFlat}) {
+  for (const RoofForm form : {RoofForm::kGabled, RoofForm::kHipped, RoofForm::kPyramidal, RoofForm::kFlat}) {
     RoofShape shape = shape_of(form, 5);
     shape.overhang_m = 0.5;
     const Made made = make(footprint, shape);
@@ -228,13 +228,13 @@ TEST(GenerateRoof, LetsEavesStandOutAndDown) {
     double lowest_m = 0;
     for (const Vec3 p : made.roof.positions) box.grow(in_plan(p)), lowest_m = std::min(lowest_m, p.z);
     EXPECT_EQ(box, (Box2{{-0.5, -0.5}, {16.5, 10.5}}));
-    EXPECT_NEAR(lowest_m, form == Form::kFlat ? 0 : -0.5, 0.005) << name_of(form);
+    EXPECT_NEAR(lowest_m, form == RoofForm::kFlat ? 0 : -0.5, 0.005) << name_of(form);
   }
 }
 
 TEST(GenerateRoof, StatesTheErrorOfCurves) {
   const Polygon round{circle({0, 0}, 8, 64), {}};
-  for (const Form form : {Form::kDome, Form::kRound, Form::kOnion}) {
+  for (const RoofForm form : {RoofForm::kDome, RoofForm::kRound, RoofForm::kOnion}) {
     std::size_t triangles = 0;
     for (const double tolerance_m : {0.5, 0.1, 0.02}) {
       const Made made = make(round, shape_of(form, 8), tolerance_m);
@@ -244,7 +244,7 @@ TEST(GenerateRoof, StatesTheErrorOfCurves) {
     }
   }
   // the sphere is within the stated error of the dome
-  const Made dome = make(round, shape_of(Form::kDome, 8), 0.1);
+  const Made dome = make(round, shape_of(RoofForm::kDome, 8), 0.1);
   for (const Triangle& t : dome.roof.triangles) {
     const Vec3 middle = (dome.roof.positions[t[0]] + dome.roof.positions[t[1]] + dome.roof.positions[t[2]]) * (1 / 3.0);
     const double in_plan_m = 8 * (1 - std::cos(3.14159265 / 64));
@@ -253,7 +253,7 @@ TEST(GenerateRoof, StatesTheErrorOfCurves) {
 }
 
 TEST(GenerateRoof, StaysWithinTheErrorItStates) {
-  for (const Form form : all_forms())
+  for (const RoofForm form : all_forms())
     for (const NamedFootprint& footprint : made_footprints()) {
       const Made fine = make(footprint.polygon, shape_of(form), 0.02);
       EXPECT_FALSE(fine.roof.triangles.empty());
@@ -270,12 +270,13 @@ TEST(GenerateRoof, StaysWithinTheErrorItStates) {
 
 // Eaves overhang, and lift the roof by their thickness.
 TEST(GenerateRoof, StatesWhatLeavingOutEavesMoves) {
-  for (const Form form : {Form::kFlat, Form::kSkillion, Form::kGabled, Form::kHipped, Form::kPyramidal, Form::kMansard})
+  for (const RoofForm form : {RoofForm::kFlat, RoofForm::kSkillion, RoofForm::kGabled, RoofForm::kHipped,
+                              RoofForm::kPyramidal, RoofForm::kMansard})
     for (const NamedFootprint& footprint : made_footprints())
       for (const double rise_m : {0.3, 2.0}) {
         // a skeleton may change its shape with its eaves, and the roof of a sliver is nearly vertical
         if (footprint.name == "sliver" || footprint.name == "near-degenerate") continue;
-        RoofShape shape = shape_of(form, form == Form::kFlat ? 0 : rise_m);
+        RoofShape shape = shape_of(form, form == RoofForm::kFlat ? 0 : rise_m);
         shape.overhang_m = 0.4;
         const Made fine = make(footprint.polygon, shape, 0.01);
         EXPECT_FALSE(fine.roof.triangles.empty());
@@ -291,17 +292,17 @@ TEST(GenerateRoof, StatesWhatLeavingOutEavesMoves) {
 }
 
 TEST(GenerateRoof, IsFlatBelowTheTolerance) {
-  const Made made = make({box(0, 0, 16, 10), {}}, shape_of(Form::kGabled, 2), 2.5);
-  EXPECT_EQ(made.roof.form, Form::kFlat);
+  const Made made = make({box(0, 0, 16, 10), {}}, shape_of(RoofForm::kGabled, 2), 2.5);
+  EXPECT_EQ(made.roof.form, RoofForm::kFlat);
   EXPECT_EQ(made.roof.error_m, 2);
   EXPECT_EQ(made.report.diagnoses().size(), 0u);
 }
 
 TEST(GenerateRoof, NumbersFlatFacesOnce) {
-  for (const Form form : all_forms()) {
+  for (const RoofForm form : all_forms()) {
     const Made made = make({box(0, 0, 16, 10), {}}, shape_of(form, 3));
     EXPECT_FALSE(made.roof.triangles.empty());
-    std::map<std::pair<Part, std::uint32_t>, Vec3> normals;
+    std::map<std::pair<RoofPart, std::uint32_t>, Vec3> normals;
     for (std::size_t i = 0; i < made.roof.triangles.size(); ++i) {
       const Triangle t = made.roof.triangles[i];
       const Vec3 a = made.roof.positions[t[0]];
@@ -315,7 +316,7 @@ TEST(GenerateRoof, NumbersFlatFacesOnce) {
 
 TEST(GenerateRoof, DiagnosesAFootprintWithoutArea) {
   for (const Polygon& none : {Polygon{}, Polygon{{{0, 0}, {5, 0}}, {}}, Polygon{{{0, 0}, {5, 0}, {9, 0}}, {}}}) {
-    const Made made = make(none, shape_of(Form::kHipped));
+    const Made made = make(none, shape_of(RoofForm::kHipped));
     EXPECT_TRUE(made.roof.triangles.empty());
     ASSERT_EQ(made.report.diagnoses().size(), 1u);
     EXPECT_EQ(made.report.diagnoses()[0].code, Code::kRoofFallback);
@@ -323,8 +324,8 @@ TEST(GenerateRoof, DiagnosesAFootprintWithoutArea) {
 }
 
 TEST(GenerateRoof, KnowsItsNames) {
-  for (const Form form : all_forms()) EXPECT_EQ(form_named(name_of(form)), form);
-  EXPECT_EQ(form_named("crosspitched"), Form::kCrossGabled);
+  for (const RoofForm form : all_forms()) EXPECT_EQ(form_named(name_of(form)), form);
+  EXPECT_EQ(form_named("crosspitched"), RoofForm::kCrossGabled);
   EXPECT_EQ(form_named("many"), std::nullopt);
 }
 
@@ -384,7 +385,7 @@ TEST(GenerateRoof, ClosesOverTenThousandRandomFootprints) {
   for (std::uint64_t seed = 0; seed < 10000; ++seed) {
     RandomSource random(seed);
     const Polygon footprint = random_footprint(random);
-    RoofShape shape = shape_of(static_cast<Form>(random.below(static_cast<int>(Form::kCount))));
+    RoofShape shape = shape_of(static_cast<RoofForm>(random.below(static_cast<int>(RoofForm::kCount))));
     if (random.below(2)) shape.direction = direction_of(random.between(0, 1));
     if (random.below(3) == 0) shape.overhang_m = random.between(0, 1.5);
     if (random.below(3) == 0) shape.height_m = random.between(0, 20);

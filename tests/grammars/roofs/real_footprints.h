@@ -16,7 +16,7 @@ namespace citykiln::roofs {
 struct TaggedFootprint {
   ObjectId id;
   Polygon footprint;
-  std::optional<Form> form;
+  std::optional<RoofForm> form;
   std::string tag;
 };
 

@@ -45,13 +45,13 @@ void expect_good(const Polygon& footprint, RoofShape shape, const std::string& w
 }
 
 TEST(RoofBody, IsAClosedManifoldThatDoesNotCutItself) {
-  for (int form = 0; form < static_cast<int>(Form::kCount); ++form)
+  for (int form = 0; form < static_cast<int>(RoofForm::kCount); ++form)
     for (const NamedFootprint& footprint : made_footprints())
       for (const double overhang_m : {0.0, 0.5}) {
         // a body touches itself where its footprint does
         if (footprint.name == "self-touching") continue;
         RoofShape shape;
-        shape.form = static_cast<Form>(form);
+        shape.form = static_cast<RoofForm>(form);
         shape.overhang_m = overhang_m;
         expect_good(footprint.polygon, shape, std::string(name_of(shape.form)) + " on " + footprint.name);
       }
@@ -59,9 +59,9 @@ TEST(RoofBody, IsAClosedManifoldThatDoesNotCutItself) {
 
 // A body touches itself only at the corner where its footprint does.
 TEST(RoofBody, TouchesItselfOnlyWhereItsFootprintDoes) {
-  for (int form = 0; form < static_cast<int>(Form::kCount); ++form) {
+  for (int form = 0; form < static_cast<int>(RoofForm::kCount); ++form) {
     RoofShape shape;
-    shape.form = static_cast<Form>(form);
+    shape.form = static_cast<RoofForm>(form);
     Report report;
     const Polygon footprint = made_footprints().back().polygon;
     Surface surface;
@@ -83,7 +83,7 @@ TEST(RoofBody, IsGoodOverOutlinesWithTinyEdges) {
   Ring ring = circle({0, 0}, 8, 64);
   for (const int corner : {60, 33, 2})
     ring.insert(ring.begin() + corner, ring[corner] + Vec2{0, ring[corner].x < 0 ? 0x1p-6 : -0x1p-6});
-  for (const Form form : {Form::kDome, Form::kOnion, Form::kCone}) {
+  for (const RoofForm form : {RoofForm::kDome, RoofForm::kOnion, RoofForm::kCone}) {
     RoofShape shape;
     shape.form = form;
     Report report;
@@ -98,7 +98,7 @@ TEST(RoofBodyReal, DoesNotCutItselfInHelsinki) {
   int form = 0;
   for (const TaggedFootprint& building : footprints_of(path)) {
     RoofShape shape;
-    shape.form = static_cast<Form>(form++ % static_cast<int>(Form::kCount));
+    shape.form = static_cast<RoofForm>(form++ % static_cast<int>(RoofForm::kCount));
     shape.overhang_m = form % 2 ? 0.4 : 0;
     // mapped footprints may touch themselves
     if (is_simple_polygon(cleaned(building.footprint)))

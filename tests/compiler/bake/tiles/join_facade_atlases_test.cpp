@@ -30,10 +30,10 @@ JoinedFacadeAtlases joined_facades(const std::vector<Atlas>& atlases) {
 }
 
 // The texel at a place in metres.
-TextureImage::Texel at(const TextureImage& sheet, Vec2 uv) {
-  const auto column = static_cast<std::size_t>(uv.x / sheet.texel_m),
-             row = static_cast<std::size_t>(uv.y / sheet.texel_m);
-  return sheet.texels.at(row * sheet.columns + column);
+TextureImage::Texel at(const TextureImage& image, Vec2 uv) {
+  const auto column = static_cast<std::size_t>(uv.x / image.texel_m),
+             row = static_cast<std::size_t>(uv.y / image.texel_m);
+  return image.texels.at(row * image.columns + column);
 }
 
 void expect_all_there(const std::vector<Atlas>& atlases) {

@@ -191,7 +191,7 @@ TEST(Cells, OfAFilmAreAsFineAsTheNearestFrameNeeds) {
   const bake::View all = preview::cell_view(scene, film, fineness);
   EXPECT_LE(all.more_eyes.size(), 65u);
   const bake::ViewLevels levels = bake::levels_for(scene, all);
-  std::vector<int> finest(levels.cells.size(), bake::ViewLevels::kNoLevel);
+  std::vector<int> finest(levels.cells.size(), bake::kNoLevel);
   for (const preview::Camera& camera : film) {
     const auto own = bake::levels_for(scene, preview::cell_view(scene, std::span(&camera, 1), fineness));
     for (std::size_t i = 0; i < finest.size(); ++i) finest[i] = std::min(finest[i], own.cells[i]);

@@ -17,11 +17,12 @@ TEST(LandCoverIndex, AnswersAreThoseOfAnyBuckets) {
     for (std::uint32_t i = 0; i < 4000; ++i) {
       const Vec2 p{draw.between(kWavyCell.min.x, kWavyCell.max.x, 3 * i),
                    draw.between(kWavyCell.min.y, kWavyCell.max.y, 3 * i + 1)};
-      const double reach_m = draw.between(0, 20, 3 * i + 2);
+      const double search_radius_m = draw.between(0, 20, 3 * i + 2);
       EXPECT_EQ(land_cover_at(small, p), land_cover_at(large, p));
       covered += land_cover_at(small, p) != kNoLandCover;
       for (const int priority : {0, 40, 80})
-        EXPECT_NEAR(clearance_m(small, p, priority, reach_m), clearance_m(large, p, priority, reach_m), 1e-9);
+        EXPECT_NEAR(clearance_m(small, p, priority, search_radius_m), clearance_m(large, p, priority, search_radius_m),
+                    1e-9);
     }
     EXPECT_GT(covered, 0);
   }

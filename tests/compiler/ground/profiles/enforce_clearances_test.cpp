@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "compiler/ground/profiles/clearances.h"
-#include "compiler/ground/profiles/graph_walk.h"
+#include "compiler/ground/profiles/graph_rules.h"
+#include "compiler/ground/profiles/lowering_caps.h"
 #include "tests/compiler/ground/profiles/made_network.h"
 
 namespace citykiln::ground {

@@ -344,9 +344,9 @@ TEST(PlanWaterHeights, AreasWithoutAxisAreLevelOthersHaveTheReachOfTheirBanks) {
   EXPECT_FALSE(waters.surfaces[0].level_m.has_value());
   EXPECT_TRUE(waters.surfaces[1].level_m.has_value());
   EXPECT_EQ(count_of(report, Code::kRiverAreaWithoutAxis), 1u);
-  EXPECT_GE(waters.streams[0].reach_m, 200);
-  EXPECT_LE(waters.streams[0].reach_m, 320);
-  EXPECT_EQ(waters.streams[1].reach_m, 0);
+  EXPECT_GE(waters.streams[0].influence_radius_m, 200);
+  EXPECT_LE(waters.streams[0].influence_radius_m, 320);
+  EXPECT_EQ(waters.streams[1].influence_radius_m, 0);
 }
 
 }  // namespace

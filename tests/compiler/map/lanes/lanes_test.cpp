@@ -39,7 +39,7 @@ Read read(const std::string& tags, DrivingSide side = DrivingSide::kRight) {
   const source::OsmData osm = extract("w1 0:0 50:0 " + tags);
   Report report;
   const ReadContext reading{osm, plane, Box2{}, report};
-  CrossSection section = cross_section_of(reading, {OsmType::kWay, 1}, osm.ways[0].tags, side);
+  CrossSection section = tagged_section_of(reading, {OsmType::kWay, 1}, osm.ways[0].tags, side).section;
   const std::size_t bad_values = report.counts()[Code::kBadTagValue];
   return {std::move(section), std::move(report), bad_values};
 }

@@ -11,10 +11,10 @@
 namespace citykiln::grammars {
 
 /// The function that a rule calls: inside(), overlaps(), touches(), has_entrance() or is_lit().
-enum class OcclusionQuery : std::uint8_t { kInside, kOverlaps, kTouches, kHasEntrance, kIsLit };
+enum class ContextQuery : std::uint8_t { kInside, kOverlaps, kTouches, kHasEntrance, kIsLit };
 
 /// A function that answers a query during a derivation. Must be a pure function.
-using Occlusion = std::function<bool(OcclusionQuery, const Shape&)>;
+using AnswerContextQuery = std::function<bool(ContextQuery, const Shape&)>;
 
 /// A neighbouring building as a prism.
 struct Neighbour {
@@ -26,11 +26,11 @@ struct Neighbour {
 /// kInside: all these points are in or on one prism. kOverlaps: some but not all points are inside a prism. kTouches:
 /// some points are on the surface of a prism and no point is inside a prism. "On" means within 1 cm, the accuracy at
 /// which outlines of neighbours agree. O(points of the shape · points of the outlines).
-Occlusion occlusion_by(std::vector<Neighbour> neighbours);
+AnswerContextQuery answer_from_neighbours(std::vector<Neighbour> neighbours);
 
 /// Returns a function that answers kHasEntrance: true if one of the positions is between the start (inclusive) and the
 /// end (exclusive) of the scope's x axis and within 1 m of its xy plane. Exactly one of adjacent pieces has the
 /// entrance.
-Occlusion entrances_at(std::vector<Vec2> positions);
+AnswerContextQuery answer_from_entrances(std::vector<Vec2> positions);
 
 }  // namespace citykiln::grammars

@@ -1,4 +1,4 @@
-#include "grammars/derivation/occlusion.h"
+#include "grammars/derivation/context_query.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ Tally tally_of(const Neighbour& neighbour, const std::vector<Vec3>& points) {
   return tally;
 }
 
-bool answer(OcclusionQuery query, const std::vector<Neighbour>& neighbours, const std::vector<Vec3>& points) {
+bool answer(ContextQuery query, const std::vector<Neighbour>& neighbours, const std::vector<Vec3>& points) {
   bool inside = false, overlaps = false, touches = false, within = false;
   for (const Neighbour& neighbour : neighbours) {
     const Tally tally = tally_of(neighbour, points);
@@ -59,26 +59,26 @@ bool answer(OcclusionQuery query, const std::vector<Neighbour>& neighbours, cons
     touches |= tally.on > 0;
     within |= tally.within > 0;
   }
-  if (query == OcclusionQuery::kHasEntrance || query == OcclusionQuery::kIsLit) return false;
-  if (query == OcclusionQuery::kInside) return inside;
-  if (query == OcclusionQuery::kOverlaps) return overlaps && !inside;
+  if (query == ContextQuery::kHasEntrance || query == ContextQuery::kIsLit) return false;
+  if (query == ContextQuery::kInside) return inside;
+  if (query == ContextQuery::kOverlaps) return overlaps && !inside;
   return touches && !within && !inside;
 }
 
 }  // namespace
 
-Occlusion occlusion_by(std::vector<Neighbour> neighbours) {
-  return [neighbours = std::move(neighbours)](OcclusionQuery query, const Shape& shape) {
+AnswerContextQuery answer_from_neighbours(std::vector<Neighbour> neighbours) {
+  return [neighbours = std::move(neighbours)](ContextQuery query, const Shape& shape) {
     return answer(query, neighbours, points_of(shape));
   };
 }
 
-Occlusion entrances_at(std::vector<Vec2> places) {
-  return [places = std::move(places)](OcclusionQuery query, const Shape& shape) {
+AnswerContextQuery answer_from_entrances(std::vector<Vec2> places) {
+  return [places = std::move(places)](ContextQuery query, const Shape& shape) {
     constexpr double kOutOfPlane_m = 1;
     const Scope& scope = shape.scope;
     const Vec2 origin = in_plan(scope.origin), x = in_plan(scope.axis[0]), z = in_plan(scope.axis[2]);
-    return query == OcclusionQuery::kHasEntrance && std::any_of(places.begin(), places.end(), [&](Vec2 position) {
+    return query == ContextQuery::kHasEntrance && std::any_of(places.begin(), places.end(), [&](Vec2 position) {
              const double along_m = dot(position - origin, x);
              return along_m >= 0 && along_m < scope.size_m[0] && std::abs(dot(position - origin, z)) < kOutOfPlane_m;
            });

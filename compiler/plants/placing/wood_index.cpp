@@ -1,4 +1,4 @@
-#include "compiler/plants/placing/wood_map.h"
+#include "compiler/plants/placing/wood_index.h"
 
 #include <algorithm>
 #include <array>
@@ -31,19 +31,19 @@ std::vector<std::uint32_t> woods_by_surface(std::span<const Wood> woods,
 
 }  // namespace
 
-WoodMap map_woods(std::span<const Wood> woods, const PlacingContext& context) {
-  WoodMap map{woods, context, woods_by_surface(woods, context.surfaces.surfaces), {}};
+WoodIndex index_woods(std::span<const Wood> woods, const PlacingContext& context) {
+  WoodIndex wood_index{woods, context, woods_by_surface(woods, context.surfaces.surfaces), {}};
   assert(std::ranges::is_sorted(woods, {}, &Wood::surface));
-  for (const Wood& wood : woods) map.densities.push_back(density_for(wood.trees_per_ha));
-  return map;
+  for (const Wood& wood : woods) wood_index.densities.push_back(density_for(wood.trees_per_ha));
+  return wood_index;
 }
 
-std::uint32_t wood_at(const WoodMap& map, Vec2 p) {
-  const std::uint32_t surface = ground::land_cover_at(map.context.surfaces, p);
-  return surface == ground::kNoLandCover ? ground::kNoLandCover : map.of_surface[surface];
+std::uint32_t wood_at(const WoodIndex& wood_index, Vec2 p) {
+  const std::uint32_t surface = ground::land_cover_at(wood_index.context.surfaces, p);
+  return surface == ground::kNoLandCover ? ground::kNoLandCover : wood_index.of_surface[surface];
 }
 
-SampleDensity density_at(const WoodMap& woods, Vec2 p) {
+SampleDensity density_at(const WoodIndex& woods, Vec2 p) {
   const PlacingContext& context = woods.context;
   if (!context.surfaces.box.contains(p)) return {};
   const std::uint32_t wood = wood_at(woods, p);

@@ -8,23 +8,23 @@
 namespace citykiln::plants {
 
 /// Woods with the data for queries. Refers to woods and context, which must outlive it.
-struct WoodMap {
+struct WoodIndex {
   std::span<const Wood> woods;
   const PlacingContext& context;
   std::vector<std::uint32_t> of_surface;  ///< By polygon of context.surfaces: the index of its wood, or kNoLandCover.
   std::vector<SampleDensity> densities;   ///< One per wood.
 };
 
-/// Prepares the map.
+/// Prepares the index.
 /// @param woods  Sorted by surface.
-WoodMap map_woods(std::span<const Wood> woods, const PlacingContext& context);
+WoodIndex index_woods(std::span<const Wood> woods, const PlacingContext& context);
 
 /// Returns the index of the wood whose polygon is topmost at a position, or kNoLandCover.
-std::uint32_t wood_at(const WoodMap& map, Vec2 p);
+std::uint32_t wood_at(const WoodIndex& wood_index, Vec2 p);
 
 /// Returns the density of trees at a position: none outside woods, within kTrunkClearance_m of obstacles, and outside
 /// the polygons' box; less towards the tree line.
-SampleDensity density_at(const WoodMap& map, Vec2 p);
+SampleDensity density_at(const WoodIndex& wood_index, Vec2 p);
 
 /// Returns the height of a tree in a wood, by species, habitat and its random draws.
 double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const RandomSequence& draw);
