@@ -10,6 +10,7 @@
 #include "compiler/geometry/snap.h"
 #include "exporters/gltf/glb_parts.h"
 #include "exporters/gltf/pack/quantise.h"
+#include "exporters/gltf/packed_grids.h"
 #include "exporters/gltf/write/encode_tile.h"
 #include "tests/exporters/made_tile.h"
 
