@@ -6,7 +6,7 @@ namespace citykiln::exporters {
 /// The name of the node of all lights, which has no mesh.
 inline constexpr const char* kLightGroup = "lights";
 
-/// Names of images. Those of textures are made of their material's name.
+/// The names of images other than textures, which have their material's name with a suffix.
 inline constexpr const char* kMarkingAtlasImage = "marking_atlas";
 inline constexpr const char* kFacadeAtlasImage = "facade_atlas";  ///< Begins the names of the atlas's other images.
 inline constexpr const char* kFacadeSurfaceImage = "facade_atlas_surface";
