@@ -15,11 +15,13 @@
 
 namespace citykiln::buildings {
 
-/// The meshes of a building at a tolerance.
+/// The meshes of a building at a tolerance: metres in the plane, z above sea level.
 struct GeneratedBuilding {
   std::vector<materials::MaterialMesh> meshes;
   double error_m = 0;  ///< Hausdorff distance, both ways, between visible surfaces and the building at tolerance 0.
-  std::vector<TexturedFace> textured_faces{};  ///< Faces with a baked texture, if the level has kFacadeTextures.
+  /// Walls that a baked texture shows; they are not in `meshes`. Empty at tolerances without kFacadeTextures
+  /// (detail_tolerances.inc), and with is_for_blocks.
+  std::vector<TexturedFace> textured_faces{};
 };
 
 /// The parameters that all buildings of a scene share.
@@ -37,8 +39,8 @@ struct SceneContext {
 /// The rules of the building's style refine its mass model (mass_model.h) down to the tolerance. Without rules for the
 /// style the result is the mass model itself. A building lower than the tolerance, roof structures included, has no
 /// mesh, and its height is the error. Tints and random draws of rules depend on the seed and the id, not on `night`.
-/// Diagnoses: a flat roof in place of another (kRoofFallback), rule errors (kRuleErrors), models and textures of rules,
-/// which are not drawn (kRuleWithoutEffect). tolerance_m > 0. Cost: that of the derivation.
+/// Diagnoses: a flat roof in place of another (kRoofFallback), rule errors (kRuleErrors), rules that place models or
+/// lay out textures, since neither is drawn (kRuleWithoutEffect). tolerance_m > 0. Cost: that of the derivation.
 GeneratedBuilding generate(const Building& building, const Rulebook& rulebook, SceneContext context, double tolerance_m,
                            Report& report);
 

@@ -13,7 +13,8 @@ class Once {
   Once();
   ~Once();
 
-  /// Calls `make` unless an earlier call has finished. `make` must not use the same Once.
+  /// Calls `make` on the first call. Calls during it help and wait; later ones return at once. `make` must not use the
+  /// same Once.
   void call(const std::function<void()>& make);
 
  private:

@@ -19,7 +19,9 @@ namespace citykiln::commands {
 struct CellRequest {
   std::size_t budget_bytes = 0;  ///< 0: default_budget_bytes().
   double pixel_error = 0.5;      ///< The largest error of visible surfaces, in pixels.
-  double unseen_deg = 0;   ///< The largest angle of errors of surfaces that only scattered light and reflections show.
+  /// The largest error of cells that are neither in the picture nor cast a shadow into it, as an angle at the eye. 0:
+  /// they have pixel_error too.
+  double unseen_deg = 0;
   double finest_m = 0.02;  ///< The smallest tolerance, however near the eye. > 0.
 };
 
@@ -38,7 +40,7 @@ std::size_t default_budget_bytes();
 /// Returns the budget of the request, or the default.
 std::size_t budget_bytes_of(const CellRequest& request);
 
-/// Stores a size of memory, such as "200MB", "4GB" or "1.5GiB"; at least 1 MB.
+/// Returns a parser that stores a size of memory, such as "200MB", "4GB" or "1.5GiB"; at least 1 MB.
 StoreValue store_bytes(std::size_t& bytes);
 
 /// True if a request is for cells: a manifest without a tolerance.

@@ -8,17 +8,18 @@
 
 namespace citykiln::map {
 
-/// The moving lanes. The lists of `flows` run from the middle of the road outwards. A width of 0 is set by
-/// share_widths().
+/// The moving lanes. The lists of `flows` run from the middle of the road outwards. Lanes without a tagged width have
+/// width 0; share_widths() decides it.
 struct MovingLanes {
   PerFlow<std::vector<Lane>> flows;
-  std::vector<Lane> middle;
+  std::vector<Lane> middle;  ///< Lanes of no direction, between the flows, such as a lane for turns from both sides.
   PerFlow<bool> has_cycle_lane;  ///< True if bicycle:lanes lists a cycle lane; cycleway=lane then adds no second one.
-  double counted = 0;  ///< The number of lanes from which default widths follow (LaneCounts::counted), plus bus lanes
-                       ///< that lanes=* does not count.
-  bool is_tagged = false;  ///< LaneCounts::is_tagged.
+  /// The number of lanes by which a default width is divided: that of lanes=*, plus bus lanes that lanes=* leaves
+  /// out; 1.5 for lanes=1.5.
+  double counted = 0;
+  bool is_tagged = false;  ///< True if tags say the number of lanes; else it is the default of the road's class.
 
-  /// Returns all lanes: the middle ones, then each flow outwards.
+  /// Returns all lanes: the middle ones, then each flow outwards. Valid until a list changes.
   std::vector<Lane*> all();
 };
 

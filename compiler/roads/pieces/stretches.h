@@ -1,7 +1,7 @@
 // Stretches: parts of a road's length with one kind of markings. They change before junctions and at crossings.
 //
-//     junction |  kStart  |        kAlong        | kZebra |   kAlong   |   kEnd  | junction
-//              12 m at most                         4 m                  12 m at most
+//     junction |  kStart  |        kAlong        | kZebra |   kAlong   |   kEnd  | kZebra | junction
+//              12 m at most                         4 m                  12 m at most  4 m
 #pragma once
 
 #include <span>
@@ -29,14 +29,15 @@ std::vector<std::vector<JunctionInterval>> junction_intervals_of(std::span<const
 struct RoadStretch {
   double from_m = 0, to_m = 0;  ///< Distances along the way.
   StretchKind stretch = StretchKind::kAlong;
-  Control control = Control::kNone;
-  double zero_m = 0;  ///< The distance along the way at which the layout's v is 0.
+  Control control = Control::kNone;  ///< In kStart and kEnd: of the junction beside it, for traffic towards it.
+  double zero_m = 0;                 ///< The distance along the way from which dashes of the markings are counted.
 };
 
 /// Returns the stretches of a road from its first point to its last, without gaps.
 ///
-/// Before a junction lie a crossing (4 m) and the markings before the stop line (12 m, or less if half the way to the
-/// next junction is shorter, but at least 3 m).
+/// A crossing near a junction is moved to its mouth: from the junction outwards lie the crossing (kZebra or kCrossing,
+/// 4 m), then kStart or kEnd, the markings before the stop line (12 m, or less if half the way to the next junction is
+/// shorter, but at least 3 m).
 ///
 /// @param intervals  The road's entry of junction_intervals_of().
 /// @param tile_m     Side of the tiles. A tile has all junctions within kJunctionHalo_m. Markings before a junction

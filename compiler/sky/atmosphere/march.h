@@ -25,8 +25,8 @@ struct MarchedLight {
 
 /// A ray from a place above the sea. Frame: z up at the place, x towards the azimuth of the source.
 struct AirRay {
-  double height_m;  ///< 0 to kTop_m.
-  Vec3 direction, to_source;
+  double height_m;            ///< 0 to kTop_m.
+  Vec3 direction, to_source;  ///< Unit vectors; to_source.y is 0.
 };
 
 /// A place on a ray.
@@ -44,7 +44,7 @@ struct MarchedSources {
   const ScatteredField* field = nullptr;  ///< Light that was scattered before, which is scattered again; null: none.
 };
 
-/// Adds the light of one step along a ray, with the air of the step's middle.
+/// Adds the light of one step along a ray, with the air of the step's middle. Steps go from near to far.
 void march(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, double from_m, double to_m,
            MarchedLight& light);
 
@@ -57,6 +57,7 @@ Bands direct_light(const LitAir& lit, double height_m, double source_cosine);
 
 /// Returns the phase function, per steradian, of light that aerosols scatter twice, without its spherical harmonics up
 /// to degree 4, which a ScatteredField holds: the narrow glow about the source.
+/// @param cosine  Cosine of the angle between the ray's direction and that to the source.
 double aerosols_glow(double cosine);
 
 }  // namespace citykiln::sky

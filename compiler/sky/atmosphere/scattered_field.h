@@ -15,13 +15,15 @@ struct LitAir;
 inline constexpr int kMoments = 15;
 using Moments = std::array<Bands, kMoments>;
 
-/// The values of the harmonics in a direction, not normalised: 1; z, x; ...
+/// The values of the harmonics in a unit direction (x, y, z), degree by degree as in kMomentDegrees. Within degree l
+/// they go from order m = 0 to l: the associated Legendre function of z times cos(m azimuth), divided by a constant
+/// that makes the polynomial short: 1; z, x; ...
 using MomentBasis = std::array<double, kMoments>;
 MomentBasis moment_basis(double z, double x);
 inline constexpr std::array<int, kMoments> kMomentDegrees = {0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4};
-/// Factors of the addition theorem: the Legendre polynomial of the angle between two directions is the sum over the
-/// bases' products times these. They are 2 (l - m)! / (l + m)!, times the square of the constant that the basis leaves
-/// out of the associated Legendre function.
+/// Factors of the addition theorem. If one of two directions has y = 0, the Legendre polynomial of degree l of the
+/// cosine between them is the sum, over the entries of degree l, of the product of both bases times these. They are
+/// (l - m)! / (l + m)!, twice that for m > 0, times the square of the basis's constant.
 inline constexpr std::array<double, kMoments> kAdditionFactors = {1,    1,     1, 1,     3,      0.75,  1,       0.375,
                                                                   3.75, 0.625, 1, 0.625, 0.3125, 4.375, 0.546875};
 
@@ -34,7 +36,9 @@ inline constexpr std::array<double, kMoments> kAdditionFactors = {1,    1,     1
 class ScatteredField {
  public:
   /// Computes the field. Cost: 0.1 s.
-  /// @param source_angle_rad  Zenith angle of the source at the middle of the field.
+  /// @param source_angle_rad  Zenith angle of the source at the middle of the field, which reaches 12 degrees to both
+  ///                          sides of it, and from the ground to 75 km. Light is relative to an irradiance of 1
+  ///                          outside the air, in each band.
   ScatteredField(const LitAir& lit, double source_angle_rad);
 
   /// Returns the moments at a place; outside of the nodes, the moments of the nearest node.
