@@ -7,6 +7,7 @@ Each figure is the median over the rounds. CPU seconds are user and system time 
 BRANCH / BASE over the rounds, so what slows the whole machine down for a while counts in both. Files that hold times
 (timing.json) are not counted. A row whose outputs differ says so; equal rows have the same bytes in every file.
 """
+import hashlib
 import json
 import os
 import statistics
@@ -57,8 +58,8 @@ def measure(program, words, folder, scratch):
         files = [path for path in (scratch / folder).rglob("*") if path.is_file() and path.name != "timing.json"]
         measured.megabytes = sum(path.stat().st_size for path in files) / 1e6
         measured.triangles = sum(level["triangles"] for level in json.loads((scratch / folder / "report.json").read_text())["levels"])
-        listed = json.loads((scratch / folder / "files.json").read_text())["files"]
-        measured.hashes = json.dumps([file for file in listed if file["name"].endswith((".kiln", ".glb"))])
+        outputs = sorted(path for path in files if path.suffix in (".kiln", ".glb"))
+        measured.hashes = json.dumps([(path.name, hashlib.sha256(path.read_bytes()).hexdigest()) for path in outputs])
     return measured
 
 

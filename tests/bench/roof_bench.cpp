@@ -24,14 +24,14 @@ std::vector<Polygon> footprints_of(const std::string& path) {
 // One detached house; needs no skeleton.
 void RoofOverARectangle(benchmark::State& state) {
   RoofShape shape;
-  shape.form = static_cast<Form>(state.range(0));
+  shape.form = static_cast<RoofForm>(state.range(0));
   const Polygon house{{{0, 0}, {12, 0}, {12, 9}, {0, 9}}, {}};
   Report report;
   for (auto _ : state) benchmark::DoNotOptimize(generate_roof(house, shape, 0.02, {}, report));
   state.SetLabel(std::string(name_of(shape.form)));
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK(RoofOverARectangle)->DenseRange(0, static_cast<int>(Form::kCount) - 1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(RoofOverARectangle)->DenseRange(0, static_cast<int>(RoofForm::kCount) - 1)->Unit(benchmark::kMicrosecond);
 
 // Hipped roofs on all buildings of a town, by the skeleton alone: helsinki has an old town's shapes, reinickendorf many
 // houses.
@@ -40,7 +40,7 @@ void HippedBySkeleton(benchmark::State& state, const std::string& file, Skeleton
   if (path.empty()) return;
   const std::vector<Polygon> polygons = footprints_of(path);
   RoofShape shape;
-  shape.form = Form::kHipped;
+  shape.form = RoofForm::kHipped;
   std::size_t failures = 0;
   for (auto _ : state) {
     failures = 0;

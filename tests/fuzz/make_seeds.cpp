@@ -13,6 +13,7 @@
 
 namespace {
 
+using citykiln::Compression;
 using namespace citykiln::exporters;
 
 // Writes a seed to the folder of its program, named after its file.
