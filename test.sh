@@ -7,7 +7,7 @@
 #   clang     the program built with clang++, which gives the golden outputs
 #   asan      the unit tests under the address and undefined-behaviour sanitizers
 #   tsan      the unit tests under the thread sanitizer
-#   bench     the benchmarks and tools compile
+#   bench     the benchmarks, tools and fuzz programs compile
 #   clones    both commands in clones whose paths are short, long, or hold a space and an umlaut
 # CITYKILN_TURN=N runs an eighth of a group (asan, tsan: one room), another one for each N, as .ci/run does.
 set -eu
@@ -101,6 +101,8 @@ run_tsan() (
 run_bench() {
   ./setup.sh release test
   cmake --build build/release --target citykiln_bench large_extract
+  # linked by clang++ alone (preset fuzz), which takes long
+  for source in tests/fuzz/*.cpp; do c++ -std=c++20 -fsyntax-only -DFMT_SHARED -I. -Ibuild/release "$source"; done
 }
 
 # without real data, which lie beside this clone only

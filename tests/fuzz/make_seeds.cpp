@@ -13,7 +13,7 @@
 
 namespace {
 
-using citykiln::Compression;
+using citykiln::Compression, citykiln::Target;
 using namespace citykiln::exporters;
 
 // Writes a seed to the folder of its program, named after its file.
