@@ -82,7 +82,7 @@ run_sanitized() {
   if [ -z "$turn" ]; then ./setup.sh "$preset" test; run_tests "$preset" -L '^unit$' "$@"; return; fi
   room="$(configured "$preset" | grep -x 'test_[a-z0-9]*' | awk -v n="$turn" '{name[NR - 1] = $0} END {print name[n % NR]}')"
   cmake --build "build/$preset" --target "$room"
-  "build/$preset/$room" --gtest_filter='-*Real.*:*Full.*:*WriteImage*' --gtest_brief=1
+  "build/$preset/tests/$room" --gtest_filter='-*Real.*:*Full.*:*WriteImage*' --gtest_brief=1
 }
 
 run_clang() {

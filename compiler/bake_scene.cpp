@@ -93,4 +93,16 @@ Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> toler
                     most_instances);
 }
 
+std::vector<bake::BakedTile> bake_tiles(const scene::Scene& scene, double tolerance_m, int threads) {
+  std::vector<bake::BakedTile> tiles(scene.chunks.size());
+  Report ignored;
+  [[maybe_unused]] const Result<Done> done =
+      bake_scene(scene, std::span(&tolerance_m, 1), threads, ignored, [](std::string_view, double) {},
+                 {.exists = [](ChunkLevel) { return false; },
+                  .process = [&](ChunkLevel at, bake::BakedTile&& tile) { tiles[at.chunk] = std::move(tile); },
+                  .take = [](ChunkLevel, const Report&) -> Result<Done> { return Done{}; }});
+  assert(done);
+  return tiles;
+}
+
 }  // namespace citykiln

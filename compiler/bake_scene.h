@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "compiler/bake/bake.h"
 #include "compiler/contract/report.h"
@@ -48,5 +49,9 @@ struct TileHandlers {
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> tolerances_m, int threads, Report& report,
                         const OnProgress& on_progress, const TileHandlers& handlers,
                         std::size_t most_instances = bake::kAnyInstances);
+
+/// Bakes all tiles of a scene at one tolerance, in the order of its chunks. Dropped objects are not reported. Memory:
+/// all tiles.
+std::vector<bake::BakedTile> bake_tiles(const scene::Scene& scene, double tolerance_m, int threads);
 
 }  // namespace citykiln

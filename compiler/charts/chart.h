@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/bake/baked_tile.h"
 #include "compiler/contract/result.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/scene/scene.h"
@@ -132,9 +131,6 @@ Result<std::vector<Chart>> chart_cloud(const ChartRequest& request);
 
 /// Compiles the first map of the request. Errors: no map, or an error of compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);
-
-/// Bakes all tiles of a scene at one tolerance. Errors: those of bake_scene().
-Result<std::vector<bake::BakedTile>> bake_tiles(const scene::Scene& scene, double tolerance_m, int threads);
 
 /// Returns the exponent p of the power law y = c x^p fitted to the points (all positive) by least squares of
 /// logarithms. 0 for fewer than two different x.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/bake/bake.h"
+#include "compiler/bake_scene.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
 #include "compiler/contract/for_each_slot.h"
@@ -142,9 +143,7 @@ RenderedStreet with_heights(const RenderedStreet& place, int factor) {
 Result<RenderedStreet> read_street(const ChartRequest& request) {
   Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
-  Result<std::vector<bake::BakedTile>> tiles = bake_tiles(*scene, kCoarse_m, request.threads);
-  if (!tiles) return tiles.error();
-  const Result<preview::Camera> camera = preview::named_view(*tiles, "street");
+  const Result<preview::Camera> camera = preview::named_view(bake_tiles(*scene, kCoarse_m, request.threads), "street");
   if (!camera) return camera.error();
   return RenderedStreet{std::move(*scene), *camera, request.threads};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/bake_scene.h"
 #include "compiler/charts/chart.h"
 #include "compiler/charts/stopwatch.h"
 #include "preview/picture/denoise.h"
@@ -45,11 +46,10 @@ struct Street {
 Result<Street> bake_street(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
-  Result<std::vector<bake::BakedTile>> tiles = bake_tiles(*scene, kStreetTolerance_m, request.threads);
-  if (!tiles) return tiles.error();
-  const Result<preview::Camera> camera = preview::named_view(*tiles, "street");
+  std::vector<bake::BakedTile> tiles = bake_tiles(*scene, kStreetTolerance_m, request.threads);
+  const Result<preview::Camera> camera = preview::named_view(tiles, "street");
   if (!camera) return camera.error();
-  return Street{std::move(*tiles), *camera, preview::Lights(sky::generate(scene->header.sky))};
+  return Street{std::move(tiles), *camera, preview::Lights(sky::generate(scene->header.sky))};
 }
 
 /// A way to render, by the name of its series.

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "compiler/bake_scene.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/view/requested_sky.h"
 #include "exporters/kiln/manifest.h"
@@ -71,19 +70,6 @@ Result<scene::Scene> read_scene(const LoadRequest& request) {
   if (!sky) return sky.error();
   scene->header.sky = std::move(*sky);
   return scene;
-}
-
-std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads) {
-  std::vector<bake::BakedTile> tiles;
-  Report ignored;
-  const OnProgress quiet = [](auto&&...) {};
-  // its receiver never fails
-  const Result<Done> done = bake_scene(scene, std::vector{kCoarseTile_m}, threads, ignored, quiet,
-                                       [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
-                                         tiles.push_back(tile);
-                                         return Done{};
-                                       });
-  return done ? std::move(tiles) : std::vector<bake::BakedTile>();
 }
 
 Viewers viewers_of(const Viewing& viewing, double pixel_error) {

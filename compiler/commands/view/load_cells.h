@@ -50,9 +50,6 @@ bool asks_for_cells(const LoadRequest& request);
 /// tiles; a time that does not parse.
 Result<scene::Scene> read_scene(const LoadRequest& request);
 
-/// Bakes coarse tiles of a scene, from which named views are chosen.
-std::vector<bake::BakedTile> coarse_tiles(const scene::Scene& scene, int threads);
-
 /// Returns the cells of a scene, as fine as the pictures need. For a single camera at rest, cells that are neither in
 /// the picture nor cast a shadow into it may have errors up to unseen_deg.
 std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const Viewing& viewing,

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "compiler/bake/far/bake_surroundings.h"
+#include "compiler/bake_scene.h"
 #include "compiler/commands/view/ground_height.h"
 #include "compiler/commands/view/hidden_by_land.h"
 #include "compiler/commands/view/requested_sky.h"
@@ -76,7 +77,7 @@ Result<std::vector<bake::BakedTile>> view_tiles_of(const LoadRequest& request) {
   if (request.paths.front().ends_with(".kiln")) {
     const Result<scene::Scene> scene = read_scene(request);
     if (!scene) return scene.error();
-    return coarse_tiles(*scene, request.threads);
+    return bake_tiles(*scene, kCoarseTile_m, request.threads);
   }
   LoadRequest coarse = request;
   const std::optional<std::size_t> level = view_level_of(request);
