@@ -94,6 +94,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   header->rules = std::move(*rules);
   header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
+  map::remove_diagnoses_outside(*osm, plane, features.extent, report);
   map::Places places = map::places_of(*osm, report);
   map::LayerTags layer_tags = map::layer_tags_of(*osm, report);
   // all tiles that are baked belong to the region

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "compiler/commands/interrupt_notice.h"
@@ -17,6 +19,23 @@
 
 namespace citykiln::commands {
 namespace {
+
+// Prints what is missing, then what was changed, the most frequent first; notes are one line.
+void print_diagnoses(const Report& report, const Console& console) {
+  std::vector<std::tuple<Severity, std::uint64_t, Code>> rows;
+  std::uint64_t notes = 0;
+  for (const auto& [code, count] : report.counts()) {
+    if (severity_of(code) == Severity::kNote)
+      notes += count;
+    else
+      rows.emplace_back(severity_of(code), count, code);
+  }
+  std::ranges::sort(rows, std::greater{});
+  for (const auto& [severity, count, code] : rows)
+    console.print_line(fmt::format("  {:>8} {:<8} {}: {}", count, name_of(severity), name_of(code), text_of(code)));
+  if (notes > 0)
+    console.print_line(fmt::format("  {:>8} notes, in {} and report.json", notes, exporters::kFindingsName));
+}
 
 void print_compile_summary(const CompileSpec& spec, const CompileResult& compiled,
                            const outputs::WrittenOutputs& written, const std::vector<StageCost>& costs,
@@ -32,10 +51,7 @@ void print_compile_summary(const CompileSpec& spec, const CompileResult& compile
                                  compiled.scene.chunks.size(), files.size() + 1, written.files.bytes() * 1e-6, seconds,
                                  peak_bytes * 1e-6));
   for (const std::string& note : outputs::notes_of(folder, written, files)) console.print_line(note);
-  for (const auto& [code, count] : compiled.report.counts()) {
-    console.print_line(
-        fmt::format("  {:>8} {:<8} {}: {}", count, name_of(severity_of(code)), name_of(code), text_of(code)));
-  }
+  print_diagnoses(compiled.report, console);
 }
 
 }  // namespace

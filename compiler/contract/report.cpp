@@ -38,19 +38,23 @@ std::string_view name_of(Severity severity) {
 bool Account::balances() const {
   std::uint64_t lost = 0;
   for (const auto& [code, count] : dropped) lost += count;
-  return in + split == out + merged + lost;
+  return in + split == out + merged + without_body + lost;
+}
+
+std::string tag_text(std::string_view key, std::string_view value) {
+  return to_valid_utf8(fmt::format("{}={}", key, value));
 }
 
 void Report::add_tag(Code code, OsmId object, std::string_view key, std::string_view value) {
   if (!counts(object)) return;
   Diagnosis& diagnosis = diagnoses_.emplace_back(Diagnosis{code, object});
-  diagnosis.tag = to_valid_utf8(fmt::format("{}={}", key, value));
+  diagnosis.tag = tag_text(key, value);
 }
 
-void Report::drop(Account& account, Code code, OsmId object, double size) {
-  if (!counts(object)) return;
-  add(code, object, size);
-  ++account.dropped[code];
+void Report::drop(Account& account, const Diagnosis& diagnosis) {
+  if (!counts(diagnosis.object)) return;
+  add(diagnosis);
+  ++account.dropped[diagnosis.code];
 }
 
 Account& Report::account(std::string_view stage, std::string_view kind) {
@@ -65,6 +69,7 @@ void Report::append(const Report& other) {
     ours.split += theirs.split;
     ours.out += theirs.out;
     ours.merged += theirs.merged;
+    ours.without_body += theirs.without_body;
     for (const auto& [code, count] : theirs.dropped) ours.dropped[code] += count;
   }
 }

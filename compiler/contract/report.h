@@ -31,22 +31,28 @@ std::string_view text_of(Code code);  ///< The text of the row, without a full s
 Severity severity_of(Code code);
 std::string_view name_of(Severity severity);  ///< "note", "mended", "dropped".
 
+/// Returns "key=value" as valid UTF-8; other bytes are replaced.
+std::string tag_text(std::string_view key, std::string_view value);
+
 /// One finding about the data.
 struct Diagnosis {
   Code code;
   OsmId object;
   double size = 0;                              ///< In the unit that the code's text states; 0 if it states none.
   std::optional<std::array<double, 2>> at_m{};  ///< The place, in metres in the plane; empty: where `object` is.
-  OsmId other{};      ///< The second object of a finding about two objects; else of OsmType::kNone.
-  std::string tag{};  ///< The tag of a finding about a tag, such as "width=wide", valid UTF-8; else empty.
+  OsmId other{};  ///< The second object of a finding about two objects; else of OsmType::kNone.
+  /// The tag of a finding about a tag, such as "width=wide", or the tag that says what a dropped object is, such as
+  /// "man_made=mast"; else empty. Valid UTF-8.
+  std::string tag{};
 };
 
-/// The counts of one kind of objects in one stage. They balance if in + split = out + merged + dropped.
+/// The counts of one kind of objects in one stage. They balance if in + split = out + merged + without_body + dropped.
 struct Account {
   std::uint64_t in = 0;
   std::uint64_t split = 0;  ///< Objects added where one became several.
   std::uint64_t out = 0;
-  std::uint64_t merged = 0;  ///< Objects that became part of another, such as a building's parts.
+  std::uint64_t merged = 0;        ///< Objects that became part of another, such as a building's parts.
+  std::uint64_t without_body = 0;  ///< Elements that nothing is built of, such as boundaries, routes and addresses.
   std::map<Code, std::uint64_t> dropped;
 
   bool balances() const;
@@ -80,8 +86,9 @@ class Report {
   /// True if the object is diagnosed and counted. O(1) without a limit, O(log n) with a limit of n objects.
   bool counts(OsmId object) const { return !limit_ || std::ranges::binary_search(*limit_, object); }
 
-  /// Adds the diagnosis and counts the object as dropped in `account`.
-  void drop(Account& account, Code code, OsmId object, double size = 0);
+  /// Adds the diagnosis and counts its object as dropped in `account`.
+  void drop(Account& account, const Diagnosis& diagnosis);
+  void drop(Account& account, Code code, OsmId object, double size = 0) { drop(account, {code, object, size}); }
 
   /// Returns the account of a kind of features ("building") in a stage ("map"), and creates it if it is missing. Valid
   /// as long as the report.
@@ -91,6 +98,12 @@ class Report {
   void append(const Report& other);
 
   const std::vector<Diagnosis>& diagnoses() const { return diagnoses_; }
+  /// Removes the diagnoses for which is_gone(diagnosis) is true; the ledger stays.
+  template <typename IsGone>
+  void remove_diagnoses_if(IsGone is_gone) {
+    std::erase_if(diagnoses_, is_gone);
+  }
+
   /// Returns the accounts by "stage/kind".
   const std::map<std::string, Account, std::less<>>& ledger() const { return ledger_; }
   /// Returns the number of diagnoses of each code.

@@ -147,6 +147,9 @@ enum class PointKind : std::uint8_t {
   kAddress    ///< A house number.
 };
 
+/// The tag that a kind of points is read from, such as "amenity=bench"; "" for shops, entrances and addresses.
+std::string tag_of(PointKind kind);
+
 /// An object that is mapped as a point.
 struct PointFeature {
   ObjectId id;

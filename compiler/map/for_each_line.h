@@ -7,23 +7,21 @@
 namespace citykiln::map {
 
 /// Calls make(way, *row, LocatedLine&&) for every way of a kind that has a length and is near the extent. Ways tagged
-/// area=yes are left to locate_areas(). Keeps the account "map/<account_name>" and diagnoses ways that are dropped or
-/// leave the extent. O(ways).
+/// area=yes are left to locate_areas(), ways without a row to diagnose_unread(). Keeps the account "map/<account_name>"
+/// and diagnoses ways that are dropped or leave the extent. O(ways).
 /// @param is_of_kind  True for the ways to read.
-/// @param row_of      Returns a way's row in the table of the kind, or null; a way without a row is dropped,
-///                    kUnknownKind.
+/// @param row_of      Returns a way's row in the table of the kind, or null.
 template <typename IsOfKind, typename RowOf, typename Make>
 void for_each_line(const ReadContext& context, const char* account_name, IsOfKind is_of_kind, RowOf row_of, Make make) {
   Account account;
   for (const source::Way& way : context.osm.ways) {
     if (!is_of_kind(way) || says_yes(context.tag(way.tags, "area"))) continue;
+    const auto* row = row_of(way);
+    if (row == nullptr) continue;
     const OsmId id{OsmType::kWay, way.id};
     account.in += context.report.counts(id);
-    const auto* row = row_of(way);
     LocatedLine line = located(context, way);
-    if (row == nullptr)
-      context.report.drop(account, Code::kUnknownKind, id);
-    else if (line.axis.size() < 2)
+    if (line.axis.size() < 2)
       context.report.drop(account, Code::kNoLength, id);
     else if (!is_near(context, line.axis))
       context.report.drop(account, Code::kOutsideBounds, id);

@@ -7,6 +7,7 @@
 #include "compiler/map/assumed_layers.h"
 #include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
+#include "compiler/map/unread.h"
 
 namespace citykiln::map {
 namespace {
@@ -60,6 +61,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.points = locate_points(context);
   features.tree_rows = locate_tree_rows(context);
   features.power_lines = locate_power_lines(context);
+  diagnose_unread(context, features);
   const auto sort_by_id = [](auto&... kinds) {
     (std::ranges::sort(kinds, {}, [](const auto& f) { return f.id; }), ...);
   };

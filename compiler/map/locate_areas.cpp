@@ -1,5 +1,3 @@
-#include <array>
-
 #include "compiler/map/area_rules.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/plant_tags.h"
@@ -8,21 +6,12 @@
 namespace citykiln::map {
 namespace {
 
-constexpr std::array<std::string_view, 9> kLandKeys = {"landuse",  "natural", "leisure", "waterway", "amenity",
-                                                       "man_made", "aeroway", "golf",    "place"};
-
 const AreaRule* row_of(const ReadContext& context, source::Range tags) {
   for (const AreaRule& row : area_rules()) {
     const std::string_view value = context.tag(tags, row.key);
     if (row.value == "*" ? says_yes(value) : value == row.value) return &row;
   }
   return nullptr;
-}
-
-bool carries_land_key(const ReadContext& context, source::Range tags) {
-  for (const std::string_view key : kLandKeys)
-    if (!context.tag(tags, key).empty()) return true;
-  return false;
 }
 
 // True for closed ways that are lines by their tags (a road, a hedge, a coast) unless area=yes.
@@ -76,13 +65,9 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
   Account account;
   for (const source::Area& area : context.osm.areas) {
     const AreaRule* row = row_of(context, area.tags);
-    if ((row == nullptr && !carries_land_key(context, area.tags)) || is_line(context, area.tags, area.from.type))
+    if (row == nullptr || row->surface == LandCoverClass::kUnknown || is_line(context, area.tags, area.from.type))
       continue;
     account.in += context.report.counts(area.from);
-    if (row == nullptr || row->surface == LandCoverClass::kUnknown) {
-      context.report.drop(account, Code::kUnknownKind, area.from);
-      continue;
-    }
     if (is_underground(context, area.tags)) {
       context.report.drop(account, Code::kUnderground, area.from);
       continue;

@@ -47,7 +47,35 @@ std::optional<LonLat> place_of_members(const source::OsmData& osm, const source:
   return std::nullopt;
 }
 
+void grow(Box2& box, const source::OsmData& osm, const Plane& plane, OsmId object) {
+  if (object.type == OsmType::kNode) {
+    if (const source::Node* node = with_id(osm.nodes, object.id)) box.grow(plane.forward(lonlat_of(node->at)));
+  } else if (object.type == OsmType::kWay) {
+    const source::Way* way = with_id(osm.ways, object.id);
+    if (way == nullptr) return;
+    for (const source::NodeRef& node : osm.nodes_of(*way)) box.grow(plane.forward(lonlat_of(node.at)));
+  }
+}
+
 }  // namespace
+
+Box2 box_of_element(const source::OsmData& osm, const Plane& plane, OsmId object) {
+  Box2 box;
+  grow(box, osm, plane, object);
+  const source::Relation* relation = object.type == OsmType::kRelation ? with_id(osm.relations, object.id) : nullptr;
+  if (relation == nullptr) return box;
+  for (const source::Member& member : std::span(osm.members).subspan(relation->members.first, relation->members.count))
+    grow(box, osm, plane, member.object);
+  return box;
+}
+
+void remove_diagnoses_outside(const source::OsmData& osm, const Plane& plane, const Box2& extent, Report& report) {
+  report.remove_diagnoses_if([&](const Diagnosis& diagnosis) {
+    if (diagnosis.object.type == OsmType::kNone || diagnosis.code == Code::kStrayNode) return false;
+    const Box2 box = box_of_element(osm, plane, diagnosis.object);
+    return box.min.x <= box.max.x && !box.touches(extent);
+  });
+}
 
 Places places_of(const source::OsmData& osm, const Report& report) {
   std::set<OsmId> named;

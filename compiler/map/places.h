@@ -4,6 +4,7 @@
 #include <map>
 
 #include "compiler/contract/report.h"
+#include "compiler/geometry/box.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/source/osm_data.h"
 
@@ -16,6 +17,13 @@ using Places = std::map<OsmId, LonLat>;
 /// centre of the box of an area's first ring; for another relation, the place of its first member that has one.
 /// Elements that are not in the extract are left out. Cost: linear in the extract.
 Places places_of(const source::OsmData& osm, const Report& report);
+
+/// Returns the box of an element in the plane: of its node, its way's nodes, or its relation's nodes and ways. Empty
+/// for an element without nodes in the extract. O(log n + nodes).
+Box2 box_of_element(const source::OsmData& osm, const Plane& plane, OsmId object);
+
+/// Removes the diagnoses of elements whose box lies outside of the extent. Stray nodes are outside by nature and stay.
+void remove_diagnoses_outside(const source::OsmData& osm, const Plane& plane, const Box2& extent, Report& report);
 
 /// Returns the places of all ways and areas, for reports that are written after the extract has been freed. O(n log n).
 Places places_of_ways_and_areas(const source::OsmData& osm);

@@ -48,9 +48,12 @@ std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>
   return places;
 }
 
+// Losses first, the largest of them first.
 auto sort_key(const Finding& finding) {
   const Diagnosis& d = finding.diagnosis;
-  return std::tuple(d.code, d.object, d.other, finding.tile, finding.level, d.size, std::string_view(finding.tags));
+  const Severity severity = severity_of(d.code);
+  return std::tuple(-static_cast<int>(severity), severity == Severity::kDropped ? -d.size : 0.0, d.code, d.object,
+                    d.other, finding.tile, finding.level, d.size, std::string_view(finding.tags));
 }
 
 std::string text_of(const Finding& finding) {
@@ -100,6 +103,7 @@ std::optional<Finding> finding_of(const nlohmann::json& feature) {
   finding.tile = tile_of(properties);
   if (properties.contains("other")) finding.diagnosis.other = id_of(properties.at("other"));
   finding.tags = properties.value("tags", "");
+  if (!properties.contains("other")) finding.diagnosis.tag = finding.tags;
   if (properties.contains("level")) finding.level = properties.at("level").get<std::size_t>();
   if (const nlohmann::json& geometry = feature.at("geometry"); !geometry.is_null())
     finding.at = {geometry.at("coordinates").at(0).get<double>(), geometry.at("coordinates").at(1).get<double>()};

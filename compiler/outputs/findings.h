@@ -36,7 +36,8 @@ std::vector<Finding> findings_of(const Report& report, const map::Places& places
 std::vector<Finding> findings_of(const Report& report, const scene::Header& header, const scene::Chunk& chunk,
                                  std::size_t level);
 
-/// Returns a FeatureCollection (RFC 7946), sorted, with one feature per line. The geometry is a point, or null without
+/// Returns a FeatureCollection (RFC 7946) with one feature per line: what is missing first, sorted by its size, then
+/// what was changed, then notes. The geometry is a point, or null without
 /// a place. The properties are code, severity, id (null if it is about no element), size, and where present other,
 /// tags, tile and level. Deterministic.
 std::string findings_json(std::vector<Finding> findings, const scene::Header& header);

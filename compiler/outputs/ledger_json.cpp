@@ -27,6 +27,7 @@ OrderedJson ledger_json(const Report& report) {
                     {"split", account.split},
                     {"out", account.out},
                     {"merged", account.merged},
+                    {"without_body", account.without_body},
                     {"dropped", dropped}};
   }
   return ledger;
@@ -38,6 +39,8 @@ void add_ledger(const OrderedJson& json, Report& report) {
     Account& ours = report.account(name.substr(0, slash), slash == std::string::npos ? "" : name.substr(slash + 1));
     const auto number = [&theirs = theirs](const char* key) { return theirs.at(key).get<std::uint64_t>(); };
     ours.in += number("in"), ours.split += number("split"), ours.out += number("out"), ours.merged += number("merged");
+    // reports of older versions have no such key
+    ours.without_body += theirs.value("without_body", std::uint64_t{0});
     for (const auto& [code, count] : theirs.at("dropped").items())
       ours.dropped[known_code(code)] += count.get<std::uint64_t>();
   }

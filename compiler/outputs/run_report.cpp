@@ -31,6 +31,7 @@ struct Tally {
   std::uint64_t count = 0;
   double largest = 0;
   std::set<OsmId> objects;
+  std::map<std::string, std::uint64_t> tags;  ///< Diagnoses by tag, for those that have one.
 };
 
 OrderedJson diagnoses_of(const Report& report) {
@@ -40,6 +41,7 @@ OrderedJson diagnoses_of(const Report& report) {
     ++tally.count;
     tally.largest = std::max(tally.largest, diagnosis.size);
     tally.objects.insert(diagnosis.object);
+    if (!diagnosis.tag.empty()) ++tally.tags[diagnosis.tag];
     // keeps the lowest ids, so the list does not depend on the order of diagnoses
     if (tally.objects.size() > kNamedObjects) tally.objects.erase(std::prev(tally.objects.end()));
   }
@@ -52,6 +54,7 @@ OrderedJson diagnoses_of(const Report& report) {
                                              {"count", tally.count},
                                              {"largest_size", tally.largest},
                                              {"objects", objects}};
+    if (!tally.tags.empty()) diagnoses[std::string(name_of(code))]["tags"] = tally.tags;
   }
   return diagnoses;
 }

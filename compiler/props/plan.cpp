@@ -41,8 +41,12 @@ Props plan(const map::Features& features, Report& report) {
   for (const map::PointFeature& point : features.points) {
     if (is_of_other_room(point.kind)) continue;
     points.in += report.counts(point.id.osm);
+    if (point.kind == map::PointKind::kShop) {
+      points.without_body += report.counts(point.id.osm);
+      continue;
+    }
     if (point.kind != map::PointKind::kStreetLamp) {
-      report.drop(points, Code::kNotModelled, point.id.osm);
+      report.drop(points, {Code::kNotModelled, point.id.osm, 0, {}, {}, map::tag_of(point.kind)});
       continue;
     }
     points.out += report.counts(point.id.osm);

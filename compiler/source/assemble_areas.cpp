@@ -14,6 +14,7 @@
 #include <set>
 
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/source/bodies.h"
 
 namespace citykiln::source {
 namespace {
@@ -29,7 +30,7 @@ struct Candidate {
 
 // The areas of one task; their ranges index the task's own vectors.
 struct Slot : AssembledAreas {
-  std::vector<OsmId> broken;
+  std::vector<OsmId> broken, without_body;
 };
 
 OsmId id_of_candidate(const Candidate& candidate) {
@@ -226,11 +227,19 @@ bool assemble(const Candidate& candidate, const Elements& elements, Workspace& s
   }
 }
 
+// True if the tags say that it is a thing with a body; a boundary is none, whatever else it says.
+bool is_of_a_body(const Candidate& candidate) {
+  const osmium::TagList& tags = candidate.way ? candidate.way->tags() : candidate.relation->tags();
+  return !tags.has_tag("type", "boundary") &&
+         std::any_of(tags.begin(), tags.end(), [](const osmium::Tag& tag) { return has_body(tag.key(), tag.value()); });
+}
+
 Slot assemble_slot(std::span<const Candidate> candidates, const Elements& elements) {
   Slot slot;
   Workspace space;
   for (const Candidate& candidate : candidates) {
-    if (!assemble(candidate, elements, space, slot)) slot.broken.push_back(id_of_candidate(candidate));
+    if (assemble(candidate, elements, space, slot)) continue;
+    (is_of_a_body(candidate) ? slot.broken : slot.without_body).push_back(id_of_candidate(candidate));
   }
   return slot;
 }
@@ -299,6 +308,7 @@ AssembledAreas assemble_areas(const Elements& elements, int threads, Report& rep
   for (const Slot& slot : slots) {
     append_slot(slot, all);
     for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
+    for (const OsmId id : slot.without_body) account.without_body += report.counts(id);
   }
   for (const Area& area : all.areas) account.out += report.counts(area.from);
   return all;

@@ -110,7 +110,9 @@ void add_relations(const Elements& elements, bool has_nodes, UniqueStrings& stri
       data.members.push_back({id_of_member(member), strings.number_of(member.role())});
       if (has_nodes || member.type() == osmium::item_type::way) missing += !contains(elements, id_of_member(member));
     }
-    if (missing > 0) report.add(Code::kMissingMember, id, static_cast<double>(missing));
+    // a route or boundary is no area that would be incomplete
+    if (missing > 0 && relation->tags().has_tag("type", "multipolygon"))
+      report.add(Code::kMissingMember, id, static_cast<double>(missing));
     data.relations.push_back({relation->id(), members, add_element_tags(relation->tags(), strings, data)});
   }
   for (const Relation& relation : data.relations) account.out += report.counts({OsmType::kRelation, relation.id});

@@ -111,8 +111,8 @@ TEST(LocateAreas, WhatIsDroppedIsCounted) {
                                         report);
   EXPECT_EQ(features.areas.size(), 1u);
   const Account& account = report.account("map", "area");
-  EXPECT_EQ(account.in, 5u);
-  for (const Code code : {Code::kUnknownKind, Code::kOutsideBounds, Code::kUnderground, Code::kDegenerateRing})
+  EXPECT_EQ(account.in, 4u);
+  for (const Code code : {Code::kOutsideBounds, Code::kUnderground, Code::kDegenerateRing})
     EXPECT_EQ(account.dropped.at(code), 1u) << name_of(code);
   EXPECT_TRUE(report.balances());
 }

@@ -154,8 +154,7 @@ TEST(LocateTracks, WhatIsDroppedIsCounted) {
                                         report);
   EXPECT_EQ(features.tracks.size(), 1u);
   const Account& account = report.account("map", "track");
-  EXPECT_EQ(account.in, 4u);
-  EXPECT_EQ(account.dropped.at(Code::kUnknownKind), 1u);
+  EXPECT_EQ(account.in, 3u);
   EXPECT_EQ(account.dropped.at(Code::kOutsideBounds), 1u);
   EXPECT_EQ(account.dropped.at(Code::kNoLength), 1u);
   EXPECT_TRUE(report.balances());

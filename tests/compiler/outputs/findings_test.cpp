@@ -71,6 +71,20 @@ TEST(Findings, AreTheSameWhateverTheOrderOfDiagnoses) {
             findings_json(findings_of(other, {}, {}, header), header));
 }
 
+TEST(Findings, BeginWithWhatIsMissingTheLargestFirst) {
+  Report report;
+  report.add(Code::kTooSteep, {OsmType::kWay, 1}, 9);
+  report.add(Code::kMissingNode, {OsmType::kWay, 2}, 2);
+  report.add(Code::kUnknownKind, {OsmType::kNode, 3});
+  report.add(Code::kUnknownKind, {OsmType::kWay, 4}, 300);
+  const scene::Header header = header_with_origin();
+  const auto findings = parse_findings(findings_json(findings_of(report, {}, {}, header), header));
+  ASSERT_TRUE(findings);
+  std::vector<std::int64_t> ids;
+  for (const Finding& finding : *findings) ids.push_back(finding.diagnosis.object.id);
+  EXPECT_EQ(ids, (std::vector<std::int64_t>{4, 3, 2, 1}));
+}
+
 TEST(Findings, OfTwoWaysQuoteTheirTags) {
   const OsmId upper{OsmType::kWay, 4}, lower{OsmType::kWay, 5};
   Report report;

@@ -118,7 +118,8 @@ TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
   f.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree},
               {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench},
               {{{OsmType::kNode, 3}, 0}, {5, 4}, map::PointKind::kStreetLamp},
-              {{{OsmType::kNode, 4}, 0}, {6, 4}, map::PointKind::kStreetLamp, 9}};
+              {{{OsmType::kNode, 4}, 0}, {6, 4}, map::PointKind::kStreetLamp, 9},
+              {{{OsmType::kNode, 5}, 0}, {7, 4}, map::PointKind::kShop}};
   Report report;
   const Props props = plan(f, report);
   ASSERT_EQ(props.barriers.size(), 2u);
@@ -126,7 +127,9 @@ TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
   ASSERT_EQ(props.lamps.size(), 2u);
   EXPECT_EQ(props.lamps[0].height_m, 0);
   EXPECT_EQ(props.lamps[1].height_m, 9);
-  EXPECT_EQ(report.ledger().at("props/point").in, 3u);
+  EXPECT_EQ(report.ledger().at("props/point").in, 4u);
+  EXPECT_EQ(report.ledger().at("props/point").without_body, 1u);
+  EXPECT_EQ(report.diagnoses().front().tag, "amenity=bench");
   EXPECT_EQ(report.counts()[Code::kNotModelled], 1u);
   EXPECT_TRUE(report.balances());
 }

@@ -1,0 +1,84 @@
+#include "compiler/map/unread.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/map/places.h"
+#include "compiler/source/bodies.h"
+
+namespace citykiln::map {
+namespace {
+
+// Adds the elements of features, and those that are dropped already. Sorted.
+std::vector<OsmId> read_elements(const Features& features, const Report& report) {
+  std::vector<OsmId> read;
+  const auto add = [&](const auto&... kinds) {
+    const auto add_kind = [&](const auto& kind) {
+      for (const auto& feature : kind) read.push_back(feature.id.osm);
+    };
+    (add_kind(kinds), ...);
+  };
+  add(features.tracks, features.footprints, features.areas, features.waterways, features.barriers, features.points,
+      features.tree_rows);
+  for (const Diagnosis& diagnosis : report.diagnoses())
+    if (severity_of(diagnosis.code) == Severity::kDropped) read.push_back(diagnosis.object);
+  std::ranges::sort(read);
+  return read;
+}
+
+// The first tag that says that the element is a thing with a body.
+const source::Tag* body_tag(const ReadContext& context, source::Range tags) {
+  for (const source::Tag& tag : context.osm.tags_of(tags))
+    if (source::has_body(context.osm.strings[tag.key], context.osm.strings[tag.value])) return &tag;
+  return nullptr;
+}
+
+// Nodes of roads and rails that say something about these, such as highway=elevator, are read with them.
+bool is_about_a_line(const ReadContext& context, const source::Tag& tag) {
+  const std::string& key = context.osm.strings[tag.key];
+  return key == "highway" || key == "railway" || key == "waterway";
+}
+
+class UnreadElements {
+ public:
+  UnreadElements(const ReadContext& context, const Features& features)
+      : context_(context), read_(read_elements(features, context.report)) {}
+
+  void visit(OsmId id, source::Range tags) {
+    if (tags.count == 0 || std::ranges::binary_search(read_, id)) return;
+    const Box2 box = box_of_element(context_.osm, context_.plane, id);
+    if (!box.touches(context_.extent)) return;
+    account_.in += context_.report.counts(id);
+    const source::Tag* tag = body_tag(context_, tags);
+    if (tag == nullptr || (id.type == OsmType::kNode && is_about_a_line(context_, *tag)))
+      account_.without_body += context_.report.counts(id);
+    else
+      drop(id, *tag, std::hypot(box.width(), box.height()));
+  }
+
+  const Account& account() const { return account_; }
+
+ private:
+  void drop(OsmId id, const source::Tag& tag, double across_m) {
+    const std::string &key = context_.osm.strings[tag.key], &value = context_.osm.strings[tag.value];
+    context_.report.drop(account_, {Code::kUnknownKind, id, across_m, {}, {}, tag_text(key, value)});
+  }
+
+  const ReadContext& context_;
+  std::vector<OsmId> read_;
+  Account account_;
+};
+
+}  // namespace
+
+void diagnose_unread(const ReadContext& context, const Features& features) {
+  UnreadElements unread(context, features);
+  for (const source::Node& node : context.osm.nodes) unread.visit({OsmType::kNode, node.id}, node.tags);
+  for (const source::Way& way : context.osm.ways)
+    if (context.tag(way.tags, "natural") != "coastline") unread.visit({OsmType::kWay, way.id}, way.tags);
+  for (const source::Relation& relation : context.osm.relations)
+    if (context.tag(relation.tags, "boundary").empty()) unread.visit({OsmType::kRelation, relation.id}, relation.tags);
+  context.report.account("map", "unread") = unread.account();
+}
+
+}  // namespace citykiln::map
