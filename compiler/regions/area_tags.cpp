@@ -54,7 +54,9 @@ bool is_water(LandCoverClass surface) {
 }  // namespace
 
 bool describes_area(const osmium::TagList& tags) {
-  if (has(tags, "building") || has(tags, "building:part")) return true;
+  for (const char* key : {"building", "building:part", "disused:building", "abandoned:building", "ruins:building",
+                          "construction:building"})
+    if (tags.has_key(key)) return true;
   return std::ranges::any_of(
       kAreas, [&](const AreaRow& row) { return row.surface != LandCoverClass::kUnknown && matches(row, tags); });
 }
