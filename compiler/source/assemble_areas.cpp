@@ -14,6 +14,7 @@
 #include <set>
 
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/source/mended_rings.h"
 
 namespace citykiln::source {
 namespace {
@@ -29,7 +30,7 @@ struct Candidate {
 
 // The areas of one task; their ranges index the task's own vectors.
 struct Slot : AssembledAreas {
-  std::vector<OsmId> broken;
+  std::vector<OsmId> broken, mended;
 };
 
 OsmId id_of_candidate(const Candidate& candidate) {
@@ -215,6 +216,54 @@ bool assemble_relation(const osmium::Relation& relation, const Elements& element
   return add_area(space.areas.get<osmium::Area>(0), {OsmType::kRelation, relation.id()}, not_outer, slot);
 }
 
+std::vector<Location> places_of_way(const osmium::Way& way) {
+  std::vector<Location> places;
+  for (const osmium::NodeRef& node_ref : way.nodes())
+    if (node_ref.location().valid()) places.push_back(location_of_ref(node_ref));
+  return places;
+}
+
+// The lines of a candidate by their roles. A closed way stays closed around missing nodes.
+std::vector<BrokenLine> lines_of(const Candidate& candidate, const Elements& elements) {
+  std::vector<BrokenLine> lines;
+  if (candidate.way) {
+    lines.push_back({places_of_way(*candidate.way)});
+    if (!lines[0].points.empty() && lines[0].points.front() != lines[0].points.back())
+      lines[0].points.push_back(lines[0].points.front());
+    return lines;
+  }
+  for (const osmium::RelationMember& member : candidate.relation->members()) {
+    const bool is_way = member.type() == osmium::item_type::way;
+    const osmium::Way* way = is_way ? find_osmium_way(elements, member.ref()) : nullptr;
+    if (way) lines.push_back({places_of_way(*way), std::strcmp(member.role(), "inner") == 0});
+  }
+  return joined_lines(std::move(lines));
+}
+
+// Makes an area of rings that libosmium refuses. Returns false if a line remains open, or no area is left.
+bool mend_area(const Candidate& candidate, const Elements& elements, Slot& slot) {
+  const std::vector<BrokenLine> lines = lines_of(candidate, elements);
+  const auto is_open = [](const BrokenLine& line) {
+    return line.points.size() < 4 || line.points.front() != line.points.back();
+  };
+  if (std::ranges::any_of(lines, is_open)) return false;
+  Area area{id_of_candidate(candidate), {static_cast<std::uint32_t>(slot.rings.size()), 0}, {}};
+  std::uint32_t part = 0;
+  for (const MendedPolygon& polygon : mended_polygons(lines)) {
+    for (const std::vector<Location>& ring : polygon) {
+      const auto first = static_cast<std::uint32_t>(slot.ring_points.size());
+      slot.ring_points.insert(slot.ring_points.end(), ring.begin(), ring.end());
+      slot.rings.push_back({{first, static_cast<std::uint32_t>(ring.size())}, part, &ring == &polygon.front()});
+    }
+    ++part;
+  }
+  area.rings.count = static_cast<std::uint32_t>(slot.rings.size()) - area.rings.first;
+  if (part == 0) return false;
+  slot.areas.push_back(area);
+  slot.mended.push_back(area.from);
+  return true;
+}
+
 bool assemble(const Candidate& candidate, const Elements& elements, Workspace& space, Slot& slot) {
   space.mended.clear();
   space.areas.clear();
@@ -230,7 +279,8 @@ Slot assemble_slot(std::span<const Candidate> candidates, const Elements& elemen
   Slot slot;
   Workspace space;
   for (const Candidate& candidate : candidates) {
-    if (!assemble(candidate, elements, space, slot)) slot.broken.push_back(id_of_candidate(candidate));
+    if (assemble(candidate, elements, space, slot) || mend_area(candidate, elements, slot)) continue;
+    slot.broken.push_back(id_of_candidate(candidate));
   }
   return slot;
 }
@@ -298,6 +348,7 @@ AssembledAreas assemble_areas(const Elements& elements, int threads, Report& rep
   std::rotate(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(relation_slots), slots.end());
   for (const Slot& slot : slots) {
     append_slot(slot, all);
+    for (const OsmId id : slot.mended) report.add(Code::kAreaMended, id);
     for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
   }
   for (const Area& area : all.areas) account.out += report.counts(area.from);
