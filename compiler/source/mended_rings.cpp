@@ -48,7 +48,7 @@ Ring grid_ring(const BrokenLine& ring, Corner origin) {
   return points;
 }
 
-std::vector<Location> places_of(const Ring& ring, Corner origin) {
+std::vector<Location> places_of_grid_ring(const Ring& ring, Corner origin) {
   std::vector<Location> places;
   for (const Vec2 p : ring) {
     const GridPoint at = grid_point(p);
@@ -106,7 +106,7 @@ std::vector<MendedPolygon> mended_polygons(std::span<const BrokenLine> rings) {
   for (const std::uint32_t owner : {kOuter, kOuterBack})
     for (const Polygon& polygon : areas[owner]) {
       MendedPolygon& places = mended.emplace_back();
-      for (const Ring* ring : rings_of(polygon)) places.push_back(places_of(*ring, *origin));
+      for (const Ring* ring : rings_of(polygon)) places.push_back(places_of_grid_ring(*ring, *origin));
     }
   std::ranges::sort(mended);
   return mended;
