@@ -28,7 +28,7 @@ TEST(Standing, LevelsAreNumbersListsAndRanges) {
     EXPECT_EQ(levels->lowest, row.lowest) << row.text;
     EXPECT_EQ(levels->highest, row.highest) << row.text;
   }
-  for (const char* text : {"", "ground", "1;", "1-", "B1"}) EXPECT_FALSE(levels_of(text)) << text;
+  for (const char* text : {"", "ground", "1-", "1;x", "B1"}) EXPECT_FALSE(levels_of(text)) << text;
 }
 
 TEST(Standing, BuildingsThatAreGoneAreNotBuilt) {
