@@ -12,6 +12,7 @@
 #include <osmium/builder/osm_object_builder.hpp>
 #include <osmium/osm/area.hpp>
 #include <set>
+#include <utility>
 
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/source/mended_rings.h"
@@ -31,6 +32,7 @@ struct Candidate {
 // The areas of one task; their ranges index the task's own vectors.
 struct Slot : AssembledAreas {
   std::vector<OsmId> broken, mended;
+  std::vector<std::pair<OsmId, double>> incomplete;  // with the share of the member ways that is there
 };
 
 OsmId id_of_candidate(const Candidate& candidate) {
@@ -264,6 +266,26 @@ bool mend_area(const Candidate& candidate, const Elements& elements, Slot& slot)
   return true;
 }
 
+// The share of the member ways that is in the extract; 1 for a way.
+double share_of_members(const Candidate& candidate, const Elements& elements) {
+  if (!candidate.relation) return 1;
+  double all = 0, there = 0;
+  for (const osmium::RelationMember& member : candidate.relation->members()) {
+    if (member.type() != osmium::item_type::way) continue;
+    all += 1;
+    if (find_osmium_way(elements, member.ref())) there += 1;
+  }
+  return all > 0 ? there / all : 1;
+}
+
+void add_failure(const Candidate& candidate, const Elements& elements, Slot& slot) {
+  const double share = share_of_members(candidate, elements);
+  if (share < 1)
+    slot.incomplete.emplace_back(id_of_candidate(candidate), share);
+  else
+    slot.broken.push_back(id_of_candidate(candidate));
+}
+
 bool assemble(const Candidate& candidate, const Elements& elements, Workspace& space, Slot& slot) {
   space.mended.clear();
   space.areas.clear();
@@ -280,7 +302,7 @@ Slot assemble_slot(std::span<const Candidate> candidates, const Elements& elemen
   Workspace space;
   for (const Candidate& candidate : candidates) {
     if (assemble(candidate, elements, space, slot) || mend_area(candidate, elements, slot)) continue;
-    slot.broken.push_back(id_of_candidate(candidate));
+    add_failure(candidate, elements, slot);
   }
   return slot;
 }
@@ -349,6 +371,7 @@ AssembledAreas assemble_areas(const Elements& elements, int threads, Report& rep
   for (const Slot& slot : slots) {
     append_slot(slot, all);
     for (const OsmId id : slot.mended) report.add(Code::kAreaMended, id);
+    for (const auto& [id, share] : slot.incomplete) report.drop(account, Code::kIncompleteArea, id, share);
     for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
   }
   for (const Area& area : all.areas) account.out += report.counts(area.from);

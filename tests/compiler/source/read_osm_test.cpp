@@ -166,7 +166,7 @@ TEST(ReadOsm, HolesOfAMissingOuterRingDoNotBecomeAreas) {
   const OsmData data = read(text, report);
   EXPECT_TRUE(data.areas.empty());
   EXPECT_EQ(count(report, Code::kMissingMember), 1u);
-  EXPECT_EQ(count(report, Code::kBrokenArea), 1u);
+  EXPECT_EQ(count(report, Code::kIncompleteArea), 1u);
   EXPECT_TRUE(report.balances());
 }
 
