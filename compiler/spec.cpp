@@ -44,7 +44,7 @@ Result<Done> set_text(CompileSpec& spec, std::string_view text) {
 
 /// The heightmaps in a folder, sorted by name.
 std::vector<std::string> heightmaps_in(const std::string& folder) {
-  constexpr std::string_view kSuffixes[] = {".hgt", ".hgt.zip", ".tif", ".tiff", ".asc"};
+  constexpr std::string_view kSuffixes[] = {".hgt", ".hgt.zip", ".hgt.gz", ".tif", ".tiff", ".asc", ".asc.gz"};
   std::vector<std::string> paths;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(folder, none))
@@ -76,8 +76,9 @@ bool is_box_on_earth(const source::LonLatBox& box) {
 Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
   Result<std::vector<double>> n = parse_numbers(text, 4);
   if (!n) return n.error();
-  const source::LonLatBox box{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
-  if (!is_box_on_earth(box)) {
+  source::LonLatBox box{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
+  const bool is_across_180 = box.west <= 180 && box.east >= -180 && box.west - box.east > 180;
+  if (!is_box_on_earth(is_across_180 ? source::LonLatBox{-180, box.south, box.east, box.north} : box)) {
     Error error = expected(
         "west,south,east,north in degrees with west < east and south < north, such as 7.40,43.72,7.44,43.75", text);
     if (is_box_on_earth({box.south, box.west, box.north, box.east}))
@@ -85,6 +86,7 @@ Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
           fmt::format("; latitude and longitude swapped? Try {},{},{},{}", box.south, box.west, box.north, box.east);
     return error;
   }
+  if (is_across_180) box.east += 360;
   spec.map.bbox = box;
   return Done{};
 }

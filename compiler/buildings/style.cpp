@@ -63,6 +63,7 @@ Style style_of_class(const map::Footprint& footprint, const Building& building) 
     case BuildingClass::kTower:
     case BuildingClass::kRoof:
     case BuildingClass::kGreenhouse:
+    case BuildingClass::kShell:
       return Style::kPlain;
     default:
       return dwelling(footprint, building);

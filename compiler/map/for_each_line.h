@@ -1,18 +1,32 @@
 // The loop over ways that the readers of tracks, waterways and barriers share.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "compiler/map/feature_readers.h"
+#include "compiler/map/standing.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
+
+/// Returns the code with which a line or point is dropped that is not there, or not on the ground. Waterways
+/// underground go on, since they join those above.
+inline std::optional<Code> reason_without(const ReadContext& context, source::Range tags, std::string_view key) {
+  Standing standing = standing_of_thing(context.osm, tags, key);
+  if (key == "waterway") standing.storey = Storey::kGround;
+  return reason_to_drop(standing);
+}
 
 /// Calls make(way, *row, LocatedLine&&) for every way of a kind that has a length and is near the extent. Ways tagged
 /// area=yes are left to locate_areas(), ways without a row to diagnose_unread(). Keeps the account "map/<account_name>"
 /// and diagnoses ways that are dropped or leave the extent. O(ways).
 /// @param is_of_kind  True for the ways to read.
 /// @param row_of      Returns a way's row in the table of the kind, or null.
-template <typename IsOfKind, typename RowOf, typename Make>
-void for_each_line(const ReadContext& context, const char* account_name, IsOfKind is_of_kind, RowOf row_of, Make make) {
+/// @param reason_of   Returns the code with which a way is dropped that is not there; nothing for others.
+template <typename IsOfKind, typename RowOf, typename ReasonOf, typename Make>
+void for_each_line(const ReadContext& context, const char* account_name, IsOfKind is_of_kind, RowOf row_of,
+                   ReasonOf reason_of, Make make) {
   Account account;
   for (const source::Way& way : context.osm.ways) {
     if (!is_of_kind(way) || says_yes(context.tag(way.tags, "area"))) continue;
@@ -21,7 +35,9 @@ void for_each_line(const ReadContext& context, const char* account_name, IsOfKin
     const OsmId id{OsmType::kWay, way.id};
     account.in += context.report.counts(id);
     LocatedLine line = located(context, way);
-    if (line.axis.size() < 2)
+    if (const std::optional<Code> reason = reason_of(way))
+      context.report.drop(account, *reason, id);
+    else if (line.axis.size() < 2)
       context.report.drop(account, Code::kNoLength, id);
     else if (!is_near(context, line.axis))
       context.report.drop(account, Code::kOutsideBounds, id);

@@ -1,6 +1,7 @@
 #include "compiler/map/area_rules.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/plant_tags.h"
+#include "compiler/map/standing.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
@@ -53,11 +54,6 @@ PlantTags growth_on(const ReadContext& context, const source::Area& area, LandCo
   return is_green ? read_plant_tags(context, area.from, area.tags) : PlantTags{};
 }
 
-bool is_underground(const ReadContext& context, source::Range tags) {
-  return context.tag(tags, "location") == "underground" || context.tag(tags, "parking") == "underground" ||
-         says_yes(context.tag(tags, "tunnel")) || context.tag(tags, "parking") == "multi-storey";
-}
-
 }  // namespace
 
 std::vector<AreaFeature> locate_areas(const ReadContext& context) {
@@ -68,8 +64,8 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
     if (row == nullptr || row->surface == LandCoverClass::kUnknown || is_line(context, area.tags, area.from.type))
       continue;
     account.in += context.report.counts(area.from);
-    if (is_underground(context, area.tags)) {
-      context.report.drop(account, Code::kUnderground, area.from);
+    if (const auto reason = reason_to_drop(standing_of_area(context.osm, area.tags, row->key))) {
+      context.report.drop(account, *reason, area.from);
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);

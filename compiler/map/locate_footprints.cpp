@@ -6,7 +6,9 @@
 #include "compiler/map/buildings/building_tags.h"
 #include "compiler/map/buildings/coincident_footprints.h"
 #include "compiler/map/buildings/part_outlines.h"
+#include "compiler/map/buildings/shell.h"
 #include "compiler/map/feature_readers.h"
+#include "compiler/map/standing.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
@@ -26,28 +28,39 @@ void mark_outlines(std::span<const std::uint32_t> outlines, std::vector<Footprin
     footprints[i].has_parts = covered_m2[i] > kCoveringShare * area_m2(footprints[i].polygon);
 }
 
+// The value of building=*; of a house under construction its class, if that is tagged; of a disused one that of
+// disused:building=*.
+std::string_view building_text(const ReadContext& context, source::Range tags) {
+  const std::string_view text = standing_value(context.osm, tags, "building");
+  const std::string_view planned = context.tag(tags, "construction");
+  return text == "construction" && says_yes(planned) ? planned : text;
+}
+
 }  // namespace
 
 std::vector<Footprint> locate_footprints(const ReadContext& context) {
   std::vector<Footprint> footprints;
   Account account;
   for (const source::Area& area : context.osm.areas) {
-    const std::string_view outline = context.tag(area.tags, "building"), part = context.tag(area.tags, "building:part");
+    const std::string_view outline = building_text(context, area.tags), part = context.tag(area.tags, "building:part");
     if (!says_yes(outline) && !says_yes(part)) continue;
     account.in += context.report.counts(area.from);
-    if (context.tag(area.tags, "location") == "underground") {
-      context.report.drop(account, Code::kUnderground, area.from);
+    const bool is_part = says_yes(part) && !says_yes(outline);
+    const Standing standing = standing_of_building(context.osm, area.tags, is_part ? "building:part" : "building");
+    if (const auto reason = reason_to_drop(standing)) {
+      context.report.drop(account, *reason, area.from);
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);
-    const bool is_part = says_yes(part) && !says_yes(outline);
     Footprint footprint;
     if (!polygons.empty())
       footprint = read_building_tags(context, area.from, area.tags, is_part ? part : outline, polygons.front().area_m2);
     footprint.is_part = is_part;
+    if (standing.presence == Presence::kShell)
+      make_shell(is_ruin(context.osm, area.tags), states_height(context.osm, area.tags), footprint);
     for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
       footprint.id = {area.from, polygon.part};
-      footprint.polygon = polygon.polygon;
+      footprint.polygon = standing.presence == Presence::kShell ? shell_walls(polygon.polygon) : polygon.polygon;
       footprints.push_back(footprint);
     });
   }

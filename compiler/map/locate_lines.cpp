@@ -51,7 +51,8 @@ void for_each_with_key(const ReadContext& context, std::string_view key, const R
   const auto value = [&](const source::Way& way) { return context.tag(way.tags, key); };
   for_each_line(
       context, std::string(key).c_str(), [&](const source::Way& way) { return !value(way).empty(); },
-      [&](const source::Way& way) { return row_with(rows, value(way)); }, make);
+      [&](const source::Way& way) { return row_with(rows, value(way)); },
+      [&](const source::Way& way) { return reason_without(context, way.tags, key); }, make);
 }
 
 const PointRow* point_row(const ReadContext& context, source::Range tags) {
@@ -60,6 +61,11 @@ const PointRow* point_row(const ReadContext& context, source::Range tags) {
   if (says_yes(context.tag(tags, kEntrance.key))) return &kEntrance;
   if (is_shop(context, tags)) return &kShop;
   return context.tag(tags, kAddress.key).empty() ? nullptr : &kAddress;
+}
+
+// True for kinds with a body of their own; shops, entrances and addresses belong to a building.
+bool is_body(PointKind kind) {
+  return kind != PointKind::kShop && kind != PointKind::kEntrance && kind != PointKind::kAddress;
 }
 
 constexpr double kTallestPoint_m = 400;
@@ -139,6 +145,10 @@ std::vector<PointFeature> locate_points(const ReadContext& context) {
       context.report.drop(account, Code::kOutsideBounds, id);
       continue;
     }
+    if (const auto reason = is_body(row->kind) ? reason_without(context, node.tags, row->key) : std::nullopt) {
+      context.report.drop(account, *reason, id);
+      continue;
+    }
     account.out += context.report.counts(id);
     const double height = row->kind == PointKind::kTree ? tagged_plant_height_m(context, id, node.tags)
                                                         : tagged_point_height_m(context, id, *row, node.tags);
@@ -156,6 +166,7 @@ std::vector<TreeRow> locate_tree_rows(const ReadContext& context) {
   const auto is_row = [&](const source::Way& way) { return context.tag(way.tags, "natural") == kAny.value; };
   for_each_line(
       context, "tree row", is_row, [&](const source::Way&) { return &kAny; },
+      [&](const source::Way& way) { return reason_without(context, way.tags, "natural"); },
       [&](const source::Way& way, const PowerRow&, LocatedLine&& line) {
         const OsmId id{OsmType::kWay, way.id};
         const double spacing_m = tagged_length_m(context, id, way.tags, "spacing", 1, 100).value_or(0);
@@ -170,13 +181,10 @@ std::vector<TreeRow> locate_tree_rows(const ReadContext& context) {
 
 std::vector<PowerLine> locate_power_lines(const ReadContext& context) {
   std::vector<PowerLine> lines;
-  const auto row_of = [&](const source::Way& way) -> const PowerRow* {
-    return context.tag(way.tags, "location") == "underground" ? nullptr
-                                                              : row_with(kPowerLines, context.tag(way.tags, "power"));
-  };
   for_each_line(
       context, "power", [&](const source::Way& way) { return row_with(kPowerLines, context.tag(way.tags, "power")); },
-      row_of,
+      [&](const source::Way& way) { return row_with(kPowerLines, context.tag(way.tags, "power")); },
+      [&](const source::Way& way) { return reason_without(context, way.tags, "power"); },
       [&](const source::Way& way, const PowerRow& row, LocatedLine&& line) {
         lines.push_back({{{OsmType::kWay, way.id}, 0}, std::move(line.axis), row.corridor_m});
       });

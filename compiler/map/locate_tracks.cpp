@@ -96,6 +96,16 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   return track;
 }
 
+// Ways underground and inside buildings are tunnels, so only those that are gone or not finished are dropped.
+std::optional<Code> reason_without_track(const ReadContext& context, const source::Way& way) {
+  for (const std::string_view key : kTrackKeys) {
+    const std::string_view value = context.tag(way.tags, key);
+    if (value.empty()) continue;
+    if (presence_of(context.osm, way.tags, key) == Presence::kGone || value == "construction") return Code::kNotThere;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Track> locate_tracks(const ReadContext& context, std::optional<DrivingSide> side) {
@@ -106,6 +116,7 @@ std::vector<Track> locate_tracks(const ReadContext& context, std::optional<Drivi
       [&](const source::Way& way) {
         return track_row([&](std::string_view key) { return context.tag(way.tags, key); });
       },
+      [&](const source::Way& way) { return reason_without_track(context, way); },
       [&](const source::Way& way, const TrackRow& row, LocatedLine&& line) {
         std::vector<TrackPoint> points = points_of(context, way, line, marks);
         tracks.push_back(track_of(context, side, way, row, std::move(line)));

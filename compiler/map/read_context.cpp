@@ -6,6 +6,7 @@
 #include "compiler/geometry/clip_polyline.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/plane/clip_ring.h"
+#include "compiler/map/standing.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
@@ -100,8 +101,9 @@ std::int8_t tagged_layer(const ReadContext& context, OsmId id, source::Range tag
 
 Passage tagged_passage(const ReadContext& context, source::Range tags) {
   const std::string_view tunnel = context.tag(tags, "tunnel");
-  const bool is_inside = says_yes(context.tag(tags, "indoor")) || context.tag(tags, "location") == "underground" ||
-                         context.tag(tags, "highway") == "corridor";
+  const Storey storey = standing_of_thing(context.osm, tags, "highway").storey;
+  const bool is_inside =
+      storey == Storey::kUnderground || storey == Storey::kIndoor || context.tag(tags, "highway") == "corridor";
   // a passage through a building is on the ground
   if ((says_yes(tunnel) && tunnel != "building_passage") || is_inside) return Passage::kTunnel;
   return says_yes(context.tag(tags, "bridge")) ? Passage::kBridge : Passage::kGround;

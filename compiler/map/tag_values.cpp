@@ -78,6 +78,35 @@ std::string initials_of(std::string_view value) {
 
 constexpr double kFoot_m = 0.3048, kInch_m = 0.0254, kLongest_m = 10000;
 
+struct UnitRow {
+  std::string_view value;
+  double length_m;
+};
+constexpr UnitRow kUnits[] = {{"m", 1},        {"metre", 1},      {"metres", 1},      {"meter", 1},
+                              {"meters", 1},   {"mts", 1},        {"mtr", 1},         {"mt", 1},
+                              {"m.", 1},       {"km", 1000},      {"cm", 0.01},       {"mm", 0.001},
+                              {"ft", kFoot_m}, {"ft.", kFoot_m},  {"feet", kFoot_m},  {"foot", kFoot_m},
+                              {"in", kInch_m}, {"inch", kInch_m}, {"inches", kInch_m}};
+
+// Apostrophe, prime and closing quotation mark; two of them, or their double forms, are inches.
+constexpr std::string_view kFeetMarks[] = {"'", "\xe2\x80\xb2", "\xe2\x80\x99"};
+constexpr std::string_view kInchMarks[] = {"\"", "''", "\xe2\x80\xb3", "\xe2\x80\x9d"};
+
+// The length of the mark with which the text begins; 0 if there is none.
+template <std::size_t n>
+std::size_t mark_at_front(const std::string_view (&marks)[n], std::string_view text) {
+  for (const std::string_view mark : marks)
+    if (text.starts_with(mark)) return mark.size();
+  return 0;
+}
+
+// The text without a sign or word for degrees at its end.
+std::string_view without_degrees(std::string_view text) {
+  for (const std::string_view unit : {"\xc2\xb0", "degrees", "deg"})
+    if (text.ends_with(unit)) text.remove_suffix(unit.size());
+  return first_value(text);
+}
+
 }  // namespace
 
 std::optional<double> number_of(std::string_view value) {
@@ -90,16 +119,16 @@ std::optional<double> length_m_of(std::string_view value) {
   value = first_value(value);
   auto number = take_number(value);
   if (!number) return std::nullopt;
-  if (value == "ft" || value == "feet" || value == "foot") {
-    *number *= kFoot_m;
-  } else if (value == "km") {
-    *number *= 1000;
-  } else if (!value.empty() && value.front() == '\'') {
-    value = first_value(value.substr(1));
+  const bool is_inches = !value.empty() && mark_at_front(kInchMarks, value) == value.size();
+  if (const std::size_t mark = mark_at_front(kFeetMarks, value); mark > 0 && !is_inches) {
+    value = first_value(value.substr(mark));
     const auto inches = take_number(value);
     *number = *number * kFoot_m + inches.value_or(0) * kInch_m;
-  } else if (!value.empty() && value != "m" && value != "metres" && value != "meters" && value != "metre" &&
-             value != "meter") {
+  } else if (is_inches) {
+    *number *= kInch_m;
+  } else if (const UnitRow* row = row_with(kUnits, in_lower_case(value))) {
+    *number *= row->length_m;
+  } else if (!value.empty()) {
     return std::nullopt;
   }
   if (!(std::abs(*number) < kLongest_m)) return std::nullopt;
@@ -123,7 +152,7 @@ std::optional<double> bearing_deg_of(std::string_view value) {
   const std::string wind = initials_of(first_value(value));
   for (std::size_t i = 0; i < std::size(kWinds); ++i)
     if (kWinds[i] == wind) return 22.5 * static_cast<double>(i);
-  const auto number = number_of(value);
+  const auto number = number_of(without_degrees(first_value(value)));
   if (!number || !(std::abs(*number) <= 360)) return std::nullopt;
   return *number < 0 ? *number + 360 : *number == 360 ? 0 : *number;
 }
@@ -141,6 +170,12 @@ std::optional<std::uint16_t> year_of(std::string_view value) {
   if (digits.size() < 3 || number < 1 || number > 2999) return std::nullopt;
   const bool is_decade = value.substr(first + digits.size()).starts_with('s');
   return static_cast<std::uint16_t>(is_decade ? number + 5 : number);
+}
+
+std::string in_lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return lower;
 }
 
 bool says_yes(std::string_view value) { return !value.empty() && value != "no" && value != "0" && value != "false"; }

@@ -5,24 +5,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "compiler/map/features.h"
 
 namespace citykiln::map {
 
-/// Returns a length such as "12", "12.5 m", "12,5", "40 ft", "5'10\"", "0.3 km" in metres; the first of "2;3". Nothing
-/// unless it is a finite number below 10 km.
+/// Returns a length such as "12", "12.5 m", "12,5 M", "40 ft", "5'10\"", "40′", "480\"", "90 cm", "0.3 km" in
+/// metres; the first of "2;3". Nothing unless it is a finite number below 10 km.
 std::optional<double> length_m_of(std::string_view value);
 /// Returns a number without a unit; the first one of "2;3".
 std::optional<double> number_of(std::string_view value);
 /// Returns the colour of "#rgb", "#rrggbb" or a CSS colour name used in OSM.
 std::optional<Srgb> colour_of(std::string_view value);
-/// Returns a bearing such as "225", "SW", "south-west" in degrees clockwise of north, 0 to below 360.
+/// Returns a bearing such as "225", "225°", "SW", "south-west" in degrees clockwise of north, 0 to below 360.
 std::optional<double> bearing_deg_of(std::string_view value);
 /// Returns the year of a date such as "1898", "1898-05-01", "~1900", "before 1850", "C19", "late C18", "1920s"; for a
 /// period its middle. Nothing outside 1 to 2999.
 std::optional<std::uint16_t> year_of(std::string_view value);
+/// Returns the text with small letters a to z.
+std::string in_lower_case(std::string_view text);
 /// True for every value except "no", "0", "false" and "".
 bool says_yes(std::string_view value);
 

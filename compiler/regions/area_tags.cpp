@@ -47,6 +47,8 @@ bool describes_building(const osmium::TagList& tags) { return has(tags, "buildin
 
 bool describes_area(const osmium::TagList& tags) {
   if (describes_building(tags)) return true;
+  for (const char* key : {"disused:building", "abandoned:building", "ruins:building", "construction:building"})
+    if (tags.has_key(key)) return true;
   return std::ranges::any_of(map::area_rules(), [&](const map::AreaRule& row) {
     return row.surface != LandCoverClass::kUnknown && matches(row, tags);
   });

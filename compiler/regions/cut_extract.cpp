@@ -30,6 +30,7 @@
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/regions/area_tags.h"
 #include "compiler/regions/spool.h"
+#include "compiler/source/mended_xml.h"
 #include "compiler/source/osm_format.h"
 
 namespace citykiln::regions {
@@ -48,6 +49,19 @@ using PlaceIndex = osmium::index::map::SparseFileArray<osmium::unsigned_object_i
 using PlacesForWays = osmium::handler::NodeLocationsForWays<PlaceIndex>;
 
 osmium::io::File file_of(const std::string& path) { return osmium::io::File(fs::absolute(path).string()); }
+
+// The map, or a file in `folder` that stands for it where libosmium cannot read it as it is meant. The passes read it
+// several times, from the disk.
+Result<std::string> readable_map(const std::string& map_path, source::OsmFormat format, const std::string& folder) {
+  const Result<std::optional<std::string>> mended = source::mended_xml(map_path, format);
+  if (!mended) return mended.error();
+  if (!*mended) return map_path;
+  const std::string path = folder + "/.mended.osm";
+  std::ofstream file(path, std::ios::binary);
+  file << **mended;
+  if (!file.flush()) return Error{path, "cannot be written"};
+  return path;
+}
 
 template <typename Object>
 void for_each(const std::string& path, bits::type what, osmium::thread::Pool& pool,
@@ -375,18 +389,29 @@ Result<CutFiles> Cutter::run() {
 }  // namespace
 
 Result<CutFiles> cut_extract(const CutRequest& cut, const map::Plane& plane, const RegionGrid& grid) {
-  if (const Result<source::OsmFormat> format = source::osm_format_of(cut.map_path); !format) return format.error();
+  const Result<source::OsmFormat> format = source::osm_format_of(cut.map_path);
+  if (!format) return format.error();
   try {
-    return Cutter(cut, plane, grid).run();
+    const Result<std::string> path = readable_map(cut.map_path, *format, cut.folder);
+    if (!path) return path.error();
+    CutRequest readable = cut;
+    readable.map_path = *path;
+    Result<CutFiles> files = Cutter(readable, plane, grid).run();
+    if (*path != cut.map_path) fs::remove(*path);
+    return files;
   } catch (const std::exception& error) {
     return Error{cut.map_path, error.what()};
   }
 }
 
 Result<source::LonLatBox> header_box_of(const std::string& map_path) {
-  if (const Result<source::OsmFormat> format = source::osm_format_of(map_path); !format) return format.error();
+  const Result<source::OsmFormat> format = source::osm_format_of(map_path);
+  if (!format) return format.error();
+  const Result<std::optional<std::string>> mended = source::mended_xml(map_path, *format);
+  if (!mended) return mended.error();
   try {
-    osmium::io::Reader reader(file_of(map_path), bits::nothing);
+    osmium::io::Reader reader(
+        *mended ? osmium::io::File((*mended)->data(), (*mended)->size(), "osm") : file_of(map_path), bits::nothing);
     const osmium::Box box = reader.header().joined_boxes();
     reader.close();
     if (!box.valid()) return Error{map_path, "has no box in its header; give the area with --bbox W,S,E,N"};

@@ -12,9 +12,11 @@
 #include <osmium/builder/osm_object_builder.hpp>
 #include <osmium/osm/area.hpp>
 #include <set>
+#include <utility>
 
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/source/bodies.h"
+#include "compiler/source/mended_rings.h"
 
 namespace citykiln::source {
 namespace {
@@ -30,7 +32,8 @@ struct Candidate {
 
 // The areas of one task; their ranges index the task's own vectors.
 struct Slot : AssembledAreas {
-  std::vector<OsmId> broken, without_body;
+  std::vector<OsmId> broken, without_body, mended;
+  std::vector<std::pair<OsmId, double>> incomplete;  // with the share of the member ways that is there
 };
 
 OsmId id_of_candidate(const Candidate& candidate) {
@@ -216,6 +219,82 @@ bool assemble_relation(const osmium::Relation& relation, const Elements& element
   return add_area(space.areas.get<osmium::Area>(0), {OsmType::kRelation, relation.id()}, not_outer, slot);
 }
 
+std::vector<Location> places_of_way(const osmium::Way& way) {
+  std::vector<Location> places;
+  for (const osmium::NodeRef& node_ref : way.nodes())
+    if (node_ref.location().valid()) places.push_back(location_of_ref(node_ref));
+  return places;
+}
+
+// The lines of a candidate by their roles. A closed way stays closed around missing nodes.
+std::vector<BrokenLine> lines_of(const Candidate& candidate, const Elements& elements) {
+  std::vector<BrokenLine> lines;
+  if (candidate.way) {
+    lines.push_back({places_of_way(*candidate.way)});
+    if (!lines[0].points.empty() && lines[0].points.front() != lines[0].points.back())
+      lines[0].points.push_back(lines[0].points.front());
+    return lines;
+  }
+  for (const osmium::RelationMember& member : candidate.relation->members()) {
+    const bool is_way = member.type() == osmium::item_type::way;
+    const osmium::Way* way = is_way ? find_osmium_way(elements, member.ref()) : nullptr;
+    if (way) lines.push_back({places_of_way(*way), std::strcmp(member.role(), "inner") == 0});
+  }
+  return joined_lines(std::move(lines));
+}
+
+// Makes an area of rings that libosmium refuses. Returns false if a line remains open, or no area is left.
+bool mend_area(const Candidate& candidate, const Elements& elements, Slot& slot) {
+  const std::vector<BrokenLine> lines = lines_of(candidate, elements);
+  const auto is_open = [](const BrokenLine& line) {
+    return line.points.size() < 4 || line.points.front() != line.points.back();
+  };
+  if (std::ranges::any_of(lines, is_open)) return false;
+  Area area{id_of_candidate(candidate), {static_cast<std::uint32_t>(slot.rings.size()), 0}, {}};
+  std::uint32_t part = 0;
+  for (const MendedPolygon& polygon : mended_polygons(lines)) {
+    for (const std::vector<Location>& ring : polygon) {
+      const auto first = static_cast<std::uint32_t>(slot.ring_points.size());
+      slot.ring_points.insert(slot.ring_points.end(), ring.begin(), ring.end());
+      slot.rings.push_back({{first, static_cast<std::uint32_t>(ring.size())}, part, &ring == &polygon.front()});
+    }
+    ++part;
+  }
+  area.rings.count = static_cast<std::uint32_t>(slot.rings.size()) - area.rings.first;
+  if (part == 0) return false;
+  slot.areas.push_back(area);
+  slot.mended.push_back(area.from);
+  return true;
+}
+
+// The share of the member ways that is in the extract; 1 for a way.
+double share_of_members(const Candidate& candidate, const Elements& elements) {
+  if (!candidate.relation) return 1;
+  double all = 0, there = 0;
+  for (const osmium::RelationMember& member : candidate.relation->members()) {
+    if (member.type() != osmium::item_type::way) continue;
+    all += 1;
+    if (find_osmium_way(elements, member.ref())) there += 1;
+  }
+  return all > 0 ? there / all : 1;
+}
+
+bool is_of_a_body(const Candidate& candidate) {
+  const osmium::TagList& tags = candidate.way ? candidate.way->tags() : candidate.relation->tags();
+  return !tags.has_tag("type", "boundary") &&
+         std::any_of(tags.begin(), tags.end(), [](const osmium::Tag& tag) { return has_body(tag.key(), tag.value()); });
+}
+
+void add_failure(const Candidate& candidate, const Elements& elements, Slot& slot) {
+  const double share = share_of_members(candidate, elements);
+  if (!is_of_a_body(candidate))
+    slot.without_body.push_back(id_of_candidate(candidate));
+  else if (share < 1)
+    slot.incomplete.emplace_back(id_of_candidate(candidate), share);
+  else
+    slot.broken.push_back(id_of_candidate(candidate));
+}
+
 bool assemble(const Candidate& candidate, const Elements& elements, Workspace& space, Slot& slot) {
   space.mended.clear();
   space.areas.clear();
@@ -228,18 +307,12 @@ bool assemble(const Candidate& candidate, const Elements& elements, Workspace& s
 }
 
 // True if the tags say that it is a thing with a body; a boundary is none, whatever else it says.
-bool is_of_a_body(const Candidate& candidate) {
-  const osmium::TagList& tags = candidate.way ? candidate.way->tags() : candidate.relation->tags();
-  return !tags.has_tag("type", "boundary") &&
-         std::any_of(tags.begin(), tags.end(), [](const osmium::Tag& tag) { return has_body(tag.key(), tag.value()); });
-}
-
 Slot assemble_slot(std::span<const Candidate> candidates, const Elements& elements) {
   Slot slot;
   Workspace space;
   for (const Candidate& candidate : candidates) {
-    if (assemble(candidate, elements, space, slot)) continue;
-    (is_of_a_body(candidate) ? slot.broken : slot.without_body).push_back(id_of_candidate(candidate));
+    if (assemble(candidate, elements, space, slot) || mend_area(candidate, elements, slot)) continue;
+    add_failure(candidate, elements, slot);
   }
   return slot;
 }
@@ -307,6 +380,8 @@ AssembledAreas assemble_areas(const Elements& elements, int threads, Report& rep
   std::rotate(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(relation_slots), slots.end());
   for (const Slot& slot : slots) {
     append_slot(slot, all);
+    for (const OsmId id : slot.mended) report.add(Code::kAreaMended, id);
+    for (const auto& [id, share] : slot.incomplete) report.drop(account, Code::kIncompleteArea, id, share);
     for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
     for (const OsmId id : slot.without_body) account.without_body += report.counts(id);
   }

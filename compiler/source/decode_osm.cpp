@@ -14,6 +14,7 @@
 #include <osmium/thread/pool.hpp>
 #include <thread>
 
+#include "compiler/source/mended_xml.h"
 #include "compiler/source/osm_format.h"
 
 namespace citykiln::source {
@@ -47,9 +48,14 @@ bool has_places_in_ways(const osmium::io::Header& header) {
   }
 }
 
-DecodedOsm decode_file(const std::string& path, OsmFormat format, int threads) {
+// The file, or the text that stands for it.
+osmium::io::File source_of(const std::string& path, OsmFormat format, const std::optional<std::string>& text) {
+  if (text) return osmium::io::File(text->data(), text->size(), osmium_name(OsmFormat::kXml));
   // an absolute path, since libosmium would pass a name like http:x to curl
-  const osmium::io::File file(std::filesystem::absolute(path).string(), osmium_name(format));
+  return osmium::io::File(std::filesystem::absolute(path).string(), osmium_name(format));
+}
+
+DecodedOsm decode_file(const osmium::io::File& file, int threads) {
   osmium::thread::Pool pool(threads > 0 ? threads
                                         : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   osmium::io::Reader reader(file, osmium::osm_entity_bits::nwr, pool);
@@ -66,8 +72,10 @@ DecodedOsm decode_file(const std::string& path, OsmFormat format, int threads) {
 Result<DecodedOsm> decode_osm(const std::string& path, int threads) {
   const Result<OsmFormat> format = osm_format_of(path);
   if (!format) return format.error();
+  const Result<std::optional<std::string>> mended = mended_xml(path, *format);
+  if (!mended) return mended.error();
   try {
-    return decode_file(path, *format, threads);
+    return decode_file(source_of(path, *format, *mended), threads);
   } catch (const osmium::xml_error& error) {
     if (error.line == 0) return Error{path, error.error_string};
     return Error{fmt::format("{}:{}:{}", path, error.line, error.column + 1), "malformed XML: " + error.error_string};

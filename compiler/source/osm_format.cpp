@@ -14,6 +14,8 @@
 #include <protozero/pbf_reader.hpp>
 #include <string_view>
 
+#include "compiler/source/mended_xml.h"
+
 namespace citykiln::source {
 namespace {
 
@@ -57,6 +59,7 @@ std::optional<OsmFormat> format_by_content(std::string_view head) {
   if (head.starts_with("\x1f\x8b")) return OsmFormat::kXmlGzip;
   if (head.starts_with("BZh")) return OsmFormat::kXmlBzip2;
   if (head.find("OSMHeader") != std::string_view::npos && head[0] == '\0') return OsmFormat::kPbf;
+  if (utf8_of_utf16(head)) return OsmFormat::kXml;
   if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
   const std::size_t first = head.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && head[first] == '<') return OsmFormat::kXml;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/source/across_180.h"
 #include "compiler/source/assemble_areas.h"
 #include "compiler/source/decode_osm.h"
 #include "compiler/source/old_style_multipolygons.h"
@@ -214,6 +215,7 @@ Result<OsmData> read_osm(const std::string& path, int threads, Report& report, c
   data.file_name = std::filesystem::path(path).filename().string();
   data.header_box = decoded->header_box;
   merge_old_style_multipolygons(data, report);
+  join_across_180(data);
   return data;
 }
 

@@ -26,7 +26,7 @@ PLACES = {
 
 
 # boundaries that are no areas are in no region's file; relations that are no areas are in none either
-NOT_IN_REGIONS = {"source/area", "BrokenArea", "MissingMember", "RelationWithoutTags"}
+NOT_IN_REGIONS = {"source/area", "BrokenArea", "IncompleteArea", "MissingMember", "RelationWithoutTags"}
 
 
 def first_difference(one, other):

@@ -58,7 +58,7 @@ TaggedRoof tagged_roof(const ReadContext& context, OsmId id, source::Range tags,
   roof.shape.height_m = tagged_roof_height_m(context, id, tags, level_m);
   roof.shape.angle_deg = tagged_number(context, id, tags, "roof:angle", kSteepest_deg).value_or(0);
   roof.shape.direction = tagged_direction(context, id, tags);
-  roof.shape.is_ridge_across = context.tag(tags, "roof:orientation") == "across";
+  roof.shape.is_ridge_across = in_lower_case(context.tag(tags, "roof:orientation")) == "across";
   return roof;
 }
 

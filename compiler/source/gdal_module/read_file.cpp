@@ -54,7 +54,11 @@ Result<GDALDatasetUniquePtr> open(const std::string& path) {
   register_drivers();
   const QuietGdal quiet;
   std::optional<std::string> name = fs::absolute(path).string();
-  if (has_suffix(path, ".zip")) name = name_in_zip(*name);
+  // the driver of .hgt reads .hgt.gz by itself
+  if (has_suffix(path, ".zip"))
+    name = name_in_zip(*name);
+  else if (has_suffix(path, ".gz") && !has_suffix(path, ".hgt.gz"))
+    name = "/vsigzip/" + *name;
   if (!name) return Error{path, "no heightmap in the archive; expected .hgt, .tif, .asc or .png"};
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name->c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));

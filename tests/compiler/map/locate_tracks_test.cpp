@@ -147,7 +147,7 @@ TEST(LocateTracks, WhatIsDroppedIsCounted) {
   Report report;
   const Features features = features_of(R"(
     w1 0:0 50:0 highway=residential
-    w2 0:0 50:0 highway=proposed
+    w2 0:0 50:0 highway=unheard_of
     w3 9000:0 9050:0 highway=residential
     w4 7:7 7:7 highway=residential
     w5 0:0 50:0 name=nothing)",

@@ -25,6 +25,17 @@ TEST(TagValues, InvalidLengthsGiveNothing) {
     EXPECT_FALSE(length_m_of(text)) << text;
 }
 
+TEST(TagValues, UnitsAreReadInAnyCaseAndWithPrimes) {
+  const std::pair<const char*, double> rows[] = {{"12.0 M", 12},       {"12 mts", 12},
+                                                 {"1200 cm", 12},      {"40\xe2\x80\xb2", 12.192},
+                                                 {"480\"", 12.192},    {"480\xe2\x80\xb3", 12.192},
+                                                 {"40 FT", 12.192},    {"39'6\"", 12.0396},
+                                                 {"12 inches", 0.3048}};
+  for (const auto& [text, length] : rows) EXPECT_NEAR(length_m_of(text).value_or(-1), length, 1e-9) << text;
+  EXPECT_EQ(bearing_deg_of("180\xc2\xb0"), 180);
+  EXPECT_EQ(bearing_deg_of("90 deg"), 90);
+}
+
 TEST(TagValues, NumbersTakeTheFirstOfAList) {
   EXPECT_EQ(number_of("3"), 3);
   EXPECT_EQ(number_of("2.5"), 2.5);

@@ -166,19 +166,20 @@ TEST(ReadOsm, HolesOfAMissingOuterRingDoNotBecomeAreas) {
   const OsmData data = read(text, report);
   EXPECT_TRUE(data.areas.empty());
   EXPECT_EQ(count(report, Code::kMissingMember), 1u);
-  EXPECT_EQ(count(report, Code::kBrokenArea), 1u);
+  EXPECT_EQ(count(report, Code::kIncompleteArea), 1u);
   EXPECT_TRUE(report.balances());
 }
 
-TEST(ReadOsm, SelfCrossingAreaIsDroppedAndDiagnosed) {
+TEST(ReadOsm, SelfCrossingAreaIsMendedAndDiagnosed) {
   Report report;
   const OsmData data = read(R"(<node id="1" version="1" lon="0" lat="0"/><node id="2" version="1" lon="1" lat="1"/>
     <node id="3" version="1" lon="1" lat="0"/><node id="4" version="1" lon="0" lat="1"/>
     <way id="10" version="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/><tag k="building" v="yes"/></way>)",
                             report);
-  EXPECT_TRUE(data.areas.empty());
+  ASSERT_EQ(data.areas.size(), 1u);
+  EXPECT_EQ(data.areas[0].rings.count, 2u);
   EXPECT_EQ(data.ways.size(), 1u);
-  EXPECT_EQ(count(report, Code::kBrokenArea), 1u);
+  EXPECT_EQ(count(report, Code::kAreaMended), 1u);
   EXPECT_EQ(report.ledger().at("source/area").in, 1u);
   EXPECT_TRUE(report.balances());
 }
