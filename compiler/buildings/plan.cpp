@@ -11,6 +11,7 @@
 #include "compiler/buildings/doors.h"
 #include "compiler/buildings/party_walls.h"
 #include "compiler/buildings/plan_roof.h"
+#include "compiler/buildings/posts.h"
 #include "compiler/buildings/street_sides.h"
 #include "compiler/buildings/style.h"
 #include "compiler/buildings/vertical_support.h"
@@ -33,6 +34,9 @@ constexpr double kSampleSpacing_m = 4;
 
 // Storey heights outside this range mean that building:levels is wrong.
 constexpr double kMinStorey_m = 2.1, kMaxStorey_m = 7;
+
+// The thickness of a roof without walls, and the least room below it.
+constexpr double kRoofSlab_m = 0.25, kLeastRoomBelow_m = 1;
 
 // A storey with no more than this share of its height below the ground has windows.
 constexpr double kMaxBuriedShare = 0.3;
@@ -71,12 +75,14 @@ GroundRange all_of(const std::vector<GroundRange>& ranges) {
 // Indexes of the whole map that all buildings are planned from.
 struct Site {
   const ground::GradedTerrain& ground;
-  const std::vector<map::Footprint> footprints;
+  const std::vector<map::Footprint>& footprints;
   const std::vector<std::uint32_t> outlines;
   const std::vector<bool> have_height;
   const std::vector<std::vector<SharedWall>> shared_walls;
   const Streets streets;
   const MappedDoors doors;
+  const std::vector<bool> supported;
+  const PostObstacles post_obstacles;
 };
 
 // The footprint whose ground the heights of footprint i are measured from: its outline, or itself.
@@ -131,10 +137,16 @@ double min_height_m(const map::Footprint& footprint, Report& report) {
   return 0;
 }
 
+bool are_steps(const map::Footprint& footprint) {
+  return footprint.building_class == static_cast<std::uint8_t>(map::BuildingClass::kSteps);
+}
+
 double top_m(const map::Footprint& footprint, double base_m, double roof_m, const GroundRange& ground, Report& report) {
   const double top_m = snapped(base_m + footprint.height_m + (footprint.has_roof_in_height ? 0 : roof_m));
-  const double least_m = snapped(ground.highest_m + kMinWallAboveGround_m + roof_m);
-  if (top_m >= least_m || footprint.min_height_m > 0) return top_m;
+  // a tagged roof may leave less of a wall, even none
+  const double wall_m = footprint.height_m - (footprint.has_roof_in_height ? roof_m : 0);
+  const double least_m = snapped(ground.highest_m + std::min(kMinWallAboveGround_m, wall_m) + roof_m);
+  if (top_m >= least_m || footprint.min_height_m > 0 || are_steps(footprint)) return top_m;
   report.add(Code::kHeightRaised, footprint.id.osm, least_m - top_m);
   return least_m;
 }
@@ -160,6 +172,7 @@ std::optional<Vec2> street_normal(const Ring& ring, const std::vector<bool>& sid
 }
 
 double usual_storey_m(const map::Footprint& footprint) {
+  if (footprint.storey_m > 0) return footprint.storey_m;
   return map::values_of(static_cast<map::BuildingClass>(footprint.building_class)).level_m;
 }
 
@@ -205,6 +218,20 @@ std::vector<FacadeEdge> facade_edges_of(const Building& building, const std::vec
   return edges;
 }
 
+// Lifts a roof without walls off the ground, if there is room below it.
+void open_below(Building& building, double ground_m) {
+  const double bottom_m = snapped(eaves_m(building) - kRoofSlab_m);
+  if (!building.stands_on_ground || bottom_m < ground_m + kLeastRoomBelow_m) return;
+  building.bottom_m = building.floor_m = bottom_m;
+  building.stands_on_ground = false;
+}
+
+void set_posts(std::size_t i, const Site& site, double lowest_m, Building& building) {
+  building.post_foot_m = snapped(std::min(lowest_m, building.bottom_m) - kFoundation_m);
+  building.posts = plan_posts(i, site.post_obstacles, building.bottom_m - building.post_foot_m);
+  if (building.posts.empty()) building.post_foot_m = 0;
+}
+
 // A building, and how many of its storeys lie below the entrance.
 struct Planned {
   Building building;
@@ -235,6 +262,9 @@ Planned plan_building(std::size_t i, const Site& site, Report& report) {
                     .has_shop = footprint.has_shop};
   building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(from_m, under.lowest_m) - kFoundation_m);
   building.roof_shape.height_m = std::min(roof.height_m, building.top_m - building.floor_m);
+  if (footprint.is_open) open_below(building, under.highest_m);
+  const bool is_opened = building.stands_on_ground != (lift_m == 0);
+  if (!building.stands_on_ground && (is_opened || !site.supported[i])) set_posts(i, site, under.lowest_m, building);
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
   const std::uint8_t below = storeys_below(building, under.lowest_m);
   building = extended_below(std::move(building), below);
@@ -284,29 +314,28 @@ std::vector<PartyWall> party_walls_of(std::size_t i, const Site& site,
   return walls;
 }
 
-std::vector<map::Footprint> extended_to_ground(std::vector<map::Footprint> footprints,
-                                               std::span<const std::vector<SharedWall>> shared,
-                                               std::span<const map::Track> tracks, Report& report) {
-  const std::vector<bool> supported = find_supported(footprints, shared, tracks);
-  for (std::size_t i = 0; i < footprints.size(); ++i) {
-    if (supported[i]) continue;
-    report.add(Code::kUnsupportedBuilding, footprints[i].id.osm, footprints[i].min_height_m);
-    footprints[i].min_height_m = 0;
-  }
-  return footprints;
+void diagnose_unsupported(std::span<const map::Footprint> footprints, const std::vector<bool>& supported,
+                          Report& report) {
+  for (std::size_t i = 0; i < footprints.size(); ++i)
+    if (!supported[i] && !footprints[i].is_open)
+      report.add(Code::kUnsupportedBuilding, footprints[i].id.osm, footprints[i].min_height_m);
 }
 
 Site site_of(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
   std::vector<std::vector<SharedWall>> shared = shared_walls(features.footprints);
+  std::vector<bool> supported = find_supported(features.footprints, shared);
+  diagnose_unsupported(features.footprints, supported, report);
   std::vector<std::uint32_t> outlines = outline_indices(features.footprints);
   std::vector<bool> have_height = have_tagged_height(features.footprints, outlines);
   return {.ground = ground,
-          .footprints = extended_to_ground(features.footprints, shared, features.tracks, report),
+          .footprints = features.footprints,
           .outlines = std::move(outlines),
           .have_height = std::move(have_height),
           .shared_walls = std::move(shared),
           .streets = index_streets(features.tracks),
-          .doors = index_doors(features.points)};
+          .doors = index_doors(features.points),
+          .supported = std::move(supported),
+          .post_obstacles = index_post_obstacles(features.tracks, features.footprints)};
 }
 
 // A building belongs to the extent by its centroid, and all parts of an outline with it.

@@ -43,6 +43,9 @@ Form untagged_form(const map::Footprint& footprint, bool is_attached) {
     case BuildingClass::kGarage:
     case BuildingClass::kTower:
     case BuildingClass::kRoof:
+    case BuildingClass::kShelter:
+    case BuildingClass::kSteps:
+    case BuildingClass::kColumn:
     case BuildingClass::kOffice:
       return Form::kFlat;
     case BuildingClass::kHut:

@@ -54,7 +54,7 @@ struct Building {
   double bottom_m = 0;           ///< The lower end of the walls, below the lowest ground if stands_on_ground. Snapped.
   double floor_m = 0;            ///< The height from which storeys count. bottom_m <= floor_m <= eaves. Snapped.
   double top_m = 0;              ///< The highest point of the roof. > bottom_m. Snapped.
-  bool stands_on_ground = true;  ///< False if min_height lifts it off the ground.
+  bool stands_on_ground = true;  ///< False if min_height lifts it off the ground, and for roofs without walls.
   materials::Material wall{}, roof{};
   /// The tagged colours; if unset, the colour of the material, varied by the seed.
   std::optional<map::Srgb> wall_colour, roof_colour;
@@ -67,6 +67,8 @@ struct Building {
   bool has_shop = false;
   std::vector<FacadeEdge> facade_edges{};  ///< One per edge of the outer ring, or empty.
   std::vector<PartyWall> party_walls{};    ///< Sorted by edge, then from_m. No two overlap.
+  std::vector<Vec2> posts{};               ///< Centres of the posts below bottom_m (posts.h), snapped.
+  double post_foot_m = 0;                  ///< The lower end of the posts, below the ground. Snapped. 0: no posts.
   bool operator==(const Building&) const = default;
 };
 

@@ -54,7 +54,8 @@ void serialise(auto& io, buildings::PartyWall& w, std::size_t edges) {
 // True if heights are in order and the roof fits, as generating a building requires.
 inline bool has_ordered_heights(const buildings::Building& b) {
   return b.bottom_m < b.top_m && b.bottom_m <= b.floor_m && b.floor_m <= eaves_m(b) && b.levels > 0 &&
-         b.roof_shape.height_m >= 0 && b.roof_shape.overhang_m >= 0 && b.roof_shape.overhang_m <= 16;
+         b.roof_shape.height_m >= 0 && b.roof_shape.overhang_m >= 0 && b.roof_shape.overhang_m <= 16 &&
+         (b.posts.empty() || b.post_foot_m < b.bottom_m);
 }
 
 /// The properties that decide the walls of a building.
@@ -80,6 +81,8 @@ void serialise(auto& io, buildings::Building& b) {
   colour(io, b.wall_colour), colour(io, b.roof_colour);
   serialise(io, b.roof_shape);
   facade(io, b);
+  points(io, "posts", b.posts, 0);
+  if (!b.posts.empty()) io.metres("post foot", b.post_foot_m);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
     if (!has_ordered_heights(b)) io.fail("building top");
 }
