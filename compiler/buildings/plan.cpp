@@ -35,6 +35,9 @@ constexpr double kSampleSpacing_m = 4;
 // Storey heights outside this range mean that building:levels is wrong.
 constexpr double kMinStorey_m = 2.1, kMaxStorey_m = 7;
 
+// The least width of a wall that begins at a storey of its own.
+constexpr double kBuriedPiece_m = 4;
+
 // The thickness of a roof without walls, and the least room below it.
 constexpr double kRoofSlab_m = 0.25, kLeastRoomBelow_m = 1;
 
@@ -204,13 +207,35 @@ std::uint8_t buried_storeys(const Building& building, const GroundRange& ground)
   return static_cast<std::uint8_t>(std::clamp(std::ceil(storeys), 0.0, static_cast<double>(building.levels)));
 }
 
+// The ground along pieces of an edge, each about kBuriedPiece_m long, from samples at their ends and middles.
+std::vector<GroundRange> ground_along_pieces(Vec2 from, Vec2 to, const ground::GradedTerrain& ground) {
+  const double count = std::max(1.0, std::floor(distance(from, to) / kBuriedPiece_m));
+  std::vector<GroundRange> pieces;
+  for (double i = 0; i < count; ++i)
+    pieces.push_back(ground_along(from + (to - from) * (i / count), from + (to - from) * ((i + 1) / count), ground));
+  return pieces;
+}
+
+// Sets the buried storeys of one edge: where the ground rises by storeys along it, in steps.
+void bury_edge(std::uint32_t edge, const ground::GradedTerrain& ground, Building& building) {
+  const Ring& ring = building.footprint.outer;
+  const Vec2 from = ring[edge], to = ring[(edge + 1) % ring.size()];
+  const std::vector<GroundRange> pieces = ground_along_pieces(from, to, ground);
+  std::uint8_t last = building.facade_edges[edge].buried_storeys = buried_storeys(building, pieces.front());
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const std::uint8_t storeys = buried_storeys(building, pieces[i]);
+    if (storeys == last) continue;
+    const double share = static_cast<double>(i) / static_cast<double>(pieces.size());
+    building.buried_from.push_back({edge, snapped(distance(from, to) * share), storeys});
+    last = storeys;
+  }
+}
+
 // An edge with a mapped door counts as facing a street. A building without either has its door in its longest edge.
 std::vector<FacadeEdge> facade_edges_of(const Building& building, const std::vector<bool>& sides,
-                                        const std::vector<std::uint16_t>& doors,
-                                        const std::vector<GroundRange>& ground) {
+                                        const std::vector<std::uint16_t>& doors) {
   std::vector<FacadeEdge> edges;
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    edges.push_back({sides[i] || doors[i] != 0, buried_storeys(building, ground[i]), doors[i]});
+  for (std::size_t i = 0; i < sides.size(); ++i) edges.push_back({sides[i] || doors[i] != 0, 0, doors[i]});
   if (std::ranges::none_of(edges, &FacadeEdge::faces_street)) {
     const auto longest = longest_edge(building.footprint.outer, [](std::size_t) { return true; });
     edges[longest.value_or(0)].faces_street = true;
@@ -268,7 +293,8 @@ Planned plan_building(std::size_t i, const Site& site, Report& report) {
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
   const std::uint8_t below = storeys_below(building, under.lowest_m);
   building = extended_below(std::move(building), below);
-  building.facade_edges = facade_edges_of(building, sides, mapped_doors_by_edge(footprint.polygon, site.doors), walls);
+  building.facade_edges = facade_edges_of(building, sides, mapped_doors_by_edge(footprint.polygon, site.doors));
+  for (std::uint32_t edge = 0; edge < building.facade_edges.size(); ++edge) bury_edge(edge, site.ground, building);
   return {std::move(building), below};
 }
 

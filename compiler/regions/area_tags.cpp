@@ -29,6 +29,16 @@ struct PlantRow {
   PlantDensity density;
 };
 
+struct StructureRow {
+  std::string_view key, value;
+};
+
+constexpr StructureRow kStructures[] = {
+#define STRUCTURE(key, value, building) {key, value},
+#include "compiler/map/buildings/structure_values.inc"
+#undef STRUCTURE
+};
+
 constexpr double kHectare_m2 = 1e4;
 
 constexpr PlantRow kPlants[] = {
@@ -47,6 +57,12 @@ bool matches(const AreaRow& row, const osmium::TagList& tags) {
   return value != nullptr && (row.value == "*" || row.value == value);
 }
 
+bool is_structure(const osmium::TagList& tags) {
+  return std::ranges::any_of(kStructures, [&](const StructureRow& row) {
+    return tags.has_tag(std::string(row.key).c_str(), std::string(row.value).c_str());
+  });
+}
+
 bool is_water(LandCoverClass surface) {
   return ground::is_standing(surface) || surface == LandCoverClass::kRiver || surface == LandCoverClass::kSea;
 }
@@ -54,7 +70,7 @@ bool is_water(LandCoverClass surface) {
 }  // namespace
 
 bool describes_area(const osmium::TagList& tags) {
-  if (has(tags, "building") || has(tags, "building:part")) return true;
+  if (has(tags, "building") || has(tags, "building:part") || is_structure(tags)) return true;
   return std::ranges::any_of(
       kAreas, [&](const AreaRow& row) { return row.surface != LandCoverClass::kUnknown && matches(row, tags); });
 }

@@ -51,6 +51,16 @@ void serialise(auto& io, buildings::PartyWall& w, std::size_t edges) {
     if (w.edge >= edges || !(w.from_m >= 0 && w.from_m < w.to_m)) io.fail("party edge");
 }
 
+/// A place where the number of buried storeys of an edge changes.
+/// @param edges  The number of edges of the footprint.
+void serialise(auto& io, buildings::BuriedFrom& b, std::size_t edges) {
+  io.number("buried edge", b.edge);
+  io.metres("buried from", b.from_m);
+  io.number("buried storeys", b.storeys);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (b.edge >= edges || !(b.from_m > 0)) io.fail("buried edge");
+}
+
 // True if heights are in order and the roof fits, as generating a building requires.
 inline bool has_ordered_heights(const buildings::Building& b) {
   return b.bottom_m < b.top_m && b.bottom_m <= b.floor_m && b.floor_m <= eaves_m(b) && b.levels > 0 &&
@@ -66,6 +76,7 @@ void facade(auto& io, buildings::Building& b) {
   io.number("storeys", b.levels), io.number("year", b.year);
   flag(io, "shop", b.has_shop);
   list(io, "facade edges", b.facade_edges, 0, [&](buildings::FacadeEdge& f) { serialise(io, f); });
+  list(io, "buried places", b.buried_from, 0, [&](buildings::BuriedFrom& f) { serialise(io, f, edges); });
   list(io, "party walls", b.party_walls, 0, [&](buildings::PartyWall& w) { serialise(io, w, edges); });
 }
 

@@ -172,16 +172,28 @@ bool is_open(const ReadContext& context, source::Range tags, BuildingClass build
 constexpr std::string_view kWalled[] = {"basic_hut", "weather_shelter", "field_shelter", "wildlife_hide",
                                         "changing_rooms"};
 
-// The class of a structure that is no building=*; empty for everything else.
-std::string_view structure_value(const ReadContext& context, source::Range tags) {
-  const std::string_view man_made = context.tag(tags, "man_made");
-  if (man_made == "canopy" || man_made == "pergola") return man_made;
-  if (context.tag(tags, "leisure") == "bandstand") return "bandstand";
-  if (context.tag(tags, "amenity") == "shelter")
-    return std::ranges::find(kWalled, context.tag(tags, "shelter_type")) != std::end(kWalled) ? "hut" : "shelter";
+struct StructureRow {
+  std::string_view key, value, building;
+};
+constexpr StructureRow kStructures[] = {
+#define STRUCTURE(key, value, building) {key, value, building},
+#include "compiler/map/buildings/structure_values.inc"
+#undef STRUCTURE
+};
+
+bool is_covered_platform(const ReadContext& context, source::Range tags) {
   const bool is_platform =
       context.tag(tags, "railway") == "platform" || context.tag(tags, "public_transport") == "platform";
-  return is_platform && context.tag(tags, "covered") == "yes" ? "roof" : "";
+  return is_platform && context.tag(tags, "covered") == "yes";
+}
+
+// The value of building=* that a structure without it has; empty for everything else.
+std::string_view structure_value(const ReadContext& context, source::Range tags) {
+  const auto row = std::ranges::find_if(
+      kStructures, [&](const StructureRow& each) { return context.tag(tags, each.key) == each.value; });
+  if (row == std::end(kStructures)) return is_covered_platform(context, tags) ? "roof" : "";
+  const std::string_view type = context.tag(tags, "shelter_type");
+  return std::ranges::find(kWalled, type) != std::end(kWalled) ? "hut" : row->building;
 }
 
 }  // namespace
