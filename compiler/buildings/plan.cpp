@@ -188,8 +188,14 @@ std::uint8_t levels_of(const map::Footprint& footprint, double wall_m) {
 }
 
 // The storeys below the floor that have a wall above the lowest ground.
+// Walls lower than this have no storeys.
+constexpr double kLeastStorey_m = 1;
+
+// True for what stands on the ground with walls that count as storeys: roofs down to the ground and treads have none.
+bool has_storeys(const Building& building) { return building.stands_on_ground && storey_m(building) >= kLeastStorey_m; }
+
 std::uint8_t storeys_below(const Building& building, double lowest_m) {
-  if (!building.stands_on_ground) return 0;
+  if (!has_storeys(building)) return 0;
   const double count = std::floor((building.floor_m - lowest_m) / storey_m(building) + kMaxBuriedShare);
   return static_cast<std::uint8_t>(std::clamp(count, 0.0, 250.0 - building.levels));
 }
@@ -202,7 +208,7 @@ Building extended_below(Building building, std::uint8_t storeys) {
 }
 
 std::uint8_t buried_storeys(const Building& building, const GroundRange& ground) {
-  if (!building.stands_on_ground) return 0;
+  if (!has_storeys(building)) return 0;
   const double storeys = (ground.highest_m - building.floor_m) / storey_m(building) - kMaxBuriedShare;
   return static_cast<std::uint8_t>(std::clamp(std::ceil(storeys), 0.0, static_cast<double>(building.levels)));
 }

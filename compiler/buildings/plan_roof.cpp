@@ -37,7 +37,7 @@ Form house_roof(const map::Footprint& footprint, bool is_attached) {
 }
 
 Form untagged_form(const map::Footprint& footprint, bool is_attached) {
-  if (footprint.is_part) return Form::kFlat;
+  if (footprint.is_part || footprint.is_open) return Form::kFlat;
   const double area = area_m2(footprint.polygon);
   switch (static_cast<BuildingClass>(footprint.building_class)) {
     case BuildingClass::kGarage:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPostBucket_m = 32;
 // Beside a way, and from a wall that carries the building instead.
-constexpr double kBesideWay_m = 0.25, kBesideWall_m = 0.5;
+constexpr double kBesideWay_m = 0.25, kBesideWall_m = 0.25;
 // Posts nearer to each other than this many widths are one.
 constexpr double kLeastWidthsApart = 3;
 
@@ -63,13 +63,14 @@ bool is_on_way(Vec2 p, const PostObstacles& obstacles, double width_m) {
   });
 }
 
-bool is_at_wall(Vec2 p, std::size_t self, const PostObstacles& obstacles) {
-  const auto near = boxes_about(obstacles.walled_grid, Box2{p, p}.widened(kBesideWall_m));
+bool is_at_wall(Vec2 p, std::size_t self, const PostObstacles& obstacles, double width_m) {
+  const double clear_m = width_m + kBesideWall_m;
+  const auto near = boxes_about(obstacles.walled_grid, Box2{p, p}.widened(clear_m));
   return std::ranges::any_of(near, [&](std::uint32_t i) {
     const std::uint32_t other = obstacles.walled[i];
     if (other == self) return false;
     const Polygon& polygon = obstacles.footprints[other].polygon;
-    return contains(polygon, p) || distance_to_border_m(polygon, p) < kBesideWall_m;
+    return contains(polygon, p) || distance_to_border_m(polygon, p) < clear_m;
   });
 }
 
@@ -103,7 +104,7 @@ std::vector<Vec2> plan_posts(std::size_t footprint, const PostObstacles& obstacl
   for (const BorderPlace& place : places) {
     const Vec2 p = on_map_grid(place.at + place.inward * width_m);
     if (!contains(polygon, p) || distance_to_border_m(polygon, p) < width_m / 2) continue;
-    if (is_on_way(p, obstacles, width_m) || is_at_wall(p, footprint, obstacles)) continue;
+    if (is_on_way(p, obstacles, width_m) || is_at_wall(p, footprint, obstacles, width_m)) continue;
     const auto touches = [&](Vec2 other) { return distance(p, other) < kLeastWidthsApart * width_m; };
     if (std::ranges::none_of(posts, touches)) posts.push_back(p);
   }
