@@ -17,7 +17,7 @@
 
 namespace citykiln::buildings {
 
-/// What posts keep clear of: ways, and the walls of other footprints.
+/// The obstacles of posts: ways, and the walls of other footprints.
 struct PostObstacles {
   struct Way {
     Vec2 from, to;

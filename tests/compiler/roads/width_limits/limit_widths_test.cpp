@@ -6,7 +6,6 @@
 #include <random>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/buildings/building_classes.h"
 #include "compiler/roads/generate.h"
 #include "compiler/roads/trim.h"
 #include "compiler/roads/width_limits/building_obstacles.h"
