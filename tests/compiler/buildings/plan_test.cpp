@@ -223,6 +223,19 @@ TEST(Plan, MeasuresAllPartsOfAnOutlineFromOneHeight) {
   EXPECT_EQ(b[1].bottom_m, 109);
 }
 
+TEST(Plan, LongWallsAlongASlopeBeginStoreyByStorey) {
+  Report report;
+  const auto b = plan(features_of({storeys(1, 0, 0, 40, 6)}), ground::GradedTerrain(slope()), report);
+  ASSERT_EQ(b.size(), 1u);
+  std::vector<std::uint8_t> up;
+  for (const BuriedFrom& place : b[0].buried_from)
+    if (place.edge == 0) up.push_back(place.storeys);
+  EXPECT_EQ(b[0].facade_edges[0].buried_storeys, 0);
+  EXPECT_EQ(up, (std::vector<std::uint8_t>{1, 2, 3}));
+  EXPECT_EQ(b[0].facade_edges[1].buried_storeys, 3);
+  EXPECT_EQ(b[0].facade_edges[2].buried_storeys, 3);
+}
+
 TEST(Plan, StoreysBelowTheEntranceDoNotMakeABlockOfAVilla) {
   Report report;
   map::Footprint house = storeys(1, 0, 0, 12, 2);
