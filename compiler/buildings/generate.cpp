@@ -7,6 +7,7 @@
 #include "compiler/buildings/building_materials.h"
 #include "compiler/buildings/doors.h"
 #include "compiler/buildings/mass_model.h"
+#include "compiler/buildings/posts.h"
 #include "compiler/buildings/rule_attributes.h"
 #include "compiler/buildings/terminal_meshes.h"
 #include "compiler/contract/detail_tolerances.h"
@@ -74,6 +75,13 @@ void add_foundation(const Level& level, const MassModel& mass, std::vector<Mater
   MaterialMesh mesh = wall_mesh(level);
   if (level.rules) mesh.material = materials::Material::kStone, mesh.tint = materials::kNoTint;
   for (const grammars::Face& face : mass.foundation) add_face(face, mesh);
+  add_mesh(std::move(mesh), meshes);
+}
+
+void add_posts(const Level& level, std::vector<MaterialMesh>& meshes) {
+  MaterialMesh mesh = wall_mesh(level);
+  if (level.rules) mesh.material = materials::Material::kConcrete, mesh.tint = materials::kNoTint;
+  for (const grammars::Face& face : post_faces(level.building)) add_face(face, mesh);
   add_mesh(std::move(mesh), meshes);
 }
 
@@ -186,13 +194,14 @@ void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& ge
 // Drops a building that, roof structures included, is lower than the tolerance: the ground is that near.
 GeneratedBuilding drop_if_low(const Level& level, GeneratedBuilding generated) {
   const Building& building = level.building;
-  if (level.context.is_for_blocks || building.top_m - building.bottom_m >= level.tolerance_m) return generated;
+  const double foot_m = building.posts.empty() ? building.bottom_m : building.post_foot_m;
+  if (level.context.is_for_blocks || building.top_m - foot_m >= level.tolerance_m) return generated;
   double top_m = building.top_m;
   for (const MaterialMesh& mesh : generated.meshes)
     for (const Vec3 p : mesh.mesh.positions) top_m = std::max(top_m, p.z);
   for (const TexturedFace& face : generated.textured_faces)
     for (const Vec3 p : face.mesh.mesh.positions) top_m = std::max(top_m, p.z);
-  const double error_m = top_m - building.bottom_m + generated.error_m;
+  const double error_m = top_m - foot_m + generated.error_m;
   return error_m < level.tolerance_m ? GeneratedBuilding{{}, error_m} : std::move(generated);
 }
 
@@ -200,6 +209,7 @@ GeneratedBuilding generate_level(const Level& level, Report& report) {
   const RuledMass ruled = ruled_mass(level, report);
   GeneratedBuilding generated{{}, ruled.mass.roof.error_m};
   add_foundation(level, ruled.mass, generated.meshes);
+  add_posts(level, generated.meshes);
   if (level.rules)
     add_ruled(level, ruled, generated, report);
   else

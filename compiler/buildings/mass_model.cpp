@@ -124,6 +124,12 @@ std::vector<Stretch> stretches_on(const Run& run, const Building& building) {
   return stretches;
 }
 
+// Where the height at which walls begin changes along a run.
+struct WallBase {
+  double from_m;
+  std::uint8_t buried_storeys;
+};
+
 // Adds the walls and the foundation along one run.
 struct WallBuilder {
   const Building& building;
@@ -134,14 +140,31 @@ struct WallBuilder {
   double low_m = 0;  // where walls begin: above the buried storeys
   bool faces_street = false;
 
-  void merge_edge_attributes() {
-    std::uint8_t buried = 0;
+  // The bases along the run; of an edge without places of its own they are one.
+  std::vector<WallBase> bases() {
+    std::vector<WallBase> all;
     for (const std::uint32_t edge : run.edges) {
       if (edge >= building.facade_edges.size()) continue;
       faces_street |= building.facade_edges[edge].faces_street;
-      buried = std::max(buried, building.facade_edges[edge].buried_storeys);
+      const double start_m = dot(run.along(), building.footprint.outer[edge] - run.from());
+      all.push_back({start_m, building.facade_edges[edge].buried_storeys});
+      for (const BuriedFrom& place : building.buried_from)
+        if (place.edge == edge) all.push_back({start_m + place.from_m, place.storeys});
     }
-    low_m = snapped(std::min(eaves, building.floor_m + buried * storey_m(building)));
+    return merged(std::move(all));
+  }
+
+  // Neighbours of one height are one base, and so are those that leave no more than a strip between them.
+  std::vector<WallBase> merged(std::vector<WallBase> all) const {
+    std::vector<WallBase> kept{{0, 0}};
+    for (const WallBase& base : all) {
+      WallBase& last = kept.back();
+      if (base.from_m - last.from_m < kMinStrip_m || run.length_m() - base.from_m < kMinStrip_m)
+        last.buried_storeys = std::max(last.buried_storeys, base.buried_storeys);
+      else if (base.buried_storeys != last.buried_storeys)
+        kept.push_back({snapped(base.from_m), base.buried_storeys});
+    }
+    return kept;
   }
 
   // The face between two distances along the run and two heights. Points between the run's ends are added at the eaves
@@ -179,18 +202,26 @@ struct WallBuilder {
   }
 
   void build() {
-    merge_edge_attributes();
-    if (low_m > building.bottom_m) mass.foundation.push_back(face(0, run.length_m(), building.bottom_m, low_m));
+    const std::vector<WallBase> along = bases();
+    for (std::size_t i = 0; i < along.size(); ++i)
+      build_on(along[i], i + 1 < along.size() ? along[i + 1].from_m : run.length_m());
+  }
+
+  // The walls on one base, which ends at to_m.
+  void build_on(const WallBase& base, double to_m) {
+    low_m = snapped(std::min(eaves, building.floor_m + base.buried_storeys * storey_m(building)));
+    if (low_m > building.bottom_m) mass.foundation.push_back(face(base.from_m, to_m, building.bottom_m, low_m));
     if (low_m >= eaves) return;
-    double from_m = 0;
-    for (const Stretch& stretch : stretches_on(run, building)) {
+    double from_m = base.from_m;
+    for (Stretch stretch : stretches_on(run, building)) {
+      stretch.from_m = std::max(stretch.from_m, base.from_m), stretch.to_m = std::min(stretch.to_m, to_m);
+      if (stretch.from_m >= stretch.to_m) continue;
       if (stretch.from_m > from_m)
         add_wall({from_m, stretch.from_m, nullptr}, low_m, eaves, FaceTag::kSide, faces_street);
       add_party_wall(stretch);
       from_m = stretch.to_m;
     }
-    if (from_m < run.length_m())
-      add_wall({from_m, run.length_m(), nullptr}, low_m, eaves, FaceTag::kSide, faces_street);
+    if (from_m < to_m) add_wall({from_m, to_m, nullptr}, low_m, eaves, FaceTag::kSide, faces_street);
   }
 };
 

@@ -11,6 +11,7 @@
 #include "compiler/buildings/doors.h"
 #include "compiler/buildings/party_walls.h"
 #include "compiler/buildings/plan_roof.h"
+#include "compiler/buildings/posts.h"
 #include "compiler/buildings/street_sides.h"
 #include "compiler/buildings/style.h"
 #include "compiler/buildings/vertical_support.h"
@@ -33,6 +34,12 @@ constexpr double kSampleSpacing_m = 4;
 
 // Storey heights outside this range mean that building:levels is wrong.
 constexpr double kMinStorey_m = 2.1, kMaxStorey_m = 7;
+
+// The least width of a wall that begins at a storey of its own.
+constexpr double kBuriedPiece_m = 4;
+
+// The thickness of a roof without walls, and the least room below it.
+constexpr double kRoofSlab_m = 0.25, kLeastRoomBelow_m = 1;
 
 // A storey with no more than this share of its height below the ground has windows.
 constexpr double kMaxBuriedShare = 0.3;
@@ -71,12 +78,14 @@ GroundRange all_of(const std::vector<GroundRange>& ranges) {
 // Indexes of the whole map that all buildings are planned from.
 struct Site {
   const ground::GradedTerrain& ground;
-  const std::vector<map::Footprint> footprints;
+  const std::vector<map::Footprint>& footprints;
   const std::vector<std::uint32_t> outlines;
   const std::vector<bool> have_height;
   const std::vector<std::vector<SharedWall>> shared_walls;
   const Streets streets;
   const MappedDoors doors;
+  const std::vector<bool> supported;
+  const PostObstacles post_obstacles;
 };
 
 // The footprint whose ground the heights of footprint i are measured from: its outline, or itself.
@@ -131,10 +140,16 @@ double min_height_m(const map::Footprint& footprint, Report& report) {
   return 0;
 }
 
+bool are_steps(const map::Footprint& footprint) {
+  return footprint.building_class == static_cast<std::uint8_t>(map::BuildingClass::kSteps);
+}
+
 double top_m(const map::Footprint& footprint, double base_m, double roof_m, const GroundRange& ground, Report& report) {
   const double top_m = snapped(base_m + footprint.height_m + (footprint.has_roof_in_height ? 0 : roof_m));
-  const double least_m = snapped(ground.highest_m + kMinWallAboveGround_m + roof_m);
-  if (top_m >= least_m || footprint.min_height_m > 0) return top_m;
+  // a tagged roof may leave less of a wall, even none
+  const double wall_m = footprint.height_m - (footprint.has_roof_in_height ? roof_m : 0);
+  const double least_m = snapped(ground.highest_m + std::min(kMinWallAboveGround_m, wall_m) + roof_m);
+  if (top_m >= least_m || footprint.min_height_m > 0 || are_steps(footprint)) return top_m;
   report.add(Code::kHeightRaised, footprint.id.osm, least_m - top_m);
   return least_m;
 }
@@ -160,6 +175,7 @@ std::optional<Vec2> street_normal(const Ring& ring, const std::vector<bool>& sid
 }
 
 double usual_storey_m(const map::Footprint& footprint) {
+  if (footprint.storey_m > 0) return footprint.storey_m;
   return map::values_of(static_cast<map::BuildingClass>(footprint.building_class)).level_m;
 }
 
@@ -172,8 +188,14 @@ std::uint8_t levels_of(const map::Footprint& footprint, double wall_m) {
 }
 
 // The storeys below the floor that have a wall above the lowest ground.
+// Walls lower than this have no storeys.
+constexpr double kLeastStorey_m = 1;
+
+// True for what stands on the ground with walls that count as storeys: roofs down to the ground and treads have none.
+bool has_storeys(const Building& building) { return building.stands_on_ground && storey_m(building) >= kLeastStorey_m; }
+
 std::uint8_t storeys_below(const Building& building, double lowest_m) {
-  if (!building.stands_on_ground) return 0;
+  if (!has_storeys(building)) return 0;
   const double count = std::floor((building.floor_m - lowest_m) / storey_m(building) + kMaxBuriedShare);
   return static_cast<std::uint8_t>(std::clamp(count, 0.0, 250.0 - building.levels));
 }
@@ -186,23 +208,59 @@ Building extended_below(Building building, std::uint8_t storeys) {
 }
 
 std::uint8_t buried_storeys(const Building& building, const GroundRange& ground) {
-  if (!building.stands_on_ground) return 0;
+  if (!has_storeys(building)) return 0;
   const double storeys = (ground.highest_m - building.floor_m) / storey_m(building) - kMaxBuriedShare;
   return static_cast<std::uint8_t>(std::clamp(std::ceil(storeys), 0.0, static_cast<double>(building.levels)));
 }
 
+// The ground along pieces of an edge, each about kBuriedPiece_m long, from samples at their ends and middles.
+std::vector<GroundRange> ground_along_pieces(Vec2 from, Vec2 to, const ground::GradedTerrain& ground) {
+  const double count = std::max(1.0, std::floor(distance(from, to) / kBuriedPiece_m));
+  std::vector<GroundRange> pieces;
+  for (double i = 0; i < count; ++i)
+    pieces.push_back(ground_along(from + (to - from) * (i / count), from + (to - from) * ((i + 1) / count), ground));
+  return pieces;
+}
+
+// Sets the buried storeys of one edge: where the ground rises by storeys along it, in steps.
+void bury_edge(std::uint32_t edge, const ground::GradedTerrain& ground, Building& building) {
+  const Ring& ring = building.footprint.outer;
+  const Vec2 from = ring[edge], to = ring[(edge + 1) % ring.size()];
+  const std::vector<GroundRange> pieces = ground_along_pieces(from, to, ground);
+  std::uint8_t last = building.facade_edges[edge].buried_storeys = buried_storeys(building, pieces.front());
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const std::uint8_t storeys = buried_storeys(building, pieces[i]);
+    if (storeys == last) continue;
+    const double share = static_cast<double>(i) / static_cast<double>(pieces.size());
+    building.buried_from.push_back({edge, snapped(distance(from, to) * share), storeys});
+    last = storeys;
+  }
+}
+
 // An edge with a mapped door counts as facing a street. A building without either has its door in its longest edge.
 std::vector<FacadeEdge> facade_edges_of(const Building& building, const std::vector<bool>& sides,
-                                        const std::vector<std::uint16_t>& doors,
-                                        const std::vector<GroundRange>& ground) {
+                                        const std::vector<std::uint16_t>& doors) {
   std::vector<FacadeEdge> edges;
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    edges.push_back({sides[i] || doors[i] != 0, buried_storeys(building, ground[i]), doors[i]});
+  for (std::size_t i = 0; i < sides.size(); ++i) edges.push_back({sides[i] || doors[i] != 0, 0, doors[i]});
   if (std::ranges::none_of(edges, &FacadeEdge::faces_street)) {
     const auto longest = longest_edge(building.footprint.outer, [](std::size_t) { return true; });
     edges[longest.value_or(0)].faces_street = true;
   }
   return edges;
+}
+
+// Lifts a roof without walls off the ground, if there is room below it.
+void open_below(Building& building, double ground_m) {
+  const double bottom_m = snapped(eaves_m(building) - kRoofSlab_m);
+  if (!building.stands_on_ground || bottom_m < ground_m + kLeastRoomBelow_m) return;
+  building.bottom_m = building.floor_m = bottom_m;
+  building.stands_on_ground = false;
+}
+
+void set_posts(std::size_t i, const Site& site, double lowest_m, Building& building) {
+  building.post_foot_m = snapped(std::min(lowest_m, building.bottom_m) - kFoundation_m);
+  building.posts = plan_posts(i, site.post_obstacles, building.bottom_m - building.post_foot_m);
+  if (building.posts.empty()) building.post_foot_m = 0;
 }
 
 // A building, and how many of its storeys lie below the entrance.
@@ -235,10 +293,14 @@ Planned plan_building(std::size_t i, const Site& site, Report& report) {
                     .has_shop = footprint.has_shop};
   building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(from_m, under.lowest_m) - kFoundation_m);
   building.roof_shape.height_m = std::min(roof.height_m, building.top_m - building.floor_m);
+  if (footprint.is_open) open_below(building, under.highest_m);
+  const bool is_opened = building.stands_on_ground != (lift_m == 0);
+  if (!building.stands_on_ground && (is_opened || !site.supported[i])) set_posts(i, site, under.lowest_m, building);
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
   const std::uint8_t below = storeys_below(building, under.lowest_m);
   building = extended_below(std::move(building), below);
-  building.facade_edges = facade_edges_of(building, sides, mapped_doors_by_edge(footprint.polygon, site.doors), walls);
+  building.facade_edges = facade_edges_of(building, sides, mapped_doors_by_edge(footprint.polygon, site.doors));
+  for (std::uint32_t edge = 0; edge < building.facade_edges.size(); ++edge) bury_edge(edge, site.ground, building);
   return {std::move(building), below};
 }
 
@@ -284,29 +346,28 @@ std::vector<PartyWall> party_walls_of(std::size_t i, const Site& site,
   return walls;
 }
 
-std::vector<map::Footprint> extended_to_ground(std::vector<map::Footprint> footprints,
-                                               std::span<const std::vector<SharedWall>> shared,
-                                               std::span<const map::Track> tracks, Report& report) {
-  const std::vector<bool> supported = find_supported(footprints, shared, tracks);
-  for (std::size_t i = 0; i < footprints.size(); ++i) {
-    if (supported[i]) continue;
-    report.add(Code::kUnsupportedBuilding, footprints[i].id.osm, footprints[i].min_height_m);
-    footprints[i].min_height_m = 0;
-  }
-  return footprints;
+void diagnose_unsupported(std::span<const map::Footprint> footprints, const std::vector<bool>& supported,
+                          Report& report) {
+  for (std::size_t i = 0; i < footprints.size(); ++i)
+    if (!supported[i] && !footprints[i].is_open)
+      report.add(Code::kUnsupportedBuilding, footprints[i].id.osm, footprints[i].min_height_m);
 }
 
 Site site_of(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
   std::vector<std::vector<SharedWall>> shared = shared_walls(features.footprints);
+  std::vector<bool> supported = find_supported(features.footprints, shared);
+  diagnose_unsupported(features.footprints, supported, report);
   std::vector<std::uint32_t> outlines = outline_indices(features.footprints);
   std::vector<bool> have_height = have_tagged_height(features.footprints, outlines);
   return {.ground = ground,
-          .footprints = extended_to_ground(features.footprints, shared, features.tracks, report),
+          .footprints = features.footprints,
           .outlines = std::move(outlines),
           .have_height = std::move(have_height),
           .shared_walls = std::move(shared),
           .streets = index_streets(features.tracks),
-          .doors = index_doors(features.points)};
+          .doors = index_doors(features.points),
+          .supported = std::move(supported),
+          .post_obstacles = index_post_obstacles(features.tracks, features.footprints)};
 }
 
 // A building belongs to the extent by its centroid, and all parts of an outline with it.

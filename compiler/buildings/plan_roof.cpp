@@ -37,12 +37,15 @@ RoofForm house_roof(const map::Footprint& footprint, bool is_attached) {
 }
 
 RoofForm untagged_form(const map::Footprint& footprint, bool is_attached) {
-  if (footprint.is_part) return RoofForm::kFlat;
+  if (footprint.is_part || footprint.is_open) return RoofForm::kFlat;
   const double area = area_m2(footprint.polygon);
   switch (static_cast<BuildingClass>(footprint.building_class)) {
     case BuildingClass::kGarage:
     case BuildingClass::kTower:
     case BuildingClass::kRoof:
+    case BuildingClass::kShelter:
+    case BuildingClass::kSteps:
+    case BuildingClass::kColumn:
     case BuildingClass::kOffice:
       return RoofForm::kFlat;
     case BuildingClass::kHut:

@@ -29,10 +29,18 @@ inline constexpr std::uint32_t kDoorSlots = 16;
 /// The attributes of one edge of the outer ring, from its vertex to the next.
 struct FacadeEdge {
   bool faces_street = false;
-  /// The number of storeys, from the floor up, that lie below the ground along the edge.
+  /// The number of storeys, from the floor up, that lie below the ground along the edge, or along its beginning.
   std::uint8_t buried_storeys = 0;
   std::uint16_t doors = 0;  ///< Bit i: a door in the i-th of kDoorSlots equal parts of the edge.
   bool operator==(const FacadeEdge&) const = default;
+};
+
+/// A place on an edge where the number of buried storeys changes: it holds up to the next one, or to the edge's end.
+struct BuriedFrom {
+  std::uint32_t edge = 0;  ///< Index into the outer ring.
+  double from_m = 0;       ///< Distance along the edge, > 0. Snapped.
+  std::uint8_t storeys = 0;
+  bool operator==(const BuriedFrom&) const = default;
 };
 
 /// A part of an edge along which another building is adjacent.
@@ -54,7 +62,7 @@ struct Building {
   double bottom_m = 0;           ///< The lower end of the walls, below the lowest ground if stands_on_ground. Snapped.
   double floor_m = 0;            ///< The height from which storeys count. bottom_m <= floor_m <= eaves. Snapped.
   double top_m = 0;              ///< The highest point of the roof. > bottom_m. Snapped.
-  bool stands_on_ground = true;  ///< False if min_height lifts it off the ground.
+  bool stands_on_ground = true;  ///< False if min_height lifts it off the ground, and for roofs without walls.
   materials::Material wall{}, roof{};
   /// The tagged colours; if unset, the colour of the material, varied by the seed.
   std::optional<map::Srgb> wall_colour, roof_colour;
@@ -66,7 +74,10 @@ struct Building {
   std::uint16_t year = 0;           ///< Year of construction; 0 if unknown.
   bool has_shop = false;
   std::vector<FacadeEdge> facade_edges{};  ///< One per edge of the outer ring, or empty.
+  std::vector<BuriedFrom> buried_from{};   ///< On long edges along a slope. Sorted by edge, then from_m.
   std::vector<PartyWall> party_walls{};    ///< Sorted by edge, then from_m. No two overlap.
+  std::vector<Vec2> posts{};               ///< Centres of the posts below bottom_m (posts.h), snapped.
+  double post_foot_m = 0;                  ///< The lower end of the posts, below the ground. Snapped. 0: no posts.
   bool operator==(const Building&) const = default;
 };
 

@@ -62,6 +62,9 @@ Style style_of_class(const map::Footprint& footprint, const Building& building) 
     case BuildingClass::kHut:
     case BuildingClass::kTower:
     case BuildingClass::kRoof:
+    case BuildingClass::kShelter:
+    case BuildingClass::kSteps:
+    case BuildingClass::kColumn:
     case BuildingClass::kGreenhouse:
     case BuildingClass::kShell:
       return Style::kPlain;
@@ -77,7 +80,8 @@ std::string_view rule_file_of(Style style) { return kRules[static_cast<std::size
 Style style_of(const map::Footprint& footprint, const Building& building) {
   assert(footprint.id == building.id);
   const double wall_m = eaves_m(building) - building.floor_m;
-  if (wall_m < kMinWindowedWall_m || area_m2(footprint.polygon) < kMinWindowedArea_m2) return Style::kPlain;
+  if (footprint.is_open || wall_m < kMinWindowedWall_m || area_m2(footprint.polygon) < kMinWindowedArea_m2)
+    return Style::kPlain;
   const bool is_glass = building.wall == materials::Material::kGlassFacade;
   const bool is_greenhouse = footprint.building_class == static_cast<std::uint8_t>(BuildingClass::kGreenhouse);
   if (is_glass && !is_greenhouse) return wall_m > kMinTower_m ? Style::kGlassTower : Style::kOfficeSlab;

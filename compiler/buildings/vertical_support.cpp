@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <set>
 
 #include "compiler/geometry/box_grid.h"
-#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -14,14 +14,11 @@ using map::Footprint;
 constexpr double kSupportBucket_m = 32;
 // A lower footprint may end this far below: heights are estimated from storeys.
 constexpr double kMaxGap_m = 3.5;
-// Whatever begins higher lacks more than a base: a dome without its drum must not become a column.
-constexpr double kMaxBase_m = 12;
-// Bays and bridges between houses are smaller.
+// Bays on one building are smaller.
 constexpr double kMaxBay_m2 = 150;
 // The share of sample points that need a footprint below; fewer is imprecision of the drawn outlines.
 constexpr double kMinSupportedShare = 0.02;
 constexpr int kSamplesPerSide = 16;
-constexpr double kTrackSpacing_m = 2;
 
 Box2 footprint_box(const Footprint& footprint) { return box_of(footprint.polygon.outer); }
 
@@ -81,44 +78,28 @@ bool has_footprint_below(const BuiltFootprints& built, const Footprint& upper) {
   return supported > kMinSupportedShare * samples;
 }
 
-// Footprints that a way on the ground or on a bridge passes under; tunnels pass under everything.
-std::vector<bool> passed_under(const BuiltFootprints& built, std::span<const map::Track> tracks) {
-  std::vector<bool> passed(built.footprints.size());
-  for (const map::Track& track : tracks) {
-    if (track.passage == map::Passage::kTunnel) continue;
-    for (std::size_t i = 0; i + 1 < track.axis.size(); ++i) {
-      const Vec2 a = track.axis[i], b = track.axis[i + 1];
-      const int steps = 1 + static_cast<int>(distance(a, b) / kTrackSpacing_m);
-      for (int k = 0; k < steps; ++k)
-        built.each_at(a + (b - a) * (static_cast<double>(k) / steps), [&](std::uint32_t f) { passed[f] = true; });
-    }
+// Bays, and bridges between two buildings.
+bool hangs_on_walls(const Footprint& f, std::span<const SharedWall> shared, std::span<const Footprint> footprints) {
+  std::set<std::uint32_t> carrying;
+  for (const SharedWall& wall : shared) {
+    const Footprint& other = footprints[wall.neighbour];
+    const bool carries = !other.is_open && other.min_height_m <= f.min_height_m && other.height_m > f.min_height_m;
+    if (carries) carrying.insert(wall.neighbour);
   }
-  return passed;
-}
-
-bool is_bay(const Footprint& f, std::span<const SharedWall> shared, std::span<const Footprint> footprints) {
-  return area_m2(f.polygon) < kMaxBay_m2 && std::ranges::any_of(shared, [&](const SharedWall& wall) {
-           const Footprint& other = footprints[wall.neighbour];
-           return other.min_height_m <= f.min_height_m && other.height_m > f.min_height_m;
-         });
-}
-
-bool needs_support(const Footprint& f, bool is_passed) {
-  const bool is_roof = static_cast<map::BuildingClass>(f.building_class) == map::BuildingClass::kRoof;
-  return f.min_height_m > 0 && f.min_height_m <= kMaxBase_m && is_built(f) && !is_roof && !is_passed;
+  return carrying.size() > 1 || (carrying.size() == 1 && area_m2(f.polygon) < kMaxBay_m2);
 }
 
 }  // namespace
 
-std::vector<bool> find_supported(std::span<const Footprint> footprints, std::span<const std::vector<SharedWall>> shared,
-                                 std::span<const map::Track> tracks) {
+std::vector<bool> find_supported(std::span<const Footprint> footprints,
+                                 std::span<const std::vector<SharedWall>> shared) {
   assert(shared.size() == footprints.size());
   const BuiltFootprints built = index_built(footprints);
-  const std::vector<bool> passed = passed_under(built, tracks);
   std::vector<bool> supported(footprints.size(), true);
   for (std::size_t i = 0; i < footprints.size(); ++i) {
     const Footprint& f = footprints[i];
-    if (needs_support(f, passed[i])) supported[i] = is_bay(f, shared[i], footprints) || has_footprint_below(built, f);
+    if (is_built(f) && f.min_height_m > 0)
+      supported[i] = hangs_on_walls(f, shared[i], footprints) || has_footprint_below(built, f);
   }
   return supported;
 }

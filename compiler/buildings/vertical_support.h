@@ -10,14 +10,13 @@
 
 namespace citykiln::buildings {
 
-/// Returns true for each footprint that is supported or may float.
+/// Returns true for each footprint that is supported.
 ///
 /// Supported are footprints on the ground; footprints above another one that reaches up to them within one storey, at 2
-/// % or more of 16 by 16 sample points; and bays and bridges (under 150 m²) that share a wall with a footprint of their
-/// height. May float: footprints over a road or path (passages, halls on columns), roofs, and any that begin more than
-/// 12 m up. Outlines with parts support nothing. O(n) for footprints that do not overlap.
+/// % or more of 16 by 16 sample points; bays (under 150 m²) that share a wall with a footprint of their height, and
+/// bridges that share walls with two. Outlines with parts support nothing. O(n) for footprints that do not overlap.
 /// @param shared  The result of shared_walls(footprints).
 std::vector<bool> find_supported(std::span<const map::Footprint> footprints,
-                                 std::span<const std::vector<SharedWall>> shared, std::span<const map::Track> tracks);
+                                 std::span<const std::vector<SharedWall>> shared);
 
 }  // namespace citykiln::buildings

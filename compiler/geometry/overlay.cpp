@@ -240,4 +240,12 @@ void add_ring(std::vector<OwnedSegment>& segments, std::span<const Vec2> ring, s
     segments.push_back({grid_point(ring[j]), grid_point(ring[i]), owner, 1});
 }
 
+std::vector<Polygon> difference(const Polygon& polygon, std::span<const Polygon> taken) {
+  std::vector<OwnedSegment> segments;
+  for (const Polygon& other : taken)
+    for (const Ring* ring : rings_of(other)) add_ring(segments, *ring, 0);
+  for (const Ring* ring : rings_of(polygon)) add_ring(segments, *ring, 1);
+  return std::move(overlay(segments, 2)[1]);
+}
+
 }  // namespace citykiln

@@ -27,6 +27,9 @@ namespace citykiln {
 /// Cost: as arrange(), plus edges² to assign faces to owners: meant for one junction or block, not for a city.
 std::vector<std::vector<Polygon>> overlay(std::span<const OwnedSegment> segments, std::uint32_t owner_count);
 
+/// Returns the part of a polygon outside of others, as overlay() does. Cost: that of overlay().
+std::vector<Polygon> difference(const Polygon& polygon, std::span<const Polygon> taken);
+
 /// Appends the segments of a ring (plane metres) with an owner.
 void add_ring(std::vector<OwnedSegment>& segments, std::span<const Vec2> ring, std::uint32_t owner);
 

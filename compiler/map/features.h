@@ -79,12 +79,16 @@ struct Footprint {
   Polygon polygon;
   bool is_part = false;
   std::optional<ObjectId>
-      outline;             ///< The outline that a part belongs to (buildings/part_outlines.h); none if outside.
-  bool has_parts = false;  ///< True for an outline that its building:parts replace: it is not built.
+      outline;  ///< The outline that a part, or an uncovered piece (buildings/uncovered_pieces.h), belongs to.
+  bool has_parts = false;  ///< True for an outline that parts and uncovered pieces replace: it is not built.
   double height_m = 0;     ///< Height above the ground, by tags, levels or class. > min_height_m.
   bool has_roof_in_height = false;  ///< True if height_m includes the roof (height=*); else the roof comes on top.
   double min_height_m = 0;          ///< Height of its lower end above the ground.
   double levels = 0;                ///< Storeys below the roof, counted from the ground; 0: unknown.
+  double min_levels = 0;            ///< Storeys below min_height_m where no tag states metres; 0: none.
+  double storey_m = 0;              ///< Height of a storey, by its building's tags or class; 0: the class's.
+  bool is_height_assumed = false;   ///< True if neither height nor levels are tagged.
+  bool is_open = false;             ///< True for a roof without walls.
   bool has_roof_shape = false;      ///< True if roof:shape is tagged.
   roofs::RoofShape roof;            ///< The tagged values, levels as height; no overhang.
   std::optional<Srgb> wall_colour, roof_colour;

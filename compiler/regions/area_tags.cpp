@@ -19,6 +19,16 @@ struct PlantRow {
   PlantDensity density;
 };
 
+struct StructureRow {
+  std::string_view key, value;
+};
+
+constexpr StructureRow kStructures[] = {
+#define STRUCTURE(key, value, building) {key, value},
+#include "compiler/map/buildings/structure_values.inc"
+#undef STRUCTURE
+};
+
 constexpr double kHectare_m2 = 1e4;
 
 constexpr PlantRow kPlants[] = {
@@ -37,6 +47,12 @@ bool matches(const map::AreaRule& row, const osmium::TagList& tags) {
   return value != nullptr && (row.value == "*" || row.value == value);
 }
 
+bool is_structure(const osmium::TagList& tags) {
+  return std::ranges::any_of(kStructures, [&](const StructureRow& row) {
+    return tags.has_tag(std::string(row.key).c_str(), std::string(row.value).c_str());
+  });
+}
+
 bool is_water(LandCoverClass surface) {
   return ground::is_standing(surface) || surface == LandCoverClass::kRiver || surface == LandCoverClass::kSea;
 }
@@ -46,7 +62,7 @@ bool is_water(LandCoverClass surface) {
 bool describes_building(const osmium::TagList& tags) { return has(tags, "building") || has(tags, "building:part"); }
 
 bool describes_area(const osmium::TagList& tags) {
-  if (describes_building(tags)) return true;
+  if (describes_building(tags) || is_structure(tags)) return true;
   for (const char* key : {"disused:building", "abandoned:building", "ruins:building", "construction:building"})
     if (tags.has_key(key)) return true;
   return std::ranges::any_of(map::area_rules(), [&](const map::AreaRule& row) {

@@ -51,10 +51,21 @@ void serialise(auto& io, buildings::PartyWall& w, std::size_t edges) {
     if (w.edge >= edges || !(w.from_m >= 0 && w.from_m < w.to_m)) io.fail("party edge");
 }
 
+/// A place where the number of buried storeys of an edge changes.
+/// @param edges  The number of edges of the footprint.
+void serialise(auto& io, buildings::BuriedFrom& b, std::size_t edges) {
+  io.number("buried edge", b.edge);
+  io.metres("buried from", b.from_m);
+  io.number("buried storeys", b.storeys);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (b.edge >= edges || !(b.from_m > 0)) io.fail("buried edge");
+}
+
 // True if heights are in order and the roof fits, as generating a building requires.
 inline bool has_ordered_heights(const buildings::Building& b) {
   return b.bottom_m < b.top_m && b.bottom_m <= b.floor_m && b.floor_m <= eaves_m(b) && b.levels > 0 &&
-         b.roof_shape.height_m >= 0 && b.roof_shape.overhang_m >= 0 && b.roof_shape.overhang_m <= 16;
+         b.roof_shape.height_m >= 0 && b.roof_shape.overhang_m >= 0 && b.roof_shape.overhang_m <= 16 &&
+         (b.posts.empty() || b.post_foot_m < b.bottom_m);
 }
 
 /// The properties that decide the walls of a building.
@@ -65,6 +76,7 @@ void facade(auto& io, buildings::Building& b) {
   io.number("storeys", b.levels), io.number("year", b.year);
   flag(io, "shop", b.has_shop);
   list(io, "facade edges", b.facade_edges, 0, [&](buildings::FacadeEdge& f) { serialise(io, f); });
+  list(io, "buried places", b.buried_from, 0, [&](buildings::BuriedFrom& f) { serialise(io, f, edges); });
   list(io, "party walls", b.party_walls, 0, [&](buildings::PartyWall& w) { serialise(io, w, edges); });
 }
 
@@ -80,6 +92,8 @@ void serialise(auto& io, buildings::Building& b) {
   colour(io, b.wall_colour), colour(io, b.roof_colour);
   serialise(io, b.roof_shape);
   facade(io, b);
+  points(io, "posts", b.posts, 0);
+  if (!b.posts.empty()) io.metres("post foot", b.post_foot_m);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
     if (!has_ordered_heights(b)) io.fail("building top");
 }

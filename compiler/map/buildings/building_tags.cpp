@@ -8,7 +8,9 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/map/buildings/building_classes.h"
+#include "compiler/map/buildings/part_heights.h"
 #include "compiler/map/read_context.h"
+#include "compiler/map/standing.h"
 #include "compiler/map/tag_values.h"
 #include "grammars/roofs/roof_shape.h"
 
@@ -111,17 +113,20 @@ std::optional<double> tagged_building_height_m(const ReadContext& context, OsmId
   return height_m ? height_m : tagged_length_m(context, id, tags, "building:height", kLowest_m, kHighestBuilding_m);
 }
 
-double untagged_height_m(const ReadContext& context, OsmId id, const Footprint& footprint, double level_m,
-                         double class_height_m, double area_m2) {
+// A roof whose tags say that there are no storeys below it.
+constexpr double kNoWall_m = 0.25;
+
+double untagged_height_m(const Footprint& footprint, double level_m, double class_height_m, double area_m2) {
   if (footprint.levels > 0) return std::max(1.0, footprint.levels * level_m);
-  if (footprint.roof.height_m > 0) return 1;  // mostly roof
-  context.report.add(Code::kNoBuildingHeight, id);
+  if (!footprint.is_height_assumed) return kNoWall_m;
+  if (footprint.min_height_m > 0 && footprint.roof.height_m > 0) return 1;  // mostly roof
   return class_height_m > 0 ? class_height_m : height_by_area_m(area_m2);
 }
 
-double min_height_m_of(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
-  if (const auto height_m = tagged_length_m(context, id, tags, "min_height", 0, kHighestBuilding_m)) return *height_m;
-  return level_m * tagged_levels(context, id, tags, "building:min_level").value_or(0);
+void read_min_height(const ReadContext& context, OsmId id, source::Range tags, Footprint& footprint) {
+  const auto height_m = tagged_length_m(context, id, tags, "min_height", 0, kHighestBuilding_m);
+  if (!height_m) footprint.min_levels = tagged_levels(context, id, tags, "building:min_level").value_or(0);
+  footprint.min_height_m = snapped(height_m.value_or(footprint.min_levels * footprint.storey_m));
 }
 
 // A height below min_height is that of the part alone; an equal one is the place of a slab, or of one storey. Where no
@@ -138,12 +143,18 @@ void mend_height(bool is_in_metres, double level_m, Footprint& footprint) {
 void read_heights(const ReadContext& context, OsmId id, source::Range tags, const BuildingValues& values,
                   double area_m2, Footprint& footprint) {
   const auto height_m = tagged_building_height_m(context, id, tags);
-  footprint.levels = tagged_levels(context, id, tags, "building:levels").value_or(0);
+  const auto levels = tagged_levels(context, id, tags, "building:levels");
+  footprint.levels = levels.value_or(0);
   footprint.has_roof_in_height = height_m.has_value();
+  // a roof without storeys below it stands on the ground
+  const bool is_all_roof = levels == 0 && footprint.roof.height_m > 0 && !footprint.is_open;
+  footprint.is_height_assumed = !height_m && footprint.levels == 0 && !is_all_roof;
+  footprint.height_m = snapped(height_m.value_or(0));
+  const double storey_m = measured_storey_m(footprint);
+  footprint.storey_m = storey_m > 0 ? storey_m : values.level_m;
+  read_min_height(context, id, tags, footprint);
   // compared as stored
-  footprint.height_m = snapped(
-      height_m ? *height_m : untagged_height_m(context, id, footprint, values.level_m, values.height_m, area_m2));
-  footprint.min_height_m = snapped(min_height_m_of(context, id, tags, values.level_m));
+  if (!height_m) footprint.height_m = snapped(untagged_height_m(footprint, values.level_m, values.height_m, area_m2));
   if (footprint.min_height_m < footprint.height_m) return;
   context.report.add(Code::kMinHeightNotBelowHeight, id, footprint.min_height_m - footprint.height_m);
   mend_height(height_m.has_value(), values.level_m, footprint);
@@ -153,7 +164,63 @@ void read_heights(const ReadContext& context, OsmId id, source::Range tags, cons
 constexpr std::string_view kServing[] = {"restaurant", "cafe", "bar",      "pub",        "fast_food",
                                          "ice_cream",  "bank", "pharmacy", "marketplace"};
 
+bool is_open(const ReadContext& context, source::Range tags, BuildingClass building) {
+  return building == BuildingClass::kRoof || building == BuildingClass::kShelter || context.tag(tags, "wall") == "no" ||
+         context.tag(tags, "walls") == "no";
+}
+
+// Values of shelter_type=* that have walls.
+constexpr std::string_view kWalled[] = {"basic_hut", "weather_shelter", "field_shelter", "wildlife_hide",
+                                        "changing_rooms"};
+
+struct StructureRow {
+  std::string_view key, value, building;
+};
+constexpr StructureRow kStructures[] = {
+#define STRUCTURE(key, value, building) {key, value, building},
+#include "compiler/map/buildings/structure_values.inc"
+#undef STRUCTURE
+};
+
+bool is_covered_platform(const ReadContext& context, source::Range tags) {
+  const bool is_platform =
+      context.tag(tags, "railway") == "platform" || context.tag(tags, "public_transport") == "platform";
+  return is_platform && context.tag(tags, "covered") == "yes";
+}
+
+// The value of building=* that a structure without it has; empty for everything else.
+std::string_view structure_value(const ReadContext& context, source::Range tags) {
+  const auto row = std::ranges::find_if(
+      kStructures, [&](const StructureRow& each) { return context.tag(tags, each.key) == each.value; });
+  if (row == std::end(kStructures)) return is_covered_platform(context, tags) ? "roof" : "";
+  const std::string_view type = context.tag(tags, "shelter_type");
+  return std::ranges::find(kWalled, type) != std::end(kWalled) ? "hut" : row->building;
+}
+
+// The value of building=*; of a house under construction its class, if that is tagged; of a disused one that of
+// disused:building=*.
+std::string_view outline_value(const ReadContext& context, source::Range tags) {
+  const std::string_view text = standing_value(context.osm, tags, "building");
+  const std::string_view planned = context.tag(tags, "construction");
+  return text == "construction" && says_yes(planned) ? planned : text;
+}
+
 }  // namespace
+
+BuildingValue building_value(const ReadContext& context, source::Range tags) {
+  const std::string_view outline = outline_value(context, tags), part = context.tag(tags, "building:part");
+  if (says_yes(outline)) {
+    // what is tagged building=yes may be a shelter; a value of its own says more
+    const std::string_view structure = outline == "yes" ? structure_value(context, tags) : "";
+    return {structure.empty() ? outline : structure};
+  }
+  if (says_yes(part)) return {part, true};
+  return {outline == "no" ? "" : structure_value(context, tags)};
+}
+
+bool is_bridge_support(const ReadContext& context, source::Range tags) {
+  return says_yes(context.tag(tags, "bridge:support"));
+}
 
 bool is_shop(const ReadContext& context, source::Range tags) {
   const std::string_view shop = context.tag(tags, "shop"), amenity = context.tag(tags, "amenity");
@@ -169,6 +236,7 @@ Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range
   footprint.building_class = static_cast<std::uint8_t>(building);
   const TaggedRoof roof = tagged_roof(context, id, tags, values.level_m);
   footprint.has_roof_shape = roof.has_shape, footprint.roof = roof.shape;
+  footprint.is_open = is_open(context, tags, building);
   read_heights(context, id, tags, values, area_m2, footprint);
   footprint.wall_colour = tagged_colour(context, id, tags, "building:colour", "building:color");
   footprint.roof_colour = tagged_colour(context, id, tags, "roof:colour", "roof:color");

@@ -9,7 +9,6 @@
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
-#include "compiler/map/buildings/part_outlines.h"
 
 namespace citykiln::map {
 namespace {
@@ -18,11 +17,6 @@ namespace {
 constexpr double kFootprintBucket_m = 64;
 // Footprints that share more than this part of the lower one's height are in the same place.
 constexpr double kSameHeightsShare = 0.5;
-// A part that rises less above its outline is no more than a step of the roof.
-constexpr double kLeastRise_m = 0.5;
-// The height of an untagged roof that the building's height includes.
-constexpr double kUntaggedRoof_m = 3;
-
 double distance_to_border_m(const Polygon& polygon, Vec2 p) {
   double nearest_m = std::numeric_limits<double>::infinity();
   for (const Ring* ring : rings_of(polygon)) nearest_m = std::min(nearest_m, distance_to_ring(*ring, p));
@@ -81,14 +75,6 @@ std::vector<Footprint> without(std::vector<Footprint> footprints, const std::vec
   return kept;
 }
 
-// Where the walls of a footprint end, or a little lower if its roof has no tagged height.
-double eaves_m(const Footprint& f) {
-  if (!f.has_roof_in_height) return f.height_m;
-  const bool is_flat = f.has_roof_shape && f.roof.form == roofs::RoofForm::kFlat;
-  const double roof_m = f.roof.height_m > 0 ? f.roof.height_m : is_flat ? 0 : kUntaggedRoof_m;
-  return std::max(f.min_height_m, f.height_m - roof_m);
-}
-
 }  // namespace
 
 std::vector<Footprint> without_duplicates(std::vector<Footprint> footprints, Account& account, Report& report) {
@@ -102,21 +88,6 @@ std::vector<Footprint> without_duplicates(std::vector<Footprint> footprints, Acc
       return is_kept[other] && have_same_box(boxes[i], boxes[other]) && is_duplicate(footprints[i], footprints[other]);
     });
     is_kept[i] = !is_left_out[i];
-  }
-  return without(std::move(footprints), is_left_out, account, report);
-}
-
-std::vector<Footprint> without_enclosed_parts(std::vector<Footprint> footprints,
-                                              std::span<const std::uint32_t> outlines, Account& account,
-                                              Report& report) {
-  std::vector<bool> is_left_out(footprints.size(), false);
-  for (std::size_t i = 0; i < footprints.size(); ++i) {
-    if (outlines[i] == kNoOutline || footprints[outlines[i]].has_parts) continue;
-    const Footprint& outline = footprints[outlines[i]];
-    Footprint& part = footprints[i];
-    if (part.min_height_m < outline.min_height_m || part.min_height_m >= eaves_m(outline)) continue;
-    is_left_out[i] = part.height_m < outline.height_m + kLeastRise_m;
-    if (!is_left_out[i] && part.height_m > eaves_m(outline)) part.min_height_m = eaves_m(outline);
   }
   return without(std::move(footprints), is_left_out, account, report);
 }

@@ -1,4 +1,4 @@
-// Drops footprints that would be built in the same place: duplicates, and parts inside an outline that is built, too.
+// Drops footprints that would be built in the same place.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,6 @@ namespace citykiln::map {
 /// Polygons coincide if every corner of each lies within kSameOutline_m of the other's border. The result does not
 /// depend on the order of the footprints. O(n) for outlines that do not overlap, times their corners squared.
 std::vector<Footprint> without_duplicates(std::vector<Footprint> footprints, Account& account, Report& report);
-
-/// Mends parts whose outline is built, too (has_parts is false). A part within the heights of its outline is dropped,
-/// kDuplicateBuilding; a part that is higher begins at the outline's eaves. O(n).
-/// @param outlines  part_outlines() of the footprints.
-std::vector<Footprint> without_enclosed_parts(std::vector<Footprint> footprints,
-                                              std::span<const std::uint32_t> outlines, Account& account,
-                                              Report& report);
 
 /// The largest distance between two outlines that coincide.
 inline constexpr double kSameOutline_m = 0.5;

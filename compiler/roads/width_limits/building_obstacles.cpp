@@ -7,14 +7,12 @@
 #include <optional>
 
 #include "compiler/geometry/segment.h"
-#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::roads {
 namespace {
 
 bool obstructs(const map::Footprint& footprint) {
-  const bool is_open = footprint.building_class == static_cast<std::uint8_t>(map::BuildingClass::kRoof);
-  return !is_open && !footprint.has_parts && footprint.min_height_m < kHeadroom_m;
+  return !footprint.is_open && !footprint.has_parts && footprint.min_height_m < kHeadroom_m;
 }
 
 std::int32_t step_below(double along_m) { return static_cast<std::int32_t>(std::floor(along_m / kStep_m)); }

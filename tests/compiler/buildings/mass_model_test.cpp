@@ -115,6 +115,14 @@ TEST(MassModel, StandsOnBuriedStoreys) {
   for (const Face& wall : mass.walls) EXPECT_EQ(wall.street, wall.outer[0] == (Vec3{0, 0, 100}));
 }
 
+TEST(MassModel, BeginsStoreyByStoreyAlongASlope) {
+  Building b = gabled_house();
+  b.buried_from = {{0, 4, 1}, {0, 8, 2}};
+  const MassModel mass = made(b);
+  EXPECT_EQ(area_of(mass.walls, FaceTag::kSide), (9 + 12 + 9) * 6 + 4 * 6 + 4 * 3);
+  EXPECT_EQ(area_of(mass.foundation, FaceTag::kSide), 2 * (12 + 9) * 2 + 4 * 3 + 4 * 6);
+}
+
 TEST(MassModel, HasAnUndersideIfLifted) {
   Building b = gabled_house();
   b.stands_on_ground = false, b.bottom_m = b.floor_m = 100;

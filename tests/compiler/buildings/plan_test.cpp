@@ -64,14 +64,54 @@ TEST(Plan, CountsHeightsFromTheLowestCorner) {
   EXPECT_TRUE(b[0].stands_on_ground);
 }
 
-TEST(Plan, ExtendsUnsupportedBuildingsToTheGround) {
+TEST(Plan, PutsUnsupportedBuildingsOnPosts) {
   Report report;
   map::Footprint hovering = square_block(1, 0, 0, 20, 18);
   hovering.min_height_m = 9;
   const auto b = plan(features_of({hovering}), ground::GradedTerrain(slope()), report);
   ASSERT_EQ(b.size(), 1u);
-  EXPECT_TRUE(b[0].stands_on_ground);
+  EXPECT_FALSE(b[0].stands_on_ground);
+  EXPECT_EQ(b[0].bottom_m, 109);
+  EXPECT_EQ(b[0].posts.size(), 16u);  // four corners, three on each edge of 20 m
+  EXPECT_LT(b[0].post_foot_m, 100);
   EXPECT_EQ(report.counts()[Code::kUnsupportedBuilding], 1u);
+}
+
+TEST(Plan, ARoofWithoutWallsIsASlabOnPosts) {
+  Report report;
+  map::Footprint roof = square_block(1, 0, 0, 16, 12);
+  roof.is_open = true;
+  const auto b = plan(features_of({roof}), ground::GradedTerrain(slope()), report);
+  ASSERT_EQ(b.size(), 1u);
+  EXPECT_FALSE(b[0].stands_on_ground);
+  EXPECT_EQ(b[0].top_m, 112);
+  EXPECT_EQ(b[0].bottom_m, 111.75);
+  EXPECT_EQ(b[0].style, Style::kPlain);
+  EXPECT_EQ(b[0].posts.size(), 12u);
+  for (const Vec2 post : b[0].posts) EXPECT_TRUE(contains(roof.polygon, post));
+  EXPECT_EQ(report.counts()[Code::kUnsupportedBuilding], 0u);
+}
+
+TEST(Plan, APitchedRoofWithoutWallsKeepsItsForm) {
+  Report report;
+  map::Footprint roof = square_block(1, 0, 0, 16, 12);
+  roof.is_open = roof.has_roof_shape = true;
+  roof.roof.form = roofs::RoofForm::kGabled, roof.roof.height_m = 3;
+  const auto b = plan(features_of({roof}), ground::GradedTerrain(slope()), report);
+  EXPECT_EQ(b[0].roof_shape.form, roofs::RoofForm::kGabled);
+  EXPECT_EQ(eaves_m(b[0]), 109);
+  EXPECT_EQ(b[0].bottom_m, 108.75);
+}
+
+TEST(Plan, ATaggedRoofMayLeaveNoWall) {
+  map::Heightfield level = slope();
+  for (std::int32_t& z : level.heights) z = 0;
+  Report report;
+  map::Footprint house = square_block(1, 0, 0, 8, 6);
+  house.has_roof_shape = true, house.roof.form = roofs::RoofForm::kGabled, house.roof.height_m = 8;
+  const auto b = plan(features_of({house}), ground::GradedTerrain(std::move(level)), report);
+  EXPECT_EQ(b[0].top_m, 6);
+  EXPECT_EQ(report.counts()[Code::kHeightRaised], 0u);
 }
 
 TEST(Plan, CountsPartsFromTheirOutlinesLowestCorner) {
@@ -134,6 +174,19 @@ map::Features with_street(map::Features features, double street_x) {
   return features;
 }
 
+TEST(Plan, NoPostStandsOnAWayOrBesideAWall) {
+  Report report;
+  map::Footprint roof = square_block(1, 0, 0, 24, 12), house = square_block(2, 24, 0, 24, 20);
+  roof.is_open = true;
+  const auto b = plan(with_street(features_of({roof, house}), 12), ground::GradedTerrain(slope()), report);
+  ASSERT_EQ(b.size(), 2u);
+  ASSERT_FALSE(b[0].posts.empty());
+  for (const Vec2 post : b[0].posts) {
+    EXPECT_GT(std::abs(post.x - 12), 2.5 + 0.125) << post.x;
+    EXPECT_LT(post.x, 23.5);
+  }
+}
+
 // The ground rises from 100 to 105 m below the house.
 TEST(Plan, CountsStoreysFromTheStreet) {
   Report report;
@@ -168,6 +221,19 @@ TEST(Plan, MeasuresAllPartsOfAnOutlineFromOneHeight) {
   ASSERT_EQ(b.size(), 2u);
   EXPECT_EQ(b[0].top_m, 109);
   EXPECT_EQ(b[1].bottom_m, 109);
+}
+
+TEST(Plan, LongWallsAlongASlopeBeginStoreyByStorey) {
+  Report report;
+  const auto b = plan(features_of({storeys(1, 0, 0, 40, 6)}), ground::GradedTerrain(slope()), report);
+  ASSERT_EQ(b.size(), 1u);
+  std::vector<std::uint8_t> up;
+  for (const BuriedFrom& place : b[0].buried_from)
+    if (place.edge == 0) up.push_back(place.storeys);
+  EXPECT_EQ(b[0].facade_edges[0].buried_storeys, 0);
+  EXPECT_EQ(up, (std::vector<std::uint8_t>{1, 2, 3}));
+  EXPECT_EQ(b[0].facade_edges[1].buried_storeys, 3);
+  EXPECT_EQ(b[0].facade_edges[2].buried_storeys, 3);
 }
 
 TEST(Plan, StoreysBelowTheEntranceDoNotMakeABlockOfAVilla) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "compiler/map/buildings/building_classes.h"
+#include "compiler/map/buildings/uncovered_pieces.h"
 #include "tests/compiler/map/map_text.h"
 
 namespace citykiln::map {
@@ -31,7 +32,10 @@ TEST(LocateFootprints, HeightComesFromTagsElseLevelsElseClass) {
       {"building=yes building:levels=4 height=20", 20, 0},
       {"building:part=yes height=30 min_height=10", 30, 10},
       {"building:part=apartments height=30 building:min_level=2", 30, 6},
-      {"building=yes roof:levels=2", 1, 0},
+      {"building=yes roof:levels=2", 7.5, 0},  // the walls of its class
+      {"building=house roof:shape=hipped roof:height=3", 7, 0},
+      {"building=house building:levels=0 roof:levels=2", 0.25, 0},
+      {"building=yes height=12 building:levels=3 building:min_level=1", 12, 4},
       // a height below min_height is that of the part; an equal one is the place of a slab or a storey
       {"building:part=yes height=5 min_height=9", 14, 9},
       {"building:part=roof height=146 min_height=146", 146.25, 146},
@@ -119,16 +123,145 @@ TEST(LocateFootprints, AnOutlineCoveredByItsPartsIsMarked) {
     a1 0:0 40:0 40:20 0:20 building=yes
     a2 0:0 20:0 20:20 0:20 building:part=yes height=30
     a3 20:0 40:0 40:20 20:20 building:part=yes height=10
-    a4 100:0 140:0 140:20 100:20 building=yes
-    a5 100:0 104:0 104:4 100:4 building:part=yes height=40
     a6 200:0 220:0 220:20 200:20 building=yes)");
-  ASSERT_EQ(features.footprints.size(), 6u);
+  ASSERT_EQ(features.footprints.size(), 4u);
   EXPECT_TRUE(features.footprints[0].has_parts);
   EXPECT_TRUE(features.footprints[1].is_part);
   EXPECT_FALSE(features.footprints[1].has_parts);
-  // a single part with a fiftieth of the outline's area does not replace it
   EXPECT_FALSE(features.footprints[3].has_parts);
-  EXPECT_FALSE(features.footprints[5].has_parts);
+}
+
+// The footprints that are built.
+std::vector<Footprint> built(const std::string& text, Report& report) {
+  std::vector<Footprint> footprints = features_of(text, report).footprints;
+  std::erase_if(footprints, [](const Footprint& f) { return f.has_parts; });
+  EXPECT_TRUE(report.balances());
+  return footprints;
+}
+
+double total_area_m2(const std::vector<Footprint>& footprints) {
+  double sum_m2 = 0;
+  for (const Footprint& f : footprints) sum_m2 += area_m2(f.polygon);
+  return sum_m2;
+}
+
+TEST(LocateFootprints, WhatNoPartCoversKeepsTheOutlinesHeightAndRoof) {
+  Report report;
+  const auto f = built(R"(
+    a1 0:0 40:0 40:12 0:12 building=apartments building:levels=6 roof:shape=hipped
+    a2 0:0 12:0 12:12 0:12 building:part=yes building:levels=5
+    a3 28:0 40:0 40:12 28:12 building:part=yes building:levels=5)",
+                       report);
+  ASSERT_EQ(f.size(), 3u);
+  EXPECT_EQ(f[0].id, (ObjectId{{OsmType::kWay, 1}, kPieceStride}));
+  EXPECT_EQ(f[0].height_m, 18);
+  EXPECT_EQ(f[0].roof.form, roofs::RoofForm::kHipped);
+  EXPECT_EQ(f[0].outline, (ObjectId{{OsmType::kWay, 1}, 0}));
+  EXPECT_NEAR(area_m2(f[0].polygon), 16 * 12, 0.5);
+  EXPECT_EQ(f[1].height_m, 15);
+  EXPECT_NEAR(total_area_m2(f), 480, 0.5);
+}
+
+TEST(LocateFootprints, ACoveredMiddleLeavesTwoPieces) {
+  Report report;
+  const auto f = built(R"(
+    a1 0:0 30:0 30:12 0:12 building=yes building:levels=3
+    a2 12:0 18:0 18:12 12:12 building:part=yes building:levels=3 building:min_level=1)",
+                       report);
+  ASSERT_EQ(f.size(), 3u);
+  EXPECT_NE(f[0].id, f[1].id);
+  EXPECT_NEAR(f[2].min_height_m, 3.1, 0.001);
+  EXPECT_NEAR(total_area_m2(f), 360, 0.5);
+}
+
+TEST(LocateFootprints, APartOnTheEavesCoversNothing) {
+  Report report;
+  const auto f = built(R"(
+    a1 0:0 30:0 30:12 0:12 building=yes height=10 roof:shape=flat
+    a2 12:2 18:2 18:8 12:8 building:part=yes min_height=10 height=13)",
+                       report);
+  ASSERT_EQ(f.size(), 2u);
+  EXPECT_NEAR(area_m2(f[0].polygon), 360, 0.5);
+}
+
+TEST(LocateFootprints, APartThatReachesOutIsBuiltWhole) {
+  Report report;
+  const auto f = built(R"(
+    a1 0:0 20:0 20:12 0:12 building=yes height=10
+    a2 -1.5:3 8:3 8:9 -1.5:9 building:part=yes height=15)",
+                       report);
+  ASSERT_EQ(f.size(), 2u);
+  EXPECT_EQ(f[1].min_height_m, 0);
+  EXPECT_NEAR(area_m2(f[1].polygon), 57, 0.5);
+  EXPECT_NEAR(area_m2(f[0].polygon), 240 - 48, 0.5);
+}
+
+TEST(LocateFootprints, StripsBetweenOutlineAndPartsAreNotBuilt) {
+  Report report;
+  const auto f = built(R"(
+    a1 0:0 40:0 40:12 0:12 building=yes height=20
+    a2 0.1:0.1 20:0.1 20:11.9 0.1:11.9 building:part=yes height=9
+    a3 20:0.1 30:0.1 30:11.9 20:11.9 building:part=yes height=12)",
+                       report);
+  ASSERT_EQ(f.size(), 3u);
+  EXPECT_NEAR(area_m2(f[0].polygon), 120, 1);
+  EXPECT_GT(box_of(f[0].polygon.outer).min.x, 29.5);
+}
+
+TEST(LocateFootprints, PartsHaveTheHeightAndTheStoreysOfTheirBuilding) {
+  Report report;
+  const auto f = built(R"(
+    a1 0:0 40:0 40:12 0:12 building=yes height=20 building:levels=5 roof:shape=flat
+    a2 0:0 10:0 10:12 0:12 building:part=yes
+    a3 10:0 20:0 20:12 10:12 building:part=yes building:levels=3
+    a4 20:0 40:0 40:12 20:12 building:part=yes building:levels=5 building:min_level=2)",
+                       report);
+  ASSERT_EQ(f.size(), 3u);
+  EXPECT_EQ(f[0].height_m, 20);
+  EXPECT_TRUE(f[0].has_roof_in_height);
+  EXPECT_EQ(f[1].height_m, 12);
+  EXPECT_EQ(f[2].min_height_m, 8);
+  EXPECT_EQ(f[2].height_m, 20);
+  EXPECT_EQ(report.counts()[Code::kNoBuildingHeight], 0u);
+}
+
+TEST(LocateFootprints, StepsBecomeTreadsDownTheirDirection) {
+  Report report;
+  const auto f = built(R"(
+    a1 0:0 20:0 20:20 0:20 building=yes height=12
+    a2 0:4 20:4 20:20 0:20 building:part=yes height=12
+    a3 0:0 20:0 20:4 0:4 building:part=steps height=3 roof:shape=skillion roof:direction=180 roof:height=3)",
+                       report);
+  ASSERT_EQ(f.size(), 1u + 18u);
+  double lowest_m = 9, highest_m = 0;
+  for (const Footprint& tread : f) {
+    if (tread.id.osm.id != 3) continue;
+    const double y = box_of(tread.polygon.outer).centre().y;
+    // 3 m on 4 m, a tread's top is its upper edge
+    EXPECT_NEAR(tread.height_m, (y + 2.0 / 18) * 3 / 4, 0.01);
+    lowest_m = std::min(lowest_m, tread.height_m), highest_m = std::max(highest_m, tread.height_m);
+  }
+  EXPECT_NEAR(lowest_m, 3.0 / 18, 0.001);
+  EXPECT_NEAR(highest_m, 3, 0.001);
+  EXPECT_NEAR(total_area_m2(f), 400, 0.5);
+}
+
+TEST(LocateFootprints, RoofsSheltersAndWhatHasNoWallAreOpen) {
+  for (const char* tags : {"building=roof", "building=carport", "building=canopy", "building=pergola",
+                           "building:part=roof", "building=yes wall=no", "amenity=shelter", "man_made=canopy",
+                           "building=yes amenity=shelter", "railway=platform covered=yes"})
+    EXPECT_TRUE(footprint_of(tags).is_open) << tags;
+  for (const char* tags :
+       {"building=yes", "building=garage", "amenity=shelter shelter_type=basic_hut", "building=hut amenity=shelter"})
+    EXPECT_FALSE(footprint_of(tags).is_open) << tags;
+  EXPECT_TRUE(features_of("a1 0:0 12:0 12:9 railway=platform").footprints.empty());
+}
+
+TEST(LocateFootprints, WhatCarriesABridgeIsNoHouse) {
+  Report report;
+  EXPECT_TRUE(features_of("a1 0:0 12:0 12:9 building=yes bridge:support=pylon", report).footprints.empty());
+  EXPECT_EQ(report.counts()[Code::kBridgeSupport], 1u);
+  EXPECT_TRUE(report.balances());
 }
 
 TEST(LocateFootprints, AMultipolygonIsOneFootprintAPolygonWithHoles) {

@@ -51,18 +51,5 @@ TEST(CoincidentFootprints, PartsAboveEachOtherStay) {
             0u);
 }
 
-TEST(CoincidentFootprints, APartInsideOfAnOutlineThatIsBuiltIsLeftOut) {
-  // a quarter of the outline, which is therefore built
-  EXPECT_EQ(
-      left_of_map("a1 0:0 40:0 40:10 0:10 building=yes height=10\na2 0:0 10:0 10:10 0:10 building:part=yes height=10"),
-      (Left{{1}, 1, {0}}));
-}
-
-TEST(CoincidentFootprints, AHigherPartBeginsAtTheEavesOfAnOutlineThatIsBuilt) {
-  EXPECT_EQ(left_of_map("a1 0:0 40:0 40:10 0:10 building=yes height=10 roof:shape=flat\n"
-                        "a2 0:0 10:0 10:10 0:10 building:part=yes height=30"),
-            (Left{{1, 2}, 0, {0, 10}}));
-}
-
 }  // namespace
 }  // namespace citykiln::map

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/buildings/building_classes.h"
 #include "compiler/roads/generate.h"
 #include "compiler/roads/trim.h"
 #include "compiler/roads/width_limits/building_obstacles.h"
@@ -216,7 +215,7 @@ TEST(LimitWidths, IsNotAskedByRoofsAndWhatHangsAbove) {
   const Roads roads = {street_with_pavements(1, {{0, 0}, {100, 0}})};
   Footprints houses(3, made_box(1, {40, 2}, {50, 9}));
   houses[0].min_height_m = 3, houses[1].has_parts = true;
-  houses[2].building_class = static_cast<std::uint8_t>(map::BuildingClass::kRoof);
+  houses[2].is_open = true;
   EXPECT_EQ(narrowed(roads, houses), roads);
 }
 
