@@ -47,6 +47,16 @@ struct PartyWall {
   bool operator==(const PartyWall&) const = default;
 };
 
+/// The opening for a way that leads through a building on the ground (map::Passageway): everything below top_m, between
+/// the sides of a strip along the axis.
+struct Passageway {
+  ObjectId way;
+  Polyline axis;                   ///< Plane metres, snapped, at least two points.
+  double left_m = 0, right_m = 0;  ///< From the axis to the sides. Snapped, their sum > 0.
+  double top_m = 0;                ///< The height of the ceiling. Snapped.
+  bool operator==(const Passageway&) const = default;
+};
+
 /// The recipe of a building or building part.
 struct Building {
   ObjectId id;
@@ -67,6 +77,7 @@ struct Building {
   bool has_shop = false;
   std::vector<FacadeEdge> facade_edges{};  ///< One per edge of the outer ring, or empty.
   std::vector<PartyWall> party_walls{};    ///< Sorted by edge, then from_m. No two overlap.
+  std::vector<Passageway> passageways{};   ///< Sorted by way. They may overlap.
   bool operator==(const Building&) const = default;
 };
 

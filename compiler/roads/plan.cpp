@@ -14,7 +14,8 @@ Road road_of(const map::Track& track) {
           .is_link = track.is_link,
           .is_roundabout = track.is_roundabout,
           .points = track.points,
-          .width_limits = {}};
+          .width_limits = {},
+          .handrails = track.handrails};
 }
 
 std::vector<Road> plan(const map::Features& features, Report& report) {
@@ -39,6 +40,7 @@ std::vector<OsmId> ways_through_buildings(const map::Features& features) {
   std::vector<OsmId> ids;
   for (const map::Track& track : features.tracks)
     if (track.is_through_building) ids.push_back(track.id.osm);
+  for (const map::Passageway& passageway : features.passageways) ids.push_back(passageway.way.osm);
   std::ranges::sort(ids);
   return ids;
 }
