@@ -246,7 +246,8 @@ void add_jambs(std::size_t number, std::span<const Opening> openings, const Buil
       if (distance(from, to) < kOnSide_m || !is_in_building(building, middle)) continue;
       double bottom_m = building.bottom_m;
       for (std::size_t other = 0; other < openings.size(); ++other)
-        if (other != number && is_in_plan(openings[other], middle)) bottom_m = std::max(bottom_m, openings[other].top_m);
+        if (other != number && is_in_plan(openings[other], middle))
+          bottom_m = std::max(bottom_m, openings[other].top_m);
       add_jamb(from, to, bottom_m, opening.top_m, mesh);
     }
   };
@@ -256,9 +257,7 @@ void add_jambs(std::size_t number, std::span<const Opening> openings, const Buil
 }
 
 // A box around the rings, clockwise, which lowers all winding numbers by one.
-Ring clockwise_box(const Box2& box) {
-  return {box.min, {box.min.x, box.max.y}, box.max, {box.max.x, box.min.y}};
-}
+Ring clockwise_box(const Box2& box) { return {box.min, {box.min.x, box.max.y}, box.max, {box.max.x, box.min.y}}; }
 
 // The part of an opening inside the building that no higher opening has.
 std::vector<Polygon> ceiling_of(std::size_t number, std::span<const Opening> openings, const Building& building) {
@@ -272,8 +271,8 @@ std::vector<Polygon> ceiling_of(std::size_t number, std::span<const Opening> ope
     }
   rings.push_back(clockwise_box(box.widened(1)));
   for (std::size_t other = 0; other < openings.size(); ++other) {
-    const bool is_above = openings[other].top_m > opening.top_m ||
-                          (openings[other].top_m == opening.top_m && other < number);
+    const bool is_above =
+        openings[other].top_m > opening.top_m || (openings[other].top_m == opening.top_m && other < number);
     if (!is_above) continue;
     for (Ring ring : openings[other].rings) {
       std::ranges::reverse(ring);

@@ -14,7 +14,7 @@ namespace citykiln::buildings {
 /// Cuts all passageways of a building into its meshes and textured faces; a building without any stays unchanged.
 ///
 /// Guarantees: no triangle has a point inside an opening, apart from rounding (2^-10 m); jambs and ceilings lie inside
-/// the footprint. The same is cut at every level of detail, so no level's error changes. O(triangles · rings).
+/// the footprint. Every level of detail is cut alike, so no level's error changes. O(triangles · rings).
 /// @param wall  An empty mesh with the material of jambs and ceilings.
 void cut_passageways(const Building& building, materials::MaterialMesh wall, GeneratedBuilding& generated);
 

@@ -35,10 +35,8 @@ std::vector<LineStretch> merged(std::vector<LineStretch> stretches) {
 }  // namespace
 
 std::vector<Ring> rings_of(const Passageway& passageway) {
-  return roads::stroke({.id = passageway.way,
-                        .axis = passageway.axis,
-                        .left_m = passageway.left_m,
-                        .right_m = passageway.right_m});
+  return roads::stroke(
+      {.id = passageway.way, .axis = passageway.axis, .left_m = passageway.left_m, .right_m = passageway.right_m});
 }
 
 std::vector<LineStretch> stretches_in_openings(const Building& building, Vec2 a, Vec2 b, double least_m) {

@@ -66,12 +66,12 @@ struct Track {
   std::int8_t layer = 0;
   Passage passage = Passage::kGround;
   bool is_oneway = false, is_lit = false, is_rail = false;
-  bool is_roundabout = false;         ///< junction=roundabout or circular.
-  bool is_link = false;               ///< A ramp or slip road: highway=*_link.
-  bool is_through_building = false;   ///< By tunnel=building_passage, covered=*, level=*.
-  bool is_covered = false;            ///< By tunnel=building_passage, covered=*, arcade=*: buildings leave it open.
-  bool is_arcade = false;             ///< By covered=arcade or colonnade, arcade=*: open on its outer side.
-  bool is_indoor = false;             ///< By indoor=*, highway=corridor, a level above or below the ground.
+  bool is_roundabout = false;        ///< junction=roundabout or circular.
+  bool is_link = false;              ///< A ramp or slip road: highway=*_link.
+  bool is_through_building = false;  ///< By tunnel=building_passage, covered=*, level=*.
+  bool is_covered = false;           ///< By tunnel=building_passage, covered=*, arcade=*: buildings leave it open.
+  bool is_arcade = false;            ///< By covered=arcade or colonnade, arcade=*: open on its outer side.
+  bool is_indoor = false;            ///< By indoor=*, highway=corridor, a level above or below the ground.
   bool has_tagged_layer = false;
   std::uint16_t step_count = 0;       ///< Steps of stairs, by step_count=*; 0: untagged.
   std::uint8_t handrails = 0;         ///< Handrails of stairs: bits of Handrail.

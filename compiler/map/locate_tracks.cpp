@@ -83,8 +83,8 @@ double tagged_clearance_m(const ReadContext& context, OsmId id, source::Range ta
 
 void read_cover(const ReadContext& context, source::Range tags, Track& track) {
   track.is_arcade = is_arcade(context, tags);
-  track.is_covered = track.is_arcade || context.tag(tags, "tunnel") == "building_passage" ||
-                     says_yes(context.tag(tags, "covered"));
+  track.is_covered =
+      track.is_arcade || context.tag(tags, "tunnel") == "building_passage" || says_yes(context.tag(tags, "covered"));
   track.is_indoor = is_indoor(context, tags);
   track.has_tagged_layer = !context.tag(tags, "layer").empty();
   track.is_through_building = track.is_covered || !context.tag(tags, "level").empty();

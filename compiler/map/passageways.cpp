@@ -32,7 +32,8 @@ constexpr double kBeyondWall_m = 0.5;
 constexpr double kStepOut_m = 0.125;
 
 bool is_near_wall(const Polygon& polygon, Vec2 p, double within_m) {
-  return std::ranges::any_of(rings_of(polygon), [&](const Ring* ring) { return distance_to_ring(*ring, p) < within_m; });
+  return std::ranges::any_of(rings_of(polygon),
+                             [&](const Ring* ring) { return distance_to_ring(*ring, p) < within_m; });
 }
 
 bool is_inside(const Polygon& polygon, Vec2 p) {
@@ -127,8 +128,10 @@ double overrun_m(const Mouth& mouth, const Sides& sides, const Polygon& polygon)
   double clear_m = 0;
   for (const double side_m : {-sides.right_m, 0.0, sides.left_m})
     for (double at_m = kStepOut_m; at_m <= most_m; at_m += kStepOut_m)
-      if (contains(polygon, mouth.at + left * side_m + mouth.out * at_m)) clear_m = std::max(clear_m, at_m);
-      else if (at_m > clear_m + kBeyondWall_m) break;
+      if (contains(polygon, mouth.at + left * side_m + mouth.out * at_m))
+        clear_m = std::max(clear_m, at_m);
+      else if (at_m > clear_m + kBeyondWall_m)
+        break;
   return clear_m + kBeyondWall_m;
 }
 
@@ -172,8 +175,9 @@ LandCoverGroup group_of(const Track& track) { return values_of(track.surface).gr
 
 double usual_clearance_m(const Track& track) {
   const LandCoverGroup group = group_of(track);
-  return group == LandCoverGroup::kRail ? kRailClearance_m : group == LandCoverGroup::kPath ? kPathClearance_m
-                                                                                            : kRoadClearance_m;
+  return group == LandCoverGroup::kRail   ? kRailClearance_m
+         : group == LandCoverGroup::kPath ? kPathClearance_m
+                                          : kRoadClearance_m;
 }
 
 double least_clearance_m(const Track& track) {
@@ -186,7 +190,8 @@ double least_clearance_m(const Track& track) {
 
 bool can_lead_through(const Track& track) {
   const LandCoverGroup group = group_of(track);
-  const bool is_way = group == LandCoverGroup::kRoad || group == LandCoverGroup::kPath || group == LandCoverGroup::kRail;
+  const bool is_way =
+      group == LandCoverGroup::kRoad || group == LandCoverGroup::kPath || group == LandCoverGroup::kRail;
   if (!is_way || track.passage != Passage::kGround || track.is_indoor) return false;
   return track.surface != LandCoverClass::kRunway && (track.is_covered || track.layer <= 0);
 }
@@ -264,8 +269,7 @@ Passageway passageway_of(const Way& way, const Footprint& footprint, const Insid
           .least_m = least_clearance_m(track)};
 }
 
-void add_passageways(const Way& way, const Footprint& footprint, std::vector<Passageway>& passageways,
-                     Report& report) {
+void add_passageways(const Way& way, const Footprint& footprint, std::vector<Passageway>& passageways, Report& report) {
   for (const Inside& part : parts_inside(way.track.axis, way.along_m, footprint.polygon)) {
     if (!way.track.is_covered) {
       const Polyline line = cut_out(way.track.axis, way.along_m, part);
@@ -326,8 +330,8 @@ bool is_only_in_buildings(const Track& track, const FootprintIndex& index) {
 std::vector<Track> with_passages_on_ground(std::vector<Track> tracks, const std::vector<Footprint>& footprints) {
   const FootprintIndex index = index_footprints(footprints);
   for (Track& track : tracks) {
-    const bool may_be = track.passage == Passage::kTunnel && !track.has_tagged_layer && !track.is_rail &&
-                        !track.is_indoor;
+    const bool may_be =
+        track.passage == Passage::kTunnel && !track.has_tagged_layer && !track.is_rail && !track.is_indoor;
     if (may_be && is_only_in_buildings(track, index))
       track.passage = Passage::kGround, track.is_covered = track.is_through_building = true;
   }
@@ -344,7 +348,8 @@ std::vector<Passageway> plan_passageways(const Features& features, Report& repor
     if (near.empty()) continue;
     const Way way = way_of(track, shared);
     for (const std::uint32_t i : near)
-      if (can_be_led_through(index.footprints[i], track)) add_passageways(way, index.footprints[i], passageways, report);
+      if (can_be_led_through(index.footprints[i], track))
+        add_passageways(way, index.footprints[i], passageways, report);
   }
   std::ranges::stable_sort(passageways, {}, [](const Passageway& p) { return std::pair(p.building, p.way); });
   return passageways;

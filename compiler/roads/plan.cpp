@@ -14,8 +14,7 @@ Road road_of(const map::Track& track) {
           .is_link = track.is_link,
           .is_roundabout = track.is_roundabout,
           .points = track.points,
-          .width_limits = {},
-          .handrails = track.handrails};
+          .width_limits = {}};
 }
 
 std::vector<Road> plan(const map::Features& features, Report& report) {

@@ -30,7 +30,9 @@ std::vector<roads::Road> with_risers(std::vector<roads::Road> roads, std::span<c
   for (roads::Road& road : roads) {
     if (road.surface != map::LandCoverClass::kSteps) continue;
     const auto track = std::ranges::lower_bound(tracks, road.id, {}, &map::Track::id);
-    if (track == tracks.end() || track->id != road.id || track->step_count == 0) continue;
+    if (track == tracks.end() || track->id != road.id) continue;
+    road.handrails = track->handrails;
+    if (track->step_count == 0) continue;
     const double riser_m = climb_m(road.axis, ground) / track->step_count;
     if (riser_m >= kLowestRiser_m && riser_m <= kHighestRiser_m)
       road.riser_m = snapped(riser_m);

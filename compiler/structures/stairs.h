@@ -30,8 +30,9 @@ struct Stairs {
 };
 
 /// Returns the stairs of a way with steps inside a box, at the places where that way is the topmost land cover. Each
-/// part that rises or falls is one flight, with steps of Road::riser_m or kRiser_m and with the road's handrails. Treads are level across the way and nowhere below the ground under them.
-/// Treads that would overlap in sharp bends are omitted. O(length).
+/// part that rises or falls is one flight, with steps of Road::riser_m or kRiser_m and with the road's handrails.
+/// Treads are level across the way and nowhere below the ground under them. Treads that would overlap in sharp bends
+/// are omitted. O(length).
 /// @param steps   The way, a road of class steps.
 /// @param index   Land cover of the box and its surroundings.
 /// @param ground  Graded terrain, valid in the box and within a road's width around it.
