@@ -11,6 +11,7 @@
 #include "compiler/buildings/terminal_meshes.h"
 #include "compiler/geometry/clip_polygon.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/geometry/snap.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -297,6 +298,30 @@ void add_ceiling(std::size_t number, std::span<const Opening> openings, const Bu
   }
 }
 
+// An upright box about a point, without its ends.
+void add_pillar(Vec2 at, Vec2 along, double bottom_m, double top_m, MaterialMesh& mesh) {
+  const Vec2 a = along * (kPillar_m / 2), b = left_of(a);
+  const std::array<Vec2, 4> ring = {at - a - b, at + a - b, at + a + b, at - a + b};
+  // each face looks away from the middle
+  for (std::size_t i = 0; i < 4; ++i) add_jamb(snapped(ring[(i + 1) % 4]), snapped(ring[i]), bottom_m, top_m, mesh);
+}
+
+// Pillars at equal distances along each segment, where it is inside the building.
+void add_pillars(const Passageway& passageway, const Building& building, MaterialMesh& mesh) {
+  for (const double offset_m : {passageway.pillars_left_m, -passageway.pillars_right_m}) {
+    if (offset_m == 0) continue;
+    for (std::size_t i = 0; i + 1 < passageway.axis.size(); ++i) {
+      const Vec2 a = passageway.axis[i], b = passageway.axis[i + 1], along = unit(b - a);
+      const double count = std::max(1.0, std::floor(distance(a, b) / kPillarSpacing_m));
+      for (double k = 0.5; k < count; ++k) {
+        const Vec2 on_axis = a + (b - a) * (k / count);
+        if (contains(building.footprint, on_axis))
+          add_pillar(on_axis + left_of(along) * offset_m, along, building.bottom_m, passageway.top_m, mesh);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void cut_passageways(const Building& building, MaterialMesh wall, GeneratedBuilding& generated) {
@@ -308,6 +333,7 @@ void cut_passageways(const Building& building, MaterialMesh wall, GeneratedBuild
   for (std::size_t i = 0; i < openings.size(); ++i) {
     add_jambs(i, openings, building, wall);
     add_ceiling(i, openings, building, wall);
+    add_pillars(building.passageways[i], building, wall);
   }
   std::erase_if(generated.meshes, [](const MaterialMesh& mesh) { return mesh.mesh.triangles.empty(); });
   if (!wall.mesh.triangles.empty()) generated.meshes.push_back(std::move(wall));

@@ -255,7 +255,13 @@ std::vector<Passageway> openings_of(const Building& building, std::span<const ma
     const double lowest_m = std::min(top_m, snapped(eaves_m(building) - kLintel_m));
     if (lowest_m < ground_m + p.least_m) report.add(Code::kPassageTooLow, p.way.osm, ground_m + p.least_m - lowest_m);
     if (lowest_m < ground_m + std::min(p.least_m, kLeastOpening_m)) continue;
-    openings.push_back({.way = p.way, .axis = p.axis, .left_m = p.left_m, .right_m = p.right_m, .top_m = lowest_m});
+    openings.push_back({.way = p.way,
+                        .axis = p.axis,
+                        .left_m = p.left_m,
+                        .right_m = p.right_m,
+                        .top_m = lowest_m,
+                        .pillars_left_m = p.pillars_left_m,
+                        .pillars_right_m = p.pillars_right_m});
   }
   return openings;
 }

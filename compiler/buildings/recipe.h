@@ -54,6 +54,7 @@ struct Passageway {
   Polyline axis;                   ///< Plane metres, snapped, at least two points.
   double left_m = 0, right_m = 0;  ///< From the axis to the sides. Snapped, their sum > 0.
   double top_m = 0;                ///< The height of the ceiling. Snapped.
+  double pillars_left_m = 0, pillars_right_m = 0;  ///< From the axis to the pillars of an arcade; 0: none. Snapped.
   bool operator==(const Passageway&) const = default;
 };
 

@@ -113,6 +113,8 @@ struct Passageway {
   Polyline axis;                   ///< Plane metres, snapped; from outside the walls to outside the walls.
   double left_m = 0, right_m = 0;  ///< From the axis to the sides of the opening; multiples of 2^-10, > 0.
   double clear_m = 0;              ///< Height above the way.
+  /// An arcade is open on its outer side, beyond the wall; there pillars stand, this far from the axis. 0: none.
+  double pillars_left_m = 0, pillars_right_m = 0;
   double least_m = 0;              ///< The clearance below which the way cannot be used.
   bool operator==(const Passageway&) const = default;
 };

@@ -171,6 +171,50 @@ bool remains_beside(const Polyline& axis, const Sides& sides, const Polygon& pol
   return is_left && is_right;
 }
 
+// ---- arcades ------------------------------------------------------------------------------------------------------
+
+// How thick the wall beside a way may be that an arcade is open through: as tagged, and of any covered way.
+constexpr double kArcadeWall_m = 3, kThinWall_m = 1;
+// The share of an arcade along which its outer wall has to be so near.
+constexpr double kArcadeShare = 0.6;
+// Half a pillar, with a margin beside the way.
+constexpr double kHalfPillar_m = 0.25;
+
+// The distance from a place to the wall in a direction; nothing if it is beyond most_m.
+std::optional<double> wall_beside_m(Vec2 at, Vec2 aside, double most_m, const Polygon& polygon) {
+  for (double out_m = kStepOut_m; out_m <= most_m; out_m += kStepOut_m)
+    if (!contains(polygon, at + aside * out_m)) return out_m;
+  return std::nullopt;
+}
+
+// The open side of an arcade: how far it is open, and where its pillars stand.
+struct OpenSide {
+  double side_m, pillars_m;
+};
+
+// @param side   1: left, -1: right.
+// @param is_free  True at places where no other building stands.
+template <typename IsFree>
+std::optional<OpenSide> open_side(const Polyline& line, double side, double half_m, double wall_m,
+                                  const Polygon& polygon, IsFree is_free) {
+  constexpr double kApart_m = 1, kFree_m = 0.5;
+  int samples = 0, open = 0;
+  double farthest_m = 0, nearest_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2 aside = left_of(unit(line[i + 1] - line[i])) * side;
+    const int count = std::max(1, static_cast<int>(distance(line[i], line[i + 1]) / kApart_m));
+    for (int k = 0; k < count; ++k) {
+      const Vec2 at = line[i] + (line[i + 1] - line[i]) * ((k + 0.5) / count);
+      const auto out_m = wall_beside_m(at, aside, half_m + wall_m, polygon);
+      ++samples;
+      if (!out_m || !is_free(at + aside * (*out_m + kFree_m))) continue;
+      ++open, farthest_m = std::max(farthest_m, *out_m), nearest_m = std::min(nearest_m, *out_m);
+    }
+  }
+  if (open < kArcadeShare * samples) return std::nullopt;
+  return OpenSide{farthest_m + kBeyondWall_m, std::max(nearest_m - kHalfPillar_m, half_m + kPlay_m + kHalfPillar_m)};
+}
+
 LandCoverGroup group_of(const Track& track) { return values_of(track.surface).group; }
 
 double usual_clearance_m(const Track& track) {
@@ -250,33 +294,52 @@ void extend_mouth(Polyline& line, bool is_end_of_way, bool goes_on, const Sides&
     extend(line, std::max(sides.left_m, sides.right_m));
 }
 
-Passageway passageway_of(const Way& way, const Footprint& footprint, const Inside& part) {
+// Opens the outer sides of an arcade. It is as long as four pillars at least, since short passages have side walls.
+template <typename IsFree>
+void open_arcade(const Track& track, const Polyline& line, const Sides& sides, const Polygon& polygon, IsFree is_free,
+                 Passageway& passageway) {
+  constexpr double kShortestArcade_m = 12;
+  if (!track.is_covered || (!track.is_arcade && length_m(line) < kShortestArcade_m)) return;
+  const double wall_m = track.is_arcade ? kArcadeWall_m : kThinWall_m;
+  if (const auto left = open_side(line, 1, sides.left_m, wall_m, polygon, is_free))
+    passageway.left_m = snapped(left->side_m), passageway.pillars_left_m = snapped(left->pillars_m);
+  if (const auto right = open_side(line, -1, sides.right_m, wall_m, polygon, is_free))
+    passageway.right_m = snapped(right->side_m), passageway.pillars_right_m = snapped(right->pillars_m);
+}
+
+template <typename IsFree>
+Passageway passageway_of(const Way& way, const Footprint& footprint, const Inside& part, IsFree is_free) {
   const Track& track = way.track;
   Polyline line = cut_out(track.axis, way.along_m, part);
   const bool has_room = remains_beside(line, way.edges, footprint.polygon, kJamb_m);
   const Sides sides = has_room ? way.edges : way.kerbs;
+  const Polyline inside = line;
   extend_mouth(line, part.to_m == way.along_m.back(), way.goes_on_after, sides, footprint.polygon);
   std::ranges::reverse(line);
   extend_mouth(line, part.from_m == 0, way.goes_on_before, {sides.right_m, sides.left_m}, footprint.polygon);
   std::ranges::reverse(line);
   const double clear_m = track.clear_m > 0 ? track.clear_m : usual_clearance_m(track);
-  return {.building = footprint.id,
-          .way = track.id,
-          .axis = snapped_line(line),
-          .left_m = snapped(sides.left_m + kPlay_m),
-          .right_m = snapped(sides.right_m + kPlay_m),
-          .clear_m = snapped(clear_m + kPlay_m),
-          .least_m = least_clearance_m(track)};
+  Passageway passageway{.building = footprint.id,
+                        .way = track.id,
+                        .axis = snapped_line(line),
+                        .left_m = snapped(sides.left_m + kPlay_m),
+                        .right_m = snapped(sides.right_m + kPlay_m),
+                        .clear_m = snapped(clear_m + kPlay_m),
+                        .least_m = least_clearance_m(track)};
+  open_arcade(track, inside, sides, footprint.polygon, is_free, passageway);
+  return passageway;
 }
 
-void add_passageways(const Way& way, const Footprint& footprint, std::vector<Passageway>& passageways, Report& report) {
+template <typename IsFree>
+void add_passageways(const Way& way, const Footprint& footprint, IsFree is_free, std::vector<Passageway>& passageways,
+                     Report& report) {
   for (const Inside& part : parts_inside(way.track.axis, way.along_m, footprint.polygon)) {
     if (!way.track.is_covered) {
       const Polyline line = cut_out(way.track.axis, way.along_m, part);
       if (!crosses(way, part, footprint.polygon) || !remains_beside(line, way.kerbs, footprint.polygon, 0)) continue;
       report.add(Code::kPassageAssumed, way.track.id.osm, part.to_m - part.from_m);
     }
-    passageways.push_back(passageway_of(way, footprint, part));
+    passageways.push_back(passageway_of(way, footprint, part, is_free));
   }
 }
 
@@ -347,9 +410,14 @@ std::vector<Passageway> plan_passageways(const Features& features, Report& repor
     const std::vector<std::uint32_t> near = closed_near(index, track.axis);
     if (near.empty()) continue;
     const Way way = way_of(track, shared);
+    const auto is_free = [&](Vec2 p) {
+      return std::ranges::none_of(boxes_about(index.grid, p), [&](std::uint32_t i) {
+        return index.boxes[i].contains(p) && contains(index.footprints[i].polygon, p);
+      });
+    };
     for (const std::uint32_t i : near)
       if (can_be_led_through(index.footprints[i], track))
-        add_passageways(way, index.footprints[i], passageways, report);
+        add_passageways(way, index.footprints[i], is_free, passageways, report);
   }
   std::ranges::stable_sort(passageways, {}, [](const Passageway& p) { return std::pair(p.building, p.way); });
   return passageways;

@@ -28,6 +28,9 @@ inline constexpr double kInsideShare = 0.75, kEndAtWall_m = 4, kLongestPassage_m
 ///   remain on both sides (kPassageAssumed); ways that end inside a building or cut a corner have none.
 /// - Open roofs, outlines that parts replace, parts that begin above the way's headroom, and indoor ways have none.
 ///
+/// An arcade is open on its outer side: a covered way along a wall at most 3 m from its edge (1 m unless tagged as an
+/// arcade), where nothing is built beyond the wall.
+///
 /// A passageway is as wide as the way with its pavements; without them where the building has no room for them. It
 /// depends on one way and one footprint, and on whether other ways continue at the way's ends. O(n log n).
 /// @param features  With the tracks' final widths.

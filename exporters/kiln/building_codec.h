@@ -59,10 +59,12 @@ void serialise(auto& io, buildings::Passageway& p) {
   points(io, "passageway points", p.axis, 2);
   io.metres("passageway sides", p.left_m), io.metres("passageway sides", p.right_m);
   io.metres("passageway top", p.top_m);
+  io.metres("passageway pillars", p.pillars_left_m), io.metres("passageway pillars", p.pillars_right_m);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
     constexpr double kMost_m = 64;
     const bool has_width = p.left_m + p.right_m > 0 && std::abs(p.left_m) <= kMost_m && std::abs(p.right_m) <= kMost_m;
     if (!has_width) io.fail("passageway sides");
+    if (std::abs(p.pillars_left_m) > kMost_m || std::abs(p.pillars_right_m) > kMost_m) io.fail("passageway pillars");
     if (std::ranges::adjacent_find(p.axis) != p.axis.end()) io.fail("passageway points");
   }
 }

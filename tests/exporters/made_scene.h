@@ -237,7 +237,7 @@ class SceneMaker {
   }
   buildings::Passageway passageway() {
     const Vec2 from = point();
-    return {id(), {from, from + Vec2{8, 4}}, 1 + metres(4), metres(4), metres(60)};
+    return {id(), {from, from + Vec2{8, 4}}, 1 + metres(4), metres(4), metres(60), metres(4), metres(4)};
   }
   buildings::Building building() {
     buildings::Building b;

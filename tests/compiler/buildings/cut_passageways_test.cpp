@@ -120,6 +120,17 @@ TEST(CutPassageways, TwoThatCrossAreOpenUpToTheirOwnCeilings) {
   expect_open(building, {-1, 6}, {41, 6}, 2, 2);
 }
 
+TEST(CutPassageways, AnArcadeHasPillarsBesideTheWayAndNoOuterWall) {
+  Building building = block();
+  building.passageways = {passage({{-1, 1.5}, {41, 1.5}}, 2.125, 103.5)};
+  building.passageways[0].right_m = 2, building.passageways[0].pillars_right_m = 1.25;
+  expect_open(building, {-1, 1.5}, {41, 1.5}, 2, 2);
+  const int at_wall = count_in_box(at_all_levels(building, {})[0], {0.5, 0}, {39.5, 0}, 0.01, 101, 102);
+  EXPECT_EQ(at_wall, 0);
+  const int at_pillars = count_in_box(at_all_levels(building, {})[0], {-1, 0.25}, {41, 0.25}, 0.3, 101, 102);
+  EXPECT_EQ(at_pillars, 10 * 4);
+}
+
 TEST(CutPassageways, JambsAndCeilingCloseTheOpening) {
   Building building = block();
   building.passageways = {passage({{20, -1}, {20, 13}}, 4, 104)};

@@ -94,6 +94,22 @@ TEST(Passageways, ATunnelWithoutALayerThatLiesInABuildingIsOnTheGround) {
   EXPECT_EQ(far.tracks[0].passage, Passage::kTunnel);
 }
 
+TEST(Passageways, AnArcadeIsOpenThroughItsOuterWallWherePillarsStand) {
+  const auto all = passageways_of(kHouse + "w2 -2:1.5 42:1.5 highway=footway tunnel=building_passage width=2");
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_GT(all[0].right_m, 1.5);
+  EXPECT_NEAR(all[0].left_m, 1, 0.1);
+  EXPECT_GT(all[0].pillars_right_m, 1.2);
+  EXPECT_EQ(all[0].pillars_left_m, 0);
+}
+
+TEST(Passageways, AnArcadeKeepsItsWallWhereAnotherHouseStands) {
+  const auto all = passageways_of(kHouse + "a3 0:-9 40:-9 40:0 0:0 building=house height=9\n" +
+                                  "w2 -2:1.5 42:1.5 highway=footway tunnel=building_passage width=2");
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].pillars_right_m, 0);
+}
+
 TEST(Passageways, DoNotDependOnTheOrderOfElements) {
   const std::string way = "w2 20:-20 20:30 highway=footway", path = "w3 30:-20 30:30 highway=service covered=yes";
   EXPECT_EQ(passageways_of(kHouse + way + "\n" + path), passageways_of(path + "\n" + kHouse + way));
