@@ -8,6 +8,7 @@
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/passageways.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
 #include "compiler/roads/fit_assumed_widths.h"
@@ -18,6 +19,7 @@
 #include "compiler/structures/plan.h"
 #include "compiler/structures/plan_parapet_gaps.h"
 #include "compiler/structures/plan_piers.h"
+#include "compiler/structures/risers.h"
 #include "compiler/structures/within_extent.h"
 #include "compiler/whole_map.h"
 
@@ -52,6 +54,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   // plan roads, land cover and their heights
   timer.enter("roads");
   features.tracks = roads::fit_assumed_widths(features);
+  features.passageways = map::plan_passageways(features, report);
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints,
@@ -71,6 +74,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   recipes.structures = structures::plan(features, profiles.off_ground, recipes.heights, report);
   recipes.structures.bridges = structures::find_parapet_gaps(std::move(recipes.structures.bridges));
   const ground::GradedTerrain graded = grade_whole_map(recipes, features.extent);
+  recipes.roads = structures::with_risers(std::move(recipes.roads), features.tracks, graded, report);
   recipes.structures.bridges =
       structures::place_piers(std::move(recipes.structures.bridges), graded, pier_obstacles(recipes, features), report);
   recipes.structures = structures::within_extent(std::move(recipes.structures), features.extent, report);

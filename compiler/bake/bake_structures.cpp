@@ -83,13 +83,16 @@ void bake_structures(Baking& baking, std::vector<GeneratedSpan>& structures, con
 
 void bake_stairs(Baking& baking, const std::vector<structures::Stairs>& all) {
   for (const structures::Stairs& stairs : all) {
-    const Bounds bounds = bounds_of(stairs.mesh);
+    const Bounds bounds = bounds_of(stairs);
     if (!baking.holds(bounds)) continue;
-    if (stairs.error_m <= baking.tolerance_m)
+    if (stairs.error_m <= baking.tolerance_m) {
       baking.certify(stairs.error_m, bounds);
-    else
-      baking.take(
-          {{{stairs.mesh, materials::Material::kStone, materials::kNoTint, stairs.feature}, Layer::kStructures}});
+      continue;
+    }
+    using materials::Material;
+    baking.take({{{stairs.mesh, Material::kStone, materials::kNoTint, stairs.feature}, Layer::kStructures}});
+    if (!stairs.rails.triangles.empty())
+      baking.take({{{stairs.rails, Material::kMetalCladding, materials::kNoTint, stairs.feature}, Layer::kStructures}});
   }
 }
 

@@ -63,6 +63,15 @@ Bounds bounds_of(const Mesh& mesh) {
   return bounds;
 }
 
+Bounds bounds_of(const structures::Stairs& stairs) {
+  Bounds bounds = bounds_of(stairs.mesh);
+  if (stairs.rails.positions.empty()) return bounds;
+  const Bounds rails = bounds_of(stairs.rails);
+  bounds.plan.grow(rails.plan.min), bounds.plan.grow(rails.plan.max);
+  bounds.low_m = std::min(bounds.low_m, rails.low_m), bounds.high_m = std::max(bounds.high_m, rails.high_m);
+  return bounds;
+}
+
 Bounds bounds_of(const map::Heightfield& terrain, const Box2& box) {
   const map::Heightfield window = map::window_of(terrain, box);
   const auto [low, high] = std::ranges::minmax(window.heights);

@@ -31,6 +31,7 @@ double distance_m(const Bounds& a, const Bounds& b);
 
 /// The bounds of a building from its recipe.
 Bounds bounds_of(const buildings::Building& building);
+Bounds bounds_of(const structures::Stairs& stairs);
 /// The bounds of a bridge or tunnel, parapets and portals included: from the feet of the piers to the ceiling of a
 /// tunnel.
 Bounds bounds_of(const structures::Span& span);

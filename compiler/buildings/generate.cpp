@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/buildings/building_materials.h"
+#include "compiler/buildings/cut_passageways.h"
 #include "compiler/buildings/doors.h"
 #include "compiler/buildings/mass_model.h"
 #include "compiler/buildings/posts.h"
@@ -214,6 +215,7 @@ GeneratedBuilding generate_level(const Level& level, Report& report) {
     add_ruled(level, ruled, generated, report);
   else
     add_mass_model(level, ruled.mass, generated.meshes);
+  cut_passageways(level.building, wall_mesh(level), generated);
   return drop_if_low(level, std::move(generated));
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "compiler/buildings/passageways.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "grammars/derivation/form_roofs.h"
@@ -191,6 +192,17 @@ struct WallBuilder {
     mass.walls.push_back(std::move(wall));
   }
 
+  // An ordinary wall. Above an opening for a way it is a face of its own, so that no window is cut at the sides.
+  void add_facade(double from_m, double to_m, double bottom_m, double top_m) {
+    for (const LineStretch& opening : stretches_in_openings(building, run.from(), run.to(), kMinStrip_m)) {
+      const double begin_m = std::clamp(opening.from_m, from_m, to_m), end_m = std::clamp(opening.to_m, from_m, to_m);
+      if (begin_m > from_m) add_wall({from_m, begin_m, nullptr}, bottom_m, top_m, FaceTag::kSide, faces_street);
+      if (end_m > begin_m) add_wall({begin_m, end_m, nullptr}, bottom_m, top_m, FaceTag::kSide, false);
+      from_m = std::max(from_m, end_m);
+    }
+    if (from_m < to_m) add_wall({from_m, to_m, nullptr}, bottom_m, top_m, FaceTag::kSide, faces_street);
+  }
+
   // The wall against a neighbour, and the blind or ordinary wall above it.
   void add_party_wall(const Stretch& stretch) {
     double top_m = std::clamp(stretch.wall->top_m, low_m, eaves);
@@ -216,12 +228,11 @@ struct WallBuilder {
     for (Stretch stretch : stretches_on(run, building)) {
       stretch.from_m = std::max(stretch.from_m, base.from_m), stretch.to_m = std::min(stretch.to_m, to_m);
       if (stretch.from_m >= stretch.to_m) continue;
-      if (stretch.from_m > from_m)
-        add_wall({from_m, stretch.from_m, nullptr}, low_m, eaves, FaceTag::kSide, faces_street);
+      if (stretch.from_m > from_m) add_facade(from_m, stretch.from_m, low_m, eaves);
       add_party_wall(stretch);
       from_m = stretch.to_m;
     }
-    if (from_m < to_m) add_wall({from_m, to_m, nullptr}, low_m, eaves, FaceTag::kSide, faces_street);
+    if (from_m < to_m) add_facade(from_m, to_m, low_m, eaves);
   }
 };
 

@@ -44,6 +44,12 @@ constexpr double kRoofSlab_m = 0.25, kLeastRoomBelow_m = 1;
 // A storey with no more than this share of its height below the ground has windows.
 constexpr double kMaxBuriedShare = 0.3;
 
+// The wall that has to remain above the opening for a way, and the least clearance with which one is made.
+constexpr double kLintel_m = 0.25, kLeastOpening_m = 2;
+
+// Spacing of height samples along ways through buildings.
+constexpr double kWaySpacing_m = 1;
+
 struct GroundRange {
   double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -std::numeric_limits<double>::infinity();
   void grow(const GroundRange& other) {
@@ -86,6 +92,7 @@ struct Site {
   const MappedDoors doors;
   const std::vector<bool> supported;
   const PostObstacles post_obstacles;
+  const std::vector<map::Passageway> passageways;
 };
 
 // The footprint whose ground the heights of footprint i are measured from: its outline, or itself.
@@ -263,6 +270,60 @@ void set_posts(std::size_t i, const Site& site, double lowest_m, Building& build
   if (building.posts.empty()) building.post_foot_m = 0;
 }
 
+// The highest ground along a way inside a building.
+double highest_along(const map::Passageway& passageway, const ground::GradedTerrain& ground) {
+  double highest_m = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < passageway.axis.size(); ++i) {
+    const Vec2 a = passageway.axis[i], b = passageway.axis[i + 1], left = left_of(unit(b - a));
+    const double steps = std::max(1.0, std::ceil(distance(a, b) / kWaySpacing_m));
+    for (double k = 0; k <= steps; ++k)
+      for (const double side_m : {-passageway.right_m, 0.0, passageway.left_m})
+        highest_m = std::max(highest_m, land_m(ground, a + (b - a) * (k / steps) + left * side_m));
+  }
+  return highest_m;
+}
+
+std::span<const map::Passageway> passageways_in(ObjectId building, std::span<const map::Passageway> all) {
+  const auto range = std::ranges::equal_range(all, building, {}, &map::Passageway::building);
+  return {range.begin(), range.end()};
+}
+
+// Walls of an assumed height are made high enough for the ways that lead through them, and an assumed roof lower.
+void make_room(Building& building, const map::Footprint& footprint, std::span<const map::Passageway> passageways,
+               const ground::GradedTerrain& ground, Report& report) {
+  double wanted_m = eaves_m(building);
+  for (const map::Passageway& passageway : passageways)
+    wanted_m = std::max(wanted_m, snapped(highest_along(passageway, ground) + passageway.clear_m + kLintel_m));
+  const double lacking_m = wanted_m - eaves_m(building);
+  if (lacking_m <= 0) return;
+  if (!footprint.has_roof_in_height && footprint.levels == 0) {
+    report.add(Code::kHeightRaised, footprint.id.osm, lacking_m);
+    building.top_m += lacking_m;
+  } else if (!footprint.has_roof_shape) {
+    building.roof_shape.height_m = std::max(0.0, building.roof_shape.height_m - lacking_m);
+  }
+}
+
+// The openings of a building. A ceiling stays below the eaves.
+std::vector<Passageway> openings_of(const Building& building, std::span<const map::Passageway> passageways,
+                                    const ground::GradedTerrain& ground, Report& report) {
+  std::vector<Passageway> openings;
+  for (const map::Passageway& p : passageways) {
+    const double ground_m = highest_along(p, ground), top_m = snapped(ground_m + p.clear_m);
+    const double lowest_m = std::min(top_m, snapped(eaves_m(building) - kLintel_m));
+    if (lowest_m < ground_m + p.least_m) report.add(Code::kPassageTooLow, p.way.osm, ground_m + p.least_m - lowest_m);
+    if (lowest_m < ground_m + std::min(p.least_m, kLeastOpening_m)) continue;
+    openings.push_back({.way = p.way,
+                        .axis = p.axis,
+                        .left_m = p.left_m,
+                        .right_m = p.right_m,
+                        .top_m = lowest_m,
+                        .pillars_left_m = p.pillars_left_m,
+                        .pillars_right_m = p.pillars_right_m});
+  }
+  return openings;
+}
+
 // A building, and how many of its storeys lie below the entrance.
 struct Planned {
   Building building;
@@ -293,9 +354,12 @@ Planned plan_building(std::size_t i, const Site& site, Report& report) {
                     .has_shop = footprint.has_shop};
   building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(from_m, under.lowest_m) - kFoundation_m);
   building.roof_shape.height_m = std::min(roof.height_m, building.top_m - building.floor_m);
+  const std::span<const map::Passageway> passageways = passageways_in(footprint.id, site.passageways);
+  if (!footprint.is_open) make_room(building, footprint, passageways, site.ground, report);
   if (footprint.is_open) open_below(building, under.highest_m);
   const bool is_opened = building.stands_on_ground != (lift_m == 0);
   if (!building.stands_on_ground && (is_opened || !site.supported[i])) set_posts(i, site, under.lowest_m, building);
+  if (building.stands_on_ground) building.passageways = openings_of(building, passageways, site.ground, report);
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
   const std::uint8_t below = storeys_below(building, under.lowest_m);
   building = extended_below(std::move(building), below);
@@ -367,7 +431,8 @@ Site site_of(const map::Features& features, const ground::GradedTerrain& ground,
           .streets = index_streets(features.tracks),
           .doors = index_doors(features.points),
           .supported = std::move(supported),
-          .post_obstacles = index_post_obstacles(features.tracks, features.footprints)};
+          .post_obstacles = index_post_obstacles(features.tracks, features.footprints),
+          .passageways = features.passageways};
 }
 
 // A building belongs to the extent by its centroid, and all parts of an outline with it.

@@ -55,6 +55,17 @@ struct PartyWall {
   bool operator==(const PartyWall&) const = default;
 };
 
+/// The opening for a way that leads through a building on the ground (map::Passageway): everything below top_m, between
+/// the sides of a strip along the axis.
+struct Passageway {
+  ObjectId way;
+  Polyline axis;                   ///< Plane metres, snapped, at least two points.
+  double left_m = 0, right_m = 0;  ///< From the axis to the sides. Snapped, their sum > 0.
+  double top_m = 0;                ///< The height of the ceiling. Snapped.
+  double pillars_left_m = 0, pillars_right_m = 0;  ///< From the axis to the pillars of an arcade; 0: none. Snapped.
+  bool operator==(const Passageway&) const = default;
+};
+
 /// The recipe of a building or building part.
 struct Building {
   ObjectId id;
@@ -78,6 +89,7 @@ struct Building {
   std::vector<PartyWall> party_walls{};    ///< Sorted by edge, then from_m. No two overlap.
   std::vector<Vec2> posts{};               ///< Centres of the posts below bottom_m (posts.h), snapped.
   double post_foot_m = 0;                  ///< The lower end of the posts, below the ground. Snapped. 0: no posts.
+  std::vector<Passageway> passageways{};   ///< Sorted by way. They may overlap.
   bool operator==(const Building&) const = default;
 };
 

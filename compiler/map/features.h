@@ -40,8 +40,9 @@ enum class TrackPointKind : std::uint8_t {
   kStop,           ///< A stop sign.
   kGiveWay,        ///< A give-way sign.
   kLevelCrossing,  ///< Rails that cross a road or path; the tracks of both have the point.
-  kTurningCircle,  ///< A turning circle, with or without an island.
+  kTurningCircle,  ///< A turning circle without an island.
   kMiniRoundabout,
+  kTurningLoop,  ///< A turning circle around an island.
   kCount
 };
 
@@ -53,6 +54,9 @@ struct TrackPoint {
   auto operator<=>(const TrackPoint&) const = default;
 };
 
+/// Bits: the places of handrails on stairs, seen along the way.
+enum Handrail : std::uint8_t { kHandrailLeft = 1, kHandrailRight = 2, kHandrailCentre = 4 };
+
 /// A way to drive, walk or ride on: road, path, rail. One polyline per way, not split at junctions.
 struct Track {
   ObjectId id;
@@ -62,9 +66,16 @@ struct Track {
   std::int8_t layer = 0;
   Passage passage = Passage::kGround;
   bool is_oneway = false, is_lit = false, is_rail = false;
-  bool is_roundabout = false;         ///< junction=roundabout or circular.
-  bool is_link = false;               ///< A ramp or slip road: highway=*_link.
-  bool is_through_building = false;   ///< By tunnel=building_passage, covered=*, level=*.
+  bool is_roundabout = false;        ///< junction=roundabout or circular.
+  bool is_link = false;              ///< A ramp or slip road: highway=*_link.
+  bool is_through_building = false;  ///< By tunnel=building_passage, covered=*, level=*.
+  bool is_covered = false;           ///< By tunnel=building_passage, covered=*, arcade=*: buildings leave it open.
+  bool is_arcade = false;            ///< By covered=arcade or colonnade, arcade=*: open on its outer side.
+  bool is_indoor = false;            ///< By indoor=*, highway=corridor, a level above or below the ground.
+  bool has_tagged_layer = false;
+  std::uint16_t step_count = 0;       ///< Steps of stairs, by step_count=*; 0: untagged.
+  std::uint8_t handrails = 0;         ///< Handrails of stairs: bits of Handrail.
+  double clear_m = 0;                 ///< Height below what covers it, by maxheight=* or height=*; 0: untagged.
   std::vector<TrackPoint> points;     ///< Sorted. On a closed axis, points of the end node are at vertex 0 only.
   CrossSection section;               ///< Lanes from tags and defaults.
   bool has_tagged_width = false;      ///< True if tags state the carriageway's width; else it is the class's.
@@ -96,6 +107,20 @@ struct Footprint {
   std::uint8_t building_class = 0;  ///< A BuildingClass.
   std::uint16_t year = 0;           ///< The year in which construction began; 0: unknown.
   bool has_shop = false;            ///< True if something is sold or served in it.
+};
+
+/// The place where a way leads through a building on the ground. The building is open there, and the way's surface
+/// replaces its floor.
+struct Passageway {
+  ObjectId building;  ///< The footprint.
+  ObjectId way;
+  Polyline axis;                   ///< Plane metres, snapped; from outside the walls to outside the walls.
+  double left_m = 0, right_m = 0;  ///< From the axis to the sides of the opening; multiples of 2^-10, > 0.
+  double clear_m = 0;              ///< Height above the way.
+  /// An arcade is open on its outer side, beyond the wall; there pillars stand, this far from the axis. 0: none.
+  double pillars_left_m = 0, pillars_right_m = 0;
+  double least_m = 0;              ///< The clearance below which the way cannot be used.
+  bool operator==(const Passageway&) const = default;
 };
 
 /// A polygon of land or water with one class.
@@ -191,6 +216,8 @@ struct Features {
   std::vector<PointFeature> points;
   std::vector<TreeRow> tree_rows;
   std::vector<PowerLine> power_lines;
+  /// Sorted by building, then by way. Set by plan_passageways().
+  std::vector<Passageway> passageways{};
   std::vector<ElementText> texts{};  ///< Names and tags of the features' elements, sorted by id.
 };
 

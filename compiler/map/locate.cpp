@@ -7,6 +7,7 @@
 #include "compiler/map/assumed_layers.h"
 #include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
+#include "compiler/map/passageways.h"
 #include "compiler/map/unread.h"
 
 namespace citykiln::map {
@@ -52,8 +53,10 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   const ReadContext context{osm, plane, extent_of(plane, box), report};
   Features features;
   features.extent = context.extent;
-  features.tracks = with_assumed_layers(locate_tracks(context, options.driving_side));
+  std::vector<Track> tracks = locate_tracks(context, options.driving_side);
   features.footprints = locate_footprints(context);
+  // a tunnel that only leads through buildings needs no layer
+  features.tracks = with_assumed_layers(with_passages_on_ground(std::move(tracks), features.footprints));
   features.areas = locate_areas(context);
   for (AreaFeature& sea : locate_sea(context)) features.areas.push_back(std::move(sea));
   features.waterways = locate_waterways(context);

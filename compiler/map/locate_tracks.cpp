@@ -54,9 +54,65 @@ bool is_upper_passage(const ReadContext& context, const source::Way& way, const 
          context.tag(way.tags, "tunnel") == "building_passage" && !says_yes(context.tag(way.tags, "bridge"));
 }
 
-bool is_through_building(const ReadContext& context, source::Range tags) {
-  return context.tag(tags, "tunnel") == "building_passage" || says_yes(context.tag(tags, "covered")) ||
-         !context.tag(tags, "level").empty();
+// True if the element lies on a storey other than the ground's, or inside rooms.
+bool is_indoor(const ReadContext& context, source::Range tags) {
+  const std::string_view level = context.tag(tags, "level");
+  return says_yes(context.tag(tags, "indoor")) || context.tag(tags, "highway") == "corridor" ||
+         (!level.empty() && number_of(level).value_or(1) != 0);
+}
+
+bool is_arcade(const ReadContext& context, source::Range tags) {
+  const auto is_open = [](std::string_view value) {
+    return value == "arcade" || value == "colonnade" || value == "open" || value == "gallery";
+  };
+  return is_open(context.tag(tags, "covered")) || says_yes(context.tag(tags, "arcade")) ||
+         is_open(context.tag(tags, "tunnel"));
+}
+
+// The clearance of a way, between a crawlway's and a hall's; 0 if it is not tagged.
+double tagged_clearance_m(const ReadContext& context, OsmId id, source::Range tags) {
+  constexpr double kLeast_m = 1, kMost_m = 30;
+  for (const std::string_view key : {"maxheight:physical", "maxheight", "height"}) {
+    const std::string_view value = context.tag(tags, key);
+    // words such as default or below_default state a law
+    if (value.empty() || value.front() < '0' || value.front() > '9') continue;
+    if (const auto height = tagged_length_m(context, id, tags, key, kLeast_m, kMost_m)) return *height;
+  }
+  return 0;
+}
+
+void read_cover(const ReadContext& context, source::Range tags, Track& track) {
+  track.is_arcade = is_arcade(context, tags);
+  track.is_covered =
+      track.is_arcade || context.tag(tags, "tunnel") == "building_passage" || says_yes(context.tag(tags, "covered"));
+  track.is_indoor = is_indoor(context, tags);
+  track.has_tagged_layer = !context.tag(tags, "layer").empty();
+  track.is_through_building = track.is_covered || !context.tag(tags, "level").empty();
+  if (track.is_covered || track.passage == Passage::kTunnel)
+    track.clear_m = tagged_clearance_m(context, track.id.osm, tags);
+}
+
+// Both sides unless sides are named.
+std::uint8_t tagged_handrails(const ReadContext& context, source::Range tags) {
+  unsigned rails = 0;
+  if (says_yes(context.tag(tags, "handrail:left"))) rails |= kHandrailLeft;
+  if (says_yes(context.tag(tags, "handrail:right"))) rails |= kHandrailRight;
+  if (says_yes(context.tag(tags, "handrail:center")) || says_yes(context.tag(tags, "handrail:centre")))
+    rails |= kHandrailCentre;
+  const std::string_view all = context.tag(tags, "handrail");
+  if (all == "left" || all == "right" || all == "center")
+    rails |= all == "left" ? kHandrailLeft : all == "right" ? kHandrailRight : kHandrailCentre;
+  else if (rails == 0 && says_yes(all))
+    rails = kHandrailLeft | kHandrailRight;
+  return static_cast<std::uint8_t>(rails);
+}
+
+void read_stairs(const ReadContext& context, source::Range tags, Track& track) {
+  constexpr double kMostSteps = 5000;
+  const std::string_view count = context.tag(tags, "step_count");
+  if (const auto steps = number_within(context, track.id.osm, "step_count", count, 1, kMostSteps))
+    track.step_count = static_cast<std::uint16_t>(*steps);
+  track.handrails = tagged_handrails(context, tags);
 }
 
 void tell_layer(const Track& track, Report& report) {
@@ -84,7 +140,8 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
   track.layer = tagged_layer(context, id, way.tags);
   track.passage = is_upper_passage(context, way, track) ? Passage::kTunnel : tagged_passage(context, way.tags);
-  track.is_through_building = is_through_building(context, way.tags);
+  read_cover(context, way.tags, track);
+  if (track.surface == LandCoverClass::kSteps) read_stairs(context, way.tags, track);
   track.is_oneway = tagged_traffic(context.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;
   track.is_lit = says_yes(context.tag(way.tags, "lit"));
   track.is_rail = row.key == "railway";

@@ -60,6 +60,7 @@ bool go_on(std::span<const Road> roads, const Arm& a, const Arm& b) {
 
 double least_radius_m(map::TrackPointKind kind) {
   using map::TrackPointKind;
+  if (kind == TrackPointKind::kTurningLoop) return kLoopIsland_m + kLoopLane_m;
   return kind == TrackPointKind::kTurningCircle ? 6 : kind == TrackPointKind::kMiniRoundabout ? 5 : 0;
 }
 

@@ -33,9 +33,12 @@ struct Node {
   std::vector<Arm> arms;  ///< Sorted.
 };
 
+/// The radius of a turning loop's island, and the width of the lane around it.
+inline constexpr double kLoopIsland_m = 3.5, kLoopLane_m = 5;
+
 /// Returns the radius of the disk of ground about the node of these arms: 5 m for a mini roundabout, 6 m for a turning
-/// circle (track points of the roads), but at least 1.5 m more than half the widest arm, and at most 12 m. 0 if the
-/// node is neither. O(arms).
+/// circle, 8.5 m for a turning loop (track points of the roads), but at least 1.5 m more than half the widest arm, and
+/// at most 12 m. 0 if the node is neither. O(arms).
 double disk_radius_m(std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Returns the nodes at which a junction may be needed: with at least three arms, with two arms that do not continue

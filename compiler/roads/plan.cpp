@@ -39,6 +39,7 @@ std::vector<OsmId> ways_through_buildings(const map::Features& features) {
   std::vector<OsmId> ids;
   for (const map::Track& track : features.tracks)
     if (track.is_through_building) ids.push_back(track.id.osm);
+  for (const map::Passageway& passageway : features.passageways) ids.push_back(passageway.way.osm);
   std::ranges::sort(ids);
   return ids;
 }

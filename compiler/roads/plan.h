@@ -16,7 +16,7 @@ Road road_of(const map::Track& track);
 /// become structures and count as merged. O(n).
 std::vector<Road> plan(const map::Features& features, Report& report);
 
-/// Returns the ids of the ways that are tagged to lead through buildings, sorted. O(n).
+/// Returns the ids of the ways that are tagged to lead through buildings or have a passageway in one, sorted. O(n).
 std::vector<OsmId> ways_through_buildings(const map::Features& features);
 
 }  // namespace citykiln::roads

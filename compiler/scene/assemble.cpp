@@ -196,7 +196,7 @@ std::vector<ground::LandCoverPolygon> surfaces_for(const Recipes& recipes, const
   const std::vector<std::uint32_t>& own = sorted.buildings[t];
   for (const std::uint32_t i : sorted.near_buildings[t])
     if (recipes.buildings[i].stands_on_ground && !std::binary_search(own.begin(), own.end(), i))
-      add(footprint_surface(recipes.buildings[i].id, recipes.buildings[i].footprint));
+      add(footprint_surface(recipes.buildings[i]));
   std::stable_sort(surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return surfaces;
 }

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <tuple>
 
+#include "compiler/buildings/passageways.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/plan.h"
 #include "compiler/roads/junctions/corner_pavements.h"
@@ -62,7 +63,7 @@ CoverRecipes cover_recipes_of(const Chunk& chunk) {
                        .watercourses = chunk.watercourses,
                        .footprints = {}};
   for (const buildings::Building& building : chunk.buildings)
-    if (building.stands_on_ground) recipes.footprints.push_back(footprint_surface(building.id, building.footprint));
+    if (building.stands_on_ground) recipes.footprints.push_back(footprint_surface(building));
   return recipes;
 }
 
@@ -117,12 +118,19 @@ ground::LandCoverPolygon corner_pavement_surface(const roads::Junction& junction
           roads::stroke_corner_pavements(junction, roads, arms)};
 }
 
-ground::LandCoverPolygon footprint_surface(ObjectId id, const Polygon& footprint) {
-  ground::LandCoverPolygon surface{.id = id,
+ground::LandCoverPolygon footprint_surface(const buildings::Building& building) {
+  const Polygon& footprint = building.footprint;
+  ground::LandCoverPolygon surface{.id = building.id,
                                    .surface = map::LandCoverClass::kBuilding,
                                    .area_m2 = static_cast<std::uint32_t>(std::min(area_m2(footprint), 4.0e9)),
                                    .rings = {footprint.outer}};
   surface.rings.insert(surface.rings.end(), footprint.holes.begin(), footprint.holes.end());
+  // a clockwise ring lowers the winding number to 0 or less
+  for (const buildings::Passageway& passageway : building.passageways)
+    for (Ring& ring : buildings::rings_of(passageway)) {
+      std::ranges::reverse(ring);
+      surface.rings.push_back(std::move(ring));
+    }
   return surface;
 }
 

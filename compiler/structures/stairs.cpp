@@ -142,10 +142,10 @@ void add_tread(std::span<const CrossLine> tread, double top_m, Stairs& stairs) {
 }
 
 // Adds the treads of a flight that rises from its first line to its last.
-void add_flight(std::span<const CrossLine> flight, Stairs& stairs) {
+void add_flight(std::span<const CrossLine> flight, double usual_riser_m, Stairs& stairs) {
   const double from_m = flight.front().z_m, rise_m = flight.back().z_m - from_m;
   if (rise_m < kMinFlight_m) return;
-  const double riser_m = rise_m / std::round(rise_m / kRiser_m);
+  const double riser_m = rise_m / std::max(1.0, std::round(rise_m / usual_riser_m));
   double highest_m = from_m;
   std::size_t begin = 0;
   int risers = 0;  // below the tread that begins there
@@ -160,14 +160,64 @@ void add_flight(std::span<const CrossLine> flight, Stairs& stairs) {
   if (begin + 1 < flight.size()) add_tread(flight.subspan(begin), from_m + risers * riser_m, stairs);
 }
 
-void add_flights(std::vector<CrossLine>& run, Stairs& stairs) {
+// A bar of a square section between two points, upright or sloping.
+void add_bar(Vec3 from, Vec3 to, Vec2 across, Mesh& mesh) {
+  constexpr double kHalf_m = 0.03125;
+  const Vec2 along = {across.y, -across.x};
+  const bool is_post = in_plan(from) == in_plan(to);
+  const Vec2 a = across * kHalf_m, b = is_post ? along * kHalf_m : Vec2{};
+  const double low_m = is_post ? 0 : -kHalf_m, high_m = is_post ? 0 : kHalf_m;
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Vec3 end : {from, to}) {
+    const Vec2 p = in_plan(end);
+    for (const Vec3 corner : {at_height(p - a - b, end.z + low_m), at_height(p + a - b, end.z + low_m),
+                              at_height(p + a + b, end.z + high_m), at_height(p - a + b, end.z + high_m)})
+      mesh.positions.push_back(snapped(corner));
+  }
+  const auto quad = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) {
+    add_quad(mesh, first + i, first + j, first + k, first + l);
+  };
+  quad(3, 2, 1, 0), quad(4, 5, 6, 7), quad(0, 1, 5, 4), quad(1, 2, 6, 5), quad(2, 3, 7, 6), quad(3, 0, 4, 7);
+}
+
+// A handrail along a flight. `share` is its place across the way: 0 at the left edge, 1 at the right one.
+void add_handrail(std::span<const CrossLine> flight, double share, Stairs& stairs) {
+  std::size_t last = 0;
+  const auto foot = [&](const CrossLine& line) { return line.left + (line.right - line.left) * share; };
+  const auto post = [&](const CrossLine& line) {
+    add_bar(at_height(foot(line), line.low_m), at_height(foot(line), line.z_m + kHandrail_m),
+            unit(line.right - line.left), stairs.rails);
+    stairs.error_m = std::max(stairs.error_m, line.z_m + kHandrail_m + 0.1 - line.low_m);
+  };
+  post(flight.front());
+  for (std::size_t i = 1; i < flight.size(); ++i) {
+    const bool is_far = distance(foot(flight[last]), foot(flight[i])) >= kPostSpacing_m;
+    if (!is_far && !flight[i].is_corner && i + 1 < flight.size()) continue;
+    const CrossLine &a = flight[last], &b = flight[i];
+    add_bar(at_height(foot(a), a.z_m + kHandrail_m), at_height(foot(b), b.z_m + kHandrail_m), unit(a.right - a.left),
+            stairs.rails);
+    post(b);
+    last = i;
+  }
+}
+
+void add_handrails(std::span<const CrossLine> flight, std::uint8_t handrails, Stairs& stairs) {
+  if (handrails == 0 || std::abs(flight.back().z_m - flight.front().z_m) < kMinFlight_m) return;
+  constexpr double kFromEdge = 0.04;
+  if (handrails & map::kHandrailLeft) add_handrail(flight, kFromEdge, stairs);
+  if (handrails & map::kHandrailRight) add_handrail(flight, 1 - kFromEdge, stairs);
+  if (handrails & map::kHandrailCentre) add_handrail(flight, 0.5, stairs);
+}
+
+void add_flights(std::vector<CrossLine>& run, const roads::Road& steps, Stairs& stairs) {
   if (run.size() < 2) return;
   const std::vector<std::size_t> turns = turns_of(run);
   for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
     std::vector<CrossLine> flight(run.begin() + static_cast<std::ptrdiff_t>(turns[i]),
                                   run.begin() + static_cast<std::ptrdiff_t>(turns[i + 1]) + 1);
+    add_handrails(flight, steps.handrails, stairs);
     if (flight.back().z_m < flight.front().z_m) std::ranges::reverse(flight);
-    add_flight(flight, stairs);
+    add_flight(flight, steps.riser_m > 0 ? steps.riser_m : kRiser_m, stairs);
   }
 }
 
@@ -175,9 +225,9 @@ void add_flights(std::vector<CrossLine>& run, Stairs& stairs) {
 
 Stairs stairs_on(const roads::Road& steps, const ground::LandCoverIndex& land_cover,
                  const ground::GradedTerrain& ground, const Box2& box) {
-  Stairs stairs{steps.id.osm, {}, 0};
+  Stairs stairs{.feature = steps.id.osm, .mesh = {}};
   const GroundSampler sampler{steps, land_cover, ground, box, roads::left_m(steps), roads::right_m(steps)};
-  for (std::vector<CrossLine>& run : runs_of(sampler)) add_flights(run, stairs);
+  for (std::vector<CrossLine>& run : runs_of(sampler)) add_flights(run, steps, stairs);
   return stairs;
 }
 

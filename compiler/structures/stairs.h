@@ -18,16 +18,21 @@ namespace citykiln::structures {
 /// Approximate height of a step; all steps of a flight are equal.
 inline constexpr double kRiser_m = 0.17;
 
+/// The height of a handrail above the edges of the steps, and the distance of its posts.
+inline constexpr double kHandrail_m = 0.9, kPostSpacing_m = 2;
+
 /// The stairs of one way that lie in one tile.
 struct Stairs {
   OsmId feature;
   Mesh mesh;           ///< One closed block per tread. Plane metres, snapped.
-  double error_m = 0;  ///< Largest height of a tread above the ground: the error of omitting the stairs.
+  Mesh rails{};        ///< Handrails and their posts.
+  double error_m = 0;  ///< Largest height of a tread or handrail above the ground: the error of omitting both.
 };
 
 /// Returns the stairs of a way with steps inside a box, at the places where that way is the topmost land cover. Each
-/// part that rises or falls is one flight. Treads are level across the way and nowhere below the ground under them.
-/// Treads that would overlap in sharp bends are omitted. O(length).
+/// part that rises or falls is one flight, with steps of Road::riser_m or kRiser_m and with the road's handrails.
+/// Treads are level across the way and nowhere below the ground under them. Treads that would overlap in sharp bends
+/// are omitted. O(length).
 /// @param steps   The way, a road of class steps.
 /// @param index   Land cover of the box and its surroundings.
 /// @param ground  Graded terrain, valid in the box and within a road's width around it.

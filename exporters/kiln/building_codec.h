@@ -1,6 +1,8 @@
 // Reads and writes the fields of buildings. `io` is a Writer or a Reader (chunk_io.h); each function does both.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -61,6 +63,22 @@ void serialise(auto& io, buildings::BuriedFrom& b, std::size_t edges) {
     if (b.edge >= edges || !(b.from_m > 0)) io.fail("buried edge");
 }
 
+/// An opening for a way. Its sides are up to 64 m from its axis.
+void serialise(auto& io, buildings::Passageway& p) {
+  id(io, p.way);
+  points(io, "passageway points", p.axis, 2);
+  io.metres("passageway sides", p.left_m), io.metres("passageway sides", p.right_m);
+  io.metres("passageway top", p.top_m);
+  io.metres("passageway pillars", p.pillars_left_m), io.metres("passageway pillars", p.pillars_right_m);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    constexpr double kMost_m = 64;
+    const bool has_width = p.left_m + p.right_m > 0 && std::abs(p.left_m) <= kMost_m && std::abs(p.right_m) <= kMost_m;
+    if (!has_width) io.fail("passageway sides");
+    if (std::abs(p.pillars_left_m) > kMost_m || std::abs(p.pillars_right_m) > kMost_m) io.fail("passageway pillars");
+    if (std::ranges::adjacent_find(p.axis) != p.axis.end()) io.fail("passageway points");
+  }
+}
+
 // True if heights are in order and the roof fits, as generating a building requires.
 inline bool has_ordered_heights(const buildings::Building& b) {
   return b.bottom_m < b.top_m && b.bottom_m <= b.floor_m && b.floor_m <= eaves_m(b) && b.levels > 0 &&
@@ -94,6 +112,7 @@ void serialise(auto& io, buildings::Building& b) {
   facade(io, b);
   points(io, "posts", b.posts, 0);
   if (!b.posts.empty()) io.metres("post foot", b.post_foot_m);
+  list(io, "passageways", b.passageways, 0, [&](buildings::Passageway& p) { serialise(io, p); });
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
     if (!has_ordered_heights(b)) io.fail("building top");
 }

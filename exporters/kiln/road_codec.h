@@ -153,11 +153,37 @@ void narrowings(Io& io, std::vector<roads::Road>& roads) {
   });
 }
 
-/// The roads of a chunk, then their width limits.
+// Writes only stairs with a tagged number of steps, or with handrails.
+template <typename Io>
+void stepped(Io& io, std::vector<roads::Road>& roads) {
+  std::vector<std::uint64_t> numbers;
+  for (std::size_t i = 0; i < roads.size(); ++i)
+    if (roads[i].riser_m > 0 || roads[i].handrails != 0) numbers.push_back(i);
+  std::uint64_t next = 0;
+  list(io, "stepped roads", numbers, 0, [&](std::uint64_t& road) {
+    std::uint64_t skipped = road - next;
+    io.number("stepped road", skipped);
+    if constexpr (Io::kReads)
+      if (skipped >= roads.size() - next) return io.fail("stepped road");
+    road = next + skipped, next = road + 1;
+    auto riser = static_cast<std::uint64_t>(roads[road].riser_m / kQuantum_m);
+    io.number("riser", riser);
+    roads[road].riser_m = static_cast<double>(riser) * kQuantum_m;
+    io.number("handrails", roads[road].handrails);
+    if constexpr (Io::kReads) {
+      constexpr double kMost_m = 1;
+      if (roads[road].riser_m > kMost_m) io.fail("riser");
+      if (roads[road].handrails > 7) io.fail("handrails");
+    }
+  });
+}
+
+/// The roads of a chunk, then their width limits, then risers and handrails of stairs.
 template <typename Io>
 void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
   list(io, "roads", roads, 0, [&](roads::Road& r) { kinds.road(io, r); });
   narrowings(io, roads);
+  stepped(io, roads);
 }
 
 // The unit of Strip::influence_radius_m.

@@ -161,7 +161,7 @@ class SceneMaker {
     structures::Span s{
         road(),     span_end(), span_end(),    {},
         openings(), openings(), below(2) == 0, static_cast<std::int8_t>(static_cast<int>(below(21)) - 10)};
-    s.width_limits = {};
+    s.width_limits = {}, s.riser_m = 0, s.handrails = 0;
     double at_m = 0;
     for (auto i = below(4); i > 0; --i)
       s.piers.push_back({at_m += (1 + below(999)) / 4.0, (static_cast<double>(below(9000)) - 400) / 4});
@@ -192,6 +192,7 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i)
       r.points.push_back({below(2), pick(map::TrackPointKind::kCount), static_cast<std::int8_t>(below(3))});
     r.profile = profile();
+    if (below(4) == 0) r.riser_m = metres(1), r.handrails = static_cast<std::uint8_t>(below(8));
     if (below(3) == 0) r.width_limits = {width_limits(), width_limits()};
     for (map::TrackPoint& p : r.points) p.facing = static_cast<std::int8_t>(p.facing - 1);
     return r;
@@ -234,6 +235,10 @@ class SceneMaker {
       if (below(4) == 0) walls.push_back({edge, 0, 1 + metres(9), metres(60), below(2) == 0, below(2) == 0});
     return walls;
   }
+  buildings::Passageway passageway() {
+    const Vec2 from = point();
+    return {id(), {from, from + Vec2{8, 4}}, 1 + metres(4), metres(4), metres(60), metres(4), metres(4)};
+  }
   buildings::Building building() {
     buildings::Building b;
     b.id = id();
@@ -254,6 +259,7 @@ class SceneMaker {
       b.facade_edges.push_back(
           {below(2) == 0, static_cast<std::uint8_t>(below(256)), static_cast<std::uint16_t>(below(65536))});
     b.party_walls = party_walls(b.footprint.outer.size());
+    for (auto i = below(3); i > 0; --i) b.passageways.push_back(passageway());
     return b;
   }
   map::Heightfield field() {

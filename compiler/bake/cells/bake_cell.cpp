@@ -124,7 +124,7 @@ class Sorter {
       if (SharedByLevels* own = place(shared, bounds, pit.at)) own->pits.push_back(pit);
     }
     for (const structures::Stairs& stairs : shared.stairs) {
-      const Bounds bounds = bounds_of(stairs.mesh);
+      const Bounds bounds = bounds_of(stairs);
       if (SharedByLevels* own = place(shared, bounds, bounds.plan.centre())) own->stairs.push_back(stairs);
     }
   }
@@ -220,7 +220,8 @@ std::size_t bytes_of(const CellObjects& objects) {
   for (const auto* plants : {&objects.placed->trees, &objects.placed->blades})
     for (const auto& [prototype, placements] : *plants) bytes += placements.capacity() * sizeof(Placement);
   for (const structures::Stairs& stairs : objects.placed->stairs)
-    bytes += stairs.mesh.positions.capacity() * sizeof(Vec3) + stairs.mesh.triangles.capacity() * sizeof(Triangle);
+    for (const Mesh* mesh : {&stairs.mesh, &stairs.rails})
+      bytes += mesh->positions.capacity() * sizeof(Vec3) + mesh->triangles.capacity() * sizeof(Triangle);
   return bytes + sizeof(SharedByLevels) + objects.placed->lamps.standing.capacity() * sizeof(props::StreetLamp);
 }
 

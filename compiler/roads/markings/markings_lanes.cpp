@@ -80,6 +80,8 @@ Line same_way_line(const Lane& a, const Lane& b, const MarkingLayout& layout, co
 Line driven_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   if (a.way == b.way) return same_way_line(a, b, layout, rules);
   if (!rules.measures.has_lane_lines) return {};
+  // a lane for turning from both directions is no lane to overtake on
+  if (is_either(LaneKind::kTurn, a, b)) return {rules.measures.narrow_m, kSolid};
   const bool is_either_way = a.way == LaneDirection::kBoth || b.way == LaneDirection::kBoth;
   if (rules.has_double_centre && !is_either_way) return {rules.measures.narrow_m, kSolid, true};
   return {rules.measures.narrow_m, rules.is_sorted ? kSolid : rules.measures.broken};

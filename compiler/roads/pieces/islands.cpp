@@ -1,10 +1,13 @@
 #include "compiler/roads/pieces/islands.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
+#include <utility>
 
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/ring_crossing.h"
+#include "compiler/geometry/snap.h"
 #include "compiler/roads/network.h"
 
 namespace citykiln::roads {
@@ -87,11 +90,43 @@ std::vector<TrafficIsland> island_in(std::span<const Road> roads, const std::vec
   return {{id, is_planted ? map::LandCoverClass::kVerge : map::LandCoverClass::kIsland, std::move(ring)}};
 }
 
+// A 16-gon. cos and sin of k · 22.5° as literals, so that every CPU agrees.
+Ring disk_about(Vec2 centre, double radius_m) {
+  constexpr double kC1 = 0.9238795325112867, kC2 = 0.7071067811865476, kC3 = 0.3826834323650898;
+  constexpr Vec2 kQuarter[] = {{1, 0}, {kC1, kC3}, {kC2, kC2}, {kC3, kC1}};
+  Ring ring;
+  for (int quarter = 0; quarter < 4; ++quarter)
+    for (Vec2 direction : kQuarter) {
+      for (int turn = 0; turn < quarter; ++turn) direction = left_of(direction);
+      ring.push_back(snapped(centre + direction * radius_m));
+    }
+  return ring;
+}
+
+// Islands at marked nodes. A node of several streets belongs to the one with the lowest id.
+std::vector<TrafficIsland> islands_at_nodes(std::span<const Road> roads) {
+  std::map<std::pair<Vec2, map::LandCoverClass>, ObjectId> nodes;
+  for (const Road& road : roads)
+    for (const map::TrackPoint& point : road.points) {
+      const bool is_loop = point.kind == map::TrackPointKind::kTurningLoop;
+      if (!is_loop && point.kind != map::TrackPointKind::kMiniRoundabout) continue;
+      const auto surface = is_loop ? map::LandCoverClass::kTrafficIsland : map::LandCoverClass::kPaintedIsland;
+      const auto [node, is_new] = nodes.try_emplace({road.axis[point.vertex], surface}, road.id);
+      node->second = std::min(node->second, road.id);
+    }
+  std::vector<TrafficIsland> islands;
+  for (const auto& [node, id] : nodes) {
+    const bool is_loop = node.second == map::LandCoverClass::kTrafficIsland;
+    islands.push_back({id, node.second, disk_about(node.first, is_loop ? kLoopIsland_m : kPaintedCircle_m)});
+  }
+  return islands;
+}
+
 }  // namespace
 
 std::vector<TrafficIsland> islands_of(std::span<const Road> roads) {
   const std::vector<HalfEdge> half_edges = half_edges_of(roads);
-  std::vector<TrafficIsland> islands;
+  std::vector<TrafficIsland> islands = islands_at_nodes(roads);
   for (const HalfEdge& half_edge : half_edges)
     for (TrafficIsland& island : island_in(roads, face_from(half_edges, half_edge)))
       islands.push_back(std::move(island));

@@ -14,20 +14,23 @@
 
 namespace citykiln::roads {
 
-/// A face of the street network that becomes an island.
+/// A face of the street network that becomes an island, or a disk at a node.
 struct TrafficIsland {
   ObjectId id;  ///< The lowest id of the streets around it.
   map::LandCoverClass surface{};
-  Ring ring;  ///< Counter-clockwise, vertices of axes.
+  Ring ring;  ///< Counter-clockwise: vertices of axes, or a 16-gon.
 };
+
+/// The radius of the painted circle of a mini roundabout.
+inline constexpr double kPaintedCircle_m = 1.5;
 
 /// The maximum extent of an island in x and y.
 inline constexpr double kWidestIsland_m = 48;
 
 /// Returns the faces between axes of streets (of class residential or higher) that are islands: faces of at most 300 m²
 /// and, within a roundabout, faces of any area up to kWidestIsland_m wide. Faces over 80 m² within roundabouts are
-/// planted. Sorted by id. A face whose ring crosses itself, because streets cross without a common vertex, is no
-/// island. O(n log n).
+/// planted. Turning loops have a raised island of kLoopIsland_m, mini roundabouts a painted circle. Sorted by id. A
+/// face whose ring crosses itself, because streets cross without a common vertex, is no island. O(n log n).
 std::vector<TrafficIsland> islands_of(std::span<const Road> roads);
 
 }  // namespace citykiln::roads

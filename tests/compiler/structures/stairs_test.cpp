@@ -138,5 +138,31 @@ TEST(Stairs, KeepToTheirLandCoverAndTheBox) {
   for (const Vec3 p : made.stairs.mesh.positions) EXPECT_LE(p.x, 12 + 0x1p-9);
 }
 
+TEST(Stairs, HaveTheTaggedNumberOfSteps) {
+  roads::Road steps = steps_along({{0, 0}, {12, 0}});
+  const auto ramp = [](Vec2 p) { return p.x / 6; };
+  steps.riser_m = 0.25;
+  const auto tagged = tread_heights(built(steps, ramp).stairs.mesh).size();
+  steps.riser_m = 0;
+  EXPECT_NEAR(static_cast<double>(tagged), 2 / 0.25, 1);
+  EXPECT_GT(tread_heights(built(steps, ramp).stairs.mesh).size(), tagged);
+}
+
+TEST(Stairs, HandrailsStandAboveTheStepsOnTheirSide) {
+  roads::Road steps = steps_along({{0, 0}, {12, 0}});
+  const auto ramp = [](Vec2 p) { return p.x / 6; };
+  EXPECT_TRUE(built(steps, ramp).stairs.rails.triangles.empty());
+  steps.handrails = map::kHandrailLeft;
+  const Stairs stairs = built(steps, ramp).stairs;
+  ASSERT_FALSE(stairs.rails.triangles.empty());
+  double highest_m = 0;
+  for (const Vec3 p : stairs.rails.positions) {
+    EXPECT_GT(p.y, 0.8);
+    highest_m = std::max(highest_m, p.z);
+  }
+  EXPECT_NEAR(highest_m, 2 + kHandrail_m, 0.2);
+  EXPECT_GE(stairs.error_m, kHandrail_m);
+}
+
 }  // namespace
 }  // namespace citykiln::structures

@@ -9,7 +9,8 @@ namespace {
 
 // "1zebra^ 2signals": vertex, kind, and ^ along or v against the way.
 std::string text_of_points(const Track& track) {
-  constexpr const char* kNames[] = {"zebra", "crossing", "signals", "stop", "give_way", "level", "turning", "mini"};
+  constexpr const char* kNames[] = {"zebra", "crossing", "signals", "stop", "give_way",
+                                    "level", "turning",  "mini",    "loop"};
   std::string text;
   for (const TrackPoint& point : track.points)
     text += fmt::format("{}{}{}{}", text.empty() ? "" : " ", point.vertex, kNames[static_cast<int>(point.kind)],
@@ -70,7 +71,7 @@ TEST(TrackPoints, FollowFromTheTagsOfNodes) {
       {"railway=crossing", "1level"},
       {"railway=tram_crossing highway=crossing crossing=zebra", "1zebra 1level"},
       {"highway=turning_circle diameter=12", "1turning"},
-      {"highway=turning_loop", "1turning"},
+      {"highway=turning_loop", "1loop"},
       {"highway=mini_roundabout direction=clockwise", "1mini"},
       {"highway=bus_stop crossing=zebra", ""},
       {"highway=street_lamp", ""},

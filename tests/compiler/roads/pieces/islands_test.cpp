@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/roads/network.h"
 #include "tests/compiler/roads/made_road.h"
 
 namespace citykiln::roads {
@@ -58,6 +59,31 @@ TEST(Islands, HaveNoDeadEndsInThem) {
   roads.push_back(street_without_pavements(4, {{0, 0}, {4, 4}}));
   // the ring would run along the dead end and back: it touches itself, so it is no island
   EXPECT_TRUE(islands_of(roads).empty());
+}
+
+TEST(Islands, ATurningLoopHasARaisedIslandAndAMiniRoundaboutAPaintedCircle) {
+  Road loop = street_without_pavements(1, {{0, 0}, {50, 0}}), mini = street_without_pavements(2, {{0, 90}, {50, 90}});
+  loop.points = {{1, map::TrackPointKind::kTurningLoop, 0}};
+  mini.points = {{0, map::TrackPointKind::kMiniRoundabout, 0}};
+  const auto islands = islands_of(std::vector{loop, mini});
+  ASSERT_EQ(islands.size(), 2u);
+  EXPECT_EQ(islands[0].surface, LandCoverClass::kTrafficIsland);
+  EXPECT_NEAR(signed_area_m2(islands[0].ring), 3.06 * kLoopIsland_m * kLoopIsland_m, 0.1);
+  EXPECT_EQ(islands[1].surface, LandCoverClass::kPaintedIsland);
+}
+
+TEST(Islands, ATurningCircleHasNone) {
+  Road circle = street_without_pavements(1, {{0, 0}, {50, 0}});
+  circle.points = {{1, map::TrackPointKind::kTurningCircle, 0}};
+  EXPECT_TRUE(islands_of(std::vector{circle}).empty());
+}
+
+TEST(Islands, ANodeOfSeveralStreetsHasOneIsland) {
+  Road a = street_without_pavements(2, {{0, 0}, {50, 0}}), b = street_without_pavements(1, {{50, 0}, {50, 40}});
+  a.points = {{1, map::TrackPointKind::kTurningLoop, 0}}, b.points = {{0, map::TrackPointKind::kTurningLoop, 0}};
+  const auto islands = islands_of(std::vector{a, b});
+  ASSERT_EQ(islands.size(), 1u);
+  EXPECT_EQ(islands[0].id.osm.id, 1);
 }
 
 }  // namespace
