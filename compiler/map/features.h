@@ -132,7 +132,7 @@ struct Barrier {
 /// The form of the land that an object makes.
 enum class LandformKind : std::uint8_t {
   kWall,   ///< A retaining wall: the land is higher on one side.
-  kStep,   ///< A cliff or bank: likewise, without a wall.
+  kStep,   ///< A cliff or bank: a step without a wall.
   kRidge,  ///< A dyke: a crest with slopes on both sides.
   kDam,    ///< A dam across a valley.
   kDeck    ///< A pier, breakwater, quay or weir: level, above water.

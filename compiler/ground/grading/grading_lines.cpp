@@ -186,29 +186,14 @@ void add_road_lines(GradedHeights& heights, const GradedSegment& s, const Box2& 
   }
 }
 
-// Adds lines beside a segment of a landform: the faces of a step, the edges of a crest and the feet of its slopes.
-void add_landform_lines(const GradedTerrain& graded, LandformIndex::Piece piece, std::vector<Line>& lines) {
-  const Landform& form = graded.landforms.forms[piece.form];
+// Adds the faces of a step or the edges of a crest beside a segment of a landform. They depend on its axis only, as the
+// terrain at the far end of a long segment is not known in every tile.
+void add_landform_lines(const LandformIndex& landforms, LandformIndex::Piece piece, std::vector<Line>& lines) {
+  const Landform& form = landforms.forms[piece.form];
   if (form.kind == LandformKind::kDeckArea) return;
   const Vec2 from = form.axis[piece.segment], to = form.axis[piece.segment + 1], left = left_of(unit(to - from));
-  const bool is_ridge = form.kind == LandformKind::kRidge || form.kind == LandformKind::kDam;
-  const std::vector<double>& along_m = graded.landforms.along_m[piece.form];
-  for (const double side : {1.0, -1.0}) {
-    const double half_m = side > 0 ? form.left_m : form.right_m;
-    const Vec2 a = from + left * (side * half_m), b = to + left * (side * half_m);
-    add_line(a, b, lines);
-    if (!is_ridge) continue;
-    const auto foot = [&](Vec2 edge, double at_m) {
-      const double z_m = knot_at(form.profile, at_m).z_m;
-      double away_m = 0;
-      for (int i = 0; i < kFootSteps; ++i) {
-        const double drop_m = z_m - map::height_m_at(graded.terrain, edge + left * (side * away_m));
-        away_m = std::clamp(drop_m / side_slope(form.kind), 0.0, kLandformReach_m);
-      }
-      return edge + left * (side * away_m);
-    };
-    add_line(foot(a, along_m[piece.segment]), foot(b, along_m[piece.segment + 1]), lines);
-  }
+  add_line(from + left * form.left_m, to + left * form.left_m, lines);
+  add_line(from - left * form.right_m, to - left * form.right_m, lines);
 }
 
 bool may_touch(const Line& line, const Box2& cell) {
@@ -223,7 +208,7 @@ std::vector<Line> grading_lines(GradedHeights& heights, const Box2& cell) {
   for (const std::uint32_t i : boxes_about(graded.roads.grid, cell))
     add_road_lines(heights, graded.roads.segments[i], cell, lines);
   for (const std::uint32_t i : boxes_about(graded.landforms.grid, cell))
-    add_landform_lines(graded, graded.landforms.pieces[i], lines);
+    add_landform_lines(graded.landforms, graded.landforms.pieces[i], lines);
   add_terrain_lines(graded.terrain, cell, lines);
   std::erase_if(lines, [&](const Line& line) { return !may_touch(line, cell); });
   std::vector<Line> bent;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 #include "compiler/geometry/segment.h"
@@ -101,7 +100,7 @@ void for_each_form(const LandformIndex& index, Vec2 p, Each each) {
   }
 }
 
-double reach_of(const Landform& form) {
+double form_reach_m(const Landform& form) {
   return kLandformReach_m + (is_area(form) ? 0 : std::max(form.left_m, form.right_m));
 }
 
@@ -113,7 +112,6 @@ double side_slope(LandformKind kind) {
 }
 
 LandformIndex index_landforms(std::span<const Landform> forms) {
-  assert(std::ranges::is_sorted(forms, {}, [](const Landform& f) { return f.id; }));
   LandformIndex index{{forms.begin(), forms.end()}, {}, {}, {}};
   std::vector<Box2> boxes;
   for (std::uint32_t f = 0; f < forms.size(); ++f) {
@@ -125,7 +123,7 @@ LandformIndex index_landforms(std::span<const Landform> forms) {
     for (std::uint32_t s = 0; s < count; ++s) {
       index.pieces.push_back({f, s});
       const Box2 box = is_area(form) ? box_of(form.axis) : box_of(std::array{form.axis[s], form.axis[s + 1]});
-      boxes.push_back(box.widened(reach_of(form)));
+      boxes.push_back(box.widened(form_reach_m(form)));
     }
   }
   index.grid = grid_of(boxes, kFormBucket_m);

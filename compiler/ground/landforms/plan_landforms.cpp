@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/ground/grading/graded_box.h"
 #include "compiler/ground/landforms/landform_index.h"
 #include "compiler/ground/water/water_height.h"
 
@@ -15,7 +14,7 @@ namespace {
 using map::LandCoverClass;
 
 // Knots of landforms are at most this far apart.
-constexpr double kKnotStep_m = 8;
+constexpr double kFormKnotStep_m = 8;
 // Heights of ridges and decks that are not tagged are those of map/line_rules.inc; decks without water are as high as
 // this above the ground.
 constexpr double kDryDeck_m = 0.5;
@@ -38,7 +37,7 @@ std::vector<FormPlace> places_along(const Polyline& axis) {
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
     const Vec2 left = left_of(unit(axis[i + 1] - axis[i]));
     const double long_m = along_m[i + 1] - along_m[i];
-    const auto count = static_cast<int>(std::ceil(long_m / kKnotStep_m));
+    const auto count = static_cast<int>(std::ceil(long_m / kFormKnotStep_m));
     for (int k = 0; k < count; ++k) {
       const double share = static_cast<double>(k) / count;
       places.push_back({along_m[i] + long_m * share, axis[i] + (axis[i + 1] - axis[i]) * share, left});
@@ -229,7 +228,7 @@ bool has_decks(const map::Features& features) {
 std::vector<Landform> plan_landforms(const map::Features& features, std::span<const LandCoverPolygon> surfaces,
                                      std::span<const roads::Strip> streams, const map::Heightfield& heights,
                                      Report& report) {
-  const Box2 box = graded_box(features.extent, heights);
+  const Box2 box = heights.box();
   LandformPlanner planner{features, heights, report, box, {}};
   if (has_decks(features)) planner.waters = index_waters(surfaces, streams, box);
   for (const map::Landform& form : features.landforms) planner.add_line(form);

@@ -11,7 +11,7 @@ enum class LandformKind : std::uint8_t {
   kRidge,     ///< A dyke or embankment: a crest with slopes of earth.
   kDam,       ///< A crest with steep sides.
   kDeck,      ///< A pier, groyne or breakwater along a line: level, above water.
-  kDeckArea,  ///< The same as an area: the axis is its outer ring.
+  kDeckArea,  ///< An area of this kind: the axis is its outer ring.
   kCount
 };
 
