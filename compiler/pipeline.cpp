@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/buildings/plan.h"
+#include "compiler/ground/landforms/plan_landforms.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
@@ -63,9 +64,11 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   ground::Waters waters = survey ? surveyed_waters(plan_dry_waters(features, report), *survey)
                                  : plan_waters(plan_dry_waters(features, report), features, recipes.heights, report);
   recipes.surfaces = std::move(waters.surfaces), recipes.watercourses = std::move(waters.streams);
+  recipes.landforms = ground::plan_landforms(features, recipes.surfaces, recipes.watercourses, recipes.heights, report);
   timer.enter("road heights");
-  ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
-                                                    recipes.watercourses, recipes.surfaces, recipes.heights, report);
+  ground::Profiles profiles =
+      ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions, recipes.watercourses,
+                            recipes.surfaces, recipes.heights, report, 1, recipes.landforms);
   const ground::ProfileMeasures measured = ground::measure_profiles(features, profiles);
   recipes.roads = std::move(profiles.roads);
 

@@ -19,6 +19,7 @@ scene::CoverRecipes cover_recipes_of(const scene::Recipes& recipes) {
           .roads = recipes.roads,
           .junctions = recipes.junctions,
           .watercourses = recipes.watercourses,
+          .landforms = recipes.landforms,
           .footprints = {}};
 }
 
@@ -68,7 +69,8 @@ ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2&
                                                   .streams = recipes.watercourses,
                                                   .surfaces = surfaces,
                                                   .box = ground::graded_box(extent, recipes.heights),
-                                                  .has_kerbs = false},
+                                                  .has_kerbs = false,
+                                                  .landforms = recipes.landforms},
                                                  recipes.structures.bridges, recipes.structures.tunnels);
 }
 

@@ -52,7 +52,7 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
   Table table{features, std::vector<FeatureAttributes>(features.size())};
   add_buildings(table, chunk.buildings);
   add_covers(table, chunk.bridges), add_covers(table, chunk.tunnels);
-  add_covers(table, chunk.roads), add_covers(table, chunk.watercourses);
+  add_covers(table, chunk.roads), add_covers(table, chunk.watercourses), add_covers(table, chunk.landforms);
   for (const props::Barrier& b : chunk.barriers) table.add(b.id.osm, map::name_of(b.kind), b.height_m);
   add_plants(table, chunk.trees), add_plants(table, chunk.tree_rows);
   for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);

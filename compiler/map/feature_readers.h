@@ -19,6 +19,7 @@ std::vector<AreaFeature> locate_sea(
     const ReadContext& context);  ///< natural=coastline, closed around the extent. Ledger "map/coastline".
 std::vector<Waterway> locate_waterways(const ReadContext& context);     ///< waterway=* lines.
 std::vector<Barrier> locate_barriers(const ReadContext& context);       ///< barrier=* lines.
+std::vector<Landform> locate_landforms(const ReadContext& context);     ///< Retaining walls, cliffs, dykes, piers, …
 std::vector<PointFeature> locate_points(const ReadContext& context);    ///< Trees, lamps and similar.
 std::vector<TreeRow> locate_tree_rows(const ReadContext& context);      ///< natural=tree_row lines.
 std::vector<PowerLine> locate_power_lines(const ReadContext& context);  ///< power=line and minor_line above the ground.

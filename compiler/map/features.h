@@ -158,6 +158,26 @@ struct Barrier {
   double height_m = 0, width_m = 0;
 };
 
+/// The form of the land that an object makes.
+enum class LandformKind : std::uint8_t {
+  kWall,   ///< A retaining wall: the land is higher on one side.
+  kStep,   ///< A cliff or bank: a step without a wall.
+  kRidge,  ///< A dyke: a crest with slopes on both sides.
+  kDam,    ///< A dam across a valley.
+  kDeck    ///< A pier, breakwater, quay or weir: level, above water.
+};
+
+/// A line along which the land is shaped.
+struct Landform {
+  ObjectId id;
+  Polyline axis;
+  LandformKind kind{};
+  double height_m = 0;      ///< Above the foot, the ground or the water; 0: as the terrain rises.
+  bool has_height = false;  ///< True if height_m is tagged; else it is the kind's.
+  double width_m = 0;       ///< Width of its top, or thickness of a wall or cliff.
+  LandCoverClass surface = LandCoverClass::kUnknown;  ///< On its top; kUnknown: the land cover about it.
+};
+
 /// The form of a point object.
 enum class PointKind : std::uint8_t {
   kTree,  ///< A tree or shrub.
@@ -213,6 +233,7 @@ struct Features {
   std::vector<AreaFeature> areas;  ///< Includes the sea, closed around the extent.
   std::vector<Waterway> waterways;
   std::vector<Barrier> barriers;
+  std::vector<Landform> landforms;
   std::vector<PointFeature> points;
   std::vector<TreeRow> tree_rows;
   std::vector<PowerLine> power_lines;

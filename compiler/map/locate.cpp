@@ -61,6 +61,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   for (AreaFeature& sea : locate_sea(context)) features.areas.push_back(std::move(sea));
   features.waterways = locate_waterways(context);
   features.barriers = locate_barriers(context);
+  features.landforms = locate_landforms(context);
   features.points = locate_points(context);
   features.tree_rows = locate_tree_rows(context);
   features.power_lines = locate_power_lines(context);
@@ -69,7 +70,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
     (std::ranges::sort(kinds, {}, [](const auto& f) { return f.id; }), ...);
   };
   sort_by_id(features.tracks, features.footprints, features.areas, features.waterways, features.barriers,
-             features.points, features.tree_rows, features.power_lines);
+             features.landforms, features.points, features.tree_rows, features.power_lines);
   features.texts = element_texts(osm, features, options.keeps_tags);
   return features;
 }

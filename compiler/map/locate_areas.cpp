@@ -20,7 +20,9 @@ bool is_line(const ReadContext& context, source::Range tags, OsmType type) {
   if (type == OsmType::kRelation || says_yes(context.tag(tags, "area"))) return false;
   const bool road = !context.tag(tags, "highway").empty() && context.tag(tags, "highway") != "platform";
   const bool hedge = context.tag(tags, "barrier") == "hedge" && context.tag(tags, "landuse").empty();
-  return road || hedge || context.tag(tags, "natural") == "coastline";
+  const std::string_view natural = context.tag(tags, "natural"), man_made = context.tag(tags, "man_made");
+  const bool landform = natural == "cliff" || man_made == "dyke" || man_made == "embankment";
+  return road || hedge || landform || context.tag(tags, "natural") == "coastline";
 }
 
 // A forest's class by its leaf type.

@@ -45,12 +45,16 @@ constexpr PointRow kShop{"shop", "", PointKind::kShop};
 constexpr PointRow kEntrance{"entrance", "", PointKind::kEntrance};
 constexpr PointRow kAddress{"addr:housenumber", "", PointKind::kAddress};
 
+// Read by locate_landforms().
+bool is_across_water(std::string_view waterway) { return waterway == "dam" || waterway == "weir"; }
+
 // Calls make() for ways with a key, by a table of its values.
 template <typename Row, std::size_t n, typename Make>
 void for_each_with_key(const ReadContext& context, std::string_view key, const Row (&rows)[n], Make make) {
   const auto value = [&](const source::Way& way) { return context.tag(way.tags, key); };
   for_each_line(
-      context, std::string(key).c_str(), [&](const source::Way& way) { return !value(way).empty(); },
+      context, std::string(key).c_str(),
+      [&](const source::Way& way) { return !value(way).empty() && !is_across_water(value(way)); },
       [&](const source::Way& way) { return row_with(rows, value(way)); },
       [&](const source::Way& way) { return reason_without(context, way.tags, key); }, make);
 }

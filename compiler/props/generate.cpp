@@ -49,10 +49,23 @@ Vec2 side_at(const std::vector<Vec3>& axis, std::size_t i, bool is_closed) {
   return left_of(middle) * std::min(1 / std::max(dot(middle, before), 1e-9), kMaxMitre);
 }
 
+// The foot and the top of a barrier at a place.
+struct FootAndTop {
+  double foot_m, top_m;
+};
+
+// A retaining wall stands on the lower one of its sides and is at least as high as the higher one.
+FootAndTop foot_and_top(const Barrier& barrier, const ground::GradedTerrain& ground, Vec3 at, Vec2 side) {
+  if (barrier.kind != BarrierKind::kRetainingWall) return {at.z, at.z + barrier.height_m};
+  const double left_m = land_m(ground, in_plan(at) + side), right_m = land_m(ground, in_plan(at) - side);
+  const double foot_m = std::min(left_m, right_m);
+  return {foot_m, std::max({foot_m + barrier.height_m, left_m, right_m})};
+}
+
 // Adds four vertices: left foot, left top, right top, right foot.
-void add_profile(Mesh& mesh, Vec3 at, Vec2 side, double height_m) {
+void add_profile(Mesh& mesh, Vec3 at, Vec2 side, FootAndTop heights) {
   const Vec2 left = snapped(in_plan(at) + side), right = snapped(in_plan(at) - side);
-  const double foot = snapped(at.z - kFootDepth_m), top = snapped(at.z + height_m);
+  const double foot = snapped(heights.foot_m - kFootDepth_m), top = snapped(heights.top_m);
   for (const Vec3 corner : {at_height(left, foot), at_height(left, top), at_height(right, top), at_height(right, foot)})
     mesh.positions.push_back(corner);
 }
@@ -66,8 +79,10 @@ GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& grou
   if (axis.size() < 2) return {};
   const bool is_closed = axis.size() > 3 && axis.front() == axis.back();
   Mesh band;
-  for (std::size_t i = 0; i < axis.size(); ++i)
-    add_profile(band, axis[i], side_at(axis, i, is_closed) * (barrier.width_m / 2), barrier.height_m);
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    const Vec2 side = side_at(axis, i, is_closed) * (barrier.width_m / 2);
+    add_profile(band, axis[i], side, foot_and_top(barrier, ground, axis[i], side));
+  }
   for (std::uint32_t i = 0; i + 1 < axis.size(); ++i)
     for (std::uint32_t k = 0; k < 3; ++k) add_quad(band, 4 * i + k, 4 * i + k + 1, 4 * i + k + 5, 4 * i + k + 4);
   const auto last = static_cast<std::uint32_t>(4 * (axis.size() - 1));

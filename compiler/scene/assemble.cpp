@@ -68,8 +68,8 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
 }
 
 struct Sorted {
-  ByTile surfaces, roads, junctions, watercourses, near_buildings, buildings, bridges, tunnels, trees, tree_rows,
-      corridors, barriers, lamps;
+  ByTile surfaces, roads, junctions, watercourses, landforms, near_buildings, buildings, bridges, tunnels, trees,
+      tree_rows, corridors, barriers, lamps;
 };
 
 Box2 box_of_road(const roads::Road& road) {
@@ -79,6 +79,12 @@ Box2 box_of_road(const roads::Road& road) {
 Box2 box_of_strip(const roads::Strip& strip) {
   return citykiln::box_of(strip.axis).widened(ground::influence_radius_m(strip) + ground::kGrading_m);
 }
+
+// by_touch() widens by more than the reach of a landform from its edge and kGrading_m together.
+Box2 box_of_landform(const ground::Landform& form) {
+  return citykiln::box_of(form.axis).widened(std::max(form.left_m, form.right_m));
+}
+static_assert(ground::kLandformReach_m + ground::kGrading_m <= kHalo_m);
 
 // by_touch() widens by kHalo_m, which is more than plants need.
 Box2 near_tile(const Box2& box) { return box.widened(plants::kObstacleInfluence_m - kHalo_m); }
@@ -139,6 +145,7 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<cons
           .roads = by_touch(grid, std::span(recipes.roads), box_of_road),
           .junctions = by_touch(grid, junctions, ground::box_of),
           .watercourses = by_touch(grid, std::span(recipes.watercourses), box_of_strip),
+          .landforms = by_touch(grid, std::span(recipes.landforms), box_of_landform),
           .near_buildings = by_touch(grid, std::span(recipes.buildings),
                                      [](const auto& b) { return citykiln::box_of(b.footprint.outer); }),
           .buildings = by_anchor(grid, std::span(recipes.buildings), anchor_of),
@@ -210,6 +217,22 @@ std::vector<Strip> strips_for(const std::vector<Strip>& strips, const std::vecto
   return runs;
 }
 
+// Lines are trimmed, areas whole.
+std::vector<ground::Landform> landforms_for(const std::vector<ground::Landform>& forms,
+                                            const std::vector<std::uint32_t>& numbers, const Box2& tile) {
+  std::vector<ground::Landform> here;
+  for (const std::uint32_t i : numbers) {
+    if (forms[i].kind == ground::LandformKind::kDeckArea) {
+      here.push_back(forms[i]);
+      continue;
+    }
+    const double margin_m = kHalo_m + std::max(forms[i].left_m, forms[i].right_m);
+    for (const roads::Strip& run : roads::trimmed_to(static_cast<const roads::Strip&>(forms[i]), tile, margin_m))
+      here.push_back({run, forms[i].kind});
+  }
+  return here;
+}
+
 std::vector<roads::Junction> junctions_for(const Recipes& recipes, const Sorted& sorted, std::size_t t,
                                            const Box2& tile) {
   std::vector<roads::Junction> complete;
@@ -250,8 +273,8 @@ std::vector<map::ElementText> texts_for(std::span<const map::ElementText> texts,
     };
     (add_kind(kinds), ...);
   };
-  add(chunk.surfaces, chunk.roads, chunk.watercourses, chunk.bridges, chunk.tunnels, chunk.buildings, chunk.trees,
-      chunk.tree_rows, chunk.barriers, chunk.lamps);
+  add(chunk.surfaces, chunk.roads, chunk.watercourses, chunk.landforms, chunk.bridges, chunk.tunnels, chunk.buildings,
+      chunk.trees, chunk.tree_rows, chunk.barriers, chunk.lamps);
   sort_unique(ids);
   std::vector<map::ElementText> here;
   for (const OsmId id : ids)
@@ -269,6 +292,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile, kRoadHalo_m);
   chunk.junctions = junctions_for(recipes, sorted, t, tile);
   chunk.watercourses = strips_for(recipes.watercourses, sorted.watercourses[t], tile, kHalo_m);
+  chunk.landforms = landforms_for(recipes.landforms, sorted.landforms[t], tile);
   chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);
   chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);
   chunk.buildings = pick(recipes.buildings, sorted.buildings[t]);

@@ -16,6 +16,7 @@ struct Recipes {
   std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<roads::Road> roads;
   std::vector<roads::Strip> watercourses;
+  std::vector<ground::Landform> landforms;
   std::vector<roads::Junction> junctions;
   structures::Structures structures;
   std::vector<buildings::Building> buildings;

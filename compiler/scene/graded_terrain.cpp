@@ -15,7 +15,8 @@ ground::GradedTerrain graded_terrain_of(const Header& header, const Chunk& chunk
                                                   .streams = chunk.watercourses,
                                                   .surfaces = surfaces,
                                                   .box = box_of(header, chunk.tile).widened(ground::kGrading_m),
-                                                  .has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m)},
+                                                  .has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m),
+                                                  .landforms = chunk.landforms},
                                                  chunk.bridges, chunk.tunnels);
 }
 

@@ -52,6 +52,8 @@ std::vector<LandCoverPolygon> surfaces_without_roads(const CoverRecipes& recipes
   }
   for (const roads::TrafficIsland& island : roads::islands_of(recipes.roads)) add(island_surface(island), surfaces);
   for (const roads::Strip& stream : recipes.watercourses) add(ground::surface_of(stream), surfaces);
+  for (const ground::Landform& form : recipes.landforms)
+    if (form.surface != map::LandCoverClass::kUnknown) add(ground::surface_of(form), surfaces);
   for (const LandCoverPolygon& footprint : recipes.footprints) add(footprint, surfaces);
   return surfaces;
 }
@@ -61,6 +63,7 @@ CoverRecipes cover_recipes_of(const Chunk& chunk) {
                        .roads = chunk.roads,
                        .junctions = chunk.junctions,
                        .watercourses = chunk.watercourses,
+                       .landforms = chunk.landforms,
                        .footprints = {}};
   for (const buildings::Building& building : chunk.buildings)
     if (building.stands_on_ground) recipes.footprints.push_back(footprint_surface(building));

@@ -32,6 +32,7 @@ struct CoverRecipes {
   std::span<const roads::Road> roads;
   std::span<const roads::Junction> junctions;  ///< Their arms are among `roads`.
   std::span<const roads::Strip> watercourses;
+  std::span<const ground::Landform> landforms;
   std::vector<ground::LandCoverPolygon> footprints;
 };
 

@@ -10,6 +10,7 @@
 #include "compiler/buildings/lit_windows.h"
 #include "compiler/buildings/recipe.h"
 #include "compiler/buildings/rulebook.h"
+#include "compiler/ground/landforms/recipe.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/element_text.h"
 #include "compiler/map/plane/heightfield.h"
@@ -76,6 +77,7 @@ struct Chunk {
   std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<roads::Road> roads;
   std::vector<roads::Strip> watercourses;
+  std::vector<ground::Landform> landforms;  ///< Lines are trimmed like watercourses; areas are whole.
   /// Sorted by first arm. A junction is in this list if all its arms are in `roads`, which is so within
   /// roads::kJunctionHalo_m of the tile.
   std::vector<roads::Junction> junctions;

@@ -5,6 +5,8 @@
 #include <map>
 #include <span>
 
+#include "compiler/ground/landforms/landform_index.h"
+
 namespace citykiln::verify {
 namespace {
 
@@ -46,15 +48,22 @@ void add_if_deep(std::vector<Earthwork>& found, const Earthwork& deepest) {
   if (std::abs(deepest.depth_m) > kLeast_m) found.push_back(deepest);
 }
 
+// The terrain with landforms, before roads and water cut into it.
+struct NaturalLand {
+  const map::Heightfield& terrain;
+  ground::LandformIndex landforms;
+
+  double height_m(Vec2 p) const { return with_landforms_m(landforms, p, height_m_at(terrain, p)); }
+};
+
 // The deepest cut and the highest fill of a line in the box.
-void measure_line(const ProfiledLine& line, const Box2& box, const map::Heightfield& terrain,
-                  std::vector<Earthwork>& found) {
+void measure_line(const ProfiledLine& line, const Box2& box, const NaturalLand& land, std::vector<Earthwork>& found) {
   if (line.profile.empty()) return;
   const std::vector<double> along = roads::distances_along(line.axis, line.start_along_m);
   Earthwork cut{line.id, line.name, 0, {}}, fill = cut;
   const auto sample = [&](Vec2 p, double at_m) {
     if (!box.contains_half_open(p)) return;
-    const double depth_m = height_m_at(terrain, p) - knot_at(line.profile, at_m).z_m;
+    const double depth_m = land.height_m(p) - knot_at(line.profile, at_m).z_m;
     if (depth_m > cut.depth_m) cut.depth_m = depth_m, cut.at = p;
     if (depth_m < fill.depth_m) fill.depth_m = depth_m, fill.at = p;
   };
@@ -72,15 +81,16 @@ void measure_line(const ProfiledLine& line, const Box2& box, const map::Heightfi
 
 std::vector<Earthwork> measure_earthworks(const scene::Header& header, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(header, chunk.tile);
+  const NaturalLand land{chunk.heights, ground::index_landforms(chunk.landforms)};
   std::vector<Earthwork> found;
   for (const roads::Road& road : chunk.roads)
     measure_line(
         {road.id.osm, line_kind_of(road.surface, roads::width_m(road)), road.axis, road.profile, road.start_along_m},
-        box, chunk.heights, found);
+        box, land, found);
   for (const roads::Strip& water : chunk.watercourses)
     measure_line({water.id.osm, line_kind_of(water.surface, water.left_m + water.right_m), water.axis, water.profile,
                   water.start_along_m},
-                 box, chunk.heights, found);
+                 box, land, found);
   return found;
 }
 

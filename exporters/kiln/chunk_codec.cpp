@@ -94,6 +94,11 @@ void serialise(auto& io, props::Barrier& b) {
   io.metres("barrier height", b.height_m), io.metres("barrier width", b.width_m);
 }
 
+void serialise(auto& io, ground::Landform& f) {
+  serialise(io, static_cast<roads::Strip&>(f));
+  enumerator(io, "landform kind", f.kind, ground::LandformKind::kCount);
+}
+
 // The tags about a lamp's light; most lamps have none.
 void light(auto& io, map::LampTags& tags) {
   bool is_tagged = tags != map::LampTags{};
@@ -191,6 +196,7 @@ void serialise(Io& io, Chunk& c) {
   list(io, "power corridors", c.corridors, 0, [&](auto& o) { serialise(io, o); });
   list(io, "barriers", c.barriers, 0, [&](auto& o) { serialise(io, o); });
   list(io, "lamps", c.lamps, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "landforms", c.landforms, 0, [&](auto& o) { serialise(io, o); });
   texts(io, c.texts);
 }
 

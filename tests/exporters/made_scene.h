@@ -42,6 +42,9 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i)
       c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});
     for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9), lamp_tags()});
+    for (auto i = below(3); i > 0; --i)
+      c.landforms.push_back({{id(), line(), surface(), metres(20), metres(20), profile(), metres(99), 0},
+                             pick(ground::LandformKind::kCount)});
     c.texts = texts();
     return c;
   }

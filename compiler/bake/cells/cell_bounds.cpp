@@ -60,6 +60,7 @@ class CellBoxes {
     };
     for (const roads::Road& road : chunk_.roads) take(road.profile, road.axis);
     for (const roads::Strip& strip : chunk_.watercourses) take(strip.profile, strip.axis);
+    for (const ground::Landform& form : chunk_.landforms) take(form.profile, form.axis);
     for (const ground::LandCoverPolygon& surface : chunk_.surfaces)
       if (surface.level_m && ground::box_of(surface).touches(near))
         bounds.low_m = std::min(bounds.low_m, *surface.level_m),

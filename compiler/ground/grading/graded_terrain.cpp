@@ -57,12 +57,25 @@ double corner_m(const GradedTerrain& graded, std::span<const RoadInfluence> infl
   return nearest_m - clearance_m(graded.paved_index, p, 0, nearest_m);
 }
 
+// How much farther the land may be above and below a slope, since a step lies between the place and the slope's start.
+struct StepRoom {
+  double above_m = 0, below_m = 0;
+};
+
+StepRoom room_across(const std::optional<StepSide>& step, double away_m) {
+  // a slope that starts this much nearer than the step does not cross it
+  constexpr double kBefore_m = 0.5;
+  if (!step) return {};
+  const double between = std::clamp((away_m - step->away_m) / kBefore_m + 1, 0.0, 1.0) * step->rise_m;
+  return {between * step->share, between * (1 - step->share)};
+}
+
 // Keeps the land between the slopes that start at a height, `away_m` away.
-void bound_by_slopes(Bounds& bounds, double z_m, double away_m, double terrain_m) {
+void bound_by_slopes(Bounds& bounds, double z_m, double away_m, double terrain_m, const StepRoom& room) {
   const double earth_m = bank_rise_m(kEarthSlope, away_m, terrain_m - z_m);
-  bounds.least_m = std::max(bounds.least_m, z_m - earth_m);
-  bounds.most_m = std::min(bounds.most_m, z_m + earth_m);
-  bounds.wall_m = std::min(bounds.wall_m, z_m + bank_rise_m(kWallSlope, away_m, terrain_m - z_m));
+  bounds.least_m = std::max(bounds.least_m, z_m - earth_m - room.below_m);
+  bounds.most_m = std::min(bounds.most_m, z_m + earth_m + room.above_m);
+  bounds.wall_m = std::min(bounds.wall_m, z_m + bank_rise_m(kWallSlope, away_m, terrain_m - z_m) + room.above_m);
 }
 
 // The land over a bore is not cut down to the road that leads into it.
@@ -74,12 +87,13 @@ double higher_m(const BoreCover& over, double road_m) {
 
 // A slope starts at the road's edge from the blended height of all roads, and from kBlend_m on from its road's own.
 void bound_by_roads(Bounds& bounds, std::span<const RoadInfluence> influences, double nearer_m, double road_m,
-                    double terrain_m, const BoreCover& over) {
+                    double terrain_m, const BoreCover& over, const std::optional<StepSide>& step) {
   for (const RoadInfluence& s : influences) {
     if (!s.is_graded) continue;
     const double away_m = std::max(0.0, s.beyond_m - nearer_m);
     Bounds here;
-    bound_by_slopes(here, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m);
+    bound_by_slopes(here, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m,
+                    room_across(step, away_m));
     bounds.least_m = std::max(bounds.least_m, here.least_m);
     bounds.most_m = std::min(bounds.most_m, here.most_m + higher_m(over, s.z_m));
     bounds.wall_m = std::min(bounds.wall_m, here.wall_m + higher_m(over, s.z_m));
@@ -112,14 +126,14 @@ std::optional<NearWater> water_near(const GradedTerrain& graded, Vec2 p) {
 }
 
 Bounds bounds_at(const GradedTerrain& graded, std::span<const RoadInfluence> influences, const RoadHeight& road,
-                 const std::optional<NearWater>& water, Vec2 p, double terrain_m) {
+                 const std::optional<NearWater>& water, Vec2 p, const LandformHeights& land) {
   Bounds bounds;
   const BoreCover over = bore_cover_at(graded.bores, p);
-  bound_by_roads(bounds, influences, corner_m(graded, influences, p), road.z_m, terrain_m, over);
+  bound_by_roads(bounds, influences, corner_m(graded, influences, p), road.z_m, land.land_m, over, land.step);
   bounds.least_m = std::max(bounds.least_m, over.least_m);
   // no bank extends under a deck, not even the one that carries the road before it
   bounds.wall_m = std::min(bounds.wall_m, max_land_under_decks_m(graded.decks, p));
-  if (water) bound_by_slopes(bounds, water->z_m, water->shore_m, terrain_m);
+  if (water) bound_by_slopes(bounds, water->z_m, water->shore_m, land.land_m, room_across(land.step, water->shore_m));
   return bounds;
 }
 
@@ -168,6 +182,7 @@ GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts
   GradedTerrain graded(std::move(terrain));
   graded.roads = index_road_influence(parts.roads, parts.has_kerbs);
   graded.decks = index_span_influence(parts.decks), graded.bores = index_span_influence(parts.bores);
+  graded.landforms = index_landforms(parts.landforms);
   // an index knows no borders outside its box, and places at its sides depend on what lies beyond
   const Box2 influenced = parts.box.widened(kGrading_m);
   graded.waters = index_waters(parts.surfaces, with_grading_margin(parts.streams), influenced);
@@ -180,15 +195,18 @@ GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts
 
 HeightSample sample_heights(const GradedTerrain& graded, Vec2 p) {
   const double terrain_m = map::height_m_at(graded.terrain, p);
+  const LandformHeights land = landform_heights(graded.landforms, p, terrain_m);
   std::array<std::byte, kInfluenceBytes> room;
   std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
-  const std::pmr::vector<RoadInfluence> influences = road_influences_at(graded.roads, p, terrain_m, &memory);
+  const std::pmr::vector<RoadInfluence> influences = road_influences_at(graded.roads, p, land.land_m, &memory);
   const std::optional<NearWater> water = water_near(graded, p);
-  if (influences.empty() && !water && !is_near_span(graded, p))
-    return {{terrain_m, terrain_m, terrain_m, terrain_m}, terrain_m};
-  const RoadHeight road = influences.empty() ? RoadHeight{terrain_m, 0} : blend(influences);
-  const Bounds bounds = bounds_at(graded, influences, road, water, p, terrain_m);
-  const double land_m = within_bounds(bounds, terrain_m);
+  if (influences.empty() && !water && !is_near_span(graded, p)) {
+    const double land_m = std::max(land.land_m, land.deck_m);
+    return {{land_m, land_m, land_m, land_m}, terrain_m};
+  }
+  const RoadHeight road = influences.empty() ? RoadHeight{land.land_m, 0} : blend(influences);
+  const Bounds bounds = bounds_at(graded, influences, road, water, p, land);
+  const double land_m = std::max(within_bounds(bounds, land.land_m), land.deck_m);
   const double share = road_share(influences), road_m = land_m + (road.z_m - land_m) * share;
   const double water_m = water ? land_m + (water->z_m - land_m) * grading_share(water->shore_m) : land_m;
   return {{land_m, road_m, road_m - road.kerb_m * share, water_m}, terrain_m};
@@ -219,7 +237,8 @@ std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p) 
 }
 
 bool has_grading(const GradedTerrain& graded, const Box2& box) {
-  for (const BoxGrid* grid : {&graded.roads.grid, &graded.shores, &graded.decks.roads.grid, &graded.bores.roads.grid})
+  for (const BoxGrid* grid :
+       {&graded.roads.grid, &graded.shores, &graded.decks.roads.grid, &graded.bores.roads.grid, &graded.landforms.grid})
     if (is_any_about(*grid, box)) return true;
   return false;
 }

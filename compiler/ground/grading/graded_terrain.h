@@ -16,6 +16,8 @@
 //   road: a wall.
 // - Below the deck of a bridge the land leaves the clearance free. Over a bored tunnel it covers the roof
 //   (span_influence.h).
+// - Retaining walls, cliffs and dykes change the terrain before that (landforms). Across a step in the land, the slopes
+//   from roads and shores may rise or fall by the step's height more. Piers raise the land after it, above water.
 //
 // A height depends only on the terrain and on roads, water, bridges and tunnels whose edges are within kGrading_m of
 // the place. So tiles that are generated separately have equal heights at their common border, bit for bit.
@@ -34,6 +36,7 @@
 #include "compiler/ground/grading/road_influence.h"
 #include "compiler/ground/grading/span_influence.h"
 #include "compiler/ground/height_layer.h"
+#include "compiler/ground/landforms/landform_index.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/ground/water/water_height.h"
 #include "compiler/map/plane/heightfield.h"
@@ -53,6 +56,7 @@ struct GradedTerrain {
   map::Heightfield terrain;                  ///< The terrain before grading.
   RoadInfluenceIndex roads;                  ///< The roads on the ground.
   SpanInfluenceIndex decks, bores;           ///< Bridges; bored tunnels.
+  LandformIndex landforms;                   ///< Retaining walls, cliffs, dykes, piers.
   WaterIndex waters;                         ///< The heights of water.
   std::vector<LandCoverPolygon> paved, wet;  ///< Polygons of roads and junctions; polygons of water.
   LandCoverIndex paved_index;                ///< For the distance to rounded corners of roads.
@@ -73,6 +77,8 @@ struct GradingInputs {
   bool has_kerbs = true;                 ///< False for tolerances at which kerbs are left out.
   std::span<const roads::Road> decks{};  ///< Bridges within kGrading_m of the box, whole.
   std::span<const roads::Road> bores{};  ///< Bored tunnels within kGrading_m of the box, whole.
+  /// All landforms within kLandformReach_m of the box, sorted by id.
+  std::span<const Landform> landforms{};
 };
 /// Indexes all data that grade a terrain. Heights are computed later, by heights_at().
 GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts);

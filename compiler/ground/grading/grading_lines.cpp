@@ -186,6 +186,16 @@ void add_road_lines(GradedHeights& heights, const GradedSegment& s, const Box2& 
   }
 }
 
+// Adds the faces of a step or the edges of a crest beside a segment of a landform. They depend on its axis only, as the
+// terrain at the far end of a long segment is not known in every tile.
+void add_landform_lines(const LandformIndex& landforms, LandformIndex::Piece piece, std::vector<Line>& lines) {
+  const Landform& form = landforms.forms[piece.form];
+  if (form.kind == LandformKind::kDeckArea) return;
+  const Vec2 from = form.axis[piece.segment], to = form.axis[piece.segment + 1], left = left_of(unit(to - from));
+  add_line(from + left * form.left_m, to + left * form.left_m, lines);
+  add_line(from - left * form.right_m, to - left * form.right_m, lines);
+}
+
 bool may_touch(const Line& line, const Box2& cell) {
   return box_of(std::array{plane_point(line.first), plane_point(line.second)}).touches(cell.widened(1));
 }
@@ -197,6 +207,8 @@ std::vector<Line> grading_lines(GradedHeights& heights, const Box2& cell) {
   std::vector<Line> lines;
   for (const std::uint32_t i : boxes_about(graded.roads.grid, cell))
     add_road_lines(heights, graded.roads.segments[i], cell, lines);
+  for (const std::uint32_t i : boxes_about(graded.landforms.grid, cell))
+    add_landform_lines(graded.landforms, graded.landforms.pieces[i], lines);
   add_terrain_lines(graded.terrain, cell, lines);
   std::erase_if(lines, [&](const Line& line) { return !may_touch(line, cell); });
   std::vector<Line> bent;

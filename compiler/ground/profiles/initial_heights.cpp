@@ -83,10 +83,12 @@ void interpolate_spans(const ProfileGraph& graph, std::vector<double>& z_m) {
   place_endless_tunnels(graph, weight, z_m);
 }
 
-std::vector<double> initial_heights(const ProfileGraph& graph, const map::Heightfield& heights) {
+std::vector<double> initial_heights(const ProfileGraph& graph, const map::Heightfield& heights,
+                                    const LandformIndex& landforms) {
   std::vector<double> z_m;
   z_m.reserve(graph.nodes.size());
-  for (const GraphNode& node : graph.nodes) z_m.push_back(filtered_height_m(heights, node.at));
+  for (const GraphNode& node : graph.nodes)
+    z_m.push_back(with_landforms_m(landforms, node.at, filtered_height_m(heights, node.at)));
   interpolate_spans(graph, z_m);
   return z_m;
 }

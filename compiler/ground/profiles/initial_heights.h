@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "compiler/ground/landforms/landform_index.h"
 #include "compiler/ground/profiles/profile_graph.h"
 
 namespace citykiln::ground {
@@ -27,7 +28,9 @@ double filtered_height_m(const map::Heightfield& heights, Vec2 p);
 /// Returns heights by node. A node of a bridge or tunnel has the mean of the heights of the ground nodes within
 /// kSpanEndRadius_m along bridges or tunnels, weighted by inverse distance; between two ends this is the straight line.
 /// Without such nodes a bridge lies on the ground and a tunnel kTunnelCover_m below it, no steeper than its limit.
-std::vector<double> initial_heights(const ProfileGraph& graph, const map::Heightfield& heights);
+/// Ground nodes lie on landforms.
+std::vector<double> initial_heights(const ProfileGraph& graph, const map::Heightfield& heights,
+                                    const LandformIndex& landforms = {});
 
 /// Sets the heights of nodes off the ground from those of ground nodes, as initial_heights() does.
 void interpolate_spans(const ProfileGraph& graph, std::vector<double>& z_m);

@@ -214,7 +214,8 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
                                                                .box = graded_box(features.extent, terrain.heights),
                                                                .has_kerbs = false,
                                                                .decks = spans.decks,
-                                                               .bores = spans.bores});
+                                                               .bores = spans.bores,
+                                                               .landforms = terrain.landforms});
   const BelowBridges below{terrain.streams, terrain.waters, [&](Vec2 p) { return land_m(graded, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = node_heights_of(paths, all, profiles, graded);

@@ -16,6 +16,7 @@ struct TerrainWithoutRoads {
   std::span<const roads::Strip> streams;
   std::span<const LandCoverPolygon> waters;
   const map::Heightfield& heights;
+  std::span<const Landform> landforms{};
 };
 
 /// Plans the profiles of paths that leave the ground, and of approach paths that must move. An approach path leads up

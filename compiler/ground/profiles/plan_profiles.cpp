@@ -96,13 +96,13 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m) {
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
-                       double limit_scale) {
+                       double limit_scale, std::span<const Landform> landforms) {
   assert(limit_scale > 0);
   ProfileGraph graph = graph_of(features, roads, junctions);
   graph.limit_scale = limit_scale;
   const std::vector<Crossing> crossings =
       find_crossings(graph, features, {streams, waters, [&](Vec2 p) { return height_m_at(heights, p); }});
-  const std::vector<double> lines_m = initial_heights(graph, heights);
+  const std::vector<double> lines_m = initial_heights(graph, heights, index_landforms(landforms));
   const JunctionPlanes planes = solve(graph, crossings, heights, lines_m);
 
   Profiles profiles{std::move(roads), {}, {}};
@@ -117,7 +117,7 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
   }
   diagnose_profiles(graph, lines_m, planes.z_m, report);
   report_free_ends(graph, report);
-  return plan_paths(features, std::move(profiles), {streams, waters, heights}, report);
+  return plan_paths(features, std::move(profiles), {streams, waters, heights, landforms}, report);
 }
 
 }  // namespace citykiln::ground

@@ -22,6 +22,7 @@
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/profile.h"
 #include "compiler/ground/profiles/profile_graph.h"
+#include "compiler/ground/landforms/recipe.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"
 #include "compiler/roads/junctions/junction.h"
@@ -59,6 +60,7 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 /// @param streams      Watercourses with their profiles; a stream without one lies on the terrain.
 /// @param waters       Water polygons; polygons without a level are ignored.
 /// @param heights      The terrain.
+/// @param landforms    Retaining walls, dykes, piers and others; roads have the height of their side.
 /// @param limit_scale  Factor on all grade limits, for charts.
 ///
 /// Guarantees: ways have equal heights at a common node, within kKnotError_m; nodes of one junction lie on one plane; a
@@ -70,6 +72,6 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
-                       double limit_scale = 1);
+                       double limit_scale = 1, std::span<const Landform> landforms = {});
 
 }  // namespace citykiln::ground

@@ -144,6 +144,7 @@ class Chunk:
         self.corridors = self.all("power corridors", lambda: (self.id(), self.points("power corridor points"), self.plain("power corridor")))
         self.barriers = self.all("barriers", self.barrier)
         self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height"), self.several("lamp light", 5) if self.plain("lamp light") else None))
+        self.landforms = self.all("landforms", lambda: (self.water(), self.plain("landform kind")))
         self.names = [""]
         self.texts = self.all("texts", self.text)
 
