@@ -11,6 +11,7 @@
 #include "compiler/map/plane/heightfield.h"
 #include "compiler/props/recipe.h"
 #include "compiler/structures/recipe.h"
+#include "compiler/structures/stairs.h"
 
 namespace citykiln::bake {
 

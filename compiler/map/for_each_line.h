@@ -31,11 +31,12 @@ void for_each_line(const ReadContext& context, const char* account_name, IsOfKin
   for (const source::Way& way : context.osm.ways) {
     if (!is_of_kind(way) || says_yes(context.tag(way.tags, "area"))) continue;
     const auto* row = row_of(way);
-    if (row == nullptr) continue;
+    const std::optional<Code> reason = reason_of(way);
+    if (row == nullptr && !reason) continue;
     const OsmId id{OsmType::kWay, way.id};
     account.in += context.report.counts(id);
     LocatedLine line = located(context, way);
-    if (const std::optional<Code> reason = reason_of(way))
+    if (reason)
       context.report.drop(account, *reason, id);
     else if (line.axis.size() < 2)
       context.report.drop(account, Code::kNoLength, id);

@@ -63,6 +63,7 @@ std::vector<Landform> locate_landforms(const ReadContext& context) {
   };
   for_each_line(
       context, "landform", is_landform, [&](const source::Way& way) { return landform_row(context, way.tags); },
+      [&](const source::Way& way) { return reason_without(context, way.tags, landform_row(context, way.tags)->key); },
       [&](const source::Way& way, const LandformRow& row, LocatedLine&& line) {
         landforms.push_back(landform_of(context, way, row, std::move(line)));
       });

@@ -15,7 +15,7 @@ struct LifecycleRow {
   Presence presence;
 };
 constexpr LifecycleRow kLifecycle[] = {
-#define LIFECYCLE(word, presence) {word, Presence::presence},
+#define LIFECYCLE(key, presence) {key, Presence::presence},
 #include "compiler/map/lifecycle.inc"
 #undef LIFECYCLE
 };

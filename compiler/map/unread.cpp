@@ -1,7 +1,6 @@
 #include "compiler/map/unread.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "compiler/map/places.h"
 #include "compiler/source/bodies.h"
@@ -53,7 +52,7 @@ class UnreadElements {
     if (tag == nullptr || (id.type == OsmType::kNode && is_about_a_line(context_, *tag)))
       account_.without_body += context_.report.counts(id);
     else
-      drop(id, *tag, std::hypot(box.width(), box.height()));
+      drop(id, *tag, distance(box.min, box.max));
   }
 
   const Account& account() const { return account_; }

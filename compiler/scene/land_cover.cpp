@@ -121,13 +121,17 @@ ground::LandCoverPolygon corner_pavement_surface(const roads::Junction& junction
           roads::stroke_corner_pavements(junction, roads, arms)};
 }
 
-ground::LandCoverPolygon footprint_surface(const buildings::Building& building) {
-  const Polygon& footprint = building.footprint;
-  ground::LandCoverPolygon surface{.id = building.id,
+ground::LandCoverPolygon footprint_surface(ObjectId id, const Polygon& footprint) {
+  ground::LandCoverPolygon surface{.id = id,
                                    .surface = map::LandCoverClass::kBuilding,
                                    .area_m2 = static_cast<std::uint32_t>(std::min(area_m2(footprint), 4.0e9)),
                                    .rings = {footprint.outer}};
   surface.rings.insert(surface.rings.end(), footprint.holes.begin(), footprint.holes.end());
+  return surface;
+}
+
+ground::LandCoverPolygon footprint_surface(const buildings::Building& building) {
+  ground::LandCoverPolygon surface = footprint_surface(building.id, building.footprint);
   // a clockwise ring lowers the winding number to 0 or less
   for (const buildings::Passageway& passageway : building.passageways)
     for (Ring& ring : buildings::rings_of(passageway)) {

@@ -48,6 +48,8 @@ ground::LandCoverPolygon junction_surface(const roads::Junction& junction, std::
 /// Returns the pavements around a junction's corners, with the junction's id. It has no rings if there are none.
 ground::LandCoverPolygon corner_pavement_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                                  std::span<const roads::Arm> arms);
+/// Returns the polygon of a footprint.
+ground::LandCoverPolygon footprint_surface(ObjectId id, const Polygon& footprint);
 /// Returns the polygon that a building covers on the ground, without its passageways.
 ground::LandCoverPolygon footprint_surface(const buildings::Building& building);
 
