@@ -50,7 +50,7 @@ TEST(Standing, RuinsAndConstructionAreShellsWithoutARoof) {
     ASSERT_EQ(features.footprints.size(), 1u) << tags;
     const Footprint& shell = features.footprints[0];
     EXPECT_NEAR(area_m2(shell.polygon), 16 * 12 - 15 * 11, 0.1) << tags;
-    EXPECT_EQ(shell.roof.form, roofs::Form::kFlat) << tags;
+    EXPECT_EQ(shell.roof.form, roofs::RoofForm::kFlat) << tags;
     EXPECT_EQ(shell.building_class, static_cast<std::uint8_t>(BuildingClass::kShell)) << tags;
   }
   EXPECT_NEAR(features_of("a1 0:0 16:0 16:12 0:12 building=ruins").footprints[0].height_m, 3, 1e-9);
