@@ -8,7 +8,7 @@
 namespace citykiln {
 namespace {
 
-constexpr double kTolerance_m = 12.5;
+constexpr double kCoarse_m = 12.5;
 
 scene::Scene town_in_small_tiles() {
   CompileSpec spec;
@@ -25,13 +25,13 @@ TEST(BakeTiles, AreThoseOfBakeSceneInTheOrderOfTheChunks) {
   std::vector<bake::BakedTile> one_by_one;
   Report ignored;
   const Result<Done> done = bake_scene(
-      scene, std::vector{kTolerance_m}, 1, ignored, [](auto&&...) {},
+      scene, std::vector{kCoarse_m}, 1, ignored, [](auto&&...) {},
       [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
         one_by_one.push_back(tile);
         return Done{};
       });
   ASSERT_TRUE(done);
-  const std::vector<bake::BakedTile> tiles = bake_tiles(scene, kTolerance_m, 3);
+  const std::vector<bake::BakedTile> tiles = bake_tiles(scene, kCoarse_m, 3);
   EXPECT_EQ(tiles, one_by_one);
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     EXPECT_EQ(tiles[i].tile, scene.chunks[i].tile);
