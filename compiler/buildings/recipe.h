@@ -59,9 +59,9 @@ struct PartyWall {
 /// the sides of a strip along the axis.
 struct Passageway {
   ObjectId way;
-  Polyline axis;                   ///< Plane metres, snapped, at least two points.
-  double left_m = 0, right_m = 0;  ///< From the axis to the sides. Snapped, their sum > 0.
-  double top_m = 0;                ///< The height of the ceiling. Snapped.
+  Polyline axis;                                   ///< Plane metres, snapped, at least two points.
+  double left_m = 0, right_m = 0;                  ///< From the axis to the sides. Snapped, their sum > 0.
+  double top_m = 0;                                ///< The height of the ceiling. Snapped.
   double pillars_left_m = 0, pillars_right_m = 0;  ///< From the axis to the pillars of an arcade; 0: none. Snapped.
   bool operator==(const Passageway&) const = default;
 };

@@ -91,8 +91,8 @@ struct Footprint {
   bool is_part = false;
   std::optional<ObjectId>
       outline;  ///< The outline that a part, or an uncovered piece (buildings/uncovered_pieces.h), belongs to.
-  bool has_parts = false;  ///< True for an outline that parts and uncovered pieces replace: it is not built.
-  double height_m = 0;     ///< Height above the ground, by tags, levels or class. > min_height_m.
+  bool has_parts = false;           ///< True for an outline that parts and uncovered pieces replace: it is not built.
+  double height_m = 0;              ///< Height above the ground, by tags, levels or class. > min_height_m.
   bool has_roof_in_height = false;  ///< True if height_m includes the roof (height=*); else the roof comes on top.
   double min_height_m = 0;          ///< Height of its lower end above the ground.
   double levels = 0;                ///< Storeys below the roof, counted from the ground; 0: unknown.
@@ -119,7 +119,7 @@ struct Passageway {
   double clear_m = 0;              ///< Height above the way.
   /// An arcade is open on its outer side, beyond the wall; there pillars stand, this far from the axis. 0: none.
   double pillars_left_m = 0, pillars_right_m = 0;
-  double least_m = 0;              ///< The clearance below which the way cannot be used.
+  double least_m = 0;  ///< The clearance below which the way cannot be used.
   bool operator==(const Passageway&) const = default;
 };
 

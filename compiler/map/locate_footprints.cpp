@@ -34,7 +34,8 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
     const BuildingValue value = building_value(context, area.tags);
     if (value.text.empty()) continue;
     account.in += context.report.counts(area.from);
-    const Standing standing = standing_of_building(context.osm, area.tags, value.is_part ? "building:part" : "building");
+    const Standing standing =
+        standing_of_building(context.osm, area.tags, value.is_part ? "building:part" : "building");
     if (const auto reason = reason_to_drop(standing)) {
       context.report.drop(account, *reason, area.from);
       continue;

@@ -59,8 +59,8 @@ TEST(MendedRings, SpikesAndDoubleSegmentsHaveNoArea) {
 }
 
 TEST(MendedRings, LinesAreJoinedByRoleInAnyDirection) {
-  const std::vector<BrokenLine> joined = joined_lines({line({{0, 0}, {9, 0}}), line({{9, 9}, {9, 0}}),
-                                                       line({{5, 5}, {6, 6}}, true), line({{9, 9}, {0, 9}, {0, 0}})});
+  const std::vector<BrokenLine> joined = joined_lines(
+      {line({{0, 0}, {9, 0}}), line({{9, 9}, {9, 0}}), line({{5, 5}, {6, 6}}, true), line({{9, 9}, {0, 9}, {0, 0}})});
   ASSERT_EQ(joined.size(), 2u);
   EXPECT_EQ(joined[0].points.front(), joined[0].points.back());
   EXPECT_EQ(joined[0].points.size(), 5u);
