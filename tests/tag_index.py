@@ -31,7 +31,7 @@ EXPANDED_ROWS = {"ListRow": ALONG}
 # Expressions by which a lookup gets a key that another rule finds.
 KNOWN_EXPRESSIONS = {"key", "row.key", "full", "directed", "key_along(flow, key)", "lumen_key", "kEntrance.key", "kAddress.key",
                      "key + std::string(tags.suffix(other))", "british", 'tagged_of("lamp_type", "light:method")',
-                     "std::string(key).c_str()", "std::string(prefix.text).append(key)", "row.value", "std::string(row.key).c_str()"}
+                     "std::string(key).c_str()", "std::string(prefix.text).append(key)", "row.value", "each.key", "std::string(row.key).c_str()"}
 
 STRING = r'"((?:[^"\\]|\\.)*)"'
 KEY_PARAMETER = re.compile(r"(std::string_view|const std::string&|const char\*) key")
