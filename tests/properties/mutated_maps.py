@@ -52,9 +52,10 @@ def made_map(seed):
     return map_xml(nodes, ways, relations)
 
 
-def map_xml(nodes, ways, relations):
+def map_xml(nodes, ways, relations, bounds=(46.9999, 8.9999, 47.0017, 9.0029)):
+    """The map with a box: its least latitude and longitude, then its greatest."""
     root = ElementTree.Element("osm", version="0.6")
-    ElementTree.SubElement(root, "bounds", minlat="46.9999", minlon="8.9999", maxlat="47.0017", maxlon="9.0029")
+    ElementTree.SubElement(root, "bounds", **{name: str(value) for name, value in zip(("minlat", "minlon", "maxlat", "maxlon"), bounds)})
 
     def tagged(element, tags):
         for key, value in tags.items():

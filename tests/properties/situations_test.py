@@ -1,0 +1,355 @@
+#!/usr/bin/env python3
+"""Situations that maps are full of, turned, mirrored and on the borders of tiles and regions: ways through buildings, roofs on
+posts, parts, crossed rings, what is gone or underground, walls that hold the ground, piers. The triangles of the tiles show
+that each is as its tags say.
+
+By hand: situations_test.py --count 20
+"""
+import json
+import math
+import random
+import struct
+import sys
+import unittest
+import zlib
+
+from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run
+from glb import Glb
+from mutated_maps import map_xml
+
+LAT, LON, LAT_M, LON_M = 47.0, 9.0, 111170.8, 76056.0  # metres of a degree there
+SPACING_M, SIDE = 110, 4
+COUNT = 2
+LEVELS = "0.1,2.5"
+
+
+class Frame:
+    """The place of a situation: its own coordinates, in metres, turned, perhaps mirrored, and moved on the map."""
+
+    def __init__(self, x, y, turn, is_mirrored):
+        self.x, self.y, self.c, self.s, self.m = x, y, math.cos(turn), math.sin(turn), -1 if is_mirrored else 1
+
+    def on_map(self, x, y):
+        x *= self.m
+        return self.x + self.c * x - self.s * y, self.y + self.s * x + self.c * y
+
+    def own(self, x, y):
+        x, y = x - self.x, y - self.y
+        return self.m * (self.c * x + self.s * y), -self.s * x + self.c * y
+
+
+class Map:
+    """Nodes, ways and relations in the order they are made; ids count from 1."""
+
+    def __init__(self):
+        self.nodes, self.ways, self.relations = [], [], []
+
+    def way(self, frame, points, tags, closed=False):
+        refs = []
+        for x, y in points:
+            east, north = frame.on_map(x, y)
+            self.nodes.append((len(self.nodes) + 1, LAT + north / LAT_M, LON + east / LON_M, {}))
+            refs.append(len(self.nodes))
+        self.ways.append((len(self.ways) + 1, refs + refs[:1] if closed else refs, tags))
+        return len(self.ways)
+
+    def box(self, frame, x0, y0, x1, y1, tags):
+        return self.way(frame, [(x0, y0), (x1, y0), (x1, y1), (x0, y1)], tags, closed=True)
+
+
+def clipped(triangle, low, high):
+    """The part of a triangle inside a box of space, as a polygon."""
+    polygon = list(triangle)
+    for axis in range(3):
+        for sign, bound in ((1, low[axis]), (-1, -high[axis])):
+            kept = []
+            for a, b in zip(polygon, polygon[1:] + polygon[:1]):
+                da, db = sign * a[axis] - bound, sign * b[axis] - bound
+                if da >= 0:
+                    kept.append(a)
+                if da * db < 0:
+                    kept.append(tuple(p + (q - p) * da / (da - db) for p, q in zip(a, b)))
+            polygon = kept
+    return polygon
+
+
+class Tiles:
+    """The triangles of one level by OSM way, in coordinates of the map."""
+
+    def __init__(self, folder, level):
+        self.triangles = {}
+        for path in sorted((folder / "glb").glob(f"*_L{level}.glb")):
+            self.read(Glb(path))
+
+    def read(self, glb):
+        ids = glb.osm_ids()
+        at = glb.gltf["nodes"][0]["translation"]
+        for node in glb.gltf["nodes"][1:]:
+            for primitive in glb.gltf["meshes"][node["mesh"]]["primitives"]:
+                attributes = primitive["attributes"]
+                if "_FEATURE_ID_0" not in attributes:
+                    continue
+                points = [(x + at[0], -(z + at[2]), y + at[1]) for x, y, z in glb.values(attributes["POSITION"])]
+                features = [ids[int(f[0])] for f in glb.values(attributes["_FEATURE_ID_0"])]
+                corners = [i[0] for i in glb.values(primitive["indices"])]
+                for a, b, c in zip(corners[::3], corners[1::3], corners[2::3]):
+                    self.triangles.setdefault((features[a], node["name"]), []).append((points[a], points[b], points[c]))
+
+    def of(self, way, frame, layers=("buildings",)):
+        """The triangles of a way in the frame's own coordinates."""
+        return [tuple((*frame.own(x, y), z) for x, y, z in triangle)
+                for (osm, layer), triangles in self.triangles.items() if osm & 0xFFFFFFFFFFFF == way and layer in layers
+                for triangle in triangles]
+
+
+def all_triangles(tiles, frame, layers):
+    for (_, layer), triangles in tiles.triangles.items():
+        if layer in layers:
+            for triangle in triangles:
+                yield tuple((*frame.own(x, y), z) for x, y, z in triangle)
+
+
+def height_at(tiles, frame, x, y, layers=("ground", "roads", "water")):
+    """The highest surface of these layers at a place."""
+    best = -math.inf
+    for a, b, c in all_triangles(tiles, frame, layers):
+        d = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        if abs(d) < 1e-9:
+            continue
+        u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / d
+        v = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / d
+        if u >= -1e-6 and v >= -1e-6 and u + v <= 1 + 1e-6:
+            best = max(best, a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2]))
+    return best
+
+
+class Situation:
+    """Adds itself to a map, and tests the tiles at one level."""
+
+    def land_m(self, x, y):
+        """The heightmap, in own coordinates."""
+        return 100.0
+
+    def test(self, case, tiles):
+        raise NotImplementedError
+
+    def expect_empty(self, case, tiles, way, low, high):
+        triangles = tiles.of(way, self.frame)
+        case.assertTrue(triangles, f"way {way} has no triangles")
+        inside = [t for t in triangles if len(clipped(t, low, high)) > 2]
+        case.assertFalse(inside, f"{type(self).__name__}: {len(inside)} triangles of way {way}, such as {inside[:1]}")
+
+    def highest(self, tiles, way, x0, y0, x1, y1):
+        inside = [clipped(t, (x0, y0, -1e4), (x1, y1, 1e4)) for t in tiles.of(way, self.frame)]
+        return max((p[2] for polygon in inside for p in polygon), default=-math.inf)
+
+
+class Passage(Situation):
+    def add(self, osm, frame):
+        self.frame = frame
+        self.house = osm.box(frame, -14, -6, 14, 6, {"building": "apartments", "building:levels": "4"})
+        osm.way(frame, [(0, -25), (0, -6)], {"highway": "service", "width": "4"})
+        osm.way(frame, [(0, -6), (0, 6)], {"highway": "service", "width": "4", "tunnel": "building_passage"})
+        osm.way(frame, [(0, 6), (0, 25)], {"highway": "service", "width": "4"})
+
+    def test(self, case, tiles):
+        self.expect_empty(case, tiles, self.house, (-1.9, -7, 100.15), (1.9, 7, 103.4))
+        case.assertGreater(self.highest(tiles, self.house, -1, -5, 1, 5), 105)
+
+
+class ObliquePassageOfTwoHouses(Situation):
+    def add(self, osm, frame):
+        self.frame = frame
+        self.houses = [osm.box(frame, x, -6, x + 12, 6, {"building": "yes", "building:levels": "3"}) for x in (-12, 0)]
+        osm.way(frame, [(-16, -20), (16, 20)], {"highway": "footway", "width": "2"})
+
+    def test(self, case, tiles):
+        along = math.hypot(16, 20)
+        ux, uy = 16 / along, 20 / along
+        for house in self.houses:
+            triangles = [tuple((x * uy - y * ux, x * ux + y * uy, z) for x, y, z in t) for t in tiles.of(house, self.frame)]
+            case.assertTrue(triangles)
+            case.assertFalse([t for t in triangles if len(clipped(t, (-0.9, -12, 100.15), (0.9, 12, 101.95))) > 2])
+
+
+class OpenRoof(Situation):
+    def add(self, osm, frame):
+        self.frame = frame
+        self.roof = osm.box(frame, -10, -6, 10, 6, {"building": "roof", "height": "6"})
+
+    def test(self, case, tiles):
+        self.expect_empty(case, tiles, self.roof, (-9, -5, 100.1), (9, 5, 104.5))
+        case.assertAlmostEqual(self.highest(tiles, self.roof, -8, -5, 8, 5), 106, delta=0.2)
+
+
+class Parts(Situation):
+    def add(self, osm, frame):
+        self.frame = frame
+        self.outline = osm.box(frame, -18, -6, 18, 6, {"building": "yes", "building:levels": "6", "roof:shape": "flat"})
+        self.ends = [osm.box(frame, x, -6, x + 12, 6, {"building:part": "yes", "building:levels": "5", "roof:shape": "flat"})
+                     for x in (-18, 6)]
+
+    def test(self, case, tiles):
+        roofs_m = [self.highest(tiles, self.outline, -5, -5, 5, 5), *(self.highest(tiles, way, x, -5, x + 10, 5)
+                                                                      for way, x in zip(self.ends, (-17, 7)))]
+        for roof_m, usual_m in zip(roofs_m, (118.6, 115.5, 115.5)):
+            # what stands on a roof is up to 3 m high
+            case.assertGreater(roof_m, usual_m - 0.2)
+            case.assertLess(roof_m, usual_m + 3)
+        for x in (-17, 7):
+            case.assertEqual(self.highest(tiles, self.outline, x, -5, x + 10, 5), -math.inf)
+
+
+class BowTie(Situation):
+    def add(self, osm, frame):
+        self.frame = frame
+        self.way = osm.way(frame, [(-12, -6), (12, 6), (12, -6), (-12, 6)],
+                           {"building": "yes", "height": "9", "roof:shape": "flat"}, closed=True)
+
+    def test(self, case, tiles):
+        for x in (-11, 8):
+            case.assertAlmostEqual(self.highest(tiles, self.way, x, -2, x + 3, 2), 109, delta=0.2)
+        case.assertEqual(self.highest(tiles, self.way, -1, 4, 1, 6), -math.inf)
+
+
+class WhatIsNotOnTheGround(Situation):
+    TAGS = ({"building": "demolished"}, {"building": "yes", "razed": "yes"}, {"building": "yes", "level": "-1"},
+            {"building": "yes", "building:levels": "0", "building:levels:underground": "2"}, {"razed:building": "yes"})
+
+    def add(self, osm, frame):
+        self.frame = frame
+        self.ways = [osm.box(frame, 12 * i - 30, -5, 12 * i - 20, 5, tags) for i, tags in enumerate(self.TAGS)]
+
+    def test(self, case, tiles):
+        for way in self.ways:
+            case.assertFalse(tiles.of(way, self.frame))
+
+
+class Ruin(Situation):
+    def add(self, osm, frame):
+        self.frame = frame
+        self.way = osm.box(frame, -10, -8, 10, 8, {"building": "ruins", "height": "5"})
+
+    def test(self, case, tiles):
+        self.expect_empty(case, tiles, self.way, (-8, -6, 100.3), (8, 6, 120))
+        case.assertAlmostEqual(self.highest(tiles, self.way, -11, -9, 11, 9), 105, delta=0.2)
+
+
+class RetainingWall(Situation):
+    def land_m(self, x, y):
+        return 100 + 8 * min(1, max(0, (y + 12) / 24))
+
+    def add(self, osm, frame):
+        self.frame = frame
+        osm.way(frame, [(-35, 0), (35, 0)], {"barrier": "retaining_wall", "height": "8"})
+
+    def test(self, case, tiles):
+        for x in (-12, 0, 12):
+            case.assertLess(height_at(tiles, self.frame, x, -2, ("ground",)), 102)
+            case.assertGreater(height_at(tiles, self.frame, x, 2, ("ground",)), 106)
+
+
+class Pier(Situation):
+    def land_m(self, x, y):
+        return 99.0 if y > -10 else 100.0
+
+    def add(self, osm, frame):
+        self.frame = frame
+        osm.box(frame, -30, -10, 30, 30, {"natural": "water", "water": "lake"})
+        osm.way(frame, [(0, -12), (0, 20)], {"man_made": "pier", "width": "3"})
+
+    def test(self, case, tiles):
+        layers = {name for _, name in tiles.triangles}
+        water = height_at(tiles, self.frame, 15, 10, layers)
+        for y in (0, 10, 18):
+            case.assertGreater(height_at(tiles, self.frame, 0, y, layers) - water, 0.5)
+
+
+SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier)
+
+
+def grey_png(rows):
+    """A picture of 16 bits a pixel."""
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 16, 0, 0, 0, 0)
+    pixels = b"".join(b"\0" + struct.pack(f">{len(row)}H", *row) for row in rows)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(pixels)) + chunk(b"IEND", b"")
+
+
+def land_m(situations, east, north):
+    """Each square has the land of its situation, in its middle; between them the land is level."""
+    for s in situations:
+        if max(abs(s.frame.x - east), abs(s.frame.y - north)) < SPACING_M / 2:
+            return s.land_m(*s.frame.own(east, north))
+    return 100.0
+
+
+def write_heightmap(situations, path):
+    """Writes a raster of 2 m, and returns the words that say where it is."""
+    side = SIDE * SPACING_M + 100
+    count = side // 2
+    at = [(i + 0.5) * side / count - side / 2 for i in range(count)]
+    path.write_bytes(grey_png([[round(10 * land_m(situations, east, north)) for east in at] for north in reversed(at)]))
+    lon, lat = side / 2 / LON_M, side / 2 / LAT_M
+    return f"{path},bounds={LON - lon}/{LAT - lat}/{LON + lon}/{LAT + lat},scale=0.1,offset=0"
+
+
+def made_situations(seed):
+    """One of each, at places in a random order; the squares meet where tiles and regions do."""
+    dice, osm = random.Random(seed), Map()
+    places = [((i - (SIDE - 1) / 2) * SPACING_M, (j - (SIDE - 1) / 2) * SPACING_M) for i in range(SIDE) for j in range(SIDE)]
+    dice.shuffle(places)
+    # one stands on the corner of four tiles
+    places[dice.randrange(len(SITUATIONS))] = (0, 0)
+    situations = []
+    for kind, (x, y) in zip(SITUATIONS, places):
+        situation = kind()
+        situation.add(osm, Frame(x + dice.uniform(-4, 4), y + dice.uniform(-4, 4), dice.uniform(0, 2 * math.pi), dice.random() < 0.5))
+        situations.append(situation)
+    return situations, osm
+
+
+class Situations(ProgramTest):
+    def test_each_is_as_its_tags_say_however_it_lies(self):
+        for seed in range(COUNT):
+            with self.subTest(seed=seed):
+                self.compile_and_test(seed)
+
+    def compile_and_test(self, seed):
+        situations, osm = made_situations(seed)
+        path = self.folder / f"map{seed}.osm"
+        half = SIDE * SPACING_M / 2
+        box = (LAT - half / LAT_M, LON - half / LON_M, LAT + half / LAT_M, LON + half / LON_M)
+        path.write_bytes(map_xml(osm.nodes, osm.ways, osm.relations, box))
+        land = write_heightmap(situations, self.folder / f"land{seed}.png")
+        out = self.compiled(f"out{seed}", path, "--dem", land, "--lods", LEVELS, "--tile", "256", "--quiet")
+        self.assertTrue(report_of(out)["balances"])
+        checked = run("check", out)
+        self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+        for level in range(len(LEVELS.split(","))):
+            tiles = Tiles(out, level)
+            for situation in situations:
+                with self.subTest(situation=type(situation).__name__, level=level):
+                    situation.test(self, tiles)
+        self.expect_equal_in_regions(seed, path, land, out)
+
+    def expect_equal_in_regions(self, seed, path, land, out):
+        plan = self.folder / f"plan{seed}"
+        done = run("plan", path, "--dem", land, "--lods", LEVELS, "--tile", "256", "--region", "256", "-o", plan)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        regions = [each["region"] for each in json.loads((plan / "plan.json").read_text())["regions"]]
+        self.assertGreater(len(regions), 1)
+        for region in regions:
+            done = run("compile", "--plan", plan, "--region", region)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(run("gather", plan).returncode, 0)
+        self.assertEqual(bytes_of_outputs(plan / "out"), bytes_of_outputs(out))
+
+
+if __name__ == "__main__":
+    if "--count" in sys.argv:
+        at = sys.argv.index("--count")
+        COUNT = int(sys.argv[at + 1])
+        del sys.argv[at:at + 2]
+    unittest.main()
