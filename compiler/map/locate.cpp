@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/map/assumed_layers.h"
+#include "compiler/map/culverts.h"
 #include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/passageways.h"
@@ -62,6 +63,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.waterways = locate_waterways(context);
   features.barriers = locate_barriers(context);
   features.landforms = locate_landforms(context);
+  features.waterways = with_culverts(std::move(features.waterways), features.landforms);
   features.points = locate_points(context);
   features.tree_rows = locate_tree_rows(context);
   features.power_lines = locate_power_lines(context);

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/line_part.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/buildings/building_classes.h"
@@ -40,25 +41,6 @@ bool is_inside(const Polygon& polygon, Vec2 p) {
   return contains(polygon, p) && !is_near_wall(polygon, p, kAlongWall_m);
 }
 
-// The distances of an axis' points from its first one.
-std::vector<double> along_axis(const Polyline& axis) {
-  std::vector<double> along = {0};
-  for (std::size_t i = 1; i < axis.size(); ++i) along.push_back(along.back() + distance(axis[i - 1], axis[i]));
-  return along;
-}
-
-Vec2 point_at(const Polyline& axis, const std::vector<double>& along, double at_m) {
-  const auto next = std::ranges::upper_bound(along, at_m);
-  const std::size_t i = std::clamp<std::size_t>(static_cast<std::size_t>(next - along.begin()), 1, axis.size() - 1);
-  const double length_m = along[i] - along[i - 1];
-  return axis[i - 1] + (axis[i] - axis[i - 1]) * ((at_m - along[i - 1]) / length_m);
-}
-
-// A part of an axis inside a footprint, by distances along it.
-struct Inside {
-  double from_m, to_m;
-};
-
 // The distances at which an axis crosses walls, and those of its points.
 std::vector<double> places_at_walls(const Polyline& axis, const std::vector<double>& along, const Polygon& polygon) {
   std::vector<double> places(along);
@@ -73,9 +55,9 @@ std::vector<double> places_at_walls(const Polyline& axis, const std::vector<doub
   return places;
 }
 
-std::vector<Inside> parts_inside(const Polyline& axis, const std::vector<double>& along, const Polygon& polygon) {
+std::vector<LinePart> parts_inside(const Polyline& axis, const std::vector<double>& along, const Polygon& polygon) {
   const std::vector<double> places = places_at_walls(axis, along, polygon);
-  std::vector<Inside> parts;
+  std::vector<LinePart> parts;
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double from_m = places[i - 1], to_m = places[i];
     if (to_m - from_m < 1e-6 || !is_inside(polygon, point_at(axis, along, (from_m + to_m) / 2))) continue;
@@ -84,7 +66,7 @@ std::vector<Inside> parts_inside(const Polyline& axis, const std::vector<double>
     else
       parts.push_back({from_m, to_m});
   }
-  std::erase_if(parts, [](const Inside& part) { return part.to_m - part.from_m < kShortest_m; });
+  std::erase_if(parts, [](const LinePart& part) { return part.to_m - part.from_m < kShortest_m; });
   return parts;
 }
 
@@ -133,22 +115,6 @@ double overrun_m(const Mouth& mouth, const Sides& sides, const Polygon& polygon)
       else if (at_m > clear_m + kBeyondWall_m)
         break;
   return clear_m + kBeyondWall_m;
-}
-
-// The part of the axis, with its inner points.
-Polyline cut_out(const Polyline& axis, const std::vector<double>& along, const Inside& part) {
-  Polyline points = {point_at(axis, along, part.from_m)};
-  for (std::size_t i = 0; i < axis.size(); ++i)
-    if (along[i] > part.from_m && along[i] < part.to_m) points.push_back(axis[i]);
-  points.push_back(point_at(axis, along, part.to_m));
-  return points;
-}
-
-Polyline snapped_line(const Polyline& points) {
-  Polyline line;
-  for (const Vec2 p : points)
-    if (const Vec2 on_grid = snapped(p); line.empty() || line.back() != on_grid) line.push_back(on_grid);
-  return line;
 }
 
 // Continues a line of at least two points straight on at its last point.
@@ -268,7 +234,7 @@ struct Way {
 Way way_of(const Track& track, std::span<const std::int64_t> shared) {
   const auto goes_on = [&](std::int64_t node) { return std::ranges::binary_search(shared, node); };
   return {track,
-          along_axis(track.axis),
+          distances_on(track.axis),
           kerbs_of(track.section),
           edges_of(track.section),
           goes_on(track.node_ids.front()),
@@ -276,7 +242,7 @@ Way way_of(const Track& track, std::span<const std::int64_t> shared) {
 }
 
 // True if a way without a tag crosses the walls at both ends of a part.
-bool crosses(const Way& way, const Inside& part, const Polygon& polygon) {
+bool crosses(const Way& way, const LinePart& part, const Polygon& polygon) {
   const Polyline& axis = way.track.axis;
   const auto is_at_wall = [&](Vec2 p) { return is_near_wall(polygon, p, kAlongWall_m); };
   const bool enters = part.from_m > 0 || (way.goes_on_before && is_at_wall(axis.front()));
@@ -308,9 +274,9 @@ void open_arcade(const Track& track, const Polyline& line, const Sides& sides, c
 }
 
 template <typename IsFree>
-Passageway passageway_of(const Way& way, const Footprint& footprint, const Inside& part, IsFree is_free) {
+Passageway passageway_of(const Way& way, const Footprint& footprint, const LinePart& part, IsFree is_free) {
   const Track& track = way.track;
-  Polyline line = cut_out(track.axis, way.along_m, part);
+  Polyline line = points_of(track.axis, way.along_m, part);
   const bool has_room = remains_beside(line, way.edges, footprint.polygon, kJamb_m);
   const Sides sides = has_room ? way.edges : way.kerbs;
   const Polyline inside = line;
@@ -333,9 +299,9 @@ Passageway passageway_of(const Way& way, const Footprint& footprint, const Insid
 template <typename IsFree>
 void add_passageways(const Way& way, const Footprint& footprint, IsFree is_free, std::vector<Passageway>& passageways,
                      Report& report) {
-  for (const Inside& part : parts_inside(way.track.axis, way.along_m, footprint.polygon)) {
+  for (const LinePart& part : parts_inside(way.track.axis, way.along_m, footprint.polygon)) {
     if (!way.track.is_covered) {
-      const Polyline line = cut_out(way.track.axis, way.along_m, part);
+      const Polyline line = points_of(way.track.axis, way.along_m, part);
       if (!crosses(way, part, footprint.polygon) || !remains_beside(line, way.kerbs, footprint.polygon, 0)) continue;
       report.add(Code::kPassageAssumed, way.track.id.osm, part.to_m - part.from_m);
     }
@@ -369,7 +335,7 @@ std::vector<std::uint32_t> closed_near(const FootprintIndex& index, const Polyli
 }
 
 bool is_only_in_buildings(const Track& track, const FootprintIndex& index) {
-  const std::vector<double> along = along_axis(track.axis);
+  const std::vector<double> along = distances_on(track.axis);
   if (along.back() > kLongestPassage_m) return false;
   const std::vector<std::uint32_t> near = closed_near(index, track.axis);
   const auto is_any = [&](auto holds) {
