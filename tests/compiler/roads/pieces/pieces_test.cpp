@@ -48,7 +48,7 @@ Road random_road(std::mt19937_64& dice, double most_rad, double least_m) {
 }
 
 RoadPieces pieces_of_whole(const Road& road) {
-  return pieces_of(road, {}, stretches_of(road, {}, kHugeTile_m), kHugeTile_m, 0.02);
+  return pieces_of(road, {}, stretches_of(road, {}, kHugeTile_m), {}, kHugeTile_m, 0.02);
 }
 
 TEST(Pieces, CoverWhatTheStripCovers) {
