@@ -66,9 +66,10 @@ struct Road {
 /// drifts (placement=transition).
 double left_m(const Road& road);
 double right_m(const Road& road);
-/// By how much the kerbs lie farther left of the axis at a distance along the whole way than at the way's first point.
+/// The distance by which the kerbs lie farther left of the axis at a distance along the whole way than at its first
+/// point.
 inline double drift_m(const Road& road, double along_m) { return road.section.axis_drift * along_m; }
-/// No less than the distance from the axis to the left or right kerb anywhere along the way.
+/// The largest distance from the axis to the left or right kerb along the way, or more where the axis drifts.
 double widest_left_m(const Road& road);
 double widest_right_m(const Road& road);
 /// The width from kerb to kerb.

@@ -175,8 +175,8 @@ LandCover land_cover_of(const Header& header, const Chunk& chunk, double toleran
   for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
     const roads::Road& road = chunk.roads[i];
     const auto stretches = roads::stretches_of(road, gaps[i], header.tile_m);
-    next_run =
-        add_pieces(road, roads::pieces_of(road, ends[i], stretches, changes[i], header.tile_m, tolerance_m), next_run, cover);
+    next_run = add_pieces(road, roads::pieces_of(road, ends[i], stretches, changes[i], header.tile_m, tolerance_m),
+                          next_run, cover);
   }
   sort_and_join(cover.surfaces);
   return cover;

@@ -85,8 +85,8 @@ void diagnose_steps(const ProfileGraph& graph, std::span<const GroundCrossing> c
   std::map<std::pair<OsmId, OsmId>, double> steps_m;
   for (const GroundCrossing& c : crossings) {
     const GraphWay &first = graph.ways[c.first], &second = graph.ways[c.second];
-    const double step_m = std::abs(height_along(graph, first, z_m, c.first_at_m) -
-                                   height_along(graph, second, z_m, c.second_at_m));
+    const double step_m =
+        std::abs(height_along(graph, first, z_m, c.first_at_m) - height_along(graph, second, z_m, c.second_at_m));
     if (step_m <= kSmallStep_m) continue;
     double& largest_m = steps_m[std::minmax(first.track->id.osm, second.track->id.osm)];
     largest_m = std::max(largest_m, step_m);

@@ -12,13 +12,13 @@ namespace citykiln::ground {
 /// A place where two ways cross.
 struct GroundCrossing {
   Vec2 at;
-  std::uint32_t first = 0, second = 0;    ///< Indices of the ways; first < second.
+  std::uint32_t first = 0, second = 0;     ///< Indices of the ways; first < second.
   double first_at_m = 0, second_at_m = 0;  ///< Distances along them.
 };
 
 /// Returns the places where axes of ways on the ground cross. Segments that share a vertex do not cross; ways inside
 /// buildings are left out. Sorted by place, then ways. O(n log n) in segments.
-/// @param ways  Those of a graph: lines that leave the ground are skipped.
+/// @param ways  The ways of a graph; lines that leave the ground are skipped.
 std::vector<GroundCrossing> ground_crossings(std::span<const GraphWay> ways);
 
 /// True if both ways get one height at their crossing: roads of one layer.

@@ -69,8 +69,7 @@ std::string placement_key_of(const LaneTags& tags, Flow flow) {
 // Returns the distance of the way from the carriageway's edge on the backward flow's side. It follows from
 // placement=*; else the way lies in the middle of the width that width=* states (moving lanes, cycle lanes and cars
 // parked on the carriageway, without bays and shoulders). placement=transition leaves it there
-// (transitions.h moves it). Diagnosed: kBadTagValue for
-// a lane that does not exist.
+// (transitions.h moves it). Diagnosed: kBadTagValue for a lane that does not exist.
 double axis_from_backward_edge_m(const LaneTags& tags, const Carriageway& road) {
   assert(std::ranges::none_of(road.moving.middle, [](const Lane& lane) { return lane.width_m <= 0; }));
   const MovingLanes& moving = road.moving;

@@ -109,13 +109,13 @@ void set_offsets(EndOffsets offsets, Track& track) {
   double drift = 0;
   if (track.passage == Passage::kGround)
     // towards 0, so that rounding does not take the axis out of the carriageway
-    drift = std::trunc(std::clamp((offsets.last_m - offsets.first_m) / length_m, -kMostDrift, kMostDrift) / kDriftStep) *
-            kDriftStep;
+    drift =
+        std::trunc(std::clamp((offsets.last_m - offsets.first_m) / length_m, -kMostDrift, kMostDrift) / kDriftStep) *
+        kDriftStep;
   const bool is_whole = drift != 0 && std::abs(drift) < kMostDrift;
   const double first_m = is_whole ? offsets.first_m : mean_m - drift * length_m / 2;
   track.section.axis_drift = drift;
-  track.section.axis_offset_m =
-      std::clamp(snapped_to(kOffsetStep_m, first_m), 0.0, carriageway_width_m(track.section));
+  track.section.axis_offset_m = std::clamp(snapped_to(kOffsetStep_m, first_m), 0.0, carriageway_width_m(track.section));
 }
 
 }  // namespace

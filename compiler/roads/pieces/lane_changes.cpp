@@ -27,7 +27,7 @@ struct LanesBeside {
 // True if the way of an arm runs from the second arm to the first.
 bool runs_against(const Arm& arm, bool is_first) { return (arm.step > 0) == is_first; }
 
-Lane turned(Lane lane) {
+Lane seen_backwards(Lane lane) {
   if (lane.way == LaneDirection::kBoth) return lane;
   lane.way = lane.way == LaneDirection::kForward ? LaneDirection::kBackward : LaneDirection::kForward;
   return lane;
@@ -40,7 +40,7 @@ LanesBeside lanes_beside(std::span<const Road> roads, const Arm& arm, bool is_fi
     if (!lane.is_raised) side.lanes.push_back(lane);
   if (runs_against(arm, is_first)) {
     std::ranges::reverse(side.lanes);
-    for (Lane& lane : side.lanes) lane = turned(lane);
+    for (Lane& lane : side.lanes) lane = seen_backwards(lane);
   }
   side.edges_m = {is_first ? arm_right_m(roads, arm) : arm_left_m(roads, arm)};
   for (const Lane& lane : side.lanes) side.edges_m.push_back(side.edges_m.back() - lane.width_m);
@@ -119,7 +119,8 @@ Match matched(const LanesBeside& few, const LanesBeside& many) {
 // directions if there is one between them, else with the nearest.
 double line_between(const LanesBeside& many, std::size_t p, std::size_t q, double at_m) {
   const auto rank = [&](std::size_t edge) {
-    const bool divides_alike = many.lanes[edge - 1].way == many.lanes[p].way && many.lanes[edge].way == many.lanes[q].way;
+    const bool divides_alike =
+        many.lanes[edge - 1].way == many.lanes[p].way && many.lanes[edge].way == many.lanes[q].way;
     return std::tuple(!divides_alike, std::abs(many.edges_m[edge] - at_m));
   };
   std::size_t best = p + 1;
@@ -145,15 +146,16 @@ std::vector<double> led_edges(const LanesBeside& few, const LanesBeside& many) {
 }
 
 // Moves the outermost edges to those that both sides share, and the others between them.
-void keep_between(double left_m, double right_m, std::vector<double>& edges_m) {
+void clamp_edges(double left_m, double right_m, std::vector<double>& edges_m) {
   edges_m.front() = left_m, edges_m.back() = right_m;
-  for (std::size_t i = 1; i + 1 < edges_m.size(); ++i)
-    edges_m[i] = std::clamp(edges_m[i], right_m, edges_m[i - 1]);
+  for (std::size_t i = 1; i + 1 < edges_m.size(); ++i) edges_m[i] = std::clamp(edges_m[i], right_m, edges_m[i - 1]);
 }
 
 // True if the second side leads: it has more lanes, or as many and is as wide.
 bool second_leads(const LanesBeside& first, const LanesBeside& second) {
-  const auto rank = [](const LanesBeside& s) { return std::pair(s.lanes.size(), s.edges_m.front() - s.edges_m.back()); };
+  const auto rank = [](const LanesBeside& s) {
+    return std::pair(s.lanes.size(), s.edges_m.front() - s.edges_m.back());
+  };
   return rank(second) >= rank(first);
 }
 
@@ -170,7 +172,7 @@ SharedEdges edges_at_node(const LanesBeside& first, const LanesBeside& second) {
     edges.first_m = led_edges(first, second);
   else
     edges.second_m = led_edges(second, first);
-  keep_between(left_m, right_m, edges.first_m), keep_between(left_m, right_m, edges.second_m);
+  clamp_edges(left_m, right_m, edges.first_m), clamp_edges(left_m, right_m, edges.second_m);
   return edges;
 }
 
@@ -220,8 +222,7 @@ std::vector<std::vector<LaneChange>> lane_changes_of(std::span<const Road> roads
       const Road& road = roads[arm.road];
       const double cut_m = junctions[j].cuts[is_first ? 0 : 1].length_m;
       changes[arm.road].push_back(change_of(
-          road, arm, cut_m,
-          all_edges(road, is_first ? edges.first_m : edges.second_m, runs_against(arm, is_first))));
+          road, arm, cut_m, all_edges(road, is_first ? edges.first_m : edges.second_m, runs_against(arm, is_first))));
     }
   }
   return changes;

@@ -165,7 +165,8 @@ std::vector<double> band_edges_of(const LaneStrip& strip, const LaneEdges& lanes
     const double left = lanes.whole_m[i], right = lanes.whole_m[i + 1];
     const double change_m = change.offsets_m[i] - change.offsets_m[i + 1] - (left - right);
     if (std::abs(change_m) < 2 * kQuantum_m) continue;
-    for (const double edge_m : {left, left - margin_m(left - right), right + margin_m(left - right), right}) add(edge_m);
+    for (const double edge_m : {left, left - margin_m(left - right), right + margin_m(left - right), right})
+      add(edge_m);
   }
   edges_m.push_back(strip.right_m);
   return edges_m;
@@ -241,7 +242,8 @@ Vec2 uv_at(const PieceFrame& frame, Vec2 p) {
   const StripEdges edges = edges_between(frame, passed);
   const double width = edges.left_m - edges.right_m;
   const double u = edges.left_m - dot(off, left_of(frame.along));
-  return {frame.left_u_m + (width > 0 ? u * (frame.width_m / width) : 0), frame.start.v_m + passed * (frame.end.v_m - frame.start.v_m)};
+  return {frame.left_u_m + (width > 0 ? u * (frame.width_m / width) : 0),
+          frame.start.v_m + passed * (frame.end.v_m - frame.start.v_m)};
 }
 
 RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches,

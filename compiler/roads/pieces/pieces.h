@@ -28,9 +28,9 @@ struct PieceEnd {
 
 /// The position of a piece in its strip, from which uv_at() computes texture coordinates.
 struct PieceFrame {
-  Vec2 at, along;      ///< A point of the axis and the axis' unit direction there.
-  double width_m = 0;  ///< The width without width limits, of the strip or of a part of it (bands of lanes where their
-                       ///< number changes).
+  Vec2 at, along;       ///< A point of the axis and the axis' unit direction there.
+  double width_m = 0;   ///< The width without width limits, of the strip or of a part of it (bands of lanes where their
+                        ///< number changes).
   double left_u_m = 0;  ///< u at its left edge: not 0 for parts of a strip.
   PieceEnd start, end;
 };
@@ -64,9 +64,9 @@ struct RoadPieces {
 /// @param tile_m       Side of the tiles.
 /// @param tolerance_m  Strips that are narrower than this are merged into a neighbour.
 ///
-/// Guarantees: without changes, the pieces cover stroke_carriageway() and stroke_pavements(), and the verges outside these, except for
-/// snapping and for the inside of bends too sharp for a mitre. Neighbours share their corners exactly. At a bend too
-/// sharp for a mitre, both segments end square and a joint fills the wedge. O(points · strips).
+/// Guarantees: without changes, the pieces cover stroke_carriageway() and stroke_pavements(), and the verges outside
+/// these, except for snapping and for the inside of bends too sharp for a mitre. Neighbours share their corners
+/// exactly. At a bend too sharp for a mitre, both segments end square and a joint fills the wedge. O(points · strips).
 RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches,
                      std::span<const LaneChange> changes, double tile_m, double tolerance_m);
 
