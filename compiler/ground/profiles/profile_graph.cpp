@@ -207,13 +207,12 @@ void GraphBuilder::stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std
     if (cut.length_m != roads::kWholeLink_m && std::abs(draft.along[vertex] - from_m) > cut.length_m) break;
     draft.junction[vertex] = std::min(draft.junction[vertex], junction);
     if (!std::ranges::binary_search(places, graph.ways[w].track->axis[vertex])) continue;
-    const auto [from, to] = std::minmax(from_m, draft.along[vertex]);
-    return draft.inside.push_back({from, to});
+    const double to_m = draft.along[vertex];
+    return draft.inside.push_back({std::min(from_m, to_m), std::max(from_m, to_m)});
   }
   if (cut.length_m == roads::kWholeLink_m) return;
-  const auto [from, to] = std::minmax(from_m, from_m + arm.step * cut.length_m);
-  draft.inside.push_back({from, to});
   const double cut_m = from_m + arm.step * cut.length_m, eased_m = cut_m + arm.step * kJunctionEase_m;
+  draft.inside.push_back({std::min(from_m, cut_m), std::max(from_m, cut_m)});
   const double end_m = draft.along.back();
   if (cut_m > 0 && cut_m < end_m) draft.stops.push_back({cut_m, kNone, junction});
   if (eased_m > 0 && eased_m < end_m) draft.stops.push_back({eased_m, kNone, kNone});

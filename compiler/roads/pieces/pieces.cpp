@@ -106,6 +106,13 @@ struct PieceBuilder {
       }
   }
 
+  // True for marked strips between the kerbs.
+  bool has_lines(std::size_t strip, const Slice& slice) const {
+    const std::vector<map::Lane>& lanes = strips[strip].lanes;
+    return !lanes.empty() && !lanes.front().is_raised &&
+           layouts[strip * stretches.size() + slice.stretch] != kNoMarkingLayout;
+  }
+
   void add(std::size_t strip, const Slice& slice, StripEdges start, StripEdges end, Ring ring) {
     add(strip, {strips[strip].left_m, strips[strip].right_m}, slice, start, end, std::move(ring));
   }
@@ -209,7 +216,7 @@ void add_slice(const Slice& slice, std::span<const OpenBend> bends, PieceBuilder
   const auto end = edges_at(builder.road, builder.strips, builder.changes, slice.end.along_m);
   const LaneChange* change = change_within(slice, builder.changes);
   for (std::size_t s = 0; s < builder.strips.size(); ++s)
-    if (change != nullptr && !builder.strips[s].lanes.empty() && !builder.strips[s].lanes.front().is_raised)
+    if (change != nullptr && builder.has_lines(s, slice))
       add_bands(s, slice, *change, builder);
     else
       builder.add(s, slice, start[s], end[s], ring_of(slice, start[s], end[s]));

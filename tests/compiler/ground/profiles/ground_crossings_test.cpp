@@ -32,7 +32,7 @@ TEST(GroundCrossings, RoadsThatCrossWithoutANodeMeetAtOneHeight) {
        {LandCoverClass::kFarmTrack, LandCoverClass::kServiceRoad, LandCoverClass::kResidentialRoad}) {
     const map::Features features = crossing_ways(LandCoverClass::kPrimaryRoad, across);
     const Planned p = planned(features, ridge());
-    EXPECT_LT(step_m(features, p), 2 * kKnotError_m);
+    EXPECT_LT(step_m(features, p), 0.1);
     EXPECT_EQ(p.report.counts().count(Code::kStepAtCrossing), 0u);
   }
 }
