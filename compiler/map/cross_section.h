@@ -52,9 +52,14 @@ struct Lane {
 struct CrossSection {
   std::vector<Lane> lanes;   ///< Left to right, seen along the way. At least one is not raised, at most 42 in all.
   double axis_offset_m = 0;  ///< Distance of the way from the left edge of the carriageway (the lanes that are not
-                             ///< raised); a multiple of 2^-11.
+                             ///< raised); a multiple of 2^-11. Where axis_drift is not 0: at the way's first point.
+  double axis_drift = 0;     ///< Growth of axis_offset_m per metre along the whole way (placement=transition): a
+                             ///< multiple of 2^-16, at most kMostDrift either way. The axis stays in the carriageway.
   bool operator==(const CrossSection&) const = default;
 };
+
+/// The greatest slope of an axis within its carriageway.
+inline constexpr double kMostDrift = 0.5;
 
 /// The side of the road on which traffic drives.
 enum class DrivingSide : std::uint8_t { kRight, kLeft };

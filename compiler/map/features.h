@@ -80,6 +80,7 @@ struct Track {
   CrossSection section;               ///< Lanes from tags and defaults.
   bool has_tagged_width = false;      ///< True if tags state the carriageway's width; else it is the class's.
   bool has_tagged_placement = false;  ///< True if tags state where the axis lies in the carriageway; else the middle.
+  bool is_transition = false;         ///< True for placement=transition.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.
 };

@@ -7,6 +7,7 @@
 #include "compiler/map/lanes/lanes.h"
 #include "compiler/map/lanes/track_points.h"
 #include "compiler/map/lanes/track_rules.h"
+#include "compiler/map/lanes/transitions.h"
 #include "compiler/map/plant_tags.h"
 #include "compiler/map/road_guidelines.h"
 
@@ -138,6 +139,7 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   TaggedSection section = tagged_section_of(context, id, way.tags, side, guidelines_at(place));
   track.section = std::move(section.section);
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
+  track.is_transition = section.is_transition;
   track.layer = tagged_layer(context, id, way.tags);
   track.passage = is_upper_passage(context, way, track) ? Passage::kTunnel : tagged_passage(context, way.tags);
   read_cover(context, way.tags, track);
@@ -179,6 +181,7 @@ std::vector<Track> locate_tracks(const ReadContext& context, std::optional<Drivi
         tracks.push_back(track_of(context, side, way, row, std::move(line)));
         tracks.back().points = std::move(points);
       });
+  join_transitions(tracks);
   return tracks;
 }
 

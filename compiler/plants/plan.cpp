@@ -146,8 +146,9 @@ void add_avenue(const roads::Road& road, map::TreeSides sides, std::vector<TreeR
                       .axis = std::move(line),
                       .species_mix = species_mix_of(PlantCommunity::kTownTrees)});
   };
-  if (sides != map::TreeSides::kRight) add(roads::left_m(road) + kBehindKerb_m, 0);
-  if (sides != map::TreeSides::kLeft) add(-roads::right_m(road) - kBehindKerb_m, 1);
+  const double drift_m = roads::drift_m(road, length_m(road.axis));
+  if (sides != map::TreeSides::kRight) add(roads::left_m(road) + std::max(0.0, drift_m) + kBehindKerb_m, 0);
+  if (sides != map::TreeSides::kLeft) add(-roads::right_m(road) + std::min(0.0, drift_m) - kBehindKerb_m, 1);
 }
 
 void add_avenues(const map::Features& features, std::span<const roads::Road> roads, std::vector<TreeRow>& rows) {

@@ -48,9 +48,10 @@ std::vector<map::Lane> raised_lanes(const Road& road, Side side) {
   return lanes;
 }
 
-// The distance from the axis to the foot of a lamp.
-double offset_m(const Road& road, Side side) {
-  double edge_m = side == Side::kLeft ? left_m(road) : right_m(road);
+// The distance from the axis to the foot of a lamp at a distance along the way.
+double offset_m(const Road& road, Side side, double along_m) {
+  const double drift = drift_m(road, along_m);
+  double edge_m = side == Side::kLeft ? left_m(road) + drift : right_m(road) - drift;
   for (const map::Lane& lane : raised_lanes(road, side)) {
     if (lane.kind != map::LaneKind::kCycle) return edge_m + std::min(kBehindKerb_m, lane.width_m / 2);
     edge_m += lane.width_m;
@@ -69,7 +70,7 @@ StreetLamp lamp_on(const Road& road, const Piece& piece, const Lighting& lightin
   const Side side = lit_side(road, number);
   const Vec2 left = left_of(unit(piece.b - piece.a)), out = side == Side::kLeft ? left : left * -1.0;
   const Vec2 on_axis = piece.a + (piece.b - piece.a) * (along_m / piece.length_m);
-  return {.at = snapped(on_axis + out * offset_m(road, side)),
+  return {.at = snapped(on_axis + out * offset_m(road, side, piece.start_along_m + along_m)),
           .facing = out * -1.0,
           .height_m = lighting.height_m,
           .kind = lighting.kind,
@@ -122,7 +123,7 @@ std::vector<RoadArea> lit_streets(std::span<const Road> roads) {
   std::vector<RoadArea> streets;
   for (const Road& road : roads)
     if (road.is_lit && is_street(road))
-      streets.push_back(area_around(road, std::max(left_m(road), right_m(road)) + kBesideStreet_m));
+      streets.push_back(area_around(road, std::max(widest_left_m(road), widest_right_m(road)) + kBesideStreet_m));
   return streets;
 }
 

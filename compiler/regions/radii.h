@@ -8,6 +8,7 @@
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/profiles/profile_graph.h"
 #include "compiler/ground/water/river_areas.h"
+#include "compiler/map/lanes/transitions.h"
 #include "compiler/plants/placing/blue_noise.h"
 #include "compiler/plants/placing/placing.h"
 #include "compiler/plants/recipe.h"
@@ -27,12 +28,16 @@ namespace citykiln::regions {
 // | junctions              | roads::kJunctionRadius_m       |     24 | nodes that are one junction                    |
 // | pieces of roads        | roads::kJunctionHalo_m         |     32 | junctions that end a stretch                   |
 // | running water          | ground::kMaxInfluence_m        |   1008 | the axis that gives a bank its height          |
+// | transitions of lanes   | map::kLongestTransition_m      |    512 | the ways before and after                      |
 // | assumed widths         | roads::kLongestFitted_m        |    512 | objects that are mapped beside the way         |
 // | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, planes, limits of grade             |
 // | bridges and tunnels    | ground::kSpanEndRadius_m       |   4096 | their ends                                     |
 // | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
 // | paths to a bridge      | ground::kLongestApproach_m     |   2048 | a bridge or tunnel that moves the path         |
 // | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
+//
+// Lanes of a transition follow from those of its neighbours as tagged, so their radius and that of assumed widths do
+// not add up.
 //
 // Some facts have no radius and are therefore found by the survey of the whole extent: coastlines, levels of standing
 // water, profiles of running water, and the heights that fill places without a heightmap. The header's fields also come
@@ -52,6 +57,7 @@ static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJun
 static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
                                    roads::kLongestFitted_m + ground::kLongestApproach_m + ground::kApproach_m +
                                    ground::kProfileRadius_m + ground::kSpanEndRadius_m);
+static_assert(map::kLongestTransition_m <= roads::kLongestFitted_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 
 }  // namespace citykiln::regions

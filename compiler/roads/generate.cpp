@@ -126,7 +126,7 @@ std::vector<Ring> stroke(const Strip& strip, const StripEnds& ends) {
 
 std::vector<Ring> stroke_carriageway(const Road& road, const StripEnds& ends) {
   assert(road.axis.size() >= 2);
-  if (road.width_limits.is_empty()) return stroke(carriageway_of(road), ends);
+  if (road.width_limits.is_empty() && road.section.axis_drift == 0) return stroke(carriageway_of(road), ends);
   const auto kerbs = [&](double along_m) {
     const RoadEdges edges = road_edges_at(road, along_m);
     return Halves{edges.kerb_left_m, edges.kerb_right_m};

@@ -58,6 +58,11 @@ bool go_on(std::span<const Road> roads, const Arm& a, const Arm& b) {
          dot(direction(roads, a), direction(roads, b)) < 0;
 }
 
+// drift_m() at a vertex.
+double drift_at(const Road& road, std::uint32_t vertex) {
+  return road.section.axis_drift == 0 ? 0 : drift_m(road, distances_along(road)[vertex]);
+}
+
 double least_radius_m(map::TrackPointKind kind) {
   using map::TrackPointKind;
   if (kind == TrackPointKind::kTurningLoop) return kLoopIsland_m + kLoopLane_m;
@@ -106,12 +111,14 @@ bool is_through_street(const Road& road) {
 
 double arm_left_m(std::span<const Road> roads, const Arm& arm) {
   assert(arm.road < roads.size());
-  return arm.step > 0 ? left_m(roads[arm.road]) : right_m(roads[arm.road]);
+  const double drift = drift_at(roads[arm.road], arm.vertex);
+  return arm.step > 0 ? left_m(roads[arm.road]) + drift : right_m(roads[arm.road]) - drift;
 }
 
 double arm_right_m(std::span<const Road> roads, const Arm& arm) {
   assert(arm.road < roads.size());
-  return arm.step > 0 ? right_m(roads[arm.road]) : left_m(roads[arm.road]);
+  const double drift = drift_at(roads[arm.road], arm.vertex);
+  return arm.step > 0 ? right_m(roads[arm.road]) - drift : left_m(roads[arm.road]) + drift;
 }
 
 std::vector<Node> find_nodes(std::span<const Road> roads) {

@@ -34,6 +34,10 @@ bool is_verge(const map::Lane& lane) { return lane.kind == map::LaneKind::kVerge
 double left_m(const Road& road) { return road.section.axis_offset_m; }
 double right_m(const Road& road) { return map::carriageway_width_m(road.section) - road.section.axis_offset_m; }
 
+// A bound by the whole width is the same for all parts of a way: tiles agree.
+double widest_left_m(const Road& road) { return road.section.axis_drift == 0 ? left_m(road) : width_m(road); }
+double widest_right_m(const Road& road) { return road.section.axis_drift == 0 ? right_m(road) : width_m(road); }
+
 double raised_left_m(const Road& road) { return outer_left_m(road, is_any_lane); }
 double raised_right_m(const Road& road) { return outer_right_m(road, is_any_lane); }
 
@@ -52,10 +56,11 @@ std::vector<double> distances_along(const Road& road) { return distances_along(r
 
 double max_offset_m(const Road& road) {
   // the mitre of a bend under a right angle lies within 1.42 half widths
-  return 1.5 * std::max(left_m(road) + raised_left_m(road), right_m(road) + raised_right_m(road));
+  return 1.5 * std::max(widest_left_m(road) + raised_left_m(road), widest_right_m(road) + raised_right_m(road));
 }
 
 Strip carriageway_of(const Road& road) {
+  assert(road.section.axis_drift == 0);
   return {.id = road.id, .axis = road.axis, .surface = road.surface, .left_m = left_m(road), .right_m = right_m(road)};
 }
 

@@ -62,9 +62,16 @@ struct Road {
   bool operator==(const Road&) const = default;
 };
 
-/// The distance from the axis to the left or right kerb, seen along the axis.
+/// The distance from the axis to the left or right kerb, seen along the axis; at the way's first point where the axis
+/// drifts (placement=transition).
 double left_m(const Road& road);
 double right_m(const Road& road);
+/// The distance by which the kerbs lie farther left of the axis at a distance along the whole way than at its first
+/// point.
+inline double drift_m(const Road& road, double along_m) { return road.section.axis_drift * along_m; }
+/// The largest distance from the axis to the left or right kerb along the way, or more where the axis drifts.
+double widest_left_m(const Road& road);
+double widest_right_m(const Road& road);
 /// The width from kerb to kerb.
 inline double width_m(const Road& road) { return left_m(road) + right_m(road); }
 
@@ -89,7 +96,7 @@ inline int priority_of(const Road& road) { return map::values_of(road.surface).p
 /// The largest distance of any point of the road from its axis, pavements and tips of mitres included.
 double max_offset_m(const Road& road);
 
-/// The strip of ground between the kerbs, without width limits.
+/// The strip of ground between the kerbs, without width limits. The axis does not drift.
 Strip carriageway_of(const Road& road);
 
 }  // namespace citykiln::roads

@@ -11,6 +11,7 @@
 #include "compiler/roads/junctions/through_road.h"
 #include "compiler/roads/network.h"
 #include "compiler/roads/pieces/islands.h"
+#include "compiler/roads/pieces/lane_changes.h"
 
 namespace citykiln::scene {
 namespace {
@@ -99,14 +100,21 @@ ObjectId id_of_junction(const roads::Road& main) {
   return {main.id.osm, main.id.part | kJunctionPart};
 }
 
+// The class of the least of the roads that meet, below whose strips the others' lie.
+map::LandCoverClass least_surface(std::span<const roads::Road> roads, std::span<const roads::Arm> arms) {
+  const auto priority = [&](const roads::Arm& arm) { return roads::priority_of(roads[arm.road]); };
+  return roads[std::ranges::min(arms, {}, priority).road].surface;
+}
+
 }  // namespace
 
 ground::LandCoverPolygon junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                           std::span<const roads::Arm> arms) {
   assert(!arms.empty() && arms.size() == junction.cuts.size());
   const roads::Road& main = roads::main_road(roads, arms);
-  const bool is_passed = roads::has_through_road(junction, roads, arms);
-  ground::LandCoverPolygon surface{id_of_junction(main), main.surface,
+  const bool is_change = roads::is_lane_change(junction, roads, arms);
+  const bool is_passed = is_change || roads::has_through_road(junction, roads, arms);
+  ground::LandCoverPolygon surface{id_of_junction(main), is_change ? least_surface(roads, arms) : main.surface,
                                    is_passed ? ground::kPassedJunctionArea_m2 : ground::kJunctionArea_m2,
                                    roads::stroke(junction, roads, arms)};
   surface.is_graded =
@@ -161,13 +169,14 @@ LandCover land_cover_of(const Header& header, const Chunk& chunk, double toleran
   if (!has_detail(Detail::kRoadSurfaces, tolerance_m)) return {coarse_land_cover(chunk), {}, {}};
   LandCover cover{surfaces_without_roads(cover_recipes_of(chunk)), {}, {}};
   const std::vector<roads::StripEnds> ends = roads::ends_of(chunk.roads);
+  const auto changes = roads::lane_changes_of(chunk.roads, chunk.junctions);
   const auto gaps = roads::junction_intervals_of(chunk.roads, chunk.junctions);
   std::uint32_t next_run = 0;
   for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
     const roads::Road& road = chunk.roads[i];
     const auto stretches = roads::stretches_of(road, gaps[i], header.tile_m);
-    next_run =
-        add_pieces(road, roads::pieces_of(road, ends[i], stretches, header.tile_m, tolerance_m), next_run, cover);
+    next_run = add_pieces(road, roads::pieces_of(road, ends[i], stretches, changes[i], header.tile_m, tolerance_m),
+                          next_run, cover);
   }
   sort_and_join(cover.surfaces);
   return cover;

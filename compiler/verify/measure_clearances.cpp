@@ -41,7 +41,9 @@ struct RoadLine {
   bool passes = true;  ///< False for corridors in buildings.
 
   std::pair<Kind, int> rank() const { return {kind, layer}; }
-  double half_m() const { return std::min(std::max(roads::left_m(*road), roads::right_m(*road)), kWidest_m); }
+  double half_m() const {
+    return std::min(std::max(roads::widest_left_m(*road), roads::widest_right_m(*road)), kWidest_m);
+  }
 };
 
 RoadLine road_line_of(const roads::Road& road) { return {&road, Kind::kGround, 0, true}; }

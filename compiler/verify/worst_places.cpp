@@ -15,6 +15,7 @@ namespace {
 constexpr Code kShown[] = {
     Code::kToleranceNotMet,
     Code::kCrossingWithoutOrder,
+    Code::kStepAtCrossing,
     Code::kTooSteep,
     Code::kTunnelLowered,
     Code::kTunnelNotMeshed,

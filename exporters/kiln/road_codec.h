@@ -27,18 +27,31 @@ void serialise(auto& io, map::Lane& l) {
   io.number("lane turns", l.turns);
 }
 
+// The slope of an axis in its carriageway: a multiple of 2^-16, counted from the least, in the stream of the offset.
+void axis_drift(auto& io, double& drift) {
+  constexpr double kStep = 0x1p-16;
+  auto steps = static_cast<std::uint64_t>((drift + map::kMostDrift) / kStep);
+  io.number("axis offset", steps);
+  drift = static_cast<double>(steps) * kStep - map::kMostDrift;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (drift > map::kMostDrift) io.fail("axis offset"), drift = 0;
+}
+
 /// A road kind: properties that many roads share (road_kinds.h).
 void serialise(auto& io, RoadKind& k) {
   enumerator(io, "road surface", k.surface, map::LandCoverClass::kCount);
   const bool drives_left = k.side == map::DrivingSide::kLeft;
-  auto traits = static_cast<std::uint64_t>(drives_left | k.is_lit << 1 | k.is_link << 2 | k.is_roundabout << 3);
+  const bool drifts = k.section.axis_drift != 0;
+  auto traits =
+      static_cast<std::uint64_t>(drives_left | k.is_lit << 1 | k.is_link << 2 | k.is_roundabout << 3 | drifts << 4);
   io.number("road traits", traits);
   k.side = (traits & 1) != 0 ? map::DrivingSide::kLeft : map::DrivingSide::kRight;
   k.is_lit = (traits & 2) != 0, k.is_link = (traits & 4) != 0, k.is_roundabout = (traits & 8) != 0;
   half_steps(io, "axis offset", k.section.axis_offset_m);
+  if ((traits & 16) != 0) axis_drift(io, k.section.axis_drift);
   list(io, "lanes", k.section.lanes, 1, [&](map::Lane& l) { serialise(io, l); });
   if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
-    if (traits > 15) io.fail("road traits");
+    if (traits > 31) io.fail("road traits");
     if (!is_sound(k.section)) io.fail("lanes");
   }
 }

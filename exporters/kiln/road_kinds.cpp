@@ -18,7 +18,8 @@ struct LaneOrder {
 struct KindOrder {
   bool operator()(const RoadKind& a, const RoadKind& b) const {
     const auto plain = [](const RoadKind& k) {
-      return std::tuple(k.surface, k.side, k.is_lit, k.is_link, k.is_roundabout, k.section.axis_offset_m);
+      return std::tuple(k.surface, k.side, k.is_lit, k.is_link, k.is_roundabout, k.section.axis_offset_m,
+                        k.section.axis_drift);
     };
     if (plain(a) != plain(b)) return plain(a) < plain(b);
     return std::ranges::lexicographical_compare(a.section.lanes, b.section.lanes, LaneOrder());

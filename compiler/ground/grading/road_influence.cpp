@@ -36,14 +36,15 @@ void add_segments(const roads::Road& road, double kerb_m, RoadInfluenceIndex& in
   const std::vector<double> along = roads::distances_along(road);
   const double left_m = roads::left_m(road) + roads::raised_left_m(road),
                right_m = roads::right_m(road) + roads::raised_right_m(road);
+  const auto drift_m = [&](std::size_t vertex) { return roads::drift_m(road, along[vertex]); };
   const auto number = static_cast<std::uint32_t>(index.profiles.size());
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i)
     index.segments.push_back({.from = road.axis[i],
                               .to = road.axis[i + 1],
                               .from_m = along[i],
                               .to_m = along[i + 1],
-                              .left_m = left_m,
-                              .right_m = right_m,
+                              .left_m = left_m + std::max(drift_m(i), drift_m(i + 1)),
+                              .right_m = right_m - std::min(drift_m(i), drift_m(i + 1)),
                               .kerb_m = kerb_m,
                               .road = number});
   index.profiles.push_back(road.profile);

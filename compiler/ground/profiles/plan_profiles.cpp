@@ -9,6 +9,7 @@
 #include "compiler/ground/profiles/diagnose_profiles.h"
 #include "compiler/ground/profiles/enforce_clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
+#include "compiler/ground/profiles/ground_crossings.h"
 #include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/plan_paths.h"
 #include "compiler/ground/profiles/profile_knots.h"
@@ -116,6 +117,7 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
     }
   }
   diagnose_profiles(graph, lines_m, planes.z_m, report);
+  diagnose_steps(graph, ground_crossings(graph.ways), planes.z_m, report);
   report_free_ends(graph, report);
   return plan_paths(features, std::move(profiles), {streams, waters, heights, landforms}, report);
 }

@@ -63,12 +63,13 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 /// @param landforms    Retaining walls, dykes, piers and others; roads have the height of their side.
 /// @param limit_scale  Factor on all grade limits, for charts.
 ///
-/// Guarantees: ways have equal heights at a common node, within kKnotError_m; nodes of one junction lie on one plane; a
-/// bridge with enough clearance lies on the smooth line between its ends; a summit of 20 to 500 m at a single vertex of
-/// the terrain moves no profile by more than 8 m; a road of at most kKnotStretch_m at height 0 on terrain at height 0,
-/// well beyond kGrading_m from anything at other heights, has no knots. The order of tracks and roads does not matter.
-/// Reports kTooSteep, kClearanceNotMet or kLayersContradict, kCrossingWithoutOrder, kTunnelLowered,
-/// kBridgeWithoutGround. Cannot fail. Depends on data within kProfileRadius_m.
+/// Guarantees: ways have equal heights at a common node, and roads where they cross on the ground off junctions, within
+/// kKnotError_m; nodes of one junction lie on one plane; a bridge with enough clearance lies on the smooth line between
+/// its ends; a summit of 20 to 500 m at a single vertex of the terrain moves no profile by more than 8 m; a road of at
+/// most kKnotStretch_m at height 0 on terrain at height 0, well beyond kGrading_m from anything at other heights, has
+/// no knots. The order of tracks and roads does not matter. Reports kTooSteep, kStepAtCrossing, kClearanceNotMet or
+/// kLayersContradict, kCrossingWithoutOrder, kTunnelLowered, kBridgeWithoutGround. Cannot fail. Depends on data within
+/// kProfileRadius_m.
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,

@@ -68,8 +68,8 @@ std::string placement_key_of(const LaneTags& tags, Flow flow) {
 
 // Returns the distance of the way from the carriageway's edge on the backward flow's side. It follows from
 // placement=*; else the way lies in the middle of the width that width=* states (moving lanes, cycle lanes and cars
-// parked on the carriageway, without bays and shoulders). placement=transition is ignored. Diagnosed: kBadTagValue for
-// a lane that does not exist.
+// parked on the carriageway, without bays and shoulders). placement=transition leaves it there
+// (transitions.h moves it). Diagnosed: kBadTagValue for a lane that does not exist.
 double axis_from_backward_edge_m(const LaneTags& tags, const Carriageway& road) {
   assert(std::ranges::none_of(road.moving.middle, [](const Lane& lane) { return lane.width_m <= 0; }));
   const MovingLanes& moving = road.moving;
@@ -212,6 +212,15 @@ bool has_placement(const LaneTags& tags) {
   return !tags("placement").empty() || !tags("placement:forward").empty() || !tags("placement:backward").empty();
 }
 
+bool is_transition(const LaneTags& tags) {
+  bool is_one = false;
+  for (const char* key : {"placement", "placement:forward", "placement:backward"}) {
+    if (!tags(key).empty() && tags(key) != "transition") return false;
+    is_one |= !tags(key).empty();
+  }
+  return is_one;
+}
+
 bool has_listed_widths(const LaneTags& tags) {
   return !tags("width:lanes").empty() || !tags("width:lanes:forward").empty() || !tags("width:lanes:backward").empty();
 }
@@ -230,7 +239,7 @@ TaggedSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
     std::reverse(section.lanes.begin(), section.lanes.end());
     section.axis_offset_m = carriageway_width_m(section) - section.axis_offset_m;
   }
-  return {std::move(section), width_m || has_listed_widths(tags), has_placement(tags)};
+  return {std::move(section), width_m || has_listed_widths(tags), has_placement(tags), is_transition(tags)};
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ struct TaggedSection {
   CrossSection section;
   bool has_width = false;      ///< True if width=*, est_width=* or width:lanes=* states the carriageway's width.
   bool has_placement = false;  ///< True if placement=* states the place of the axis.
+  bool is_transition = false;  ///< True if placement=transition leaves it to the ways before and after.
 };
 /// Returns the cross-section of a way and its sources; default widths and numbers of lanes follow a set of guidelines.
 ///

@@ -76,7 +76,7 @@ ArmPath arm_path(std::span<const Road> roads, const Arm& arm) {
   Polyline axis = arm_axis(roads, arm, kJunctionRadius_m);
   // arm_axis() repeats a vertex that lies exactly at the length
   if (axis.size() > 2 && axis.back() == axis[axis.size() - 2]) axis.pop_back();
-  return {std::move(axis), arm_left_m(roads, arm), arm_right_m(roads, arm)};
+  return {std::move(axis), arm_left_m(roads, arm), arm_right_m(roads, arm), roads[arm.road].section.axis_drift};
 }
 
 std::optional<Fillet> fillet_between(const ArmPath& arm, const ArmPath& next, double radius_m) {

@@ -17,7 +17,8 @@ namespace citykiln::roads {
 /// The first kJunctionRadius_m (24 m) of an arm, or all of it if it is shorter. No junction extends farther along it.
 struct ArmPath {
   Polyline axis;                   ///< At least two points; the last one may be interpolated.
-  double left_m = 0, right_m = 0;  ///< Distances to the kerbs, seen along the arm.
+  double left_m = 0, right_m = 0;  ///< Distances to the kerbs at the node, seen along the arm.
+  double drift = 0;                ///< By how much left_m grows and right_m shrinks per metre; tapers alone use it.
 };
 /// Returns the path of an arm.
 ArmPath arm_path(std::span<const Road> roads, const Arm& arm);

@@ -35,7 +35,9 @@ std::vector<TaperStation> taper_stations_of(const ArmPath& arm, double cut_m, co
     if (is_last && i > 0) at = arm.axis[i - 1] + (at - arm.axis[i - 1]) * ((cut_m - along_m) / step_m);
     along_m = std::min(cut_m, along_m + step_m);
     const double share = 1 - along_m / cut_m;
-    stations.push_back({at, arm.left_m + share * excess.left_m, arm.right_m + share * excess.right_m});
+    const double drift_m = arm.drift * along_m;
+    stations.push_back(
+        {at, arm.left_m + drift_m + share * excess.left_m, arm.right_m - drift_m + share * excess.right_m});
     if (is_last) break;
   }
   return stations;

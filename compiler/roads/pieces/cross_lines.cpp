@@ -36,8 +36,9 @@ struct Slicer {
   const StripEnds& ends;
   Reaches reaches;
   double tile_m;
+  std::span<const LaneChange> changes;
   std::vector<double> along{};
-  std::vector<double> edge_bends{};         // bends of the edges, from width limits
+  std::vector<double> edge_bends{};         // bends of the edges, from width limits and lane changes
   std::vector<std::optional<Vec2>> outs{};  // the mitre at each point, if there is one
 
   Vec2 direction(std::size_t i) const { return unit(road.axis[i + 1] - road.axis[i]); }
@@ -55,13 +56,24 @@ struct Slicer {
     return dot(before, after) > 0 ? std::optional(mitre_of(before, after)) : std::nullopt;
   }
 
+  // The reaches of the line at a point: in a lane change edges lie farther out.
+  Reaches reaches_at(std::size_t i) const {
+    Reaches all = reaches;
+    for (const LaneChange& change : changes) {
+      if (change.share_at(along[i]) <= 0) continue;
+      all.left_m = std::max(all.left_m, change.offsets_m.front());
+      all.right_m = std::max(all.right_m, -change.offsets_m.back());
+    }
+    return all;
+  }
+
   // A mitre may lean over at most half of either segment, so no two mitres cross.
   void find_outs() {
     for (std::size_t i = 0; i < road.axis.size(); ++i) {
       outs.push_back(mitre_at(i));
       for (const std::size_t s : {i - 1, i}) {
         if (!outs[i] || s >= segments()) continue;
-        const Lean lean = lean_of(*outs[i], direction(s), reaches);
+        const Lean lean = lean_of(*outs[i], direction(s), reaches_at(i));
         if (std::max(-lean.least_m, lean.most_m) > (length(s) - kLeastSide_m) / 2) outs[i].reset();
       }
     }
@@ -139,10 +151,11 @@ void slice_segment(const Slicer& slicer, std::span<const RoadStretch> stretches,
 }  // namespace
 
 Slices slices_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double left_m,
-                 double right_m, double tile_m) {
+                 double right_m, std::span<const LaneChange> changes, double tile_m) {
   assert(road.axis.size() >= 2 && tile_m > 0);
   assert(left_m >= 0 && right_m >= 0);
-  Slicer slicer{road, ends, {left_m, right_m}, tile_m, distances_along(road), bends_of_edges(road)};
+  Slicer slicer{road, ends, {left_m, right_m}, tile_m, changes, distances_along(road), bends_of_edges(road)};
+  for (const LaneChange& change : changes) slicer.edge_bends.push_back(change.cut_m);
   slicer.find_outs();
   Slices all;
   for (std::size_t s = 0; s < slicer.segments(); ++s) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/roads/generate.h"
+#include "compiler/roads/pieces/lane_changes.h"
 #include "compiler/roads/pieces/stretches.h"
 
 namespace citykiln::roads {
@@ -39,12 +40,13 @@ struct Slices {
 /// Cuts a road into slices.
 ///
 /// @param left_m, right_m  The lengths of cross lines on both sides of the axis; at least 0.
+/// @param changes          The road's entry of lane_changes_of(): where edges bend and reach farther out.
 /// @param tile_m           Side of the tiles. The road is also cut one metre before and after a tile border, so that
 ///                         changes farther away move no edge on the border.
 ///
 /// Guarantees: the two lines of a slice do not cross; neighbouring slices share their line unless the bend is open. A
 /// stretch that would end within a bend ends at the bend's vertex. O(points + stretches).
 Slices slices_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double left_m,
-                 double right_m, double tile_m);
+                 double right_m, std::span<const LaneChange> changes, double tile_m);
 
 }  // namespace citykiln::roads

@@ -55,14 +55,31 @@ MarkingLayout marking_layout_of(const Road& road, const LaneStrip& strip, const 
           .has_kerb_right = strip.has_kerb_right};
 }
 
-// The edges of all strips at a distance along the road, within its width limits.
-std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>& strips, double along_m) {
+// Leads the edges of lanes to those of the next road.
+void lead(LaneEdges& lanes, const LaneChange& change, double along_m) {
+  const double share = change.share_at(along_m);
+  if (share <= 0) return;
+  for (std::size_t i = 0; i < lanes.moved_m.size(); ++i)
+    lanes.moved_m[i] += (change.offsets_m[i] - lanes.moved_m[i]) * share;
+}
+
+// The edges of all lanes at a distance along the road, within its width limits and lane changes.
+LaneEdges led_lanes_at(const Road& road, std::span<const LaneChange> changes, double along_m) {
+  LaneEdges lanes = lane_edges_at(road, along_m);
+  for (const LaneChange& change : changes) lead(lanes, change, along_m);
+  return lanes;
+}
+
+// The edges of all strips at a distance along the road, within its width limits and lane changes.
+std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>& strips,
+                                 std::span<const LaneChange> changes, double along_m) {
   std::vector<StripEdges> edges;
-  if (road.width_limits.is_empty()) {
+  const bool is_led = std::ranges::any_of(changes, [&](const LaneChange& c) { return c.share_at(along_m) > 0; });
+  if (road.width_limits.is_empty() && road.section.axis_drift == 0 && !is_led) {
     for (const LaneStrip& strip : strips) edges.push_back({strip.left_m, strip.right_m});
     return edges;
   }
-  const LaneEdges lanes = lane_edges_at(road, along_m);
+  const LaneEdges lanes = led_lanes_at(road, changes, along_m);
   for (const LaneStrip& strip : strips) edges.push_back({lanes.moved(strip.left_m), lanes.moved(strip.right_m)});
   return edges;
 }
@@ -71,6 +88,7 @@ std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>&
 struct PieceBuilder {
   const Road& road;
   std::span<const RoadStretch> stretches;
+  std::span<const LaneChange> changes;
   std::vector<LaneStrip> strips;
   RoadPieces made{};
   std::vector<std::uint32_t> layouts{};  // one for each strip and stretch
@@ -88,7 +106,19 @@ struct PieceBuilder {
       }
   }
 
+  // True for marked strips between the kerbs.
+  bool has_lines(std::size_t strip, const Slice& slice) const {
+    const std::vector<map::Lane>& lanes = strips[strip].lanes;
+    return !lanes.empty() && !lanes.front().is_raised &&
+           layouts[strip * stretches.size() + slice.stretch] != kNoMarkingLayout;
+  }
+
   void add(std::size_t strip, const Slice& slice, StripEdges start, StripEdges end, Ring ring) {
+    add(strip, {strips[strip].left_m, strips[strip].right_m}, slice, start, end, std::move(ring));
+  }
+
+  // @param band  The edges of the strip, or of a part of it, at full width.
+  void add(std::size_t strip, StripEdges band, const Slice& slice, StripEdges start, StripEdges end, Ring ring) {
     ring = without_repeats(ring);
     if (ring.size() < 3) return;
     if (signed_area_m2(ring) < 0) std::ranges::reverse(ring);
@@ -98,7 +128,8 @@ struct PieceBuilder {
     const LaneStrip& whole = strips[strip];
     const PieceFrame frame{.at = slice.start.at,
                            .along = slice.along,
-                           .width_m = whole.left_m - whole.right_m,
+                           .width_m = band.left_m - band.right_m,
+                           .left_u_m = whole.left_m - band.left_m,
                            .start = end_of(slice, slice.start, start, run.zero_m),
                            .end = end_of(slice, slice.end, end, run.zero_m)};
     made.pieces.push_back({.surface = strip_surface_of(road, whole, run.stretch),
@@ -124,12 +155,71 @@ Ring joint_of(const OpenBend& bend, StripEdges edges) {
   return ring;
 }
 
+// ---- lane changes ---------------------------------------------------------------------------------------------------
+
+// Lines beside a lane that widens keep their width: its margins do not widen.
+constexpr double kMargin_m = 0.5;
+
+double margin_m(double width_m) { return std::min(kMargin_m, width_m / 4); }
+
+// The edges of the parts of a strip whose lanes widen or narrow differently, at full width, left to right.
+std::vector<double> band_edges_of(const LaneStrip& strip, const LaneEdges& lanes, const LaneChange& change) {
+  std::vector<double> edges_m = {strip.left_m};
+  const auto add = [&](double edge_m) {
+    if (edge_m < edges_m.back() && edge_m > strip.right_m) edges_m.push_back(edge_m);
+  };
+  for (std::size_t i = 0; i + 1 < lanes.whole_m.size(); ++i) {
+    const double left = lanes.whole_m[i], right = lanes.whole_m[i + 1];
+    const double change_m = change.offsets_m[i] - change.offsets_m[i + 1] - (left - right);
+    if (std::abs(change_m) < 2 * kQuantum_m) continue;
+    for (const double edge_m : {left, left - margin_m(left - right), right + margin_m(left - right), right})
+      add(edge_m);
+  }
+  edges_m.push_back(strip.right_m);
+  return edges_m;
+}
+
+// Where a point at an offset of the full road lies: a margin keeps its width, as far as its lane has room for it.
+double moved_within_margins(const LaneEdges& lanes, double offset_m) {
+  const auto after = std::ranges::lower_bound(lanes.whole_m, offset_m, std::greater());
+  if (after == lanes.whole_m.begin() || after == lanes.whole_m.end() || *after == offset_m)
+    return lanes.moved(offset_m);
+  const auto i = static_cast<std::size_t>(after - lanes.whole_m.begin());
+  const double left_m = lanes.whole_m[i - 1] - offset_m, right_m = offset_m - lanes.whole_m[i];
+  const double half_m = (lanes.moved_m[i - 1] - lanes.moved_m[i]) / 2;
+  return left_m < right_m ? lanes.moved_m[i - 1] - std::min(left_m, half_m)
+                          : lanes.moved_m[i] + std::min(right_m, half_m);
+}
+
+// Adds a strip between the kerbs in parts, so that each line of its lanes leads to its own place.
+void add_bands(std::size_t strip, const Slice& slice, const LaneChange& change, PieceBuilder& builder) {
+  const LaneEdges start = led_lanes_at(builder.road, builder.changes, slice.start.along_m),
+                  end = led_lanes_at(builder.road, builder.changes, slice.end.along_m);
+  const std::vector<double> edges_m = band_edges_of(builder.strips[strip], start, change);
+  for (std::size_t i = 0; i + 1 < edges_m.size(); ++i) {
+    const auto at = [&](const LaneEdges& lanes) {
+      return StripEdges{moved_within_margins(lanes, edges_m[i]), moved_within_margins(lanes, edges_m[i + 1])};
+    };
+    builder.add(strip, {edges_m[i], edges_m[i + 1]}, slice, at(start), at(end), ring_of(slice, at(start), at(end)));
+  }
+}
+
+const LaneChange* change_within(const Slice& slice, std::span<const LaneChange> changes) {
+  const double middle_m = (slice.start.along_m + slice.end.along_m) / 2;
+  const auto found = std::ranges::find_if(changes, [&](const LaneChange& c) { return c.share_at(middle_m) > 0; });
+  return found == changes.end() ? nullptr : &*found;
+}
+
 // Adds all strips of a slice and the joints of the bends beside it.
 void add_slice(const Slice& slice, std::span<const OpenBend> bends, PieceBuilder& builder) {
-  const auto start = edges_at(builder.road, builder.strips, slice.start.along_m);
-  const auto end = edges_at(builder.road, builder.strips, slice.end.along_m);
+  const auto start = edges_at(builder.road, builder.strips, builder.changes, slice.start.along_m);
+  const auto end = edges_at(builder.road, builder.strips, builder.changes, slice.end.along_m);
+  const LaneChange* change = change_within(slice, builder.changes);
   for (std::size_t s = 0; s < builder.strips.size(); ++s)
-    builder.add(s, slice, start[s], end[s], ring_of(slice, start[s], end[s]));
+    if (change != nullptr && builder.has_lines(s, slice))
+      add_bands(s, slice, *change, builder);
+    else
+      builder.add(s, slice, start[s], end[s], ring_of(slice, start[s], end[s]));
   for (const OpenBend& bend : bends)
     for (std::size_t s = 0; s < builder.strips.size(); ++s)
       builder.add(s, slice, start[s], end[s], joint_of(bend, bend.at == slice.start.at ? start[s] : end[s]));
@@ -159,18 +249,20 @@ Vec2 uv_at(const PieceFrame& frame, Vec2 p) {
   const StripEdges edges = edges_between(frame, passed);
   const double width = edges.left_m - edges.right_m;
   const double u = edges.left_m - dot(off, left_of(frame.along));
-  return {width > 0 ? u * (frame.width_m / width) : 0, frame.start.v_m + passed * (frame.end.v_m - frame.start.v_m)};
+  return {frame.left_u_m + (width > 0 ? u * (frame.width_m / width) : 0),
+          frame.start.v_m + passed * (frame.end.v_m - frame.start.v_m)};
 }
 
-RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double tile_m,
-                     double tolerance_m) {
+RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches,
+                     std::span<const LaneChange> changes, double tile_m, double tolerance_m) {
   assert(road.axis.size() >= 2 && tile_m > 0 && tolerance_m >= 0);
-  PieceBuilder builder{road, stretches, strips_of(road, tolerance_m)};
+  PieceBuilder builder{road, stretches, changes, strips_of(road, tolerance_m)};
   if (builder.strips.empty() || stretches.empty()) return {};
   builder.find_patterns();
-  const double left = std::max(0.0, builder.strips.front().left_m),
-               right = std::max(0.0, -builder.strips.back().right_m);
-  const Slices all = slices_of(road, ends, stretches, left, right, tile_m);
+  // bounds that do not depend on the part of the way
+  const double left = std::max(0.0, builder.strips.front().left_m + widest_left_m(road) - left_m(road)),
+               right = std::max(0.0, widest_right_m(road) - right_m(road) - builder.strips.back().right_m);
+  const Slices all = slices_of(road, ends, stretches, left, right, changes, tile_m);
   auto bend = all.bends.begin();
   for (std::uint32_t i = 0; i < all.slices.size(); ++i) {
     const auto first = bend;

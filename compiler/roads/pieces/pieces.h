@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "compiler/roads/generate.h"
+#include "compiler/roads/pieces/lane_changes.h"
 #include "compiler/roads/pieces/lane_strips.h"
 #include "compiler/roads/pieces/stretches.h"
 
@@ -27,8 +28,10 @@ struct PieceEnd {
 
 /// The position of a piece in its strip, from which uv_at() computes texture coordinates.
 struct PieceFrame {
-  Vec2 at, along;      ///< A point of the axis and the axis' unit direction there.
-  double width_m = 0;  ///< The strip's width without width limits: u at its right edge.
+  Vec2 at, along;       ///< A point of the axis and the axis' unit direction there.
+  double width_m = 0;   ///< The width without width limits, of the strip or of a part of it (bands of lanes where their
+                        ///< number changes).
+  double left_u_m = 0;  ///< u at its left edge: not 0 for parts of a strip.
   PieceEnd start, end;
 };
 
@@ -57,13 +60,14 @@ struct RoadPieces {
 ///
 /// @param ends         Connections to other roads at both ends.
 /// @param stretches    Result of stretches_of() for this road.
+/// @param changes      The road's entry of lane_changes_of(); edges of strips lead to those of the next road there.
 /// @param tile_m       Side of the tiles.
 /// @param tolerance_m  Strips that are narrower than this are merged into a neighbour.
 ///
-/// Guarantees: the pieces cover stroke_carriageway() and stroke_pavements(), and the verges outside these, except for
-/// snapping and for the inside of bends too sharp for a mitre. Neighbours share their corners exactly. At a bend too
-/// sharp for a mitre, both segments end square and a joint fills the wedge. O(points · strips).
-RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double tile_m,
-                     double tolerance_m);
+/// Guarantees: without changes, the pieces cover stroke_carriageway() and stroke_pavements(), and the verges outside
+/// these, except for snapping and for the inside of bends too sharp for a mitre. Neighbours share their corners
+/// exactly. At a bend too sharp for a mitre, both segments end square and a joint fills the wedge. O(points · strips).
+RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches,
+                     std::span<const LaneChange> changes, double tile_m, double tolerance_m);
 
 }  // namespace citykiln::roads

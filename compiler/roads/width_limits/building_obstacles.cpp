@@ -21,10 +21,14 @@ std::int32_t step_below(double along_m) { return static_cast<std::int32_t>(std::
 struct ObstacleSearch {
   const Road& road;
   std::vector<double> along_m;  // distances of the vertices
-  double middle_m;              // middle of the carriageway, left of the axis
+  double middle_m;              // middle of the carriageway, left of the axis, before it drifts
   double left_m, right_m;       // from the middle of the carriageway to the outer edges
   BuildingObstacles found;
 };
+
+double middle_at(const ObstacleSearch& search, double along_m) {
+  return search.middle_m + drift_m(search.road, along_m);
+}
 
 // A closed range of steps.
 struct Steps {
@@ -78,7 +82,8 @@ void add_beside_segment(ObstacleSearch& search, std::span<const Steps> passages,
   const double length_m = length(along), begin_m = search.along_m[segment];
   const double stretch = (search.along_m[segment + 1] - begin_m) / length_m;
   const auto in_frame = [&](Vec2 p) {
-    return Vec2{dot(p - origin, along) / length_m, cross(along, p - origin) / length_m - search.middle_m};
+    const double x = dot(p - origin, along) / length_m;
+    return Vec2{x, cross(along, p - origin) / length_m - middle_at(search, begin_m + x * stretch)};
   };
   std::optional<Edge> edge = Edge{in_frame(wall.a), in_frame(wall.b)};
   if (std::min(edge->a.y, edge->b.y) >= search.left_m || std::max(edge->a.y, edge->b.y) <= -search.right_m) return;
@@ -100,7 +105,8 @@ double least_of_larger(double f_a, double f_b, double g_a, double g_b) {
 }
 
 void add_at(ObstacleSearch& search, std::span<const Steps> passages, double along_m, double half_m, bool is_left) {
-  const double from_middle = std::max(0.0, is_left ? half_m - search.middle_m : half_m + search.middle_m);
+  const double middle_m = middle_at(search, along_m);
+  const double from_middle = std::max(0.0, is_left ? half_m - middle_m : half_m + middle_m);
   add_obstacle(search, passages, step_below(along_m), from_middle, is_left);
   add_obstacle(search, passages, step_below(along_m) + 1, from_middle, is_left);
 }

@@ -28,8 +28,9 @@ bool is_walked_or_cycled(const map::Lane& lane) {
          lane.kind == LaneKind::kSidewalk;
 }
 
-Sides sides_of(const Road& road) {
-  const double left = left_m(road), right = right_m(road), half = (left + right) / 2;
+Sides sides_of(const Road& road, double along_m) {
+  const double drift = drift_m(road, along_m);
+  const double left = left_m(road) + drift, right = right_m(road) - drift, half = (left + right) / 2;
   return {(left - right) / 2,
           {half, raised_left_m(road), paved_left_m(road)},
           {half, raised_right_m(road), paved_right_m(road)},
@@ -129,12 +130,12 @@ double min_half_width_m(const Road& road) {
 }
 
 MaxOffsets max_offsets_at(const Road& road, double along_m) {
-  const double middle = (left_m(road) - right_m(road)) / 2;
+  const double middle = (left_m(road) - right_m(road)) / 2 + drift_m(road, along_m);
   return {half_at(road.width_limits.left, along_m) + middle, half_at(road.width_limits.right, along_m) - middle};
 }
 
 RoadEdges road_edges_at(const Road& road, double along_m) {
-  const Sides sides = sides_of(road);
+  const Sides sides = sides_of(road, along_m);
   const Side left = give_way(sides.left, sides.least_m, half_at(road.width_limits.left, along_m));
   const Side right = give_way(sides.right, sides.least_m, half_at(road.width_limits.right, along_m));
   const double kerb_left = left.carriageway_m + sides.middle_m, kerb_right = right.carriageway_m - sides.middle_m;
@@ -145,7 +146,7 @@ RoadEdges road_edges_at(const Road& road, double along_m) {
 }
 
 std::vector<double> bends_of_edges(const Road& road) {
-  const Sides sides = sides_of(road);
+  const Sides sides = sides_of(road, 0);
   std::vector<double> bends;
   add_bends(road.width_limits.left, sides.left, sides.least_m, bends);
   add_bends(road.width_limits.right, sides.right, sides.least_m, bends);
@@ -171,7 +172,9 @@ NarrowedSection narrowed_section_at(const Road& road, double along_m) {
   std::ranges::reverse(lanes[2]), std::ranges::reverse(widths[2]);
   narrow_raised(lanes[0], widths[0], raised_left_m(road) - (edges.left_m - edges.kerb_left_m));
   narrow_raised(lanes[2], widths[2], raised_right_m(road) - (edges.right_m - edges.kerb_right_m));
-  narrow_carriageway(lanes[1], widths[1], left_m(road) - edges.kerb_left_m, right_m(road) - edges.kerb_right_m);
+  const double drift = drift_m(road, along_m);
+  narrow_carriageway(lanes[1], widths[1], left_m(road) + drift - edges.kerb_left_m,
+                     right_m(road) - drift - edges.kerb_right_m);
   return section;
 }
 

@@ -67,8 +67,8 @@ struct NarrowedSection {
 /// up to road_edges_at() and are continuous along the road.
 NarrowedSection narrowed_section_at(const Road& road, double along_m);
 
-/// The edges of a road's lanes at full width, and their positions within the width limits. Offsets from the axis, to
-/// the left positive.
+/// The edges of a road's lanes at full width (at the way's first point where the axis drifts), and their positions
+/// within the width limits. Offsets from the axis, to the left positive.
 struct LaneEdges {
   std::vector<double> whole_m, moved_m;  ///< From the left edge to the right one: one more than lanes.
 

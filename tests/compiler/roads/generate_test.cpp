@@ -102,5 +102,38 @@ TEST(Pavements, FollowBends) {
   EXPECT_NEAR(rings_area_m2(stroke_pavements(road_of_6_m({{0, 0}, {100, 0}, {110, 50}}, 2, 2))), 10 * length, 0.2);
 }
 
+TEST(DriftingRoads, GoOverLinearlyInTheirCarriageway) {
+  Road road = road_of_6_m({{0, 0}, {40, 0}, {100, 0}});
+  road.section.axis_offset_m = 1, road.section.axis_drift = 1.0 / 32;
+  Box2 box;
+  for (const Ring& ring : stroke_carriageway(road))
+    for (const Vec2 p : ring) {
+      EXPECT_TRUE(std::abs(p.y - (1 + p.x / 32)) < 0.002 || std::abs(p.y - (1 + p.x / 32 - 6)) < 0.002) << p.x;
+      box.grow(p);
+    }
+  EXPECT_NEAR(box.max.y, 1 + 100 / 32.0, 0.002);
+  EXPECT_EQ(box.min.y, -5);
+  EXPECT_NEAR(rings_area_m2(stroke_carriageway(road)), 600, 0.1);
+}
+
+TEST(DriftingRoads, HaveTheirEdgesWhereverTheyAreCut) {
+  Road whole = road_of_6_m({{0, 0}, {40, 0}, {100, 0}});
+  whole.section.axis_offset_m = 1, whole.section.axis_drift = 1.0 / 32;
+  Road part = whole;
+  part.axis = {{40, 0}, {100, 0}}, part.start_along_m = 40;
+  EXPECT_EQ(stroke_carriageway(part).back(), stroke_carriageway(whole)[1]);
+  EXPECT_EQ(max_offset_m(part), max_offset_m(whole));
+}
+
+TEST(DriftingRoads, MeetTheNextRoadWithTheOffsetOfTheirEnd) {
+  std::vector<Road> roads = {road_of_6_m({{0, 0}, {64, 0}}), road_of_6_m({{64, 0}, {128, 0}})};
+  roads[0].section.axis_offset_m = 1, roads[0].section.axis_drift = 1.0 / 32;
+  EXPECT_EQ(arm_left_m(roads, {0, 0, 1}), 1);
+  EXPECT_EQ(arm_right_m(roads, {0, 1, -1}), 3);
+  EXPECT_EQ(arm_left_m(roads, {0, 1, -1}), 3);
+  // equal edges there: no change of width, so no junction
+  EXPECT_TRUE(find_nodes(roads).empty());
+}
+
 }  // namespace
 }  // namespace citykiln::roads

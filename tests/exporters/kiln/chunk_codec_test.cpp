@@ -212,5 +212,20 @@ TEST(ChunkCodec, CountsAreNotBelievedBeforeTheirThings) {
   EXPECT_EQ(wrong_in(streams), "points");
 }
 
+TEST(ChunkCodec, KeepsHowAnAxisDrifts) {
+  scene::Chunk chunk;
+  chunk.tile = kTile;
+  chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}, 0};
+  for (const double drift : {-0.5, -0x1p-16, 0.0, 0x1p-16, 0.125, 0.5}) {
+    const ObjectId id{{OsmType::kWay, static_cast<std::int64_t>(chunk.roads.size()) + 1}, 0};
+    chunk.roads.push_back(one_lane(id, {{1, 2}, {3, 4}}));
+    chunk.roads.back().section.axis_drift = drift;
+  }
+  std::string wrong;
+  const auto back = decode_chunk(encode_chunk(chunk), kTile, wrong);
+  ASSERT_TRUE(back) << wrong;
+  EXPECT_EQ(back->roads, chunk.roads);
+}
+
 }  // namespace
 }  // namespace citykiln::exporters

@@ -228,7 +228,10 @@ class Chunk:
         return divmod(self.plain("width limit steps"), 2), self.streams["width limit half"].step() / 32
 
     def road_kind(self):
-        return (self.plain("road surface"), self.plain("road traits"), self.plain("axis offset") / 2048, self.all("lanes", self.lane))
+        surface, traits = self.plain("road surface"), self.plain("road traits")
+        offset_m = self.plain("axis offset") / 2048
+        drift = self.plain("axis offset") / 65536 - 0.5 if traits & 16 else 0
+        return surface, traits, offset_m, drift, self.all("lanes", self.lane)
 
     def lane(self):
         kind, raised = divmod(self.plain("lane kind"), 2)

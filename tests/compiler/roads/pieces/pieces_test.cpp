@@ -48,7 +48,7 @@ Road random_road(std::mt19937_64& dice, double most_rad, double least_m) {
 }
 
 RoadPieces pieces_of_whole(const Road& road) {
-  return pieces_of(road, {}, stretches_of(road, {}, kHugeTile_m), kHugeTile_m, 0.02);
+  return pieces_of(road, {}, stretches_of(road, {}, kHugeTile_m), {}, kHugeTile_m, 0.02);
 }
 
 TEST(Pieces, CoverWhatTheStripCovers) {
@@ -64,6 +64,24 @@ TEST(Pieces, CoverWhatTheStripCovers) {
     // outside sharp bends a joint with three corners replaces a disk
     EXPECT_NEAR(covered_m2(pieces), strip_m2, (is_smooth ? 0.002 : 0.1) * strip_m2) << i;
   }
+}
+
+TEST(Pieces, LieBesideAnAxisThatDrifts) {
+  Road road = made_road(1, away({{0, 0}, {64, 0}, {128, 16}}), 8, map::LandCoverClass::kPrimaryRoad, 2, 3);
+  road.section.axis_offset_m = 1, road.section.axis_drift = 1.0 / 32;
+  std::vector<Ring> rings, strip = stroke_pavements(road);
+  for (const Piece& piece : pieces_of_whole(road).pieces) {
+    rings.push_back(piece.ring);
+    if (piece.surface != road.surface) continue;
+    // u is 0 at the left kerb, wherever that is
+    const PieceFrame& frame = piece.frame;
+    const Vec2 left = frame.at + left_of(frame.along) * frame.start.left_m;
+    EXPECT_NEAR(uv_at(frame, left + frame.along * frame.start.left_along_m).x, 0, 1e-9);
+  }
+  const double strip_m2 = covered_m2(strip);
+  EXPECT_NEAR(covered_m2(rings), strip_m2, 0.002 * strip_m2);
+  for (const Ring& ring : rings) strip.push_back(ring);
+  EXPECT_NEAR(covered_m2(strip), strip_m2, 0.002 * strip_m2);
 }
 
 TEST(Pieces, MeetEdgeToEdgeOnASmoothRoad) {
