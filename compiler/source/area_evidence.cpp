@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <initializer_list>
 #include <iterator>
+
+#include "compiler/source/bodies.h"
 
 namespace citykiln::source {
 namespace {
@@ -31,6 +34,11 @@ bool says_yes(const osmium::TagList& tags, const char* key) {
   return value && std::strcmp(value, "no") != 0;
 }
 
+bool is_body(const osmium::TagList& tags, const char* key) {
+  const char* value = tags.get_value_by_key(key);
+  return value && has_body(key, value);
+}
+
 bool is_row_of(const osmium::TagList& tags, const EvidenceRow& row) {
   const char* value = tags.get_value_by_key(row.key);
   return value && (row.value[0] == '*' || std::strcmp(value, row.value) == 0);
@@ -48,8 +56,8 @@ std::optional<CutKind> cut_kind(const osmium::TagList& tags) {
       has_value(tags, "landuse", {"reservoir", "basin", "salt_pond", "aquaculture"}))
     return CutKind::kStanding;
   if (has_value(tags, "landuse", {"residential", "industrial", "commercial", "retail"})) return CutKind::kBuiltUp;
-  if (says_yes(tags, "landuse") || says_yes(tags, "natural")) return CutKind::kCover;
-  if (says_yes(tags, "leisure")) return CutKind::kPark;
+  if (is_body(tags, "landuse") || is_body(tags, "natural")) return CutKind::kCover;
+  if (is_body(tags, "leisure")) return CutKind::kPark;
   return std::nullopt;
 }
 

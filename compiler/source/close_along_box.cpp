@@ -372,8 +372,10 @@ PartVotes votes_of_river(const CutLines& cut) {
 
 std::optional<std::vector<BrokenLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
                                                        const PartVotes& votes) {
-  const bool is_odd = votes.odd > votes.even;
-  if (!is_clear(std::max(votes.odd, votes.even), std::min(votes.odd, votes.even))) return std::nullopt;
+  const PartVotes roles = votes_of_roles(cut, parts);
+  const std::int64_t odd = votes.odd + roles.odd, even = votes.even + roles.even;
+  const bool is_odd = odd > even;
+  if (!is_clear(std::max(odd, even), std::min(odd, even)) || (is_odd ? roles.even : roles.odd) > 0) return std::nullopt;
   std::vector<BrokenLine> lines = openings_of(cut, is_odd);
   for (const BrokenLine& line : cut.lines) lines.push_back(led_out(cut.box, line));
   lines = joined_lines(std::move(lines));

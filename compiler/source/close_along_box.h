@@ -1,8 +1,8 @@
 // Closes the outline of an area along a box beyond which parts of the outline are missing.
 //
 // Lines of the outline lead from side to side of the box. They divide it into two parts, as a map of two colours, and
-// the area is one of them: the even part has the south-western corner of the box, and whoever crosses a line is in the
-// other part. Evidence says which.
+// the area is one of them: the even part has the south-western corner of the box, and beyond each line is the other
+// part. Evidence says which.
 #pragma once
 
 #include <cstdint>
@@ -63,7 +63,7 @@ class PartsOfBox {
   std::vector<Location> vertices_;  // sorted
 };
 
-/// What speaks for the area being the even or the odd part.
+/// The votes for the area being the even or the odd part.
 struct PartVotes {
   std::int64_t even = 0, odd = 0;
 };
@@ -81,7 +81,7 @@ PartVotes votes_of_river(const CutLines& cut);
 
 /// Returns the rings of the area: the lines, closed along the box widened by kClosedBeyond_m, and the rings inside.
 /// Each ring of the outline is there once; inner ones have the role. Nothing is returned if no part has three times the
-/// votes of the other.
+/// votes of the other, with those of roles, or if the role of a line says the reverse.
 std::optional<std::vector<BrokenLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
                                                        const PartVotes& votes);
 

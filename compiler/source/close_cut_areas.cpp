@@ -71,8 +71,8 @@ void add_relation_with(const osmium::Relation& relation, std::span<const BrokenL
     builder.set_id(relation.id());
     builder.set_version(relation.version());
     {
-      osmium::builder::TagListBuilder tags(builder);
-      for (const osmium::Tag& tag : relation.tags()) tags.add_tag(tag);
+      osmium::builder::TagListBuilder list(builder);
+      for (const osmium::Tag& tag : relation.tags()) list.add_tag(tag);
     }
     osmium::builder::RelationMemberListBuilder members(builder);
     for (const osmium::RelationMember& member : relation.members())
@@ -127,11 +127,7 @@ std::optional<CutArea> cut_area_of(const osmium::Relation& relation, std::span<c
   std::optional<CutLines> cut = cut_at_box(std::move(lines), box);
   if (!cut) return std::nullopt;
   const PartsOfBox parts(*cut);
-  PartVotes votes = votes_of_roles(*cut, parts);
-  if (*kind == CutKind::kRiver) {
-    const PartVotes river = votes_of_river(*cut);
-    votes.even += river.even, votes.odd += river.odd;
-  }
+  const PartVotes votes = *kind == CutKind::kRiver ? votes_of_river(*cut) : PartVotes{};
   const LocationBox near = box_near(*cut);
   return CutArea{&relation, *kind, std::move(*cut), parts, near, votes};
 }
