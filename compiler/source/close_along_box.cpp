@@ -347,10 +347,15 @@ void add_vote(PartVotes& votes, bool is_odd, int weight) {
   (is_odd == (weight > 0) ? votes.odd : votes.even) += weight > 0 ? weight : -weight;
 }
 
-PartVotes votes_of_roles(const CutLines& cut, const PartsOfBox& parts) {
+PartVotes votes_of_rings(const CutLines& cut, const PartsOfBox& parts) {
   PartVotes votes;
   for (const BrokenLine& ring : cut.rings)
     add_vote(votes, is_odd_around(ring, parts), ring.is_inner ? kRoleVotes : -kRoleVotes);
+  return votes;
+}
+
+PartVotes votes_of_inner_lines(const CutLines& cut) {
+  PartVotes votes;
   const std::vector<LineEnd> ends = ends_of(cut);
   for (const BrokenLine& line : cut.lines) {
     if (!line.is_inner) continue;
@@ -371,11 +376,12 @@ PartVotes votes_of_river(const CutLines& cut) {
 }
 
 std::optional<std::vector<BrokenLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
-                                                       const PartVotes& votes) {
-  const PartVotes roles = votes_of_roles(cut, parts);
-  const std::int64_t odd = votes.odd + roles.odd, even = votes.even + roles.even;
+                                                       const PartVotes& votes, std::int64_t least) {
+  const PartVotes rings = votes_of_rings(cut, parts), lines_say = votes_of_inner_lines(cut);
+  const std::int64_t odd = votes.odd + rings.odd + lines_say.odd, even = votes.even + rings.even + lines_say.even;
   const bool is_odd = odd > even;
-  if (!is_clear(std::max(odd, even), std::min(odd, even)) || (is_odd ? roles.even : roles.odd) > 0) return std::nullopt;
+  if (std::max(odd, even) < least || !is_clear(std::max(odd, even), std::min(odd, even))) return std::nullopt;
+  if (is_odd ? rings.odd < kClearly * rings.even : rings.even < kClearly * rings.odd) return std::nullopt;
   std::vector<BrokenLine> lines = openings_of(cut, is_odd);
   for (const BrokenLine& line : cut.lines) lines.push_back(led_out(cut.box, line));
   lines = joined_lines(std::move(lines));

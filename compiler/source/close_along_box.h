@@ -71,19 +71,24 @@ struct PartVotes {
 /// Adds `weight` for the part, or, if it is negative, for the other part.
 void add_vote(PartVotes& votes, bool is_odd, int weight);
 
-/// Returns the votes of roles: what surrounds an inner ring is in the area, what is inside an outer one too, and an
-/// inner line cuts off the side on which no outer line ends.
-PartVotes votes_of_roles(const CutLines& cut, const PartsOfBox& parts);
+/// Returns the votes of rings: what surrounds an inner ring is in the area, what is inside an outer one too.
+PartVotes votes_of_rings(const CutLines& cut, const PartsOfBox& parts);
+
+/// Returns the votes of inner lines: each cuts off a side on which no outer line ends, and the area is not there.
+PartVotes votes_of_inner_lines(const CutLines& cut);
 
 /// The part that has less than a quarter of the box's sides, if there are two lines or more: that of a river that
 /// crosses the box. 1 vote at most.
 PartVotes votes_of_river(const CutLines& cut);
 
 /// Returns the rings of the area: the lines, closed along the box widened by kClosedBeyond_m, and the rings inside.
-/// Each ring of the outline is there once; inner ones have the role. Nothing is returned if no part has three times the
-/// votes of the other, with those of roles, or if the role of a line says the reverse.
+/// Each ring of the outline is there once; inner ones have the role.
+///
+/// Nothing is returned if it is doubtful which part the area is: if, with the votes of rings and of inner lines, no
+/// part has at least `least` votes and three times those of the other, or if more than a quarter of the rings say the
+/// reverse.
 std::optional<std::vector<BrokenLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
-                                                       const PartVotes& votes);
+                                                       const PartVotes& votes, std::int64_t least);
 
 /// Areas are closed this far outside the map's box, as the sea is, which puts the sides out of sight: the extent is
 /// rounded up to cells of 128 m.

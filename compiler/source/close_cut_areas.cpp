@@ -17,6 +17,9 @@ namespace {
 // Ways within about 500 m of an area's lines have a vote.
 constexpr std::int32_t kNear_e7 = 50000;
 
+// One house can stand in a wood, but not in a lake.
+std::int64_t least_votes(CutKind kind) { return kind == CutKind::kRiver || kind == CutKind::kStanding ? 1 : 2; }
+
 Location place_of_ref(const osmium::NodeRef& node) { return {node.location().x(), node.location().y()}; }
 
 bool is_incomplete(const osmium::Relation& relation, std::span<const osmium::Way* const> ways) {
@@ -150,7 +153,8 @@ void add_evidence(const osmium::Way& way, CutArea& area) {
 }
 
 bool add_closed(const CutArea& area, std::int64_t& next_ring, osmium::memory::Buffer& buffer) {
-  const std::optional<std::vector<BrokenLine>> rings = close_along_box(area.lines, area.parts, area.votes);
+  const std::optional<std::vector<BrokenLine>> rings =
+      close_along_box(area.lines, area.parts, area.votes, least_votes(area.kind));
   if (!rings || rings->empty()) return false;
   add_relation_with(*area.relation, *rings, next_ring, buffer);
   for (const BrokenLine& ring : *rings) add_ring_way(next_ring++, ring, buffer);

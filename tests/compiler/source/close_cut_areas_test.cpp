@@ -246,8 +246,16 @@ TEST(CloseCutAreas, BuildingsAreNotClosed) {
   expect_diagnosed_only(map.read_with(map.area({{kShore}, {}}, kHouseTag), report), report);
 }
 
-TEST(CloseCutAreas, WoodsLieWhereNoFieldIs) {
+TEST(CloseCutAreas, OneHouseSaysNothingAboutAWood) {
   Sketch map;
+  map.house({50, 10});
+  Report report;
+  expect_diagnosed_only(map.read_with(map.area({{kShore}, {}}, R"(<tag k="landuse" v="forest"/>)"), report), report);
+}
+
+TEST(CloseCutAreas, WoodsLieWhereFieldsAreNot) {
+  Sketch map;
+  map.add({{60, 5}, {90, 5}, {90, 25}, {60, 25}, {60, 5}}, R"(<tag k="landuse" v="meadow"/>)");
   map.add({{0, 57}, {50, 40}, {50, 5}, {5, 5}, {0, 57}}, R"(<tag k="landuse" v="farmland"/>)");
   Report report;
   const OsmData data = map.read_with(map.area({{kShore}, {}}, R"(<tag k="landuse" v="forest"/>)"), report);
