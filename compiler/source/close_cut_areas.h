@@ -22,7 +22,7 @@ struct CutArea {
   CutLines lines;
   PartsOfBox parts;
   LocationBox near;  ///< Ways outside have no vote.
-  PartVotes votes;   ///< Of ways that are no part of the area.
+  PartVotes votes;   ///< The votes of other ways.
 };
 
 /// Returns the area if it can be closed: a multipolygon of a kind that covers ground (cut_kind()), with members that
