@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <osmium/handler/node_locations_for_ways.hpp>
 #include <osmium/index/map/sparse_file_array.hpp>
@@ -30,6 +31,8 @@
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/regions/area_tags.h"
 #include "compiler/regions/spool.h"
+#include "compiler/source/close_cut_areas.h"
+#include "compiler/source/closing_ring.h"
 #include "compiler/source/mended_xml.h"
 #include "compiler/source/osm_format.h"
 
@@ -106,6 +109,18 @@ class Cutter {
   Result<Done> spool_nodes_and_ways();
   void spool_node(const osmium::Node& node);
   void spool_way(const osmium::Way& way);
+  /// Closes the areas that are cut by the box of the map, as read_osm() does with a whole map.
+  void close_areas();
+  std::optional<source::LocationBox> box_of_map() const;
+  bool is_incomplete(const osmium::Relation& relation) const;
+  osmium::memory::Buffer incomplete_relations();
+  osmium::memory::Buffer ways_of_relations(const osmium::memory::Buffer& relations);
+  std::vector<source::CutArea> find_cut_areas(const osmium::memory::Buffer& relations,
+                                              const osmium::memory::Buffer& ways, const source::LocationBox& box) const;
+  void collect_evidence(std::vector<source::CutArea>& areas);
+  void index_closed();
+  const osmium::Relation& closed_or_same(const osmium::Relation& relation) const;
+  std::vector<const osmium::Way*> closing_rings_of(const osmium::Relation& relation) const;
   void spool_areas();
   void spool_area(const osmium::Relation& relation);
   void spool_members();
@@ -135,6 +150,9 @@ class Cutter {
   std::vector<MemberWay> member_ways_;                                // by index in members_
   std::vector<std::pair<std::uint32_t, std::uint32_t>> has_, wants_;  // member, spool
   std::unique_ptr<PlaceIndex> places_;
+  osmium::memory::Buffer closed_{64 * 1024, osmium::memory::Buffer::auto_grow::yes};  // areas that were closed
+  std::map<osmium::object_id_type, const osmium::Relation*> closed_areas_;            // in closed_
+  std::map<osmium::object_id_type, const osmium::Way*> closing_rings_;                // in closed_
   Report report_;
 };
 
@@ -263,6 +281,112 @@ Result<Done> Cutter::spool_nodes_and_ways() {
   return Done{};
 }
 
+std::optional<source::LocationBox> Cutter::box_of_map() const {
+  osmium::io::Reader reader(file_of(cut_.map_path), bits::nothing);
+  const osmium::Box box = reader.header().joined_boxes();
+  reader.close();
+  if (!box.valid()) return std::nullopt;
+  return source::location_box(
+      {box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(), box.top_right().lat()});
+}
+
+bool Cutter::is_incomplete(const osmium::Relation& relation) const {
+  return std::ranges::any_of(relation.members(), [&](const osmium::RelationMember& each) {
+    const std::size_t index = each.type() == osmium::item_type::way ? member(each.ref()) : members_.size();
+    return index != members_.size() && member_ways_[index].box.is_empty();
+  });
+}
+
+osmium::memory::Buffer Cutter::incomplete_relations() {
+  osmium::memory::Buffer found(64 * 1024, osmium::memory::Buffer::auto_grow::yes);
+  for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
+    if (relation.deleted() || !source::cut_kind(relation.tags()) || !is_incomplete(relation)) return;
+    found.add_item(relation);
+    found.commit();
+  });
+  return found;
+}
+
+osmium::memory::Buffer Cutter::ways_of_relations(const osmium::memory::Buffer& relations) {
+  std::vector<osmium::object_id_type> wanted;
+  for (const osmium::Relation& relation : relations.select<osmium::Relation>())
+    for (const osmium::RelationMember& each : relation.members())
+      if (each.type() == osmium::item_type::way) wanted.push_back(each.ref());
+  sort_unique(wanted);
+  osmium::memory::Buffer found(64 * 1024, osmium::memory::Buffer::auto_grow::yes);
+  PlacesForWays places(*places_);
+  places.ignore_errors();
+  for_each<osmium::Way>(cut_.map_path, bits::way, pool_, [&](osmium::Way& way) {
+    if (way.deleted() || !std::ranges::binary_search(wanted, way.id())) return;
+    places.way(way);
+    found.add_item(way);
+    found.commit();
+  });
+  return found;
+}
+
+std::vector<source::CutArea> Cutter::find_cut_areas(const osmium::memory::Buffer& relations,
+                                                    const osmium::memory::Buffer& ways,
+                                                    const source::LocationBox& box) const {
+  std::map<osmium::object_id_type, const osmium::Way*> way_by_id;
+  for (const osmium::Way& way : ways.select<osmium::Way>()) way_by_id[way.id()] = &way;
+  std::vector<source::CutArea> areas;
+  for (const osmium::Relation& relation : relations.select<osmium::Relation>()) {
+    std::vector<const osmium::Way*> members;
+    for (const osmium::RelationMember& each : relation.members()) {
+      const auto way = each.type() == osmium::item_type::way ? way_by_id.find(each.ref()) : way_by_id.end();
+      members.push_back(way == way_by_id.end() ? nullptr : way->second);
+    }
+    if (std::optional<source::CutArea> area = source::cut_area_of(relation, members, box))
+      areas.push_back(std::move(*area));
+  }
+  return areas;
+}
+
+void Cutter::collect_evidence(std::vector<source::CutArea>& areas) {
+  PlacesForWays places(*places_);
+  places.ignore_errors();
+  for_each<osmium::Way>(cut_.map_path, bits::way, pool_, [&](osmium::Way& way) {
+    if (way.deleted() || way.tags().empty()) return;
+    places.way(way);
+    for (source::CutArea& area : areas) source::add_evidence(way, area);
+  });
+}
+
+void Cutter::index_closed() {
+  for (const osmium::OSMObject& object : closed_.select<osmium::OSMObject>())
+    if (object.type() == osmium::item_type::way)
+      closing_rings_[object.id()] = static_cast<const osmium::Way*>(&object);
+    else
+      closed_areas_[object.id()] = static_cast<const osmium::Relation*>(&object);
+}
+
+void Cutter::close_areas() {
+  const std::optional<source::LocationBox> box = box_of_map();
+  if (!box) return;
+  const osmium::memory::Buffer relations = incomplete_relations();
+  if (relations.committed() == 0) return;
+  const osmium::memory::Buffer ways = ways_of_relations(relations);
+  std::vector<source::CutArea> areas = find_cut_areas(relations, ways, *box);
+  if (areas.empty()) return;
+  collect_evidence(areas);
+  std::int64_t next_ring = source::kFirstClosingRing;
+  for (const source::CutArea& area : areas) source::add_closed(area, next_ring, closed_);
+  index_closed();
+}
+
+const osmium::Relation& Cutter::closed_or_same(const osmium::Relation& relation) const {
+  const auto closed = closed_areas_.find(relation.id());
+  return closed == closed_areas_.end() ? relation : *closed->second;
+}
+
+std::vector<const osmium::Way*> Cutter::closing_rings_of(const osmium::Relation& relation) const {
+  std::vector<const osmium::Way*> rings;
+  for (const osmium::RelationMember& each : relation.members())
+    if (source::is_closing_ring(each)) rings.push_back(closing_rings_.at(each.ref()));
+  return rings;
+}
+
 void Cutter::spool_area(const osmium::Relation& relation) {
   Box2 box;
   std::vector<std::uint32_t> ways, spools;
@@ -276,6 +400,9 @@ void Cutter::spool_area(const osmium::Relation& relation) {
     is_water = is_water || (!describes_area(relation.tags()) && member_ways_[index].describes_water);
   }
   if (box.is_empty()) return;
+  const std::vector<const osmium::Way*> rings = closing_rings_of(relation);
+  for (const osmium::Way* ring : rings)
+    for (const osmium::NodeRef& node : ring->nodes()) box.grow(in_plane(node.location()));
   for_each_region_near(grid_, box, [&](std::uint32_t region) { spools.push_back(region); });
   if (!spools.empty()) spools.push_back(owner(member_ways_[ways.front()].first));
   sort_unique(spools);
@@ -284,12 +411,13 @@ void Cutter::spool_area(const osmium::Relation& relation) {
   for (const std::uint32_t spool : spools) {
     spools_.add(spool, relation);
     for (const std::uint32_t way : ways) wants_.emplace_back(way, spool);
+    for (const osmium::Way* ring : rings) spools_.add(spool, *ring);
   }
 }
 
 void Cutter::spool_areas() {
   for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
-    if (is_area_relation(relation.tags())) spool_area(relation);
+    if (is_area_relation(relation.tags())) spool_area(closed_or_same(relation));
   });
 }
 
@@ -346,7 +474,7 @@ Result<RegionFile> Cutter::write(const std::string& name, std::vector<std::size_
   file.set("locations_on_ways", true);
   file.set("add_metadata", false);
   osmium::io::Header header;
-  header.set("generator", "citykiln");
+  header.set("generator", source::kGeneratorOfRegions);
   header.add_box(
       {osmium::Location{cut_.extent.west, cut_.extent.south}, osmium::Location{cut_.extent.east, cut_.extent.north}});
   osmium::io::Writer writer(file, header, osmium::io::overwrite::allow, pool_);
@@ -367,6 +495,7 @@ Result<CutFiles> Cutter::run() {
   for (const char* kind : {"node", "way", "relation"}) report_.account("source", kind);
   find_members();
   if (const Result<Done> done = spool_nodes_and_ways(); !done) return done.error();
+  close_areas();
   spool_areas();
   spool_members();
   if (const Result<Done> done = spools_.flush(); !done) return done.error();

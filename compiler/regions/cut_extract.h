@@ -5,6 +5,7 @@
 //     3. relations        copies areas to the spools of the regions that their box touches
 //     4. ways             copies the members of these areas
 //
+// Two more passes over the ways close areas that the box of the map cuts (source/close_cut_areas.h), if there are any.
 // Then each spool is sorted and written as a file.
 #pragma once
 
@@ -45,6 +46,7 @@ Vec2 place_near(const map::Plane& plane, const source::LonLatBox& extent, double
 /// - nodes with tags near the region;
 /// - whole ways with a segment whose box is near, or, if they may become areas, whose own box is near;
 /// - multipolygons and boundaries that may become areas and whose box is near, with all their ways;
+/// - with the rings that close them along the box in the header of the map, if members are missing;
 /// - all coastlines near the extent;
 /// - each element that the region owns and that is in another region's file (owner_of() the element's first node).
 /// The file of the survey holds whole waterways, coastlines and areas of water near the extent. Nodes without tags are

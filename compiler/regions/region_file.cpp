@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/regions/area_tags.h"
+#include "compiler/source/closing_ring.h"
 
 namespace citykiln::regions {
 namespace {
@@ -79,8 +80,10 @@ std::vector<const osmium::Way*> outline_of(const osmium::OSMObject& object, Obje
     const auto& way = static_cast<const osmium::Way&>(object);
     if (way.is_closed()) outline.push_back(&way);
   } else {
-    for (const osmium::RelationMember& member : static_cast<const osmium::Relation&>(object).members())
-      if (member.type() == osmium::item_type::way)
+    const auto& relation = static_cast<const osmium::Relation&>(object);
+    const bool is_closed = source::has_closing_rings(relation);
+    for (const osmium::RelationMember& member : relation.members())
+      if (member.type() == osmium::item_type::way && source::is_closing_ring(member) == is_closed)
         if (const osmium::Way* way = way_of(sorted, member.ref())) outline.push_back(way);
   }
   return outline;

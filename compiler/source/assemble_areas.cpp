@@ -16,6 +16,7 @@
 
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/source/bodies.h"
+#include "compiler/source/closing_ring.h"
 #include "compiler/source/mended_rings.h"
 
 namespace citykiln::source {
@@ -33,7 +34,7 @@ struct Candidate {
 // The areas of one task; their ranges index the task's own vectors.
 struct Slot : AssembledAreas {
   std::vector<OsmId> broken, without_body, mended;
-  std::vector<std::pair<OsmId, double>> incomplete;  // with the share of the member ways that is there
+  std::vector<std::pair<OsmId, double>> incomplete, closed;  // with the share of the member ways that is there
 };
 
 OsmId id_of_candidate(const Candidate& candidate) {
@@ -113,15 +114,22 @@ const osmium::Way* find_osmium_way(const Elements& elements, std::int64_t id) {
   return found != elements.ways.end() && (*found)->id() == id ? *found : nullptr;
 }
 
-// A copy of the relation without way members that are missing from the extract: the assembler requires every member.
+// True for members that make the area: the rings of one that was closed along the box, else all.
+bool makes_area(const osmium::RelationMember& member, bool is_closed) {
+  return member.type() == osmium::item_type::way && is_closing_ring(member) == is_closed;
+}
+
+// A copy of the relation without way members that are missing from the extract, and without those that make no area:
+// the assembler requires every member.
 const osmium::Relation& without_absent(const osmium::Relation& relation, const Elements& elements,
                                        osmium::memory::Buffer& buffer) {
+  const bool is_closed = has_closing_rings(relation);
   {
     osmium::builder::RelationBuilder builder(buffer);
     builder.set_id(relation.id());
     osmium::builder::RelationMemberListBuilder members(builder);
     for (const osmium::RelationMember& member : relation.members()) {
-      if (member.type() != osmium::item_type::way || !find_osmium_way(elements, member.ref())) continue;
+      if (!makes_area(member, is_closed) || !find_osmium_way(elements, member.ref())) continue;
       members.add_member(member.type(), member.ref(), member.role());
     }
   }
@@ -131,13 +139,14 @@ const osmium::Relation& without_absent(const osmium::Relation& relation, const E
 Members find_members(const osmium::Relation& relation, const Elements& elements, osmium::memory::Buffer& buffer) {
   Members members;
   members.relation = &relation;
+  const bool is_closed = has_closing_rings(relation);
   for (const osmium::RelationMember& member : relation.members()) {
-    if (member.type() != osmium::item_type::way) continue;
+    if (!makes_area(member, is_closed)) continue;
     const osmium::Way* way = find_osmium_way(elements, member.ref());
     if (way) members.ways.push_back(way);
     if (!way) members.is_complete = false;
   }
-  if (!members.is_complete) members.relation = &without_absent(relation, elements, buffer);
+  if (!members.is_complete || is_closed) members.relation = &without_absent(relation, elements, buffer);
   return members;
 }
 
@@ -235,9 +244,9 @@ std::vector<BrokenLine> lines_of(const Candidate& candidate, const Elements& ele
       lines[0].points.push_back(lines[0].points.front());
     return lines;
   }
+  const bool is_closed = has_closing_rings(*candidate.relation);
   for (const osmium::RelationMember& member : candidate.relation->members()) {
-    const bool is_way = member.type() == osmium::item_type::way;
-    const osmium::Way* way = is_way ? find_osmium_way(elements, member.ref()) : nullptr;
+    const osmium::Way* way = makes_area(member, is_closed) ? find_osmium_way(elements, member.ref()) : nullptr;
     if (way) lines.push_back({places_of_way(*way), std::strcmp(member.role(), "inner") == 0});
   }
   return joined_lines(std::move(lines));
@@ -272,7 +281,7 @@ double share_of_members(const Candidate& candidate, const Elements& elements) {
   if (!candidate.relation) return 1;
   double all = 0, there = 0;
   for (const osmium::RelationMember& member : candidate.relation->members()) {
-    if (member.type() != osmium::item_type::way) continue;
+    if (!makes_area(member, false)) continue;
     all += 1;
     if (find_osmium_way(elements, member.ref())) there += 1;
   }
@@ -311,8 +320,10 @@ Slot assemble_slot(std::span<const Candidate> candidates, const Elements& elemen
   Slot slot;
   Workspace space;
   for (const Candidate& candidate : candidates) {
-    if (assemble(candidate, elements, space, slot) || mend_area(candidate, elements, slot)) continue;
-    add_failure(candidate, elements, slot);
+    if (!assemble(candidate, elements, space, slot) && !mend_area(candidate, elements, slot))
+      add_failure(candidate, elements, slot);
+    else if (candidate.relation && has_closing_rings(*candidate.relation))
+      slot.closed.emplace_back(id_of_candidate(candidate), share_of_members(candidate, elements));
   }
   return slot;
 }
@@ -381,6 +392,7 @@ AssembledAreas assemble_areas(const Elements& elements, int threads, Report& rep
   for (const Slot& slot : slots) {
     append_slot(slot, all);
     for (const OsmId id : slot.mended) report.add(Code::kAreaMended, id);
+    for (const auto& [id, share] : slot.closed) report.add(Code::kAreaClosed, id, share);
     for (const auto& [id, share] : slot.incomplete) report.drop(account, Code::kIncompleteArea, id, share);
     for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
     for (const OsmId id : slot.without_body) account.without_body += report.counts(id);

@@ -14,6 +14,7 @@
 #include <osmium/thread/pool.hpp>
 #include <thread>
 
+#include "compiler/source/closing_ring.h"
 #include "compiler/source/mended_xml.h"
 #include "compiler/source/osm_format.h"
 
@@ -61,6 +62,7 @@ DecodedOsm decode_file(const osmium::io::File& file, int threads) {
   osmium::io::Reader reader(file, osmium::osm_entity_bits::nwr, pool);
   DecodedOsm decoded;
   decoded.header_box = box_of_header(reader.header());
+  decoded.is_of_region = reader.header().get("generator") == kGeneratorOfRegions;
   decoded.has_places_in_ways = has_places_in_ways(reader.header());
   while (osmium::memory::Buffer buffer = reader.read()) decoded.buffers.push_back(std::move(buffer));
   reader.close();

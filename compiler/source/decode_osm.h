@@ -15,6 +15,7 @@ namespace citykiln::source {
 struct DecodedOsm {
   std::vector<osmium::memory::Buffer> buffers;
   std::optional<LonLatBox> header_box;
+  bool is_of_region = false;        ///< The file is one that cut_extract() wrote.
   bool has_places_in_ways = false;  ///< Ways hold the locations of their nodes (LocationsOnWays in the header).
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/source/closing_ring.h"
 
 namespace citykiln::source {
 namespace {
@@ -164,7 +165,10 @@ Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, int thread
   clean(elements.nodes, has_losses, node_account, report);
   if (has_losses) drop_nodes_without_place(elements.nodes, node_account, report);
   node_account.out += elements.nodes.size();
-  clean(elements.ways, has_losses, report.account("source", "way"), report);
+  Account& way_account = report.account("source", "way");
+  clean(elements.ways, has_losses, way_account, report);
+  way_account.in -= static_cast<std::uint64_t>(
+      std::ranges::count_if(elements.ways, [](const osmium::Way* way) { return is_closing_ring(*way); }));
   clean(elements.relations, has_losses, report.account("source", "relation"), report);
   return std::move(elements);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/source/closing_ring.h"
+
 namespace citykiln::source {
 namespace {
 
@@ -30,7 +32,8 @@ std::vector<OsmId> owned_elements(const Elements& elements, const OwnsPlace& own
     if (place.valid() && owns(place.lon(), place.lat())) owned.push_back(id);
   };
   for (const osmium::Node* node : elements.nodes) add({OsmType::kNode, node->id()}, node->location());
-  for (const osmium::Way* way : elements.ways) add({OsmType::kWay, way->id()}, place_of_element(*way));
+  for (const osmium::Way* way : elements.ways)
+    if (!is_closing_ring(*way)) add({OsmType::kWay, way->id()}, place_of_element(*way));
   for (const osmium::Relation* relation : elements.relations)
     add({OsmType::kRelation, relation->id()}, place_of_element(*relation, elements.ways));
   std::ranges::sort(owned);

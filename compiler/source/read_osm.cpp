@@ -6,6 +6,8 @@
 
 #include "compiler/source/across_180.h"
 #include "compiler/source/assemble_areas.h"
+#include "compiler/source/close_cut_areas.h"
+#include "compiler/source/closing_ring.h"
 #include "compiler/source/decode_osm.h"
 #include "compiler/source/old_style_multipolygons.h"
 #include "compiler/source/order_elements.h"
@@ -70,7 +72,7 @@ void add_ways(const Elements& elements, PendingElements& pending, UniqueStrings&
   data.way_nodes.reserve(most_nodes);
   data.ways.reserve(elements.ways.size());
   for (const osmium::Way* way : elements.ways) {
-    add_way(*way, strings, data, report);
+    if (!is_closing_ring(*way)) add_way(*way, strings, data, report);
     pending.done(*way);
   }
   Account& account = report.account("source", "way");
@@ -105,12 +107,14 @@ void add_relations(const Elements& elements, bool has_nodes, UniqueStrings& stri
       report.drop(account, Code::kRelationWithoutTags, id);
       continue;
     }
-    Range members{size_of(data.members), static_cast<std::uint32_t>(relation->members().size())};
+    Range members{size_of(data.members), 0};
     std::size_t missing = 0;
     for (const osmium::RelationMember& member : relation->members()) {
+      if (is_closing_ring(member)) continue;
       data.members.push_back({id_of_member(member), strings.number_of(member.role())});
       if (has_nodes || member.type() == osmium::item_type::way) missing += !contains(elements, id_of_member(member));
     }
+    members.count = size_of(data.members) - members.first;
     // a route or boundary is no area that would be incomplete
     if (missing > 0 && relation->tags().has_tag("type", "multipolygon"))
       report.add(Code::kMissingMember, id, static_cast<double>(missing));
@@ -199,8 +203,9 @@ Result<OsmData> read_osm(const std::string& path, int threads, Report& report, c
   Result<DecodedOsm> decoded = decode_osm(path, threads);
   if (!decoded) return decoded.error();
   Report of_all, area_report;
-  const Elements elements = order_elements(decoded->buffers, threads, owns ? of_all : report);
+  Elements elements = order_elements(decoded->buffers, threads, owns ? of_all : report);
   if (!decoded->has_places_in_ways) locate_way_nodes(elements, threads);
+  if (decoded->header_box && !decoded->is_of_region) close_cut_areas(elements, *decoded->header_box, decoded->buffers);
   if (owns) {
     const std::vector<OsmId> owned = owned_elements(elements, owns);
     limit(report, elements, owned);

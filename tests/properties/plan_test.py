@@ -57,6 +57,42 @@ class Plan(ProgramTest):
                          {name: each["count"] for name, each in theirs["diagnoses"].items()})
         self.assertEqual(run("check", plan / "out").returncode, 0)
 
+    def cut_lake(self):
+        """A map of 1.4 x 1.1 km whose lake and town go on outside; members are missing."""
+        places = {1: (10.0, 0.006), 2: (10.006, 0.0055), 3: (10.0128, 0.007), 4: (10.001, 0.001), 5: (10.012, 0.001),
+                  6: (10.002, 0.002), 7: (10.0022, 0.002), 8: (10.0022, 0.0022), 9: (10.002, 0.0022),
+                  10: (9.999, 0.0042), 11: (10.004, 0.0035), 12: (10.0015, -0.001), 13: (10.006, 0.002), 14: (10.008, 0.002),
+                15: (10.008, 0.004), 16: (10.006, 0.004), 17: (10.01, 0.002), 18: (10.01, 0.004)}
+        ways = {20: ([1, 2, 3], {}), 21: ([4, 5], {"highway": "residential"}),
+                22: ([6, 7, 8, 9, 6], {"building": "house"}), 23: ([10, 11, 12], {}),
+                24: ([13, 14, 15, 16, 13], {"landuse": "farmland"}), 25: ([14, 17, 18, 15, 14], {"landuse": "meadow"})}
+        text = '<osm version="0.6"><bounds minlat="0" minlon="10" maxlat="0.01" maxlon="10.0128"/>'
+        text += "".join(f'<node id="{i}" lon="{x}" lat="{y}"/>' for i, (x, y) in places.items())
+        for way, (nodes, tags) in ways.items():
+            text += f'<way id="{way}">' + "".join(f'<nd ref="{node}"/>' for node in nodes)
+            text += "".join(f'<tag k="{key}" v="{value}"/>' for key, value in tags.items()) + "</way>"
+        for relation, way, tag in ((30, 20, ("natural", "water")), (31, 23, ("landuse", "residential"))):
+            text += f'<relation id="{relation}"><member type="way" ref="{way}" role="outer"/>'
+            text += '<member type="way" ref="99" role="outer"/><tag k="type" v="multipolygon"/>'
+            text += f'<tag k="{tag[0]}" v="{tag[1]}"/></relation>'
+        path = self.folder / "lake.osm"
+        path.write_text(text + "</osm>")
+        return path
+
+    def test_areas_that_the_map_cuts_are_the_same_in_regions(self):
+        path = self.cut_lake()
+        whole = self.compiled("whole", path, *ARGUMENTS)
+        plan = self.planned(map_path=path)
+        self.assertGreater(len(self.regions_of(plan)), 3)
+        self.compile_all(plan)
+        self.assertEqual(run("gather", plan).returncode, 0)
+        self.assertEqual(bytes_of_outputs(plan / "out"), bytes_of_outputs(whole))
+        ours, theirs = report_of(plan / "out"), report_of(whole)
+        self.assertEqual(theirs["diagnoses"]["AreaClosed"]["count"], 2)
+        self.assertEqual(ours["ledger"], theirs["ledger"])
+        self.assertEqual({name: each["count"] for name, each in ours["diagnoses"].items()},
+                         {name: each["count"] for name, each in theirs["diagnoses"].items()})
+
     def test_a_finished_region_is_not_compiled_again(self):
         plan = self.planned()
         region = self.regions_of(plan)[0]
