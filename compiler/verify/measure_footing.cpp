@@ -4,20 +4,10 @@
 #include <map>
 #include <set>
 
-#include "compiler/buildings/passageways.h"
-
 namespace citykiln::verify {
 namespace {
 
 using buildings::Building;
-
-/// True for a corner in an opening for a way, where no wall reaches the ground.
-bool is_in_opening(const Building& building, Vec2 corner) {
-  return std::ranges::any_of(building.passageways, [&](const buildings::Passageway& opening) {
-    return std::ranges::any_of(buildings::rings_of(opening),
-                               [&](const Ring& ring) { return winding_number(ring, corner) != 0; });
-  });
-}
 
 /// Returns the largest gap below a building's corners inside the box. @param corners  Is raised by the corners with
 /// known heights.
@@ -26,7 +16,7 @@ GapBelow gap_below(const Building& building, const Box2& box, const GroundHeight
   GapBelow largest{building.id.osm, -1e9, {}};
   const auto look_at = [&](const Ring& ring) {
     for (const Vec2 corner : ring) {
-      if (!box.contains_half_open(corner) || is_in_opening(building, corner)) continue;
+      if (!box.contains_half_open(corner)) continue;
       const std::optional<double> ground_m = ground(corner), wall_m = wall(building, corner);
       if (!ground_m || !wall_m) continue;
       ++corners;

@@ -39,8 +39,7 @@ Footing combined(const Footing& a, const Footing& b);
 using GroundHeightAt = std::function<std::optional<double>(Vec2 corner)>;
 using WallBaseAt = std::function<std::optional<double>(const buildings::Building& building, Vec2 corner)>;
 
-/// Measures the corners, inside the box, of all buildings that stand on the ground, without those in an opening for a
-/// way. O(corners).
+/// Measures the corners, inside the box, of all buildings that stand on the ground. O(corners).
 Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundHeightAt& ground,
                         const WallBaseAt& wall);
 
