@@ -336,6 +336,7 @@ void cut_passageways(const Building& building, MaterialMesh wall, GeneratedBuild
     add_pillars(building.passageways[i], building, wall);
   }
   std::erase_if(generated.meshes, [](const MaterialMesh& mesh) { return mesh.mesh.triangles.empty(); });
+  std::erase_if(generated.textured_faces, [](const TexturedFace& face) { return face.mesh.mesh.triangles.empty(); });
   if (!wall.mesh.triangles.empty()) generated.meshes.push_back(std::move(wall));
 }
 

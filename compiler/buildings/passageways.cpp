@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/geometry/segment.h"
 #include "compiler/roads/generate.h"
 
 namespace citykiln::buildings {
@@ -52,6 +53,15 @@ std::vector<LineStretch> stretches_in_openings(const Building& building, Vec2 a,
       stretches.push_back(stretch);
     }
   return merged(std::move(stretches));
+}
+
+bool is_in_opening(const Building& building, Vec2 p) {
+  constexpr double kOnSide_m = 0x1p-9;
+  return std::ranges::any_of(building.passageways, [&](const Passageway& passageway) {
+    return std::ranges::any_of(rings_of(passageway), [&](const Ring& ring) {
+      return contains({ring, {}}, p) || distance_to_ring(ring, p) <= kOnSide_m;
+    });
+  });
 }
 
 }  // namespace citykiln::buildings

@@ -19,4 +19,7 @@ struct LineStretch {
 /// than `least_m` to a or b are moved there. O(openings).
 std::vector<LineStretch> stretches_in_openings(const Building& building, Vec2 a, Vec2 b, double least_m);
 
+/// True if a place is in an opening of a building, or on its side: no wall reaches the ground there. O(openings).
+bool is_in_opening(const Building& building, Vec2 p);
+
 }  // namespace citykiln::buildings

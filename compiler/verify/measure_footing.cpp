@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "compiler/buildings/passageways.h"
+
 namespace citykiln::verify {
 namespace {
 
@@ -16,7 +18,7 @@ GapBelow gap_below(const Building& building, const Box2& box, const GroundHeight
   GapBelow largest{building.id.osm, -1e9, {}};
   const auto look_at = [&](const Ring& ring) {
     for (const Vec2 corner : ring) {
-      if (!box.contains_half_open(corner)) continue;
+      if (!box.contains_half_open(corner) || buildings::is_in_opening(building, corner)) continue;
       const std::optional<double> ground_m = ground(corner), wall_m = wall(building, corner);
       if (!ground_m || !wall_m) continue;
       ++corners;

@@ -44,7 +44,7 @@ Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allow
                         const WallBaseAt& wall);
 
 /// Measures a baked tile by its triangles. The wall at a corner is the chain of vertical edges that begins at the
-/// floor. Corners without an edge at this tolerance are skipped.
+/// floor. Corners in openings for ways, and corners without an edge at this tolerance, are skipped.
 Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const bake::BakedTile& tile,
                         const GroundIndex& ground);
 

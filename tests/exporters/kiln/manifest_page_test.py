@@ -132,6 +132,7 @@ class Chunk:
         self.road_kinds = self.all("road kinds", self.road_kind)
         self.roads = self.all("roads", self.road)
         self.narrowed = self.all("narrowed roads", self.narrowed_road)
+        self.stairs = self.all("stepped roads", lambda: self.several("stepped road", 1) + [self.plain("riser") / 1024, self.plain("handrails")])
         self.junctions = self.all("junctions", self.junction)
         self.waters = self.all("watercourses", self.water)
         self.bridges = self.all("bridges", self.span)
@@ -272,13 +273,24 @@ class Chunk:
         places = [self.metres("party place") for _ in range(2)]
         return edge, places, self.metres("party top"), self.plain("party traits")
 
+    def buried_place(self):
+        return self.plain("buried edge"), self.metres("buried from"), self.plain("buried storeys")
+
+    def passageway(self):
+        way, axis, sides = self.id(), self.points("passageway points"), [self.metres("passageway sides") for _ in range(2)]
+        return way, axis, sides, self.metres("passageway top"), [self.metres("passageway pillars") for _ in range(2)]
+
     def building(self):
         seen = (self.id(), self.points("footprint points"), self.all("footprint holes", lambda: self.points("hole points")),
                 self.metres("building bottom"), self.metres("building floor"), self.metres("building top"),
                 self.plain("building stands"), self.plain("wall"), self.plain("roof"), self.colour(), self.colour(),
                 self.roof_shape())
         style = [self.plain(name) for name in ("style", "building class", "storeys", "year", "shop")]
-        return (*seen, style, self.all("facade edges", lambda: self.plain("facade edge")), self.all("party walls", self.party_wall))
+        walls = (self.all("facade edges", lambda: self.plain("facade edge")), self.all("buried places", self.buried_place),
+                 self.all("party walls", self.party_wall))
+        posts = self.points("posts")
+        return (*seen, style, *walls, posts, self.metres("post foot") if posts else None,
+                self.all("passageways", self.passageway))
 
     def barrier(self):
         return (self.id(), self.points("barrier points"), self.plain("barrier kind"),
@@ -325,7 +337,7 @@ class Manifest:
     def __init__(self, manifest):
         assert manifest[:8] == b"CITYKILN"
         major, _, size, value = struct.unpack_from("<HHIQ", manifest, 8)
-        assert major == 3
+        assert major == 4
         frame, body = manifest[24:24 + size], manifest[24 + size:]
         assert fnv(manifest[:16] + frame) == value
         header = root_of(unzstd(frame))

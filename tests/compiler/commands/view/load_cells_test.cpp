@@ -102,7 +102,7 @@ TEST(Cells, PicturesAreThoseOfTheBakedForm) {
     for (std::size_t c = i; c < i + 3; ++c) most = std::max<double>(most, std::abs(baked.rgb[c] - cells.image.rgb[c]));
     different += most > 1.0 / 255 ? 1 : 0;
   }
-  EXPECT_LE(different, baked.rgb.size() / 3 / 10'000);
+  EXPECT_LE(different, baked.rgb.size() / 3 / 5'000);
 }
 
 // How many of the picture's middle rays meet a surface that looks different.

@@ -58,7 +58,7 @@ TEST(LandformIndex, APlaceFartherThanTheReachKeepsItsTerrain) {
 
 TEST(LandformIndex, ATrimmedWallGivesTheSameBits) {
   Landform bent = wall();
-  bent.axis = {{-100, 0}, {-40, 0}, {0, 10}, {40, 0}, {100, 0}};
+  bent.axis = {{-160, 0}, {-100, 0}, {-40, 0}, {0, 10}, {40, 0}, {100, 0}, {160, 0}};
   std::vector<Landform> whole = {bent}, trimmed;
   for (const roads::Strip& run :
        roads::trimmed_to(static_cast<const roads::Strip&>(bent), Box2{{-10, -10}, {10, 10}}, kLandformReach_m))

@@ -71,7 +71,7 @@ TEST(PlanLandforms, ADykeRisesAboveTheLandBesideItAndADamAboveItsLowestPlace) {
 
 TEST(PlanLandforms, APierStandsAboveItsWaterAndIsReportedWithoutWater) {
   Report report;
-  LandCoverPolygon lake{.id = {{OsmType::kWay, 9}, 0}, .surface = map::LandCoverClass::kLake};
+  LandCoverPolygon lake{.id = {{OsmType::kWay, 9}, 0}, .surface = map::LandCoverClass::kLake, .rings = {}};
   lake.rings = {{{-100, -100}, {100, -100}, {100, 50}, {-100, 50}}}, lake.level_m = 99.5;
   const map::Landform pier = line(map::LandformKind::kDeck, 1.25, false, 3);
   EXPECT_NEAR(planned_height_m(pier, land_with_terrace(0), {0, 0}, report, std::vector{lake}), 100.75, 0.01);

@@ -63,7 +63,7 @@ constexpr Section kSections[] = {
     {LandCoverClass::kPrimaryRoad, "dd ^^", "3.25:", "0.25| 3.25: 6.25|"},
     {LandCoverClass::kPrimaryRoad, "ddd v^^", "3.25: 6.5:", "0.25| 3.25: 6.5: 9.5|"},
     {LandCoverClass::kPrimaryRoad, "dddd vv^^", "3.25: 6.38| 6.62| 9.75:", "0.25| 3.25: 6.38| 6.62| 9.75: 12.75|"},
-    {LandCoverClass::kPrimaryRoad, "dtd v-^", "3.25: 6.25:", "0.25| 3.25: 6.25: 9.25|"},
+    {LandCoverClass::kPrimaryRoad, "dtd v-^", "3.25| 6.25|", "0.25| 3.25| 6.25| 9.25|"},
     {LandCoverClass::kSecondaryRoad, "cddc vv^^", "1.5|| 4.75: 8||", "1.5|| 4.75: 8||"},
     {LandCoverClass::kSecondaryRoad, "SddS vv^^", "2.5| 5.75: 9|", "2.5| 5.75: 9|"},
     {LandCoverClass::kSecondaryRoad, "bddb vv^^", "3.25|| 6.38| 6.62| 9.75||",
