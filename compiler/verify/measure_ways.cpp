@@ -134,9 +134,24 @@ struct BoxMaker {
     return box;
   }
 
-  void add_box(WayBox box, const buildings::Building& building, Vec2 end) {
+  // Adds the box, cut at the ends of openings.
+  void add_box(const WayBox& box, const buildings::Building& building, Vec2 end) {
+    std::vector<double> cuts_m{0, box.length_m};
+    for (const buildings::Passageway& p : building.passageways)
+      for (const Vec2 mouth : {p.axis.front(), p.axis.back()})
+        if (p.way.osm == box.way && distance_to_segment(box.from, end, mouth) <= kOnAxis_m)
+          cuts_m.push_back(std::clamp(dot(mouth - box.from, box.along), 0.0, box.length_m));
+    std::ranges::sort(cuts_m);
+    for (std::size_t i = 0; i + 1 < cuts_m.size(); ++i)
+      if (cuts_m[i + 1] - cuts_m[i] > kBesideBox_m) add_part(box, building, cuts_m[i], cuts_m[i + 1]);
+  }
+
+  // The part of the box between two distances, in an opening or not.
+  void add_part(WayBox box, const buildings::Building& building, double from_m, double to_m) {
     box.building = building.id.osm;
-    if (const buildings::Passageway* opening = opening_at(building, box.way, box.from, end)) {
+    box.from = box.from + box.along * from_m, box.low_m += box.rise * from_m, box.length_m = to_m - from_m;
+    if (const buildings::Passageway* opening =
+            opening_at(building, box.way, box.from, box.from + box.along * box.length_m)) {
       const double highest_m = std::max(box.low_m, box.low_m + box.rise * box.length_m);
       box.is_in_opening = true;
       box.height_m = std::min(box.height_m, opening->top_m - kBesideBox_m - highest_m);
