@@ -89,9 +89,9 @@ struct CheckResults {
   ReferenceErrors reference_errors;
   Clearances clearances;
   std::vector<Earthwork> earthworks;           ///< One cut and one fill per way, the largest first.
-  std::vector<DeepEarthwork> deep_earthworks;  ///< Those beyond the limit of their kind.
+  std::vector<DeepEarthwork> deep_earthworks;  ///< Earthworks beyond the limit of their kind.
   std::vector<WayIntoWall> ways_into_walls;    ///< Ways that run into buildings without an opening for them.
-  std::vector<BlankWall> blank_walls;          ///< Those of the finest level.
+  std::vector<BlankWall> blank_walls;          ///< Measured at the finest level.
 };
 
 /// Returns the guarantees in the order of printing; those of USD only if they were tested.

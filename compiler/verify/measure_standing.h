@@ -23,7 +23,7 @@ struct OffGround {
 /// The buildings of a tile that stand on the ground by their recipes.
 struct Standing {
   std::uint64_t buildings = 0;
-  std::vector<OffGround> off;  ///< Those farther off than allowed.
+  std::vector<OffGround> off;  ///< Buildings farther off than allowed.
 };
 
 /// Measures the buildings whose walls have ground of the tile everywhere, at their corners and in the middle between

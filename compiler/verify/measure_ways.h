@@ -48,7 +48,7 @@ struct WayIntoWall {
 
 /// Returns the ways that meet a building of a tile, by building, then way, those in openings apart. O(triangles of
 /// buildings + triangles near boxes).
-/// @param boxes  Those of the tile's chunk.
+/// @param boxes  The boxes of the tile's chunk.
 std::vector<WayIntoWall> measure_ways(std::span<const WayBox> boxes, const bake::BakedTile& tile);
 
 /// Merges lists of several levels or tiles: keeps the largest area of each way and building. The largest come first.

@@ -7,12 +7,12 @@
 namespace citykiln::verify {
 namespace {
 
-constexpr OsmId kHouse{OsmType::kWay, 2}, kNeighbour{OsmType::kWay, 3};
+constexpr OsmId kHouseOnSlope{OsmType::kWay, 2}, kNeighbour{OsmType::kWay, 3};
 
 // A house of 10 m by 10 m with storeys of 3 m, on ground at 10 m.
 buildings::Building house_on_slope(double floor_m) {
   buildings::Building house;
-  house.id = {kHouse, 0};
+  house.id = {kHouseOnSlope, 0};
   house.footprint.outer = {{20, 20}, {30, 20}, {30, 30}, {20, 30}};
   house.bottom_m = 4, house.floor_m = floor_m, house.top_m = floor_m + 6, house.levels = 2;
   return house;
@@ -29,7 +29,7 @@ void add_side(const Ring& ring, std::size_t i, double low_m, double high_m, bake
 // The foundation and the walls of the house; walls of glass if it has windows.
 bake::BakedTile tile_with(const buildings::Building& house, bool has_windows) {
   bake::BakedTile tile = made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0});
-  tile.features.push_back(kHouse), tile.features.push_back(kNeighbour);
+  tile.features.push_back(kHouseOnSlope), tile.features.push_back(kNeighbour);
   bake::Primitive foundation, walls;
   foundation.layer = walls.layer = bake::Layer::kBuildings;
   foundation.material = materials::Material::kStone;
@@ -52,7 +52,7 @@ TEST(MeasureBlankWalls, AreTheFoundationMoreThanAStoreyAboveTheGround) {
   const buildings::Building house = house_on_slope(18);
   const auto walls = blank_walls_of(house, tile_with(house, true));
   ASSERT_EQ(walls.size(), 1u);
-  EXPECT_EQ(walls[0].building, kHouse);
+  EXPECT_EQ(walls[0].building, kHouseOnSlope);
   EXPECT_NEAR(walls[0].area_m2, 4 * 10 * (18 - 10 - 3), 1e-6);
 }
 
