@@ -306,7 +306,23 @@ void add_pillar(Vec2 at, Vec2 along, double bottom_m, double top_m, MaterialMesh
   for (std::size_t i = 0; i < 4; ++i) add_jamb(snapped(ring[(i + 1) % 4]), snapped(ring[i]), bottom_m, top_m, mesh);
 }
 
-// Pillars at equal distances along each segment, where it is inside the building.
+// The distance from the axis of a way that a pillar keeps: that of the way's own pillars, or beside its jambs.
+double pillars_from_axis_m(const Passageway& passageway) {
+  const auto of_side = [](double side_m, double pillars_m) { return pillars_m > 0 ? pillars_m : side_m + kPillar_m; };
+  return std::max(of_side(passageway.left_m, passageway.pillars_left_m),
+                  of_side(passageway.right_m, passageway.pillars_right_m));
+}
+
+// True for a pillar in a way: inside a bend of its own, or in another way that crosses the arcade.
+bool stands_in_way(Vec2 pillar, double offset_m, const Passageway& own, const Building& building) {
+  const auto is_near = [&](const Passageway& other) {
+    const double least_m = &other == &own ? std::abs(offset_m) - kPillar_m / 8 : pillars_from_axis_m(other);
+    return distance_to_polyline(other.axis, pillar) < least_m;
+  };
+  return std::ranges::any_of(building.passageways, is_near);
+}
+
+// Pillars at equal distances along each segment, where it is inside the building and no way runs.
 void add_pillars(const Passageway& passageway, const Building& building, MaterialMesh& mesh) {
   for (const double offset_m : {passageway.pillars_left_m, -passageway.pillars_right_m}) {
     if (offset_m == 0) continue;
@@ -315,8 +331,9 @@ void add_pillars(const Passageway& passageway, const Building& building, Materia
       const double count = std::max(1.0, std::floor(distance(a, b) / kPillarSpacing_m));
       for (double k = 0.5; k < count; ++k) {
         const Vec2 on_axis = a + (b - a) * (k / count);
-        if (contains(building.footprint, on_axis))
-          add_pillar(on_axis + left_of(along) * offset_m, along, building.bottom_m, passageway.top_m, mesh);
+        const Vec2 at = on_axis + left_of(along) * offset_m;
+        if (contains(building.footprint, on_axis) && !stands_in_way(at, offset_m, passageway, building))
+          add_pillar(at, along, building.bottom_m, passageway.top_m, mesh);
       }
     }
   }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "compiler/commands/print_check_results.h"
 #include "compiler/commands/run_paths.h"
@@ -18,6 +20,7 @@
 #include "compiler/verify/check_tile.h"
 #include "compiler/verify/check_tileset.h"
 #include "compiler/verify/check_usd.h"
+#include "compiler/verify/explain_earthworks.h"
 #include "compiler/verify/measure_earthworks.h"
 #include "compiler/verify/worst_places.h"
 #include "exporters/file.h"
@@ -40,10 +43,26 @@ Result<verify::LoadedRun> open_run(const std::string& folder) {
       .folder = folder, .record = std::move(*record), .scene = std::move(*scene), .prototypes = std::move(prototypes)};
 }
 
-// Checks that need the manifest only.
-void check_recipes(const scene::Scene& scene, int threads, verify::CheckResults& results) {
-  results.clearances = verify::measure_clearances(scene, threads);
+// Measures cuts and fills; land that stands alone in the way of a line is a failure.
+void check_land(const scene::Scene& scene, std::span<const outputs::Finding> findings, verify::CheckResults& results) {
   results.earthworks = verify::measure_earthworks(scene);
+  results.deep_earthworks = verify::explain_earthworks(scene, results.earthworks, findings);
+  results.land.tests += results.earthworks.size();
+  for (const auto& [e, reason] : results.deep_earthworks)
+    if (reason == verify::EarthworkReason::kStandsAlone)
+      results.land.test_all(0, false,
+                            {fmt::format("{} of {:.1f} m of {} {} at {:.0f}, {:.0f}", e.depth_m > 0 ? "cut" : "fill",
+                                         std::abs(e.depth_m), e.line, to_string(e.id), e.at.x, e.at.y),
+                             e.at,
+                             {e.id},
+                             std::abs(e.depth_m)});
+}
+
+// Checks that need the manifest and the findings only.
+void check_recipes(const scene::Scene& scene, std::span<const outputs::Finding> findings, int threads,
+                   verify::CheckResults& results) {
+  results.clearances = verify::with_findings(verify::measure_clearances(scene, threads), findings);
+  check_land(scene, findings, results);
   const verify::Jumps jumps = verify::measure_jumps(scene);
   results.jumps.test_all(
       jumps.places, jumps.largest_m <= kNoJump_m,
@@ -160,8 +179,7 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
   if (!recipes.files.failures.empty()) return failure(folder, recipes.files);
   recipes.ledger.tests = 1;
   for (const std::string& account : loaded->record.unbalanced) recipes.ledger.test_all(0, false, account);
-  check_recipes(loaded->scene, request.threads, recipes);
-  recipes.clearances = verify::with_findings(std::move(recipes.clearances), *findings);
+  check_recipes(loaded->scene, *findings, request.threads, recipes);
   Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
   if (!results) return results.error();
   if (const Result<Done> done = check_usd(*loaded, request.threads, *results); !done) return done.error();

@@ -75,24 +75,69 @@ OrderedJson print_measure(const verify::Clearances& c, const Console& console) {
 }
 
 // The count of all, and the worst of those over the limit of their kind.
-OrderedJson print_measure(std::span<const verify::Earthwork> earthworks, const Console& console) {
+OrderedJson print_measure(std::size_t earthworks, std::span<const verify::DeepEarthwork> over, const Console& console) {
   constexpr std::size_t kPrinted = 5;
-  const std::vector<verify::Earthwork> over = verify::over_their_limits(earthworks);
-  console.print_line(fmt::format("info  {} of {} cuts and fills of over 0.5 m exceed the limit of their kind",
-                                 over.size(), earthworks.size()));
+  const auto unexplained = std::ranges::count_if(
+      over, [](const verify::DeepEarthwork& deep) { return deep.reason >= verify::EarthworkReason::kNone; });
+  console.print_line(
+      fmt::format("info  {} of {} cuts and fills of over 0.5 m exceed the limit of their kind; no "
+                  "finding, landform, bridge or tunnel explains {} of them",
+                  over.size(), earthworks, unexplained));
   OrderedJson places = OrderedJson::array();
   for (std::size_t i = 0; i < over.size(); ++i) {
-    const verify::Earthwork& e = over[i];
+    const verify::Earthwork& e = over[i].earthwork;
     if (i < kPrinted)
       console.print_line(fmt::format("      {} of {:.1f} m of {} {}, limit {} m, at {:.0f}, {:.0f}",
                                      e.depth_m > 0 ? "cut" : "fill", std::abs(e.depth_m), e.line, to_string(e.id),
                                      verify::earthwork_limit_m(e.line), e.at.x, e.at.y));
-    places.push_back({{"line", e.line}, {"id", to_string(e.id)}, {"depth_m", e.depth_m}, {"at", {e.at.x, e.at.y}}});
+    places.push_back({{"line", e.line},
+                      {"id", to_string(e.id)},
+                      {"depth_m", e.depth_m},
+                      {"at", {e.at.x, e.at.y}},
+                      {"reason", name_of(over[i].reason)}});
   }
   if (over.size() > kPrinted) console.print_line(fmt::format("      and {} more", over.size() - kPrinted));
   return {{"measure", "cuts and fills over the limit of their kind"},
-          {"earthworks", earthworks.size()},
+          {"earthworks", earthworks},
+          {"unexplained", unexplained},
           {"over", std::move(places)}};
+}
+
+// Ways into walls without an opening for them; some end inside, others lack a tag or a finding says more.
+OrderedJson print_measure(std::span<const verify::WayIntoWall> ways, const Console& console) {
+  const auto worst = std::ranges::max_element(ways, {}, &verify::WayIntoWall::area_m2);
+  console.print_line(fmt::format(
+      "info  {} pairs of a way and a building meet without an opening{}", ways.size(),
+      worst == ways.end()
+          ? ""
+          : fmt::format(", the worst {} into {} by {:.1f} m² of wall at {:.0f}, {:.0f}", to_string(worst->way),
+                        to_string(worst->building), worst->area_m2, worst->at.x, worst->at.y)));
+  OrderedJson places = OrderedJson::array();
+  for (const verify::WayIntoWall& w : ways)
+    places.push_back({{"way", to_string(w.way)},
+                      {"building", to_string(w.building)},
+                      {"area_m2", w.area_m2},
+                      {"at", {w.at.x, w.at.y}}});
+  return {{"measure", "ways that meet a building without an opening"}, {"places", std::move(places)}};
+}
+
+OrderedJson print_measure(std::span<const verify::BlankWall> walls, const Console& console) {
+  double sum_m2 = 0;
+  OrderedJson places = OrderedJson::array();
+  for (const verify::BlankWall& w : walls) {
+    sum_m2 += w.area_m2;
+    places.push_back({{"building", to_string(w.building)}, {"area_m2", w.area_m2}, {"at", {w.at.x, w.at.y}}});
+  }
+  const auto worst = std::ranges::max_element(walls, {}, &verify::BlankWall::area_m2);
+  console.print_line(fmt::format(
+      "info  {} buildings with windows have {:.0f} m² of blank wall more than a storey above the ground{}",
+      walls.size(), sum_m2,
+      worst == walls.end() ? ""
+                           : fmt::format(", the worst {} with {:.0f} m² at {:.0f}, {:.0f}", to_string(worst->building),
+                                         worst->area_m2, worst->at.x, worst->at.y)));
+  return {{"measure", "blank walls more than a storey above the ground"},
+          {"area_m2", sum_m2},
+          {"places", std::move(places)}};
 }
 
 OrderedJson print_measure(const verify::ReferenceErrors& f, const Console& console) {
@@ -126,7 +171,9 @@ void print(const verify::CheckResults& results, const Console& console) {
   json.push_back(print_folder(results, console));
   json.push_back(print_measure(results.grades, console));
   json.push_back(print_measure(results.clearances, console));
-  json.push_back(print_measure(results.earthworks, console));
+  json.push_back(print_measure(results.earthworks.size(), results.deep_earthworks, console));
+  json.push_back(print_measure(results.ways_into_walls, console));
+  json.push_back(print_measure(results.blank_walls, console));
   json.push_back(print_measure(results.reference_errors, console));
   console.print_json(json.dump(1));
 }

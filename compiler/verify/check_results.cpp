@@ -5,17 +5,22 @@ namespace {
 
 // In the order of printing.
 constexpr Check CheckResults::*kChecks[] = {
-    &CheckResults::files,        &CheckResults::stale,   &CheckResults::ledger,        &CheckResults::glb_bytes,
-    &CheckResults::area,         &CheckResults::height,  &CheckResults::seams,         &CheckResults::jumps,
-    &CheckResults::roads,        &CheckResults::rivers,  &CheckResults::lakes,         &CheckResults::footing,
-    &CheckResults::trunks,       &CheckResults::tileset, &CheckResults::tileset_boxes, &CheckResults::tileset_errors,
-    &CheckResults::tileset_seams};
+    &CheckResults::files,    &CheckResults::stale,         &CheckResults::ledger,         &CheckResults::glb_bytes,
+    &CheckResults::area,     &CheckResults::height,        &CheckResults::seams,          &CheckResults::jumps,
+    &CheckResults::roads,    &CheckResults::rivers,        &CheckResults::lakes,          &CheckResults::footing,
+    &CheckResults::standing, &CheckResults::openings,      &CheckResults::land,           &CheckResults::trunks,
+    &CheckResults::tileset,  &CheckResults::tileset_boxes, &CheckResults::tileset_errors, &CheckResults::tileset_seams};
 constexpr Check CheckResults::*kUsdChecks[] = {&CheckResults::usd_layers, &CheckResults::usd_same,
                                                &CheckResults::usd_scene};
 
+template <typename T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 void add_check(Check& all, const Check& more) {
   all.tests += more.tests;
-  all.failures.insert(all.failures.end(), more.failures.begin(), more.failures.end());
+  append(all.failures, more.failures);
 }
 
 }  // namespace
@@ -32,6 +37,8 @@ void add(CheckResults& results, const CheckResults& of_tile) {
   for (const auto claim : kChecks) add_check(results.*claim, of_tile.*claim);
   for (const auto claim : kUsdChecks) add_check(results.*claim, of_tile.*claim);
   results.reference_errors = combined(results.reference_errors, of_tile.reference_errors);
+  append(results.ways_into_walls, of_tile.ways_into_walls);
+  append(results.blank_walls, of_tile.blank_walls);
 }
 
 }  // namespace citykiln::verify

@@ -9,10 +9,13 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/vec.h"
+#include "compiler/verify/explain_earthworks.h"
+#include "compiler/verify/measure_blank_walls.h"
 #include "compiler/verify/measure_clearances.h"
 #include "compiler/verify/measure_earthworks.h"
 #include "compiler/verify/measure_lines.h"
 #include "compiler/verify/measure_reference_error.h"
+#include "compiler/verify/measure_ways.h"
 
 namespace citykiln::verify {
 
@@ -62,6 +65,10 @@ struct CheckResults {
   Check rivers{"no watercourse flows uphill", 0, {}};
   Check lakes{"lakes are level", 0, {}};
   Check footing{"the gap below every corner of a building is at most 5 cm, or error_m if that is more", 0, {}};
+  Check standing{
+      "no building on the ground has its floor a storey above the ground on all sides, or its top below it", 0, {}};
+  Check openings{"no wall stands in a building's opening for a way, at levels up to 2.5 m", 0, {}};
+  Check land{"no road, railway or watercourse is cut deep into a peak, or high over a hole, that stands alone", 0, {}};
   Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
   // only for runs that wrote USD
   Check usd_layers{"every USD layer holds together: indices, extents, prototypes, materials, textures", 0, {}};
@@ -81,7 +88,10 @@ struct CheckResults {
   Grades grades;
   ReferenceErrors reference_errors;
   Clearances clearances;
-  std::vector<Earthwork> earthworks;  ///< One cut and one fill per way, the largest first.
+  std::vector<Earthwork> earthworks;           ///< One cut and one fill per way, the largest first.
+  std::vector<DeepEarthwork> deep_earthworks;  ///< Earthworks beyond the limit of their kind.
+  std::vector<WayIntoWall> ways_into_walls;    ///< Ways that run into buildings without an opening for them.
+  std::vector<BlankWall> blank_walls;          ///< Measured at the finest level.
 };
 
 /// Returns the guarantees in the order of printing; those of USD only if they were tested.

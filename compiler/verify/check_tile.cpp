@@ -12,10 +12,13 @@
 #include "compiler/ground/mesh/reference.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/verify/ground_index.h"
+#include "compiler/verify/measure_blank_walls.h"
 #include "compiler/verify/measure_footing.h"
 #include "compiler/verify/measure_lakes.h"
 #include "compiler/verify/measure_road_faces.h"
+#include "compiler/verify/measure_standing.h"
 #include "compiler/verify/measure_trunks.h"
+#include "compiler/verify/measure_ways.h"
 #include "compiler/verify/prepare_tile.h"
 #include "compiler/verify/water_levels.h"
 #include "exporters/file.h"
@@ -41,6 +44,7 @@ struct TileUnderCheck {
   ground::LandCoverIndex cover;                    // of `surfaces`
   bake::ExpectedGround expected;                   // that of the previous level, then of this one
   CheckedTile checked;
+  std::vector<WayBox> way_boxes{};  // for openings, at all levels
 
   CheckResults& results() { return checked.results; }
 };
@@ -186,6 +190,42 @@ void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std:
                                   name});
 }
 
+// Measures buildings by the triangles of the finest level: coarser ones have the same recipes.
+void check_buildings(TileUnderCheck& tile, const bake::BakedTile& level, const GroundIndex& ground,
+                     const std::string& name) {
+  const Standing standing = measure_standing(tile.chunk, ground, level.error_m);
+  tile.results().standing.tests += standing.buildings;
+  for (const OffGround& off : standing.off)
+    tile.results().standing.test_all(
+        0, false,
+        {fmt::format("{}: {} by {:.2f} m at {}, {}", name, to_string(off.building), off.off_m, off.at.x, off.at.y),
+         off.at,
+         {off.building},
+         std::abs(off.off_m),
+         name});
+  tile.results().blank_walls = measure_blank_walls(tile.chunk, level, ground);
+  tile.way_boxes = way_boxes_of(tile.chunk, [&](Vec2 p) { return ground::land_m(*tile.expected.graded, p); });
+  tile.results().openings.tests +=
+      static_cast<std::uint64_t>(std::ranges::count_if(tile.way_boxes, &WayBox::is_in_opening));
+}
+
+// Measures ways that run into walls at one level.
+void check_ways(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
+  if (level.tolerance_m > kOpenUpTo_m) return;
+  CheckResults& results = tile.results();
+  for (const WayIntoWall& way : measure_ways(tile.way_boxes, level))
+    if (way.is_in_opening)
+      results.openings.test_all(0, false,
+                                {fmt::format("{}: {} into {} by {:.3f} m² at {:.2f}, {:.2f}", name, to_string(way.way),
+                                             to_string(way.building), way.area_m2, way.at.x, way.at.y),
+                                 way.at,
+                                 {way.way, way.building},
+                                 way.area_m2,
+                                 name});
+    else
+      results.ways_into_walls.push_back(way);
+}
+
 // True if baking the recipes gives exactly the bytes of the file.
 bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t level,
               std::span<const std::byte> bytes) {
@@ -214,6 +254,8 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
   check_ground(tile, *written, ground, file.name);
   check_heights(tile, *written, ground, file.name);
   check_trunks(tile, *written, file.name);
+  if (level == 0) check_buildings(tile, *written, ground, file.name);
+  check_ways(tile, *written, file.name);
   tile.checked.borders.push_back(borders_of(*written, tile.box));
   return Done{};
 }
@@ -236,6 +278,7 @@ Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const outputs:
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (const Result<Done> done = check_glb_level(tile, *recipes->prepared, i, levels[i].file); !done)
       return done.error();
+  tile.results().ways_into_walls = combined(std::move(tile.results().ways_into_walls));
   return std::move(tile.checked);
 }
 

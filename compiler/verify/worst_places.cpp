@@ -92,6 +92,18 @@ void add_earthworks(std::span<const Earthwork> earthworks, bool is_cut, std::vec
   for (auto& [line, kind] : by_line) kinds.push_back(std::move(kind));
 }
 
+// Ways that meet a building, and blank walls.
+void add_walls(const CheckResults& results, std::vector<PlacesOfKind>& kinds) {
+  PlacesOfKind& ways = kinds.emplace_back(PlacesOfKind{
+      "way into a wall", "a way meets a building that has no opening for it (size: square metres of wall)", 0, {}});
+  for (const WayIntoWall& w : results.ways_into_walls)
+    ways.worst.push_back(
+        {{w.way, w.building}, w.area_m2, fmt::format("{} into {}", to_string(w.way), to_string(w.building)), w.at});
+  PlacesOfKind& blank = kinds.emplace_back(
+      PlacesOfKind{"blank wall", "a foundation stands out of the ground (size: square metres over a storey)", 0, {}});
+  for (const BlankWall& w : results.blank_walls) blank.worst.push_back({{w.building}, w.area_m2, {}, w.at});
+}
+
 WorstPlace place_of(const outputs::Finding& finding, const map::Plane& plane) {
   WorstPlace place;
   place.size = finding.diagnosis.size;
@@ -122,6 +134,7 @@ std::vector<PlacesOfKind> worst_places(const CheckResults& results, std::span<co
   for (const Check* check : all_of(results)) kinds.push_back(failures_of(*check));
   add_shortfalls(results.clearances, kinds);
   for (const bool is_cut : {true, false}) add_earthworks(earthworks, is_cut, kinds);
+  add_walls(results, kinds);
   add_diagnoses(findings, plane, kinds);
   for (PlacesOfKind& kind : kinds) keep_worst_places(kind, most);
   std::erase_if(kinds, [](const PlacesOfKind& kind) { return kind.worst.empty(); });

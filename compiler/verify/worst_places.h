@@ -32,7 +32,8 @@ struct PlacesOfKind {
   bool on_roofs = false;          ///< True if the places are on roofs; else they are on the ground or on a road.
 };
 
-/// Returns all kinds that have places: violated guarantees, clearances, cuts and fills, then diagnoses. Diagnoses that
+/// Returns all kinds that have places: violated guarantees, clearances, cuts and fills, ways
+/// into walls and blank walls, then diagnoses. Diagnoses that
 /// do not concern quality (objects outside the box or without a model) are left out. Each kind lists an object once.
 /// O(n log n).
 /// @param most  The largest number of places per kind. > 0.

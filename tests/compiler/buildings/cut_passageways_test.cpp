@@ -131,6 +131,22 @@ TEST(CutPassageways, AnArcadeHasPillarsBesideTheWayAndNoOuterWall) {
   EXPECT_EQ(at_pillars, 10 * 4);
 }
 
+// The short last piece of the way bends to its open side, so a pillar beside it would stand on the long piece.
+TEST(CutPassageways, APillarInsideABendOfTheWayIsLeftOut) {
+  Building building = block();
+  building.passageways = {passage({{-1, 3}, {20, 3}, {20, 1}}, 2.125, 103.5)};
+  building.passageways[0].right_m = 4, building.passageways[0].pillars_right_m = 1.3125;
+  expect_open(building, {-1, 3}, {20, 3}, 2, 2);
+  expect_open(building, {20, 3}, {20, 1}, 2, 2);
+}
+
+TEST(CutPassageways, APillarInAWayThatCrossesTheArcadeIsLeftOut) {
+  Building building = block();
+  building.passageways = {passage({{-1, 1.5}, {41, 1.5}}, 2.125, 103.5), passage({{18, -1}, {18, 13}}, 4.125, 104)};
+  building.passageways[0].right_m = 2, building.passageways[0].pillars_right_m = 1.25;
+  expect_open(building, {18, -1}, {18, 13}, 4, 3.5);
+}
+
 TEST(CutPassageways, JambsAndCeilingCloseTheOpening) {
   Building building = block();
   building.passageways = {passage({{20, -1}, {20, 13}}, 4, 104)};

@@ -54,5 +54,18 @@ TEST(WorstPlaces, BeginWithGuaranteesThatDoNotHold) {
   EXPECT_EQ(kinds[0].worst[0].at, (Vec2{3, 4}));
 }
 
+TEST(WorstPlaces, HaveWaysIntoWallsAndBlankWalls) {
+  CheckResults results;
+  results.ways_into_walls = {{{OsmType::kWay, 5}, {OsmType::kWay, 6}, 12, {1, 2}}};
+  results.blank_walls = {{{OsmType::kWay, 6}, 30, {3, 4}}, {{OsmType::kWay, 7}, 40, {5, 6}}};
+  const auto kinds = worst_places(results, {}, {}, kPlane, 1);
+  ASSERT_EQ(kinds.size(), 2u);
+  EXPECT_EQ(kinds[0].name, "way into a wall");
+  EXPECT_EQ(kinds[0].worst[0].text, "w5 into w6");
+  EXPECT_EQ(kinds[1].name, "blank wall");
+  EXPECT_EQ(kinds[1].count, 2u);
+  EXPECT_EQ(kinds[1].worst[0].size, 40);
+}
+
 }  // namespace
 }  // namespace citykiln::verify
