@@ -11,6 +11,7 @@
 #include "compiler/contract/code_names.h"
 #include "compiler/contract/parse.h"
 #include "compiler/geometry/box.h"
+#include "compiler/map/plane/degrees.h"
 
 namespace citykiln::outputs {
 namespace {
@@ -48,12 +49,13 @@ std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>
   return places;
 }
 
-// Losses first, the largest of them first.
+// Losses first, the largest of them first. Sizes count as they are written, so that a list that was read sorts alike.
 auto sort_key(const Finding& finding) {
   const Diagnosis& d = finding.diagnosis;
   const Severity severity = severity_of(d.code);
-  return std::tuple(-static_cast<int>(severity), severity == Severity::kDropped ? -d.size : 0.0, d.code, d.object,
-                    d.other, finding.tile, finding.level, d.size, std::string_view(finding.tags));
+  const double size = rounded_size(d);
+  return std::tuple(-static_cast<int>(severity), severity == Severity::kDropped ? -size : 0.0, d.code, d.object,
+                    d.other, finding.tile, finding.level, size, std::string_view(finding.tags));
 }
 
 std::string text_of(const Finding& finding) {
@@ -62,14 +64,14 @@ std::string text_of(const Finding& finding) {
   properties["id"] = nullptr;
   if (d.object.type != OsmType::kNone) properties["id"] = to_string(d.object);
   if (d.other.type != OsmType::kNone) properties["other"] = to_string(d.other);
-  properties["size"] = d.size;
+  properties["size"] = rounded_size(d);
   if (!finding.tags.empty()) properties["tags"] = finding.tags;
   if (finding.tile) properties["tile"] = to_string(*finding.tile);
   if (finding.level) properties["level"] = *finding.level;
-  // 1e-7 degrees are the grid of OSM
-  const std::string geometry = finding.at ? fmt::format(R"({{"type":"Point","coordinates":[{:.7f},{:.7f}]}})",
-                                                        finding.at->lon_deg, finding.at->lat_deg)
-                                          : "null";
+  const std::string geometry =
+      finding.at ? fmt::format(R"({{"type":"Point","coordinates":[{},{}]}})", map::degrees_text(finding.at->lon_deg),
+                               map::degrees_text(finding.at->lat_deg))
+                 : "null";
   return fmt::format(R"({{"type":"Feature","properties":{},"geometry":{}}})", properties.dump(), geometry);
 }
 
@@ -125,6 +127,8 @@ std::string tags_of(const Diagnosis& diagnosis, const map::LayerTags& layer_tags
 }
 
 }  // namespace
+
+double rounded_size(const Diagnosis& diagnosis) { return std::floor(diagnosis.size * 1000 + 0.5) / 1000; }
 
 std::vector<Finding> findings_of(const Report& report, const map::Places& places, const map::LayerTags& layer_tags,
                                  const scene::Header& header) {

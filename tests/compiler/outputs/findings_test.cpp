@@ -62,6 +62,16 @@ TEST(Findings, OfBakingLieAtTheirObjectOrInTheMiddleOfTheTile) {
   }
 }
 
+TEST(Findings, HavePlacesOfSevenAndSizesOfThreeDecimals) {
+  Report report;
+  report.add(Code::kHeightSpike, {OsmType::kWay, 4}, 331.79999923706055);
+  const scene::Header header = header_with_origin();
+  const std::string json =
+      findings_json(findings_of(report, {{{OsmType::kWay, 4}, {700001234 * 1e-8, 43 + 1e-9}}}, {}, header), header);
+  EXPECT_NE(json.find(R"("size":331.8,)"), std::string::npos) << json;
+  EXPECT_NE(json.find(R"("coordinates":[7.0000123,43.0000000])"), std::string::npos) << json;
+}
+
 TEST(Findings, AreTheSameWhateverTheOrderOfDiagnoses) {
   Report one, other;
   for (int i = 0; i < 50; ++i) one.add(Code::kMissingNode, {OsmType::kWay, i}, i % 3);
