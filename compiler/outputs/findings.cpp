@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
@@ -49,13 +50,19 @@ std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>
   return places;
 }
 
+// How much is missing. An area that reaches out of the extract is larger than anything in it.
+double loss_of(const Diagnosis& diagnosis) {
+  if (severity_of(diagnosis.code) != Severity::kDropped) return 0;
+  return diagnosis.code == Code::kIncompleteArea ? std::numeric_limits<double>::infinity() : rounded_size(diagnosis);
+}
+
 // Losses first, the largest of them first. Sizes count as they are written, so that a list that was read sorts alike.
 auto sort_key(const Finding& finding) {
   const Diagnosis& d = finding.diagnosis;
   const Severity severity = severity_of(d.code);
   const double size = rounded_size(d);
-  return std::tuple(-static_cast<int>(severity), severity == Severity::kDropped ? -size : 0.0, d.code, d.object,
-                    d.other, finding.tile, finding.level, size, std::string_view(finding.tags));
+  return std::tuple(-static_cast<int>(severity), -loss_of(d), d.code, d.object, d.other, finding.tile, finding.level,
+                    size, std::string_view(finding.tags));
 }
 
 std::string text_of(const Finding& finding) {

@@ -87,12 +87,14 @@ TEST(Findings, BeginWithWhatIsMissingTheLargestFirst) {
   report.add(Code::kMissingNode, {OsmType::kWay, 2}, 2);
   report.add(Code::kUnknownKind, {OsmType::kNode, 3});
   report.add(Code::kUnknownKind, {OsmType::kWay, 4}, 300);
+  report.add(Code::kBrokenArea, {OsmType::kWay, 5}, 400);
+  report.add(Code::kIncompleteArea, {OsmType::kRelation, 6}, 0.5);
   const scene::Header header = header_with_origin();
   const auto findings = parse_findings(findings_json(findings_of(report, {}, {}, header), header));
   ASSERT_TRUE(findings);
   std::vector<std::int64_t> ids;
   for (const Finding& finding : *findings) ids.push_back(finding.diagnosis.object.id);
-  EXPECT_EQ(ids, (std::vector<std::int64_t>{4, 3, 2, 1}));
+  EXPECT_EQ(ids, (std::vector<std::int64_t>{6, 5, 4, 3, 2, 1}));
 }
 
 TEST(Findings, OfTwoWaysQuoteTheirTags) {
