@@ -43,6 +43,7 @@ TEST(Places, DiagnosesOfElementsOutsideTheExtentAreRemoved) {
   const Box2 extent{{-1000, -1000}, {1000, 1000}};
   Report report;
   for (const OsmId id : {kNode, kWay, kRoute, kUnknown, OsmId{}}) report.add(Code::kNoBuildingHeight, id);
+  report.add(Code::kOutsideBounds, kUnknown);
   remove_diagnoses_outside(made_data(), plane, extent, report);
   std::vector<OsmId> kept;
   for (const Diagnosis& diagnosis : report.diagnoses()) kept.push_back(diagnosis.object);
