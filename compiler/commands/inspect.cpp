@@ -12,6 +12,7 @@
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/plane/degrees.h"
 #include "compiler/roads/junctions/layers.h"
 #include "compiler/source/read_osm.h"
 #include "exporters/file.h"
@@ -87,16 +88,14 @@ OrderedJson describe(const bake::BakedTile& tile) {
   return json;
 }
 
-OrderedJson box_json(const source::LonLatBox& box) { return {box.west, box.south, box.east, box.north}; }
-
 OrderedJson describe(const source::OsmData& osm, std::span<const roads::RoadLayer> off_ground, const Report& report) {
   OrderedJson json = {{"form", "map"},
                       {"tagged_nodes", osm.nodes.size()},
                       {"ways", osm.ways.size()},
                       {"areas", osm.areas.size()},
                       {"relations", osm.relations.size()},
-                      {"node_box_deg", box_json(osm.node_box)}};
-  if (osm.header_box) json["header_box_deg"] = box_json(*osm.header_box);
+                      {"node_box_deg", map::rounded_degrees(osm.node_box)}};
+  if (osm.header_box) json["header_box_deg"] = map::rounded_degrees(*osm.header_box);
   json["road_layers_off_ground"] = OrderedJson::array();
   for (const roads::RoadLayer& layer : off_ground)
     json["road_layers_off_ground"].push_back({{"layer", layer.layer},

@@ -18,11 +18,12 @@
 namespace citykiln::map {
 namespace {
 
-// Diagnoses each element whose height is that of its class.
+// Diagnoses each element that is built with a default height. An outline with parts is built only where none covers it.
 void diagnose_heights(std::span<const Footprint> footprints, Report& report) {
   std::set<OsmId> found;
   for (const Footprint& f : footprints)
-    if (f.is_height_assumed && found.insert(f.id.osm).second) report.add(Code::kNoBuildingHeight, f.id.osm);
+    if (f.is_height_assumed && !f.has_parts && found.insert(f.id.osm).second)
+      report.add(Code::kNoBuildingHeight, f.id.osm);
 }
 
 }  // namespace
@@ -61,8 +62,8 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
   footprints = without_duplicates(std::move(footprints), account, context.report);
   const std::vector<std::uint32_t> outlines = part_outlines(footprints);
   complete_parts(footprints, outlines);
-  diagnose_heights(footprints, context.report);
   footprints = with_uncovered_pieces(std::move(footprints), outlines, account, context.report);
+  diagnose_heights(footprints, context.report);
   footprints = with_treads(std::move(footprints), outlines, account, context.report);
   context.report.account("map", "footprint") = account;
   return footprints;

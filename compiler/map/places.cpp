@@ -71,6 +71,8 @@ Box2 box_of_element(const source::OsmData& osm, const Plane& plane, OsmId object
 
 void remove_diagnoses_outside(const source::OsmData& osm, const Plane& plane, const Box2& extent, Report& report) {
   report.remove_diagnoses_if([&](const Diagnosis& diagnosis) {
+    // a box can touch the extent that its element does not reach
+    if (diagnosis.code == Code::kOutsideBounds) return true;
     if (diagnosis.object.type == OsmType::kNone || diagnosis.code == Code::kStrayNode) return false;
     const Box2 box = box_of_element(osm, plane, diagnosis.object);
     return box.min.x <= box.max.x && !box.touches(extent);

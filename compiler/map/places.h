@@ -22,7 +22,8 @@ Places places_of(const source::OsmData& osm, const Report& report);
 /// for an element without nodes in the extract. O(log n + nodes).
 Box2 box_of_element(const source::OsmData& osm, const Plane& plane, OsmId object);
 
-/// Removes the diagnoses of elements whose box lies outside of the extent. Stray nodes are outside by nature and stay.
+/// Removes the diagnoses of elements whose box lies outside of the extent, and kOutsideBounds: what lies outside was
+/// not asked for; the ledger counts it. Stray nodes are outside by nature and stay.
 void remove_diagnoses_outside(const source::OsmData& osm, const Plane& plane, const Box2& extent, Report& report);
 
 /// Returns the places of all ways and areas, for reports that are written after the extract has been freed. O(n log n).

@@ -1,6 +1,8 @@
 #include "compiler/map/unread.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "compiler/map/places.h"
 #include "compiler/source/bodies.h"
@@ -25,6 +27,23 @@ std::vector<OsmId> read_elements(const Features& features, const Report& report)
   return read;
 }
 
+using WayTags = std::pair<std::int64_t, source::Range>;
+
+// The member ways of multipolygons, with the tags of the area, which can be those of its outer ways. Sorted by id.
+std::vector<WayTags> ways_of_multipolygons(const source::OsmData& osm) {
+  std::vector<WayTags> ways;
+  for (const source::Area& area : osm.areas) {
+    if (area.from.type != OsmType::kRelation) continue;
+    const auto relation = std::ranges::lower_bound(osm.relations, area.from.id, {}, &source::Relation::id);
+    if (relation == osm.relations.end() || relation->id != area.from.id) continue;
+    for (const source::Member& member :
+         std::span(osm.members).subspan(relation->members.first, relation->members.count))
+      if (member.object.type == OsmType::kWay) ways.emplace_back(member.object.id, area.tags);
+  }
+  std::ranges::sort(ways, {}, &WayTags::first);
+  return ways;
+}
+
 // The first tag that says that the element is a thing with a body.
 const source::Tag* body_tag(const ReadContext& context, source::Range tags) {
   for (const source::Tag& tag : context.osm.tags_of(tags))
@@ -41,7 +60,9 @@ bool is_about_a_line(const ReadContext& context, const source::Tag& tag) {
 class UnreadElements {
  public:
   UnreadElements(const ReadContext& context, const Features& features)
-      : context_(context), read_(read_elements(features, context.report)) {}
+      : context_(context),
+        read_(read_elements(features, context.report)),
+        members_(ways_of_multipolygons(context.osm)) {}
 
   void visit(OsmId id, source::Range tags) {
     if (tags.count == 0 || std::ranges::binary_search(read_, id)) return;
@@ -51,6 +72,8 @@ class UnreadElements {
     const source::Tag* tag = body_tag(context_, tags);
     if (tag == nullptr || (id.type == OsmType::kNode && is_about_a_line(context_, *tag)))
       account_.without_body += context_.report.counts(id);
+    else if (is_part_of_relation(id, *tag))
+      account_.merged += context_.report.counts(id);
     else
       drop(id, *tag, distance(box.min, box.max));
   }
@@ -63,8 +86,19 @@ class UnreadElements {
     context_.report.drop(account_, {Code::kUnknownKind, id, across_m, {}, {}, tag_text(key, value)});
   }
 
+  // True for a way whose tag is that of a multipolygon that it belongs to.
+  bool is_part_of_relation(OsmId id, const source::Tag& tag) const {
+    if (id.type != OsmType::kWay) return false;
+    return std::ranges::any_of(std::ranges::equal_range(members_, id.id, {}, &WayTags::first), [&](const WayTags& way) {
+      return std::ranges::any_of(context_.osm.tags_of(way.second), [&](const source::Tag& other) {
+        return other.key == tag.key && other.value == tag.value;
+      });
+    });
+  }
+
   const ReadContext& context_;
   std::vector<OsmId> read_;
+  std::vector<WayTags> members_;
   Account account_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
@@ -11,6 +12,7 @@
 #include "compiler/contract/code_names.h"
 #include "compiler/contract/parse.h"
 #include "compiler/geometry/box.h"
+#include "compiler/map/plane/degrees.h"
 
 namespace citykiln::outputs {
 namespace {
@@ -48,12 +50,19 @@ std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>
   return places;
 }
 
-// Losses first, the largest of them first.
+// How much is missing. An area that reaches out of the extract is larger than anything in it.
+double loss_of(const Diagnosis& diagnosis) {
+  if (severity_of(diagnosis.code) != Severity::kDropped) return 0;
+  return diagnosis.code == Code::kIncompleteArea ? std::numeric_limits<double>::infinity() : rounded_size(diagnosis);
+}
+
+// Losses first, the largest of them first. Sizes count as they are written, so that a list that was read sorts alike.
 auto sort_key(const Finding& finding) {
   const Diagnosis& d = finding.diagnosis;
   const Severity severity = severity_of(d.code);
-  return std::tuple(-static_cast<int>(severity), severity == Severity::kDropped ? -d.size : 0.0, d.code, d.object,
-                    d.other, finding.tile, finding.level, d.size, std::string_view(finding.tags));
+  const double size = rounded_size(d);
+  return std::tuple(-static_cast<int>(severity), -loss_of(d), d.code, d.object, d.other, finding.tile, finding.level,
+                    size, std::string_view(finding.tags));
 }
 
 std::string text_of(const Finding& finding) {
@@ -62,14 +71,14 @@ std::string text_of(const Finding& finding) {
   properties["id"] = nullptr;
   if (d.object.type != OsmType::kNone) properties["id"] = to_string(d.object);
   if (d.other.type != OsmType::kNone) properties["other"] = to_string(d.other);
-  properties["size"] = d.size;
+  properties["size"] = rounded_size(d);
   if (!finding.tags.empty()) properties["tags"] = finding.tags;
   if (finding.tile) properties["tile"] = to_string(*finding.tile);
   if (finding.level) properties["level"] = *finding.level;
-  // 1e-7 degrees are the grid of OSM
-  const std::string geometry = finding.at ? fmt::format(R"({{"type":"Point","coordinates":[{:.7f},{:.7f}]}})",
-                                                        finding.at->lon_deg, finding.at->lat_deg)
-                                          : "null";
+  const std::string geometry =
+      finding.at ? fmt::format(R"({{"type":"Point","coordinates":[{},{}]}})", map::degrees_text(finding.at->lon_deg),
+                               map::degrees_text(finding.at->lat_deg))
+                 : "null";
   return fmt::format(R"({{"type":"Feature","properties":{},"geometry":{}}})", properties.dump(), geometry);
 }
 
@@ -125,6 +134,8 @@ std::string tags_of(const Diagnosis& diagnosis, const map::LayerTags& layer_tags
 }
 
 }  // namespace
+
+double rounded_size(const Diagnosis& diagnosis) { return std::floor(diagnosis.size * 1000 + 0.5) / 1000; }
 
 std::vector<Finding> findings_of(const Report& report, const map::Places& places, const map::LayerTags& layer_tags,
                                  const scene::Header& header) {

@@ -24,6 +24,9 @@ struct Finding {
   std::string tags{};  ///< The tag concerned; for two ways, the tags that decide which one is above; else empty.
 };
 
+/// Returns the size of a diagnosis as it is written: with three decimals, millimetres or thousandths of a share.
+double rounded_size(const Diagnosis& diagnosis);
+
 /// Returns the diagnoses of compiling as findings.
 /// @param places      Places of the elements that diagnoses name.
 /// @param layer_tags  Tags of ways that pass over each other.
@@ -38,8 +41,8 @@ std::vector<Finding> findings_of(const Report& report, const scene::Header& head
 
 /// Returns a FeatureCollection (RFC 7946) with one feature per line: what is missing first, sorted by its size, then
 /// what was changed, then notes. The geometry is a point, or null without
-/// a place. The properties are code, severity, id (null if it is about no element), size, and where present other,
-/// tags, tile and level. Deterministic.
+/// a place. The properties are code, severity, id (null if it is about no element), size with at most three decimals,
+/// and where present other, tags, tile and level. Places have seven decimals of a degree. Deterministic.
 std::string findings_json(std::vector<Finding> findings, const scene::Header& header);
 
 /// Reads the output of findings_json(). Places are in Finding::at; Diagnosis::at_m stays empty. Findings with a code

@@ -12,7 +12,9 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/contract/program_version.h"
+#include "compiler/map/plane/degrees.h"
 #include "compiler/map/plane/lonlat_box.h"
+#include "compiler/outputs/findings.h"
 #include "compiler/outputs/ledger_json.h"
 #include "compiler/outputs/written_tile_json.h"
 #include "exporters/run_files.h"
@@ -39,7 +41,7 @@ OrderedJson diagnoses_of(const Report& report) {
   for (const Diagnosis& diagnosis : report.diagnoses()) {
     Tally& tally = tallies[diagnosis.code];
     ++tally.count;
-    tally.largest = std::max(tally.largest, diagnosis.size);
+    tally.largest = std::max(tally.largest, rounded_size(diagnosis));
     tally.objects.insert(diagnosis.object);
     if (!diagnosis.tag.empty()) ++tally.tags[diagnosis.tag];
     // keeps the lowest ids, so the list does not depend on the order of diagnoses
@@ -110,13 +112,9 @@ OrderedJson files_of(const WrittenFiles& written) {
   return files;
 }
 
-/// West, south, east, north in degrees, to OSM's grid of 1e-7.
+/// West, south, east, north in degrees.
 OrderedJson box_deg_of(const Box2& box, const map::Plane& plane) {
-  const source::LonLatBox degrees = map::lonlat_box_of(box, plane);
-  OrderedJson sides = OrderedJson::array();
-  for (const double side : {degrees.west, degrees.south, degrees.east, degrees.north})
-    sides.push_back(std::floor(side * 1e7 + 0.5) / 1e7);
-  return sides;
+  return map::rounded_degrees(map::lonlat_box_of(box, plane));
 }
 
 OrderedJson tiles_of(std::span<const WrittenTile> written, const scene::Header& header, const map::Plane& plane) {

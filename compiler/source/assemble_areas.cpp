@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <exception>
 #include <osmium/area/assembler.hpp>
@@ -15,6 +16,7 @@
 #include <utility>
 
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/geometry/mathematics.h"
 #include "compiler/source/bodies.h"
 #include "compiler/source/closing_ring.h"
 #include "compiler/source/mended_rings.h"
@@ -33,8 +35,9 @@ struct Candidate {
 
 // The areas of one task; their ranges index the task's own vectors.
 struct Slot : AssembledAreas {
-  std::vector<OsmId> broken, without_body, mended;
-  std::vector<std::pair<OsmId, double>> incomplete, closed;  // with the share of the member ways that is there
+  std::vector<OsmId> without_body, mended;
+  std::vector<std::pair<OsmId, double>> closed;  // with the share of the member ways that is there
+  std::vector<Diagnosis> failures;
 };
 
 OsmId id_of_candidate(const Candidate& candidate) {
@@ -288,20 +291,40 @@ double share_of_members(const Candidate& candidate, const Elements& elements) {
   return all > 0 ? there / all : 1;
 }
 
-bool is_of_a_body(const Candidate& candidate) {
+// The tag that says that the candidate is a thing with a body, such as "natural=water"; else "". A boundary is none,
+// whatever else it says.
+std::string body_tag_of(const Candidate& candidate) {
   const osmium::TagList& tags = candidate.way ? candidate.way->tags() : candidate.relation->tags();
-  return !tags.has_tag("type", "boundary") &&
-         std::any_of(tags.begin(), tags.end(), [](const osmium::Tag& tag) { return has_body(tag.key(), tag.value()); });
+  if (tags.has_tag("type", "boundary")) return "";
+  const auto tag = std::find_if(tags.begin(), tags.end(),
+                                [](const osmium::Tag& each) { return has_body(each.key(), each.value()); });
+  return tag != tags.end() ? tag_text(tag->key(), tag->value()) : "";
+}
+
+// The diagonal of the box around what is there of a candidate, in whole metres.
+double across_m(const Candidate& candidate, const Elements& elements) {
+  constexpr double kMetresPerStep = 40'007'863.0 / 360 * 1e-7;  // of latitude, by the length of a meridian
+  std::vector<Location> places;
+  for (const BrokenLine& line : lines_of(candidate, elements))
+    places.insert(places.end(), line.points.begin(), line.points.end());
+  if (places.empty()) return 0;
+  const auto [west, east] = std::ranges::minmax(places, {}, &Location::lon_e7);
+  const auto [south, north] = std::ranges::minmax(places, {}, &Location::lat_e7);
+  const double wide = (east.lon_deg() - west.lon_deg()) * 1e7 * cosine((south.lat_deg() + north.lat_deg()) / 2);
+  const double deep = (north.lat_deg() - south.lat_deg()) * 1e7;
+  return std::round(std::sqrt(wide * wide + deep * deep) * kMetresPerStep);
 }
 
 void add_failure(const Candidate& candidate, const Elements& elements, Slot& slot) {
+  const OsmId id = id_of_candidate(candidate);
+  const std::string tag = body_tag_of(candidate);
   const double share = share_of_members(candidate, elements);
-  if (!is_of_a_body(candidate))
-    slot.without_body.push_back(id_of_candidate(candidate));
+  if (tag.empty())
+    slot.without_body.push_back(id);
   else if (share < 1)
-    slot.incomplete.emplace_back(id_of_candidate(candidate), share);
+    slot.failures.push_back({Code::kIncompleteArea, id, share, {}, {}, tag});
   else
-    slot.broken.push_back(id_of_candidate(candidate));
+    slot.failures.push_back({Code::kBrokenArea, id, across_m(candidate, elements), {}, {}, tag});
 }
 
 bool assemble(const Candidate& candidate, const Elements& elements, Workspace& space, Slot& slot) {
@@ -315,7 +338,6 @@ bool assemble(const Candidate& candidate, const Elements& elements, Workspace& s
   }
 }
 
-// True if the tags say that it is a thing with a body; a boundary is none, whatever else it says.
 Slot assemble_slot(std::span<const Candidate> candidates, const Elements& elements) {
   Slot slot;
   Workspace space;
@@ -393,8 +415,7 @@ AssembledAreas assemble_areas(const Elements& elements, int threads, Report& rep
     append_slot(slot, all);
     for (const OsmId id : slot.mended) report.add(Code::kAreaMended, id);
     for (const auto& [id, share] : slot.closed) report.add(Code::kAreaClosed, id, share);
-    for (const auto& [id, share] : slot.incomplete) report.drop(account, Code::kIncompleteArea, id, share);
-    for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
+    for (const Diagnosis& failure : slot.failures) report.drop(account, failure);
     for (const OsmId id : slot.without_body) account.without_body += report.counts(id);
   }
   for (const Area& area : all.areas) account.out += report.counts(area.from);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "compiler/contract/load_module.h"
+#include "compiler/source/blocks_to_voids.h"
 #include "compiler/source/fill_gaps.h"
 #include "compiler/source/gdal_module/gdal_functions.h"
 #include "compiler/source/join_rasters.h"
@@ -45,7 +46,8 @@ Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, c
     rasters.push_back(std::move(*raster));
   }
   rasters = join_rasters(std::move(rasters));
-  for (Raster& raster : rasters) raster = fill_voids(spikes_to_voids(std::move(raster), report), report);
+  for (Raster& raster : rasters)
+    raster = fill_voids(blocks_to_voids(spikes_to_voids(std::move(raster), report), report), report);
   return rasters;
 }
 

@@ -17,7 +17,7 @@ namespace citykiln::source {
 Result<RasterSpec> parse_raster_spec(std::string_view text);
 
 /// Reads the samples of one heightmap; voids become NaN.
-/// @param window     If given, only samples inside this box and a margin of 16 samples are read. A raster outside of it
+/// @param window     If given, only samples inside this box and a margin of 24 samples are read. A raster outside of it
 ///                   has no columns and no rows.
 /// @param spacing_m  Largest distance between samples that is needed: of a finer raster only every n-th sample is read.
 ///                   0: all samples.
@@ -25,9 +25,9 @@ Result<RasterSpec> parse_raster_spec(std::string_view text);
 /// Errors: a missing or unreadable file, a picture without bounds, an encoding that does not fit the bands.
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window, double spacing_m = 0);
 
-/// Reads heightmaps and mends them: joins files of one grid (join_rasters.h), removes spikes (spikes_to_voids.h), fills
-/// voids (samples without a height). The result has the order of the specs. Parameters and errors are those of
-/// read_raster().
+/// Reads heightmaps and mends them: joins files of one grid (join_rasters.h), removes spikes (spikes_to_voids.h) and
+/// blocks of broken samples (blocks_to_voids.h), fills voids (samples without a height). The result has the order of
+/// the specs. Parameters and errors are those of read_raster().
 Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report,
                                             double spacing_m = 0);
 

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "compiler/map/plane/degrees.h"
+
 namespace citykiln::commands {
 namespace {
 
@@ -18,7 +20,8 @@ struct Writer {
 
   void position(Vec3 p, bool has_z) {
     const map::LonLat place = plane.backward({p.x, p.y});
-    fmt::format_to(std::back_inserter(out), "[{:.9f},{:.9f}", place.lon_deg, place.lat_deg);
+    out += '[' + map::degrees_text(place.lon_deg, map::kFineDegreeDecimals) + ',' +
+           map::degrees_text(place.lat_deg, map::kFineDegreeDecimals);
     if (has_z) fmt::format_to(std::back_inserter(out), ",{:.2f}", p.z);
     out += ']';
   }

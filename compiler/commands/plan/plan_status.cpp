@@ -9,6 +9,7 @@
 #include "compiler/commands/plan/plan_file.h"
 #include "compiler/commands/plan/region_state.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/plane/degrees.h"
 #include "exporters/file.h"
 #include "exporters/output_folder.h"
 
@@ -56,7 +57,7 @@ OrderedJson outline_of(const Box2& box, const map::Plane& plane) {
   OrderedJson ring = OrderedJson::array();
   for (const Vec2 corner : {box.min, Vec2{box.max.x, box.min.y}, box.max, Vec2{box.min.x, box.max.y}, box.min}) {
     const map::LonLat place = plane.backward(corner);
-    ring.push_back({place.lon_deg, place.lat_deg});
+    ring.push_back({map::rounded_degrees(place.lon_deg), map::rounded_degrees(place.lat_deg)});
   }
   return {{"type", "Polygon"}, {"coordinates", {ring}}};
 }

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compiler/map/plane/degrees.h"
+
 namespace citykiln::commands {
 namespace {
 
@@ -13,7 +15,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson zone_json(const regions::Zone& zone) {
   return {{"zone", to_string(zone)},
-          {"box_deg", {zone.box.west, zone.box.south, zone.box.east, zone.box.north}},
+          {"box_deg", map::rounded_degrees(zone.box)},
           {"scale_error_ppm", regions::scale_error(zone) * 1e6}};
 }
 

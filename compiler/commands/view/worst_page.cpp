@@ -10,6 +10,7 @@
 
 #include "compiler/commands/view/place_pictures.h"
 #include "compiler/map/element_text.h"
+#include "compiler/map/plane/degrees.h"
 #include "compiler/map/plane/plane.h"
 #include "exporters/file.h"
 #include "exporters/output_folder.h"
@@ -101,8 +102,8 @@ void Page::add(const verify::PlacesOfKind& kind, const verify::WorstPlace& place
     if (id.type != OsmType::kNone) html += "<br>" + element_html(run.scene, id);
   if (place.at) {
     const map::LonLat at = plane.backward(*place.at);
-    html += fmt::format("<br>{:.6f}, {:.6f} (lat, lon) · {:.1f}, {:.1f} m in the plane", at.lat_deg, at.lon_deg,
-                        place.at->x, place.at->y);
+    html += fmt::format("<br>{}, {} (lat, lon) · {:.1f}, {:.1f} m in the plane", map::degrees_text(at.lat_deg),
+                        map::degrees_text(at.lon_deg), place.at->x, place.at->y);
   }
   html += "</figcaption></figure>\n";
 }

@@ -10,8 +10,9 @@
 namespace citykiln::source::gdal {
 namespace {
 
-// samples for interpolation and resampling, and for voids and spikes that reach beyond the box
-constexpr int kMargin = 16;
+// samples for interpolation and resampling, for spikes and blocks of broken samples (kSpikeInfluence, kBlockInfluence),
+// and for voids that reach beyond the box
+constexpr int kMargin = 24;
 // points along each edge of the box: between two of them its image bends by less than the margin
 constexpr int kSteps = 32;
 

@@ -13,7 +13,7 @@ struct PixelWindow {
   int stride = 1;  ///< 1: every sample.
 };
 
-/// The samples inside `box` and a margin of 16 samples around it, limited to the raster.
+/// The samples inside `box` and a margin of 24 samples around it, limited to the raster.
 /// @param raster  Its columns, rows, from_grid and system_wkt are used, not its heights.
 /// Errors: a reference system that cannot be converted, a grid that cannot be inverted.
 Result<PixelWindow> window_of(const Raster& raster, const LonLatBox& box);

@@ -225,6 +225,25 @@ TEST(LocateFootprints, PartsHaveTheHeightAndTheStoreysOfTheirBuilding) {
   EXPECT_EQ(report.counts()[Code::kNoBuildingHeight], 0u);
 }
 
+TEST(LocateFootprints, DefaultHeightsAreDiagnosedWhereNoTagCanBeReadAndSomethingIsBuilt) {
+  Report report;
+  built(R"(
+    a1 0:0 10:0 10:10 0:10 building=yes
+    a2 20:0 30:0 30:10 20:10 building=yes height=tall
+    a3 40:0 50:0 50:10 40:10 building=yes height=tall building:levels=2
+    a4 60:0 80:0 80:10 60:10 building=yes
+    a5 60:0 70:0 70:10 60:10 building:part=yes height=9 roof:shape=flat
+    a8 70:0 80:0 80:10 70:10 building:part=yes height=12 roof:shape=flat
+    a6 90:0 99:0 99:10 90:10 building=yes
+    a7 90:0 95:0 95:10 90:10 building:part=yes height=9 roof:shape=flat)",
+        report);
+  std::vector<std::int64_t> ids;
+  for (const Diagnosis& diagnosis : report.diagnoses())
+    if (diagnosis.code == Code::kNoBuildingHeight) ids.push_back(diagnosis.object.id);
+  std::ranges::sort(ids);
+  EXPECT_EQ(ids, (std::vector<std::int64_t>{1, 2, 6}));
+}
+
 TEST(LocateFootprints, StepsBecomeTreadsDownTheirDirection) {
   Report report;
   const auto f = built(R"(

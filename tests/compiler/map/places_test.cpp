@@ -37,6 +37,19 @@ TEST(Places, AreThoseOfTheElementsThatDiagnosesName) {
           {kNode, at(10'000'000, 20'000'000)}, {kWay, middle}, {kArea, at(10'000'000, 5'000'000)}, {kRoute, middle}}));
 }
 
+TEST(Places, DiagnosesOfElementsOutsideTheExtentAreRemoved) {
+  // all nodes lie south of 5 degrees north; nothing is known of the last way
+  const Plane plane({20, 10});
+  const Box2 extent{{-1000, -1000}, {1000, 1000}};
+  Report report;
+  for (const OsmId id : {kNode, kWay, kRoute, kUnknown, OsmId{}}) report.add(Code::kNoBuildingHeight, id);
+  report.add(Code::kOutsideBounds, kUnknown);
+  remove_diagnoses_outside(made_data(), plane, extent, report);
+  std::vector<OsmId> kept;
+  for (const Diagnosis& diagnosis : report.diagnoses()) kept.push_back(diagnosis.object);
+  EXPECT_EQ(kept, (std::vector<OsmId>{kUnknown, OsmId{}}));
+}
+
 TEST(Places, OfNoDiagnosesAreNone) { EXPECT_TRUE(places_of(made_data(), {}).empty()); }
 
 }  // namespace

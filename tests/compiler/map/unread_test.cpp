@@ -55,9 +55,28 @@ TEST(Unread, WhatIsBuiltOrOutsideIsNoFinding) {
     w1 0:0 50:0 highway=residential
     a2 0:0 40:0 40:30 building=yes amenity=school
     n3 3:4 natural=tree
+    w5 0:0 50:0 natural=cliff
+    w6 0:9 50:9 man_made=dyke
+    n7 3:4 building=entrance
+    a8 0:0 40:0 40:30 man_made=bridge layer=1
     w4 9000:0 9050:0 man_made=pipeline)",
                                   report);
   EXPECT_TRUE(tags.empty());
+}
+
+TEST(Unread, WaysThatAMultipolygonIsBuiltOfAreMerged) {
+  Report report;
+  source::OsmData osm = extract(R"(
+    r1 0:0 40:0 40:30 0:30 natural=water
+    w2 0:0 40:0 40:30 natural=water
+    w3 40:30 0:30 0:0
+    w4 40:30 0:30 0:0 man_made=pipeline)");
+  osm.relations = {{1, {0, 3}, {}}};
+  for (const std::int64_t way : {2, 3, 4}) osm.members.push_back({{OsmType::kWay, way}, 0});
+  features_of(osm, report);
+  EXPECT_EQ(report.account("map", "unread").merged, 1u);
+  EXPECT_EQ(report.counts()[Code::kUnknownKind], 1u);
+  EXPECT_TRUE(report.balances());
 }
 
 }  // namespace

@@ -62,6 +62,16 @@ TEST(Findings, OfBakingLieAtTheirObjectOrInTheMiddleOfTheTile) {
   }
 }
 
+TEST(Findings, HavePlacesOfSevenAndSizesOfThreeDecimals) {
+  Report report;
+  report.add(Code::kHeightSpike, {OsmType::kWay, 4}, 331.79999923706055);
+  const scene::Header header = header_with_origin();
+  const std::string json =
+      findings_json(findings_of(report, {{{OsmType::kWay, 4}, {700001234 * 1e-8, 43 + 1e-9}}}, {}, header), header);
+  EXPECT_NE(json.find(R"("size":331.8,)"), std::string::npos) << json;
+  EXPECT_NE(json.find(R"("coordinates":[7.0000123,43.0000000])"), std::string::npos) << json;
+}
+
 TEST(Findings, AreTheSameWhateverTheOrderOfDiagnoses) {
   Report one, other;
   for (int i = 0; i < 50; ++i) one.add(Code::kMissingNode, {OsmType::kWay, i}, i % 3);
@@ -77,12 +87,14 @@ TEST(Findings, BeginWithWhatIsMissingTheLargestFirst) {
   report.add(Code::kMissingNode, {OsmType::kWay, 2}, 2);
   report.add(Code::kUnknownKind, {OsmType::kNode, 3});
   report.add(Code::kUnknownKind, {OsmType::kWay, 4}, 300);
+  report.add(Code::kBrokenArea, {OsmType::kWay, 5}, 400);
+  report.add(Code::kIncompleteArea, {OsmType::kRelation, 6}, 0.5);
   const scene::Header header = header_with_origin();
   const auto findings = parse_findings(findings_json(findings_of(report, {}, {}, header), header));
   ASSERT_TRUE(findings);
   std::vector<std::int64_t> ids;
   for (const Finding& finding : *findings) ids.push_back(finding.diagnosis.object.id);
-  EXPECT_EQ(ids, (std::vector<std::int64_t>{4, 3, 2, 1}));
+  EXPECT_EQ(ids, (std::vector<std::int64_t>{6, 5, 4, 3, 2, 1}));
 }
 
 TEST(Findings, OfTwoWaysQuoteTheirTags) {

@@ -92,5 +92,20 @@ TEST(MendedRings, BuildingsWithBrokenRingsAreReadAndDiagnosed) {
   EXPECT_EQ(report.counts()[Code::kBrokenArea], 0u);
 }
 
+TEST(MendedRings, AreasThatCannotBeMendedAreDiagnosedWithTheirKindAndSize) {
+  // there and back again: 0.001 degrees of latitude are 111 m
+  const std::string nodes = R"(<node id="1" lat="0" lon="0"/><node id="2" lat="0.001" lon="0"/>)"
+                            R"(<node id="3" lat="0.0005" lon="0"/>)";
+  Report report;
+  const OsmData data = read(nodes + R"(<way id="7"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/>)"
+                                    R"(<tag k="natural" v="water"/></way>)",
+                            report);
+  EXPECT_TRUE(data.areas.empty());
+  const auto broken = std::ranges::find(report.diagnoses(), Code::kBrokenArea, &Diagnosis::code);
+  ASSERT_NE(broken, report.diagnoses().end());
+  EXPECT_EQ(broken->tag, "natural=water");
+  EXPECT_EQ(broken->size, 111);
+}
+
 }  // namespace
 }  // namespace citykiln::source

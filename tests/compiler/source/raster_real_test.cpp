@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "compiler/source/blocks_to_voids.h"
 #include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/source/spikes_to_voids.h"
@@ -263,6 +264,32 @@ TEST_F(RasterReal, SpikesAreFoundAndNoNaturalPlaceIs) {
         "porto-alegre/poa_elevation.tif", "dem-formats/capetown-LO19_050M_3318CD.tif",
         "dem-formats/fuji-mapbox-terrain-rgb.png,encoding=mapbox,tile=10/906/404"}) {
     EXPECT_TRUE(spikes(clean).empty()) << clean;
+  }
+}
+
+TEST_F(RasterReal, NoNaturalPlaceIsABlockAndPlantedBlocksAreFound) {
+  for (const std::string spec :
+       {"andorra/N42E001.hgt", "monaco/N43E007.hgt", "berlin/N52E013.hgt", "st-moritz/N46E009.hgt.zip",
+        "liechtenstein/N47E009.hgt.zip", "portland/portland-ned.tif", "porto-alegre/poa_elevation.tif",
+        "dem-formats/N57E011.hgt", "dem-formats/N48W125-srtm1.hgt.zip", "dem-formats/qgis-analysis-dem-laea.tif",
+        "dem-formats/capetown-LO19_050M_3318CD.tif",
+        "dem-formats/fuji-mapbox-terrain-rgb.png,encoding=mapbox,tile=10/906/404"}) {
+    Report spikes, natural, planted;
+    const Raster land = spikes_to_voids(read_real(spec), spikes);
+    blocks_to_voids(land, natural);
+    EXPECT_TRUE(natural.diagnoses().empty()) << spec;
+    Raster broken = land;
+    std::size_t blocks = 0;
+    for (int row = 20; row + 20 < land.rows; row += 40) {
+      for (int column = 20; column + 20 < land.columns; column += 40) {
+        if (std::isnan(land.at(column, row))) continue;
+        ++blocks;
+        for (int i = 0; i < 12; ++i)
+          broken.heights_m[static_cast<std::size_t>(row + i / 4) * land.columns + column + i % 4] += 1000;
+      }
+    }
+    blocks_to_voids(broken, planted);
+    EXPECT_GE(planted.diagnoses().size(), blocks - blocks / 20) << spec;
   }
 }
 
