@@ -34,7 +34,8 @@ def source_of(number, with_real):
 
 
 def balances(account):
-    return account["in"] + account["split"] == account["out"] + account["merged"] + sum(account["dropped"].values())
+    kept = account["out"] + account["merged"] + account["without_body"]
+    return account["in"] + account["split"] == kept + sum(account["dropped"].values())
 
 
 def limit_time():
