@@ -1,5 +1,5 @@
 // Writes and reads the ledger of a run as JSON, for report.json and for plans. The ledger has an account for each kind
-// of object and stage, with numbers of objects: in + split = out + merged + dropped.
+// of object and stage, with numbers of objects: in + split = out + merged + without_body + dropped.
 #pragma once
 
 #include <map>
