@@ -72,7 +72,9 @@ bool ends_below_ground(const source::OsmData& osm, source::Range tags) {
   if (length_m_of(osm.value_of(tags, "height")).value_or(0) > 0) return false;
   if (lowest && levels && *lowest < 0 && *lowest + *levels <= 0) return true;
   if (levels && *levels == 0 && below && *below > 0 && !says_yes(osm.value_of(tags, "roof:levels"))) return true;
-  return layer && *layer < 0 && !states_height(osm, tags);
+  // a roof with a negative layer is below a bridge
+  const bool is_roof = osm.value_of(tags, "building") == "roof";
+  return layer && *layer < 0 && !is_roof && !states_height(osm, tags);
 }
 
 struct BodyPrefix {

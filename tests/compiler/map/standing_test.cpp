@@ -65,8 +65,9 @@ TEST(Standing, BuildingsBelowTheGroundAreNotBuilt) {
         "building=yes tunnel=yes", "building=yes building:levels=0 building:levels:underground=2",
         "building=yes building:min_level=-2 building:levels=2", "building:part=yes level=-1 height=3"})
     EXPECT_EQ(dropped(tags, Code::kUnderground), 1u) << tags;
-  for (const char* tags : {"building=yes layer=-1 building:levels=3", "building=yes level=-1;0", "building=yes level=2",
-                           "building=yes location=roof", "building=yes building:levels=0"})
+  for (const char* tags :
+       {"building=yes layer=-1 building:levels=3", "building=roof layer=-1", "building=yes level=-1;0",
+        "building=yes level=2", "building=yes location=roof", "building=yes building:levels=0"})
     EXPECT_EQ(dropped(tags, Code::kUnderground), 0u) << tags;
   EXPECT_EQ(dropped("building:part=yes indoor=yes level=0", Code::kInsideBuilding), 1u);
 }
