@@ -76,28 +76,30 @@ std::vector<Waterway> split_at(const Waterway& water, const std::vector<double>&
 
 // The parts of a watercourse inside the landforms that it crosses.
 std::vector<LinePart> culverts_of(const Waterway& water, const std::vector<double>& along,
-                                  std::span<const std::uint32_t> near, std::span<const Landform> landforms) {
+                                  std::span<const std::uint32_t> near, std::span<const Landform> dams) {
   constexpr double kStep_m = 0.5;
   std::vector<LinePart> culverts;
   for (const std::uint32_t i : near)
-    for (const double at_m : crossings_m(water.axis, along, landforms[i].axis))
-      culverts.push_back({end_of_culvert_m(water.axis, along, at_m, -kStep_m, landforms[i]),
-                          end_of_culvert_m(water.axis, along, at_m, kStep_m, landforms[i])});
+    for (const double at_m : crossings_m(water.axis, along, dams[i].axis))
+      culverts.push_back({end_of_culvert_m(water.axis, along, at_m, -kStep_m, dams[i]),
+                          end_of_culvert_m(water.axis, along, at_m, kStep_m, dams[i])});
   return merged_parts(std::move(culverts));
 }
 
 }  // namespace
 
 std::vector<Waterway> with_culverts(std::vector<Waterway> waterways, std::span<const Landform> landforms) {
+  std::vector<Landform> dams;
+  std::ranges::copy_if(landforms, std::back_inserter(dams), is_crossed_by_water);
   std::vector<Box2> boxes;
-  for (const Landform& form : landforms) boxes.push_back(is_crossed_by_water(form) ? box_of(form.axis) : Box2{});
+  for (const Landform& dam : dams) boxes.push_back(box_of(dam.axis));
   const BoxGrid grid = grid_of(boxes, kDamBucket_m);
   std::vector<Waterway> all;
   for (Waterway& water : waterways) {
     const std::vector<double> along = distances_on(water.axis);
     std::vector<LinePart> culverts;
     if (water.passage == Passage::kGround)
-      culverts = culverts_of(water, along, boxes_about(grid, box_of(water.axis)), landforms);
+      culverts = culverts_of(water, along, boxes_about(grid, box_of(water.axis)), dams);
     if (culverts.empty())
       all.push_back(std::move(water));
     else

@@ -28,7 +28,7 @@ struct OnePiece {
   explicit OnePiece(std::uint32_t layout) {
     roads::Piece piece;
     piece.surface = map::LandCoverClass::kPrimaryRoad;
-    piece.frame = {{0, 0}, {1, 0}, 7, {3, -4, 0, 0, 100}, {3, -4, 10, 10, 110}};
+    piece.frame = {{0, 0}, {1, 0}, 7, 0, {3, -4, 0, 0, 100}, {3, -4, 10, 10, 110}};
     piece.layout = layout;
     cover.layouts = {marked()};
     cover.pieces = {piece};
