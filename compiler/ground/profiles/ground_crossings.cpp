@@ -72,13 +72,6 @@ std::vector<GroundCrossing> ground_crossings(std::span<const GraphWay> ways) {
   return crossings;
 }
 
-bool can_meet(const map::Track& one, const map::Track& two) {
-  const auto is_street = [](const map::Track& track) {
-    return !track.is_rail && track.surface != map::LandCoverClass::kRunway;
-  };
-  return is_street(one) && is_street(two) && one.layer == two.layer;
-}
-
 void diagnose_steps(const ProfileGraph& graph, std::span<const GroundCrossing> crossings, std::span<const double> z_m,
                     Report& report) {
   assert(z_m.size() == graph.nodes.size());

@@ -1,4 +1,4 @@
-// Ground crossings: places where two ways on the ground cross without a common node. The ground has one height there.
+// Ground crossings: places where two ways on the ground cross without a common node, and the steps in the ground there.
 #pragma once
 
 #include <span>
@@ -20,9 +20,6 @@ struct GroundCrossing {
 /// buildings are left out. Sorted by place, then ways. O(n log n) in segments.
 /// @param ways  The ways of a graph; lines that leave the ground are skipped.
 std::vector<GroundCrossing> ground_crossings(std::span<const GraphWay> ways);
-
-/// True if both ways get one height at their crossing: roads of one layer.
-bool can_meet(const map::Track& one, const map::Track& two);
 
 /// Smaller steps are not diagnosed: roads that blend hide them.
 inline constexpr double kSmallStep_m = 0.5;

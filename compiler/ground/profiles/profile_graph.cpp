@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <tuple>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/ground/profiles/ground_crossings.h"
 
 namespace citykiln::ground {
 namespace {
@@ -24,21 +22,10 @@ struct WayVertex {
   bool is_off;
 };
 
-// A place on a way that gets a station: of its own, or of a node that other ways share.
+// A place on a way that gets a station.
 struct Stop {
   double at_m = 0;
   std::uint32_t vertex = kNone, junction = kNone;
-  std::uint32_t node = kNone;  // of a crossing; those of vertices are in Draft::node_at
-
-  bool is_shared() const { return vertex != kNone || node != kNone; }
-};
-
-// Stations are at least so far apart, except at vertices.
-constexpr double kApart_m = 0.5;
-
-// The part of a way inside a junction.
-struct InJunction {
-  double from_m, to_m;
 };
 
 struct Draft {
@@ -46,7 +33,6 @@ struct Draft {
   std::vector<std::uint32_t> node_at;   // of each vertex; kNone without
   std::vector<std::uint32_t> junction;  // of each vertex
   std::vector<Stop> stops;
-  std::vector<InJunction> inside;
 };
 
 struct GraphBuilder {
@@ -70,8 +56,6 @@ struct GraphBuilder {
   void join_place(std::span<const WayVertex> here);
   void stop_at_junctions(std::span<const roads::Junction> junctions);
   void stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::span<const Vec2> places, std::uint32_t junction);
-  bool has_room(std::uint32_t way, double at_m) const;
-  void join_crossings();
   void put_stations();
   void link();
   bool goes_on(std::uint32_t node) const;
@@ -117,7 +101,6 @@ void GraphBuilder::add_ways() {
     drafts.push_back({roads::distances_along(axis, 0),
                       std::vector<std::uint32_t>(axis.size(), kNone),
                       std::vector<std::uint32_t>(axis.size(), kNone),
-                      {},
                       {}});
   }
 }
@@ -206,13 +189,10 @@ void GraphBuilder::stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std
     const auto vertex = static_cast<std::size_t>(v);
     if (cut.length_m != roads::kWholeLink_m && std::abs(draft.along[vertex] - from_m) > cut.length_m) break;
     draft.junction[vertex] = std::min(draft.junction[vertex], junction);
-    if (!std::ranges::binary_search(places, graph.ways[w].track->axis[vertex])) continue;
-    const double to_m = draft.along[vertex];
-    return draft.inside.push_back({std::min(from_m, to_m), std::max(from_m, to_m)});
+    if (std::ranges::binary_search(places, graph.ways[w].track->axis[vertex])) return;
   }
   if (cut.length_m == roads::kWholeLink_m) return;
   const double cut_m = from_m + arm.step * cut.length_m, eased_m = cut_m + arm.step * kJunctionEase_m;
-  draft.inside.push_back({std::min(from_m, cut_m), std::max(from_m, cut_m)});
   const double end_m = draft.along.back();
   if (cut_m > 0 && cut_m < end_m) draft.stops.push_back({cut_m, kNone, junction});
   if (eased_m > 0 && eased_m < end_m) draft.stops.push_back({eased_m, kNone, kNone});
@@ -225,43 +205,19 @@ void GraphBuilder::stop_at_junctions(std::span<const roads::Junction> junctions)
       stop_at_arm(arms[j][a], junctions[j].cuts[a], junctions[j].nodes, j);
 }
 
-// Returns whether a way can have a further node at a distance along it: off junctions, whose planes decide all heights
-// in them, and off its other nodes.
-bool GraphBuilder::has_room(std::uint32_t way, double at_m) const {
-  constexpr double kRoom_m = 2 * kApart_m;
-  const Draft& draft = drafts[way];
-  const auto is_about = [&](const InJunction& j) { return at_m > j.from_m - kRoom_m && at_m < j.to_m + kRoom_m; };
-  if (std::ranges::any_of(draft.inside, is_about)) return false;
-  for (std::size_t v = 0; v < draft.along.size(); ++v)
-    if (draft.node_at[v] != kNone && std::abs(draft.along[v] - at_m) < kRoom_m) return false;
-  const auto is_near = [&](const Stop& s) { return s.is_shared() && std::abs(s.at_m - at_m) < kRoom_m; };
-  return std::ranges::none_of(draft.stops, is_near);
-}
-
-// Joins roads where they cross without a common map node: they meet at one height.
-void GraphBuilder::join_crossings() {
-  for (const GroundCrossing& c : ground_crossings(graph.ways)) {
-    if (!can_meet(*graph.ways[c.first].track, *graph.ways[c.second].track)) continue;
-    if (!has_room(c.first, c.first_at_m) || !has_room(c.second, c.second_at_m)) continue;
-    const auto node = static_cast<std::uint32_t>(graph.nodes.size());
-    graph.nodes.push_back({.at = c.at, .is_on_ground = true});
-    drafts[c.first].stops.push_back({c.first_at_m, kNone, kNone, node});
-    drafts[c.second].stops.push_back({c.second_at_m, kNone, kNone, node});
-  }
-}
-
-// Returns stops at least kApart_m apart: shared ones stay, others too close to them are dropped.
+// Returns stops at least kApart_m apart: those at vertices stay, others too close to them are dropped.
 std::vector<Stop> apart(std::vector<Stop> stops) {
+  constexpr double kApart_m = 0.5;
   std::ranges::sort(stops, {}, [](const Stop& s) { return std::tuple(s.at_m, s.vertex, s.junction); });
   std::vector<Stop> kept;
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const Stop& s = stops[i];
-    if (s.is_shared()) {
-      while (!kept.empty() && !kept.back().is_shared() && s.at_m - kept.back().at_m < kApart_m) kept.pop_back();
+    if (s.vertex != kNone) {
+      while (!kept.empty() && kept.back().vertex == kNone && s.at_m - kept.back().at_m < kApart_m) kept.pop_back();
       kept.push_back(s);
     } else if (kept.empty() || s.at_m - kept.back().at_m >= kApart_m) {
       kept.push_back(s);
-    } else if (!kept.back().is_shared()) {
+    } else if (kept.back().vertex == kNone) {
       kept.back().junction = std::min(kept.back().junction, s.junction);
     }
   }
@@ -297,9 +253,7 @@ void GraphBuilder::put_stations() {
         const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / station_m)));
         for (int i = 1; i < pieces; ++i) put(from_m + run_m * i / pieces, kNone);
       }
-      if (stops[s].node != kNone) {
-        graph.stations.push_back({stops[s].at_m, stops[s].node});
-      } else if (stops[s].vertex == kNone) {
+      if (stops[s].vertex == kNone) {
         put(stops[s].at_m, stops[s].junction);
       } else {
         const std::uint32_t node = draft.node_at[stops[s].vertex];
@@ -397,7 +351,6 @@ ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road
   builder.add_ways();
   builder.stop_at_junctions(junctions);
   builder.join_places();
-  if (lines == Lines::kGraded) builder.join_crossings();
   builder.put_stations();
   builder.link();
   builder.pin();

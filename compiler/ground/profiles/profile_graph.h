@@ -92,10 +92,9 @@ bool leaves_ground(const map::Track& track);
 /// Ways on the ground are joined at common places; ways off the ground are joined with these and with each other at
 /// common map nodes. Stations are at such nodes, both ends of ways, multiples of kKnotStretch_m, nodes and cuts of
 /// junctions and kJunctionEase_m beyond the cuts, and bends within junctions, and between these at most kStation_m
-/// apart. In kGraded, roads of one layer on the ground also share a station where they cross without a common vertex,
-/// off junctions (ground_crossings.h). The order of nodes depends on places and ids, not on distant objects or on the
-/// order of the input. Roads without a track are left out. In kPaths, places shared with lines that have profiles are
-/// pinned stations. O(n log n) in vertices.
+/// apart. The order of nodes depends on places and ids, not on distant objects or on the order of the input. Roads
+/// without a track are left out. In kPaths, places shared with lines that have profiles are pinned stations. O(n log n)
+/// in vertices.
 ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
                       std::span<const roads::Junction> junctions, Lines lines = Lines::kGraded);
 

@@ -26,17 +26,6 @@ double step_m(const map::Features& features, const Planned& p) {
   return std::abs(height_m(p.profiles.roads[0].profile, 300) - height_m(p.profiles.roads[1].profile, second_m));
 }
 
-TEST(GroundCrossings, RoadsThatCrossWithoutANodeMeetAtOneHeight) {
-  using map::LandCoverClass;
-  for (const auto across :
-       {LandCoverClass::kFarmTrack, LandCoverClass::kServiceRoad, LandCoverClass::kResidentialRoad}) {
-    const map::Features features = crossing_ways(LandCoverClass::kPrimaryRoad, across);
-    const Planned p = planned(features, ridge());
-    EXPECT_LT(step_m(features, p), 0.1);
-    EXPECT_EQ(p.report.counts().count(Code::kStepAtCrossing), 0u);
-  }
-}
-
 TEST(GroundCrossings, AStepThatStaysNamesBothWays) {
   // a railway does not meet the road
   map::Features features = crossing_ways(map::LandCoverClass::kRailway, map::LandCoverClass::kFarmTrack);
@@ -52,13 +41,10 @@ TEST(GroundCrossings, AStepThatStaysNamesBothWays) {
   EXPECT_EQ(p.report.counts().at(Code::kStepAtCrossing), 1u);
 }
 
-TEST(GroundCrossings, BridgesTunnelsAndOtherLayersDoNotMeetTheGround) {
+TEST(GroundCrossings, BridgesAndTunnelsDoNotMeetTheGround) {
   const map::Track road = track(1, {{-300, 0}, {300, 0}});
   map::Track other = track(2, {{0, -300}, {0, 300}});
-  EXPECT_TRUE(can_meet(road, other));
-  other.layer = 1;
-  EXPECT_FALSE(can_meet(road, other));
-  other.layer = 0, other.passage = map::Passage::kBridge;
+  other.passage = map::Passage::kBridge;
   map::Features features;
   features.tracks = {road, other};
   Report report;
@@ -72,19 +58,6 @@ TEST(GroundCrossings, WaysThatShareANodeDoNotCrossThere) {
   Report report;
   const std::vector<roads::Road> roads = roads::plan(features, report);
   EXPECT_TRUE(ground_crossings(graph_of(features, roads, {}).ways).empty());
-}
-
-TEST(GroundCrossings, ShareOneNodeOfTheGraph) {
-  const map::Features features = crossing_ways(kStreet, kStreet);
-  Report report;
-  const std::vector<roads::Road> roads = roads::plan(features, report);
-  const ProfileGraph graph = graph_of(features, roads, {});
-  ASSERT_EQ(ground_crossings(graph.ways).size(), 1u);
-  EXPECT_EQ(std::ranges::count_if(graph.nodes, [](const GraphNode& n) { return n.legs == 4; }), 1);
-  for (const GraphWay& way : graph.ways) {
-    const auto stations = graph.stations_of(way);
-    for (std::size_t s = 1; s < stations.size(); ++s) EXPECT_GE(stations[s].at_m - stations[s - 1].at_m, 0.5);
-  }
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ double beyond_strips_m2(const Polygon& outline, Paved& paved) {
   const Box2 box = box_of(outline.outer);
   std::vector<GEOSGeometry*> strips;
   for (const Road* road : paved.roads.near(box))
-    for (const Ring& ring : stroke(carriageway_of(*road)))
+    for (const Ring& ring : stroke_carriageway(*road, {}))
       if (box_of(ring).touches(box)) strips.push_back(shape({ring, {}}).release());
   return area_of(Shape(GEOSDifference(shape(outline).get(), united(std::move(strips)).get())));
 }
@@ -127,6 +127,7 @@ double left_to_strips_m2(const Junction& junction, std::span<const Road> roads, 
                          Paved& paved) {
   std::vector<Ring> rings;
   for (std::size_t a = 0; a < arms.size(); ++a) {
+    if (roads[arms[a].road].section.axis_drift != 0) continue;
     Strip strip = carriageway_of(roads[arms[a].road]);
     strip.axis = line_inside(junction, roads, arms[a], junction.cuts[a]);
     strip.axis.erase(std::unique(strip.axis.begin(), strip.axis.end()), strip.axis.end());

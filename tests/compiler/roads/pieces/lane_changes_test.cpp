@@ -141,7 +141,8 @@ double overlaid_m2(const std::vector<Ring>& rings) {
   std::vector<OwnedSegment> segments;
   for (const Ring& ring : rings) add_ring(segments, ring, 0);
   double area = 0;
-  for (const Polygon& polygon : overlay(segments, 1)[0]) area += area_m2(polygon);
+  const auto layers = overlay(segments, 1);
+  for (const Polygon& polygon : layers[0]) area += area_m2(polygon);
   return area;
 }
 
