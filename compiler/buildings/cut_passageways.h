@@ -1,8 +1,9 @@
-// Cuts the openings for ways into the meshes of a building, at any level of detail, and closes them.
+// Cuts openings for ways into a building's meshes and adds the walls and ceilings inside them. An opening is the space
+// below the ceiling of a passageway (recipe.h).
 //
-//     _______________        1. triangles are cut along the sides and the ceiling of each opening, and what is inside
-//    |    _______    |          is left out
-//    |   | ceiling|  |       2. jambs close its sides inside the building, a ceiling closes its top
+//     _______________        1. triangles are cut along the sides and the ceiling of each opening; parts inside go
+//    |    _______    |       2. inside the building, jambs (side walls) are added, and a ceiling on top
+//    |   | ceiling|  |       3. pillars are added along the open side of an arcade
 //    |jamb        |  |
 #pragma once
 
@@ -11,15 +12,16 @@
 
 namespace citykiln::buildings {
 
-/// Cuts all passageways of a building into its meshes and textured faces; a building without any stays unchanged.
+/// Cuts the openings of all passageways out of a building's meshes and textured faces, and appends one mesh of jambs,
+/// ceilings and pillars. Meshes without triangles are removed. A building without passageways stays unchanged.
 ///
-/// Guarantees: no triangle has a point inside an opening, apart from rounding (2^-10 m) and pillars of arcades; jambs
-/// and ceilings lie inside the footprint. Every level of detail is cut alike, so no level's error changes. Cost:
-/// O(triangles · rings).
-/// @param wall  An empty mesh with the material of jambs and ceilings.
+/// Guarantees: no triangle has a point inside an opening, apart from rounding (2^-10 m) and pillars; jambs and ceilings
+/// lie inside the footprint. All levels of detail are cut alike, so the error of a level does not change. Cost:
+/// O(triangles · rings of the openings).
+/// @param wall  An empty mesh with the material of jambs, ceilings and pillars.
 void cut_passageways(const Building& building, materials::MaterialMesh wall, GeneratedBuilding& generated);
 
-/// The side of a pillar, and the distance between pillars of an arcade.
+/// The side of a square pillar, and the least distance between two pillars along a segment of the axis.
 inline constexpr double kPillar_m = 0.375, kPillarSpacing_m = 4;
 
 }  // namespace citykiln::buildings

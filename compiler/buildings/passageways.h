@@ -1,4 +1,4 @@
-// The openings that ways cut into a building, in plan.
+// The openings that ways cut into a building, seen from above (Passageway in recipe.h).
 #pragma once
 
 #include <vector>
@@ -7,19 +7,21 @@
 
 namespace citykiln::buildings {
 
-/// Returns the plan of an opening as overlapping convex rings, counter-clockwise, snapped. O(n).
+/// Returns the area of an opening as overlapping convex rings, counter-clockwise, snapped. O(n) in points of its axis.
 std::vector<Ring> rings_of(const Passageway& passageway);
 
-/// A distance from one end of a line to another, metres.
+/// A part of a line: the distances of its two ends from the beginning of the line, metres.
 struct LineStretch {
   double from_m = 0, to_m = 0;
 };
 
-/// Returns the parts of the line from a to b inside the openings of a building, sorted, without overlaps. Ends nearer
-/// than `least_m` to a or b are moved there. O(openings).
+/// Returns the parts of the line from a to b inside the openings of a building, sorted, without overlaps; none if a
+/// equals b. Parts shorter than `least_m` are left out; an end nearer than `least_m` to a or b is moved there. O(n log
+/// n) in rings of the openings.
 std::vector<LineStretch> stretches_in_openings(const Building& building, Vec2 a, Vec2 b, double least_m);
 
-/// True if a place is in an opening of a building, or on its side: no wall reaches the ground there. O(openings).
+/// True if a place is inside an opening of a building, or within 2^-9 m of its side. Walls there do not reach the
+/// ground. O(n) in points of the openings.
 bool is_in_opening(const Building& building, Vec2 p);
 
 }  // namespace citykiln::buildings

@@ -1,4 +1,4 @@
-// Posts below roofs without walls, and below buildings that min_height lifts where nothing carries them.
+// Posts that carry roofs without walls, and buildings that min_height=* lifts off the ground.
 //
 //     ______________
 //    |______________|   bottom_m
@@ -17,36 +17,39 @@
 
 namespace citykiln::buildings {
 
-/// The obstacles of posts: ways, and the walls of other footprints.
+/// The places where no post may stand: ways, and walls of other footprints.
 struct PostObstacles {
+  /// One segment of a way.
   struct Way {
     Vec2 from, to;
-    double clear_m;  ///< Distance from the line that stays free.
+    double clear_m;  ///< Distance from the segment within which no post stands.
   };
   std::vector<Way> ways;
   BoxGrid way_grid;
-  std::span<const map::Footprint> footprints;
-  std::vector<std::uint32_t> walled;  ///< Indices of footprints with walls down to the ground.
+  std::span<const map::Footprint> footprints;  ///< All footprints; owned by the caller.
+  std::vector<std::uint32_t> walled;           ///< Indices into `footprints` of those with walls down to the ground.
   BoxGrid walled_grid;
 };
 
-/// Returns the ways outside of tunnels, and the footprints that stand on the ground.
+/// Collects and indexes the ways outside of tunnels, and the footprints with walls down to the ground.
 /// @param footprints  Must outlive the result.
 PostObstacles index_post_obstacles(std::span<const map::Track> tracks, std::span<const map::Footprint> footprints);
 
-/// Returns the centres of the posts of a footprint, in the order of its border: inside each corner, and at most
-/// kPostSpacing_m apart along long edges, a post's width from the border. Left out where a way passes, where another
-/// footprint's wall carries the building, and where posts would touch. May be empty.
-/// @param height_m  From their lower to their upper ends.
+/// Returns the centres of a footprint's posts, in plane metres, in the order of its border: inside each corner, and at
+/// most kPostSpacing_m apart along long edges, one width of a post inside the border. A post is left out on a way, at
+/// the wall of another footprint, which carries the building there, and within three widths of an earlier post. May be
+/// empty.
+/// @param footprint  Index into obstacles.footprints.
+/// @param height_m   The length of the posts, which decides their width.
 std::vector<Vec2> plan_posts(std::size_t footprint, const PostObstacles& obstacles, double height_m);
 
-/// Returns the side of the square posts of a height: 1/30 of it, 0.125 to 0.75 m.
+/// Returns the side of a square post: 1/30 of its height, at least 0.125 m and at most 0.75 m. Snapped.
 double post_width_m(double height_m);
 
-/// Returns the posts of a building: four faces each, from post_foot_m to bottom_m.
+/// Returns the sides of a building's posts: four vertical faces each, from post_foot_m to bottom_m.
 std::vector<grammars::Face> post_faces(const Building& building);
 
-/// The distance between posts.
+/// The largest distance between planned posts along an edge.
 inline constexpr double kPostSpacing_m = 6;
 
 }  // namespace citykiln::buildings

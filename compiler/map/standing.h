@@ -1,5 +1,6 @@
-// Says from the tags of an element whether it stands, and where: the one place that reads lifecycle words, level,
-// location, indoor, layer and storeys below the ground for this.
+// Decides from the tags of an element whether the object exists, and whether it is on the ground, below or above it, or
+// inside a building. Only this file reads lifecycle words (such as "razed"), level, location, indoor, layer and
+// underground storeys for this.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +12,14 @@
 
 namespace citykiln::map {
 
-/// Whether an object stands.
+/// Whether an object exists.
 enum class Presence : std::uint8_t {
-  kStands,
-  kShell,  ///< Walls alone: a ruin, or a building under construction.
-  kGone    ///< Demolished, or not built yet.
+  kStands,  ///< It exists, in use or not.
+  kShell,   ///< Walls alone: a ruin, or a building under construction.
+  kGone     ///< Demolished, or not built yet.
 };
 
-/// Where an object is.
+/// Where an object is, relative to the ground and to buildings.
 enum class Storey : std::uint8_t {
   kGround,
   kUnderground,
@@ -26,7 +27,7 @@ enum class Storey : std::uint8_t {
   kAbove    ///< On an upper storey or a roof.
 };
 
-/// The answer for one element.
+/// Whether and where an object stands.
 struct Standing {
   Presence presence = Presence::kStands;
   Storey storey = Storey::kGround;
@@ -36,41 +37,46 @@ struct Standing {
 struct Levels {
   double lowest = 0, highest = 0;
 };
-/// Returns the storeys of a text such as "-1", "0;1", "-2--1", "1-3"; nothing if it cannot be read.
+/// Returns the lowest and the highest storey in a text such as "-1", "0;1", "-2--1" (-2 to -1) or "1-3"; nothing if the
+/// text is empty or any of it cannot be read.
 std::optional<Levels> levels_of(std::string_view text);
 
-/// Returns the presence by lifecycle.inc: by the value of `key`, by a word as a key with the value yes, by
-/// historic=ruins of a building, and by an end_date up to kLastEnd.
+/// Returns whether an object exists. Words of lifecycle.inc count as the value of `key` and as a key with the value
+/// yes; ruins: and construction: count as prefixes of `key`; historic=ruins makes a building a shell. An end_date up to
+/// kLastEnd means that the object is gone.
+/// @param key  The key that says what the object is, such as "building".
 Presence presence_of(const source::OsmData& osm, source::Range tags, std::string_view key);
 
-/// Returns whether and where a building or part of one stands. Stated storeys above the ground, or a height, win over a
-/// negative layer; level, location, tunnel, and storeys that are all below the ground win over these.
+/// Returns whether and where a building or part of one stands. It is underground by level, by location, by tunnel=*
+/// (except building_passage), or if all its storeys are below the ground and no height is tagged. A negative layer
+/// counts only if neither a height nor storeys above the ground are tagged. Buildings on roofs, parts on upper storeys,
+/// and whole buildings tagged as indoor count as kGround, since each is a body of its own.
 /// @param key  "building" or "building:part".
 Standing standing_of_building(const source::OsmData& osm, source::Range tags, std::string_view key);
 
 /// Returns whether and where an area of land or water stands. A layer alone moves only surfaces made by people, such as
-/// platforms and pitches: water and woods with a layer are on the ground.
+/// platforms and pitches. Water and woods with a layer are on the ground: it is for the order of drawing.
 /// @param key  The key that gives the area its class.
 Standing standing_of_area(const source::OsmData& osm, source::Range tags, std::string_view key);
 
-/// Returns whether and where a line or a point stands. A layer moves neither.
+/// Returns whether and where a line or a point stands. Its layer is ignored.
 /// @param key  The key that gives the object its class.
 Standing standing_of_thing(const source::OsmData& osm, source::Range tags, std::string_view key);
 
-/// Returns the value of a key, else that of its prefixes for what still has a body: disused:, abandoned:, ruins:,
-/// construction:. Empty if none is tagged.
+/// Returns the value of a key, else that of the key with a prefix for objects that can still be seen: disused:,
+/// abandoned:, ruins:, construction:. Empty if none is tagged.
 std::string_view standing_value(const source::OsmData& osm, source::Range tags, std::string_view key);
 
-/// True if tags state that something of a building is above the ground: a height, or storeys.
+/// True if tags state that a building rises above the ground: height or building:levels above 0.
 bool states_height(const source::OsmData& osm, source::Range tags);
 
-/// True if a shell is a ruin, false if it is under construction.
+/// True if the tags of a shell say that it is a ruin, false if it is under construction.
 bool is_ruin(const source::OsmData& osm, source::Range tags);
 
-/// Returns the code with which an object is dropped that is not on the ground; nothing for one that stands there.
+/// Returns the code for dropping an object that is gone, or not on the ground; nothing for one that stands there.
 std::optional<Code> reason_to_drop(Standing standing);
 
-/// An object with an end_date in a later year is still there: its end is a plan.
+/// The last year of end_date in which an object counts as gone. A later end is a plan, and the object still stands.
 inline constexpr int kLastEnd = 2024;
 
 }  // namespace citykiln::map

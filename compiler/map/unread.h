@@ -1,4 +1,4 @@
-// Diagnoses what no reader of features has read, so that nothing with a body is silently absent.
+// Diagnoses elements that no reader of features has read, so that no visible thing is missing without a diagnosis.
 #pragma once
 
 #include "compiler/map/features.h"
@@ -6,10 +6,12 @@
 
 namespace citykiln::map {
 
-/// Diagnoses kUnknownKind, with the tag that says its kind, for each element within the extent that is a thing with a
-/// body (source/bodies.h) and neither a feature nor dropped already. Power lines count, since only their corridors are
-/// features. Elements without a body are counted. Ways with the tag of a multipolygon that they belong to count as
-/// merged. Ledger "map/unread". O(n log n).
+/// Diagnoses kUnknownKind, with the tag that says its kind, for each visible thing (has_body() in source/bodies.h) that
+/// touches the extent, is no feature and was not dropped before. Power lines are diagnosed too, since only their
+/// corridors are features. Call it after all readers.
+///
+/// Other elements are counted as without_body, and ways with the tag of a multipolygon that they belong to as merged.
+/// Elements without tags, coastlines and relations with boundary=* are skipped. Ledger "map/unread". O(n log n).
 void diagnose_unread(const ReadContext& context, const Features& features);
 
 }  // namespace citykiln::map

@@ -1,4 +1,5 @@
-// Reads from tags which areas can be closed along the box of a map, and what other ways say about where they are.
+// Decides from tags which incomplete areas can be closed along the box of a map (close_cut_areas.h), and which ways are
+// evidence of where such an area lies.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +8,16 @@
 
 namespace citykiln::source {
 
-/// A kind of areas for which the same ways speak.
+/// The kinds of areas that can be closed: rivers, standing water, built-up land, other land cover, parks. Each kind has
+/// a column of votes in area_evidence.inc.
 enum class CutKind : std::uint8_t { kRiver, kStanding, kBuiltUp, kCover, kPark };
 
-/// Returns the kind of a multipolygon that covers ground: water, woods, land use, parks; nothing for others, such as
+/// Returns the kind of a multipolygon of water, land cover, land use or park; nothing for other elements, such as
 /// buildings and boundaries.
 std::optional<CutKind> cut_kind(const osmium::TagList& tags);
 
-/// Returns how many votes a way with these tags has for lying inside an area of the kind; below 0 for lying outside it,
-/// 0 if it says nothing, as bridges and tunnels do. By area_evidence.inc.
+/// Returns the votes of a way with these tags for lying inside an area of the kind: below 0 if it lies outside such
+/// areas, 0 if it is no evidence, as bridges and tunnels are. The votes are those of area_evidence.inc.
 int evidence_of(const osmium::TagList& tags, CutKind kind);
 
 }  // namespace citykiln::source

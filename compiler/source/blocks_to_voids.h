@@ -1,5 +1,5 @@
-// Removes blocks of broken samples: small groups of heightmap samples that stand far above or below the land on all
-// sides.
+// Removes blocks of broken samples from heightmaps: small groups of samples that stand far above or below the land on
+// all sides.
 #pragma once
 
 #include "compiler/contract/report.h"
@@ -7,27 +7,28 @@
 
 namespace citykiln::source {
 
-/// The largest width and depth of a block in samples.
+/// The largest width and depth of a block, in samples.
 inline constexpr int kLargestBlock = 6;
-/// The number of columns or rows within which other samples can change the result for a sample.
+/// Samples more than this many columns or rows away do not change the result for a sample.
 inline constexpr int kBlockInfluence = kLargestBlock - 1 + 2;
 
 /// Replaces blocks of broken samples by voids. Call it after spikes_to_voids() and before fill_voids().
 ///
-/// A block is a group of samples that
+/// A step is a difference between neighbours of more than 12 m plus twice the sample spacing (32 m at 10 m, 72 m at 30
+/// m). A block is a group of neighbouring samples that
 /// - is at most six columns wide and six rows deep, and does not touch the raster's edge;
-/// - is higher than each sample around it, diagonal ones included, or lower than each, by more than 12 m plus twice the
-///   sample spacing (32 m at 10 m, 72 m at 30 m), so no sample leads up or down to it;
-/// - lies as far above or below the plane through the land around it, two samples wide, everywhere: its largest
-///   distance from that plane is at most one and a half times its smallest;
-/// - stands in calm land: no sample around it is farther from that plane than a quarter of the block's distance.
+/// - is a step higher than each sample around it, diagonal ones included, or a step lower than each; up to a quarter of
+///   its edges may border on voids;
+/// - is even: its distances from a plane fitted to the land around it, two samples wide, are all more than a step, and
+///   the largest is at most one and a half times the smallest;
+/// - stands in calm land: no sample of that land is farther from the plane than a quarter of the smallest distance.
 ///
-/// Guarantees: cliffs, ridges, gorges, walls, wide towers and quarries with a ramp stay, since samples lead out of
-/// them. A tower of rock stays if the samples at its foot are between its height and that of the land, or if its
-/// summit is uneven. A tower with a level summit and sheer walls between two samples on all sides is not told from an
-/// error. Samples change to NaN only. A window gives the same result as the whole raster, except within
-/// kBlockInfluence of its edge. Each block is diagnosed kHeightSpike once, with its distance from the plane. Cannot
-/// fail. Cost: O(samples).
+/// Guarantees: cliffs, ridges, gorges, walls, wide towers and quarries with a ramp stay, since samples lead out of them
+/// without a step. A rock tower stays if the samples at its foot are between its height and that of the land, or if its
+/// summit is uneven; one with a level summit and sheer walls between two samples on all sides is removed like an error.
+/// Samples change to NaN only. A window gives the same result as the whole raster, except within kBlockInfluence of its
+/// edge. Each block is diagnosed once as kHeightSpike, with its largest distance from the plane. Cannot fail. Cost:
+/// O(samples).
 Raster blocks_to_voids(Raster raster, Report& report);
 
 }  // namespace citykiln::source

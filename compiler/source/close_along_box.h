@@ -1,8 +1,9 @@
-// Closes the outline of an area along a box beyond which parts of the outline are missing.
+// Closes the outline of an area that an extract has cut: the lines of the outline outside the extract's box are
+// missing.
 //
-// Lines of the outline lead from side to side of the box. They divide it into two parts, as a map of two colours, and
-// the area is one of them: the even part has the south-western corner of the box, and beyond each line is the other
-// part. Evidence says which.
+// The remaining lines lead from side to side of the box. They divide it into two parts, the even and the odd part, like
+// a map in two colours: each line separates an even piece from an odd one, and the south-western corner is in the even
+// part. One of the parts is the area; votes decide which.
 #pragma once
 
 #include <cstdint>
@@ -14,41 +15,43 @@
 
 namespace citykiln::source {
 
-/// A box on OSM's grid.
+/// A box on OSM's grid of 1e-7 degrees.
 struct LocationBox {
   Location low, high;  ///< The south-western and the north-eastern corner.
 };
 
-/// Returns the box on OSM's grid; nothing for boxes near the poles or 180°, or wider than 20°.
+/// Returns the box rounded to OSM's grid; nothing if it is empty, 20° wide or high, beyond 85° north or south, or
+/// within 0.1° of the meridian of 180°.
 std::optional<LocationBox> location_box(const LonLatBox& box);
 
-/// True if the place is inside the box, not on its sides.
+/// True if a place is inside the box and not on its sides.
 bool is_strictly_inside(const LocationBox& box, Location at);
 
-/// The outline of an area inside a box.
+/// The remaining outline of an area, inside a box.
 struct CutLines {
   LocationBox box;
   std::vector<BrokenLine> rings;  ///< Closed, inside the box.
   std::vector<BrokenLine> lines;  ///< From side to side of the box; only their ends touch it.
 };
 
-/// Joins the lines of an area and cuts them at the box. An end inside the box that is nearer to a side than its last
-/// segment is long (or than 30 m), and than an eighth of the box, is led on to the nearest side.
+/// Joins the lines of an area at common ends and cuts them at the box. A loose end inside the box is extended to the
+/// nearest side, if that is no farther away than its last segment is long (or 30 m, if longer), and than an eighth of
+/// the box's shorter side.
 ///
-/// Nothing is returned if another end is inside the box, if no line is open although a ring is an outer one (the area
-/// needs no closing), or if nothing is inside the box. The order and the directions of lines do not matter.
+/// Returns nothing if another end is inside the box, if all lines are closed and one is an outer ring (the area needs
+/// no closing), or if nothing is inside the box. The order and the directions of lines do not matter.
 std::optional<CutLines> cut_at_box(std::vector<BrokenLine> lines, const LocationBox& box);
 
-/// Tells the two parts of a box from each other.
+/// Tells in which part of a box a place is.
 class PartsOfBox {
  public:
   explicit PartsOfBox(const CutLines& cut);
 
-  /// True if the place, inside the box, is in the odd part. A place on a line is in the part east of it. Exact. Cost:
-  /// the segments at its latitude.
+  /// True if a place inside the box is in the odd part. A place on a line is in the part west of it. Exact. Cost: the
+  /// segments at its latitude.
   bool is_odd(Location at) const;
 
-  /// True if the place is a vertex of a line.
+  /// True if the place is a vertex of a line or ring.
   bool is_vertex(Location at) const;
 
  private:
@@ -63,35 +66,37 @@ class PartsOfBox {
   std::vector<Location> vertices_;  // sorted
 };
 
-/// The votes for the area being the even or the odd part.
+/// The votes for either part being the area.
 struct PartVotes {
   std::int64_t even = 0, odd = 0;
 };
 
-/// Adds `weight` for the part, or, if it is negative, for the other part.
+/// Adds `weight` votes for the part, or, if `weight` is negative, -weight votes for the other part.
 void add_vote(PartVotes& votes, bool is_odd, int weight);
 
-/// Returns the votes of rings: what surrounds an inner ring is in the area, what is inside an outer one too.
+/// Returns the votes of rings inside the box, three each: the part around an inner ring is the area, the part around an
+/// outer ring is not.
 PartVotes votes_of_rings(const CutLines& cut, const PartsOfBox& parts);
 
-/// Returns the votes of inner lines: each cuts off a side on which no outer line ends, and the area is not there.
+/// Returns the votes of inner lines, three each. If outer lines end on one side only of an inner line, the part beside
+/// it on its other side is not the area.
 PartVotes votes_of_inner_lines(const CutLines& cut);
 
-/// The part that has less than a quarter of the box's sides, if there are two lines or more: that of a river that
-/// crosses the box. 1 vote at most.
+/// Returns one vote for a part along less than a quarter of the box's sides, if there are two lines or more: a river
+/// that crosses the box is narrow.
 PartVotes votes_of_river(const CutLines& cut);
 
-/// Returns the rings of the area: the lines, closed along the box widened by kClosedBeyond_m, and the rings inside.
-/// Each ring of the outline is there once; inner ones have the role.
+/// Returns the rings of the area: the lines, joined outside the box along its sides moved out by kClosedBeyond_m, and
+/// the rings inside the box. Each ring occurs once; is_inner is set for inner ones.
 ///
-/// Nothing is returned if it is doubtful which part the area is: if, with the votes of rings and of inner lines, no
-/// part has at least `least` votes and three times those of the other, or if more than a quarter of the rings say the
-/// reverse.
+/// Returns nothing if the votes are not clear. The area is the part with more votes, those of rings and inner lines
+/// added. It needs at least `least` votes and three times those of the other part, and among the votes of rings three
+/// times those of the other part, too.
 std::optional<std::vector<BrokenLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
                                                        const PartVotes& votes, std::int64_t least);
 
-/// Areas are closed this far outside the map's box, as the sea is, which puts the sides out of sight: the extent is
-/// rounded up to cells of 128 m.
+/// The distance outside the map's box at which areas, as well as the sea, are closed. The sides are out of sight there,
+/// since the extent ends less than a cell (128 m) outside the box.
 inline constexpr double kClosedBeyond_m = 512;
 
 }  // namespace citykiln::source

@@ -1,5 +1,5 @@
-// The ways that close an area along the box of its map (close_cut_areas.h). They carry the decision from the whole map
-// to the files of its regions.
+// Closing rings: the ways that close_cut_areas.h adds to close an area along the box of its map. The files of the map's
+// regions contain them, so that a region does not decide again.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace citykiln::source {
 
-/// Ids from here on are those of closing rings; OSM is far from them.
+/// Closing rings have ids from here on. The ids of OSM are far smaller.
 inline constexpr std::int64_t kFirstClosingRing = std::int64_t{1} << 62;
 
-/// The generator in the header of the files of regions, whose areas are not closed again.
+/// The generator in the header of the files of regions. Areas in such files are not closed again.
 inline constexpr const char* kGeneratorOfRegions = "citykiln";
 
-/// True for a ring of a closed area. Such a way is no element of the map.
+/// True for a closing ring, which is no element of OSM.
 inline bool is_closing_ring(const osmium::Way& way) { return way.id() >= kFirstClosingRing; }
 
-/// True for a member that is a ring of a closed area. The area then consists of these members alone.
+/// True for a member that is a closing ring. An area with such members consists of them alone.
 inline bool is_closing_ring(const osmium::RelationMember& member) {
   return member.type() == osmium::item_type::way && member.ref() >= kFirstClosingRing;
 }

@@ -1,5 +1,5 @@
-// Rewrites XML that libosmium cannot read as it is meant: UTF-16; elements that JOSM marks action="delete"; places in
-// the nodes of ways and in the members of relations, as Overpass writes them with `out geom`.
+// Rewrites OSM files in XML that libosmium would not read as intended: text in UTF-16; elements that JOSM marks with
+// action="delete"; coordinates inside ways and members of relations, as Overpass writes them with `out geom`.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,25 @@
 
 namespace citykiln::source {
 
-/// Returns UTF-8 of a text in UTF-16 with a byte order mark, or one whose first character is "<" in two bytes; else
-/// nothing. Halves of pairs without the other half become U+FFFD. An encoding in the XML declaration is left out.
+/// Returns the text in UTF-8 if it is in UTF-16, else nothing. UTF-16 begins with a byte order mark, or with "<" in two
+/// bytes. A surrogate without its other half becomes U+FFFD. The encoding is removed from the XML declaration.
+/// O(bytes).
 std::optional<std::string> utf8_of_utf16(std::string_view bytes);
 
-/// Returns an .osm document of plain elements; nothing if the text is one already.
+/// Returns the document as plain nodes, ways and relations; nothing if it needs no change. It does not validate the
+/// XML.
 ///
-/// - An element with action="delete" has visible="false".
-/// - A node of a way with lat and lon is a node of the document, unless the document contains it.
-/// - A member of a relation with nodes of its own is a way, unless the document contains it. Its nodes have numbers
-/// made
-///   of their places.
-/// - Centres of elements (`out center`) are left out.
+/// - An element with action="delete" gets visible="false".
+/// - A node reference of a way with lat and lon becomes a node, unless the document contains that node.
+/// - A member of a relation with nodes of its own becomes a way, unless the document contains that way. Its nodes get
+///   ids that follow from their coordinates.
+/// - Centres of elements (`out center`) are removed.
+///
 /// The new nodes come before all elements, and the new ways before the relations. O(text).
 std::optional<std::string> mended_elements(std::string_view text);
 
-/// Returns the text to decode instead of the file's; nothing if the file can be decoded as it is, or is no XML. Reads
-/// the file once. Errors: a compressed file that cannot be read.
+/// Reads a file and returns the text to decode instead of it; nothing if the file can be decoded as it is, or is no
+/// XML. Holds the whole text in memory. Errors: a compressed file that cannot be read.
 Result<std::optional<std::string>> mended_xml(const std::string& path, OsmFormat format);
 
 }  // namespace citykiln::source

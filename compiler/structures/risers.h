@@ -1,4 +1,4 @@
-// The steps of stairs whose number is tagged, and handrails.
+// The riser of stairs, the height of one step, from the tagged number of steps; and their handrails.
 #pragma once
 
 #include <span>
@@ -11,13 +11,14 @@
 
 namespace citykiln::structures {
 
-/// The lowest and the highest step that step_count=* may lead to: a garden step, and a ladder-like stair.
+/// The limits of a riser by step_count=*: a garden step, and a stair that is almost a ladder.
 inline constexpr double kLowestRiser_m = 0.06, kHighestRiser_m = 0.3;
 
-/// Returns the roads with Road::handrails and Road::riser_m. step_count=* is the number of steps of the whole way: the
-/// height that it climbs and descends, over the count. A height outside the limits is diagnosed (kStepCountContradicts)
-/// and left at 0. O(length of steps).
+/// Returns the roads; stairs get Road::handrails and Road::riser_m from their track. The riser is the height that the
+/// whole way climbs and descends, divided by step_count=*. It remains 0 (usual steps) if no count is tagged, or if it
+/// is outside the limits, which is diagnosed as kStepCountContradicts. O(length of stairs).
 /// @param tracks  Sorted by id.
+/// @param ground  Heights along the stairs.
 std::vector<roads::Road> with_risers(std::vector<roads::Road> roads, std::span<const map::Track> tracks,
                                      const ground::GradedTerrain& ground, Report& report);
 

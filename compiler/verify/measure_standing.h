@@ -1,4 +1,5 @@
-// Measures whether buildings stand on the ground: their floor is not above it on all sides, and their top not below it.
+// Measures whether buildings stand on the ground. A floor far above the ground on all sides, or a top below the ground,
+// is an error.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +10,29 @@
 
 namespace citykiln::verify {
 
-/// The height of a floor above the highest ground at the walls that does not count: a storey of the building, at least
-/// this. Parts of one building have a common floor, which is less than a storey above the lowest ground of each.
+/// The height that a floor may have above the highest ground at the walls, or a storey of the building if that is more.
+/// Parts of one building have a common floor, which is less than a storey above the lowest ground of each.
 inline constexpr double kFloorAbove_m = 3;
 
 /// A building above or below the ground.
 struct OffGround {
   OsmId building;
-  double off_m = 0;  ///< > 0: its floor above the highest ground at its walls; < 0: its top below the lowest.
-  Vec2 at;           ///< A corner.
+  /// > 0: height of its floor above the highest ground at its walls; < 0: height of its top below the lowest ground
+  /// there.
+  double off_m = 0;
+  Vec2 at;  ///< Its first corner.
 };
 
-/// The buildings of a tile that stand on the ground by their recipes.
+/// The measured buildings of a tile.
 struct Standing {
-  std::uint64_t buildings = 0;
-  std::vector<OffGround> off;  ///< Buildings farther off than allowed.
+  std::uint64_t buildings = 0;  ///< How many were measured.
+  std::vector<OffGround> off;   ///< Buildings farther off the ground than allowed.
 };
 
-/// Measures the buildings whose walls have ground of the tile everywhere, at their corners and in the middle between
-/// them. Roofs down to the ground and treads, which have no storeys, have no floor. O(corners).
-/// @param error_m  The error of the ground.
+/// Measures the buildings that stand on the ground by their recipes. The ground is taken at the corners and the middles
+/// of the edges of the outer ring; a building is left out if the tile has no ground at one of these places. The floor
+/// of buildings without storeys, such as roofs down to the ground and treads, is not measured. O(corners).
+/// @param error_m  The error of the ground, which is allowed in addition.
 Standing measure_standing(const scene::Chunk& chunk, const GroundIndex& ground, double error_m);
 
 }  // namespace citykiln::verify

@@ -1,9 +1,10 @@
-// The land with landforms: retaining walls and cliffs as steps, dykes and dams as ridges, piers as decks above water.
+// The height of the land with landforms: steps (retaining walls, cliffs), ridges (dykes, dams), and decks above water
+// (piers, breakwaters).
 //
-//                 top  _______ terrain        A step moves the land on both sides to the heights of its own top and
-//               ______|      .                foot, at most by its rise, and less from kLandformReach_m / 2 on, so that
-//      terrain .      |                       the land meets the terrain at kLandformReach_m. Within the wall's own
-//      _______________| foot                  thickness the land falls from the top to the foot.
+//                 top  _______ terrain     A step raises the land on its high side to its top, and lowers the land on
+//               ______|      .             its low side to its foot, each by at most its rise (top minus foot). From
+//      terrain .      |                    kLandformReach_m / 2 to kLandformReach_m from the axis this fades to 0.
+//      _______________| foot               Within the wall's thickness the land falls from the top to the foot.
 #pragma once
 
 #include <cstdint>
@@ -17,45 +18,45 @@
 
 namespace citykiln::ground {
 
-/// Landforms with a spatial index. Contains copies of them.
+/// Copies of landforms, with a spatial index.
 struct LandformIndex {
-  /// A segment of a line, or a whole area.
+  /// A segment of an axis, or a whole area.
   struct Piece {
-    std::uint32_t form = 0, segment = 0;  ///< Indices into `forms`, and of the axis' segment; 0 for areas.
+    std::uint32_t form = 0, segment = 0;  ///< Indices into `forms`, and of the segment of its axis; 0 for areas.
   };
   std::vector<Landform> forms;
-  std::vector<std::vector<double>> along_m;  ///< Per form the distance of each vertex along the whole way.
+  std::vector<std::vector<double>> along_m;  ///< For each form the distance of each vertex along the whole way.
   std::vector<Piece> pieces;                 ///< In the order of forms.
-  BoxGrid grid;                              ///< Boxes of the pieces, widened by their influence.
+  BoxGrid grid;  ///< Boxes of `pieces`, widened by the distance at which they change the land.
 };
 
-/// Indexes landforms, which must be sorted by id. O(n).
+/// Indexes landforms, which must be sorted by id. Landforms without a profile change nothing. O(n).
 LandformIndex index_landforms(std::span<const Landform> forms);
 
-/// The side of the nearest step.
+/// The nearest step, as seen from a place.
 struct StepSide {
-  double away_m = 0;  ///< Distance from its axis.
-  double rise_m = 0;  ///< Height of the step.
-  double share = 0;   ///< 1 above the step, 0 below, in between within its thickness.
+  double away_m = 0;  ///< Distance of the place from the axis.
+  double rise_m = 0;  ///< Height of the step; it fades with the distance, and beyond the ends of the axis.
+  double share = 0;   ///< 1 on the high side, 0 on the low side, in between within the wall's thickness.
 };
 
-/// The land at a place.
+/// The land at a place, plane metres.
 struct LandformHeights {
-  double land_m = 0;                                         ///< The terrain with steps and ridges.
-  double deck_m = -std::numeric_limits<double>::infinity();  ///< The land is at least this high, also in water.
+  double land_m = 0;                                         ///< The terrain, changed by steps and ridges.
+  double deck_m = -std::numeric_limits<double>::infinity();  ///< The ground is at least this high, also in water.
   std::optional<StepSide> step{};                            ///< Empty if no step is near.
 };
 
-/// Returns the heights at p.
+/// Returns the heights at p. The land is at terrain_m where no landform is near.
 /// @param terrain_m  The terrain's height at p.
-/// Guarantees: depends on landforms within kLandformReach_m of p only, in the order of their ids, so trimmed recipes
-/// give the same bits; equals terrain_m where there are none. O(pieces near).
+/// Guarantees: depends only on landforms whose edge is within kLandformReach_m of p, in the order of their ids, so
+/// recipes that are trimmed to a tile give the same bits. O(pieces near).
 LandformHeights landform_heights(const LandformIndex& index, Vec2 p, double terrain_m);
 
-/// Returns the height on which things are planned: the land with landforms, at least that of decks.
+/// Returns the height of the ground on which things are planned at p: the land, or the deck if it is higher.
 double with_landforms_m(const LandformIndex& index, Vec2 p, double terrain_m);
 
-/// Returns the slope of a landform's sides, height over distance.
+/// Returns the slope of the sides of a ridge, dam or deck, height over distance.
 double side_slope(LandformKind kind);
 
 }  // namespace citykiln::ground

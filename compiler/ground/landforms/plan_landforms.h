@@ -1,9 +1,12 @@
-// Plans landforms: the heights of tops and feet of retaining walls, cliffs, dykes, dams, piers and breakwaters.
+// Plans landforms: the heights of retaining walls, cliffs, dykes, dams, piers and breakwaters along their axes.
 //
-// - A step's rise is its tagged height, else that of its kind, but never more than the terrain rises between
-//   kLandformReach_m on both sides. Its middle is the mean of both sides.
+// - A step rises by its tagged height, else by that of its kind, but at most as much as the terrain, measured at
+//   kLandformReach_m on both sides. A kind without a height takes the rise that the slopes farther out do not explain.
+//   Halfway up, the step is at the mean height of both sides.
 // - A ridge's crest is its height above the mean of the terrain on both sides.
-// - A deck lies above the highest water near it; without water it is a low ridge.
+// - A dam is level: at its tagged height above the lowest place of its axis, else as high as the lower one of its ends.
+// - A deck is level, above the highest water along it. Without water a line becomes a low ridge, and an area is left
+//   out.
 #pragma once
 
 #include <span>
@@ -19,10 +22,12 @@ namespace citykiln::ground {
 /// Returns the landforms, sorted by id.
 /// @param surfaces  Land cover, with the levels of standing water.
 /// @param streams   Watercourses with their profiles.
+/// @param heights   The terrain.
 ///
 /// Depends on terrain and water within 2 * kLandformReach_m of each place of an axis, and for decks and dams on the
-/// whole object. Reports kPierWithoutWater, and kStepNotInTerrain where a tagged height is more than the terrain rises.
-/// Ledger "ground/landform".
+/// whole object. Steps lower than 0.25 m are left out: a cliff is dropped as kStepNotInTerrain, a retaining wall
+/// remains a wall. Reports kPierWithoutWater, and kStepLowered where the terrain rises over 1 m less than a tagged
+/// height. Ledger "ground/landform".
 std::vector<Landform> plan_landforms(const map::Features& features, std::span<const LandCoverPolygon> surfaces,
                                      std::span<const roads::Strip> streams, const map::Heightfield& heights,
                                      Report& report);

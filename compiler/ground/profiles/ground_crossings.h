@@ -1,4 +1,5 @@
-// Ground crossings: places where two ways on the ground cross without a common node, and the steps in the ground there.
+// Ground crossings: places where two ways on the ground cross without a common node. Their heights should be equal
+// there, since the ground has one height at each place.
 #pragma once
 
 #include <span>
@@ -11,22 +12,23 @@ namespace citykiln::ground {
 
 /// A place where two ways cross.
 struct GroundCrossing {
-  Vec2 at;
+  Vec2 at;                                 ///< Plane metres.
   std::uint32_t first = 0, second = 0;     ///< Indices of the ways; first < second.
-  double first_at_m = 0, second_at_m = 0;  ///< Distances along them.
+  double first_at_m = 0, second_at_m = 0;  ///< Distances along them, from their first points.
 };
 
-/// Returns the places where axes of ways on the ground cross. Segments that share a vertex do not cross; ways inside
-/// buildings are left out. Sorted by place, then ways. O(n log n) in segments.
-/// @param ways  The ways of a graph; lines that leave the ground are skipped.
+/// Returns the places where axes of ways on the ground cross, sorted by place, then ways. Segments that share a vertex
+/// do not cross. Bridges, tunnels and indoor ways are skipped. O(n log n) in segments.
+/// @param ways  ProfileGraph::ways.
 std::vector<GroundCrossing> ground_crossings(std::span<const GraphWay> ways);
 
-/// Smaller steps are not diagnosed: roads that blend hide them.
+/// The largest difference in height that is not diagnosed: the ground between the roads hides it.
 inline constexpr double kSmallStep_m = 0.5;
 
-/// Diagnoses kStepAtCrossing for pairs of ways whose heights differ where they cross, with their largest step.
+/// Diagnoses kStepAtCrossing once for each pair of ways whose heights differ by more than kSmallStep_m where they
+/// cross, with their largest difference.
 /// @param crossings  Result of ground_crossings().
-/// @param z_m        Planned heights by node.
+/// @param z_m        Planned height of each node of the graph.
 void diagnose_steps(const ProfileGraph& graph, std::span<const GroundCrossing> crossings, std::span<const double> z_m,
                     Report& report);
 

@@ -1,4 +1,4 @@
-// Shells: walls without a roof, for ruins and for buildings under construction.
+// Shells: buildings of which only walls stand, without a roof: ruins, and buildings under construction.
 #pragma once
 
 #include "compiler/map/features.h"
@@ -8,12 +8,14 @@ namespace citykiln::map {
 /// The thickness of a shell's walls, in metres.
 inline constexpr double kShellWall_m = 0.5;
 
-/// Returns a polygon of the walls along the outer ring of a footprint, open inside. A polygon that has holes, or is too
-/// narrow for two walls and a room of 2 m² between them, is returned unchanged.
+/// Returns the area of the walls along the outer ring of a footprint; the room inside is a hole. A polygon is returned
+/// unchanged if it has holes, or if it leaves no single room of at least 2 m² between the walls.
 Polygon shell_walls(const Polygon& polygon);
 
-/// Makes a footprint a shell: without a roof, without windows, of bare material unless one is tagged.
-/// @param is_ruin  True for a ruin: one storey high unless a height is tagged.
+/// Changes a footprint's tags into those of a shell: without a roof shape, without windows, of stone (ruin) or concrete
+/// unless a wall material is tagged. Its polygon stays unchanged (shell_walls()).
+/// @param is_ruin           True for a ruin, false for a building under construction.
+/// @param is_height_tagged  True if the height is tagged; else a ruin becomes one storey (3 m) high.
 void make_shell(bool is_ruin, bool is_height_tagged, Footprint& footprint);
 
 }  // namespace citykiln::map

@@ -1,8 +1,8 @@
-// Divides steps that are mapped as an area (building:part=steps) into treads.
+// Divides steps that are mapped as an area (building:part=steps) into treads, the level tops of single steps.
 //
 //              __
 //           __|      each tread is a footprint of its own, with a level top
-//     roof |         down the roof:direction
+//     roof |         they descend in the direction of roof:direction
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,14 @@
 
 namespace citykiln::map {
 
-/// Replaces footprints of steps by their treads, which are counted as split.
+/// Replaces footprints of steps by their treads. Added footprints count as split in `account`.
 ///
-/// They rise by roof:height, else by the whole height; without both, as far as steps of usual form do on their length.
-/// They descend in roof:direction, else away from the middle of their outline, at right angles to an edge. The result
-/// does not depend on the order of the footprints.
-/// @param outlines  part_outlines() of the first footprints; those after them are no steps.
+/// The treads rise by roof:height, else by the whole height; if neither is tagged, by 0.17 m per 0.3 m of length. They
+/// descend in roof:direction, else at right angles to the edge that faces away from the middle of the building's
+/// outline. There are at most 100, each at least 0.125 m deep. The result does not depend on the order of the
+/// footprints.
+/// @param outlines  part_outlines() of the first footprints. Later footprints stay unchanged.
+/// @param report    Decides which objects are counted.
 std::vector<Footprint> with_treads(std::vector<Footprint> footprints, std::span<const std::uint32_t> outlines,
                                    Account& account, Report& report);
 

@@ -1,10 +1,11 @@
-// Lane changes: where a street goes on with other lanes, the lanes of either side lead to each other.
+// Lane changes: where one street continues another with different lanes, the lane lines of one lead to those of the
+// other.
 //
-//     ______________......-----------   1. lanes of both sides that go on are matched, those of one direction with
-//     - - - - - - - - - - - - - - - -      each other
-//     ____________                      2. along the taper the side with fewer lanes leads its lines to those of
-//                 ```````- - - - - - -     the other
-//                        ------------   3. lanes that are added or end have their lines only on the other side
+//     ______________......-----------   1. lanes that continue on the other side are matched, each with one of the
+//     - - - - - - - - - - - - - - - -      same direction
+//     ____________                      2. between the junction's cut and the node, the side with fewer lanes leads its
+//                 ```````- - - - - -       lines to those of the other
+//                        ------------   3. lanes that begin or end have lines only on the side with more lanes
 #pragma once
 
 #include <span>
@@ -16,21 +17,22 @@ namespace citykiln::roads {
 
 /// The part of a road, from a node to the cut of its junction, along which its lanes lead to those of the next road.
 struct LaneChange {
-  double node_m = 0, cut_m = 0;   ///< Distances along the way.
-  std::vector<double> offsets_m;  ///< The edges of all its lanes at the node, left to right: offsets from the axis, to
-                                  ///< the left positive.
-  /// The share of the way to offsets_m that edges have gone at a distance along the way: 0 at the cut and beyond the
-  /// change, 1 at the node.
+  double node_m = 0, cut_m = 0;  ///< Distances along the whole way.
+  /// The edges of all its lanes at the node, left to right as seen along the way: distances from the axis, positive to
+  /// the left.
+  std::vector<double> offsets_m;
+  /// Returns how far edges have moved from their usual place (0) to offsets_m (1) at a distance along the way: 0 at the
+  /// cut, 1 at the node, linear in between; 0 outside the change.
   double share_at(double along_m) const;
 };
 
-/// True if two streets continue each other at this junction with other lanes, so that the pieces of both roads cover
-/// it. An arm is a road that leaves the junction.
+/// True if a junction only joins two streets that continue each other, so that the roads' own pieces cover it. An arm
+/// is a road that leaves the junction.
 /// @param arms  The entry of arms_of() for this junction.
 bool is_lane_change(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
 
-/// Returns the changes of each road, at most one at each end. At the node the carriageways of both roads have the same
-/// edges, and matched lanes of equal number have the same lines. O(n log n) in vertices, O(lanes²) a change.
+/// Returns the lane changes of each road, at most one at each end. At the node the carriageways of both roads have the
+/// same outer edges, and lines between matched lanes meet. O(n log n) in vertices, O(lanes²) for each change.
 std::vector<std::vector<LaneChange>> lane_changes_of(std::span<const Road> roads, std::span<const Junction> junctions);
 
 }  // namespace citykiln::roads
