@@ -102,18 +102,29 @@ struct Mouth {
   Vec2 at, out;
 };
 
-// How far the opening has to go on until both of its sides are outside the walls. Nothing but its margin if a wall
-// runs along the way: that end is inside.
+// How far the walls go on before a mouth, along a line beside the axis.
+double wall_ahead_m(const Mouth& mouth, double side_m, double most_m, const Polygon& polygon) {
+  const Vec2 from = mouth.at + left_of(mouth.out) * side_m;
+  double wall_m = 0;
+  for (double at_m = kStepOut_m; at_m <= most_m && at_m <= wall_m + kBeyondWall_m; at_m += kStepOut_m)
+    if (contains(polygon, from + mouth.out * at_m)) wall_m = at_m;
+  return wall_m;
+}
+
+// How far the opening has to go on until it is outside the walls across all its width; corners of the building that
+// stand in it count, too. Nothing but its margin if a wall runs along the way: that end is inside.
 double overrun_m(const Mouth& mouth, const Sides& sides, const Polygon& polygon) {
-  const double most_m = 2 * (sides.left_m + sides.right_m) + kBeyondWall_m;
-  const Vec2 left = left_of(mouth.out);
+  constexpr int kLines = 8;
+  const double width_m = sides.left_m + sides.right_m, most_m = 2 * width_m + kBeyondWall_m;
   double clear_m = 0;
-  for (const double side_m : {-sides.right_m, 0.0, sides.left_m})
-    for (double at_m = kStepOut_m; at_m <= most_m; at_m += kStepOut_m)
-      if (contains(polygon, mouth.at + left * side_m + mouth.out * at_m))
-        clear_m = std::max(clear_m, at_m);
-      else if (at_m > clear_m + kBeyondWall_m)
-        break;
+  for (int i = 0; i <= kLines; ++i)
+    clear_m = std::max(clear_m, wall_ahead_m(mouth, width_m * i / kLines - sides.right_m, most_m, polygon));
+  const double reach_m = clear_m + kBeyondWall_m;
+  for (const Ring* ring : rings_of(polygon))
+    for (const Vec2 corner : *ring) {
+      const double ahead_m = dot(mouth.out, corner - mouth.at), side_m = dot(left_of(mouth.out), corner - mouth.at);
+      if (side_m > -sides.right_m && side_m < sides.left_m && ahead_m < reach_m) clear_m = std::max(clear_m, ahead_m);
+    }
   return clear_m + kBeyondWall_m;
 }
 

@@ -85,6 +85,8 @@ class Tiles:
         ids = glb.osm_ids()
         at = glb.gltf["nodes"][0]["translation"]
         for node in glb.gltf["nodes"][1:]:
+            if "mesh" not in node:
+                continue
             for primitive in glb.gltf["meshes"][node["mesh"]]["primitives"]:
                 attributes = primitive["attributes"]
                 if "_FEATURE_ID_0" not in attributes:

@@ -43,6 +43,14 @@ TEST(Passageways, AnObliqueOneContinuesUntilBothSidesAreOutside) {
   EXPECT_GT(all[0].axis.back().y, 13.4);
 }
 
+TEST(Passageways, OneBesideACornerContinuesPastIt) {
+  // the corner at 0:0 stands in the opening, between its axis and its left side
+  const auto all = passageways_of(kHouse + "w2 1:0.5 4:12 highway=service tunnel=building_passage width=4");
+  ASSERT_EQ(all.size(), 1u);
+  const Vec2 along = unit(all[0].axis.back() - all[0].axis.front());
+  EXPECT_GT(dot(along, Vec2{0, 0} - all[0].axis.front()), 0.25);
+}
+
 TEST(Passageways, EachHouseOfARowHasOne) {
   const auto all = passageways_of(kHouse + "a3 0:12 40:12 40:24 0:24 building=house height=9\n" +
                                   "w2 12:-1 24:25 highway=service tunnel=building_passage");
