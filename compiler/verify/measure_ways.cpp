@@ -154,9 +154,12 @@ struct BoxMaker {
             opening_at(building, box.way, box.from, box.from + box.along * box.length_m)) {
       const double highest_m = std::max(box.low_m, box.low_m + box.rise * box.length_m);
       box.is_in_opening = true;
+      // an opening that ends inside has a wall at its end
+      box.from = box.from + box.along * kBesideBox_m, box.low_m += box.rise * kBesideBox_m;
+      box.length_m -= 2 * kBesideBox_m;
       box.height_m = std::min(box.height_m, opening->top_m - kBesideBox_m - highest_m);
     }
-    if (box.height_m > 0 && box.left_m + box.right_m > 0) boxes.push_back(box);
+    if (box.length_m > 0 && box.height_m > 0 && box.left_m + box.right_m > 0) boxes.push_back(box);
   }
 };
 

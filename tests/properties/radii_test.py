@@ -20,7 +20,7 @@ TABLE = (ROOT / "compiler" / "regions" / "radii.h").read_text()
 # what reaches no farther than a chunk holds, and is compared with the table only
 WITHIN_CHUNK = {"woods", "plants' obstacles", "pieces of roads"}
 # unit tests: FitAssumedWidths.WaysBeyondTheRadiusStay, ProfileKnots.DependOnNoHeightsBeyondAStretch
-UNIT_TESTED = {"assumed widths", "knots"}
+UNIT_TESTED = {"assumed widths", "knots", "transitions of lanes"}
 # smoothed afterwards, so that they reach farther by the radius of profiles; the halo of a region is the sum
 SMOOTHED = {"bridges and tunnels"}
 # sums of the farthest that each of several steps reaches: no one thing was found that all of them carry on
