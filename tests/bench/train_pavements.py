@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Measures where streets have pavements, and prints the scores of compiler/assume/pavements.inc. By hand, needs osmium-tool and numpy:
 
-    tests/bench/train_pavements.py [--lamps]
+    tests/bench/train_pavements.py [--cache | --lamps]
+
+--cache keeps the facts of all sides in /tmp; --lamps prints spacings of mapped street lamps instead.
 
 A side of a stretch of street (at most 256 m) counts as "there" if its tags give it a pavement or say that it is mapped separately, and as
 "none" if they say no; silent sides are left out. The score of a side is the sum of rows: class of road, land use 20 m beside the axis, the
@@ -9,7 +11,6 @@ share of the side along which buildings stand within 40 m, what is mapped beside
 the rounded weight of a logistic regression in which both kinds of sides count alike in each place. Errors are balanced: the mean of the
 share of wrong sides among those that have a pavement and among those that have none; each place is left out in turn.
 """
-import gzip
 import json
 import math
 import subprocess
@@ -124,7 +125,7 @@ def land_use(tags):
 
 
 class Place:
-    def __init__(self, path):
+    def __init__(self, path, has_rasters=True):
         self.osm_nodes, self.points, self.ways, relations = read_osm(path)
         at = np.array(list(self.osm_nodes.values()))
         middle = np.median(at, axis=0)
@@ -132,6 +133,12 @@ class Place:
         self.middle, self.scale = middle, scale
         near = {k: (np.array(v) - middle) * scale for k, v in self.osm_nodes.items()}
         self.nodes = {k: v for k, v in near.items() if np.abs(v).max() < 4000}
+        self.streets = {way_id: (self.line_of(refs), tags) for way_id, (refs, tags) in self.ways.items()
+                        if tags.get("highway", "").removesuffix("_link") in STREETS and len(self.line_of(refs)) > 1}
+        if has_rasters:
+            self.draw(relations)
+
+    def draw(self, relations):
         used = np.array(list(self.nodes.values()))
         least, most = used.min(axis=0) - 50, used.max(axis=0) + 50
         self.land, self.houses, self.paths = (Raster(least, most) for _ in range(3))
@@ -159,13 +166,8 @@ class Place:
         box = lambda line: np.prod(line.max(axis=0) - line.min(axis=0))
         for line, kind in sorted(areas, key=lambda area: -box(area[0])):
             self.land.fill(line, LAND_NAMES.index(kind))
-        self.streets = {}
-        for way_id, (refs, tags) in self.ways.items():
-            kind = tags.get("highway", "").removesuffix("_link")
-            line = self.line_of(refs)
-            if kind in STREETS and len(line) > 1:
-                self.streets[way_id] = (line, tags)
-                self.roads.draw(line, int(way_id) % 1000003 + 1)
+        for way_id, (line, _) in self.streets.items():
+            self.roads.draw(line, int(way_id) % 1000003 + 1)
         self.direction = {int(w) % 1000003 + 1: (line, tags) for w, (line, tags) in self.streets.items()}
 
     def line_of(self, refs):
@@ -264,12 +266,14 @@ def facts(row):
     return np.array([name in held for name in FEATURES], float)
 
 
-def fit(rows, weights, steps=3000, ridge=0.003):
+def fit(rows, weights, steps=12, ridge=0.003):
+    """The weights of a logistic regression, by Newton's method."""
     x, y = np.array([facts(r) for r in rows]), np.array([r["there"] for r in rows], float)
-    w = np.zeros(x.shape[1])
+    share, w = weights / weights.sum(), np.zeros(x.shape[1])
     for _ in range(steps):
         p = 1 / (1 + np.exp(-x @ w))
-        w -= 2.0 * (x.T @ ((p - y) * weights) / weights.sum() + ridge * w)
+        slope = x.T @ ((y - p) * share) - ridge * w
+        w += np.linalg.solve((x * (p * (1 - p) * share)[:, None]).T @ x + ridge * np.eye(len(w)), slope)
     return w
 
 
@@ -317,7 +321,50 @@ def show(name, rows, guesses):
     print(f"  {name:24} balanced error {100 * (yes + no) / 2:5.1f} %   there {100 * yes:5.1f} %   none {100 * no:5.1f} %")
 
 
+LIT_WITHIN_M, LONG_M = 16, 80
+
+
+def lamps_beside(place, line, lamps):
+    """For each mapped lamp beside a line: the distance along it and the offset to the left."""
+    found, along_m = [], 0
+    for a, b in zip(line[:-1], line[1:]):
+        length = np.hypot(*(b - a))
+        unit = (b - a) / max(length, 1e-9)
+        near = lamps - a
+        t, off = near @ unit, near @ np.array([-unit[1], unit[0]])
+        for k in np.flatnonzero((t >= 0) & (t < length) & (np.abs(off) < LIT_WITHIN_M)):
+            found.append((along_m + t[k], off[k]))
+        along_m += length
+    return sorted(found), along_m
+
+
+def print_lamps():
+    """Mapped lamps along ways of 80 m or more that have at least three: lamps a kilometre, median spacing, sides, offset from the axis; and
+    which streets are tagged as lit."""
+    for name, path in LAMP_PLACES.items():
+        place = Place(DATA / path, has_rasters=False)
+        lamps = np.array([place.nodes[ref] for ref, tags in place.points if tags.get("highway") == "street_lamp" and ref in place.nodes])
+        print(f"{name}: {len(lamps)} lamps, {len(place.streets)} streets")
+        by_class, lit = defaultdict(list), defaultdict(Counter)
+        for line, tags in place.streets.values():
+            kind = tags["highway"]
+            lit[kind][tags.get("lit", "silent") if tags.get("lit") in (None, "yes", "no") else "yes"] += 1
+            found, long_m = lamps_beside(place, line, lamps) if len(lamps) else ([], 0)
+            if long_m >= LONG_M and len(found) >= 3:
+                gaps = np.diff([along for along, _ in found])
+                lefts = sum(off > 0 for _, off in found) / len(found)
+                by_class[kind].append((long_m, len(found), np.median(gaps[gaps > 4]) if (gaps > 4).any() else 0, min(lefts, 1 - lefts),
+                                       np.median([abs(off) for _, off in found])))
+        for kind, ways in sorted(by_class.items()):
+            w = np.array(ways)
+            print(f"  {kind:14} {len(ways):3} ways  {1000 * w[:, 1].sum() / w[:, 0].sum():5.1f} lamps a km  spacing {np.median(w[:, 2]):5.1f} m  "
+                  f"on the lesser side {100 * np.median(w[:, 3]):3.0f} %  from the axis {np.median(w[:, 4]):4.1f} m")
+        print("  lit:", {kind: dict(counts) for kind, counts in lit.items()})
+
+
 def main():
+    if "--lamps" in sys.argv:
+        return print_lamps()
     cache = Path("/tmp/train_pavements.json") if "--cache" in sys.argv else None
     if cache and cache.exists():
         rows = json.loads(cache.read_text())
