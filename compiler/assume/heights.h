@@ -68,8 +68,8 @@ HeightIndex index_heights(const map::Features& features);
 Storeys storeys_of(std::uint32_t entry, const HeightIndex& index,
                    const std::function<bool(std::uint32_t entry)>& is_known = {});
 
-/// True for buildings whose storeys are assumed where no tag states a height. Others, such as garages, roofs and towers,
-/// keep the height of their class.
+/// True for buildings whose storeys are assumed where no tag states a height. Others, such as garages, roofs and
+/// towers, keep the height of their class.
 bool has_assumed_storeys(map::BuildingClass building_class);
 
 /// Sets the storeys of all buildings without tagged height or levels, as building:levels would, and those of the parts

@@ -14,26 +14,25 @@ without it, with less weight, since most maps say building=yes.
 import argparse
 import collections
 import math
-import pickle
-import pathlib
 
 import building_data as data
 
 # classes whose storeys are assumed; the others keep the heights of building_classes.inc
 CLASSES = ("kPlain", "kHouse", "kApartments", "kOffice", "kShop", "kHall", "kBarn", "kCivic", "kHotel", "kSchool", "kHospital")
-GROUPS = ("kCentralEurope", "kSouthernEurope", "kNorthernEurope", "kBritishIsles", "kNorthAmerica", "kJapan")
+GROUPS = ("kCentralEurope", "kSouthernEurope", "kBritishIsles", "kNorthAmerica", "kJapan")
+# measured_group() of heights.cpp: groups with too few tagged buildings of their own
+MEASURED_GROUP = {"kNorthernEurope": "kCentralEurope"}
 USES = ("kNoUse", "kHomes", "kTrade", "kIndustry", "kCountry")
 SETS = {"cls": CLASSES, "group": GROUPS, "use": USES}
 BANDS = {
     "area": (20, 30, 40, 55, 70, 90, 115, 150, 200, 260, 350, 500, 700, 1000, 1500, 2500),
-    "row_area": (),
     "touching": (1, 2),
     "built": (0.05, 0.08, 0.11, 0.14, 0.17, 0.20, 0.24, 0.28, 0.32, 0.37, 0.42, 0.48, 0.55),
     "mean_area": (40, 60, 80, 100, 130, 160, 200, 250, 320, 400, 550, 800, 1200),
     "shops": (1, 3, 6, 12, 25),
     "row_share": (0.1, 0.25, 0.5, 0.75, 0.9),
 }
-FEATURES = [*SETS, *(name for name, bands in BANDS.items() if bands)]
+FEATURES = [*SETS, *BANDS]
 LEAVES = 24
 # the least buildings on either side of a split, and the least places that have kFew of them, so that no leaf describes a single place
 LEAST, LEAST_PLACES, FEW = 25, 3, 4
@@ -67,7 +66,8 @@ def codes_of(b, cls=None):
     codes = []
     for name in FEATURES:
         if name in SETS:
-            codes.append(SETS[name].index(cls if name == "cls" and cls else getattr(b, name)))
+            value = cls if name == "cls" and cls else getattr(b, name)
+            codes.append(SETS[name].index(MEASURED_GROUP.get(value, value)))
         else:
             codes.append(sum(1 for band in BANDS[name] if getattr(b, name) >= band))
     return codes
@@ -160,7 +160,7 @@ PUBLISHED = (
     ("kSouthernEurope", 0.14, 120, 0, (75, 95, 120, 160), ((1, 35), (2, 55), (3, 10))),
     ("kBritishIsles", 0.16, 80, 1, (45, 60, 80, 110), ((1, 10), (2, 85), (3, 5))),
 )
-PUBLISHED_WEIGHT = 4.0
+PUBLISHED_WEIGHT = 10.0
 
 
 def published_samples():
@@ -231,23 +231,20 @@ def leaf_of(root, b):
 
 
 # ---- blending with tagged neighbours --------------------------------------------------------------------------------
-NEIGHBOURS_M, HALF_M, PRIOR = 200, 40, 2.0
-OTHER_CLASS, TOUCHING = 0.35, 3.0
+# as in heights.cpp
+NEIGHBOURS_M, TABLE, HALF_M, OTHER_CLASS, TOUCHING = 200, 0.3, 60, 0.4, 2
 
 
 def likeness(b, o):
     """The weight of a tagged neighbour: by distance, class, size, and whether the two touch."""
-    d = math.dist(b.at, o.at) / HALF_M
+    far = math.dist(b.at, o.at) / HALF_M
     size = min(b.area, o.area) / max(b.area, o.area)
-    return size * (1 if b.cls == o.cls else OTHER_CLASS) * (TOUCHING if o in b.mates else 1) / (1 + d * d)
+    return size * (1 if b.cls == o.cls else OTHER_CLASS) * (TOUCHING if o in b.mates else 1) / (1 + far * far)
 
 
-def guess(b, root, neighbours):
+def guess(b, table, neighbours):
     """Quartiles of the storeys, blended."""
-    own = leaf_of(root, b).quartiles
-    votes = [(own[0], PRIOR / 4), (own[1], PRIOR / 2), (own[2], PRIOR / 4)]
-    for o in neighbours:
-        votes.append((max(1, math.floor(o.storeys * math.sqrt(own[1] / o.expected) + 0.5)), likeness(b, o)))
+    votes = [(table[0], TABLE / 4), (table[1], TABLE / 2), (table[2], TABLE / 4)] + [(o.storeys, likeness(b, o)) for o in neighbours]
     return [weighted_quantile(votes, q) for q in (0.25, 0.5, 0.75)]
 
 
@@ -284,14 +281,14 @@ def errors_of(place, known, root, constants):
     rows = collections.defaultdict(list)
     grid = data.Grid(100)
     for b in known:
-        b.storeys, b.expected = true_storeys(b), leaf_of(root, b).quartiles[1]
+        b.storeys = true_storeys(b)
         grid.add(data.about(b.at, 0), b)
     for b in known:
         truth, constant = true_m(b), constants.get(b.cls, constants[None])
         own = leaf_of(root, b).quartiles
         near = neighbours_of(b, grid, block(b))
         mean = sum(true_m(o) for o in near) / len(near) if near else constant
-        blended = guess(b, root, near)
+        blended = guess(b, own, near)
         rows["today"].append(abs(today_m(b) - truth))
         rows["constant"].append(abs(constant - truth))
         rows["table"].append(abs(total_m(b, own[1]) - truth))
@@ -344,6 +341,42 @@ def leaves_of(node, limits):
     yield from leaves_of(node.right, {**limits, f: held - codes})
 
 
+def conditions(limits):
+    """The limits of a leaf as initializers of StoreyConditions (heights.cpp)."""
+    parts, short = [], {"cls": "classes", "group": "groups", "use": "uses"}
+    for f, name in enumerate(FEATURES):
+        codes = limits.get(f)
+        if codes is None:
+            continue
+        if name in SETS:
+            if len(codes) < len(SETS[name]):
+                parts.append(f".{short[name]} = " + " | ".join(SETS[name][c] for c in sorted(codes)))
+            continue
+        if min(codes) > 0:
+            parts.append(f".{name}_from = {BANDS[name][min(codes) - 1]:g}")
+        if max(codes) < len(BANDS[name]):
+            parts.append(f".{name}_to = {BANDS[name][max(codes)]:g}")
+    return ", ".join(parts)
+
+
+def write(root):
+    rows = []
+    for limits, leaf in leaves_of(root, {}):
+        real = [s for s in leaf.samples if not s[3].startswith("published")]
+        low, middle, high = leaf.quartiles
+        text = conditions(limits)
+        rows.append(((middle, high, low), f"STOREYS({low}, {middle}, {high}, {len(real)}, {len({s[3] for s in real})}, {text})"))
+    path = data.ROOM / "assume" / "storeys.inc"
+    path.write_text(HEADER + "\n".join(row for _, row in sorted(rows)) + "\n")
+
+
+HEADER = """// Written by tests/bench/train_heights.py: do not edit.
+// STOREYS(lower quartile, median, upper quartile of the storeys, tagged buildings behind the row, their places, conditions…): storeys of buildings,
+// measured on the tagged buildings of the places that assumptions.md lists, and for single houses on surveys of dwellings. The rows do not
+// overlap. area, mean_area: m²; touching, shops: counts; built, row_share: shares. Conditions that are not named hold for all.
+"""
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder")
@@ -351,6 +384,8 @@ def main():
     args = parser.parse_args()
     places = {place: tagged(data.read(args.folder, place)) for place in data.PLACES}
     measure(places)
+    if args.write:
+        write(fit([b for known in places.values() for b in known]))
 
 
 if __name__ == "__main__":
