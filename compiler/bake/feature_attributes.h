@@ -23,8 +23,8 @@ struct FeatureAttributes {
 };
 
 /// Returns the attributes of each feature. An element with several recipes has the greatest height, all their
-/// assumptions, and the class of the first one in this order: building, bridge or tunnel, road, watercourse, barrier, plant, lamp, land. O(n log n)
-/// in the recipes.
+/// assumptions, and the class of the first one in this order: building, bridge or tunnel, road, watercourse, barrier,
+/// plant, lamp, land. O(n log n) in the recipes.
 /// @param features  Sorted.
 std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features);
 

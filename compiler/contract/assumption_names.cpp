@@ -5,7 +5,8 @@ namespace citykiln {
 std::vector<std::string> names_in(Assumptions set) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < static_cast<std::size_t>(Assumption::kCount); ++i)
-    if (const auto assumption = static_cast<Assumption>(i); has(set, assumption)) names.emplace_back(name_of(assumption));
+    if (const auto assumption = static_cast<Assumption>(i); has(set, assumption))
+      names.emplace_back(name_of(assumption));
   return names;
 }
 
