@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "compiler/assume/assume.h"
 #include "compiler/buildings/plan.h"
 #include "compiler/ground/landforms/plan_landforms.h"
 #include "compiler/ground/profiles/plan_profiles.h"
@@ -54,6 +55,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // plan roads, land cover and their heights
   timer.enter("roads");
+  features = assume::assume(std::move(features), {spec.assume, spec.seed}, report);
   features.tracks = roads::fit_assumed_widths(features);
   features.passageways = map::plan_passageways(features, report);
   recipes.roads = roads::plan(features, report);

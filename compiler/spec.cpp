@@ -200,6 +200,32 @@ Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+/// Returns the names of all assumptions: "pavements, lamps and heights".
+std::string assumption_names() {
+  std::string names;
+  const auto count = static_cast<std::size_t>(Assumption::kCount);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) names += i + 1 == count ? " or " : ", ";
+    names += name_of(static_cast<Assumption>(i));
+  }
+  return names;
+}
+
+Result<Done> set_assume(CompileSpec& spec, std::string_view text) {
+  if (text == "all" || text == "none") {
+    spec.assume = text == "all" ? kAllAssumptions : kNoAssumptions;
+    return Done{};
+  }
+  Assumptions set = kNoAssumptions;
+  for (const std::string_view name : split(text, ',')) {
+    const std::optional<Assumption> assumption = assumption_named(name);
+    if (!assumption) return expected("all, none, or names among " + assumption_names(), text);
+    set |= bit_of(*assumption);
+  }
+  spec.assume = set;
+  return Done{};
+}
+
 Result<Done> set_time(CompileSpec& spec, std::string_view text) {
   // any place will do: parsing does not depend on it
   const Result<sky::Sky> sky = sky::plan({}, std::string(text));
@@ -333,6 +359,7 @@ constexpr Setting kSettings[] = {
      "the N brightest street lamps of each tile are lights of .glb (KHR_lights_punctual) and USD (UsdLux) files, at "
      "any time (default: {})",
      false, set_lights, [](const CompileSpec& spec) { return fmt::format("{}", spec.outputs.lights); }},
+    {"assume", "all|none|NAME,...", "what is assumed where the map is silent (default: all)", false, set_assume},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
     {"time", "ISO",
      "date and time of the sky in UTC, or with an offset from it, such as 2026-06-21T20:30+02:00 (default: midsummer, "

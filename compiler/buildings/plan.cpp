@@ -355,7 +355,9 @@ Planned plan_building(std::size_t i, const Site& site, Report& report) {
                     .roof_shape = roof,
                     .building_class = footprint.building_class,
                     .year = footprint.year,
-                    .has_shop = footprint.has_shop};
+                    .has_shop = footprint.has_shop,
+                    .country = footprint.country,
+                    .assumed = footprint.assumed};
   building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(from_m, under.lowest_m) - kFoundation_m);
   building.roof_shape.height_m = std::min(roof.height_m, building.top_m - building.floor_m);
   const std::span<const map::Passageway> passageways = passageways_in(footprint.id, site.passageways);

@@ -63,6 +63,7 @@ Account& Report::account(std::string_view stage, std::string_view kind) {
 
 void Report::append(const Report& other) {
   diagnoses_.insert(diagnoses_.end(), other.diagnoses_.begin(), other.diagnoses_.end());
+  for (std::size_t i = 0; i < assumed_.size(); ++i) assumed_[i] += other.assumed_[i];
   for (const auto& [name, theirs] : other.ledger_) {
     Account& ours = ledger_[name];
     ours.in += theirs.in;

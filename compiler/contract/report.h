@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/contract/assumption.h"
 #include "compiler/contract/stable_id.h"
 
 namespace citykiln {
@@ -94,6 +95,13 @@ class Report {
   /// as long as the report.
   Account& account(std::string_view stage, std::string_view kind);
 
+  /// Counts an object of which something is assumed.
+  void count_assumed(Assumption assumption, OsmId object) {
+    if (counts(object)) ++assumed_[static_cast<std::size_t>(assumption)];
+  }
+  /// Returns the number of objects of which this is assumed.
+  std::uint64_t assumed(Assumption assumption) const { return assumed_[static_cast<std::size_t>(assumption)]; }
+
   /// Appends the diagnoses and adds the counts of another report.
   void append(const Report& other);
 
@@ -114,6 +122,7 @@ class Report {
   std::vector<Diagnosis> diagnoses_;
   std::optional<std::vector<OsmId>> limit_;
   std::map<std::string, Account, std::less<>> ledger_;
+  std::array<std::uint64_t, static_cast<std::size_t>(Assumption::kCount)> assumed_{};
 };
 
 }  // namespace citykiln

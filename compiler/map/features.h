@@ -8,8 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/contract/assumption.h"
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
+#include "compiler/map/country_group.h"
 #include "compiler/map/cross_section.h"
 #include "compiler/map/element_text.h"
 #include "compiler/map/front_tags.h"
@@ -84,6 +86,8 @@ struct Track {
   bool is_transition = false;         ///< True for placement=transition.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.
+  CountryGroup country{};             ///< Of its first node.
+  Assumptions assumed = kNoAssumptions;  ///< What is assumed of it.
 };
 
 /// The outline of a building, or of a building part.
@@ -106,9 +110,11 @@ struct Footprint {
   roofs::RoofShape roof;            ///< The tagged values, levels as height; no overhang.
   std::optional<Srgb> wall_colour, roof_colour;
   std::optional<materials::Material> wall_material, roof_material;
-  std::uint8_t building_class = 0;  ///< A BuildingClass.
-  std::uint16_t year = 0;           ///< The year in which construction began; 0: unknown.
-  bool has_shop = false;            ///< True if something is sold or served in it.
+  std::uint8_t building_class = 0;       ///< A BuildingClass.
+  std::uint16_t year = 0;                ///< The year in which construction began; 0: unknown.
+  bool has_shop = false;                 ///< True if something is sold or served in it.
+  CountryGroup country{};                ///< Of its first point.
+  Assumptions assumed = kNoAssumptions;  ///< What is assumed of it.
 };
 
 /// The place where a way leads through a building on the ground. The building is open there, and the way's surface

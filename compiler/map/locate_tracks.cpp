@@ -136,6 +136,7 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.node_ids = std::move(line.node_ids);
   track.surface = racked(surfaced(row.surface, context.tag(way.tags, "surface")), context.tag(way.tags, "rack"));
   track.side = side;
+  track.country = country_group_at(place);
   TaggedSection section = tagged_section_of(context, id, way.tags, side, guidelines_at(place));
   track.section = std::move(section.section);
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;

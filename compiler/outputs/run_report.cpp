@@ -143,6 +143,16 @@ RunRecord record_of(const OrderedJson& report) {
   return record;
 }
 
+// The number of objects of each assumption.
+OrderedJson assumed_of(const Report& report) {
+  OrderedJson assumed = OrderedJson::object();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(Assumption::kCount); ++i) {
+    const auto assumption = static_cast<Assumption>(i);
+    assumed[std::string(name_of(assumption))] = report.assumed(assumption);
+  }
+  return assumed;
+}
+
 }  // namespace
 
 std::uint64_t WrittenFiles::bytes() const {
@@ -182,6 +192,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["bytes"] = written.bytes();
   json["balances"] = report.balances();
   json["ledger"] = ledger_json(report);
+  json["assumed"] = assumed_of(report);
   json["diagnoses"] = diagnoses_of(report);
   json["files"] = files_of(written);
   json["tiles"] = tiles_of(written.tiles, header, plane);

@@ -14,7 +14,9 @@ Road road_of(const map::Track& track) {
           .is_link = track.is_link,
           .is_roundabout = track.is_roundabout,
           .points = track.points,
-          .width_limits = {}};
+          .width_limits = {},
+          .country = track.country,
+          .assumed = track.assumed};
 }
 
 std::vector<Road> plan(const map::Features& features, Report& report) {

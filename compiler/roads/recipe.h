@@ -59,6 +59,8 @@ struct Road {
                        ///< terrain that is not graded.
   double riser_m = 0;  ///< The height of a step of stairs with a tagged number of steps; a multiple of 2^-10.
   std::uint8_t handrails = 0;  ///< map::Handrail bits of stairs.
+  map::CountryGroup country{};
+  Assumptions assumed = kNoAssumptions;  ///< What of it is assumed.
   bool operator==(const Road&) const = default;
 };
 

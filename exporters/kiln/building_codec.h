@@ -93,6 +93,10 @@ void facade(auto& io, buildings::Building& b) {
   enumerator(io, "building class", b.building_class, static_cast<std::uint8_t>(map::BuildingClass::kCount));
   io.number("storeys", b.levels), io.number("year", b.year);
   flag(io, "shop", b.has_shop);
+  enumerator(io, "building country", b.country, map::CountryGroup::kCount);
+  io.number("building assumed", b.assumed);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (b.assumed > kAllAssumptions) io.fail("building assumed");
   list(io, "facade edges", b.facade_edges, 0, [&](buildings::FacadeEdge& f) { serialise(io, f); });
   list(io, "buried places", b.buried_from, 0, [&](buildings::BuriedFrom& f) { serialise(io, f, edges); });
   list(io, "party walls", b.party_walls, 0, [&](buildings::PartyWall& w) { serialise(io, w, edges); });

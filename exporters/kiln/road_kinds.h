@@ -16,6 +16,8 @@ struct RoadKind {
   map::CrossSection section;
   map::DrivingSide side{};
   bool is_lit = false, is_link = false, is_roundabout = false;
+  map::CountryGroup country{};
+  Assumptions assumed = kNoAssumptions;
   bool operator==(const RoadKind&) const = default;
 };
 

@@ -191,6 +191,8 @@ class SceneMaker {
     r.id = id(), r.axis = line(), r.surface = surface(), r.section = section();
     r.side = static_cast<map::DrivingSide>(below(2)), r.is_lit = below(2) == 0, r.is_link = below(2) == 0,
     r.is_roundabout = below(2) == 0;
+    r.country = pick(map::CountryGroup::kCount);
+    r.assumed = static_cast<Assumptions>(below(kAllAssumptions + 1));
     if (below(3) == 0) r.start_along_m = metres(9000);
     for (auto i = below(3); i > 0; --i)
       r.points.push_back({below(2), pick(map::TrackPointKind::kCount), static_cast<std::int8_t>(below(3))});
@@ -258,6 +260,8 @@ class SceneMaker {
     b.levels = static_cast<std::uint8_t>(1 + below(255));
     b.year = static_cast<std::uint16_t>(below(2030));
     b.has_shop = below(2) == 0;
+    b.country = pick(map::CountryGroup::kCount);
+    b.assumed = static_cast<Assumptions>(below(kAllAssumptions + 1));
     for (std::size_t i = 0; i < b.footprint.outer.size(); ++i)
       b.facade_edges.push_back(
           {below(2) == 0, static_cast<std::uint8_t>(below(256)), static_cast<std::uint16_t>(below(65536))});
