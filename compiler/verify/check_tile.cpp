@@ -206,6 +206,7 @@ void check_assumed(TileUnderCheck& tile, const bake::BakedTile& level, const std
   add_assumed(measure_assumed_pavements(tile.chunk, tile.box), "places of pavements", name,
               tile.results().assumed_pavements);
   add_assumed(measure_assumed_lamps(level, tile.chunk, tile.cover), "lamps", name, tile.results().assumed_lamps);
+  add_assumed(measure_assumed_fronts(tile.chunk), "fronts", name, tile.results().assumed_fronts);
 }
 
 // Measures buildings by the triangles of the finest level: coarser ones have the same recipes.

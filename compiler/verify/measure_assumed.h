@@ -1,5 +1,5 @@
 // Finds what is assumed where something is mapped: assumed pavements and lamps in water, buildings, railways and
-// carriageways.
+// carriageways, assumed shop fronts on walls that are not free.
 #pragma once
 
 #include <cstdint>
@@ -32,5 +32,9 @@ AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& b
 /// @param land_cover  Land cover of the tile.
 AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chunk& chunk,
                                     const ground::LandCoverIndex& land_cover);
+
+/// Tests every assumed shop front of the chunk's buildings: it lies within its wall, and neither on a party wall, nor
+/// on another front, nor across the opening for a way. O(fronts · what is on their walls).
+AssumedPlaces measure_assumed_fronts(const scene::Chunk& chunk);
 
 }  // namespace citykiln::verify

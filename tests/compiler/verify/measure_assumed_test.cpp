@@ -96,5 +96,41 @@ TEST(MeasureAssumed, FindsLampsOnACarriageway) {
   EXPECT_EQ(found.at, (Vec2{30, 52}));
 }
 
+// A house of 20 by 10 m with an assumed front on its southern wall, from 5 to 11 m.
+scene::Chunk house_with_front() {
+  buildings::Building house;
+  house.id = {kOther, 0};
+  house.footprint.outer = {{0, 0}, {20, 0}, {20, 10}, {0, 10}};
+  house.fronts = {{.edge = 0, .from_m = 5, .to_m = 11, .is_assumed = true}};
+  scene::Chunk chunk;
+  chunk.buildings = {house};
+  return chunk;
+}
+
+TEST(MeasureAssumed, AllowsFrontsBesidePartyWallsAndOtherFronts) {
+  scene::Chunk chunk = house_with_front();
+  chunk.buildings[0].party_walls = {{.edge = 0, .from_m = 0, .to_m = 5, .top_m = 9},
+                                    {.edge = 1, .from_m = 0, .to_m = 10}};
+  chunk.buildings[0].fronts.push_back({.edge = 0, .from_m = 11, .to_m = 15});
+  const AssumedPlaces found = measure_assumed_fronts(chunk);
+  EXPECT_EQ(found.places, 1u);
+  EXPECT_EQ(found.misplaced, 0u);
+}
+
+TEST(MeasureAssumed, FindsFrontsOnWallsThatAreNotFree) {
+  scene::Chunk chunk = house_with_front();
+  buildings::Building& house = chunk.buildings[0];
+  house.party_walls = {{.edge = 0, .from_m = 0, .to_m = 6}};
+  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  house.party_walls.clear();
+  house.passageways = {{{kStreet, 0}, {{8, -1}, {8, 11}}, 2, 2, 4}};
+  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  house.passageways.clear();
+  house.fronts[0].to_m = 21;
+  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  house.fronts = {{.edge = 0, .from_m = 5, .to_m = 11, .is_assumed = true}, {.edge = 0, .from_m = 10, .to_m = 15}};
+  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+}
+
 }  // namespace
 }  // namespace citykiln::verify
