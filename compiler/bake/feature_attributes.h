@@ -18,7 +18,7 @@ struct FeatureAttributes {
   std::string name{};  ///< Empty: none.
   float height_m = 0;  ///< From foot to top of buildings, barriers, lamps and single plants; 0: none or unknown.
   std::string tags{};  ///< The map's tags as a JSON object; empty unless the scene keeps them.
-  Assumptions assumed = kNoAssumptions;  ///< What is assumed of it, or of one of its parts.
+  Assumptions assumed = kNoAssumptions;  ///< The assumptions of all its recipes.
   bool operator==(const FeatureAttributes&) const = default;
 };
 

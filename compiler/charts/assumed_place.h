@@ -34,7 +34,7 @@ struct Place {
   source::OsmData osm;
   source::LonLatBox box;
   map::LonLat origin;
-  map::Features mapped;  ///< As tagged, without assumptions.
+  map::Features mapped;  ///< The features by their tags, without assumptions.
 };
 
 /// Reads a map. Errors: those of source::read_osm().

@@ -15,7 +15,7 @@ namespace citykiln::charts {
 
 /// A value of an element: the element, and the side of a way (0 left, 1 right) or 0.
 using ValueKey = std::pair<OsmId, int>;
-/// What is built of elements, in the unit of the value. Values of yes and no are 1 and 0.
+/// The values that are built of elements. Values of yes and no are 1 and 0.
 using Values = std::map<ValueKey, double>;
 
 /// A value that tags state.

@@ -25,7 +25,7 @@ struct Subject {
 std::vector<Sample> tagged_pavements(const Place& place);
 Values built_pavements(const map::Features& features);
 
-/// Whether streets are lit.
+/// The light of streets: 1 if they are lit.
 std::vector<Sample> tagged_lit(const Place& place);
 Values built_lit(const map::Features& features);
 

@@ -156,7 +156,7 @@ std::string label_of(const Subject& subject, const char* guess) {
   return fmt::format("median error of the {} ({})", guess, subject.unit);
 }
 
-Chart chart_of(const Subject& subject, SamplesOfPlaces& places, const std::vector<Place>& names) {
+Chart subject_chart(const Subject& subject, SamplesOfPlaces& places, const std::vector<Place>& names) {
   set_constants(places, subject.is_yes_or_no);
   for (std::vector<Sample>& samples : places) set_means(samples);
   Chart chart;
@@ -190,7 +190,7 @@ Result<std::vector<Chart>> chart_assumed(const ChartRequest& request) {
   std::vector<Chart> charts;
   for (std::size_t s = 0; s < kSubjects.size(); ++s) {
     const bool has_any = std::ranges::any_of(samples[s], [](const auto& of_place) { return !of_place.empty(); });
-    if (has_any) charts.push_back(chart_of(kSubjects[s], samples[s], places));
+    if (has_any) charts.push_back(subject_chart(kSubjects[s], samples[s], places));
   }
   if (charts.empty()) return Error{"chart assumed", "found no map with at least 20 tags of a kind"};
   return charts;

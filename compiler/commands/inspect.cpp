@@ -61,7 +61,7 @@ OrderedJson assumed_json(const std::map<OsmId, Assumptions>& assumed) {
   return json;
 }
 
-/// What is assumed of the elements of a scene.
+/// The assumptions of the elements of a scene.
 std::map<OsmId, Assumptions> assumed_in(const scene::Scene& scene) {
   std::map<OsmId, Assumptions> assumed;
   const auto add = [&](const auto& objects) {
@@ -91,7 +91,7 @@ OrderedJson describe(const scene::Scene& scene) {
   return json;
 }
 
-/// What is assumed of the elements of a tile.
+/// The assumptions of the elements of a tile.
 std::map<OsmId, Assumptions> assumed_in(const bake::BakedTile& tile) {
   std::map<OsmId, Assumptions> assumed;
   for (std::size_t i = 0; i < tile.attributes.size(); ++i) assumed[tile.features[i]] = tile.attributes[i].assumed;

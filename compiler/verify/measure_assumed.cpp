@@ -35,13 +35,13 @@ struct MappedSegment {
   std::uint32_t road, segment;
 };
 
-// What is mapped in a chunk.
+// The mapped objects of a chunk that nothing assumed may cover.
 struct Mapped {
   const scene::Chunk& chunk;
   std::vector<ground::LandCoverPolygon> areas;  // Water and buildings.
-  ground::LandCoverIndex index;                 // Of `areas`.
+  ground::LandCoverIndex index;                 // The index of `areas`.
   std::vector<MappedSegment> segments{};
-  BoxGrid grid{};  // Of `segments`.
+  BoxGrid grid{};  // The boxes of `segments`.
 };
 
 std::vector<ground::LandCoverPolygon> waters_and_buildings(const scene::Chunk& chunk) {

@@ -8,7 +8,7 @@ namespace {
 using map::LandCoverClass;
 
 constexpr Box2 kTile{{0, 0}, {128, 128}};
-constexpr OsmId kStreet{OsmType::kWay, 1}, kOther{OsmType::kWay, 2};
+constexpr OsmId kMainStreet{OsmType::kWay, 1}, kMappedWay{OsmType::kWay, 2};
 
 roads::Road way_along(OsmId id, Polyline axis, LandCoverClass surface, double width_m) {
   roads::Road road;
@@ -23,7 +23,7 @@ roads::Road way_along(OsmId id, Polyline axis, LandCoverClass surface, double wi
 // A street of 6 m along y = 50 with assumed pavements of 2 m.
 scene::Chunk street_with_pavements() {
   scene::Chunk chunk;
-  roads::Road street = way_along(kStreet, {{0, 50}, {120, 50}}, LandCoverClass::kResidentialRoad, 6);
+  roads::Road street = way_along(kMainStreet, {{0, 50}, {120, 50}}, LandCoverClass::kResidentialRoad, 6);
   const map::Lane pavement{.kind = map::LaneKind::kSidewalk, .width_m = 2, .is_raised = true};
   street.section.lanes = {pavement, street.section.lanes.front(), pavement};
   street.assumed = bit_of(Assumption::kPavements);
@@ -53,39 +53,40 @@ TEST(MeasureAssumed, FindsPavementsInWaterAndBuildings) {
   const Ring beside = {{20, 53.5}, {40, 53.5}, {40, 60}, {20, 60}};
   for (const LandCoverClass surface : {LandCoverClass::kLake, LandCoverClass::kBuilding, LandCoverClass::kPark}) {
     scene::Chunk chunk = street_with_pavements();
-    chunk.surfaces = {{{kOther, 0}, surface, 130, {beside}}};
+    chunk.surfaces = {{{kMappedWay, 0}, surface, 130, {beside}}};
     const AssumedPlaces found = measure_assumed_pavements(chunk, kTile);
     EXPECT_EQ(found.misplaced, surface == LandCoverClass::kPark ? 0u : 5u);
-    if (found.misplaced > 0) EXPECT_EQ(found.on, kOther);
+    if (found.misplaced > 0) EXPECT_EQ(found.on, kMappedWay);
   }
 }
 
 // A causeway lies in the water with all of its lanes.
 TEST(MeasureAssumed, AllowsWaterUnderTheStreetItself) {
   scene::Chunk chunk = street_with_pavements();
-  chunk.surfaces = {{{kOther, 0}, LandCoverClass::kLake, 4000, {{{0, 0}, {128, 0}, {128, 128}, {0, 128}}}}};
+  chunk.surfaces = {{{kMappedWay, 0}, LandCoverClass::kLake, 4000, {{{0, 0}, {128, 0}, {128, 128}, {0, 128}}}}};
   EXPECT_EQ(measure_assumed_pavements(chunk, kTile).misplaced, 0u);
 }
 
 TEST(MeasureAssumed, FindsPavementsOnRailwaysRoadsAndPathsBesideTheStreet) {
   for (const LandCoverClass surface :
        {LandCoverClass::kRailway, LandCoverClass::kServiceRoad, LandCoverClass::kPavedFootPath})
-    EXPECT_EQ(pavements_beside(way_along(kOther, {{0, 54}, {120, 54}}, surface, 2)).misplaced, 30u);
+    EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 54}, {120, 54}}, surface, 2)).misplaced, 30u);
 }
 
 TEST(MeasureAssumed, AllowsPathsThatCrossTheStreetAndWaysThatJoinIt) {
-  EXPECT_EQ(pavements_beside(way_along(kOther, {{60, 20}, {60, 90}}, LandCoverClass::kPavedFootPath, 2)).misplaced, 0u);
-  EXPECT_EQ(pavements_beside(way_along(kOther, {{0, 50}, {0, 90}}, LandCoverClass::kServiceRoad, 4)).misplaced, 0u);
+  EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{60, 20}, {60, 90}}, LandCoverClass::kPavedFootPath, 2)).misplaced,
+            0u);
+  EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 50}, {0, 90}}, LandCoverClass::kServiceRoad, 4)).misplaced, 0u);
 }
 
 TEST(MeasureAssumed, FindsLampsOnACarriageway) {
   scene::Chunk chunk = street_with_pavements();
   chunk.roads[0].assumed = bit_of(Assumption::kLamps);
   const std::vector<ground::LandCoverPolygon> surfaces = {
-      {{kStreet, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}}};
+      {{kMainStreet, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}}};
   const ground::LandCoverIndex cover = ground::index_land_cover(surfaces, kTile);
   bake::BakedTile tile;
-  tile.features = {{}, kStreet, kOther};
+  tile.features = {{}, kMainStreet, kMappedWay};
   tile.instanced.resize(1);
   tile.instanced[0].name = "PostTopLamp";
   tile.instanced[0].translations = {{10, 54, 0}, {30, 52, 0}, {50, 52, 0}};
@@ -99,7 +100,7 @@ TEST(MeasureAssumed, FindsLampsOnACarriageway) {
 // A house of 20 by 10 m with an assumed front on its southern wall, from 5 to 11 m.
 scene::Chunk house_with_front() {
   buildings::Building house;
-  house.id = {kOther, 0};
+  house.id = {kMappedWay, 0};
   house.footprint.outer = {{0, 0}, {20, 0}, {20, 10}, {0, 10}};
   house.fronts = {{.edge = 0, .from_m = 5, .to_m = 11, .is_assumed = true}};
   scene::Chunk chunk;
@@ -123,7 +124,7 @@ TEST(MeasureAssumed, FindsFrontsOnWallsThatAreNotFree) {
   house.party_walls = {{.edge = 0, .from_m = 0, .to_m = 6}};
   EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
   house.party_walls.clear();
-  house.passageways = {{{kStreet, 0}, {{8, -1}, {8, 11}}, 2, 2, 4}};
+  house.passageways = {{{kMainStreet, 0}, {{8, -1}, {8, 11}}, 2, 2, 4}};
   EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
   house.passageways.clear();
   house.fronts[0].to_m = 21;
