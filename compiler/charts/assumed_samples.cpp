@@ -59,9 +59,10 @@ Score balanced_accuracy(std::span<const Sample> samples, double Sample::*guess) 
     all[is_yes] += 1;
     right[is_yes] += (sample.*guess >= 0.5) == (is_yes == 1) ? 1 : 0;
   }
-  const auto share = [&](int value) { return all[value] > 0 ? right[value] / all[value] : 1; };
-  const double yes = samples.empty() ? 0 : all[1] / static_cast<double>(samples.size());
-  return {samples.size(), (share(0) + share(1)) / 2, yes};
+  double sum = 0, values = 0, count = 0;
+  for (const int value : {0, 1})
+    if (all[value] > 0) sum += right[value] / all[value], values += 1, count += all[value];
+  return {samples.size(), values > 0 ? sum / values : 0, count > 0 ? all[1] / count : 0};
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ struct Score {
   double tenths = 0;  ///< Nine tenths of the errors are at most this; of values of yes and no, the share of yes.
 };
 /// Scores guesses. A yes-or-no guess of 0.5 and more is a yes. Balanced accuracy: the mean of the shares of the tagged
-/// yes and the tagged no that are guessed. 0.5 for always the same guess.
+/// yes and the tagged no that are guessed; 0.5 for always the same guess. Where all tags say the same, it is the share
+/// that is guessed.
 Score score_of(std::span<const Sample> samples, double Sample::*guess, bool is_yes_or_no);
 
 }  // namespace citykiln::charts

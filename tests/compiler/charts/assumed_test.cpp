@@ -108,6 +108,7 @@ TEST(AssumedSamples, ScoreYesAndNoByBalancedAccuracy) {
   std::vector<Sample> samples = samples_of({1, 1, 1, 0});
   for (Sample& sample : samples) sample.assumed = 1;
   EXPECT_EQ(score_of(samples, &Sample::assumed, true).half, 0.5);
+  EXPECT_EQ(score_of(std::span(samples).first(3), &Sample::assumed, true).half, 1);
   samples[3].assumed = 0, samples[0].assumed = 0;
   EXPECT_NEAR(score_of(samples, &Sample::assumed, true).half, (2.0 / 3 + 1) / 2, 1e-12);
 }
