@@ -276,18 +276,6 @@ std::vector<std::uint32_t> row_about(std::uint32_t entry, const HeightIndex& ind
   return row;
 }
 
-// The member of a row that draws for those about it: the one with the least random number. Most members of a row choose
-// the same one, though each looks only kHeightRow_m far.
-ObjectId drawing_member(std::uint32_t entry, const map::Features& features, const HeightIndex& index,
-                        std::uint64_t seed) {
-  std::pair<double, ObjectId> least{2, {}};
-  for (const std::uint32_t k : row_about(entry, index)) {
-    const ObjectId id = features.footprints[index.footprints[k]].id;
-    least = std::min(least, std::pair(RandomSequence(seed, stable_id(id), "row").unit(0), id));
-  }
-  return least.second;
-}
-
 double drawn(const Storeys& storeys, double draw) {
   return draw < 0.25 ? storeys.low : draw < 0.75 ? storeys.middle : storeys.high;
 }
@@ -400,6 +388,16 @@ Storeys storeys_of(std::uint32_t entry, const HeightIndex& index,
   }
   std::ranges::sort(votes);
   return {vote_at(votes, 0.25), vote_at(votes, 0.5), vote_at(votes, 0.75)};
+}
+
+ObjectId drawing_member(std::uint32_t entry, const map::Features& features, const HeightIndex& index,
+                        std::uint64_t seed) {
+  std::pair<double, ObjectId> least{2, {}};
+  for (const std::uint32_t k : row_about(entry, index)) {
+    const ObjectId id = features.footprints[index.footprints[k]].id;
+    least = std::min(least, std::pair(RandomSequence(seed, stable_id(id), "row").unit(0), id));
+  }
+  return least.second;
 }
 
 map::Features assume_heights(map::Features features, std::uint64_t seed, Report& report) {

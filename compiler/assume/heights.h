@@ -72,6 +72,11 @@ Storeys storeys_of(std::uint32_t entry, const HeightIndex& index,
 /// towers, keep the height of their class.
 bool has_assumed_storeys(map::BuildingClass building_class);
 
+/// Returns the building whose random numbers a building in a row uses: the member with the least random number among
+/// those that are linked to it by shared walls and lie within kHeightRow_m. Neighbours mostly choose the same one.
+ObjectId drawing_member(std::uint32_t entry, const map::Features& features, const HeightIndex& index,
+                        std::uint64_t seed);
+
 /// Sets the storeys of all buildings without tagged height or levels, as building:levels would, and those of the parts
 /// and pieces that follow their outline. A building keeps the height of its class if it or one of its parts begins
 /// above the ground.
