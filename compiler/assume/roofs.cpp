@@ -72,7 +72,7 @@ bool is_roof_silent(const map::Footprint& f) {
          has_assumed_roof(static_cast<BuildingClass>(f.building_class));
 }
 
-double storeys_of(const map::Footprint& f) {
+double storeys_below_roof(const map::Footprint& f) {
   return f.levels > 0 ? f.levels : f.height_m / map::values_of(static_cast<BuildingClass>(f.building_class)).level_m;
 }
 
@@ -82,7 +82,7 @@ const RoofRow& roof_row(const map::Footprint& f, const HeightFacts& facts) {
                                                            : RoofKind::kAlone;
   const auto row = std::ranges::find_if(kRoofRows, [&](const RoofRow& each) {
     return each.group == f.country && (each.kind == kind || each.kind == RoofKind::kAny) &&
-           storeys_of(f) <= each.storeys_to && facts.area_m2 <= each.area_to_m2;
+           storeys_below_roof(f) <= each.storeys_to && facts.area_m2 <= each.area_to_m2;
   });
   // the last row of each group holds for nearly all
   return row != std::end(kRoofRows) ? *row : kRoofRows[std::size(kRoofRows) - 1];

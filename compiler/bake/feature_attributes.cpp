@@ -14,14 +14,20 @@ struct Table {
   std::span<const OsmId> features;
   std::vector<FeatureAttributes> rows;
 
-  void add(OsmId id, std::string_view kind, double height_m = 0) {
+  void add(OsmId id, std::string_view kind, double height_m = 0, Assumptions assumed = kNoAssumptions) {
     const auto found = std::ranges::lower_bound(features, id);
     if (found == features.end() || *found != id) return;
     FeatureAttributes& row = rows[static_cast<std::size_t>(found - features.begin())];
     if (row.kind.empty()) row.kind = kind;
     row.height_m = std::max(row.height_m, static_cast<float>(height_m));
+    row.assumed |= assumed;
   }
 };
+
+template <typename Road>
+void add_roads(Table& table, const std::vector<Road>& roads) {
+  for (const Road& road : roads) table.add(road.id.osm, map::values_of(road.surface).name, 0, road.assumed);
+}
 
 template <typename Object>
 void add_covers(Table& table, const std::vector<Object>& objects) {
@@ -31,7 +37,7 @@ void add_covers(Table& table, const std::vector<Object>& objects) {
 void add_buildings(Table& table, const std::vector<buildings::Building>& buildings) {
   for (const buildings::Building& b : buildings)
     table.add(b.id.osm, map::word_of(static_cast<map::BuildingClass>(b.building_class)),
-              b.top_m - (b.stands_on_ground ? b.floor_m : b.bottom_m));
+              b.top_m - (b.stands_on_ground ? b.floor_m : b.bottom_m), b.assumed);
 }
 
 template <typename Plant>
@@ -51,8 +57,8 @@ void add_texts(Table& table, std::span<const map::ElementText> texts) {
 std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features) {
   Table table{features, std::vector<FeatureAttributes>(features.size())};
   add_buildings(table, chunk.buildings);
-  add_covers(table, chunk.bridges), add_covers(table, chunk.tunnels);
-  add_covers(table, chunk.roads), add_covers(table, chunk.watercourses), add_covers(table, chunk.landforms);
+  add_roads(table, chunk.bridges), add_roads(table, chunk.tunnels), add_roads(table, chunk.roads);
+  add_covers(table, chunk.watercourses), add_covers(table, chunk.landforms);
   for (const props::Barrier& b : chunk.barriers) table.add(b.id.osm, map::name_of(b.kind), b.height_m);
   add_plants(table, chunk.trees), add_plants(table, chunk.tree_rows);
   for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);

@@ -70,18 +70,24 @@ std::vector<std::uint16_t> mapped_doors_by_edge(const Polygon& footprint, const 
   return has_entrance ? entrances : addresses;
 }
 
+std::vector<double> door_places_m(std::uint16_t doors, double length_m) {
+  std::vector<double> places;
+  if (!is_long_enough(length_m)) return places;
+  for (std::uint32_t slot = 0; slot < kDoorSlots; ++slot) {
+    if ((doors >> slot & 1) == 0) continue;
+    places.push_back(
+        std::clamp((slot + 0.5) / kDoorSlots * length_m, kMinDoorToCorner_m, length_m - kMinDoorToCorner_m));
+  }
+  return places;
+}
+
 std::vector<Vec2> door_positions(const Building& building) {
   const Ring& ring = building.footprint.outer;
   std::vector<Vec2> positions;
   for (std::size_t i = 0; i < building.facade_edges.size() && i < ring.size(); ++i) {
     const Vec2 from = ring[i], along = ring[(i + 1) % ring.size()] - from;
-    const double length_m = length(along);
-    if (!is_long_enough(length_m)) continue;
-    for (std::uint32_t slot = 0; slot < kDoorSlots; ++slot) {
-      if ((building.facade_edges[i].doors >> slot & 1) == 0) continue;
-      const double at_m = (slot + 0.5) / kDoorSlots * length_m;
-      positions.push_back(from + unit(along) * std::clamp(at_m, kMinDoorToCorner_m, length_m - kMinDoorToCorner_m));
-    }
+    for (const double at_m : door_places_m(building.facade_edges[i].doors, length(along)))
+      positions.push_back(from + unit(along) * at_m);
   }
   return positions;
 }

@@ -26,6 +26,11 @@ MappedDoors index_doors(std::span<const map::PointFeature> points);
 /// points near).
 std::vector<std::uint16_t> mapped_doors_by_edge(const Polygon& footprint, const MappedDoors& doors);
 
+/// Returns the distances along an edge of its doors, ascending, at least kMinDoorToCorner_m from its ends; none if the
+/// edge is shorter than a door's tile.
+/// @param doors  FacadeEdge::doors.
+std::vector<double> door_places_m(std::uint16_t doors, double length_m);
+
 /// Returns the positions of a building's doors on its walls, plane metres, at least kMinDoorToCorner_m from the ends of
 /// the edge.
 std::vector<Vec2> door_positions(const Building& building);

@@ -7,6 +7,7 @@
 #include "compiler/buildings/building_materials.h"
 #include "compiler/buildings/cut_passageways.h"
 #include "compiler/buildings/doors.h"
+#include "compiler/buildings/front_lines.h"
 #include "compiler/buildings/mass_model.h"
 #include "compiler/buildings/posts.h"
 #include "compiler/buildings/rule_attributes.h"
@@ -123,7 +124,10 @@ grammars::Derivation derive(const Level& level, const MassModel& mass, double to
   options.attributes["shop_lit"] = night && is_shop_lit(level.building, *night, level.context.seed);
   std::vector<Vec2> doors = door_positions(level.building);
   options.attributes["entrances"] = static_cast<double>(doors.size());
+  options.attributes["fronts"] = static_cast<double>(level.building.fronts.size());
   options.answer_context_query = surroundings_of(level, std::move(doors));
+  if (!level.building.fronts.empty())
+    options.find_front = grammars::find_among_fronts(front_lines(level.building, night, level.context.seed));
   options.seed = level.context.seed;
   options.tolerance_m = tolerance_m;
   options.keep_start = true, options.ids = false;

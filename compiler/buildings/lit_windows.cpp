@@ -104,6 +104,18 @@ bool is_on(Use use, WeekTime time, const RandomSequence& draw, std::uint32_t uni
   return draw.unit(2 * unit + 1) < lit_share(use, {wrapped(time.hours + habit_h)});
 }
 
+// True if a front is open at an hour of the week, opening and closing so much earlier and later.
+bool is_open_at(const map::FrontHours& hours, double of_week_h, double early_h, double late_h) {
+  // the day, and the one before: some close after midnight
+  for (const int back : {0, 1}) {
+    const int day = (static_cast<int>(std::floor(of_week_h / 24)) - back + 7) % 7, row = day < 5 ? 0 : day - 4;
+    const double open_h = hours.quarters[2 * row] / 4.0, close_h = hours.quarters[2 * row + 1] / 4.0;
+    const double at_h = of_week_h - 24 * std::floor(of_week_h / 24) + 24 * back;
+    if (open_h < close_h && at_h >= open_h - early_h && at_h < close_h + late_h) return true;
+  }
+  return false;
+}
+
 StableId id_of(const Building& building) { return stable_id(building.id); }
 
 }  // namespace
@@ -147,6 +159,18 @@ grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time
     const bool is_lit_room = row.room_share == 1 || rooms.unit(cell_at(cells, at, row.room_m)) < row.room_share;
     return is_lit_room && is_on(use, time, units, whole ? 0 : cell_at(cells, at, row.unit_m));
   };
+}
+
+bool is_front_lit(const Building& building, std::uint32_t front, WeekTime time, std::uint64_t seed) {
+  constexpr double kEarly_h = 0.5, kLate_h = 0.75, kWindowsFrom_h = 15, kWindowsUntil_h = 23.5;
+  const map::FrontValues& values = map::values_of(building.fronts[front].kind);
+  const RandomSequence draw(seed, id_of(building), "lit front");
+  const double hours = wrapped(time.hours), of_day = hours - 24 * std::floor(hours / 24);
+  if (is_open_at(building.fronts[front].hours.value_or(values.hours), hours, draw.between(0, kEarly_h, 3 * front),
+                 draw.between(0, kLate_h, 3 * front + 1)))
+    return true;
+  const bool has_lit_window = draw.unit(3 * front + 2) < values.lit_share;
+  return has_lit_window && of_day >= kWindowsFrom_h && of_day < kWindowsUntil_h;
 }
 
 bool is_shop_lit(const Building& building, WeekTime time, std::uint64_t seed) {

@@ -9,6 +9,7 @@
 
 #include "compiler/buildings/building_materials.h"
 #include "compiler/buildings/doors.h"
+#include "compiler/buildings/fronts.h"
 #include "compiler/buildings/party_walls.h"
 #include "compiler/buildings/plan_roof.h"
 #include "compiler/buildings/posts.h"
@@ -46,6 +47,9 @@ constexpr double kMaxBuriedShare = 0.3;
 
 // The wall that has to remain above the opening for a way, and the least clearance with which one is made.
 constexpr double kLintel_m = 0.25, kLeastOpening_m = 2;
+
+// The largest difference between the ground and the floor of an assumed front.
+constexpr double kFrontStepUp_m = 0.75;
 
 // Spacing of height samples along ways through buildings.
 constexpr double kWaySpacing_m = 1;
@@ -380,6 +384,33 @@ Building above_entrance(const Planned& planned) {
   return above;
 }
 
+// The height at which the walls begin at a place on an edge.
+double wall_foot_m(const Building& building, std::uint32_t edge, double at_m) {
+  std::uint8_t storeys = building.facade_edges[edge].buried_storeys;
+  for (const BuriedFrom& place : building.buried_from)
+    if (place.edge == edge && place.from_m <= at_m) storeys = place.storeys;
+  return building.floor_m + storeys * storey_m(building);
+}
+
+// True if the ground in the middle of a front is no more than a step above or below the foot of its wall.
+bool is_level_with_ground(const Front& front, const Building& building, const ground::GradedTerrain& ground) {
+  const Ring& ring = building.footprint.outer;
+  const Vec2 from = ring[front.edge], along = unit(ring[(front.edge + 1) % ring.size()] - from);
+  const double at_m = (front.from_m + front.to_m) / 2;
+  return std::abs(land_m(ground, from + along * at_m) - wall_foot_m(building, front.edge, at_m)) <= kFrontStepUp_m;
+}
+
+// Gives a building its fronts. Assumed ones are left out where the ground lies too high or too low.
+void set_fronts(std::vector<Front> fronts, const ground::GradedTerrain& ground, Building& building) {
+  if (!building.stands_on_ground) return;
+  std::erase_if(fronts,
+                [&](const Front& front) { return front.is_assumed && !is_level_with_ground(front, building, ground); });
+  for (const Front& front : fronts) building.facade_edges[front.edge].faces_street = true;
+  building.fronts = std::move(fronts);
+  if (std::ranges::none_of(building.fronts, &Front::is_assumed))
+    building.assumed = static_cast<Assumptions>(building.assumed & ~bit_of(Assumption::kFronts));
+}
+
 // Adds a party wall where it does not overlap the last one. The higher of two along one stretch counts.
 void add_party_wall(std::vector<PartyWall>& walls, PartyWall wall) {
   if (!walls.empty() && walls.back().edge == wall.edge && wall.from_m < walls.back().to_m) {
@@ -465,6 +496,8 @@ std::vector<Building> plan(const map::Features& features, const ground::GradedTe
     }
   }
   report.account("buildings", "footprint") = account;
+  std::vector<std::vector<Front>> fronts = plan_fronts(
+      features.fronts, {site.footprints, site.shared_walls, site.streets, site.doors, site.passageways}, report);
   // these depend on the neighbours' heights, styles on party walls
   for (std::size_t i = 0; i < planned.size(); ++i)
     if (planned[i]) planned[i]->building.party_walls = party_walls_of(i, site, planned);
@@ -472,6 +505,7 @@ std::vector<Building> plan(const map::Features& features, const ground::GradedTe
   for (std::size_t i = 0; i < planned.size(); ++i) {
     if (!planned[i]) continue;
     planned[i]->building.style = style_of(site.footprints[i], above_entrance(*planned[i]));
+    set_fronts(std::move(fronts[i]), site.ground, planned[i]->building);
     buildings.push_back(std::move(planned[i]->building));
   }
   std::ranges::sort(buildings, {}, &Building::id);

@@ -55,6 +55,19 @@ struct PartyWall {
   bool operator==(const PartyWall&) const = default;
 };
 
+/// Places of fronts along an edge are whole multiples of this.
+inline constexpr double kFrontStep_m = 0.125;
+
+/// A shop front: a part of the ground floor of an edge.
+struct Front {
+  std::uint32_t edge = 0;       ///< Index into the outer ring.
+  double from_m = 0, to_m = 0;  ///< Distances along the edge, from_m < to_m. Whole multiples of kFrontStep_m.
+  map::FrontKind kind{};
+  std::optional<map::FrontHours> hours{};  ///< As tagged; else those of the kind.
+  bool is_assumed = false;
+  bool operator==(const Front&) const = default;
+};
+
 /// The opening for a way that leads through a building on the ground (map::Passageway): everything below top_m, between
 /// the sides of a strip along the axis.
 struct Passageway {
@@ -92,6 +105,7 @@ struct Building {
   std::vector<Vec2> posts{};               ///< Centres of the posts below bottom_m (posts.h), snapped.
   double post_foot_m = 0;                  ///< The lower end of the posts, below the ground. Snapped. 0: no posts.
   std::vector<Passageway> passageways{};   ///< Sorted by way. They may overlap.
+  std::vector<Front> fronts{};             ///< Sorted by edge, then from_m. No two overlap.
   bool operator==(const Building&) const = default;
 };
 

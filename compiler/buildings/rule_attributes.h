@@ -9,7 +9,8 @@
 
 namespace citykiln::buildings {
 
-/// Returns all attributes but `night`, `shop_lit` and `entrances`, which the caller adds. Untagged colours are "".
+/// Returns all attributes but `night`, `shop_lit`, `entrances` and `fronts`, which the caller adds. Untagged colours
+/// are "".
 std::map<std::string, grammars::Value> rule_attributes_of(const Building& building, roofs::RoofForm roof);
 
 }  // namespace citykiln::buildings

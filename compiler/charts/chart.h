@@ -32,6 +32,7 @@ struct Chart {
   std::string title;
   Axis x, y;
   std::vector<Series> series;
+  std::vector<std::string> notes{};  ///< Lines that the command prints, such as the rows of a table.
 };
 
 /// Writes NAME.csv (columns series, x, y) and NAME.svg into the folder. Errors: a folder that cannot be written;
@@ -128,6 +129,13 @@ Result<std::vector<Chart>> chart_sky(const ChartRequest& request);
 /// Charts the errors of optical depth over particles for three cumulus clouds; their light, and that of single
 /// scattering, relative to the light by path tracing; and the time of paths relative to that of CloudField.
 Result<std::vector<Chart>> chart_cloud(const ChartRequest& request);
+
+/// Charts how well assumptions hold. Tags of pavements, light, lamps, widths, heights and storeys are left out and
+/// assumed again: of a whole place, beside a constant by class of the other maps; and in blocks of 256 m like the
+/// fields of a checkerboard, one colour after the other, beside the mean of the nearest tagged neighbours. Each chart
+/// has the score of the assumption over that of the simple guess, one point a map: the balanced accuracy or the median
+/// error. Notes are a Markdown table with a row for each map; of errors it has the median and the 90th percentile.
+Result<std::vector<Chart>> chart_assumed(const ChartRequest& request);
 
 /// Compiles the first map of the request. Errors: no map, or an error of compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);

@@ -39,7 +39,8 @@ constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},
                                Kind{"lights", charts::chart_lights},
                                Kind{"forms", charts::chart_forms},
                                Kind{"sky", charts::chart_sky},
-                               Kind{"cloud", charts::chart_cloud}};
+                               Kind{"cloud", charts::chart_cloud},
+                               Kind{"assumed", charts::chart_assumed}};
 
 std::string known_names() {
   std::string names;
@@ -62,6 +63,7 @@ Result<Exit> run_chart(const charts::ChartRequest& request, const Console& conso
     for (const charts::Chart& chart : *charts) {
       if (const Result<Done> written = charts::write_chart(chart, request.folder); !written) return written.error();
       console.print_line(fmt::format("{0}/{1}.csv, {0}/{1}.svg: {2}", request.folder, chart.name, chart.title));
+      for (const std::string& note : chart.notes) console.print_line(note);
     }
   }
   return Exit::kDone;

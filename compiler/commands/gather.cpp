@@ -123,8 +123,8 @@ Result<Done> add_findings(const std::string& path, Gathered& all) {
   return Done{};
 }
 
-/// Adds the ledger of a region, without the accounts of elements, which the plan counts: regions do not have all
-/// elements.
+/// Adds the ledger of a region and its counts of assumptions, without the accounts of elements, which the plan counts:
+/// regions do not have all elements.
 void add_region_ledger(const Report& region, Gathered& all) {
   static const std::set<std::string> kOfPlan = {"source/node", "source/way", "source/relation"};
   Report own;
@@ -132,6 +132,8 @@ void add_region_ledger(const Report& region, Gathered& all) {
     const std::size_t slash = name.find('/');
     if (!kOfPlan.contains(name)) own.account(name.substr(0, slash), name.substr(slash + 1)) = account;
   }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(Assumption::kCount); ++i)
+    own.add_assumed(static_cast<Assumption>(i), region.assumed(static_cast<Assumption>(i)));
   all.ledger.append(own);
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -11,6 +12,7 @@
 #include "compiler/commands/layers/scene_layers.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
+#include "compiler/contract/assumption_names.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/plane/degrees.h"
 #include "compiler/roads/junctions/layers.h"
@@ -51,6 +53,26 @@ OrderedJson chunk_json(const scene::Chunk& chunk) {
           {"lamps", chunk.lamps.size()}};
 }
 
+/// The numbers of elements of which something is assumed, by the name of the assumption.
+OrderedJson assumed_json(const std::map<OsmId, Assumptions>& assumed) {
+  OrderedJson json = OrderedJson::object();
+  for (const auto& [id, set] : assumed)
+    for (const std::string& name : names_in(set)) json[name] = json.value(name, 0) + 1;
+  return json;
+}
+
+/// The assumptions of the elements of a scene.
+std::map<OsmId, Assumptions> assumed_in(const scene::Scene& scene) {
+  std::map<OsmId, Assumptions> assumed;
+  const auto add = [&](const auto& objects) {
+    for (const auto& object : objects)
+      if (object.assumed != kNoAssumptions) assumed[object.id.osm] |= object.assumed;
+  };
+  for (const scene::Chunk& chunk : scene.chunks)
+    add(chunk.roads), add(chunk.bridges), add(chunk.tunnels), add(chunk.buildings);
+  return assumed;
+}
+
 OrderedJson describe(const scene::Scene& scene) {
   const scene::Header& header = scene.header;
   OrderedJson json = {
@@ -62,10 +84,18 @@ OrderedJson describe(const scene::Scene& scene) {
       {"resampling_error_m", header.resampling_error_m},
       {"time", header.sky.time},
       {"sources", header.sources},
-      {"attribution", header.attributions}};
+      {"attribution", header.attributions},
+      {"assumed", assumed_json(assumed_in(scene))}};
   json["tiles"] = OrderedJson::array();
   for (const scene::Chunk& chunk : scene.chunks) json["tiles"].push_back(chunk_json(chunk));
   return json;
+}
+
+/// The assumptions of the elements of a tile.
+std::map<OsmId, Assumptions> assumed_in(const bake::BakedTile& tile) {
+  std::map<OsmId, Assumptions> assumed;
+  for (std::size_t i = 0; i < tile.attributes.size(); ++i) assumed[tile.features[i]] = tile.attributes[i].assumed;
+  return assumed;
 }
 
 OrderedJson describe(const bake::BakedTile& tile) {
@@ -76,7 +106,8 @@ OrderedJson describe(const bake::BakedTile& tile) {
                       {"error_m", tile.error_m},
                       {"triangles", exporters::triangles_of(tile)},
                       {"instances", exporters::instances_of(tile)},
-                      {"features", tile.features.size() - 1}};
+                      {"features", tile.features.size() - 1},
+                      {"assumed", assumed_json(assumed_in(tile))}};
   json["materials"] = OrderedJson::object();
   for (const bake::Primitive& primitive : tile.primitives) {
     OrderedJson& count = json["materials"][exporters::material_name(bake::key_of(primitive), tile.textures)];

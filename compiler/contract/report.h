@@ -99,6 +99,10 @@ class Report {
   void count_assumed(Assumption assumption, OsmId object) {
     if (counts(object)) ++assumed_[static_cast<std::size_t>(assumption)];
   }
+  /// Counts objects of another report.
+  void add_assumed(Assumption assumption, std::uint64_t objects) {
+    assumed_[static_cast<std::size_t>(assumption)] += objects;
+  }
   /// Returns the number of objects of which this is assumed.
   std::uint64_t assumed(Assumption assumption) const { return assumed_[static_cast<std::size_t>(assumption)]; }
 

@@ -14,6 +14,7 @@
 #include "compiler/map/country_group.h"
 #include "compiler/map/cross_section.h"
 #include "compiler/map/element_text.h"
+#include "compiler/map/front_tags.h"
 #include "compiler/map/lamp_tags.h"
 #include "compiler/map/land_cover_class.h"
 #include "compiler/map/plane/heightfield.h"
@@ -83,6 +84,9 @@ struct Track {
   bool has_tagged_width = false;      ///< True if tags state the carriageway's width; else it is the class's.
   bool has_tagged_placement = false;  ///< True if tags state where the axis lies in the carriageway; else the middle.
   bool is_transition = false;         ///< True for placement=transition.
+  bool has_tagged_lighting = false;   ///< True if lit=* is tagged, also as "no".
+  std::uint8_t tagged_pavements = 0;  ///< Sides on which tags say whether there is a pavement: bits of RoadSide.
+  bool is_piece = false;              ///< True for a part of a long way that was cut so as to assume its pavements.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.
   CountryGroup country{};             ///< Of its first node.
@@ -198,7 +202,7 @@ enum class PointKind : std::uint8_t {
   kMast,
   kChimney,
   kFlagpole,
-  kShop,      ///< A shop, or another place where something is served.
+  kShop,      ///< A shop, a place where something is served, an office, a workshop.
   kEntrance,  ///< A building's entrance.
   kAddress    ///< A house number.
 };
@@ -214,6 +218,16 @@ struct PointFeature {
   double height_m = 0;     ///< 0: untagged.
   PlantTags plant_tags{};  ///< Tags of trees and shrubs.
   LampTags lamp_tags{};    ///< Tags of street lamps.
+  /// The front of a shop, restaurant, office or workshop, also where it is an entrance or an address too.
+  std::optional<FrontTags> front{};
+};
+
+/// A front that buildings are to have (buildings/fronts.h).
+struct FrontPoint {
+  ObjectId id;  ///< The point's; of an assumed front, the footprint's.
+  Vec2 at;      ///< In, or beside, its building.
+  FrontTags tags;
+  bool is_assumed = false;
 };
 
 /// A line of trees.
@@ -242,6 +256,8 @@ struct Features {
   std::vector<Barrier> barriers;
   std::vector<Landform> landforms;
   std::vector<PointFeature> points;
+  /// Sorted by id, then by position. Set by assume_fronts(): without it no building has fronts.
+  std::vector<FrontPoint> fronts{};
   std::vector<TreeRow> tree_rows;
   std::vector<PowerLine> power_lines;
   /// Sorted by building, then by way. Set by plan_passageways().

@@ -64,7 +64,8 @@ const PointRow* point_row(const ReadContext& context, source::Range tags) {
     if (context.tag(tags, row.key) == row.value) return &row;
   if (says_yes(context.tag(tags, kEntrance.key))) return &kEntrance;
   if (is_shop(context, tags)) return &kShop;
-  return context.tag(tags, kAddress.key).empty() ? nullptr : &kAddress;
+  if (!context.tag(tags, kAddress.key).empty()) return &kAddress;
+  return read_front_tags(context.osm, tags) ? &kShop : nullptr;
 }
 
 // True for kinds with a body of their own; shops, entrances and addresses belong to a building.
@@ -158,6 +159,7 @@ std::vector<PointFeature> locate_points(const ReadContext& context) {
                                                         : tagged_point_height_m(context, id, *row, node.tags);
     points.push_back({.id = {id, 0}, .at = at, .kind = row->kind, .height_m = snapped(height)});
     if (row->kind == PointKind::kTree) points.back().plant_tags = growth_of(context, id, node.tags);
+    if (!is_body(row->kind)) points.back().front = read_front_tags(context.osm, node.tags);
     if (row->kind == PointKind::kStreetLamp) points.back().lamp_tags = read_lamp_tags(context, id, node.tags);
   }
   context.report.account("map", "point") = account;

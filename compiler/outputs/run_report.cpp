@@ -126,6 +126,13 @@ OrderedJson tiles_of(std::span<const WrittenTile> written, const scene::Header& 
   return tiles;
 }
 
+// Adds the numbers of objects of each assumption.
+void add_assumed(const OrderedJson& assumed, Report& report) {
+  for (const auto& [name, objects] : assumed.items())
+    if (const auto assumption = assumption_named(name); assumption)
+      report.add_assumed(*assumption, objects.get<std::uint64_t>());
+}
+
 RunRecord record_of(const OrderedJson& report) {
   RunRecord record;
   for (const OrderedJson& tile : report.at("tiles")) record.tiles.push_back(parse_written_tile(tile));
@@ -138,6 +145,8 @@ RunRecord record_of(const OrderedJson& report) {
   if (const auto compress = compression_named(report.value("compress", "none")); compress) record.compress = *compress;
   for (const OrderedJson& file : report.at("files")) record.has_manifest |= file.at("file") == exporters::kManifestName;
   add_ledger(report.at("ledger"), record.ledger);
+  // reports of older versions have no such key
+  if (report.contains("assumed")) add_assumed(report.at("assumed"), record.ledger);
   for (const auto& [name, account] : record.ledger.ledger())
     if (!account.balances()) record.unbalanced.push_back(name);
   return record;

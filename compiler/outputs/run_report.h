@@ -71,8 +71,8 @@ struct RunRecord {
   Compression compress = Compression::kNone;  ///< The compression of the meshes.
   Layout layout = Layout::kEmbedded;          ///< The place of shared meshes and images: in each tile or in files.
   bool has_manifest = false;                  ///< True if the run wrote the scene as a file (scene.kiln).
-  /// The object counts of the run, without its diagnoses. A Report::ledger() has one account per stage and kind of
-  /// objects: how many went into the stage, came out, were merged or were dropped.
+  /// The object counts of the run, and those of assumptions, without its diagnoses. A Report::ledger() has one account
+  /// per stage and kind of objects: how many went into the stage, came out, were merged or were dropped.
   Report ledger;
   /// The accounts in which these counts do not add up (Account::balances()), as "stage/kind": objects were lost without
   /// a diagnosis.

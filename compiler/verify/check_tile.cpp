@@ -12,6 +12,7 @@
 #include "compiler/ground/mesh/reference.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/verify/ground_index.h"
+#include "compiler/verify/measure_assumed.h"
 #include "compiler/verify/measure_blank_walls.h"
 #include "compiler/verify/measure_footing.h"
 #include "compiler/verify/measure_lakes.h"
@@ -190,6 +191,24 @@ void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std:
                                   name});
 }
 
+void add_assumed(const AssumedPlaces& found, const char* what, const std::string& name, Check& check) {
+  check.test_all(found.places, found.misplaced == 0,
+                 {fmt::format("{}: {} of {} {}, {} on {} at {:.2f}, {:.2f}", name, found.misplaced, found.places, what,
+                              to_string(found.first), to_string(found.on), found.at.x, found.at.y),
+                  found.at,
+                  {found.first, found.on},
+                  static_cast<double>(found.misplaced),
+                  name});
+}
+
+// Measures what is assumed, by the recipes and the finest level.
+void check_assumed(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
+  add_assumed(measure_assumed_pavements(tile.chunk, tile.box), "places of pavements", name,
+              tile.results().assumed_pavements);
+  add_assumed(measure_assumed_lamps(level, tile.chunk, tile.cover), "lamps", name, tile.results().assumed_lamps);
+  add_assumed(measure_assumed_fronts(tile.chunk), "fronts", name, tile.results().assumed_fronts);
+}
+
 // Measures buildings by the triangles of the finest level: coarser ones have the same recipes.
 void check_buildings(TileUnderCheck& tile, const bake::BakedTile& level, const GroundIndex& ground,
                      const std::string& name) {
@@ -254,7 +273,7 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
   check_ground(tile, *written, ground, file.name);
   check_heights(tile, *written, ground, file.name);
   check_trunks(tile, *written, file.name);
-  if (level == 0) check_buildings(tile, *written, ground, file.name);
+  if (level == 0) check_buildings(tile, *written, ground, file.name), check_assumed(tile, *written, file.name);
   check_ways(tile, *written, file.name);
   tile.checked.borders.push_back(borders_of(*written, tile.box));
   return Done{};

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "compiler/bake/bake.h"
+#include "compiler/contract/assumption_names.h"
 #include "compiler/verify/prepare_tile.h"
 #include "exporters/file.h"
 #include "exporters/gltf/glb.h"
@@ -230,6 +231,15 @@ void test_contents(const Layer& layer, const BakedTile& tile, CheckResults& resu
   }
 }
 
+// The names of what is assumed of each feature; empty if nothing is assumed.
+std::vector<std::string> assumed_texts(const BakedTile& tile) {
+  std::vector<std::string> assumed;
+  for (const bake::FeatureAttributes& row : tile.attributes)
+    assumed.push_back(fmt::format("{}", fmt::join(names_in(row.assumed), " ")));
+  if (std::ranges::all_of(assumed, &std::string::empty)) assumed.clear();
+  return assumed;
+}
+
 void test_facts(const Layer& layer, const BakedTile& tile, const scene::Header& header, CheckResults& results) {
   const UsdReadPrim* root = exporters::prim_at(layer.read, "/tile");
   const UsdReadDictionary none;
@@ -249,6 +259,8 @@ void test_facts(const Layer& layer, const BakedTile& tile, const scene::Header& 
   for (const bake::FeatureAttributes& row : tile.attributes) names.push_back(row.name);
   if (std::ranges::all_of(names, &std::string::empty)) names.clear();
   test(features != nullptr && texts_of(features->values, "osm:name") == names, "the list of names");
+  test(features != nullptr && texts_of(features->values, "osm:assumed") == assumed_texts(tile),
+       "the list of assumptions");
   test(texts_of(layer.read.custom_data, "attribution") == std::vector{attribution_of(header)}, "attribution");
   test(layer.read.up_axis == "Z" && layer.read.meters_per_unit == 1 && layer.read.default_prim == "tile",
        "the frame or default prim");

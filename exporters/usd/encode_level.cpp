@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "compiler/contract/assumption_names.h"
 #include "exporters/usd/crate_writer.h"
 #include "exporters/usd/text_writer.h"
 #include "exporters/usd/usd_builder.h"
@@ -47,6 +48,15 @@ void write_heights(UsdBuilder& b) {
       {.type = "float[]", .name = "osm:height_m", .value = std::span<const float>(heights_m), .is_custom = true});
 }
 
+void write_assumed(UsdBuilder& b) {
+  TextColumn texts;
+  for (const FeatureAttributes& row : b.tile.attributes)
+    texts.push_back(fmt::format("{}", fmt::join(names_in(row.assumed), " ")));
+  if (std::ranges::all_of(texts, &std::string::empty)) return;
+  b.writer.write(
+      {.type = "string[]", .name = "osm:assumed", .value = std::span<const std::string>(texts), .is_custom = true});
+}
+
 // Writes the scope "features". Element i of each array belongs to feature i, to which primvars:feature refers; element
 // 0 means "no feature".
 //
@@ -58,6 +68,7 @@ void write_heights(UsdBuilder& b) {
 // | osm:name      | string[] | name=*, or ""                                      |
 // | osm:height_m  | float[]  | from foot to top, or 0                             |
 // | osm:tags      | string[] | all tags as a JSON object, where the scene keeps them |
+// | osm:assumed   | string[] | names of what is assumed of it, or ""              |
 //
 // Leaves out columns without values.
 void write_feature_table(UsdBuilder& b) {
@@ -67,6 +78,7 @@ void write_feature_table(UsdBuilder& b) {
   write_texts(b, "osm:name", &FeatureAttributes::name);
   write_heights(b);
   write_texts(b, "osm:tags", &FeatureAttributes::tags);
+  write_assumed(b);
   b.writer.end_prim();
 }
 

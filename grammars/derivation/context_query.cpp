@@ -65,6 +65,19 @@ bool answer(ContextQuery query, const std::vector<Neighbour>& neighbours, const 
   return touches && !within && !inside;
 }
 
+// The part of a front inside the scope.
+std::optional<FrontInShape> part_in(const Scope& scope, const FrontLine& front) {
+  constexpr double kOffPlane_m = 0.25, kStrip_m = 0.25, kLeastWidth_m = 1;
+  const Vec2 origin = in_plan(scope.origin), x = in_plan(scope.axis[0]), z = in_plan(scope.axis[2]);
+  if (std::abs(dot(front.from - origin, z)) > kOffPlane_m || std::abs(dot(front.to - origin, z)) > kOffPlane_m)
+    return std::nullopt;
+  double start_m = dot(front.from - origin, x), end_m = dot(front.to - origin, x);
+  if (start_m < kStrip_m) start_m = 0;
+  if (end_m > scope.size_m[0] - kStrip_m) end_m = scope.size_m[0];
+  if (end_m - start_m < kLeastWidth_m) return std::nullopt;
+  return FrontInShape{start_m, end_m - start_m, front.kind, front.colour, front.is_lit};
+}
+
 }  // namespace
 
 AnswerContextQuery answer_from_neighbours(std::vector<Neighbour> neighbours) {
@@ -82,6 +95,17 @@ AnswerContextQuery answer_from_entrances(std::vector<Vec2> places) {
              const double along_m = dot(position - origin, x);
              return along_m >= 0 && along_m < scope.size_m[0] && std::abs(dot(position - origin, z)) < kOutOfPlane_m;
            });
+  };
+}
+
+FindFront find_among_fronts(std::vector<FrontLine> fronts) {
+  return [fronts = std::move(fronts)](const Shape& shape) {
+    std::optional<FrontInShape> first;
+    for (const FrontLine& front : fronts) {
+      const std::optional<FrontInShape> part = part_in(shape.scope, front);
+      if (part && (!first || part->start_m < first->start_m)) first = part;
+    }
+    return first;
   };
 }
 

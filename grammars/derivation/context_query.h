@@ -1,8 +1,10 @@
 // Queries about the surroundings of a shape, for the functions inside(), overlaps(), touches(), has_entrance() and
-// is_lit().
+// is_lit(), and the front_…() functions.
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "compiler/geometry/polygon.h"
@@ -15,6 +17,23 @@ enum class ContextQuery : std::uint8_t { kInside, kOverlaps, kTouches, kHasEntra
 
 /// A function that answers a query during a derivation. Must be a pure function.
 using AnswerContextQuery = std::function<bool(ContextQuery, const Shape&)>;
+
+/// The part of a shop front in a shape.
+struct FrontInShape {
+  double start_m = 0, width_m = 0;  ///< Along the scope's x axis.
+  std::string kind;                 ///< What is sold or done behind it.
+  std::string colour;               ///< Of its fascia, "#rrggbb".
+  bool is_lit = false;              ///< Lamps are on behind it.
+};
+/// A function that returns the first front of a shape along the scope's x axis. Must be a pure function.
+using FindFront = std::function<std::optional<FrontInShape>(const Shape&)>;
+
+/// A shop front as a line in plan.
+struct FrontLine {
+  Vec2 from, to;  ///< Plane metres; from left to right as seen from outside.
+  std::string kind, colour;
+  bool is_lit = false;
+};
 
 /// A neighbouring building as a prism.
 struct Neighbour {
@@ -32,5 +51,10 @@ AnswerContextQuery answer_from_neighbours(std::vector<Neighbour> neighbours);
 /// end (exclusive) of the scope's x axis and within 1 m of its xy plane. Exactly one of adjacent pieces has the
 /// entrance.
 AnswerContextQuery answer_from_entrances(std::vector<Vec2> positions);
+
+/// Returns a function that finds fronts whose ends lie within 0.25 m of the scope's xy plane. A front that the scope
+/// cuts counts with the part inside, if that is at least 1 m wide; an end less than 0.25 m from the scope's is moved
+/// there.
+FindFront find_among_fronts(std::vector<FrontLine> fronts);
 
 }  // namespace citykiln::grammars

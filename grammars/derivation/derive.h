@@ -48,6 +48,7 @@ struct DeriveOptions {
   bool prune_early = false;
   Limits limits;
   AnswerContextQuery answer_context_query;  ///< Null: there are no neighbours, entrances or lamps.
+  FindFront find_front;                     ///< Null: there are no shop fronts.
   RoofBuilder roofs;                        ///< Null: form_roofs() at 0.01 m.
 };
 

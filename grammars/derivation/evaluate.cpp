@@ -123,6 +123,13 @@ bool answer_query(Context& context, ContextQuery query) {
   return answer && answer(query, context.shape);
 }
 
+FrontInShape front_in(Context& context) {
+  const FindFront& find = context.run.options.find_front;
+  if (find && context.random.of_shape) context.run.depends_on(0);
+  context.run.spend(vertex_count(context.shape.faces) * 2);
+  return find ? find(context.shape).value_or(FrontInShape{}) : FrontInShape{};
+}
+
 Value call_builtin(std::size_t row, const Value* v, const double* n, const std::string* s, std::size_t given,
                    Context& context) {
   std::size_t at = 0;

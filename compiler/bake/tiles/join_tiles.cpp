@@ -114,7 +114,9 @@ std::vector<FeatureAttributes> joined_attributes(const std::vector<OsmId>& featu
     for (std::size_t i = 0; i < tile.attributes.size(); ++i) {
       const auto place = std::ranges::lower_bound(features, tile.features[i]) - features.begin();
       FeatureAttributes& known = joined[static_cast<std::size_t>(place)];
+      const Assumptions assumed = known.assumed | tile.attributes[i].assumed;
       if (rank(known) < rank(tile.attributes[i])) known = tile.attributes[i];
+      known.assumed = assumed;
     }
   return joined;
 }

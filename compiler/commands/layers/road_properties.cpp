@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/contract/assumption_names.h"
 #include "compiler/map/land_cover_class.h"
 #include "compiler/materials/material.h"
 
@@ -22,6 +23,10 @@ void add_section(Properties& properties, const map::CrossSection& section) {
 
 void add_surface(Properties& properties, map::LandCoverClass surface) {
   properties.add("surface", materials::values_of(map::values_of(surface).material).name);
+}
+
+void add_assumed(Properties& properties, Assumptions assumed) {
+  if (assumed != kNoAssumptions) properties.add("assumed", names_in(assumed));
 }
 
 void add_layer_and_passage(Properties& properties, int layer, map::Passage passage) {

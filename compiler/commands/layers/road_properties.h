@@ -5,6 +5,7 @@
 #include <string>
 
 #include "compiler/commands/layers/layer.h"
+#include "compiler/contract/assumption.h"
 #include "compiler/map/cross_section.h"
 #include "compiler/map/features.h"
 
@@ -19,6 +20,9 @@ void add_section(Properties& properties, const map::CrossSection& section);
 
 /// Adds the property `surface`: the material of a land cover class, such as "Asphalt".
 void add_surface(Properties& properties, map::LandCoverClass surface);
+
+/// Adds the property `assumed`, the names of what is assumed of an object; left out if nothing is.
+void add_assumed(Properties& properties, Assumptions assumed);
 
 /// Adds the property `layer` (the OSM layer, -10 to 10), and `bridge` or `tunnel` = true if the object is one.
 void add_layer_and_passage(Properties& properties, int layer, map::Passage passage);

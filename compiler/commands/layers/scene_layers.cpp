@@ -83,6 +83,7 @@ void add_road(const Context& context, const roads::Road& road, int layer_number,
     add_surface(feature.properties, road.surface);
     add_layer_and_passage(feature.properties, layer_number, passage);
     feature.properties.add("lit", road.is_lit);
+    add_assumed(feature.properties, road.assumed);
   }
   layer.back().parts.push_back({lifted_axis(context, road)});
 }
@@ -207,6 +208,7 @@ void add_planned_building(Properties& properties, const buildings::Building& bui
   properties.add("eaves_m", buildings::eaves_m(building) - foot_m);
   if (building.year > 0) properties.add("year", building.year);
   properties.add("shop", building.has_shop);
+  add_assumed(properties, building.assumed);
 }
 
 Layer planned_buildings(const Context& context) {

@@ -80,6 +80,13 @@ void read_heights(const Table& table, std::vector<FeatureAttributes>& rows) {
   }
 }
 
+// The column of assumptions, if the table has it.
+void read_assumed(const Table& table, std::vector<FeatureAttributes>& rows) {
+  if (!table.columns.Has("assumed")) return;
+  const auto sets = values_in<Assumptions>(table.reader, member(table.columns, "assumed"), "values", table.count);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].assumed = sets[i];
+}
+
 std::vector<std::uint32_t> text_offsets_in(const Table& table, const Value& column) {
   if (text_in(member(column, "stringOffsetType")) == "UINT32")
     return values_in<std::uint32_t>(table.reader, column, "stringOffsets", table.count + 1);
@@ -118,6 +125,7 @@ void read_property_table(GltfReader& reader, bake::BakedTile& tile) {
   read_texts(table, "name", &FeatureAttributes::name, tile.attributes);
   read_heights(table, tile.attributes);
   read_texts(table, "tags", &FeatureAttributes::tags, tile.attributes);
+  read_assumed(table, tile.attributes);
 }
 
 }  // namespace citykiln::exporters

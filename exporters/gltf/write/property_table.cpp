@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/contract/assumption_names.h"
 #include "compiler/contract/erase_repeated.h"
 #include "exporters/gltf/glb_names.h"
 
@@ -107,6 +108,17 @@ void add_heights(Columns& columns) {
   columns.add("height_m", std::move(property), column_of(columns.builder, heights_m));
 }
 
+// A column of sets of bits, unless nothing is assumed: files without assumptions have no such column.
+void add_assumed(Columns& columns) {
+  std::vector<Assumptions> sets;
+  for (const FeatureAttributes& row : columns.builder.tile.attributes) sets.push_back(row.assumed);
+  if (std::ranges::all_of(sets, [](Assumptions set) { return set == kNoAssumptions; })) return;
+  const std::string description = "what is assumed of the object, a sum of bits: " + bits_text();
+  Json property = scalar("assumed", "UINT16", description.c_str());
+  property["noData"] = 0;
+  columns.add("assumed", std::move(property), column_of(columns.builder, sets));
+}
+
 // A number that is written without a fraction in 32 bits, else with one.
 Json id_value(std::int64_t v) {
   const bool fits = v >= std::numeric_limits<int>::min() && v <= std::numeric_limits<int>::max();
@@ -134,6 +146,7 @@ void add_attributes(const FeatureAttributes& row, Json& extras) {
   // as many digits as single precision has, so that 12.3 stays 12.3
   if (row.height_m > 0) extras["height_m"] = std::stod(fmt::format("{}", row.height_m));
   if (!row.tags.empty()) extras["tags"] = tags_object(row.tags);
+  if (row.assumed != kNoAssumptions) extras["assumed"] = names_in(row.assumed);
 }
 
 }  // namespace
@@ -148,6 +161,7 @@ Json property_table(GlbBuilder& builder) {
     add_texts(columns, "name", "name of the object", &FeatureAttributes::name);
     add_heights(columns);
     add_texts(columns, "tags", "all tags of the element, as a JSON object", &FeatureAttributes::tags);
+    add_assumed(columns);
   }
   Json schema = {{"id", "citykiln"}, {"classes", {{"osm", {{"properties", std::move(columns.schema)}}}}}};
   if (!columns.enums.empty()) schema["enums"] = std::move(columns.enums);

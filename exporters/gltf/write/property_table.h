@@ -21,16 +21,18 @@ namespace citykiln::exporters {
 /// | name     | STRING         | name=*                                                       | ""     |
 /// | height_m | FLOAT32        | from foot to top: buildings, barriers, lamps, single plants  | 0      |
 /// | tags     | STRING         | all tags as a JSON object, where the scene keeps them        | ""     |
+/// | assumed  | UINT16         | what is assumed, a sum of bits, which the description names  | 0      |
 ///
-/// Leaves out columns without values: name or tags if all are empty, and class to tags if the tile has no attributes.
+/// Leaves out columns without values: name or tags if all are empty, assumed if all are 0, and class to assumed if the
+/// tile has no attributes.
 nlohmann::json property_table(GlbBuilder& builder);
 
 /// Returns the name of a feature's node: "way_1234", or "none" for row 0.
 std::string feature_name(const bake::BakedTile& tile, std::uint32_t feature);
 
-/// Returns the extras of a node that shows one feature: {feature, osm_id, osm_type, class, name, height_m, tags}.
-/// `feature` is the row of the property table, osm_type is "node", "way" or "relation", and tags is an object. Unknown
-/// values are left out; row 0 has `feature` only.
+/// Returns the extras of a node that shows one feature: {feature, osm_id, osm_type, class, name, height_m, tags,
+/// assumed}. `feature` is the row of the property table, osm_type is "node", "way" or "relation", tags is an object,
+/// and assumed is a list of names. Unknown values are left out; row 0 has `feature` only.
 /// @param feature  An index into tile.features.
 nlohmann::json extras_of(const bake::BakedTile& tile, std::uint32_t feature);
 

@@ -41,6 +41,17 @@ TEST(FeatureAttributes, AreThoseOfTheRecipes) {
                                                                              {}}));
 }
 
+TEST(FeatureAttributes, HaveWhatIsAssumedOfAnyRecipeOfTheElement) {
+  scene::Chunk chunk = town();
+  chunk.buildings[1].assumed = bit_of(Assumption::kHeights), chunk.buildings[0].assumed = bit_of(Assumption::kRoofs);
+  chunk.roads[0].assumed = bit_of(Assumption::kLamps);
+  const std::vector<OsmId> features = {{}, way(7).osm, way(8).osm, way(9).osm};
+  const auto rows = attributes_of(chunk, features);
+  EXPECT_EQ(rows[1].assumed, bit_of(Assumption::kHeights) | bit_of(Assumption::kRoofs));
+  EXPECT_EQ(rows[2].assumed, kNoAssumptions);
+  EXPECT_EQ(rows[3].assumed, bit_of(Assumption::kLamps));
+}
+
 TEST(FeatureAttributes, OfNoFeaturesAreNone) { EXPECT_TRUE(attributes_of(town(), {}).empty()); }
 
 }  // namespace

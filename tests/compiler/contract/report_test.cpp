@@ -24,6 +24,22 @@ TEST(Report, AppendingAddsUpAccounts) {
   EXPECT_EQ(a.counts().at(Code::kNoHeight), 1u);
 }
 
+TEST(Report, AppendingAddsUpWhatIsAssumed) {
+  Report a, b;
+  a.count_assumed(Assumption::kLamps, {OsmType::kWay, 1});
+  b.count_assumed(Assumption::kLamps, {OsmType::kWay, 2});
+  a.append(b);
+  EXPECT_EQ(a.assumed(Assumption::kLamps), 2u);
+  EXPECT_EQ(a.assumed(Assumption::kHeights), 0u);
+}
+
+TEST(Report, LimitedToObjectsItCountsWhatIsAssumedOfThem) {
+  Report report;
+  report.limit_to({{OsmType::kWay, 2}});
+  for (int i = 1; i < 4; ++i) report.count_assumed(Assumption::kLamps, {OsmType::kWay, i});
+  EXPECT_EQ(report.assumed(Assumption::kLamps), 1u);
+}
+
 TEST(Report, CodesAreNamedWithoutTheirPrefix) { EXPECT_EQ(name_of(Code::kMissingNode), "MissingNode"); }
 
 }  // namespace

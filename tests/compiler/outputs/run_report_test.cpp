@@ -55,6 +55,17 @@ TEST(RunReport, FindsAccountsThatDoNotBalance) {
   EXPECT_EQ(read_report(folder.path())->unbalanced, (std::vector<std::string>{"map/track"}));
 }
 
+TEST(RunReport, ReadsBackWhatIsAssumed) {
+  Report report;
+  for (int i = 0; i < 3; ++i) report.count_assumed(Assumption::kHeights, {OsmType::kWay, i});
+  const RunFolder folder;
+  folder.report(report_of(report, {}));
+  const Result<RunRecord> record = read_report(folder.path());
+  ASSERT_TRUE(record) << to_string(record.error());
+  EXPECT_EQ(record->ledger.assumed(Assumption::kHeights), 3u);
+  EXPECT_EQ(record->ledger.assumed(Assumption::kLamps), 0u);
+}
+
 TEST(RunReport, IsTheSameWhateverTheOrderOfDiagnoses) {
   Report one, other;
   for (int i = 0; i < 50; ++i) one.add(Code::kMissingNode, {OsmType::kWay, i});

@@ -77,6 +77,14 @@ TEST(UsdLevel, StatesErrorsOriginAndAttribution) {
   EXPECT_EQ(prim_at(layer, "/tile/features")->values.at("osm:name").texts[2], "Château «Ω»");
 }
 
+TEST(UsdLevel, NamesWhatIsAssumedWhereSomethingIs) {
+  bake::BakedTile tile = made_tile(1);
+  const auto features_of = [&] { return *prim_at(read(encode_level(tile, made_header(), "")), "/tile/features"); };
+  EXPECT_FALSE(features_of().values.contains("osm:assumed"));
+  tile.attributes[2].assumed = bit_of(Assumption::kPavements) | bit_of(Assumption::kLamps);
+  EXPECT_EQ(features_of().values.at("osm:assumed").texts, (std::vector<std::string>{"", "", "pavements lamps", ""}));
+}
+
 TEST(UsdLevel, LeavesHaveTheMeanTintOfTheirMesh) {
   bake::BakedTile tile = made_facade_tile(2);
   bake::Primitive& leaves = tile.instanced.front().primitives.back();

@@ -65,6 +65,16 @@ TEST(JoinTiles, KeepsWhatTheTileThatKnowsMostSaysOfAFeature) {
   }
 }
 
+TEST(JoinTiles, KeepsWhatAnyTileKnowsToBeAssumed) {
+  std::vector tiles = {tile_at({0, 0, 0}, way_id(5), 0), tile_at({1024, 0, 0}, way_id(5), 0)};
+  tiles[0].attributes = {{}, {"Church", "", 31.5f, ""}};
+  tiles[1].attributes = {{}, {"Building", "", 0, "", bit_of(Assumption::kHeights)}};
+  const Result<BakedTile> joined = join_tiles(tiles);
+  ASSERT_TRUE(joined);
+  EXPECT_EQ(joined->attributes[1].assumed, bit_of(Assumption::kHeights));
+  EXPECT_EQ(joined->attributes[1].kind, "Church");
+}
+
 TEST(JoinTiles, KeepsMeshesWithDifferentCutoutsApart) {
   std::vector tiles = {tile_at({0, 0, 0}, way_id(5), 0), tile_at({1024, 0, 0}, way_id(3), 0),
                        tile_at({2048, 0, 0}, way_id(4), 0)};

@@ -38,6 +38,29 @@ TEST(GlbPropertyTable, LeavesOutColumnsWithoutValues) {
   EXPECT_TRUE(*decoded(encoded(tile, kExtension)) == tile);
 }
 
+TEST(GlbPropertyTable, MarksWhatIsAssumedAndNamesTheBits) {
+  BakedTile tile = made_tile(1);
+  const Bytes without = encoded(tile, kExtension);
+  EXPECT_EQ(json_of(without).find("assumed"), std::string::npos);
+  tile.attributes[2].assumed = bit_of(Assumption::kHeights) | bit_of(Assumption::kPavements);
+  const Bytes bytes = encoded(tile, kExtension);
+  const auto gltf = nlohmann::json::parse(json_of(bytes));
+  const auto& property =
+      gltf["extensions"]["EXT_structural_metadata"]["schema"]["classes"]["osm"]["properties"]["assumed"];
+  EXPECT_EQ(property["componentType"], "UINT16");
+  EXPECT_NE(property["description"].get<std::string>().find("1 pavements, 2 parking, 4 lamps, 8 heights"),
+            std::string::npos);
+  EXPECT_TRUE(*decoded(bytes) == tile);
+  tile.attributes[2].assumed = kNoAssumptions;
+  EXPECT_EQ(encoded(tile, kExtension), without);
+}
+
+TEST(GlbPropertyTable, NamesWhatIsAssumedInExtras) {
+  BakedTile tile = made_tile(1);
+  tile.attributes[1].assumed = bit_of(Assumption::kLamps) | bit_of(Assumption::kPavements);
+  EXPECT_NE(json_of(encoded(tile, kNodes)).find(R"("assumed":["pavements","lamps"])"), std::string::npos);
+}
+
 TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
   const BakedTile tile = made_tile(1);
   const auto gltf = nlohmann::json::parse(json_of(encoded(tile, kNodes)));

@@ -1,0 +1,48 @@
+// Leaves tags of a map out and assumes again what they say, for the chart of assumptions.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "compiler/contract/assumption.h"
+#include "compiler/contract/result.h"
+#include "compiler/map/features.h"
+#include "compiler/map/plane/plane.h"
+#include "compiler/source/osm_data.h"
+
+namespace citykiln::charts {
+
+/// A kind of tags that is left out.
+enum class LeftOut : std::uint8_t {
+  kPavements,  ///< sidewalk=*, with all its sides.
+  kLamps,      ///< lit=* and street lamps.
+  kWidths,     ///< width=*, est_width=*, width:lanes=*.
+  kHeights     ///< Heights and storeys of buildings and of their roofs.
+};
+
+/// True for elements whose tags are left out.
+using IsOut = std::function<bool(OsmId)>;
+
+/// Returns the extract without the tags of a kind, at the elements that are out. A street lamp without tags is none.
+/// O(tags).
+source::OsmData without_tags(source::OsmData osm, LeftOut kind, const IsOut& is_out);
+
+/// A map whose tags are known.
+struct Place {
+  std::string name;  ///< The name of the file, without endings.
+  source::OsmData osm;
+  source::LonLatBox box;
+  map::LonLat origin;
+  map::Features mapped;  ///< The features by their tags, without assumptions.
+};
+
+/// Reads a map. Errors: those of source::read_osm().
+Result<Place> read_place(const std::string& path, int threads);
+
+/// Returns the features of a place without the tags of a kind, with assumptions, and with widths fitted as in a
+/// compile.
+/// @param on  The assumptions; none: what is built where nothing is assumed.
+map::Features guessed(const Place& place, LeftOut kind, const IsOut& is_out, Assumptions on);
+
+}  // namespace citykiln::charts

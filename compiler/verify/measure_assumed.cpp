@@ -1,0 +1,239 @@
+#include "compiler/verify/measure_assumed.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
+#include "compiler/roads/junctions/junction.h"
+#include "compiler/roads/width_limits/narrowed_section.h"
+#include "compiler/scene/land_cover.h"
+
+namespace citykiln::verify {
+namespace {
+
+using map::LandCoverClass;
+using map::LandCoverGroup;
+using roads::Road;
+
+constexpr double kPavementStep_m = 4, kAssumedBucket_m = 32;
+// Narrower pavements are kerb stones.
+constexpr double kLeastMeasured_m = 0.25;
+// Rounding of outlines.
+constexpr double kInside_m = 0.05;
+// The least cosine of the angle between a road and a path that runs along it.
+constexpr double kAlong = 0.87;
+
+LandCoverGroup group_of_class(LandCoverClass surface) { return map::values_of(surface).group; }
+
+// A segment of a way that nothing assumed may cover.
+struct MappedSegment {
+  std::uint32_t road, segment;
+};
+
+// The mapped objects of a chunk that nothing assumed may cover.
+struct Mapped {
+  const scene::Chunk& chunk;
+  std::vector<ground::LandCoverPolygon> areas;  // Water and buildings.
+  ground::LandCoverIndex index;                 // The index of `areas`.
+  std::vector<MappedSegment> segments{};
+  BoxGrid grid{};  // The boxes of `segments`.
+};
+
+std::vector<ground::LandCoverPolygon> waters_and_buildings(const scene::Chunk& chunk) {
+  std::vector<ground::LandCoverPolygon> areas;
+  for (const ground::LandCoverPolygon& surface : chunk.surfaces)
+    if (const auto group = group_of_class(surface.surface);
+        group == LandCoverGroup::kWater || group == LandCoverGroup::kBuilding)
+      areas.push_back(surface);
+  for (const buildings::Building& building : chunk.buildings)
+    if (building.stands_on_ground) areas.push_back(scene::footprint_surface(building));
+  return areas;
+}
+
+void add_segments(Mapped& mapped) {
+  std::vector<Box2> boxes;
+  const std::vector<Road>& all = mapped.chunk.roads;
+  for (std::uint32_t r = 0; r < all.size(); ++r)
+    for (std::uint32_t i = 0; i + 1 < all[r].axis.size(); ++i) {
+      mapped.segments.push_back({r, i});
+      const double widest_m = std::max(roads::widest_left_m(all[r]), roads::widest_right_m(all[r]));
+      boxes.push_back(box_of(std::array{all[r].axis[i], all[r].axis[i + 1]}).widened(widest_m));
+    }
+  if (!boxes.empty()) mapped.grid = grid_of(boxes, kAssumedBucket_m);
+}
+
+// The middle of an assumed pavement at a place along its road.
+struct PavementPlace {
+  const Road& road;
+  Vec2 on_axis, along, at;
+};
+
+bool meet_near(const Road& one, const Road& other, Vec2 p) {
+  return std::ranges::any_of(one.axis, [&](Vec2 node) {
+    return distance(node, p) < roads::kJunctionRadius_m && std::ranges::find(other.axis, node) != other.axis.end();
+  });
+}
+
+// True if a place lies between the kerbs of another way.
+bool is_on_way(const PavementPlace& place, const Road& other, std::uint32_t segment) {
+  const Vec2 a = other.axis[segment], b = other.axis[segment + 1];
+  const double half_m = cross(b - a, place.at - a) > 0 ? roads::left_m(other) : roads::right_m(other);
+  if (a == b || distance_to_segment(a, b, place.at) >= half_m - kInside_m) return false;
+  const bool is_path = group_of_class(other.surface) == LandCoverGroup::kPath;
+  return !is_path || std::abs(dot(unit(b - a), place.along)) > kAlong;
+}
+
+// The mapped element on which a place of a pavement lies; none if it is free.
+OsmId mapped_at(const Mapped& mapped, const PavementPlace& place) {
+  const std::uint32_t area = ground::land_cover_at(mapped.index, place.at);
+  if (area != ground::kNoLandCover && area != ground::land_cover_at(mapped.index, place.on_axis))
+    return mapped.areas[area].id.osm;
+  if (mapped.segments.empty()) return {};
+  for (const std::uint32_t i : boxes_about(mapped.grid, place.at)) {
+    const Road& other = mapped.chunk.roads[mapped.segments[i].road];
+    if (other.id.osm == place.road.id.osm || !is_on_way(place, other, mapped.segments[i].segment)) continue;
+    if (!meet_near(place.road, other, place.at)) return other.id.osm;
+  }
+  return {};
+}
+
+void test_place(const Mapped& mapped, const PavementPlace& place, AssumedPlaces& found) {
+  ++found.places;
+  const OsmId on = mapped_at(mapped, place);
+  if (on.type == OsmType::kNone) return;
+  if (found.misplaced++ == 0) found.at = place.at, found.first = place.road.id.osm, found.on = on;
+}
+
+void test_pavements(const Mapped& mapped, const Road& road, const Box2& box, AssumedPlaces& found) {
+  const std::vector<double> along_m = roads::distances_along(road);
+  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
+    const Vec2 a = road.axis[i], b = road.axis[i + 1], along = unit(b - a), left = left_of(along);
+    const int steps = std::max(1, static_cast<int>(distance(a, b) / kPavementStep_m));
+    for (int k = 0; k < steps; ++k) {
+      const double share = (k + 0.5) / steps;
+      const Vec2 on_axis = a + (b - a) * share;
+      const auto edges = roads::road_edges_at(road, along_m[i] + (along_m[i + 1] - along_m[i]) * share);
+      const double offsets_m[] = {(edges.kerb_left_m + edges.left_m) / 2, -(edges.kerb_right_m + edges.right_m) / 2};
+      const double widths_m[] = {edges.left_m - edges.kerb_left_m, edges.right_m - edges.kerb_right_m};
+      for (const int side : {0, 1}) {
+        const PavementPlace place{road, on_axis, along, on_axis + left * offsets_m[side]};
+        if (widths_m[side] >= kLeastMeasured_m && box.contains_half_open(place.at)) test_place(mapped, place, found);
+      }
+    }
+  }
+}
+
+// Rounding of places along walls.
+constexpr double kAlongWall_m = 0.01;
+// The spacing of places of a front that are tested against openings.
+constexpr double kFrontPlaces_m = 0.5;
+
+bool overlap(double from_m, double to_m, double other_from_m, double other_to_m) {
+  return std::min(to_m, other_to_m) - std::max(from_m, other_from_m) > kAlongWall_m;
+}
+
+bool is_across_opening(const buildings::Building& building, const buildings::Front& front, Vec2 corner, Vec2 along) {
+  const int steps = std::max(1, static_cast<int>((front.to_m - front.from_m) / kFrontPlaces_m));
+  return std::ranges::any_of(building.passageways, [&](const buildings::Passageway& opening) {
+    const double half_m = std::min(opening.left_m, opening.right_m) - kInside_m;
+    for (int i = 0; i <= steps; ++i) {
+      const Vec2 p = corner + along * (front.from_m + (front.to_m - front.from_m) * i / steps);
+      if (distance_to_polyline(opening.axis, p) < half_m) return true;
+    }
+    return false;
+  });
+}
+
+// True if nothing else is on the part of the wall that an assumed front takes.
+bool is_on_free_wall(const buildings::Building& building, const buildings::Front& front) {
+  const Ring& ring = building.footprint.outer;
+  if (front.edge >= ring.size()) return false;
+  const Vec2 a = ring[front.edge], b = ring[(front.edge + 1) % ring.size()];
+  if (front.from_m < 0 || front.to_m > distance(a, b) + kAlongWall_m || front.from_m >= front.to_m) return false;
+  const auto is_taken_by = [&](const auto& other) {
+    return other.edge == front.edge && overlap(front.from_m, front.to_m, other.from_m, other.to_m);
+  };
+  const auto is_taken_by_front = [&](const buildings::Front& other) { return &other != &front && is_taken_by(other); };
+  return std::ranges::none_of(building.party_walls, is_taken_by) &&
+         std::ranges::none_of(building.fronts, is_taken_by_front) &&
+         !is_across_opening(building, front, a, unit(b - a));
+}
+
+bool is_lamp(std::string_view name) { return name == "PostTopLamp" || name == "ArmLamp"; }
+
+std::set<OsmId> ways_with_assumed_lamps(const scene::Chunk& chunk) {
+  std::set<OsmId> ways;
+  const auto add = [&](const auto& all) {
+    for (const Road& road : all)
+      if (has(road.assumed, Assumption::kLamps)) ways.insert(road.id.osm);
+  };
+  add(chunk.roads), add(chunk.bridges), add(chunk.tunnels);
+  return ways;
+}
+
+// The mapped element on which no lamp may stand; none if the place is free.
+OsmId no_place_for_lamp(const ground::LandCoverIndex& land_cover, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(land_cover, p);
+  if (top == ground::kNoLandCover) return {};
+  const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
+  const LandCoverGroup group = group_of_class(surface.surface);
+  const bool is_taken = group == LandCoverGroup::kRoad || group == LandCoverGroup::kRail ||
+                        group == LandCoverGroup::kBuilding || group == LandCoverGroup::kWater;
+  return is_taken && surface.surface != LandCoverClass::kPedestrianStreet ? surface.id.osm : OsmId{};
+}
+
+}  // namespace
+
+AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box) {
+  AssumedPlaces found;
+  const auto has_any = [](const Road& road) { return has(road.assumed, Assumption::kPavements); };
+  if (std::ranges::none_of(chunk.roads, has_any)) return found;
+  Mapped mapped{chunk, waters_and_buildings(chunk), {}};
+  mapped.index = ground::index_land_cover(mapped.areas, box.widened(scene::kHalo_m));
+  add_segments(mapped);
+  for (const Road& road : chunk.roads)
+    if (has_any(road)) test_pavements(mapped, road, box, found);
+  return found;
+}
+
+AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chunk& chunk,
+                                    const ground::LandCoverIndex& land_cover) {
+  AssumedPlaces found;
+  const std::set<OsmId> ways = ways_with_assumed_lamps(chunk);
+  if (ways.empty()) return found;
+  for (const bake::InstancedMesh& instanced : tile.instanced) {
+    if (!is_lamp(instanced.name)) continue;
+    for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
+      const OsmId way = tile.features[instanced.features[i]];
+      if (!ways.contains(way)) continue;
+      const bake::Float3& offset = instanced.translations[i];
+      const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
+      const OsmId on = no_place_for_lamp(land_cover, at);
+      ++found.places;
+      if (on.type == OsmType::kNone) continue;
+      if (found.misplaced++ == 0) found.at = at, found.first = way, found.on = on;
+    }
+  }
+  return found;
+}
+
+AssumedPlaces measure_assumed_fronts(const scene::Chunk& chunk) {
+  AssumedPlaces found;
+  for (const buildings::Building& building : chunk.buildings)
+    for (const buildings::Front& front : building.fronts) {
+      if (!front.is_assumed) continue;
+      ++found.places;
+      if (is_on_free_wall(building, front)) continue;
+      if (found.misplaced++ == 0)
+        found.at = building.footprint.outer[front.edge % building.footprint.outer.size()],
+        found.first = building.id.osm;
+    }
+  return found;
+}
+
+}  // namespace citykiln::verify

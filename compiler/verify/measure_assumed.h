@@ -1,0 +1,40 @@
+// Finds what is assumed where something is mapped: assumed pavements and lamps in water, buildings, railways and
+// carriageways, assumed shop fronts on walls that are not free.
+#pragma once
+
+#include <cstdint>
+
+#include "compiler/bake/baked_tile.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::verify {
+
+/// Assumed objects of one kind in a tile.
+struct AssumedPlaces {
+  std::uint64_t places = 0;     ///< Number of places, or of objects, that were tested.
+  std::uint64_t misplaced = 0;  ///< Number of those where something is mapped.
+  Vec2 at;                      ///< The first one.
+  OsmId first{}, on{};  ///< The element that it descends from, and the mapped one. `on` may be of OsmType::kNone.
+};
+
+/// Tests the middles of the pavements, within the width limits, of ground roads with assumed pavements, every 4 m, in a
+/// box. None may lie
+/// - in mapped water or a building, unless the axis beside it lies there too;
+/// - on a railway or the carriageway of another road;
+/// - on a path that runs along the road.
+/// Places within kJunctionRadius_m of a node that both ways have are not tested against each other. O(places · roads
+/// near).
+AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box);
+
+/// Tests every instanced lamp of a way with assumed lamps: none may stand on a carriageway, a railway, a building or
+/// water. Lamps are recognised by the name of their mesh. Pedestrian streets may have lamps. O(instances).
+/// @param land_cover  Land cover of the tile.
+AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chunk& chunk,
+                                    const ground::LandCoverIndex& land_cover);
+
+/// Tests every assumed shop front of the chunk's buildings: it lies within its wall, and neither on a party wall, nor
+/// on another front, nor across the opening for a way. O(fronts · what is on their walls).
+AssumedPlaces measure_assumed_fronts(const scene::Chunk& chunk);
+
+}  // namespace citykiln::verify

@@ -1,0 +1,137 @@
+#include "compiler/verify/measure_assumed.h"
+
+#include <gtest/gtest.h>
+
+namespace citykiln::verify {
+namespace {
+
+using map::LandCoverClass;
+
+constexpr Box2 kTile{{0, 0}, {128, 128}};
+constexpr OsmId kMainStreet{OsmType::kWay, 1}, kMappedWay{OsmType::kWay, 2};
+
+roads::Road way_along(OsmId id, Polyline axis, LandCoverClass surface, double width_m) {
+  roads::Road road;
+  road.id = {id, 0};
+  road.axis = std::move(axis);
+  road.surface = surface;
+  road.section.lanes = {{.width_m = width_m}};
+  road.section.axis_offset_m = width_m / 2;
+  return road;
+}
+
+// A street of 6 m along y = 50 with assumed pavements of 2 m.
+scene::Chunk street_with_pavements() {
+  scene::Chunk chunk;
+  roads::Road street = way_along(kMainStreet, {{0, 50}, {120, 50}}, LandCoverClass::kResidentialRoad, 6);
+  const map::Lane pavement{.kind = map::LaneKind::kSidewalk, .width_m = 2, .is_raised = true};
+  street.section.lanes = {pavement, street.section.lanes.front(), pavement};
+  street.assumed = bit_of(Assumption::kPavements);
+  chunk.roads = {street};
+  return chunk;
+}
+
+AssumedPlaces pavements_beside(const roads::Road& other) {
+  scene::Chunk chunk = street_with_pavements();
+  chunk.roads.push_back(other);
+  return measure_assumed_pavements(chunk, kTile);
+}
+
+TEST(MeasureAssumed, FindsNothingBesideAFreeStreet) {
+  const AssumedPlaces found = measure_assumed_pavements(street_with_pavements(), kTile);
+  EXPECT_EQ(found.places, 60u);
+  EXPECT_EQ(found.misplaced, 0u);
+}
+
+TEST(MeasureAssumed, LooksOnlyAtRoadsWithAssumedPavements) {
+  scene::Chunk chunk = street_with_pavements();
+  chunk.roads[0].assumed = bit_of(Assumption::kLamps);
+  EXPECT_EQ(measure_assumed_pavements(chunk, kTile).places, 0u);
+}
+
+TEST(MeasureAssumed, FindsPavementsInWaterAndBuildings) {
+  const Ring beside = {{20, 53.5}, {40, 53.5}, {40, 60}, {20, 60}};
+  for (const LandCoverClass surface : {LandCoverClass::kLake, LandCoverClass::kBuilding, LandCoverClass::kPark}) {
+    scene::Chunk chunk = street_with_pavements();
+    chunk.surfaces = {{{kMappedWay, 0}, surface, 130, {beside}}};
+    const AssumedPlaces found = measure_assumed_pavements(chunk, kTile);
+    EXPECT_EQ(found.misplaced, surface == LandCoverClass::kPark ? 0u : 5u);
+    if (found.misplaced > 0) EXPECT_EQ(found.on, kMappedWay);
+  }
+}
+
+// A causeway lies in the water with all of its lanes.
+TEST(MeasureAssumed, AllowsWaterUnderTheStreetItself) {
+  scene::Chunk chunk = street_with_pavements();
+  chunk.surfaces = {{{kMappedWay, 0}, LandCoverClass::kLake, 4000, {{{0, 0}, {128, 0}, {128, 128}, {0, 128}}}}};
+  EXPECT_EQ(measure_assumed_pavements(chunk, kTile).misplaced, 0u);
+}
+
+TEST(MeasureAssumed, FindsPavementsOnRailwaysRoadsAndPathsBesideTheStreet) {
+  for (const LandCoverClass surface :
+       {LandCoverClass::kRailway, LandCoverClass::kServiceRoad, LandCoverClass::kPavedFootPath})
+    EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 54}, {120, 54}}, surface, 2)).misplaced, 30u);
+}
+
+TEST(MeasureAssumed, AllowsPathsThatCrossTheStreetAndWaysThatJoinIt) {
+  EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{60, 20}, {60, 90}}, LandCoverClass::kPavedFootPath, 2)).misplaced,
+            0u);
+  EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 50}, {0, 90}}, LandCoverClass::kServiceRoad, 4)).misplaced, 0u);
+}
+
+TEST(MeasureAssumed, FindsLampsOnACarriageway) {
+  scene::Chunk chunk = street_with_pavements();
+  chunk.roads[0].assumed = bit_of(Assumption::kLamps);
+  const std::vector<ground::LandCoverPolygon> surfaces = {
+      {{kMainStreet, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}}};
+  const ground::LandCoverIndex cover = ground::index_land_cover(surfaces, kTile);
+  bake::BakedTile tile;
+  tile.features = {{}, kMainStreet, kMappedWay};
+  tile.instanced.resize(1);
+  tile.instanced[0].name = "PostTopLamp";
+  tile.instanced[0].translations = {{10, 54, 0}, {30, 52, 0}, {50, 52, 0}};
+  tile.instanced[0].features = {1, 1, 2};
+  const AssumedPlaces found = measure_assumed_lamps(tile, chunk, cover);
+  EXPECT_EQ(found.places, 2u);
+  EXPECT_EQ(found.misplaced, 1u);
+  EXPECT_EQ(found.at, (Vec2{30, 52}));
+}
+
+// A house of 20 by 10 m with an assumed front on its southern wall, from 5 to 11 m.
+scene::Chunk house_with_front() {
+  buildings::Building house;
+  house.id = {kMappedWay, 0};
+  house.footprint.outer = {{0, 0}, {20, 0}, {20, 10}, {0, 10}};
+  house.fronts = {{.edge = 0, .from_m = 5, .to_m = 11, .is_assumed = true}};
+  scene::Chunk chunk;
+  chunk.buildings = {house};
+  return chunk;
+}
+
+TEST(MeasureAssumed, AllowsFrontsBesidePartyWallsAndOtherFronts) {
+  scene::Chunk chunk = house_with_front();
+  chunk.buildings[0].party_walls = {{.edge = 0, .from_m = 0, .to_m = 5, .top_m = 9},
+                                    {.edge = 1, .from_m = 0, .to_m = 10}};
+  chunk.buildings[0].fronts.push_back({.edge = 0, .from_m = 11, .to_m = 15});
+  const AssumedPlaces found = measure_assumed_fronts(chunk);
+  EXPECT_EQ(found.places, 1u);
+  EXPECT_EQ(found.misplaced, 0u);
+}
+
+TEST(MeasureAssumed, FindsFrontsOnWallsThatAreNotFree) {
+  scene::Chunk chunk = house_with_front();
+  buildings::Building& house = chunk.buildings[0];
+  house.party_walls = {{.edge = 0, .from_m = 0, .to_m = 6}};
+  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  house.party_walls.clear();
+  house.passageways = {{{kMainStreet, 0}, {{8, -1}, {8, 11}}, 2, 2, 4}};
+  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  house.passageways.clear();
+  house.fronts[0].to_m = 21;
+  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  house.fronts = {{.edge = 0, .from_m = 5, .to_m = 11, .is_assumed = true}, {.edge = 0, .from_m = 10, .to_m = 15}};
+  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+}
+
+}  // namespace
+}  // namespace citykiln::verify
