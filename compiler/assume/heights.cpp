@@ -37,9 +37,9 @@ constexpr std::uint32_t kCentralEurope = bit(CountryGroup::kCentralEurope),
                         kNorthAmerica = bit(CountryGroup::kNorthAmerica), kJapan = bit(CountryGroup::kJapan);
 }  // namespace of_group
 namespace of_use {
-constexpr std::uint32_t bit(LandUse use) { return 1u << static_cast<int>(use); }
-constexpr std::uint32_t kNoUse = bit(LandUse::kNoUse), kHomes = bit(LandUse::kHomes), kTrade = bit(LandUse::kTrade),
-                        kIndustry = bit(LandUse::kIndustry), kCountry = bit(LandUse::kCountry);
+constexpr std::uint32_t bit(SiteUse use) { return 1u << static_cast<int>(use); }
+constexpr std::uint32_t kNoUse = bit(SiteUse::kNoUse), kHomes = bit(SiteUse::kHomes), kTrade = bit(SiteUse::kTrade),
+                        kIndustry = bit(SiteUse::kIndustry), kCountry = bit(SiteUse::kCountry);
 }  // namespace of_use
 
 constexpr std::uint32_t kAnyBit = ~0u;
@@ -116,26 +116,26 @@ bool is_outline(const map::Footprint& f) {
   return !f.is_part && !f.outline && f.polygon.outer.size() >= 3 && area_m2(f.polygon) > kLeastArea_m2;
 }
 
-LandUse use_of(LandCoverClass surface) {
+SiteUse use_of(LandCoverClass surface) {
   switch (surface) {
     case LandCoverClass::kResidential:
-      return LandUse::kHomes;
+      return SiteUse::kHomes;
     case LandCoverClass::kCommercial:
     case LandCoverClass::kRetail:
-      return LandUse::kTrade;
+      return SiteUse::kTrade;
     case LandCoverClass::kIndustrial:
     case LandCoverClass::kRailwayLand:
     case LandCoverClass::kPort:
-      return LandUse::kIndustry;
+      return SiteUse::kIndustry;
     case LandCoverClass::kFarmland:
     case LandCoverClass::kFarmyard:
     case LandCoverClass::kMeadow:
     case LandCoverClass::kForest:
     case LandCoverClass::kAllotments:
     case LandCoverClass::kOrchard:
-      return LandUse::kCountry;
+      return SiteUse::kCountry;
     default:
-      return LandUse::kNoUse;
+      return SiteUse::kNoUse;
   }
 }
 
@@ -144,7 +144,7 @@ void set_uses(const map::Features& features, HeightIndex& index) {
   std::vector<const map::AreaFeature*> areas;
   std::vector<Box2> boxes;
   for (const map::AreaFeature& area : features.areas) {
-    if (use_of(area.surface) == LandUse::kNoUse || area.polygon.outer.empty()) continue;
+    if (use_of(area.surface) == SiteUse::kNoUse || area.polygon.outer.empty()) continue;
     areas.push_back(&area), boxes.push_back(box_of(area.polygon.outer));
   }
   if (areas.empty()) return;

@@ -22,13 +22,13 @@ inline constexpr double kHeightRow_m = 64;
 inline constexpr double kHeightTouching_m = 0.3;
 
 /// Land use under a building: groups of land cover classes.
-enum class LandUse : std::uint8_t { kNoUse, kHomes, kTrade, kIndustry, kCountry };
+enum class SiteUse : std::uint8_t { kNoUse, kHomes, kTrade, kIndustry, kCountry };
 
 /// What the storeys of a building follow from, apart from its neighbours' tags.
 struct HeightFacts {
   map::BuildingClass building_class{};
   map::CountryGroup country{};
-  LandUse use{};
+  SiteUse use{};
   double area_m2 = 0;
   std::uint32_t touching = 0;  ///< Buildings that share a wall with it.
   /// Within kHeightSurroundings_m: area of buildings by area of the circle, mean area of a building, share of buildings

@@ -102,7 +102,7 @@ TEST(AssumedHeights, PartsWithoutHeightFollowTheirOutline) {
 }
 
 TEST(AssumedHeights, ASingleHouseInASuburbIsLow) {
-  HeightFacts facts{.building_class = map::BuildingClass::kPlain, .use = LandUse::kHomes, .area_m2 = 180};
+  HeightFacts facts{.building_class = map::BuildingClass::kPlain, .use = SiteUse::kHomes, .area_m2 = 180};
   facts.built_share = 0.14, facts.mean_area_m2 = 120, facts.row_share = 0.05;
   for (const auto country : {map::CountryGroup::kNorthAmerica, map::CountryGroup::kCentralEurope}) {
     facts.country = country;
