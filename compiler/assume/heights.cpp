@@ -37,9 +37,9 @@ constexpr std::uint32_t kCentralEurope = bit(CountryGroup::kCentralEurope),
                         kNorthAmerica = bit(CountryGroup::kNorthAmerica), kJapan = bit(CountryGroup::kJapan);
 }  // namespace of_group
 namespace of_use {
-constexpr std::uint32_t bit(LandBelow use) { return 1u << static_cast<int>(use); }
-constexpr std::uint32_t kNoUse = bit(LandBelow::kNoUse), kHomes = bit(LandBelow::kHomes), kTrade = bit(LandBelow::kTrade),
-                        kIndustry = bit(LandBelow::kIndustry), kCountry = bit(LandBelow::kCountry);
+constexpr std::uint32_t bit(SiteUse use) { return 1u << static_cast<int>(use); }
+constexpr std::uint32_t kNoUse = bit(SiteUse::kNoUse), kHomes = bit(SiteUse::kHomes), kTrade = bit(SiteUse::kTrade),
+                        kIndustry = bit(SiteUse::kIndustry), kCountry = bit(SiteUse::kCountry);
 }  // namespace of_use
 
 constexpr std::uint32_t kAnyBit = ~0u;
@@ -116,26 +116,26 @@ bool is_outline(const map::Footprint& f) {
   return !f.is_part && !f.outline && f.polygon.outer.size() >= 3 && area_m2(f.polygon) > kLeastArea_m2;
 }
 
-LandBelow use_of(LandCoverClass surface) {
+SiteUse use_of(LandCoverClass surface) {
   switch (surface) {
     case LandCoverClass::kResidential:
-      return LandBelow::kHomes;
+      return SiteUse::kHomes;
     case LandCoverClass::kCommercial:
     case LandCoverClass::kRetail:
-      return LandBelow::kTrade;
+      return SiteUse::kTrade;
     case LandCoverClass::kIndustrial:
     case LandCoverClass::kRailwayLand:
     case LandCoverClass::kPort:
-      return LandBelow::kIndustry;
+      return SiteUse::kIndustry;
     case LandCoverClass::kFarmland:
     case LandCoverClass::kFarmyard:
     case LandCoverClass::kMeadow:
     case LandCoverClass::kForest:
     case LandCoverClass::kAllotments:
     case LandCoverClass::kOrchard:
-      return LandBelow::kCountry;
+      return SiteUse::kCountry;
     default:
-      return LandBelow::kNoUse;
+      return SiteUse::kNoUse;
   }
 }
 
@@ -144,7 +144,7 @@ void set_uses(const map::Features& features, HeightIndex& index) {
   std::vector<const map::AreaFeature*> areas;
   std::vector<Box2> boxes;
   for (const map::AreaFeature& area : features.areas) {
-    if (use_of(area.surface) == LandBelow::kNoUse || area.polygon.outer.empty()) continue;
+    if (use_of(area.surface) == SiteUse::kNoUse || area.polygon.outer.empty()) continue;
     areas.push_back(&area), boxes.push_back(box_of(area.polygon.outer));
   }
   if (areas.empty()) return;
@@ -276,18 +276,6 @@ std::vector<std::uint32_t> row_about(std::uint32_t entry, const HeightIndex& ind
   return row;
 }
 
-// The member of a row that draws for those about it: the one with the least random number. Most members of a row choose
-// the same one, though each looks only kHeightRow_m far.
-ObjectId drawing_member(std::uint32_t entry, const map::Features& features, const HeightIndex& index,
-                        std::uint64_t seed) {
-  std::pair<double, ObjectId> least{2, {}};
-  for (const std::uint32_t k : row_about(entry, index)) {
-    const ObjectId id = features.footprints[index.footprints[k]].id;
-    least = std::min(least, std::pair(RandomSequence(seed, stable_id(id), "row").unit(0), id));
-  }
-  return least.second;
-}
-
 double drawn(const Storeys& storeys, double draw) {
   return draw < 0.25 ? storeys.low : draw < 0.75 ? storeys.middle : storeys.high;
 }
@@ -400,6 +388,16 @@ Storeys storeys_of(std::uint32_t entry, const HeightIndex& index,
   }
   std::ranges::sort(votes);
   return {vote_at(votes, 0.25), vote_at(votes, 0.5), vote_at(votes, 0.75)};
+}
+
+ObjectId drawing_member(std::uint32_t entry, const map::Features& features, const HeightIndex& index,
+                        std::uint64_t seed) {
+  std::pair<double, ObjectId> least{2, {}};
+  for (const std::uint32_t k : row_about(entry, index)) {
+    const ObjectId id = features.footprints[index.footprints[k]].id;
+    least = std::min(least, std::pair(RandomSequence(seed, stable_id(id), "row").unit(0), id));
+  }
+  return least.second;
 }
 
 map::Features assume_heights(map::Features features, std::uint64_t seed, Report& report) {

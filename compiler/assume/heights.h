@@ -22,13 +22,13 @@ inline constexpr double kHeightRow_m = 64;
 inline constexpr double kHeightTouching_m = 0.3;
 
 /// Land use under a building: groups of land cover classes.
-enum class LandBelow : std::uint8_t { kNoUse, kHomes, kTrade, kIndustry, kCountry };
+enum class SiteUse : std::uint8_t { kNoUse, kHomes, kTrade, kIndustry, kCountry };
 
 /// What the storeys of a building follow from, apart from its neighbours' tags.
 struct HeightFacts {
   map::BuildingClass building_class{};
   map::CountryGroup country{};
-  LandBelow use{};
+  SiteUse use{};
   double area_m2 = 0;
   std::uint32_t touching = 0;  ///< Buildings that share a wall with it.
   /// Within kHeightSurroundings_m: area of buildings by area of the circle, mean area of a building, share of buildings
@@ -71,6 +71,11 @@ Storeys storeys_of(std::uint32_t entry, const HeightIndex& index,
 /// True for buildings whose storeys are assumed where no tag states a height. Others, such as garages, roofs and
 /// towers, keep the height of their class.
 bool has_assumed_storeys(map::BuildingClass building_class);
+
+/// Returns the building whose random numbers a building in a row uses: the member with the least random number among
+/// those that are linked to it by shared walls and lie within kHeightRow_m. Neighbours mostly choose the same one.
+ObjectId drawing_member(std::uint32_t entry, const map::Features& features, const HeightIndex& index,
+                        std::uint64_t seed);
 
 /// Sets the storeys of all buildings without tagged height or levels, as building:levels would, and those of the parts
 /// and pieces that follow their outline. A building keeps the height of its class if it or one of its parts begins

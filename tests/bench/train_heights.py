@@ -37,7 +37,7 @@ LEAVES = 24
 # the least buildings on either side of a split, and the least places that have kFew of them, so that no leaf describes a single place
 LEAST, LEAST_PLACES, FEW = 25, 3, 4
 MOST_STOREYS = 60
-FORGOTTEN = 0.35  # weight of a building whose class is left out
+FORGOTTEN = 0.15  # weight of a building whose class is left out
 
 
 def storey_m(b):
