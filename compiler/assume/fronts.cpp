@@ -35,6 +35,12 @@ constexpr ShareRow kShares[] = {
 #include "compiler/assume/fronts.inc"
 #undef FRONT_SHARE
 };
+constexpr std::array<double, 5> kSharesElsewhere =
+#define FRONT_SHARE_ELSEWHERE(...) \
+  { __VA_ARGS__ }
+#include "compiler/assume/fronts.inc"
+#undef FRONT_SHARE_ELSEWHERE
+    ;
 constexpr LandCoverClass kClasses[] = {LandCoverClass::kPrimaryRoad, LandCoverClass::kSecondaryRoad,
                                        LandCoverClass::kTertiaryRoad, LandCoverClass::kResidentialRoad,
                                        LandCoverClass::kPedestrianStreet};
@@ -49,11 +55,11 @@ constexpr MixRow kMix[] = {
 #undef FRONT_MIX
 };
 
-// The share of walls with fronts along streets of a class; central Europe stands for groups without a row.
+// The share of walls with fronts along streets of a class.
 double share_of(map::CountryGroup group, LandCoverClass street) {
   const auto row = std::ranges::find(kShares, group, &ShareRow::group);
   const auto at = std::ranges::find(kClasses, street) - std::begin(kClasses);
-  return (row == std::end(kShares) ? kShares[0] : *row).shares[static_cast<std::size_t>(at)];
+  return (row == std::end(kShares) ? kSharesElsewhere : row->shares)[static_cast<std::size_t>(at)];
 }
 
 map::FrontKind kind_of(std::uint32_t draw) {

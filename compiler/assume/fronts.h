@@ -25,7 +25,7 @@ inline constexpr double kFrontSearch_m = 150;
 inline constexpr double kFrontKerb_m = 6;
 /// The least number of storeys, and the least height of walls whose storeys are unknown.
 inline constexpr double kFrontStoreys = 3, kFrontHeight_m = 8.5;
-/// The usual width of a front.
-inline constexpr double kAssumedFront_m = 7.5;
+/// The length of wall for each front: the median on walls with fronts is 14 m in Helsinki, 9 m in Nice, 15 m in Monaco.
+inline constexpr double kAssumedFront_m = 12;
 
 }  // namespace citykiln::assume

@@ -63,7 +63,7 @@ struct Front {
   std::uint32_t edge = 0;       ///< Index into the outer ring.
   double from_m = 0, to_m = 0;  ///< Distances along the edge, from_m < to_m. Whole multiples of kFrontStep_m.
   map::FrontKind kind{};
-  std::optional<map::FrontHours> hours{};  ///< As tagged; else those of the kind.
+  std::optional<map::FrontHours> hours{};  ///< Set if tagged; else those of the kind count.
   bool is_assumed = false;
   bool operator==(const Front&) const = default;
 };

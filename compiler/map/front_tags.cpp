@@ -129,7 +129,7 @@ std::optional<FrontTags> read_front_tags(const source::OsmData& osm, source::Ran
   if (row == std::end(kFronts)) return std::nullopt;
   const Standing standing = standing_of_thing(osm, tags, row->key);
   if (standing.presence != Presence::kStands || standing.storey != Storey::kGround) return std::nullopt;
-  return FrontTags{row->kind, front_hours_of(value("opening_hours"))};
+  return FrontTags{row->kind, front_hours_of(osm.value_of(tags, "opening_hours"))};
 }
 
 }  // namespace citykiln::map

@@ -10,7 +10,7 @@
 
 namespace citykiln::map {
 
-/// What is sold, served or done behind a front: a row of fronts.inc.
+/// The kind of a front, by the things sold, served or done behind it: a row of fronts.inc.
 enum class FrontKind : std::uint8_t {
 #define FRONT_KIND(name, ...) name,
 #define FRONT(...)

@@ -21,8 +21,8 @@ using AnswerContextQuery = std::function<bool(ContextQuery, const Shape&)>;
 /// The part of a shop front in a shape.
 struct FrontInShape {
   double start_m = 0, width_m = 0;  ///< Along the scope's x axis.
-  std::string kind;                 ///< What is sold or done behind it.
-  std::string colour;               ///< Of its fascia, "#rrggbb".
+  std::string kind;                 ///< Its kind, such as "cafe".
+  std::string colour;               ///< The colour of its fascia, "#rrggbb".
   bool is_lit = false;              ///< Lamps are on behind it.
 };
 /// A function that returns the first front of a shape along the scope's x axis. Must be a pure function.

@@ -196,6 +196,16 @@ Layer planned_areas(const Context& context) {
 
 // ---- buildings and plants ----
 
+// The kinds of a building's fronts: "cafe,bank".
+void add_fronts(Properties& properties, const buildings::Building& building) {
+  if (building.fronts.empty()) return;
+  std::string kinds;
+  for (const buildings::Front& front : building.fronts)
+    kinds.append(kinds.empty() ? "" : ",").append(map::values_of(front.kind).name);
+  properties.add("fronts", kinds);
+  properties.add("assumed_fronts", std::ranges::any_of(building.fronts, &buildings::Front::is_assumed));
+}
+
 void add_planned_building(Properties& properties, const buildings::Building& building, double foot_m) {
   properties.add("levels", building.levels);
   properties.add("roof", roofs::name_of(building.roof_shape.form));
@@ -205,6 +215,7 @@ void add_planned_building(Properties& properties, const buildings::Building& bui
   properties.add("raised", !building.stands_on_ground);
   properties.add("bottom_m", building.bottom_m);
   properties.add("height_m", building.top_m - foot_m);
+  add_fronts(properties, building);
   properties.add("eaves_m", buildings::eaves_m(building) - foot_m);
   if (building.year > 0) properties.add("year", building.year);
   properties.add("shop", building.has_shop);

@@ -137,5 +137,42 @@ TEST(LitWindows, HotelsAndSchoolsFollowTheirClass) {
   }
 }
 
+// A house with many fronts of one kind.
+Building with_fronts(map::FrontKind kind, std::optional<map::FrontHours> hours = {}) {
+  Building b = slab(Use::kHome, 4);
+  for (std::uint32_t i = 0; i < 20; ++i)
+    b.fronts.push_back({.edge = 0, .from_m = 3.0 * i, .to_m = 3.0 * i + 3, .kind = kind, .hours = hours});
+  return b;
+}
+
+int lit_fronts(const Building& b, WeekTime time) {
+  int lit = 0;
+  for (std::uint32_t i = 0; i < b.fronts.size(); ++i) lit += is_front_lit(b, i, time, 1);
+  return lit;
+}
+
+TEST(LitFronts, AreThoseThatAreOpen) {
+  const Building bars = with_fronts(map::FrontKind::kBar), offices = with_fronts(map::FrontKind::kOffice);
+  EXPECT_EQ(lit_fronts(offices, wednesday(16)), 20);
+  EXPECT_EQ(lit_fronts(bars, wednesday(22)), 20);
+  EXPECT_LT(lit_fronts(offices, wednesday(22)), 8);
+  EXPECT_EQ(lit_fronts(offices, wednesday(5)), 0);
+  // Wednesday's guests, after midnight
+  EXPECT_EQ(lit_fronts(bars, wednesday(25.5)), 20);
+  EXPECT_EQ(lit_fronts(bars, wednesday(28)), 0);
+}
+
+TEST(LitFronts, FollowTaggedHours) {
+  const Building late = with_fronts(map::FrontKind::kOffice, map::FrontHours{{72, 96, 0, 0, 0, 0}});
+  EXPECT_EQ(lit_fronts(late, wednesday(23)), 20);
+  EXPECT_EQ(lit_fronts(late, wednesday(9)), 0);
+}
+
+TEST(LitFronts, KeepSomeWindowsLitInTheEvening) {
+  const Building banks = with_fronts(map::FrontKind::kBank);
+  EXPECT_GT(lit_fronts(banks, wednesday(21)), 10);
+  EXPECT_EQ(lit_fronts(banks, wednesday(23.75)), 0);
+}
+
 }  // namespace
 }  // namespace citykiln::buildings
