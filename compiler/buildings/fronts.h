@@ -57,7 +57,5 @@ std::vector<LineStretch> free_stretches(std::size_t footprint, std::size_t edge,
 inline constexpr double kFrontInside_m = 15, kFrontOutside_m = 1.5, kNearWall_m = 4;
 /// The least and the largest width of a front, and the width of wall that a building's own door takes.
 inline constexpr double kLeastFront_m = 2.5, kWidestFront_m = 12, kDoorTile_m = 2.5;
-/// Places along an edge are whole multiples of this.
-inline constexpr double kFrontStep_m = 0.125;
 
 }  // namespace citykiln::buildings

@@ -407,6 +407,8 @@ void set_fronts(std::vector<Front> fronts, const ground::GradedTerrain& ground, 
                 [&](const Front& front) { return front.is_assumed && !is_level_with_ground(front, building, ground); });
   for (const Front& front : fronts) building.facade_edges[front.edge].faces_street = true;
   building.fronts = std::move(fronts);
+  if (std::ranges::none_of(building.fronts, &Front::is_assumed))
+    building.assumed = static_cast<Assumptions>(building.assumed & ~bit_of(Assumption::kFronts));
 }
 
 // Adds a party wall where it does not overlap the last one. The higher of two along one stretch counts.

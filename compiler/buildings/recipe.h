@@ -55,10 +55,13 @@ struct PartyWall {
   bool operator==(const PartyWall&) const = default;
 };
 
+/// Places of fronts along an edge are whole multiples of this.
+inline constexpr double kFrontStep_m = 0.125;
+
 /// A shop front: a part of the ground floor of an edge.
 struct Front {
   std::uint32_t edge = 0;       ///< Index into the outer ring.
-  double from_m = 0, to_m = 0;  ///< Distances along the edge, from_m < to_m. Whole eighths of a metre.
+  double from_m = 0, to_m = 0;  ///< Distances along the edge, from_m < to_m. Whole multiples of kFrontStep_m.
   map::FrontKind kind{};
   std::optional<map::FrontHours> hours{};  ///< As tagged; else those of the kind.
   bool is_assumed = false;

@@ -2,10 +2,29 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
-#include "compiler/map/road_guidelines.h"
+#include "compiler/geometry/polygon.h"
 
 namespace citykiln::map {
+namespace {
+
+// A border of a group. x is the longitude, y the latitude.
+struct GroupBorder {
+  CountryGroup group;
+  Ring ring;
+};
+
+const std::vector<GroupBorder>& group_borders() {
+  static const std::vector<GroupBorder> all = {
+#define COUNTRY_GROUP(group, ...) {CountryGroup::group, {__VA_ARGS__}},
+#include "compiler/map/country_groups.inc"
+#undef COUNTRY_GROUP
+  };
+  return all;
+}
+
+}  // namespace
 
 std::string_view name_of(CountryGroup group) {
   constexpr std::array<std::string_view, 14> kNames = {
@@ -17,16 +36,9 @@ std::string_view name_of(CountryGroup group) {
 }
 
 CountryGroup country_group_at(LonLat place) {
-  switch (guidelines_at(place)) {
-    case RoadGuidelines::kNorthAmerica:
-      return CountryGroup::kNorthAmerica;
-    case RoadGuidelines::kBritishIsles:
-      return CountryGroup::kBritishIsles;
-    case RoadGuidelines::kJapan:
-      return CountryGroup::kJapan;
-    default:
-      return CountryGroup::kCentralEurope;
-  }
+  for (const GroupBorder& border : group_borders())
+    if (winding_number(border.ring, {place.lon_deg, place.lat_deg}) != 0) return border.group;
+  return CountryGroup::kCentralEurope;
 }
 
 }  // namespace citykiln::map

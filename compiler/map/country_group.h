@@ -30,7 +30,9 @@ enum class CountryGroup : std::uint8_t {
 /// The name of a group in rule files and outputs, such as "southern_europe".
 std::string_view name_of(CountryGroup group);
 
-/// Returns the group by the rings of country_groups.inc; central Europe outside of all rings. O(rings).
+/// Returns the group by the rings of country_groups.inc; central Europe outside of all rings. Land borders are accurate
+/// to about 30 km; at sea they lie anywhere between the coasts. France is divided at 45 degrees north, where roofs of
+/// low round tiles begin; South Tyrol and Ticino build as central Europe does. O(rings).
 CountryGroup country_group_at(LonLat place);
 
 }  // namespace citykiln::map

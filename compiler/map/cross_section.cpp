@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "compiler/geometry/snap.h"
+
 namespace citykiln::map {
 namespace {
 
@@ -25,6 +27,16 @@ double total_width_m(const CrossSection& section) {
   double sum = 0;
   for (const Lane& lane : section.lanes) sum += lane.width_m;
   return sum;
+}
+
+Lane pavement_lane(double width_m) {
+  return {.kind = LaneKind::kSidewalk, .width_m = snapped(width_m), .is_raised = true};
+}
+
+CrossSection with_pavement(CrossSection section, std::uint8_t sides, double width_m) {
+  if ((sides & kLeftSide) != 0) section.lanes.insert(section.lanes.begin(), pavement_lane(width_m));
+  if ((sides & kRightSide) != 0) section.lanes.push_back(pavement_lane(width_m));
+  return section;
 }
 
 std::string to_string(const CrossSection& section) {

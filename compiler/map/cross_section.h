@@ -61,6 +61,9 @@ struct CrossSection {
 /// The greatest slope of an axis within its carriageway.
 inline constexpr double kMostDrift = 0.5;
 
+/// Bits: the sides of a road, seen along the way.
+enum RoadSide : std::uint8_t { kLeftSide = 1, kRightSide = 2, kBothSides = 3 };
+
 /// The side of the road on which traffic drives.
 enum class DrivingSide : std::uint8_t { kRight, kLeft };
 
@@ -68,6 +71,13 @@ enum class DrivingSide : std::uint8_t { kRight, kLeft };
 double carriageway_width_m(const CrossSection& section);
 /// The width of all lanes.
 double total_width_m(const CrossSection& section);
+
+/// Returns a road's pavement.
+/// @param width_m  > 0; rounded to 2^-10 m.
+Lane pavement_lane(double width_m);
+/// Returns the section with a pavement as the outermost lane of each of these sides (bits of RoadSide).
+/// @param width_m  > 0; rounded to 2^-10 m.
+CrossSection with_pavement(CrossSection section, std::uint8_t sides, double width_m);
 
 /// Returns the section as "s|pddp|s -|vv^^|-", in the notation above.
 std::string to_string(const CrossSection& section);

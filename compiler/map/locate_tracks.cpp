@@ -141,12 +141,14 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.section = std::move(section.section);
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
   track.is_transition = section.is_transition;
+  track.tagged_pavements = section.tagged_pavements;
   track.layer = tagged_layer(context, id, way.tags);
   track.passage = is_upper_passage(context, way, track) ? Passage::kTunnel : tagged_passage(context, way.tags);
   read_cover(context, way.tags, track);
   if (track.surface == LandCoverClass::kSteps) read_stairs(context, way.tags, track);
   track.is_oneway = tagged_traffic(context.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;
   track.is_lit = says_yes(context.tag(way.tags, "lit"));
+  track.has_tagged_lighting = !context.tag(way.tags, "lit").empty();
   track.is_rail = row.key == "railway";
   track.trees = tree_sides_of(context.tag(way.tags, "tree_lined"));
   const std::string_view junction = context.tag(way.tags, "junction");

@@ -14,8 +14,8 @@ enum class RoadGuidelines : std::uint8_t {
   kJapan,
 };
 
-/// Returns the guidelines by the rings of road_guidelines.inc. The land border is accurate to 20 km; at sea borders lie
-/// anywhere between the coasts. O(rings).
+/// Returns the guidelines by the country group of the place (country_group.h). The land border is accurate to 20 km; at
+/// sea borders lie anywhere between the coasts. O(rings).
 RoadGuidelines guidelines_at(LonLat place);
 
 }  // namespace citykiln::map

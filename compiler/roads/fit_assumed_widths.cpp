@@ -167,7 +167,8 @@ double narrow(map::Track& track, double taken_m, bool is_of_soft) {
 
 bool can_be_fitted(const map::Track& track) {
   const bool is_street = family_of(track.surface) == Family::kStreet && track.surface != map::LandCoverClass::kRunway;
-  if (track.section.axis_drift != 0) return false;
+  // the whole way of a piece is longer than kLongestFitted_m
+  if (track.section.axis_drift != 0 || track.is_piece) return false;
   return is_street && track.passage == map::Passage::kGround && !track.has_tagged_width &&
          length_m(track.axis) <= kLongestFitted_m;
 }

@@ -63,6 +63,28 @@ void serialise(auto& io, buildings::BuriedFrom& b, std::size_t edges) {
     if (b.edge >= edges || !(b.from_m > 0)) io.fail("buried edge");
 }
 
+/// A shop front.
+/// @param edges  The number of edges of the footprint.
+void serialise(auto& io, buildings::Front& f, std::size_t edges) {
+  io.number("front edge", f.edge);
+  quanta(io, "front place", f.from_m, buildings::kFrontStep_m),
+      quanta(io, "front place", f.to_m, buildings::kFrontStep_m);
+  auto kind = 2 * static_cast<std::uint64_t>(f.kind) + (f.is_assumed ? 1 : 0);
+  io.number("front kind", kind);
+  f.is_assumed = (kind & 1) != 0, f.kind = static_cast<map::FrontKind>(kind / 2);
+  bool has_hours = f.hours.has_value();
+  flag(io, "front hours", has_hours);
+  if (has_hours && !f.hours) f.hours.emplace();
+  if (has_hours)
+    for (std::uint8_t& quarter : f.hours->quarters) io.number("front hours", quarter);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    if (f.edge >= edges) io.fail("front edge");
+    if (!(f.from_m >= 0 && f.from_m < f.to_m)) io.fail("front place");
+    if (kind / 2 >= static_cast<std::uint64_t>(map::FrontKind::kCount)) io.fail("front kind"), f.kind = {};
+    if (has_hours && std::ranges::max(f.hours->quarters) > map::kLatestClosing) io.fail("front hours");
+  }
+}
+
 /// An opening for a way. Its sides are up to 64 m from its axis.
 void serialise(auto& io, buildings::Passageway& p) {
   id(io, p.way);
@@ -117,6 +139,7 @@ void serialise(auto& io, buildings::Building& b) {
   points(io, "posts", b.posts, 0);
   if (!b.posts.empty()) io.metres("post foot", b.post_foot_m);
   list(io, "passageways", b.passageways, 0, [&](buildings::Passageway& p) { serialise(io, p); });
+  list(io, "fronts", b.fronts, 0, [&](buildings::Front& f) { serialise(io, f, b.footprint.outer.size()); });
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
     if (!has_ordered_heights(b)) io.fail("building top");
 }

@@ -267,7 +267,20 @@ class SceneMaker {
           {below(2) == 0, static_cast<std::uint8_t>(below(256)), static_cast<std::uint16_t>(below(65536))});
     b.party_walls = party_walls(b.footprint.outer.size());
     for (auto i = below(3); i > 0; --i) b.passageways.push_back(passageway());
+    for (auto i = below(3); i > 0; --i) b.fronts.push_back(front(b.footprint.outer.size()));
     return b;
+  }
+  buildings::Front front(std::size_t edges) {
+    const double from_m = below(400) * buildings::kFrontStep_m;
+    buildings::Front f{.edge = below(static_cast<std::uint32_t>(edges)),
+                       .from_m = from_m,
+                       .to_m = from_m + (1 + below(90)) * buildings::kFrontStep_m,
+                       .kind = pick(map::FrontKind::kCount)};
+    f.is_assumed = below(2) == 0;
+    if (below(2) == 0) f.hours.emplace();
+    if (f.hours)
+      for (std::uint8_t& quarter : f.hours->quarters) quarter = static_cast<std::uint8_t>(below(121));
+    return f;
   }
   map::Heightfield field() {
     const Vec2 step_m{1 + below(1000) * map::kStepUnit_m, 1 + below(1000) * map::kStepUnit_m};

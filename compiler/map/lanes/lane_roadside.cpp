@@ -142,6 +142,10 @@ void add_verge(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lanes
 
 }  // namespace
 
+bool says_pavement(const LaneTags& tags, Flow flow) {
+  return !tags.beside(flow, "sidewalk").empty() || !tags("sidewalk").empty();
+}
+
 std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lane_class, Flow flow,
                                       bool has_cycle_lane) {
   std::vector<RoadsideLane> lanes;
@@ -155,8 +159,8 @@ std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lan
   add_verge(tags, flow, lanes);
   add_cycleway(tags, flow, true, lanes);
   if (is_beside(tags, flow, "sidewalk")) {
-    const double width_m = snapped(tags.width_beside(flow, "sidewalk").value_or(kSidewalk_m));
-    lanes.push_back({{.kind = LaneKind::kSidewalk, .width_m = width_m, .is_raised = true}, 0});
+    const double width_m = tags.width_beside(flow, "sidewalk").value_or(kSidewalk_m);
+    lanes.push_back({pavement_lane(width_m), 0});
   }
   return lanes;
 }

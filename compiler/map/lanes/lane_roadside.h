@@ -26,4 +26,7 @@ struct RoadsideLane {
 std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lane_class, Flow flow,
                                       bool has_cycle_lane);
 
+/// True if tags say whether there is a pavement on the side of a flow: also none, or one mapped as a way of its own.
+bool says_pavement(const LaneTags& tags, Flow flow);
+
 }  // namespace citykiln::map

@@ -225,6 +225,13 @@ bool has_listed_widths(const LaneTags& tags) {
   return !tags("width:lanes").empty() || !tags("width:lanes:forward").empty() || !tags("width:lanes:backward").empty();
 }
 
+std::uint8_t tagged_pavements(const LaneTags& tags) {
+  unsigned sides = 0;
+  for (const Flow flow : kFlows)
+    if (says_pavement(tags, flow)) sides |= tags.roadside(flow) == "left" ? kLeftSide : kRightSide;
+  return static_cast<std::uint8_t>(sides);
+}
+
 TaggedSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
   diagnose_widths_beside(tags);
   Carriageway road;
@@ -239,7 +246,11 @@ TaggedSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
     std::reverse(section.lanes.begin(), section.lanes.end());
     section.axis_offset_m = carriageway_width_m(section) - section.axis_offset_m;
   }
-  return {std::move(section), width_m || has_listed_widths(tags), has_placement(tags), is_transition(tags)};
+  return {.section = std::move(section),
+          .has_width = width_m || has_listed_widths(tags),
+          .has_placement = has_placement(tags),
+          .tagged_pavements = tagged_pavements(tags),
+          .is_transition = is_transition(tags)};
 }
 
 }  // namespace
@@ -250,7 +261,10 @@ TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Ra
   lane_tags.traffic = traffic_of(lane_tags);
   const LaneClass lane_class = lane_class_of(lane_tags);
   if (lane_class.is_road) return road_section(lane_tags, lane_class);
-  return {lone_lane(lane_tags, lane_class), tagged_width_m(lane_tags).has_value(), false};
+  // such ways have no pavements
+  return {.section = lone_lane(lane_tags, lane_class),
+          .has_width = tagged_width_m(lane_tags).has_value(),
+          .tagged_pavements = kBothSides};
 }
 
 }  // namespace citykiln::map

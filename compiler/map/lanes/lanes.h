@@ -31,9 +31,10 @@ namespace citykiln::map {
 /// The cross-section of a way, and which of its values are tagged.
 struct TaggedSection {
   CrossSection section;
-  bool has_width = false;      ///< True if width=*, est_width=* or width:lanes=* states the carriageway's width.
-  bool has_placement = false;  ///< True if placement=* states the place of the axis.
-  bool is_transition = false;  ///< True if placement=transition leaves it to the ways before and after.
+  bool has_width = false;             ///< True if width=*, est_width=* or width:lanes=* states the carriageway's width.
+  bool has_placement = false;         ///< True if placement=* states the place of the axis.
+  std::uint8_t tagged_pavements = 0;  ///< Sides on which tags say whether there is a pavement: bits of RoadSide.
+  bool is_transition = false;         ///< True if placement=transition leaves it to the ways before and after.
 };
 /// Returns the cross-section of a way and its sources; default widths and numbers of lanes follow a set of guidelines.
 ///

@@ -228,10 +228,10 @@ class Chunk:
         return divmod(self.plain("width limit steps"), 2), self.streams["width limit half"].step() / 32
 
     def road_kind(self):
-        surface, traits = self.plain("road surface"), self.plain("road traits")
+        surface, traits, country = (self.plain("road " + name) for name in ("surface", "traits", "country"))
         offset_m = self.plain("axis offset") / 2048
         drift = self.plain("axis offset") / 65536 - 0.5 if traits & 16 else 0
-        return surface, traits, offset_m, drift, self.all("lanes", self.lane)
+        return surface, traits, country, offset_m, drift, self.all("lanes", self.lane)
 
     def lane(self):
         kind, raised = divmod(self.plain("lane kind"), 2)
@@ -288,7 +288,8 @@ class Chunk:
                 self.metres("building bottom"), self.metres("building floor"), self.metres("building top"),
                 self.plain("building stands"), self.plain("wall"), self.plain("roof"), self.colour(), self.colour(),
                 self.roof_shape())
-        style = [self.plain(name) for name in ("style", "building class", "storeys", "year", "shop")]
+        style = [self.plain(name) for name in ("style", "building class", "storeys", "year", "shop",
+                                              "building country", "building assumed")]
         walls = (self.all("facade edges", lambda: self.plain("facade edge")), self.all("buried places", self.buried_place),
                  self.all("party walls", self.party_wall))
         posts = self.points("posts")

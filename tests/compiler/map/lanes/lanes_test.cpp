@@ -605,6 +605,32 @@ TEST(Lanes, WithoutTagsOfLanesTheWholeIsAsWideAsTheTrack) {
     }
 }
 
+TEST(Lanes, SidesAreToldOnWhichPavementsAreTagged) {
+  static const Plane plane(kTestOrigin);
+  const auto tagged = [](const std::string& tags, DrivingSide side = DrivingSide::kRight) {
+    const source::OsmData osm = extract("w1 0:0 50:0 highway=residential " + tags);
+    Report report;
+    const ReadContext reading{osm, plane, Box2{}, report};
+    return int{tagged_section_of(reading, {OsmType::kWay, 1}, osm.ways[0].tags, side).tagged_pavements};
+  };
+  EXPECT_EQ(tagged("lit=yes"), 0);
+  for (const char* tags : {"sidewalk=no", "sidewalk=left", "sidewalk=separate", "sidewalk:both=no"})
+    EXPECT_EQ(tagged(tags), kBothSides) << tags;
+  for (const DrivingSide side : {DrivingSide::kRight, DrivingSide::kLeft}) {
+    EXPECT_EQ(tagged("sidewalk:left=separate", side), kLeftSide);
+    EXPECT_EQ(tagged("sidewalk:right=no", side), kRightSide);
+  }
+}
+
+TEST(Lanes, AnAddedPavementIsTheOneThatTagsGive) {
+  CrossSection silent = read("highway=residential cycleway:right=track").section;
+  for (const auto& [sides, tags] : {std::pair{kLeftSide, "sidewalk:left=yes sidewalk:left:width=1.25"},
+                                    std::pair{kRightSide, "sidewalk:right=yes sidewalk:right:width=1.25"},
+                                    std::pair{kBothSides, "sidewalk=both sidewalk:both:width=1.25"}})
+    EXPECT_EQ(with_pavement(silent, sides, 1.25),
+              read(std::string("highway=residential cycleway:right=track ") + tags).section);
+}
+
 TEST(Lanes, WidthsAndNumbersWithoutTagsAreThoseOfTheRegion) {
   static const Plane plane(kTestOrigin);
   const auto drawn_in = [](RoadGuidelines guidelines, const std::string& tags) {

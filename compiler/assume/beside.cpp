@@ -1,0 +1,249 @@
+#include "compiler/assume/beside.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/geometry/segment.h"
+
+namespace citykiln::assume {
+namespace {
+
+using map::LandCoverClass;
+using map::LandCoverGroup;
+using LineKind = MappedLine::Kind;
+
+constexpr double kLineBucket_m = 32;
+constexpr double kSampleEvery_m = 8;
+// Land use is looked up at every third sample.
+constexpr std::size_t kLandEvery = 3;
+// Lines at less than about 37 degrees from the axis run along it.
+constexpr double kAlong = 0.8;
+// A paved square begins this far behind the kerb at most.
+constexpr double kBehindKerb_m = 1.5;
+// A quarter of a side may have less room: the road narrows there (roads/width_limits).
+constexpr double kNarrowShare = 0.25;
+
+LandCoverGroup cover_group_of(LandCoverClass surface) { return map::values_of(surface).group; }
+
+LandUse land_use_of(LandCoverClass surface) {
+  switch (surface) {
+    case LandCoverClass::kResidential:
+      return LandUse::kResidential;
+    case LandCoverClass::kRailwayLand:
+      return LandUse::kRailway;
+    case LandCoverClass::kParking:
+      return LandUse::kParking;
+    case LandCoverClass::kMeadow:
+    case LandCoverClass::kGrassland:
+    case LandCoverClass::kFell:
+    case LandCoverClass::kHeath:
+    case LandCoverClass::kGolfCourse:
+      return LandUse::kFields;
+    default:
+      break;
+  }
+  switch (cover_group_of(surface)) {
+    case LandCoverGroup::kTown:
+      return LandUse::kShops;
+    case LandCoverGroup::kIndustry:
+      return LandUse::kIndustry;
+    case LandCoverGroup::kFarm:
+      return LandUse::kFields;
+    case LandCoverGroup::kGarden:
+    case LandCoverGroup::kSport:
+    case LandCoverGroup::kGrassland:
+      return LandUse::kGreen;
+    case LandCoverGroup::kForest:
+    case LandCoverGroup::kScrubland:
+      return LandUse::kWood;
+    case LandCoverGroup::kWater:
+      return LandUse::kWater;
+    default:
+      return LandUse::kNone;
+  }
+}
+
+double left_kerb_m(const map::CrossSection& section) { return section.axis_offset_m; }
+double right_kerb_m(const map::CrossSection& section) { return carriageway_width_m(section) - section.axis_offset_m; }
+
+// The direction of a one-way street's traffic: 1 along the way, -1 against it, 0 if it has both.
+int flow_of(const map::Track& track) {
+  if (!track.is_oneway && !track.is_roundabout) return 0;
+  bool is_backward = false, is_forward = false;
+  for (const map::Lane& lane : track.section.lanes) {
+    if (lane.kind != map::LaneKind::kDriving && lane.kind != map::LaneKind::kBus) continue;
+    is_backward |= lane.way == map::LaneDirection::kBackward, is_forward |= lane.way == map::LaneDirection::kForward;
+  }
+  return is_backward == is_forward ? 0 : is_forward ? 1 : -1;
+}
+
+struct Indexer {
+  Surroundings all;
+  std::vector<Box2> line_boxes, area_boxes;
+
+  void add(const MappedLine& line) {
+    all.lines.push_back(line);
+    line_boxes.push_back(box_of(std::array{line.a, line.b}));
+  }
+  void add_ring(const Ring& ring, LineKind kind, ObjectId of) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      add({.a = ring[i], .b = ring[(i + 1) % ring.size()], .kind = kind, .of = of});
+  }
+  void add_track(const map::Track& track) {
+    const LandCoverGroup group = cover_group_of(track.surface);
+    const bool is_path = group == LandCoverGroup::kPath, is_road = group == LandCoverGroup::kRoad;
+    const LineKind kind = is_path ? LineKind::kPath : is_road ? LineKind::kStreet : LineKind::kBarred;
+    const int flow = flow_of(track);
+    for (std::size_t i = 0; i + 1 < track.axis.size(); ++i)
+      add({.a = track.axis[i],
+           .b = track.axis[i + 1],
+           .kind = kind,
+           .half_m = carriageway_width_m(track.section) / 2,
+           .heading = unit(track.axis[i + 1] - track.axis[i]) * static_cast<double>(flow),
+           .of = track.id});
+  }
+  void add_area(const map::AreaFeature& area) {
+    const LandUse land = land_use_of(area.surface);
+    const bool is_square = area.surface == LandCoverClass::kSquare;
+    if (land == LandUse::kWater || land == LandUse::kParking)
+      for (const Ring* ring : rings_of(area.polygon)) add_ring(*ring, LineKind::kBarred, area.id);
+    if ((land == LandUse::kNone && !is_square) || area.polygon.outer.empty()) return;
+    all.areas.push_back({&area, land, is_square});
+    area_boxes.push_back(box_of(area.polygon.outer));
+  }
+};
+
+// A sample of a stretch, and the directions along it and out to one side.
+struct Ray {
+  Vec2 at, along, out;
+  double kerb_m = 0;
+};
+
+// The distance along a ray to a line; nothing if they do not meet.
+std::optional<double> distance_to(const Ray& ray, const MappedLine& line, double most_m) {
+  const auto shares = crossing_shares(ray.at, ray.at + ray.out * most_m, line.a, line.b);
+  return shares ? std::optional(shares->first * most_m) : std::nullopt;
+}
+
+bool runs_along(const Ray& ray, const MappedLine& line) {
+  return std::abs(dot(unit(line.b - line.a), ray.along)) > kAlong;
+}
+
+// The facts of one sample of a side.
+struct Seen {
+  bool has_house = false, has_path = false, has_oncoming = false;
+  double room_m = std::numeric_limits<double>::infinity();
+};
+
+void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
+  const double most_m = std::max(kFront_m, ray.kerb_m + kBesideKerb_m);
+  const auto away_m = distance_to(ray, line, most_m);
+  if (!away_m) return;
+  const double from_kerb_m = *away_m - ray.kerb_m - line.half_m;
+  const auto limit = [&] { seen.room_m = std::min(seen.room_m, std::max(0.0, from_kerb_m)); };
+  switch (line.kind) {
+    case LineKind::kBuilding:
+      seen.has_house |= *away_m <= kFront_m;
+      return limit();
+    case LineKind::kPath:
+      seen.has_path |= *away_m > ray.kerb_m / 2 && from_kerb_m <= kBesideKerb_m && runs_along(ray, line);
+      return;
+    case LineKind::kBarred:
+      // rails within the carriageway are a tram's
+      if (*away_m >= ray.kerb_m) limit();
+      return;
+    case LineKind::kStreet:
+      if (*away_m <= 0 || !runs_along(ray, line)) return;
+      seen.has_oncoming |= *away_m <= kOncoming_m && dot(line.heading, heading) < -kAlong;
+      return limit();
+  }
+}
+
+// The rooms that samples leave, sums of what they see, and the land use of some.
+struct Side {
+  std::vector<double> rooms_m;
+  std::size_t houses = 0, paths = 0, oncoming = 0, squares = 0;
+  std::array<std::size_t, static_cast<std::size_t>(LandUse::kCount)> lands{};
+
+  void add(const Seen& seen) {
+    houses += seen.has_house, paths += seen.has_path, oncoming += seen.has_oncoming;
+    rooms_m.push_back(seen.room_m);
+  }
+};
+
+// The smallest area at a place, of squares or of land uses.
+const MappedLand* area_at(const Surroundings& surroundings, Vec2 p, bool is_square) {
+  const MappedLand* least = nullptr;
+  for (const std::uint32_t i : boxes_about(surroundings.area_grid, p)) {
+    const MappedLand& land = surroundings.areas[i];
+    if (land.is_square != is_square || !contains(land.area->polygon, p)) continue;
+    if (least == nullptr || land.area->area_m2 < least->area->area_m2) least = &land;
+  }
+  return least;
+}
+
+void look_at_land(const Surroundings& surroundings, const Ray& ray, Side& side) {
+  const MappedLand* land = area_at(surroundings, ray.at + ray.out * kLandUse_m, false);
+  ++side.lands[static_cast<std::size_t>(land == nullptr ? LandUse::kNone : land->land)];
+  side.squares += area_at(surroundings, ray.at + ray.out * (ray.kerb_m + kBehindKerb_m), true) != nullptr;
+}
+
+SideFacts facts_of(Side side) {
+  SideFacts facts;
+  if (side.rooms_m.empty()) return facts;
+  const auto n = static_cast<double>(side.rooms_m.size());
+  const std::size_t looked = (side.rooms_m.size() + kLandEvery - 1) / kLandEvery;
+  const double squares = static_cast<double>(side.squares) / static_cast<double>(looked);
+  const auto narrow = side.rooms_m.begin() + static_cast<std::ptrdiff_t>(kNarrowShare * n);
+  std::ranges::nth_element(side.rooms_m, narrow);
+  facts.houses = static_cast<double>(side.houses) / n;
+  facts.path = std::min(1.0, static_cast<double>(side.paths) / n + squares);
+  facts.oncoming = static_cast<double>(side.oncoming) / n;
+  facts.room_m = *narrow;
+  facts.land = static_cast<LandUse>(std::ranges::max_element(side.lands) - side.lands.begin());
+  return facts;
+}
+
+}  // namespace
+
+Surroundings index_surroundings(const map::Features& features) {
+  Indexer indexer;
+  for (const map::Footprint& footprint : features.footprints)
+    if (!footprint.is_part && !footprint.is_open && footprint.min_height_m == 0)
+      for (const Ring* ring : rings_of(footprint.polygon)) indexer.add_ring(*ring, LineKind::kBuilding, footprint.id);
+  for (const map::Track& track : features.tracks)
+    if (track.passage == map::Passage::kGround && !track.is_indoor) indexer.add_track(track);
+  for (const map::AreaFeature& area : features.areas) indexer.add_area(area);
+  indexer.all.line_grid = grid_of(indexer.line_boxes, kLineBucket_m);
+  indexer.all.area_grid = grid_of(indexer.area_boxes, kLineBucket_m);
+  return std::move(indexer.all);
+}
+
+BothSides facts_beside(const Surroundings& surroundings, const map::Track& stretch) {
+  Side left, right;
+  const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
+  const int flow = flow_of(stretch);
+  for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) {
+    const Vec2 a = stretch.axis[i], b = stretch.axis[i + 1], along = unit(b - a), out = left_of(along);
+    const double widest_m = std::max({kFront_m, left_m + kBesideKerb_m, right_m + kBesideKerb_m});
+    const auto near = boxes_about(surroundings.line_grid, box_of(std::array{a, b}).widened(widest_m));
+    const int samples = std::max(1, static_cast<int>(std::floor(distance(a, b) / kSampleEvery_m + 0.5)));
+    for (int k = 0; k < samples; ++k) {
+      const Vec2 at = a + (b - a) * ((k + 0.5) / samples);
+      for (Side* side : {&left, &right}) {
+        const bool is_left = side == &left;
+        const Ray ray{at, along, is_left ? out : out * -1.0, is_left ? left_m : right_m};
+        Seen seen;
+        for (const std::uint32_t n : near)
+          if (const MappedLine& line = surroundings.lines[n]; line.of.osm != stretch.id.osm)
+            look_at(line, ray, along * static_cast<double>(flow), seen);
+        if (side->rooms_m.size() % kLandEvery == 0) look_at_land(surroundings, ray, *side);
+        side->add(seen);
+      }
+    }
+  }
+  return {facts_of(std::move(left)), facts_of(std::move(right))};
+}
+
+}  // namespace citykiln::assume

@@ -1,0 +1,86 @@
+// The map beside a stretch of road: houses, land use, paths, other roads and obstacles, on either side.
+//
+//      houses  [####]  [###]     [####]     counted within kFront_m of the axis
+//      path    ------------------------     runs beside the kerb, within kBesideKerb_m: a pavement mapped as its own
+//      way
+//     =|=====|=====|=====|=====|=====|=>    samples every 8 m; rays square to the axis look at either side
+//      <-------------------------------     a one-way street the other way, within kOncoming_m: the other carriageway
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "compiler/geometry/box_grid.h"
+#include "compiler/map/features.h"
+
+namespace citykiln::assume {
+
+/// The greatest distance from an axis at which houses, land use and paths count.
+inline constexpr double kBeside_m = 48;
+/// The greatest distance from the axis of houses, the other carriageway and the point whose land use counts.
+inline constexpr double kFront_m = 40, kOncoming_m = 30, kLandUse_m = 20;
+/// The greatest distance from the kerb of a path that counts as the road's pavement.
+inline constexpr double kBesideKerb_m = 10;
+static_assert(kBeside_m > kFront_m && kFront_m > kOncoming_m && kOncoming_m > kLandUse_m);
+
+/// The use of the land beside a road.
+enum class LandUse : std::uint8_t {
+  kNone,  ///< Nothing is mapped.
+  kResidential,
+  kShops,  ///< Shops, offices, schools, hospitals, churches.
+  kIndustry,
+  kRailway,
+  kFields,
+  kGreen,  ///< Parks, gardens, sports grounds.
+  kWood,
+  kWater,
+  kParking,
+  kCount
+};
+
+/// The facts of one side of a stretch.
+struct SideFacts {
+  double houses = 0;    ///< The share of the side along which a building stands.
+  double path = 0;      ///< The share along which a path or a paved square runs beside the kerb.
+  double oncoming = 0;  ///< The share along which a one-way street runs in the other direction.
+  double room_m = std::numeric_limits<double>::infinity();  ///< From the kerb to what is mapped beside it.
+  LandUse land{};                                           ///< The most frequent one.
+};
+
+/// A straight piece of a mapped line or outline.
+struct MappedLine {
+  enum class Kind : std::uint8_t { kBuilding, kPath, kStreet, kBarred /* water, rails, car parks */ };
+  Vec2 a, b;
+  Kind kind{};
+  double half_m = 0;  ///< The half width of a way.
+  Vec2 heading{};     ///< The direction of traffic of a one-way street; else 0.
+  ObjectId of{};
+};
+
+/// An area with a land use.
+struct MappedLand {
+  const map::AreaFeature* area = nullptr;
+  LandUse land{};
+  bool is_square = false;
+};
+
+/// All lines and areas of a map, by place.
+struct Surroundings {
+  std::vector<MappedLine> lines;
+  std::vector<MappedLand> areas;
+  BoxGrid line_grid, area_grid;
+};
+
+/// Returns the index of a map's features on the ground; it points into them. O(n log n).
+Surroundings index_surroundings(const map::Features& features);
+
+/// The facts of both sides of a stretch, seen along its axis.
+struct BothSides {
+  SideFacts left, right;
+};
+
+/// Returns the facts of a stretch: of what is mapped within kBeside_m of its axis, or kBesideKerb_m of its kerbs. The
+/// order of features does not matter. O(length * lines near it).
+BothSides facts_beside(const Surroundings& surroundings, const map::Track& stretch);
+
+}  // namespace citykiln::assume

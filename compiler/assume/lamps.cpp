@@ -1,0 +1,107 @@
+#include "compiler/assume/lamps.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "compiler/assume/cut_way.h"
+#include "compiler/assume/pavements.h"
+
+namespace citykiln::assume {
+namespace {
+
+struct LitClass {
+  map::LandCoverClass surface;
+  double score;
+};
+constexpr LitClass kLitClasses[] = {
+#define LIT_CLASS(surface, score) {map::LandCoverClass::surface, score},
+#include "compiler/assume/lamps.inc"
+#undef LIT_CLASS
+};
+
+struct LitLand {
+  LandUse land;
+  double score;
+};
+constexpr LitLand kLitLands[] = {
+#define LIT_LAND(land, score) {LandUse::land, score},
+#include "compiler/assume/lamps.inc"
+#undef LIT_LAND
+};
+
+struct LitCountry {
+  map::CountryGroup country;
+  map::LandCoverClass surface;
+  double score;
+};
+constexpr LitCountry kLitCountries[] = {
+#define LIT_COUNTRY(country, surface, score) {map::CountryGroup::country, map::LandCoverClass::surface, score},
+#include "compiler/assume/lamps.inc"
+#undef LIT_COUNTRY
+};
+
+#define LIT_SCORE(name, score) constexpr double name = score;
+#include "compiler/assume/lamps.inc"
+#undef LIT_SCORE
+
+constexpr double kLitHouses = 0.25, kLitOpen = 0.1;
+
+std::optional<double> lit_class_score(map::LandCoverClass surface) {
+  for (const LitClass& row : kLitClasses)
+    if (row.surface == surface) return row.score;
+  return std::nullopt;
+}
+
+double lit_land_score(LandUse land) {
+  for (const LitLand& row : kLitLands)
+    if (row.land == land) return row.score;
+  return 0;
+}
+
+bool may_be_lit(const map::Track& track) {
+  if (track.has_tagged_lighting || track.is_lit || track.is_rail || track.is_indoor) return false;
+  if (track.passage == map::Passage::kTunnel || track.section.axis_drift != 0) return false;
+  return lit_class_score(track.surface).has_value();
+}
+
+}  // namespace
+
+bool is_assumed_lit(const map::Track& stretch, const BothSides& sides) {
+  double score = lit_class_score(stretch.surface).value_or(0);
+  score += std::max(lit_land_score(sides.left.land), lit_land_score(sides.right.land));
+  for (const LitCountry& row : kLitCountries)
+    if (row.country == stretch.country && row.surface == stretch.surface) score += row.score;
+  const double houses = std::max(sides.left.houses, sides.right.houses);
+  if (houses > kLitHouses) score += kLitHousesScore;
+  if (houses < kLitOpen) score += kLitOpenScore;
+  return score > 0;
+}
+
+std::vector<map::Track> assume_lamps(const map::Features& features, Report& report) {
+  const Surroundings surroundings = index_surroundings(features);
+  const CommonNodes common = common_nodes_of(features.tracks);
+  Account account;
+  std::vector<map::Track> tracks;
+  OsmId last{};
+  for (const map::Track& track : features.tracks) {
+    std::vector<map::Track> stretches{track};
+    // what leaves the ground stays whole: its heights follow from its ends
+    const bool may_be_cut = may_be_lit(track) && !track.is_piece && track.passage == map::Passage::kGround;
+    if (may_be_cut) stretches = cut_way(track, kLongestWhole_m, kStretch_m, common);
+    for (map::Track& stretch : stretches) {
+      if (may_be_lit(stretch) && length_m(stretch.axis) <= kLongestWhole_m)
+        stretch.is_lit = is_assumed_lit(stretch, facts_beside(surroundings, stretch));
+      const bool is_new = stretch.is_lit && !track.is_lit;
+      if (is_new) stretch.assumed |= bit_of(Assumption::kLamps);
+      // the pieces of a way are one object
+      if (is_new && last != track.id.osm) report.count_assumed(Assumption::kLamps, track.id.osm), last = track.id.osm;
+      tracks.push_back(std::move(stretch));
+    }
+    if (report.counts(track.id.osm))
+      ++account.in, account.split += stretches.size() - 1, account.out += stretches.size();
+  }
+  report.account("assume", "lit_track") = account;
+  return tracks;
+}
+
+}  // namespace citykiln::assume

@@ -1,0 +1,163 @@
+#include "compiler/assume/pavements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "compiler/assume/cut_way.h"
+
+namespace citykiln::assume {
+namespace {
+
+using map::CountryGroup;
+using map::LandCoverClass;
+using map::Track;
+
+// Widths are multiples of this, so that tags can state them.
+constexpr double kWidthStep_m = 0.25;
+
+struct ClassScore {
+  LandCoverClass surface;
+  double score;
+};
+constexpr ClassScore kClassScores[] = {
+#define CLASS_SCORE(surface, score) {LandCoverClass::surface, score},
+#include "compiler/assume/pavements.inc"
+#undef CLASS_SCORE
+};
+
+struct LandScore {
+  LandUse land;
+  double score;
+};
+constexpr LandScore kLandScores[] = {
+#define LAND_SCORE(land, score) {LandUse::land, score},
+#include "compiler/assume/pavements.inc"
+#undef LAND_SCORE
+};
+
+struct CountryScore {
+  CountryGroup country;
+  LandCoverClass surface;
+  double score;
+};
+constexpr CountryScore kCountryScores[] = {
+#define COUNTRY_SCORE(country, surface, score) {CountryGroup::country, LandCoverClass::surface, score},
+#include "compiler/assume/pavements.inc"
+#undef COUNTRY_SCORE
+};
+
+#define SCORE(name, score) constexpr double name = score;
+#include "compiler/assume/pavements.inc"
+#undef SCORE
+
+struct WidthRow {
+  CountryGroup country;  // kCount: the others
+  LandCoverClass surface;
+  double usual_m, between_houses_m;
+};
+constexpr CountryGroup kElsewhere = CountryGroup::kCount;
+constexpr WidthRow kWidths[] = {
+#define PAVEMENT_WIDTH(surface, usual_m, between_houses_m) \
+  {kElsewhere, LandCoverClass::surface, usual_m, between_houses_m},
+#define PAVEMENT_WIDTH_IN(country, surface, usual_m, between_houses_m) \
+  {CountryGroup::country, LandCoverClass::surface, usual_m, between_houses_m},
+#include "compiler/assume/pavements.inc"
+#undef PAVEMENT_WIDTH
+#undef PAVEMENT_WIDTH_IN
+};
+
+// Shares of a side from which it is lined with houses, or open.
+constexpr double kLined = 0.4, kOpen = 0.1, kTownHouses = 0.6;
+// A path or another carriageway along more than this share of a side replaces its pavement.
+constexpr double kReplaces = 0.5;
+
+std::optional<double> class_score(LandCoverClass surface) {
+  for (const ClassScore& row : kClassScores)
+    if (row.surface == surface) return row.score;
+  return std::nullopt;
+}
+
+double score_of(const Track& stretch, const SideFacts& side) {
+  double score = class_score(stretch.surface).value_or(0);
+  for (const LandScore& row : kLandScores)
+    if (row.land == side.land) score += row.score;
+  for (const CountryScore& row : kCountryScores)
+    if (row.country == stretch.country && row.surface == stretch.surface) score += row.score;
+  if (stretch.is_link) score += kLinkScore;
+  if (side.houses > kLined) score += kLinedScore;
+  if (side.houses < kOpen) score += kOpenScore;
+  return score;
+}
+
+double usual_width_m(const Track& stretch, bool is_between_houses) {
+  const WidthRow* found = nullptr;
+  for (const WidthRow& row : kWidths)
+    if (row.surface == stretch.surface && (row.country == stretch.country || (row.country == kElsewhere && !found)))
+      found = &row;
+  if (found == nullptr) return 0;
+  return is_between_houses ? found->between_houses_m : found->usual_m;
+}
+
+// True for streets on the ground on which a pavement may be assumed.
+bool may_have_pavement(const Track& track) {
+  if (track.tagged_pavements == map::kBothSides || track.passage != map::Passage::kGround || track.is_rail)
+    return false;
+  if (track.is_indoor || track.is_through_building || track.is_transition) return false;
+  return class_score(track.surface).has_value();
+}
+
+// The side of a roundabout towards its middle.
+std::uint8_t inner_side(const Track& track) {
+  if (!track.is_roundabout) return 0;
+  return track.side == map::DrivingSide::kRight ? map::kLeftSide : map::kRightSide;
+}
+
+bool add_pavement(Track& stretch, std::uint8_t side, const SideFacts& facts) {
+  if ((stretch.tagged_pavements & side) != 0) return false;
+  const double width_m = assumed_pavement_m(stretch, facts, inner_side(stretch) == side);
+  if (width_m <= 0) return false;
+  stretch.section = with_pavement(std::move(stretch.section), side, width_m);
+  stretch.assumed |= bit_of(Assumption::kPavements);
+  return true;
+}
+
+// Adds what is assumed to a stretch; returns whether that is anything.
+bool add_pavements(const Surroundings& surroundings, Track& stretch) {
+  if (length_m(stretch.axis) > kLongestWhole_m) return false;
+  const BothSides facts = facts_beside(surroundings, stretch);
+  const bool has_left = add_pavement(stretch, map::kLeftSide, facts.left);
+  return add_pavement(stretch, map::kRightSide, facts.right) || has_left;
+}
+
+}  // namespace
+
+double assumed_pavement_m(const Track& stretch, const SideFacts& side, bool is_inside) {
+  if (is_inside || side.path > kReplaces || side.oncoming > kReplaces || score_of(stretch, side) <= 0) return 0;
+  const double usual_m = usual_width_m(stretch, side.houses > kTownHouses);
+  const double width_m = std::min(usual_m, std::floor(side.room_m / kWidthStep_m) * kWidthStep_m);
+  return width_m < kNarrowestPavement_m ? 0 : width_m;
+}
+
+std::vector<Track> assume_pavements(const map::Features& features, Report& report) {
+  const Surroundings surroundings = index_surroundings(features);
+  const CommonNodes common = common_nodes_of(features.tracks);
+  Account account;
+  std::vector<Track> tracks;
+  for (const Track& track : features.tracks) {
+    const bool counts = report.counts(track.id.osm);
+    std::vector<Track> stretches =
+        may_have_pavement(track) ? cut_way(track, kLongestWhole_m, kStretch_m, common) : std::vector{track};
+    bool is_any = false;
+    for (Track& stretch : stretches) {
+      if (may_have_pavement(stretch)) is_any |= add_pavements(surroundings, stretch);
+      tracks.push_back(std::move(stretch));
+    }
+    if (is_any) report.count_assumed(Assumption::kPavements, track.id.osm);
+    if (counts) ++account.in, account.split += stretches.size() - 1, account.out += stretches.size();
+  }
+  report.account("assume", "track") = account;
+  return tracks;
+}
+
+}  // namespace citykiln::assume
