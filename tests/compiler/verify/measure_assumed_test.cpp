@@ -56,7 +56,7 @@ TEST(MeasureAssumed, FindsPavementsInWaterAndBuildings) {
     chunk.surfaces = {{{kMappedWay, 0}, surface, 130, {beside}}};
     const AssumedPlaces found = measure_assumed_pavements(chunk, kTile);
     EXPECT_EQ(found.misplaced, surface == LandCoverClass::kPark ? 0u : 5u);
-    if (found.misplaced > 0) EXPECT_EQ(found.on, kMappedWay);
+    EXPECT_EQ(found.on, found.misplaced > 0 ? kMappedWay : OsmId{});
   }
 }
 
