@@ -93,7 +93,7 @@ struct Indexer {
   void add_track(const map::Track& track) {
     const LandCoverGroup group = cover_group_of(track.surface);
     const bool is_path = group == LandCoverGroup::kPath, is_road = group == LandCoverGroup::kRoad;
-    const LineKind kind = is_path ? LineKind::kPath : is_road ? LineKind::kStreet : LineKind::kBarred;
+    const LineKind kind = is_path ? LineKind::kPath : is_road ? LineKind::kStreet : LineKind::kRail;
     const int flow = flow_of(track);
     for (std::size_t i = 0; i + 1 < track.axis.size(); ++i)
       add({.a = track.axis[i],
@@ -103,11 +103,22 @@ struct Indexer {
            .heading = unit(track.axis[i + 1] - track.axis[i]) * static_cast<double>(flow),
            .of = track.id});
   }
+  // guard rails stand on the road
+  void add_barrier(const map::Barrier& barrier) {
+    if (barrier.kind == map::BarrierKind::kGuardRail) return;
+    for (std::size_t i = 0; i + 1 < barrier.axis.size(); ++i)
+      add({.a = barrier.axis[i],
+           .b = barrier.axis[i + 1],
+           .kind = LineKind::kWall,
+           .half_m = barrier.width_m / 2,
+           .of = barrier.id});
+  }
   void add_area(const map::AreaFeature& area) {
     const LandUse land = land_use_of(area.surface);
     const bool is_square = area.surface == LandCoverClass::kSquare;
     if (land == LandUse::kWater || land == LandUse::kParking)
-      for (const Ring* ring : rings_of(area.polygon)) add_ring(*ring, LineKind::kBarred, area.id);
+      for (const Ring* ring : rings_of(area.polygon))
+        add_ring(*ring, land == LandUse::kWater ? LineKind::kWater : LineKind::kCarPark, area.id);
     if ((land == LandUse::kNone && !is_square) || area.polygon.outer.empty()) return;
     all.areas.push_back({&area, land, is_square});
     area_boxes.push_back(box_of(area.polygon.outer));
@@ -133,7 +144,7 @@ bool runs_along(const Ray& ray, const MappedLine& line) {
 // The facts of one sample of a side.
 struct Seen {
   bool has_house = false, has_path = false, has_oncoming = false;
-  double room_m = std::numeric_limits<double>::infinity();
+  double room_m = std::numeric_limits<double>::infinity(), water_m = std::numeric_limits<double>::infinity();
 };
 
 void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
@@ -149,9 +160,17 @@ void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
     case LineKind::kPath:
       seen.has_path |= *away_m > ray.kerb_m / 2 && from_kerb_m <= kBesideKerb_m && runs_along(ray, line);
       return;
-    case LineKind::kBarred:
+    case LineKind::kWall:
+      if (runs_along(ray, line)) limit();
+      return;
+    case LineKind::kCarPark:
+      return limit();
+    case LineKind::kWater:
+      seen.water_m = std::min(seen.water_m, std::max(0.0, from_kerb_m));
+      return;
+    case LineKind::kRail:
       // rails within the carriageway are a tram's
-      if (*away_m >= ray.kerb_m) limit();
+      if (*away_m >= ray.kerb_m && runs_along(ray, line)) limit();
       return;
     case LineKind::kStreet:
       if (*away_m <= 0 || !runs_along(ray, line)) return;
@@ -163,12 +182,13 @@ void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
 // The rooms that samples leave, sums of what they see, and the land use of some.
 struct Side {
   std::vector<double> rooms_m;
+  double water_m = std::numeric_limits<double>::infinity();
   std::size_t houses = 0, paths = 0, oncoming = 0, squares = 0;
   std::array<std::size_t, static_cast<std::size_t>(LandUse::kCount)> lands{};
 
   void add(const Seen& seen) {
     houses += seen.has_house, paths += seen.has_path, oncoming += seen.has_oncoming;
-    rooms_m.push_back(seen.room_m);
+    rooms_m.push_back(seen.room_m), water_m = std::min(water_m, seen.water_m);
   }
 };
 
@@ -200,7 +220,7 @@ SideFacts facts_of(Side side) {
   facts.houses = static_cast<double>(side.houses) / n;
   facts.path = std::min(1.0, static_cast<double>(side.paths) / n + squares);
   facts.oncoming = static_cast<double>(side.oncoming) / n;
-  facts.room_m = *narrow;
+  facts.room_m = std::min(*narrow, side.water_m);
   facts.land = static_cast<LandUse>(std::ranges::max_element(side.lands) - side.lands.begin());
   return facts;
 }
@@ -214,6 +234,7 @@ Surroundings index_surroundings(const map::Features& features) {
       for (const Ring* ring : rings_of(footprint.polygon)) indexer.add_ring(*ring, LineKind::kBuilding, footprint.id);
   for (const map::Track& track : features.tracks)
     if (track.passage == map::Passage::kGround && !track.is_indoor) indexer.add_track(track);
+  for (const map::Barrier& barrier : features.barriers) indexer.add_barrier(barrier);
   for (const map::AreaFeature& area : features.areas) indexer.add_area(area);
   indexer.all.line_grid = grid_of(indexer.line_boxes, kLineBucket_m);
   indexer.all.area_grid = grid_of(indexer.area_boxes, kLineBucket_m);

@@ -43,13 +43,15 @@ struct SideFacts {
   double houses = 0;    ///< The share of the side along which a building stands.
   double path = 0;      ///< The share along which a path or a paved square runs beside the kerb.
   double oncoming = 0;  ///< The share along which a one-way street runs in the other direction.
-  double room_m = std::numeric_limits<double>::infinity();  ///< From the kerb to what is mapped beside it.
-  LandUse land{};                                           ///< The most frequent one.
+  /// From the kerb to what is mapped beside it: buildings, walls, fences, rails, car parks, other streets, of which a
+  /// quarter of the side may leave less; and water, which leaves this everywhere.
+  double room_m = std::numeric_limits<double>::infinity();
+  LandUse land{};  ///< The most frequent one.
 };
 
 /// A straight piece of a mapped line or outline.
 struct MappedLine {
-  enum class Kind : std::uint8_t { kBuilding, kPath, kStreet, kBarred /* water, rails, car parks */ };
+  enum class Kind : std::uint8_t { kBuilding, kWall, kPath, kStreet, kRail, kCarPark, kWater };
   Vec2 a, b;
   Kind kind{};
   double half_m = 0;  ///< The half width of a way.

@@ -37,8 +37,8 @@ double assumed_pavement_m(const map::Track& stretch, const SideFacts& side, bool
 /// Track::tagged_pavements, on the ground, outside of buildings. A longer way becomes several tracks with the ids part
 /// 0, 1, 2 … (Track::is_piece), which share the nodes at which it is cut.
 ///
-/// Neighbouring pieces of a way may have different pavements, as ways that mappers cut. Bridges and tunnels are not
-/// changed. The order of features does not matter. O(n log n).
+/// Neighbouring pieces of a way may have different pavements, as ways that mappers cut. Bridges follow in
+/// bridge_pavements.h; tunnels are not changed. The order of features does not matter. O(n log n).
 std::vector<map::Track> assume_pavements(const map::Features& features, Report& report);
 
 }  // namespace citykiln::assume
