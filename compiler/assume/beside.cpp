@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "compiler/geometry/segment.h"
 
@@ -78,6 +79,11 @@ int flow_of(const map::Track& track) {
   return is_backward == is_forward ? 0 : is_forward ? 1 : -1;
 }
 
+bool is_through(LandCoverClass surface) {
+  return surface == LandCoverClass::kResidentialRoad || surface == LandCoverClass::kTertiaryRoad ||
+         surface == LandCoverClass::kSecondaryRoad || surface == LandCoverClass::kPrimaryRoad;
+}
+
 struct Indexer {
   Surroundings all;
   std::vector<Box2> line_boxes, area_boxes;
@@ -100,6 +106,7 @@ struct Indexer {
            .b = track.axis[i + 1],
            .kind = kind,
            .half_m = carriageway_width_m(track.section) / 2,
+           .is_through = is_through(track.surface),
            .heading = unit(track.axis[i + 1] - track.axis[i]) * static_cast<double>(flow),
            .of = track.id});
   }
@@ -225,6 +232,47 @@ SideFacts facts_of(Side side) {
   return facts;
 }
 
+// The way along a stretch, with what was seen on either side.
+struct Walk {
+  const Surroundings& surroundings;
+  const map::Track& stretch;
+  double flow = 0;
+  Side left = {}, right = {};
+  std::size_t samples = 0, samples_near_streets = 0;
+
+  bool is_near_cross_street(const Ray& ray, std::span<const std::uint32_t> near) const {
+    return std::ranges::any_of(near, [&](std::uint32_t n) {
+      const MappedLine& line = surroundings.lines[n];
+      return line.is_through && line.of.osm != stretch.id.osm && !runs_along(ray, line) &&
+             distance_to_segment(line.a, line.b, ray.at) < kBlock_m;
+    });
+  }
+
+  // Looks to one side from a sample, at the lines near it.
+  void look(const Ray& ray, std::span<const std::uint32_t> near, Side& side) const {
+    Seen seen;
+    for (const std::uint32_t n : near)
+      if (const MappedLine& line = surroundings.lines[n]; line.of.osm != stretch.id.osm)
+        look_at(line, ray, ray.along * flow, seen);
+    if (side.rooms_m.size() % kLandEvery == 0) look_at_land(surroundings, ray, side);
+    side.add(seen);
+  }
+
+  void along(Vec2 a, Vec2 b) {
+    const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
+    const double widest_m = std::max({kBlock_m, left_m + kBesideKerb_m, right_m + kBesideKerb_m});
+    const auto near = boxes_about(surroundings.line_grid, box_of(std::array{a, b}).widened(widest_m));
+    const Vec2 forward = unit(b - a), out = left_of(forward);
+    const int count = std::max(1, static_cast<int>(std::floor(distance(a, b) / kSampleEvery_m + 0.5)));
+    for (int k = 0; k < count; ++k) {
+      const Vec2 at = a + (b - a) * ((k + 0.5) / count);
+      ++samples, samples_near_streets += is_near_cross_street({at, forward, out}, near);
+      look({at, forward, out, left_m}, near, left);
+      look({at, forward, out * -1.0, right_m}, near, right);
+    }
+  }
+};
+
 }  // namespace
 
 Surroundings index_surroundings(const map::Features& features) {
@@ -242,29 +290,13 @@ Surroundings index_surroundings(const map::Features& features) {
 }
 
 BothSides facts_beside(const Surroundings& surroundings, const map::Track& stretch) {
-  Side left, right;
-  const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
-  const int flow = flow_of(stretch);
-  for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) {
-    const Vec2 a = stretch.axis[i], b = stretch.axis[i + 1], along = unit(b - a), out = left_of(along);
-    const double widest_m = std::max({kFront_m, left_m + kBesideKerb_m, right_m + kBesideKerb_m});
-    const auto near = boxes_about(surroundings.line_grid, box_of(std::array{a, b}).widened(widest_m));
-    const int samples = std::max(1, static_cast<int>(std::floor(distance(a, b) / kSampleEvery_m + 0.5)));
-    for (int k = 0; k < samples; ++k) {
-      const Vec2 at = a + (b - a) * ((k + 0.5) / samples);
-      for (Side* side : {&left, &right}) {
-        const bool is_left = side == &left;
-        const Ray ray{at, along, is_left ? out : out * -1.0, is_left ? left_m : right_m};
-        Seen seen;
-        for (const std::uint32_t n : near)
-          if (const MappedLine& line = surroundings.lines[n]; line.of.osm != stretch.id.osm)
-            look_at(line, ray, along * static_cast<double>(flow), seen);
-        if (side->rooms_m.size() % kLandEvery == 0) look_at_land(surroundings, ray, *side);
-        side->add(seen);
-      }
-    }
-  }
-  return {facts_of(std::move(left)), facts_of(std::move(right))};
+  Walk walk{surroundings, stretch, static_cast<double>(flow_of(stretch))};
+  for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) walk.along(stretch.axis[i], stretch.axis[i + 1]);
+  BothSides sides{facts_of(std::move(walk.left)), facts_of(std::move(walk.right))};
+  const auto samples = static_cast<double>(std::max<std::size_t>(walk.samples, 1));
+  sides.left.streets = sides.right.streets = static_cast<double>(walk.samples_near_streets) / samples;
+  sides.left.houses_across = sides.right.houses, sides.right.houses_across = sides.left.houses;
+  return sides;
 }
 
 }  // namespace citykiln::assume

@@ -30,7 +30,8 @@ inline constexpr double kPavementRadius_m = kLongestWhole_m + kBeside_m;
 inline constexpr double kNarrowestPavement_m = 1;
 
 /// Returns the width of the pavement that is assumed on a side of a stretch; 0 for none.
-/// @param is_inside  True for the inner side of a roundabout.
+/// @param is_inside  True for the left side where traffic drives on the right, and the right side elsewhere: the inner
+///                   one of roundabouts and dual carriageways.
 double assumed_pavement_m(const map::Track& stretch, const SideFacts& side, bool is_inside);
 
 /// Returns the tracks with assumed pavements, sorted by id. Streets change on sides that are not in
