@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "compiler/assume/bridge_pavements.h"
 #include "compiler/assume/fronts.h"
 #include "compiler/assume/heights.h"
 #include "compiler/assume/lamps.h"
@@ -14,7 +15,8 @@ map::Features assume(map::Features features, const Settings& settings, Report& r
   if (has(settings.on, Assumption::kHeights)) features = assume_heights(std::move(features), settings.seed, report);
   // by the assumed storeys
   if (has(settings.on, Assumption::kRoofs)) features = assume_roofs(std::move(features), settings.seed, report);
-  if (has(settings.on, Assumption::kPavements)) features.tracks = assume_pavements(features, report);
+  if (has(settings.on, Assumption::kPavements))
+    features.tracks = assume_bridge_pavements(assume_pavements(features, report), report);
   if (has(settings.on, Assumption::kLamps)) features.tracks = assume_lamps(features, report);
   if (has(settings.on, Assumption::kFronts)) assume_fronts(features, settings.seed, report);
   return features;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "compiler/geometry/segment.h"
 
@@ -78,6 +79,11 @@ int flow_of(const map::Track& track) {
   return is_backward == is_forward ? 0 : is_forward ? 1 : -1;
 }
 
+bool is_through(LandCoverClass surface) {
+  return surface == LandCoverClass::kResidentialRoad || surface == LandCoverClass::kTertiaryRoad ||
+         surface == LandCoverClass::kSecondaryRoad || surface == LandCoverClass::kPrimaryRoad;
+}
+
 struct Indexer {
   Surroundings all;
   std::vector<Box2> line_boxes, area_boxes;
@@ -93,21 +99,33 @@ struct Indexer {
   void add_track(const map::Track& track) {
     const LandCoverGroup group = cover_group_of(track.surface);
     const bool is_path = group == LandCoverGroup::kPath, is_road = group == LandCoverGroup::kRoad;
-    const LineKind kind = is_path ? LineKind::kPath : is_road ? LineKind::kStreet : LineKind::kBarred;
+    const LineKind kind = is_path ? LineKind::kPath : is_road ? LineKind::kStreet : LineKind::kRail;
     const int flow = flow_of(track);
     for (std::size_t i = 0; i + 1 < track.axis.size(); ++i)
       add({.a = track.axis[i],
            .b = track.axis[i + 1],
            .kind = kind,
            .half_m = carriageway_width_m(track.section) / 2,
+           .is_through = is_through(track.surface),
            .heading = unit(track.axis[i + 1] - track.axis[i]) * static_cast<double>(flow),
            .of = track.id});
+  }
+  // guard rails stand on the road
+  void add_barrier(const map::Barrier& barrier) {
+    if (barrier.kind == map::BarrierKind::kGuardRail) return;
+    for (std::size_t i = 0; i + 1 < barrier.axis.size(); ++i)
+      add({.a = barrier.axis[i],
+           .b = barrier.axis[i + 1],
+           .kind = LineKind::kWall,
+           .half_m = barrier.width_m / 2,
+           .of = barrier.id});
   }
   void add_area(const map::AreaFeature& area) {
     const LandUse land = land_use_of(area.surface);
     const bool is_square = area.surface == LandCoverClass::kSquare;
     if (land == LandUse::kWater || land == LandUse::kParking)
-      for (const Ring* ring : rings_of(area.polygon)) add_ring(*ring, LineKind::kBarred, area.id);
+      for (const Ring* ring : rings_of(area.polygon))
+        add_ring(*ring, land == LandUse::kWater ? LineKind::kWater : LineKind::kCarPark, area.id);
     if ((land == LandUse::kNone && !is_square) || area.polygon.outer.empty()) return;
     all.areas.push_back({&area, land, is_square});
     area_boxes.push_back(box_of(area.polygon.outer));
@@ -133,7 +151,7 @@ bool runs_along(const Ray& ray, const MappedLine& line) {
 // The facts of one sample of a side.
 struct Seen {
   bool has_house = false, has_path = false, has_oncoming = false;
-  double room_m = std::numeric_limits<double>::infinity();
+  double room_m = std::numeric_limits<double>::infinity(), water_m = std::numeric_limits<double>::infinity();
 };
 
 void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
@@ -149,9 +167,17 @@ void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
     case LineKind::kPath:
       seen.has_path |= *away_m > ray.kerb_m / 2 && from_kerb_m <= kBesideKerb_m && runs_along(ray, line);
       return;
-    case LineKind::kBarred:
+    case LineKind::kWall:
+      if (runs_along(ray, line)) limit();
+      return;
+    case LineKind::kCarPark:
+      return limit();
+    case LineKind::kWater:
+      seen.water_m = std::min(seen.water_m, std::max(0.0, from_kerb_m));
+      return;
+    case LineKind::kRail:
       // rails within the carriageway are a tram's
-      if (*away_m >= ray.kerb_m) limit();
+      if (*away_m >= ray.kerb_m && runs_along(ray, line)) limit();
       return;
     case LineKind::kStreet:
       if (*away_m <= 0 || !runs_along(ray, line)) return;
@@ -163,12 +189,13 @@ void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
 // The rooms that samples leave, sums of what they see, and the land use of some.
 struct Side {
   std::vector<double> rooms_m;
+  double water_m = std::numeric_limits<double>::infinity();
   std::size_t houses = 0, paths = 0, oncoming = 0, squares = 0;
   std::array<std::size_t, static_cast<std::size_t>(LandUse::kCount)> lands{};
 
   void add(const Seen& seen) {
     houses += seen.has_house, paths += seen.has_path, oncoming += seen.has_oncoming;
-    rooms_m.push_back(seen.room_m);
+    rooms_m.push_back(seen.room_m), water_m = std::min(water_m, seen.water_m);
   }
 };
 
@@ -200,10 +227,51 @@ SideFacts facts_of(Side side) {
   facts.houses = static_cast<double>(side.houses) / n;
   facts.path = std::min(1.0, static_cast<double>(side.paths) / n + squares);
   facts.oncoming = static_cast<double>(side.oncoming) / n;
-  facts.room_m = *narrow;
+  facts.room_m = std::min(*narrow, side.water_m);
   facts.land = static_cast<LandUse>(std::ranges::max_element(side.lands) - side.lands.begin());
   return facts;
 }
+
+// The way along a stretch, with what was seen on either side.
+struct Walk {
+  const Surroundings& surroundings;
+  const map::Track& stretch;
+  double flow = 0;
+  Side left = {}, right = {};
+  std::size_t samples = 0, samples_near_streets = 0;
+
+  bool is_near_cross_street(const Ray& ray, std::span<const std::uint32_t> near) const {
+    return std::ranges::any_of(near, [&](std::uint32_t n) {
+      const MappedLine& line = surroundings.lines[n];
+      return line.is_through && line.of.osm != stretch.id.osm && !runs_along(ray, line) &&
+             distance_to_segment(line.a, line.b, ray.at) < kBlock_m;
+    });
+  }
+
+  // Looks to one side from a sample, at the lines near it.
+  void look(const Ray& ray, std::span<const std::uint32_t> near, Side& side) const {
+    Seen seen;
+    for (const std::uint32_t n : near)
+      if (const MappedLine& line = surroundings.lines[n]; line.of.osm != stretch.id.osm)
+        look_at(line, ray, ray.along * flow, seen);
+    if (side.rooms_m.size() % kLandEvery == 0) look_at_land(surroundings, ray, side);
+    side.add(seen);
+  }
+
+  void along(Vec2 a, Vec2 b) {
+    const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
+    const double widest_m = std::max({kBlock_m, left_m + kBesideKerb_m, right_m + kBesideKerb_m});
+    const auto near = boxes_about(surroundings.line_grid, box_of(std::array{a, b}).widened(widest_m));
+    const Vec2 forward = unit(b - a), out = left_of(forward);
+    const int count = std::max(1, static_cast<int>(std::floor(distance(a, b) / kSampleEvery_m + 0.5)));
+    for (int k = 0; k < count; ++k) {
+      const Vec2 at = a + (b - a) * ((k + 0.5) / count);
+      ++samples, samples_near_streets += is_near_cross_street({at, forward, out}, near);
+      look({at, forward, out, left_m}, near, left);
+      look({at, forward, out * -1.0, right_m}, near, right);
+    }
+  }
+};
 
 }  // namespace
 
@@ -214,6 +282,7 @@ Surroundings index_surroundings(const map::Features& features) {
       for (const Ring* ring : rings_of(footprint.polygon)) indexer.add_ring(*ring, LineKind::kBuilding, footprint.id);
   for (const map::Track& track : features.tracks)
     if (track.passage == map::Passage::kGround && !track.is_indoor) indexer.add_track(track);
+  for (const map::Barrier& barrier : features.barriers) indexer.add_barrier(barrier);
   for (const map::AreaFeature& area : features.areas) indexer.add_area(area);
   indexer.all.line_grid = grid_of(indexer.line_boxes, kLineBucket_m);
   indexer.all.area_grid = grid_of(indexer.area_boxes, kLineBucket_m);
@@ -221,29 +290,13 @@ Surroundings index_surroundings(const map::Features& features) {
 }
 
 BothSides facts_beside(const Surroundings& surroundings, const map::Track& stretch) {
-  Side left, right;
-  const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
-  const int flow = flow_of(stretch);
-  for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) {
-    const Vec2 a = stretch.axis[i], b = stretch.axis[i + 1], along = unit(b - a), out = left_of(along);
-    const double widest_m = std::max({kFront_m, left_m + kBesideKerb_m, right_m + kBesideKerb_m});
-    const auto near = boxes_about(surroundings.line_grid, box_of(std::array{a, b}).widened(widest_m));
-    const int samples = std::max(1, static_cast<int>(std::floor(distance(a, b) / kSampleEvery_m + 0.5)));
-    for (int k = 0; k < samples; ++k) {
-      const Vec2 at = a + (b - a) * ((k + 0.5) / samples);
-      for (Side* side : {&left, &right}) {
-        const bool is_left = side == &left;
-        const Ray ray{at, along, is_left ? out : out * -1.0, is_left ? left_m : right_m};
-        Seen seen;
-        for (const std::uint32_t n : near)
-          if (const MappedLine& line = surroundings.lines[n]; line.of.osm != stretch.id.osm)
-            look_at(line, ray, along * static_cast<double>(flow), seen);
-        if (side->rooms_m.size() % kLandEvery == 0) look_at_land(surroundings, ray, *side);
-        side->add(seen);
-      }
-    }
-  }
-  return {facts_of(std::move(left)), facts_of(std::move(right))};
+  Walk walk{surroundings, stretch, static_cast<double>(flow_of(stretch))};
+  for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) walk.along(stretch.axis[i], stretch.axis[i + 1]);
+  BothSides sides{facts_of(std::move(walk.left)), facts_of(std::move(walk.right))};
+  const auto samples = static_cast<double>(std::max<std::size_t>(walk.samples, 1));
+  sides.left.streets = sides.right.streets = static_cast<double>(walk.samples_near_streets) / samples;
+  sides.left.houses_across = sides.right.houses, sides.right.houses_across = sides.left.houses;
+  return sides;
 }
 
 }  // namespace citykiln::assume

@@ -16,12 +16,14 @@
 namespace citykiln::assume {
 
 /// The greatest distance from an axis at which houses, land use and paths count.
-inline constexpr double kBeside_m = 48;
+inline constexpr double kBeside_m = 64;
 /// The greatest distance from the axis of houses, the other carriageway and the point whose land use counts.
 inline constexpr double kFront_m = 40, kOncoming_m = 30, kLandUse_m = 20;
 /// The greatest distance from the kerb of a path that counts as the road's pavement.
 inline constexpr double kBesideKerb_m = 10;
-static_assert(kBeside_m > kFront_m && kFront_m > kOncoming_m && kOncoming_m > kLandUse_m);
+/// The greatest distance of a cross street: half a long block.
+inline constexpr double kBlock_m = 60;
+static_assert(kBeside_m > kBlock_m && kBlock_m > kFront_m && kFront_m > kOncoming_m && kOncoming_m > kLandUse_m);
 
 /// The use of the land beside a road.
 enum class LandUse : std::uint8_t {
@@ -40,20 +42,25 @@ enum class LandUse : std::uint8_t {
 
 /// The facts of one side of a stretch.
 struct SideFacts {
-  double houses = 0;    ///< The share of the side along which a building stands.
-  double path = 0;      ///< The share along which a path or a paved square runs beside the kerb.
-  double oncoming = 0;  ///< The share along which a one-way street runs in the other direction.
-  double room_m = std::numeric_limits<double>::infinity();  ///< From the kerb to what is mapped beside it.
-  LandUse land{};                                           ///< The most frequent one.
+  double houses = 0;         ///< The share of the side along which a building stands.
+  double houses_across = 0;  ///< The share of the other side.
+  double streets = 0;        ///< The share of the stretch that lies within kBlock_m of a cross street.
+  double path = 0;           ///< The share along which a path or a paved square runs beside the kerb.
+  double oncoming = 0;       ///< The share along which a one-way street runs in the other direction.
+  /// From the kerb to what is mapped beside it: buildings, walls, fences, rails, car parks, other streets, of which a
+  /// quarter of the side may leave less; and water, which leaves this everywhere.
+  double room_m = std::numeric_limits<double>::infinity();
+  LandUse land{};  ///< The most frequent one.
 };
 
 /// A straight piece of a mapped line or outline.
 struct MappedLine {
-  enum class Kind : std::uint8_t { kBuilding, kPath, kStreet, kBarred /* water, rails, car parks */ };
+  enum class Kind : std::uint8_t { kBuilding, kWall, kPath, kStreet, kRail, kCarPark, kWater };
   Vec2 a, b;
   Kind kind{};
-  double half_m = 0;  ///< The half width of a way.
-  Vec2 heading{};     ///< The direction of traffic of a one-way street; else 0.
+  double half_m = 0;        ///< The half width of a way.
+  bool is_through = false;  ///< True for streets of residential or higher class.
+  Vec2 heading{};           ///< The direction of traffic of a one-way street; else 0.
   ObjectId of{};
 };
 

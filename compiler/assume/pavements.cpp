@@ -67,10 +67,13 @@ constexpr WidthRow kWidths[] = {
 #undef PAVEMENT_WIDTH_IN
 };
 
-// Shares of a side from which it is lined with houses, or open.
-constexpr double kLined = 0.4, kOpen = 0.1, kTownHouses = 0.6;
-// A path or another carriageway along more than this share of a side replaces its pavement.
-constexpr double kReplaces = 0.5;
+// Shares of a side along which houses stand: below the first it is open; above the second pavements are wider.
+constexpr double kOpen = 0.1, kTownHouses = 0.6;
+// The share of a stretch near cross streets from which it belongs to a town.
+constexpr double kTownStreets = 0.4;
+// A path along more than this share of a side is its pavement; another carriageway along more than this share is on its
+// inner side.
+constexpr double kPathReplaces = 0.5, kCarriagewayReplaces = 0.25;
 
 std::optional<double> class_score(LandCoverClass surface) {
   for (const ClassScore& row : kClassScores)
@@ -78,15 +81,15 @@ std::optional<double> class_score(LandCoverClass surface) {
   return std::nullopt;
 }
 
-double score_of(const Track& stretch, const SideFacts& side) {
+double score_of(const Track& stretch, const SideFacts& side, bool is_inside) {
   double score = class_score(stretch.surface).value_or(0);
   for (const LandScore& row : kLandScores)
     if (row.land == side.land) score += row.score;
   for (const CountryScore& row : kCountryScores)
     if (row.country == stretch.country && row.surface == stretch.surface) score += row.score;
   if (stretch.is_link) score += kLinkScore;
-  if (side.houses > kLined) score += kLinedScore;
-  if (side.houses < kOpen) score += kOpenScore;
+  if (stretch.is_oneway) score += kOneWayScore + (is_inside ? kOneWayInsideScore : 0);
+  if (side.houses < kOpen && side.houses_across < kOpen && side.streets < kTownStreets) score += kOpenScore;
   return score;
 }
 
@@ -107,9 +110,8 @@ bool may_have_pavement(const Track& track) {
   return class_score(track.surface).has_value();
 }
 
-// The side of a roundabout towards its middle.
+// The side of one-way streets and roundabouts away from the kerb by which slow traffic keeps.
 std::uint8_t inner_side(const Track& track) {
-  if (!track.is_roundabout) return 0;
   return track.side == map::DrivingSide::kRight ? map::kLeftSide : map::kRightSide;
 }
 
@@ -133,7 +135,9 @@ bool add_pavements(const Surroundings& surroundings, Track& stretch) {
 }  // namespace
 
 double assumed_pavement_m(const Track& stretch, const SideFacts& side, bool is_inside) {
-  if (is_inside || side.path > kReplaces || side.oncoming > kReplaces || score_of(stretch, side) <= 0) return 0;
+  if ((is_inside && stretch.is_roundabout) || side.path > kPathReplaces || side.oncoming > kCarriagewayReplaces)
+    return 0;
+  if (score_of(stretch, side, is_inside) <= 0) return 0;
   const double usual_m = usual_width_m(stretch, side.houses > kTownHouses);
   const double width_m = std::min(usual_m, std::floor(side.room_m / kWidthStep_m) * kWidthStep_m);
   return width_m < kNarrowestPavement_m ? 0 : width_m;

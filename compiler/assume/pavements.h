@@ -30,15 +30,16 @@ inline constexpr double kPavementRadius_m = kLongestWhole_m + kBeside_m;
 inline constexpr double kNarrowestPavement_m = 1;
 
 /// Returns the width of the pavement that is assumed on a side of a stretch; 0 for none.
-/// @param is_inside  True for the inner side of a roundabout.
+/// @param is_inside  True for the left side where traffic drives on the right, and the right side elsewhere: the inner
+///                   one of roundabouts and dual carriageways.
 double assumed_pavement_m(const map::Track& stretch, const SideFacts& side, bool is_inside);
 
 /// Returns the tracks with assumed pavements, sorted by id. Streets change on sides that are not in
 /// Track::tagged_pavements, on the ground, outside of buildings. A longer way becomes several tracks with the ids part
 /// 0, 1, 2 … (Track::is_piece), which share the nodes at which it is cut.
 ///
-/// Neighbouring pieces of a way may have different pavements, as ways that mappers cut. Bridges and tunnels are not
-/// changed. The order of features does not matter. O(n log n).
+/// Neighbouring pieces of a way may have different pavements, as ways that mappers cut. Bridges follow in
+/// bridge_pavements.h; tunnels are not changed. The order of features does not matter. O(n log n).
 std::vector<map::Track> assume_pavements(const map::Features& features, Report& report);
 
 }  // namespace citykiln::assume

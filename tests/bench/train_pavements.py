@@ -251,7 +251,8 @@ def main_kind(row):
 
 
 FEATURES = ["motorway", "trunk", "primary", "secondary", "tertiary", "unclassified", "residential", "living_street", "service",
-            "service=driveway", "service=parking_aisle", "service=alley", "link", "inner", "roundabout inside", "mapped",
+            "service=driveway", "service=parking_aisle", "service=alley", "link", "inner", "one-way",
+            "one-way inside", "roundabout inside", "mapped",
             "front < 10 %", "front > 40 %"] + [f"land {name}" for name in LAND_NAMES[1:]]
 
 
@@ -259,7 +260,8 @@ def facts(row):
     drives_left = row.get("drives_left", False)
     inside = "right" if drives_left else "left"
     held = {main_kind(row), f"land {row['land']}"}
-    for name, holds in (("link", row["link"]), ("inner", row["inner"] > 0.5), ("roundabout inside", row["roundabout"] and row["side"] == inside),
+    for name, holds in (("link", row["link"]), ("inner", row["inner"] > 0.25), ("one-way", row["oneway"]),
+                        ("one-way inside", row["oneway"] and row["side"] == inside), ("roundabout inside", row["roundabout"] and row["side"] == inside),
                         ("mapped", row["mapped"] > 0.5), ("front < 10 %", row["front"] < 0.1), ("front > 40 %", row["front"] > 0.4)):
         if holds:
             held.add(name)

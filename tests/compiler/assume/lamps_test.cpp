@@ -29,7 +29,9 @@ bool is_lit_on(LandCoverClass land, const map::Track& street) {
   return lit.is_lit;
 }
 
-TEST(AssumeLamps, AStreetOnResidentialLandIsLit) { EXPECT_TRUE(is_lit_on(LandCoverClass::kResidential, dark_street())); }
+TEST(AssumeLamps, AStreetOnResidentialLandIsLit) {
+  EXPECT_TRUE(is_lit_on(LandCoverClass::kResidential, dark_street()));
+}
 
 TEST(AssumeLamps, AStreetThroughFieldsOrWoodsIsDark) {
   EXPECT_FALSE(is_lit_on(LandCoverClass::kFarmland, dark_street()));
