@@ -380,6 +380,15 @@ Building above_entrance(const Planned& planned) {
   return above;
 }
 
+// Sets the style, and the materials that depend on it.
+void set_style(const map::Footprint& footprint, Planned& planned) {
+  Building& building = planned.building;
+  building.style = style_of(footprint, above_entrance(planned));
+  const BuildingMaterials materials = regional_materials(footprint, building.roof_shape.form, building.style);
+  building.wall = materials.wall;
+  building.roof = materials.roof;
+}
+
 // Adds a party wall where it does not overlap the last one. The higher of two along one stretch counts.
 void add_party_wall(std::vector<PartyWall>& walls, PartyWall wall) {
   if (!walls.empty() && walls.back().edge == wall.edge && wall.from_m < walls.back().to_m) {
@@ -471,7 +480,7 @@ std::vector<Building> plan(const map::Features& features, const ground::GradedTe
   std::vector<Building> buildings;
   for (std::size_t i = 0; i < planned.size(); ++i) {
     if (!planned[i]) continue;
-    planned[i]->building.style = style_of(site.footprints[i], above_entrance(*planned[i]));
+    set_style(site.footprints[i], *planned[i]);
     buildings.push_back(std::move(planned[i]->building));
   }
   std::ranges::sort(buildings, {}, &Building::id);
