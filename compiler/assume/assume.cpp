@@ -8,6 +8,7 @@
 #include "compiler/assume/lamps.h"
 #include "compiler/assume/pavements.h"
 #include "compiler/assume/roofs.h"
+#include "compiler/assume/styles.h"
 
 namespace citykiln::assume {
 
@@ -19,6 +20,7 @@ map::Features assume(map::Features features, const Settings& settings, Report& r
     features.tracks = assume_bridge_pavements(assume_pavements(features, report), report);
   if (has(settings.on, Assumption::kLamps)) features.tracks = assume_lamps(features, report);
   if (has(settings.on, Assumption::kFronts)) assume_fronts(features, settings.seed, report);
+  if (has(settings.on, Assumption::kStyles)) features = assume_styles(std::move(features), report);
   return features;
 }
 

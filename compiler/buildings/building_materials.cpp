@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "compiler/buildings/paint_colour.h"
+#include "compiler/buildings/regional_styles.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/map/buildings/building_classes.h"
 
@@ -52,8 +53,32 @@ Material untagged_roof(const map::Footprint& footprint, roofs::RoofForm form) {
   return form == roofs::RoofForm::kFlat ? row.flat_roof : row.pitched_roof;
 }
 
+std::uint32_t percent_drawn(const map::Footprint& footprint, const char* purpose) {
+  return static_cast<std::uint32_t>(RandomSequence(0, stable_id(footprint.id), purpose).below(100, 0));
+}
+
+// Glass stays: towers look alike everywhere.
+Material regional_untagged_wall(const map::Footprint& footprint, Style style) {
+  const Material usual = untagged_wall(footprint);
+  if (usual == Material::kGlassFacade) return usual;
+  return regional_wall(footprint.country, style, usual, percent_drawn(footprint, "regional wall"));
+}
+
+Material regional_untagged_roof(const map::Footprint& footprint, roofs::RoofForm form) {
+  const Material usual = untagged_roof(footprint, form);
+  if (usual != Material::kRoofTile) return usual;
+  return regional_roof(footprint.country, percent_drawn(footprint, "regional roof"));
+}
+
 Material material_for(const std::optional<map::Srgb>& colour, std::initializer_list<Material> choice) {
   return colour ? tintable_material(paint_reflectance(*colour), choice) : *choice.begin();
+}
+
+// The tagged materials or those given, or lighter ones that show the tagged colours.
+BuildingMaterials tinted_materials(const map::Footprint& footprint, Material wall, Material roof) {
+  return {material_for(footprint.wall_colour, {footprint.wall_material.value_or(wall), Material::kPaint}),
+          material_for(footprint.roof_colour,
+                       {footprint.roof_material.value_or(roof), Material::kFlatRoof, Material::kPaint})};
 }
 
 // Colours of untagged plaster as shares of the material's base colour, for all that no rule colours; rules draw
@@ -76,10 +101,12 @@ Tint tint_for(Material material, const std::optional<map::Srgb>& colour, const R
 }  // namespace
 
 BuildingMaterials building_materials(const map::Footprint& footprint, roofs::RoofForm form) {
-  const Material wall = footprint.wall_material.value_or(untagged_wall(footprint));
-  const Material roof = footprint.roof_material.value_or(untagged_roof(footprint, form));
-  return {material_for(footprint.wall_colour, {wall, Material::kPaint}),
-          material_for(footprint.roof_colour, {roof, Material::kFlatRoof, Material::kPaint})};
+  return tinted_materials(footprint, untagged_wall(footprint), untagged_roof(footprint, form));
+}
+
+BuildingMaterials regional_materials(const map::Footprint& footprint, roofs::RoofForm form, Style style) {
+  if (!has(footprint.assumed, Assumption::kStyles)) return building_materials(footprint, form);
+  return tinted_materials(footprint, regional_untagged_wall(footprint, style), regional_untagged_roof(footprint, form));
 }
 
 Tint wall_tint(const Building& building, std::uint64_t seed) {

@@ -20,6 +20,10 @@ inline constexpr double kGlassTower_m = 60;
 /// only on the footprint's id, since a recipe has no seed. O(vertices).
 BuildingMaterials building_materials(const map::Footprint& footprint, roofs::RoofForm form);
 
+/// Returns the materials of a footprint whose style is known: as building_materials(), but where Assumption::kStyles is
+/// among those of the footprint, untagged walls and tiled roofs are those of its country group.
+BuildingMaterials regional_materials(const map::Footprint& footprint, roofs::RoofForm form, Style style);
+
 /// Returns the tint of the walls or of the roof: towards the tagged colour, else a random brightness within the
 /// material's variation, for plaster with one of 16 hues.
 materials::Tint wall_tint(const Building& building, std::uint64_t seed);

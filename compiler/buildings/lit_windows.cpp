@@ -43,6 +43,9 @@ double share_at_hour(const UseRow& row, std::int64_t hour) {
   return (of_week < static_cast<std::size_t>(kWeekend_h) ? row.weekday : row.weekend)[of_week % 24];
 }
 
+// Houses of more storeys have a household on each.
+constexpr int kMaxFamilyLevels = 2;
+
 Use use_by_style(Style style) {
   switch (style) {
     case Style::kOfficeSlab:
@@ -61,10 +64,30 @@ Use use_by_style(Style style) {
   }
 }
 
+bool is_family_house(const Building& building) {
+  switch (building.style) {
+    case Style::kVilla:
+    case Style::kRowHouse:
+      return true;
+    case Style::kNorthAmericanHouse:
+    case Style::kJapaneseHouse:
+    case Style::kBritishTerrace:
+    case Style::kNordicWood:
+    case Style::kMediterraneanHouse:
+    case Style::kLatinAmericanHouse:
+    case Style::kFlatRoofHouse:
+    case Style::kTropicalHouse:
+    case Style::kSouthAsianHouse:
+      return building.levels <= kMaxFamilyLevels;
+    default:
+      return false;
+  }
+}
+
 // A family's house is one household.
 bool is_one_unit(const Building& building, Use use) {
   if (use_row(use).unit_m == 0) return true;
-  return use == Use::kHome && (building.style == Style::kVilla || building.style == Style::kRowHouse);
+  return use == Use::kHome && is_family_house(building);
 }
 
 // The plan's cells lie along the longest edge of the building.

@@ -411,6 +411,15 @@ void set_fronts(std::vector<Front> fronts, const ground::GradedTerrain& ground, 
     building.assumed = static_cast<Assumptions>(building.assumed & ~bit_of(Assumption::kFronts));
 }
 
+// Sets the style, and the materials that depend on it.
+void set_style(const map::Footprint& footprint, Planned& planned) {
+  Building& building = planned.building;
+  building.style = style_of(footprint, above_entrance(planned));
+  const BuildingMaterials materials = regional_materials(footprint, building.roof_shape.form, building.style);
+  building.wall = materials.wall;
+  building.roof = materials.roof;
+}
+
 // Adds a party wall where it does not overlap the last one. The higher of two along one stretch counts.
 void add_party_wall(std::vector<PartyWall>& walls, PartyWall wall) {
   if (!walls.empty() && walls.back().edge == wall.edge && wall.from_m < walls.back().to_m) {
@@ -504,7 +513,7 @@ std::vector<Building> plan(const map::Features& features, const ground::GradedTe
   std::vector<Building> buildings;
   for (std::size_t i = 0; i < planned.size(); ++i) {
     if (!planned[i]) continue;
-    planned[i]->building.style = style_of(site.footprints[i], above_entrance(*planned[i]));
+    set_style(site.footprints[i], *planned[i]);
     set_fronts(std::move(fronts[i]), site.ground, planned[i]->building);
     buildings.push_back(std::move(planned[i]->building));
   }

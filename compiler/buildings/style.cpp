@@ -3,6 +3,7 @@
 #include <cassert>
 #include <iterator>
 
+#include "compiler/buildings/regional_styles.h"
 #include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
@@ -19,28 +20,42 @@ static_assert(std::size(kRules) == static_cast<std::size_t>(Style::kCount));
 
 // Smaller buildings have no walls for windows.
 constexpr double kMinWindowedArea_m2 = 12, kMinWindowedWall_m = 2.2;
-constexpr double kMinTower_m = 60, kMaxHouse_m2 = 220, kMaxOldTownHouse_m2 = 350;
+constexpr double kMinTower_m = 60, kMaxOldTownHouse_m2 = 350;
 constexpr int kMaxHouseLevels = 3;
 // Since then walls are made of prefabricated slabs and concrete.
 constexpr std::uint16_t kModernSince = 1955;
 
 bool is_modern(const map::Footprint& footprint) { return footprint.year >= kModernSince; }
 
-// Dwellings and buildings of unknown use.
-Style dwelling(const map::Footprint& footprint, const Building& building) {
+// The country group whose practice is followed: of styles that are not assumed, central Europe's.
+map::CountryGroup practice(const map::Footprint& footprint) {
+  return has(footprint.assumed, Assumption::kStyles) ? footprint.country : map::CountryGroup::kCentralEurope;
+}
+
+Style central_european_dwelling(const map::Footprint& footprint, const Building& building) {
   const bool is_attached = !building.party_walls.empty();
   const double area = area_m2(footprint.polygon);
-  if (area <= kMaxHouse_m2 && building.levels <= kMaxHouseLevels)
+  if (area <= max_house_m2(practice(footprint)) && building.levels <= kMaxHouseLevels)
     return is_attached ? (building.levels > 2 && !is_modern(footprint) ? Style::kOldTownHouse : Style::kRowHouse)
                        : Style::kVilla;
   if (is_modern(footprint) || !is_attached) return Style::kPanelBlock;
   return area <= kMaxOldTownHouse_m2 ? Style::kOldTownHouse : Style::kCourtyardBlock;
 }
 
+// Dwellings and buildings of unknown use.
+Style dwelling(const map::Footprint& footprint, const Building& building) {
+  return regional_style(practice(footprint), central_european_dwelling(footprint, building), building.levels);
+}
+
+Style house(const map::Footprint& footprint, const Building& building) {
+  const Style usual = building.party_walls.empty() ? Style::kVilla : Style::kRowHouse;
+  return regional_style(practice(footprint), usual, building.levels);
+}
+
 Style style_of_class(const map::Footprint& footprint, const Building& building) {
   switch (static_cast<BuildingClass>(footprint.building_class)) {
     case BuildingClass::kHouse:
-      return building.party_walls.empty() ? Style::kVilla : Style::kRowHouse;
+      return house(footprint, building);
     case BuildingClass::kOffice:
       return Style::kOfficeSlab;
     case BuildingClass::kCivic:

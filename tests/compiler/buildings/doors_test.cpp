@@ -93,9 +93,30 @@ double lowest_niche_m(const std::vector<MaterialMesh>& meshes, double from_m, do
 
 // Within a facade tile of at most 6 m; and not there without a mapped door.
 TEST(Doors, AreMadeByEveryStyleThatHasDoors) {
-  for (const Style style :
-       {Style::kOldTownHouse, Style::kCourtyardBlock, Style::kRowHouse, Style::kVilla, Style::kPanelBlock,
-        Style::kOfficeSlab, Style::kShop, Style::kWarehouse, Style::kChurch, Style::kBarn, Style::kCastle}) {
+  for (const Style style : {Style::kOldTownHouse,
+                            Style::kCourtyardBlock,
+                            Style::kRowHouse,
+                            Style::kVilla,
+                            Style::kPanelBlock,
+                            Style::kOfficeSlab,
+                            Style::kShop,
+                            Style::kWarehouse,
+                            Style::kChurch,
+                            Style::kBarn,
+                            Style::kCastle,
+                            Style::kNorthAmericanHouse,
+                            Style::kNorthAmericanRow,
+                            Style::kJapaneseHouse,
+                            Style::kJapaneseApartments,
+                            Style::kBritishTerrace,
+                            Style::kMediterraneanHouse,
+                            Style::kBalconyFlats,
+                            Style::kNordicWood,
+                            Style::kLatinAmericanHouse,
+                            Style::kFlatRoofHouse,
+                            Style::kTropicalHouse,
+                            Style::kSouthAsianHouse,
+                            Style::kChineseSlab}) {
     const Rulebook rulebook = parse_rulebook(shipped_rules());
     const auto expanded = [&](const std::vector<std::uint16_t>& told) {
       Building building = building_with(told, style);

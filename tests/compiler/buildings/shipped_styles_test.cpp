@@ -38,6 +38,19 @@ constexpr ShippedStyle kStyles[] = {
     {"barn", 18, 10, 4.5, 1, "gabled", 1100, 0.45, 1.6},
     {"garage", 12, 6, 2.6, 1, "flat", 450, 0.1, 0.2},
     {"castle", 14, 14, 16, 4, "flat", 3000, 0.35, 1.3},
+    {"north_american_house", 12, 9, 5.6, 2, "gabled", 2900, 1.8, 1.6},
+    {"north_american_row", 12, 12, 11, 3, "flat", 5000, 1.9, 2.6},
+    {"japanese_house", 9, 8, 5.8, 2, "gabled", 1700, 1.15, 0.5},
+    {"japanese_apartments", 24, 11, 14.5, 5, "flat", 12000, 1.35, 2.6},
+    {"british_terrace", 10.4, 8, 5.4, 2, "gabled", 2600, 0.75, 1.9},
+    {"mediterranean_house", 9, 9, 9.4, 3, "gabled", 3200, 0.75, 1.6},
+    {"balcony_flats", 13, 10, 12.6, 4, "flat", 7000, 1.25, 2.6},
+    {"nordic_wood", 10, 8, 5.6, 2, "gabled", 2900, 1.6, 1.6},
+    {"latin_american_house", 8, 9, 6.2, 2, "flat", 1800, 1.0, 2.6},
+    {"flat_roof_house", 9, 9, 6.2, 2, "flat", 1700, 1.25, 2.6},
+    {"tropical_house", 10, 8, 3.2, 1, "hipped", 1300, 2.2, 0.5},
+    {"south_asian_house", 8, 10, 9.3, 3, "flat", 4200, 1.15, 2.6},
+    {"chinese_slab", 22, 11, 16.8, 6, "flat", 9000, 1.25, 2.6},
 };
 
 void PrintTo(const ShippedStyle& style, std::ostream* out) { *out << style.name; }
