@@ -3,6 +3,10 @@
 // alone.
 #pragma once
 
+#include "compiler/assume/bridge_pavements.h"
+#include "compiler/assume/fronts.h"
+#include "compiler/assume/heights.h"
+#include "compiler/assume/pavements.h"
 #include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/plan_profiles.h"
@@ -30,14 +34,19 @@ namespace citykiln::regions {
 // | running water          | ground::kMaxInfluence_m        |   1008 | the axis that gives a bank its height          |
 // | transitions of lanes   | map::kLongestTransition_m      |    512 | the ways before and after                      |
 // | assumed widths         | roads::kLongestFitted_m        |    512 | objects that are mapped beside the way         |
+// | assumed pavements      | assume::kPavementRadius_m      |    576 | houses beside the other end of the way         |
+// | pavements on bridges   | assume::kLongestBridge_m       |    128 | streets at the other end                       |
+// | assumed storeys        | assume::kHeightNeighbours_m    |    200 | buildings with tagged heights                  |
+// | rows of houses         | assume::kHeightRow_m           |     64 | the house that draws for its row               |
+// | assumed fronts         | assume::kFrontSearch_m         |    150 | mapped shops                                   |
 // | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, planes, limits of grade             |
 // | bridges and tunnels    | ground::kSpanEndRadius_m       |   4096 | their ends                                     |
 // | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
 // | paths to a bridge      | ground::kLongestApproach_m     |   2048 | a bridge or tunnel that moves the path         |
 // | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
 //
-// Lanes of a transition follow from those of its neighbours as tagged, so their radius and that of assumed widths do
-// not add up.
+// Lanes of a transition follow from those of its neighbours as tagged, and assumed widths from what lies beside the
+// same way as its pavements, so their radii do not add up. Storeys and fronts change buildings alone.
 //
 // Some facts have no radius and are therefore found by the survey of the whole extent: coastlines, levels of standing
 // water, profiles of running water, and the heights that fill places without a heightmap. The header's fields also come
@@ -46,17 +55,21 @@ namespace citykiln::regions {
 /// The radius of one storey of bridges: two ramps of 850 m, as a railway needs (plan_profiles.h).
 inline constexpr double kStoreyRadius_m = 1700;
 
+/// The radius of what is assumed of a road: its own pavements and width, then those of a bridge.
+inline constexpr double kAssumedRoads_m = assume::kPavementRadius_m + assume::kLongestBridge_m;
+static_assert(roads::kLongestFitted_m <= assume::kPavementRadius_m);
+
 /// The width of the data around a region that it is compiled with: at least the sum of radii along the longest chain of
 /// dependences, which is a tile, the roads and junctions of its chunk, their profiles, the bridges of these, and the
 /// bridges that cross them. A whole number of cells of 128 m.
 inline constexpr double kRegionHalo_m = 10240;
 
-static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
-                                   roads::kLongestFitted_m + ground::kProfileRadius_m + ground::kSpanEndRadius_m +
-                                   kStoreyRadius_m + ground::kKnotStretch_m);
-static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
-                                   roads::kLongestFitted_m + ground::kLongestApproach_m + ground::kApproach_m +
-                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m);
+static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m + kAssumedRoads_m +
+                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m + kStoreyRadius_m +
+                                   ground::kKnotStretch_m);
+static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m + kAssumedRoads_m +
+                                   ground::kLongestApproach_m + ground::kApproach_m + ground::kProfileRadius_m +
+                                   ground::kSpanEndRadius_m);
 static_assert(map::kLongestTransition_m <= roads::kLongestFitted_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 
