@@ -47,8 +47,8 @@ struct SideFacts {
   double streets = 0;        ///< The share of the stretch that lies within kBlock_m of a cross street.
   double path = 0;           ///< The share along which a path or a paved square runs beside the kerb.
   double oncoming = 0;       ///< The share along which a one-way street runs in the other direction.
-  /// From the kerb to what is mapped beside it: buildings, walls, fences, rails, car parks, other streets, of which a
-  /// quarter of the side may leave less; and water, which leaves this everywhere.
+  /// The distance from the kerb to buildings, walls, rails, car parks and other streets, of which a quarter of the side
+  /// may leave less; and to water, which leaves this everywhere.
   double room_m = std::numeric_limits<double>::infinity();
   LandUse land{};  ///< The most frequent one.
 };
