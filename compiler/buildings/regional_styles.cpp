@@ -59,7 +59,7 @@ static_assert([] {
   return true;
 }());
 
-// American Housing Survey: the median detached house has 170 m2 of floors, in suburbs mostly on one, with a garage.
+// An estimate: houses of one storey with a garage under the same roof.
 constexpr double kMaxHouse_m2 = 220, kMaxWideHouse_m2 = 420;
 
 }  // namespace
